@@ -1,0 +1,25 @@
+// The one exception for bad input: what is wrong, where, and what to try.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace tapfit {
+
+/// Input that cannot be used as it stands.
+class InputError : public std::runtime_error {
+ public:
+  /// @param what the fault, in one sentence without the place
+  /// @param where file, line or field, for example "test.json: runs[2].file"
+  /// @param remedy what the user can try, in one sentence
+  InputError(const std::string& what, std::string where, std::string remedy);
+
+  [[nodiscard]] const std::string& where() const { return where_; }
+  [[nodiscard]] const std::string& remedy() const { return remedy_; }
+
+ private:
+  std::string where_;
+  std::string remedy_;
+};
+
+}  // namespace tapfit

@@ -1,0 +1,25 @@
+# Flags shared by every target. The repository root is given with -iquote and
+# never with -I: signal/ on an include path would shadow <signal.h>.
+add_library(tapfit_flags INTERFACE)
+target_compile_options(tapfit_flags INTERFACE
+  "SHELL:-iquote ${PROJECT_SOURCE_DIR}"
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+if(TAPFIT_WARNINGS_AS_ERRORS)
+  target_compile_options(tapfit_flags INTERFACE -Werror)
+endif()
+target_link_libraries(tapfit_flags INTERFACE Eigen3::Eigen fmt::fmt)
+
+# One library per folder: tapfit_folder(signal DEPENDS acquisition).
+# Every .cpp below the folder belongs to it.
+function(tapfit_folder name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  add_library(tapfit_${name} STATIC ${sources})
+  list(TRANSFORM ARG_DEPENDS PREPEND tapfit_)
+  target_link_libraries(tapfit_${name}
+    PUBLIC tapfit_flags ${ARG_DEPENDS}
+    PRIVATE ${ARG_PRIVATE})
+  target_precompile_headers(tapfit_${name} PRIVATE
+    <Eigen/Dense> <fmt/format.h> <string> <vector>)
+endfunction()

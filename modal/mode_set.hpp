@@ -1,0 +1,43 @@
+// Identified modes: poles, shapes, and how far to trust them.
+#pragma once
+
+#include "acquisition/dof.hpp"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::modal {
+
+/// One identified mode; window damping already taken out.
+struct Mode {
+  std::complex<double> pole;  ///< [rad/s], Re < 0
+  double frequency_hz = 0.0;  ///< |pole| / 2 pi
+  double frequency_sd_hz = 0.0;
+  double damping_ratio = 0.0;  ///< -Re(pole) / |pole|
+  double damping_sd = 0.0;
+  double mpc = 0.0;        ///< modal phase collinearity, 0..1
+  Eigen::VectorXcd shape;  ///< per ModeSet::dofs; unit modal mass if scaled
+};
+
+/// One pole of the stabilisation diagram.
+struct DiagramPole {
+  int order = 0;
+  double frequency_hz = 0.0;
+  double damping_ratio = 0.0;
+  char letter = 'o';  ///< o new, f frequency, d + damping, v + vector, s all
+};
+
+struct ModeSet {
+  std::vector<Dof> dofs;  ///< rows of every shape, sign +1
+  std::vector<Mode> modes;
+  bool scaled = false;  ///< unit modal mass (a driving point was measured)
+  std::vector<DiagramPole> diagram;
+  double synthesis_error = 0.0;  ///< rms of synthesised minus measured, relative
+  std::vector<std::string> warnings;
+};
+
+}  // namespace tapfit::modal

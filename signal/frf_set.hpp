@@ -1,0 +1,39 @@
+// A set of measured frequency response functions on lines of the s-plane.
+#pragma once
+
+#include "acquisition/dof.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::signal {
+
+/// One accelerance H1 = response acceleration / reference force.
+struct Frf {
+  Dof response;
+  Dof reference;
+  std::size_t run = 0;      ///< index into TestBundle::runs
+  std::size_t channel = 0;  ///< response channel, index into channels
+  Eigen::VectorXcd H;       ///< accelerance per line [(m/s^2)/N]
+  Eigen::VectorXd coherence;  ///< 0..1 per line; ones for a single hit
+  Eigen::VectorXd variance;   ///< of H: E|dH|^2 per line [((m/s^2)/N)^2]
+  int hits = 0;               ///< accepted hits behind it
+};
+
+/// FRFs that share their lines s = sigma + j omega. An exponential window
+/// exp(-sigma t) on force and response makes the estimate the transfer
+/// function at s exactly, so sigma is kept here and not corrected for later.
+struct FrfSet {
+  Eigen::VectorXcd s;  ///< complex angular frequency of each line [rad/s]
+  std::vector<Frf> frfs;
+
+  [[nodiscard]] Eigen::Index lines() const { return s.size(); }
+  [[nodiscard]] Eigen::VectorXd frequency_hz() const;
+};
+
+/// "12Z+ / 3Z+": response over reference.
+[[nodiscard]] std::string name(const Frf& frf);
+
+}  // namespace tapfit::signal

@@ -1,0 +1,78 @@
+// What may be missing from the model, ranked, and how sure one can be.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Where an effect sits; which member is used depends on the effect.
+struct Where {
+  int node = 0;                       ///< 0: not used
+  std::vector<int> nodes;
+  std::vector<int> elements;
+  std::vector<std::string> channels;
+};
+
+/// "node 201", "acc1, acc2", "19 nodes (1 ... 38)".
+[[nodiscard]] std::string describe(const Where& where);
+
+struct Estimate {
+  std::string name;  ///< for example "mass_kg"; ends in its unit
+  double value = 0.0;
+  double sd = 0.0;
+  double lo95 = 0.0;
+  double hi95 = 0.0;
+};
+
+struct EffectRef {
+  std::string effect;
+  Where where;
+};
+
+struct Candidate {
+  std::string effect;  ///< catalogue name, for example "added-mass"
+  Where where;
+  std::vector<Estimate> parameters;
+  double probability = 0.0;
+  double error = 0.0;           ///< after adding it, all refitted
+  double held_out_error = 0.0;  ///< on runs it was not fitted to
+  std::vector<EffectRef> indistinguishable_from;
+};
+
+/// The missing dynamic stiffness z(s) at one place against frequency.
+struct Signature {
+  int node = 0;
+  Eigen::VectorXd frequency_hz;
+  Eigen::VectorXcd z;         ///< [N/m]
+  Eigen::VectorXd z_sd;       ///< [N/m]
+  double explained = 0.0;     ///< share of the discrepancy one place explains
+  /// Share of z left unexplained by each law: mass, spring, dashpot.
+  double mass_unexplained = 1.0, mass_kg = 0.0;
+  double spring_unexplained = 1.0, spring_n_per_m = 0.0;
+  double dashpot_unexplained = 1.0, dashpot_ns_per_m = 0.0;
+};
+
+struct Rung {
+  std::string added;  ///< effect, or "base" for the first
+  Where where;
+  double error = 0.0;
+  std::vector<Estimate> parameters;
+};
+
+struct Diagnosis {
+  std::string verdict;  ///< "none", "unexplained", "added-mass", "a+b", "a|b"
+  double error_base = 0.0;
+  double error_best = 0.0;
+  double floor = 0.0;
+  std::string contour;
+  std::vector<Candidate> candidates;  ///< most probable first
+  std::vector<Rung> ladder;           ///< without the base
+  std::vector<Estimate> model_parameters;  ///< "E:1" and so on
+  std::vector<std::string> warnings;
+};
+
+}  // namespace tapfit::updating

@@ -1,0 +1,81 @@
+// One test, worked through from recording to updated model. Each stage's result
+// is computed when first asked for and dropped when a stage to its left
+// changes. The terminal screens and the command line are both thin over this.
+#pragma once
+
+#include "acquisition/hits.hpp"
+#include "acquisition/progress.hpp"
+#include "modal/identify_modes.hpp"
+#include "signal/estimate_frfs.hpp"
+#include "updating/comparison.hpp"
+#include "updating/diagnosis.hpp"
+#include "updating/structure/deck.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace tapfit::updating {
+
+/// "added-mass@201", "sensor-mass", "soft-support": an effect to add by hand.
+///
+/// @throws InputError for an unknown effect or a place it cannot take
+[[nodiscard]] EffectRef parse_effect(const std::string& text);
+
+class Session {
+ public:
+  /// Reads the bundle's test.json (not yet its recordings).
+  /// @throws InputError
+  explicit Session(const std::filesystem::path& bundle);
+  ~Session();
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+
+  // Each stage: computed on first use, kept. May take long, hence progress.
+  // @throws InputError for what the input does not allow; Stopped.
+  const acquisition::TestBundle& bundle() const;
+  bool has_model() const;
+  const structure::Deck& deck(const Progress& progress = {});
+  const std::vector<acquisition::Recording>& recordings(
+      const Progress& progress = {});
+  const acquisition::HitSet& hits(const Progress& progress = {});
+  const signal::FrfSet& frfs(const Progress& progress = {});
+  const modal::ModeSet& modes(const Progress& progress = {});
+  /// The current model (base, or with what was added) against measurement.
+  const Comparison& comparison(const Progress& progress = {});
+  /// The base model's comparison, whatever has been added since.
+  const Comparison& base_comparison(const Progress& progress = {});
+  /// Ranks what is missing from the current model.
+  const Diagnosis& diagnosis(const Progress& progress = {});
+  /// Missing dynamic stiffness at a grid, for the current model.
+  Signature signature(int node, const Progress& progress = {});
+
+  /// Accept or reject a hit by hand; FRFs and all after are dropped.
+  void overrule_hit(std::size_t run, std::size_t hit);
+
+  /// Adds an effect to the current model and identifies all parameters anew.
+  void add(const EffectRef& effect, const Progress& progress = {});
+  /// Takes the last added effect off; false when there is none.
+  bool undo();
+  /// Puts the last effect taken off back on; false when there is none.
+  bool redo();
+
+  /// Base rung first, then one per added effect.
+  const std::vector<Rung>& ladder(const Progress& progress = {});
+  /// Parameters of the current model, uncertain base ones included.
+  std::vector<Estimate> model_parameters(const Progress& progress = {});
+
+  /// Which stages have their result already (for drawing without waiting).
+  bool has_recordings() const;
+  bool has_hits() const;
+  bool has_frfs() const;
+  bool has_modes() const;
+  bool has_comparison() const;
+  bool has_diagnosis() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tapfit::updating

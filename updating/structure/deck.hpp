@@ -1,0 +1,159 @@
+// The finite element model as the deck says it: grids, elements, properties,
+// materials, constraints. Reading and writing are in read_deck and write_deck.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct Grid {
+  int id = 0;
+  Eigen::Vector3d position;  ///< basic axes [m]
+};
+
+/// CQUAD4 (four grids) or CTRIA3 (three).
+struct Shell {
+  int id = 0;
+  int property = 0;
+  std::vector<int> grids;
+  double theta_deg = 0.0;  ///< material axis from side 1-2
+};
+
+/// CBAR (and CBEAM of constant section).
+struct Bar {
+  int id = 0;
+  int property = 0;
+  std::array<int, 2> grids{};
+  Eigen::Vector3d orientation;  ///< basic axes; plane 1 holds it
+  std::array<Eigen::Vector3d, 2> offsets{Eigen::Vector3d::Zero(),
+                                         Eigen::Vector3d::Zero()};
+  std::array<std::string, 2> released;  ///< component digits at each end
+};
+
+/// CROD and CONROD (the latter gets a property of its own, id < 0).
+struct Rod {
+  int id = 0;
+  int property = 0;
+  std::array<int, 2> grids{};
+};
+
+/// CONM2.
+struct PointMass {
+  int id = 0;
+  int grid = 0;
+  double mass = 0.0;                                  ///< [kg]
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about its centre
+};
+
+/// CELAS1/2 (stiffness) and CDAMP2 (damping); grid 0 is ground.
+struct ScalarElement {
+  int id = 0;
+  std::array<int, 2> grids{};
+  std::array<int, 2> components{};  ///< 1..6
+  double stiffness = 0.0;           ///< [N/m] or [N m/rad]
+  double damping = 0.0;             ///< [N s/m]
+};
+
+/// MAT1, or MAT8 (orthotropic) when `orthotropic` is set.
+struct Material {
+  int id = 0;
+  bool orthotropic = false;
+  double E = 0.0;    ///< MAT1 [Pa]; E1 of MAT8
+  double nu = 0.0;   ///< nu12 of MAT8
+  double G = 0.0;    ///< MAT1 [Pa]; G12 of MAT8
+  double rho = 0.0;  ///< [kg/m^3]
+  double E2 = 0.0;
+  double G1z = 0.0;  ///< 0: infinitely stiff in transverse shear
+  double G2z = 0.0;
+};
+
+/// PSHELL. Material ids 0 mean the part is absent.
+struct ShellProperty {
+  int id = 0;
+  int membrane = 0;
+  int bending = 0;
+  int shear = 0;
+  double thickness = 0.0;          ///< [m]
+  double bending_ratio = 1.0;      ///< 12 I / t^3
+  double shear_ratio = 5.0 / 6.0;  ///< ts / t
+  double nonstructural = 0.0;      ///< [kg/m^2]
+};
+
+/// PBAR, PBARL, PBEAM of constant section.
+struct BarProperty {
+  int id = 0;
+  int material = 0;
+  double area = 0.0;  ///< [m^2]
+  double I1 = 0.0;    ///< bending in plane 1 [m^4]
+  double I2 = 0.0;    ///< bending in plane 2 [m^4]
+  double I12 = 0.0;
+  double J = 0.0;              ///< torsion [m^4]
+  double nonstructural = 0.0;  ///< [kg/m]
+  double K1 = 0.0;             ///< shear factors; 0: no shear deformation
+  double K2 = 0.0;
+};
+
+/// PROD, or a CONROD's own section.
+struct RodProperty {
+  int id = 0;
+  int material = 0;
+  double area = 0.0;
+  double J = 0.0;
+  double nonstructural = 0.0;
+};
+
+/// SPC, SPC1 and a grid's permanent constraints: components held at zero.
+struct Constraint {
+  int grid = 0;
+  std::string components;  ///< digits of 1..6
+};
+
+struct Deck {
+  std::filesystem::path path;
+  std::vector<Grid> grids;  ///< in the deck's order
+  std::vector<Shell> shells;
+  std::vector<Bar> bars;
+  std::vector<Rod> rods;
+  std::vector<PointMass> masses;
+  std::vector<ScalarElement> scalars;
+  std::map<int, Material> materials;
+  std::map<int, ShellProperty> shell_properties;
+  std::map<int, BarProperty> bar_properties;
+  std::map<int, RodProperty> rod_properties;
+  std::vector<Constraint> constraints;
+  std::vector<std::array<int, 2>> plot_lines;  ///< PLOTEL
+  bool coupled_mass = false;  ///< PARAM,COUPMASS: consistent mass
+  double weight_to_mass = 1.0;         ///< PARAM,WTMASS
+  double structural_damping = 0.0;     ///< PARAM,G
+  std::vector<std::string> cards;      ///< the bulk data as read, line by line
+  std::vector<std::string> warnings;   ///< unknown cards: line, consequence
+
+  [[nodiscard]] std::size_t element_count() const;
+
+  /// Index into `grids`.
+  /// @throws InputError for an id that is not there
+  [[nodiscard]] std::size_t grid_index(int id) const;
+  [[nodiscard]] bool has_grid(int id) const;
+};
+
+/// Reads Nastran bulk data: free, small and large field, continuations,
+/// `1.5-3` reals, INCLUDE. Unknown cards are kept and warned about.
+///
+/// @throws InputError with file and line for a card that cannot be read, a
+///   reference to a grid, property or material that does not exist
+[[nodiscard]] Deck read_deck(const std::filesystem::path& path);
+
+/// Writes the deck's original lines, followed by the cards given (for example
+/// a CONM2 for an identified mass) before ENDDATA.
+void write_deck(const Deck& deck,
+                const std::vector<std::string>& added_cards,
+                const std::filesystem::path& path);
+
+}  // namespace tapfit::structure
