@@ -1,0 +1,21 @@
+#!/bin/sh
+# Installs what is missing, then configures and builds the release preset:
+#   cmake/set_up.sh [TARGET]     (no target: everything)
+# Speaks on standard error only, so that a caller's output stays clean.
+set -eu
+cd "$(dirname "$0")/.."
+
+cmake/install_packages.sh
+
+quiet=--quiet
+[ -t 2 ] && quiet=
+{
+  # A build folder from another place or compiler is configured afresh.
+  mkdir -p build
+  cmake --preset release >build/configure.log 2>&1 ||
+    cmake --fresh --preset release --log-level=WARNING
+  [ -e build/release/tapfit ] ||
+    echo "Building tapfit: a few minutes the first time ..."
+  # shellcheck disable=SC2086 # no option at all where $quiet is empty
+  cmake --build --preset release -j "$(nproc)" ${1:+--target "$1"} -- $quiet
+} >&2
