@@ -1,0 +1,37 @@
+// Sound files as matrices, by way of libsndfile (included only here).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+
+namespace tapfit::acquisition {
+
+struct Audio {
+  double sample_rate_hz = 0.0;
+  Eigen::MatrixXd
+      samples;  ///< n_samples x n_channels, 1.0 = digital full scale
+};
+
+/// Reads a whole file of any format that libsndfile knows (WAV, W64, RF64,
+/// FLAC, AIFF, CAF, ...).
+///
+/// @throws InputError for a file that is missing, no sound file, empty, or
+///   shorter than its header says
+[[nodiscard]] Audio read_audio(const std::filesystem::path& file);
+
+enum class AudioFormat { Flac24, Wav24, WavFloat64 };
+
+/// Writes n_samples x n_channels, 1.0 = digital full scale. The integer formats
+/// round to 24 bits and clip what lies beyond full scale; WavFloat64 keeps
+/// every value as it is.
+///
+/// @param rate sampling rate [Hz], a whole number
+/// @throws InputError when the file cannot be written, or FLAC is asked for
+///   more than 8 channels
+void write_audio(const std::filesystem::path& file,
+                 const Eigen::MatrixXd& samples,
+                 int rate,
+                 AudioFormat format);
+
+}  // namespace tapfit::acquisition
