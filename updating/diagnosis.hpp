@@ -15,6 +15,11 @@ struct Where {
   std::vector<int> nodes;
   std::vector<int> elements;
   std::vector<std::string> channels;
+  /// Which form of the effect, where it has several: "rotation",
+  /// "translation"; "each" for one mass per channel instead of a shared one.
+  std::string variant;
+
+  bool operator==(const Where&) const = default;
 };
 
 /// "node 201", "acc1, acc2", "19 nodes (1 ... 38)".

@@ -34,6 +34,7 @@ struct Bar {
   std::array<Eigen::Vector3d, 2> offsets{Eigen::Vector3d::Zero(),
                                          Eigen::Vector3d::Zero()};
   std::array<std::string, 2> released;  ///< component digits at each end
+  bool torsional_inertia = false;  ///< CBEAM has it, Nastran's CBAR has not
 };
 
 /// CROD and CONROD (the latter gets a property of its own, id < 0).
@@ -52,13 +53,18 @@ struct PointMass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about its centre
 };
 
-/// CELAS1/2 (stiffness) and CDAMP2 (damping); grid 0 is ground.
+/// CELAS1/2 (stiffness), CDAMP2 (damping), CMASS2 (mass); grid 0 is ground.
 struct ScalarElement {
   int id = 0;
   std::array<int, 2> grids{};
   std::array<int, 2> components{};  ///< 1..6
   double stiffness = 0.0;           ///< [N/m] or [N m/rad]
   double damping = 0.0;             ///< [N s/m]
+  double mass = 0.0;                ///< [kg] or [kg m^2]
+  /// Direction of the component in basic axes where the grid's displacement
+  /// axes (CD) are turned; zero: the basic axis of the component.
+  std::array<Eigen::Vector3d, 2> axes{Eigen::Vector3d::Zero(),
+                                      Eigen::Vector3d::Zero()};
 };
 
 /// MAT1, or MAT8 (orthotropic) when `orthotropic` is set.
@@ -129,11 +135,12 @@ struct Deck {
   std::map<int, RodProperty> rod_properties;
   std::vector<Constraint> constraints;
   std::vector<std::array<int, 2>> plot_lines;  ///< PLOTEL
-  bool coupled_mass = false;  ///< PARAM,COUPMASS: consistent mass
-  double weight_to_mass = 1.0;         ///< PARAM,WTMASS
-  double structural_damping = 0.0;     ///< PARAM,G
-  std::vector<std::string> cards;      ///< the bulk data as read, line by line
-  std::vector<std::string> warnings;   ///< unknown cards: line, consequence
+  bool coupled_mass = false;          ///< PARAM,COUPMASS: consistent mass
+  double weight_to_mass = 1.0;        ///< PARAM,WTMASS
+  double structural_damping = 0.0;    ///< PARAM,G
+  std::vector<std::string> cards;     ///< the file as read, line by line, with
+                                      ///< INCLUDE files inlined
+  std::vector<std::string> warnings;  ///< unknown cards: line, consequence
 
   [[nodiscard]] std::size_t element_count() const;
 
@@ -150,8 +157,12 @@ struct Deck {
 ///   reference to a grid, property or material that does not exist
 [[nodiscard]] Deck read_deck(const std::filesystem::path& path);
 
-/// Writes the deck's original lines, followed by the cards given (for example
-/// a CONM2 for an identified mass) before ENDDATA.
+/// Throws InputError for every reference to a grid, property or material that
+/// does not exist; for decks that were put together by a program.
+void check_references(const Deck& deck);
+
+/// Writes the deck's original lines, INCLUDE files inlined, followed by the
+/// cards given (for example a CONM2 for an identified mass) before ENDDATA.
 void write_deck(const Deck& deck,
                 const std::vector<std::string>& added_cards,
                 const std::filesystem::path& path);

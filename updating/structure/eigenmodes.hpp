@@ -7,7 +7,7 @@ namespace tapfit::structure {
 
 struct Eigenmodes {
   Eigen::VectorXd frequency_hz;  ///< ascending; rigid modes are near 0
-  Eigen::MatrixXd phi;  ///< n_free x count, phi' M phi = I
+  Eigen::MatrixXd phi;           ///< n_free x count, phi' M phi = I
 };
 
 /// Modes with the lowest frequencies.

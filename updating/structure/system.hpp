@@ -16,8 +16,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 /// + component - 1. Constraints are not applied here but listed, so that a
 /// support can be given some compliance later.
 struct System {
-  SparseMatrix K;  ///< full symmetric storage [N/m]
-  SparseMatrix M;  ///< [kg]
+  SparseMatrix K;              ///< full symmetric storage [N/m]
+  SparseMatrix M;              ///< [kg]
   std::vector<bool> fixed;     ///< held by a constraint
   std::vector<bool> inactive;  ///< nothing gives it stiffness (AUTOSPC)
 

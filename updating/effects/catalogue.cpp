@@ -1,0 +1,38 @@
+#include "updating/effects/catalogue.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/effects/added_mass.hpp"
+#include "updating/effects/dashpot.hpp"
+#include "updating/effects/ground_spring.hpp"
+#include "updating/effects/sensor_mass.hpp"
+#include "updating/effects/soft_support.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace tapfit::effects {
+
+std::span<const std::unique_ptr<const Effect>> catalogue() {
+  static const std::array<std::unique_ptr<const Effect>, 5> effects = {
+      std::make_unique<const SensorMass>(),
+      std::make_unique<const SoftSupport>(),
+      std::make_unique<const AddedMass>(),
+      std::make_unique<const GroundSpring>(),
+      std::make_unique<const Dashpot>(),
+  };
+  return effects;
+}
+
+const Effect& find(const std::string& name) {
+  std::string known;
+  for (const auto& effect : catalogue()) {
+    if (effect->name() == name) return *effect;
+    known += (known.empty() ? "" : ", ") + effect->name();
+  }
+  throw InputError(fmt::format("there is no effect \"{}\"", name),
+                   "effect",
+                   fmt::format("use one of {}", known));
+}
+
+}  // namespace tapfit::effects

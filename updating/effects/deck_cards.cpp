@@ -1,0 +1,62 @@
+#include "updating/effects/deck_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::effects {
+namespace {
+
+int free_id(const structure::Deck& deck, int offset) {
+  int highest = 0;
+  const auto scan = [&highest](const auto& elements) {
+    for (const auto& element : elements) {
+      highest = std::max(highest, element.id);
+    }
+  };
+  scan(deck.shells);
+  scan(deck.bars);
+  scan(deck.rods);
+  scan(deck.masses);
+  scan(deck.scalars);
+  return highest + 1 + offset;
+}
+
+// A real in bulk data needs a point or an exponent with one.
+std::string real(double value) { return fmt::format("{:#.7g}", value); }
+
+}  // namespace
+
+std::string point_mass_card(const structure::Deck& deck,
+                            int offset,
+                            int node,
+                            double mass_kg) {
+  return fmt::format(
+      "CONM2,{},{},,{}", free_id(deck, offset), node, real(mass_kg));
+}
+
+std::string ground_spring_card(const structure::Deck& deck,
+                               int offset,
+                               int node,
+                               int component,
+                               double stiffness) {
+  return fmt::format("CELAS2,{},{},{},{}",
+                     free_id(deck, offset),
+                     real(stiffness),
+                     node,
+                     component);
+}
+
+std::string ground_damper_card(const structure::Deck& deck,
+                               int offset,
+                               int node,
+                               int component,
+                               double damping) {
+  return fmt::format("CDAMP2,{},{},{},{}",
+                     free_id(deck, offset),
+                     real(damping),
+                     node,
+                     component);
+}
+
+}  // namespace tapfit::effects

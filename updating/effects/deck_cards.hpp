@@ -1,0 +1,30 @@
+// Bulk data cards for identified effects, with element ids that are free.
+#pragma once
+
+#include "updating/structure/deck.hpp"
+
+#include <string>
+
+namespace tapfit::effects {
+
+/// CONM2 with the `offset`-th free element id of the deck (0, 1, ...).
+[[nodiscard]] std::string point_mass_card(const structure::Deck& deck,
+                                          int offset,
+                                          int node,
+                                          double mass_kg);
+
+/// CELAS2 from a grid's component to ground.
+[[nodiscard]] std::string ground_spring_card(const structure::Deck& deck,
+                                             int offset,
+                                             int node,
+                                             int component,
+                                             double stiffness);
+
+/// CDAMP2 from a grid's component to ground.
+[[nodiscard]] std::string ground_damper_card(const structure::Deck& deck,
+                                             int offset,
+                                             int node,
+                                             int component,
+                                             double damping);
+
+}  // namespace tapfit::effects

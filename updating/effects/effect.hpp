@@ -1,0 +1,106 @@
+// What every effect of the catalogue must say of itself: where it may sit, on
+// which degrees of freedom it acts, and its dynamic stiffness
+//
+//   Delta Z(s) = B D(s; p) B',   D = law(s; p) diag(weight)
+//
+// where B picks degrees of freedom of the base model.
+#pragma once
+
+#include "acquisition/test_bundle.hpp"
+#include "updating/diagnosis.hpp"
+#include "updating/structure/deck.hpp"
+
+#include <complex>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tapfit::effects {
+
+using updating::Where;
+
+/// What an effect needs to know to propose places, starts and bounds.
+struct Setting {
+  const acquisition::TestBundle* bundle = nullptr;
+  const structure::Deck* deck = nullptr;  ///< null for a test without a model
+  double mass_kg = 1.0;                   ///< of the whole base model
+  double low_hz = 1.0;                    ///< band
+  double high_hz = 100.0;
+  int component = 3;  ///< 1..3, the direction mostly measured
+};
+
+/// A positive parameter, fitted in its logarithm.
+struct ParameterSpec {
+  std::string name;  ///< result field, ends in its unit
+  double start = 1.0;
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// One degree of freedom that the effect acts on.
+struct ActedDof {
+  int node = 0;
+  int component = 3;    ///< 1..6
+  double weight = 1.0;  ///< factor on the law, for example a length
+  std::size_t group = 0;  ///< which law, where an effect has several
+};
+
+/// How an effect enters the model.
+enum class Entry {
+  LowRank,      ///< through Woodbury, on free degrees of freedom
+  Support,      ///< compliance of a constrained degree of freedom
+  Measurement,  ///< in the channel, not in the structure
+};
+
+class Effect {
+ public:
+  virtual ~Effect() = default;
+
+  [[nodiscard]] virtual std::string name() const = 0;
+  /// One line for the screens: what it is and how it shows.
+  [[nodiscard]] virtual std::string physics() const = 0;
+  [[nodiscard]] virtual Entry entry() const { return Entry::LowRank; }
+
+  /// Every place where it may sit.
+  [[nodiscard]] virtual std::vector<Where> places(
+      const Setting& setting) const = 0;
+  [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
+      const Where& where, const Setting& setting) const = 0;
+
+  /// Degrees of freedom it acts on while one run is measured (a sensor's mass
+  /// moves with the sensor). Empty for Entry::Measurement.
+  [[nodiscard]] virtual std::vector<ActedDof> acts_on(
+      const Where& where, const Setting& setting, std::size_t run) const = 0;
+
+  /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for
+  /// Entry::Measurement the factor on the channel's FRFs.
+  [[nodiscard]] virtual std::complex<double> law(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group) const = 0;
+  /// d law / d p_k.
+  [[nodiscard]] virtual std::complex<double> law_derivative(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group,
+      std::size_t k) const = 0;
+
+  /// Derived results worth reporting besides the parameters themselves, as
+  /// factors on parameter 0: name and factor (for example per metre -> total).
+  struct Derived {
+    std::string name;
+    double factor = 1.0;
+  };
+  [[nodiscard]] virtual std::vector<Derived> derived(const Where&,
+                                                     const Setting&) const {
+    return {};
+  }
+
+  /// Cards that put it into the deck; comments where bulk data has no card.
+  [[nodiscard]] virtual std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const = 0;
+};
+
+}  // namespace tapfit::effects

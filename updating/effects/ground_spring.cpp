@@ -1,0 +1,45 @@
+#include "updating/effects/ground_spring.hpp"
+
+#include "updating/effects/deck_cards.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::effects {
+
+std::vector<ParameterSpec> GroundSpring::parameters(
+    const Where&, const Setting& setting) const {
+  // Stiffness that the structure's own mass has at the band's two ends.
+  const double low = 2.0 * std::numbers::pi * setting.low_hz;
+  const double high = 2.0 * std::numbers::pi * setting.high_hz;
+  const double lower = 1e-4 * setting.mass_kg * low * low;
+  const double upper = 10.0 * setting.mass_kg * high * high;
+  return {{"stiffness_n_per_m", std::sqrt(lower * upper), lower, upper}};
+}
+
+std::vector<ActedDof> GroundSpring::acts_on(const Where& where,
+                                            const Setting& setting,
+                                            std::size_t) const {
+  return {{where.node, setting.component, 1.0}};
+}
+
+std::complex<double> GroundSpring::law(std::complex<double>,
+                                       const std::vector<double>& p, std::size_t) const {
+  return p[0];
+}
+
+std::complex<double> GroundSpring::law_derivative(std::complex<double>,
+                                                  const std::vector<double>&,
+                                                  std::size_t, std::size_t) const {
+  return 1.0;
+}
+
+std::vector<std::string> GroundSpring::bulk_data(
+    const Where& where,
+    const Setting& setting,
+    const std::vector<double>& p) const {
+  return {ground_spring_card(
+      *setting.deck, 0, where.node, setting.component, p[0])};
+}
+
+}  // namespace tapfit::effects

@@ -1,0 +1,35 @@
+// A spring from one grid to ground: Delta Z = k in the measured direction.
+#pragma once
+
+#include "updating/effects/point_effect.hpp"
+
+namespace tapfit::effects {
+
+class GroundSpring final : public PointEffect {
+ public:
+  [[nodiscard]] std::string name() const override { return "ground-spring"; }
+  [[nodiscard]] std::string physics() const override {
+    return "a spring from one grid to ground; raises frequencies, the same "
+           "stiffness at every frequency";
+  }
+  [[nodiscard]] std::vector<ParameterSpec> parameters(
+      const Where& where, const Setting& setting) const override;
+  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
+                                              const Setting& setting,
+                                              std::size_t run) const override;
+  [[nodiscard]] std::complex<double> law(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group) const override;
+  [[nodiscard]] std::complex<double> law_derivative(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group,
+      std::size_t k) const override;
+  [[nodiscard]] std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const override;
+};
+
+}  // namespace tapfit::effects

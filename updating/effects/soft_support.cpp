@@ -1,0 +1,107 @@
+#include "updating/effects/soft_support.hpp"
+
+#include "updating/effects/deck_cards.hpp"
+#include "updating/support_line.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::effects {
+namespace {
+
+updating::SupportLine line_of(const Where& where, const Setting& setting) {
+  return updating::support_line(*setting.deck,
+                                where.nodes,
+                                where.variant == "rotation",
+                                setting.component);
+}
+
+std::string base_name(const Where& where) {
+  return where.variant == "rotation" ? "rotational_stiffness_nm_per_rad"
+                                     : "translational_stiffness_n_per_m";
+}
+
+}  // namespace
+
+std::vector<Where> SoftSupport::places(const Setting& setting) const {
+  std::vector<Where> result;
+  if (setting.deck == nullptr) return result;
+  std::vector<std::vector<int>> groups =
+      updating::support_groups(*setting.deck);
+  if (groups.size() > 1) {
+    std::vector<int> all;
+    for (const std::vector<int>& group : groups) {
+      all.insert(all.end(), group.begin(), group.end());
+    }
+    groups.push_back(all);
+  }
+  for (const std::vector<int>& group : groups) {
+    for (const char* variant : {"rotation", "translation"}) {
+      Where where;
+      where.nodes = group;
+      where.variant = variant;
+      if (!line_of(where, setting).dofs.empty()) result.push_back(where);
+    }
+  }
+  return result;
+}
+
+std::vector<ParameterSpec> SoftSupport::parameters(
+    const Where& where, const Setting& setting) const {
+  // The scale at which a support is as soft as the structure's inertia is
+  // heavy at the band's ends; the fit starts from a scan over this range.
+  const double length = line_of(where, setting).length;
+  const double low = 2.0 * std::numbers::pi * setting.low_hz;
+  const double high = 2.0 * std::numbers::pi * setting.high_hz;
+  const double size = where.variant == "rotation" ? 0.1 : 1.0;
+  const double lower = 1e-2 * setting.mass_kg * low * low * size / length;
+  const double upper = 1e4 * setting.mass_kg * high * high * size / length;
+  return {{base_name(where) + "_per_m",
+           std::sqrt(lower * upper),
+           lower,
+           upper}};
+}
+
+std::vector<ActedDof> SoftSupport::acts_on(const Where&,
+                                           const Setting&,
+                                           std::size_t) const {
+  return {};
+}
+
+std::complex<double> SoftSupport::law(std::complex<double>,
+                                      const std::vector<double>& p,
+                                      std::size_t) const {
+  return p[0];
+}
+
+std::complex<double> SoftSupport::law_derivative(std::complex<double>,
+                                                 const std::vector<double>&,
+                                                 std::size_t,
+                                                 std::size_t) const {
+  return 1.0;
+}
+
+std::vector<Effect::Derived> SoftSupport::derived(
+    const Where& where, const Setting& setting) const {
+  return {{base_name(where), line_of(where, setting).length}};
+}
+
+std::vector<std::string> SoftSupport::bulk_data(
+    const Where& where,
+    const Setting& setting,
+    const std::vector<double>& p) const {
+  std::vector<std::string> cards = {
+      "$ Soft support: take the components below out of the SPC of their "
+      "grids"};
+  int offset = 0;
+  for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
+    cards.push_back(ground_spring_card(*setting.deck,
+                                       offset++,
+                                       dof.node,
+                                       dof.component,
+                                       p[0] * dof.length));
+  }
+  return cards;
+}
+
+}  // namespace tapfit::effects

@@ -1,0 +1,103 @@
+// FRFs of the base model with effects added, and their derivatives, without
+// ever solving the full model again (Sherman-Morrison-Woodbury).
+//
+//   H* = H - H B D (I + B' H B D)^-1 B' H          (eq. 15 of the paper)
+//   d H*_oi / d theta = -X_o' (d Z / d theta) X_i   (eq. 4),  X_q = H* e_q
+//
+// H is diagonal in the base's modes; B holds the rows of the degrees of freedom
+// acted on. Properties that scale whole matrices, and supports, change the
+// base's modes instead, which are then taken anew (a small dense problem).
+#pragma once
+
+#include "signal/frf_set.hpp"
+#include "updating/effects/effect.hpp"
+#include "updating/reduced_base.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// An effect at a place, with the size of its parameters.
+struct PlacedEffect {
+  const effects::Effect* effect = nullptr;
+  Where where;
+  std::vector<double> p;
+};
+
+/// Everything that can be fitted.
+struct ModelState {
+  std::vector<double> factor;  ///< uncertain property over nominal
+  Eigen::VectorXd zeta;        ///< damping ratio of the first modes
+  double zeta_other = 0.01;    ///< of all higher modes
+  std::vector<PlacedEffect> effects;
+
+  [[nodiscard]] Eigen::Index parameters() const;
+};
+
+/// Logarithms of the state's parameters: factors, zeta, then effects' p.
+[[nodiscard]] Eigen::VectorXd pack(const ModelState& state);
+[[nodiscard]] ModelState unpack(const ModelState& like,
+                                const Eigen::VectorXd& theta);
+
+/// Undamped modes in the base's coordinates.
+struct BaseModes {
+  Eigen::VectorXd omega;  ///< [rad/s]
+  Eigen::MatrixXd phi;    ///< r x r
+};
+
+struct ModelResponse {
+  Eigen::MatrixXcd H;                ///< lines x pairs, accelerance
+  std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
+};
+
+/// The model at the measured pairs of an FRF set.
+class FrfModel {
+ public:
+  /// @param measured pairs (their H is not used)
+  /// @throws InputError for a measured grid that the deck does not have
+  FrfModel(ReducedBase base,
+           const effects::Setting& setting,
+           const signal::FrfSet& measured);
+
+  /// @param s lines [rad/s]
+  /// @param derivatives also fill ModelResponse::dH
+  [[nodiscard]] ModelResponse respond(const ModelState& state,
+                                      const Eigen::VectorXcd& s,
+                                      bool derivatives) const;
+
+  /// Modes of the base with its factors and supports, without the rest.
+  [[nodiscard]] BaseModes base_modes(const ModelState& state) const;
+  /// Undamped modes with every effect (a roving sensor as in the first run).
+  [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
+
+  [[nodiscard]] const ReducedBase& base() const { return base_; }
+  [[nodiscard]] const effects::Setting& setting() const { return setting_; }
+  /// Row of V for a degree of freedom of the deck.
+  [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
+
+  /// Keeps the order of the damping ratios when modes change places: modes at
+  /// later states are matched to those at this one.
+  void set_reference(const ModelState& state);
+
+ private:
+  struct RunLines;
+  struct Pair {
+    std::size_t run = 0;
+    std::string channel;
+    Eigen::VectorXd response;   // r, signed
+    Eigen::VectorXd reference;  // r, signed
+  };
+  [[nodiscard]] Eigen::VectorXd damping(const ModelState& state,
+                                        const BaseModes& modes,
+                                        std::vector<int>& owner) const;
+
+  ReducedBase base_;
+  effects::Setting setting_;
+  std::vector<Pair> pairs_;
+  std::vector<std::vector<std::size_t>> by_run_;
+  Eigen::MatrixXd reference_phi_;
+};
+
+}  // namespace tapfit::updating

@@ -1,0 +1,291 @@
+#include "updating/reduced_base.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/factor.hpp"
+#include "updating/structure/refine_mesh.hpp"
+#include "updating/structure/system.hpp"
+#include "updating/support_line.hpp"
+#include "updating/uncertain_parts.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using structure::SparseMatrix;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+// Columns of full length from columns over some of the indices.
+MatrixXd expand(const MatrixXd& part, const std::vector<int>& at, Index n) {
+  MatrixXd full = MatrixXd::Zero(n, part.cols());
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    full.row(at[k]) = part.row(static_cast<Index>(k));
+  }
+  return full;
+}
+
+// Basis of the columns' span, orthonormal in M.
+MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V) {
+  for (Index k = 0; k < V.cols(); ++k) {
+    const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
+    V.col(k) /= norm > 0.0 ? norm : 1.0;
+  }
+  // Twice, because a residual vector nearly inside the modes' span loses
+  // digits the first time.
+  for (int pass = 0; pass < 2; ++pass) {
+    const MatrixXd gram = V.transpose() * (M * V);
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
+    const VectorXd& d = solver.eigenvalues();
+    const double limit = 1e-9 * d.maxCoeff();
+    Index first = 0;
+    while (d(first) < limit) ++first;
+    const Index kept = d.size() - first;
+    const MatrixXd Q = solver.eigenvectors().rightCols(kept);
+    const VectorXd scale = d.tail(kept).cwiseSqrt().cwiseInverse();
+    V = (V * Q * scale.asDiagonal()).eval();
+  }
+  return V;
+}
+
+}  // namespace
+
+struct BaseBuilder::Impl {
+  structure::Deck deck;  // refined
+  structure::RefinedDeck last;
+  Index original_grids = 0;
+  BaseOptions options;
+  structure::System system;
+  std::vector<int> free;
+  double mass = 0.0;
+  double shift = 0.0;  // K + shift M is factored [rad^2/s^2]
+  MatrixXd modes;      // n x count, supports rigid
+  VectorXd modes_hz;
+  std::unique_ptr<structure::Factor> factor;
+  std::vector<UncertainPart> parts;
+
+  [[nodiscard]] MatrixXd static_responses(
+      const structure::Factor& solver,
+      const std::vector<int>& active,
+      const std::vector<int>& points) const;
+  [[nodiscard]] SparseMatrix support_matrix(const Where& where) const;
+  [[nodiscard]] std::vector<int> released_free(
+      const std::vector<Where>& released) const;
+  void scale_support(SupportTerm& term, const SparseMatrix& S) const;
+  [[nodiscard]] MatrixXd softened(const std::vector<int>& active,
+                                  const SparseMatrix& spring,
+                                  const std::vector<int>& points) const;
+};
+
+BaseBuilder::BaseBuilder(
+    const structure::Deck& deck,
+    const std::vector<acquisition::UncertainProperty>& uncertain,
+    const BaseOptions& options,
+    const Progress& progress)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& m = *impl_;
+  m.options = options;
+  m.original_grids = static_cast<Index>(deck.grids.size());
+  m.deck = deck;
+  for (int k = 0; k < options.refinements; ++k) {
+    m.deck = structure::refine_mesh(m.deck).deck;
+  }
+  progress("model: assembling", 0.0);
+  m.system = structure::assemble(m.deck);
+  m.free = m.system.free_dofs();
+  if (m.free.empty()) {
+    throw InputError("the model has no free degree of freedom",
+                     deck.path.string(),
+                     "check the elements and the SPC cards");
+  }
+  m.mass = structure::total_mass(m.deck, m.system);
+  const SparseMatrix K = structure::extract(m.system.K, m.free);
+  const SparseMatrix M = structure::extract(m.system.M, m.free);
+  progress("model: eigenmodes", 0.2);
+  const structure::Eigenmodes modes =
+      structure::eigenmodes_up_to(K, M, options.reach * options.high_hz);
+  m.modes = expand(modes.phi, m.free, m.system.dofs());
+  m.modes_hz = modes.frequency_hz;
+  progress("model: residual flexibility", 0.8);
+  m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
+  const SparseMatrix A = K + m.shift * M;
+  m.factor = std::make_unique<structure::Factor>(A);
+  m.parts = uncertain_parts(m.deck, uncertain);
+}
+
+BaseBuilder::~BaseBuilder() = default;
+BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
+BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
+
+double BaseBuilder::mass_kg() const { return impl_->mass; }
+Index BaseBuilder::dofs() const {
+  return static_cast<Index>(impl_->free.size());
+}
+int BaseBuilder::refinements() const { return impl_->options.refinements; }
+
+// (K + shift M)^-1 for unit forces at the points.
+MatrixXd BaseBuilder::Impl::static_responses(
+    const structure::Factor& solver,
+    const std::vector<int>& active,
+    const std::vector<int>& points) const {
+  std::vector<int> position(static_cast<std::size_t>(system.dofs()), -1);
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    position[static_cast<std::size_t>(active[k])] = static_cast<int>(k);
+  }
+  std::vector<int> rows;
+  for (const int point : points) {
+    const int row = position.at(static_cast<std::size_t>(point));
+    if (row >= 0) rows.push_back(row);
+  }
+  MatrixXd force = MatrixXd::Zero(static_cast<Index>(active.size()),
+                                  static_cast<Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    force(rows[k], static_cast<Index>(k)) = 1.0;
+  }
+  if (rows.empty()) return MatrixXd::Zero(system.dofs(), 0);
+  return expand(solver.solve(force), active, system.dofs());
+}
+
+// Springs of unit stiffness per metre on the released degrees of freedom of
+// the refined mesh: on the support's own grids and those between them.
+SparseMatrix BaseBuilder::Impl::support_matrix(const Where& where) const {
+  const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
+  std::vector<int> nodes;
+  for (const std::vector<int>& group : support_groups(deck)) {
+    const bool inside = std::any_of(
+        group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
+    if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
+  }
+  const int component = where.variant == "rotation" ? 0 : 3;
+  const SupportLine line =
+      support_line(deck, nodes, where.variant == "rotation", component);
+  SparseMatrix S(system.dofs(), system.dofs());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const SupportDof& dof : line.dofs) {
+    const int index =
+        6 * static_cast<int>(deck.grid_index(dof.node)) + dof.component - 1;
+    entries.emplace_back(index, index, dof.length);
+  }
+  S.setFromTriplets(entries.begin(), entries.end());
+  return S;
+}
+
+std::vector<int> BaseBuilder::Impl::released_free(
+    const std::vector<Where>& released) const {
+  std::vector<bool> active(static_cast<std::size_t>(system.dofs()), false);
+  for (const int k : free) active[static_cast<std::size_t>(k)] = true;
+  for (const Where& where : released) {
+    const SparseMatrix S = support_matrix(where);
+    for (Index k = 0; k < S.outerSize(); ++k) {
+      for (SparseMatrix::InnerIterator it(S, k); it; ++it) {
+        active[static_cast<std::size_t>(it.row())] = true;
+      }
+    }
+  }
+  std::vector<int> result;
+  for (std::size_t k = 0; k < active.size(); ++k) {
+    if (active[k] && !system.inactive[k]) {
+      result.push_back(static_cast<int>(k));
+    }
+  }
+  return result;
+}
+
+// How stiff is stiff: to first order a support of stiffness k per metre lowers
+// omega_r^2 by sum_i f_i^2 / (k length_i), f the reaction in mode r.
+void BaseBuilder::Impl::scale_support(SupportTerm& term,
+                                      const SparseMatrix& S) const {
+  const MatrixXd reaction = system.K * modes;
+  double worst = 0.0;
+  for (Index r = 0; r < modes.cols(); ++r) {
+    if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
+    double sum = 0.0;
+    for (Index k = 0; k < S.outerSize(); ++k) {
+      for (SparseMatrix::InnerIterator it(S, k); it; ++it) {
+        sum += std::pow(reaction(it.row(), r), 2) / it.value();
+      }
+    }
+    worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
+  }
+  if (worst <= 0.0) worst = 1.0;
+  term.stiff = worst / 1e-4;
+  term.start = worst / 0.1;
+  term.soft = worst / 4.0;
+}
+
+// Modes and static responses with the support on springs.
+MatrixXd BaseBuilder::Impl::softened(const std::vector<int>& active,
+                                     const SparseMatrix& spring,
+                                     const std::vector<int>& points) const {
+  const SparseMatrix sprung = system.K + spring;
+  const SparseMatrix K = structure::extract(sprung, active);
+  const SparseMatrix M = structure::extract(system.M, active);
+  const structure::Eigenmodes soft =
+      structure::eigenmodes_up_to(K, M, 2.0 * options.high_hz);
+  const SparseMatrix A = K + shift * M;
+  const structure::Factor solver(A);
+  MatrixXd result(system.dofs(), soft.phi.cols());
+  result = expand(soft.phi, active, system.dofs());
+  const MatrixXd residual = static_responses(solver, active, points);
+  MatrixXd both(system.dofs(), result.cols() + residual.cols());
+  both << result, residual;
+  return both;
+}
+
+ReducedBase BaseBuilder::build(const std::vector<int>& points,
+                               const std::vector<Where>& released) const {
+  const Impl& m = *impl_;
+  std::vector<MatrixXd> blocks = {
+      m.modes, m.static_responses(*m.factor, m.free, points)};
+  ReducedBase base;
+  std::vector<SparseMatrix> springs;
+  for (const Where& where : released) {
+    SupportTerm term;
+    term.where = where;
+    springs.push_back(m.support_matrix(where));
+    m.scale_support(term, springs.back());
+    base.supports.push_back(term);
+  }
+  if (!released.empty()) {
+    const std::vector<int> active = m.released_free(released);
+    for (const bool soft : {false, true}) {
+      SparseMatrix spring(m.system.dofs(), m.system.dofs());
+      for (std::size_t k = 0; k < springs.size(); ++k) {
+        const SupportTerm& term = base.supports[k];
+        spring += (soft ? term.soft : term.start) * springs[k];
+      }
+      blocks.push_back(m.softened(active, spring, points));
+    }
+  }
+  Index columns = 0;
+  for (const MatrixXd& block : blocks) columns += block.cols();
+  MatrixXd V(m.system.dofs(), columns);
+  Index at = 0;
+  for (const MatrixXd& block : blocks) {
+    V.middleCols(at, block.cols()) = block;
+    at += block.cols();
+  }
+  V = orthonormalise(m.system.M, V);
+  base.rows = V.topRows(6 * m.original_grids);
+  base.K = V.transpose() * (m.system.K * V);
+  for (const UncertainPart& part : m.parts) {
+    base.K_part.emplace_back(V.transpose() * (part.K * V));
+    base.M_part.emplace_back(V.transpose() * (part.M * V));
+  }
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    base.supports[k].S = V.transpose() * (springs[k] * V);
+  }
+  return base;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,79 @@
+// The base model, solved once and made small.
+//
+//   K_r = V' K V,  M_r = V' M V = I
+//
+// V holds the modes to well above the band and the static response to a unit
+// force at every point that is measured, hit or acted on. Where a support may
+// give way, V also holds modes with the support at two finite stiffnesses, so
+// that everything between rigid and very soft lies in its span.
+// Source: R. R. Craig, A. J. Kurdila, "Fundamentals of Structural Dynamics",
+// 2006, ch. 17 (residual flexibility); basis of two
+// states: U. Kirsch, "Reanalysis of Structures", 2008.
+#pragma once
+
+#include "acquisition/progress.hpp"
+#include "acquisition/test_bundle.hpp"
+#include "updating/diagnosis.hpp"
+#include "updating/structure/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A support's stiffness matrix in the base, per unit stiffness per metre.
+struct SupportTerm {
+  Where where;
+  Eigen::MatrixXd S;     ///< r x r [per N/m/m or per N m/rad/m]
+  double stiff = 0.0;    ///< practically rigid [unit of S^-1]
+  double start = 0.0;    ///< lowers the most affected mode a few percent
+  double soft = 0.0;     ///< softest the basis is good for
+};
+
+struct ReducedBase {
+  Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
+  Eigen::MatrixXd K;     ///< r x r at nominal properties, supports released
+  std::vector<Eigen::MatrixXd> K_part;  ///< per uncertain property: d K / d f
+  std::vector<Eigen::MatrixXd> M_part;  ///< the same for M, f the factor
+  std::vector<SupportTerm> supports;
+
+  [[nodiscard]] Eigen::Index size() const { return K.rows(); }
+};
+
+struct BaseOptions {
+  double high_hz = 100.0;  ///< top of the band
+  double reach = 4.0;      ///< modes up to reach * high_hz
+  int refinements = 1;     ///< times the mesh is split
+};
+
+/// Holds the factored matrices, so that bases for other points cost only
+/// back-substitutions.
+class BaseBuilder {
+ public:
+  /// @throws InputError when the deck cannot be solved or an uncertain
+  ///   property is none of the deck's
+  BaseBuilder(const structure::Deck& deck,
+              const std::vector<acquisition::UncertainProperty>& uncertain,
+              const BaseOptions& options,
+              const Progress& progress);
+  ~BaseBuilder();
+  BaseBuilder(BaseBuilder&&) noexcept;
+  BaseBuilder& operator=(BaseBuilder&&) noexcept;
+
+  /// @param points degrees of freedom 6 * grid_index + component - 1
+  /// @param released soft-support places whose compliance the base must hold
+  [[nodiscard]] ReducedBase build(const std::vector<int>& points,
+                                  const std::vector<Where>& released) const;
+
+  [[nodiscard]] double mass_kg() const;
+  [[nodiscard]] Eigen::Index dofs() const;
+  [[nodiscard]] int refinements() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tapfit::updating

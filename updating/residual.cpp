@@ -1,0 +1,109 @@
+#include "updating/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+
+double Target::count() const {
+  return std::accumulate(use.begin(), use.end(), 0.0) *
+         static_cast<double>(s.size());
+}
+
+Target make_target(const signal::FrfSet& measured) {
+  Target target;
+  target.s = measured.s;
+  const auto n = static_cast<Index>(measured.frfs.size());
+  target.H.resize(measured.lines(), n);
+  target.variance.resize(measured.lines(), n);
+  for (Index k = 0; k < n; ++k) {
+    const signal::Frf& frf = measured.frfs[static_cast<std::size_t>(k)];
+    target.H.col(k) = frf.H;
+    target.variance.col(k) = frf.variance;
+    target.run.push_back(frf.run);
+    target.use.push_back(1.0);
+  }
+  target.weight =
+      target.H.cwiseAbs2().rowwise().mean().cwiseSqrt().cwiseMax(1e-300);
+  return target;
+}
+
+double block_error(const Target& target,
+                   const Eigen::MatrixXcd& H,
+                   Index first_line,
+                   Index lines,
+                   Index first_frf,
+                   Index frfs) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (Index f = first_frf; f < first_frf + frfs; ++f) {
+    const double use = target.use[static_cast<std::size_t>(f)];
+    for (Index l = first_line; l < first_line + lines; ++l) {
+      sum += use * std::norm((H(l, f) - target.H(l, f)) / target.weight(l));
+      count += use;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+double relative_error(const Target& target, const Eigen::MatrixXcd& H) {
+  return block_error(target, H, 0, target.s.size(), 0, target.H.cols());
+}
+
+double frf_error(const Target& target, const Eigen::MatrixXcd& H, Index frf) {
+  return block_error(target, H, 0, target.s.size(), frf, 1);
+}
+
+double noise_error(const Target& target) {
+  double sum = 0.0;
+  for (Index f = 0; f < target.H.cols(); ++f) {
+    const double use = target.use[static_cast<std::size_t>(f)];
+    for (Index l = 0; l < target.s.size(); ++l) {
+      sum += use * target.variance(l, f) / std::pow(target.weight(l), 2);
+    }
+  }
+  const double count = target.count();
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+Eigen::VectorXd stack(const Target& target,
+                      const Eigen::MatrixXcd& difference) {
+  const Index lines = target.s.size();
+  const Index frfs = target.H.cols();
+  const double scale = 1.0 / std::sqrt(std::max(target.count(), 1.0));
+  Eigen::VectorXd r(2 * lines * frfs);
+  Index at = 0;
+  for (Index f = 0; f < frfs; ++f) {
+    const double use = scale * target.use[static_cast<std::size_t>(f)];
+    for (Index l = 0; l < lines; ++l) {
+      const std::complex<double> d = use * difference(l, f) / target.weight(l);
+      r(at) = d.real();
+      r(at + lines) = d.imag();
+      ++at;
+    }
+    at += lines;
+  }
+  return r;
+}
+
+double effective_data(const Target& target) {
+  // The transform on a damped line is smoothed by a Lorentzian of half width
+  // sigma, whose equivalent width is pi sigma.
+  double lines = 0.0;
+  for (Index l = 0; l < target.s.size(); ++l) {
+    const Index a = std::max<Index>(l - 1, 0);
+    const Index b = std::min<Index>(l + 1, target.s.size() - 1);
+    const double spacing = (target.s(b).imag() - target.s(a).imag()) /
+                           static_cast<double>(std::max<Index>(b - a, 1));
+    const double width = std::numbers::pi * target.s(l).real();
+    lines += width > 0.0 ? std::min(1.0, spacing / width) : 1.0;
+  }
+  return 2.0 * lines *
+         std::accumulate(target.use.begin(), target.use.end(), 0.0);
+}
+
+}  // namespace tapfit::updating

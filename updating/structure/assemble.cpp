@@ -1,0 +1,167 @@
+#include "acquisition/input_error.hpp"
+#include "updating/structure/element_matrices.hpp"
+#include "updating/structure/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::structure {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+using Wanted = std::function<bool(int)>;
+using Take = std::function<void(const ElementMatrices&)>;
+
+void add(const Deck& deck,
+         const std::vector<int>& grids,
+         const Eigen::MatrixXd& part,
+         Triplets& triplets) {
+  std::vector<int> index;
+  for (const int grid : grids) {
+    const int first = 6 * static_cast<int>(deck.grid_index(grid));
+    for (int c = 0; c < 6; ++c) index.push_back(first + c);
+  }
+  for (Eigen::Index j = 0; j < part.cols(); ++j) {
+    for (Eigen::Index i = 0; i < part.rows(); ++i) {
+      if (part(i, j) == 0.0) continue;
+      triplets.emplace_back(index[static_cast<std::size_t>(i)],
+                            index[static_cast<std::size_t>(j)],
+                            part(i, j));
+    }
+  }
+}
+
+void each_structural(const Deck& deck, const Wanted& wanted, const Take& take) {
+  for (const Shell& e : deck.shells) {
+    if (wanted(e.id)) take(shell_matrices(deck, e));
+  }
+  for (const Bar& e : deck.bars) {
+    if (wanted(e.id)) take(bar_matrices(deck, e));
+  }
+  for (const Rod& e : deck.rods) {
+    if (wanted(e.id)) take(rod_matrices(deck, e));
+  }
+}
+
+SparseMatrix gather(const Deck& deck, const Triplets& triplets) {
+  const Eigen::Index n = 6 * static_cast<Eigen::Index>(deck.grids.size());
+  SparseMatrix A(n, n);
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  // Rounding of the element products must not make the matrix unsymmetric.
+  const SparseMatrix At = A.transpose();
+  A = 0.5 * (A + At);
+  A.makeCompressed();
+  return A;
+}
+
+std::vector<bool> fixed_dofs(const Deck& deck) {
+  std::vector<bool> fixed(6 * deck.grids.size(), false);
+  for (const Constraint& held : deck.constraints) {
+    const std::size_t first = 6 * deck.grid_index(held.grid);
+    for (const char digit : held.components) {
+      fixed[first + static_cast<std::size_t>(digit - '1')] = true;
+    }
+  }
+  return fixed;
+}
+
+// AUTOSPC: a component with next to nothing of the stiffness that the grid has
+// in its stiffest component of the same kind.
+std::vector<bool> inactive_dofs(const SparseMatrix& K) {
+  constexpr double kRelative = 1e-8;
+  const Eigen::VectorXd diagonal = K.diagonal();
+  std::vector<bool> inactive(static_cast<std::size_t>(K.rows()), false);
+  for (Eigen::Index first = 0; first < K.rows(); first += 3) {
+    const double largest = diagonal.segment<3>(first).maxCoeff();
+    for (Eigen::Index i = first; i < first + 3; ++i) {
+      inactive[static_cast<std::size_t>(i)] =
+          !(diagonal(i) > kRelative * largest);
+    }
+  }
+  return inactive;
+}
+
+}  // namespace
+
+std::vector<int> System::free_dofs() const {
+  std::vector<int> free;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (!fixed[i] && !inactive[i]) free.push_back(static_cast<int>(i));
+  }
+  return free;
+}
+
+System assemble(const Deck& deck) {
+  check_references(deck);
+  Triplets K;
+  Triplets M;
+  const Take take = [&](const ElementMatrices& e) {
+    add(deck, e.grids, e.K, K);
+    add(deck, e.grids, e.M, M);
+  };
+  each_structural(
+      deck, [](int) { return true; }, take);
+  for (const PointMass& mass : deck.masses) take(mass_matrices(mass));
+  for (const ScalarElement& e : deck.scalars) take(scalar_matrices(e));
+  System system;
+  system.K = gather(deck, K);
+  system.M = gather(deck, M) * deck.weight_to_mass;
+  system.fixed = fixed_dofs(deck);
+  system.inactive = inactive_dofs(system.K);
+  return system;
+}
+
+SparseMatrix assemble_stiffness(const Deck& deck, const Wanted& wanted) {
+  Triplets K;
+  each_structural(deck, wanted, [&](const ElementMatrices& e) {
+    add(deck, e.grids, e.K, K);
+  });
+  return gather(deck, K);
+}
+
+SparseMatrix assemble_mass(const Deck& deck, const Wanted& wanted) {
+  Triplets M;
+  each_structural(deck, wanted, [&](const ElementMatrices& e) {
+    add(deck, e.grids, e.M, M);
+  });
+  return gather(deck, M) * deck.weight_to_mass;
+}
+
+std::vector<int> elements_of_material(const Deck& deck, int id) {
+  std::vector<int> elements;
+  for (const Shell& e : deck.shells) {
+    const ShellProperty& p = deck.shell_properties.at(e.property);
+    if (p.membrane == id || p.bending == id) elements.push_back(e.id);
+  }
+  for (const Bar& e : deck.bars) {
+    if (deck.bar_properties.at(e.property).material == id) {
+      elements.push_back(e.id);
+    }
+  }
+  for (const Rod& e : deck.rods) {
+    if (deck.rod_properties.at(e.property).material == id) {
+      elements.push_back(e.id);
+    }
+  }
+  return elements;
+}
+
+double total_mass(const Deck& deck, const System& system) {
+  const Eigen::Index n = system.dofs();
+  if (n != 6 * static_cast<Eigen::Index>(deck.grids.size())) {
+    throw InputError("the matrices do not belong to the model",
+                     deck.path.filename().string(),
+                     "Assemble this model again.");
+  }
+  // A CMASS2 may act along one axis only, so the largest of the three counts.
+  double largest = 0.0;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Eigen::VectorXd rigid = Eigen::VectorXd::Zero(n);
+    for (Eigen::Index i = axis; i < n; i += 6) rigid(i) = 1.0;
+    largest = std::max(largest, rigid.dot(system.M * rigid));
+  }
+  return largest;
+}
+
+}  // namespace tapfit::structure

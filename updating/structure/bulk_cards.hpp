@@ -1,0 +1,45 @@
+// Nastran bulk data as cards: lines are put into fields (free, small and large
+// field), continuations joined, INCLUDE files brought in. What the fields mean
+// is not known here.
+//
+// Source: MSC Nastran Quick Reference Guide, "Format of bulk data entries".
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::structure {
+
+/// One bulk data entry. Field 0 is the name in capitals; continuation markers
+/// (the tenth field of a line) are left out, so the fields of the second line
+/// begin at 9.
+struct Card {
+  std::vector<std::string> fields;
+  std::string where;  ///< "file:line" of its first line
+  int line = 0;
+
+  [[nodiscard]] const std::string& name() const { return fields.front(); }
+};
+
+struct BulkData {
+  std::vector<std::string> lines;  ///< the whole file, INCLUDE files inlined
+  std::vector<Card> cards;
+  std::optional<int> spc_set;  ///< SPC = n of the case control, the first one
+};
+
+/// Reads a deck up to ENDDATA. A file without BEGIN BULK is all bulk data,
+/// apart from lines that look like executive or case control.
+///
+/// @throws InputError for a file that cannot be read, a continuation that
+///   follows nothing, a line with too many fields, an INCLUDE that goes round
+[[nodiscard]] BulkData read_bulk_data(const std::filesystem::path& path);
+
+/// A real number as bulk data writes it: 1., 1.5-3, 1.5D-3, 7.E+10, 3.
+/// Empty when the text is not a finite number.
+[[nodiscard]] std::optional<double> parse_real(const std::string& text);
+
+[[nodiscard]] std::optional<int> parse_integer(const std::string& text);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,30 @@
+// The lines of a deck: comments and executive control set aside, INCLUDE files
+// brought in at their place.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct SourceLine {
+  std::string text;   ///< comment removed, tabs expanded, not blank
+  std::string where;  ///< "file:line"
+  int number = 0;
+};
+
+struct DeckLines {
+  std::vector<std::string> all;  ///< every line as written, INCLUDE inlined
+  std::vector<SourceLine> bulk;  ///< between BEGIN BULK and ENDDATA
+  std::optional<int> spc_set;    ///< SPC = n of the case control
+};
+
+/// @throws InputError for a file that cannot be read, or includes itself
+[[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
+
+[[nodiscard]] std::string trimmed(const std::string& text);
+[[nodiscard]] std::string upper(std::string text);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,76 @@
+// What is known of a deck while its cards are being read. Each group of cards
+// has a reader of its own (read_grids, read_properties, read_elements,
+// read_constraints); read_deck runs them in order of dependence.
+#pragma once
+
+#include "updating/structure/card_reader.hpp"
+#include "updating/structure/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace tapfit::structure {
+
+/// A rectangular coordinate system in basic axes.
+struct CoordinateSystem {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x, y, z
+};
+
+struct DeckBuilder {
+  Deck deck;
+  std::map<int, CoordinateSystem> systems;  ///< 0 is basic
+  std::unordered_map<int, std::size_t> grid_index;
+  std::unordered_map<int, int> displacement_system;        ///< CD where not 0
+  std::map<int, std::array<double, 2>> spring_properties;  ///< PELAS: k, g
+  std::map<int, std::vector<Constraint>> constraint_sets;
+  std::map<int, std::vector<int>> added_sets;  ///< SPCADD
+  std::vector<Constraint> permanent;           ///< GRID field 8
+  std::set<int> element_ids;
+
+  /// Position of a grid in basic axes.
+  /// @throws InputError when the grid does not exist
+  [[nodiscard]] const Grid& grid(const CardReader& card, int id) const;
+
+  /// @throws InputError when the system does not exist
+  [[nodiscard]] const CoordinateSystem& system(const CardReader& card,
+                                               int id) const;
+
+  /// Displacement axes of a grid.
+  [[nodiscard]] const CoordinateSystem& displacement(const CardReader& card,
+                                                     int grid) const;
+
+  /// Takes an element id. @throws InputError when it is taken already
+  void claim(const CardReader& card, int id);
+
+  void warn(const CardReader& card, const std::string& text);
+};
+
+using ReadCard = std::function<void(DeckBuilder&, const CardReader&)>;
+using CardTable = std::map<std::string, ReadCard>;
+
+/// Tables of the cards each reader understands.
+[[nodiscard]] CardTable coordinate_cards();
+[[nodiscard]] CardTable grid_cards();
+[[nodiscard]] CardTable property_cards();
+[[nodiscard]] CardTable element_cards();
+[[nodiscard]] CardTable constraint_cards();
+
+/// Puts the constraints of the chosen set (all sets when none is chosen) into
+/// the deck, in basic axes.
+void apply_constraints(DeckBuilder& builder, std::optional<int> chosen);
+
+/// Cross section of a PBARL. @return empty for a type that is not known
+[[nodiscard]] std::optional<BarProperty> section_of(
+    const std::string& type, const std::vector<double>& dimensions);
+
+/// Number of dimensions of a PBARL type, 0 when it is not known.
+[[nodiscard]] std::size_t section_dimensions(const std::string& type);
+
+}  // namespace tapfit::structure

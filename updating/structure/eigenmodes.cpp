@@ -1,0 +1,204 @@
+#include "updating/structure/eigenmodes.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/structure/factor.hpp"
+#include "updating/structure/shift_invert.hpp"
+
+#include <Eigen/Dense>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace tapfit::structure {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
+
+struct Pairs {
+  Eigen::VectorXd lambda;  // ascending
+  Eigen::MatrixXd phi;
+};
+
+// A little below zero, small against the elastic modes and large against the
+// rounding of K: 1e-8 of the median of K_ii / M_ii.
+double shift_below_zero(const SparseMatrix& K, const SparseMatrix& M) {
+  const Eigen::VectorXd k = K.diagonal();
+  const Eigen::VectorXd m = M.diagonal();
+  std::vector<double> ratios;
+  for (Eigen::Index i = 0; i < k.size(); ++i) {
+    if (m(i) > 0.0 && k(i) > 0.0) ratios.push_back(k(i) / m(i));
+  }
+  if (ratios.empty()) return -1.0;
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return -1e-8 * *middle;
+}
+
+// M x = mu (K - sigma M) x, lambda = sigma + 1/mu; M may be singular.
+Pairs solve_dense(const SparseMatrix& A,
+                  const SparseMatrix& M,
+                  double sigma,
+                  Eigen::Index count) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      Eigen::MatrixXd(M), Eigen::MatrixXd(A));
+  if (solver.info() != Eigen::Success) {
+    throw InputError("the modes cannot be solved for",
+                     "stiffness matrix",
+                     "Look for parts that are not held or not joined.");
+  }
+  const Eigen::VectorXd& mu = solver.eigenvalues();
+  const double least = 1e-14 * mu.cwiseAbs().maxCoeff();
+  const Eigen::Index finite = (mu.array() > least).count();
+  const Eigen::Index n = std::min(count, finite);
+  Pairs pairs{Eigen::VectorXd(n), Eigen::MatrixXd(A.rows(), n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = mu.size() - 1 - i;
+    pairs.lambda(i) = sigma + 1.0 / mu(from);
+    pairs.phi.col(i) = solver.eigenvectors().col(from);
+  }
+  return pairs;
+}
+
+std::optional<Pairs> solve_lanczos(const Factor& factor,
+                                   const SparseMatrix& M,
+                                   double sigma,
+                                   Eigen::Index count,
+                                   Eigen::Index basis) {
+  ShiftInvert op(factor, M.rows());
+  MassProduct mass(M);
+  Spectra::SymGEigsShiftSolver<ShiftInvert,
+                               MassProduct,
+                               Spectra::GEigsMode::ShiftInvert>
+      solver(op, mass, count, basis, sigma);
+  solver.init();
+  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestMagn,
+                                            300,
+                                            1e-11,
+                                            Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful || found < count) {
+    return std::nullopt;
+  }
+  return Pairs{solver.eigenvalues(), solver.eigenvectors()};
+}
+
+// Rayleigh-Ritz within the span found: exact orthonormality, also inside
+// clusters, and ascending order.
+Pairs polish(const SparseMatrix& K,
+             const SparseMatrix& M,
+             const Eigen::MatrixXd& phi) {
+  const Eigen::MatrixXd k = phi.transpose() * (K * phi);
+  const Eigen::MatrixXd m = phi.transpose() * (M * phi);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+      0.5 * (k + k.transpose()), 0.5 * (m + m.transpose()));
+  return {ritz.eigenvalues(), phi * ritz.eigenvectors()};
+}
+
+// Number of eigenvalues below `lambda`; empty when the factorisation breaks
+// down because `lambda` is an eigenvalue.
+std::optional<Eigen::Index> count_below(const SparseMatrix& K,
+                                        const SparseMatrix& M,
+                                        double lambda) {
+  try {
+    return Factor(K - lambda * M).negative_pivots();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+// Every mode below the last but one gap must have been found: the Sturm count
+// between the modes `inside - 1` and `inside` must be `inside`.
+bool nothing_missed(const SparseMatrix& K,
+                    const SparseMatrix& M,
+                    const Eigen::VectorXd& lambda) {
+  for (Eigen::Index inside = lambda.size() - 1; inside > 0; --inside) {
+    const double below = lambda(inside - 1);
+    const double above = lambda(inside);
+    if (!(above > 0.0) || above - below < 1e-6 * above) continue;
+    const double middle = 0.5 * (below + above);
+    const std::optional<Eigen::Index> counted = count_below(K, M, middle);
+    if (counted) return *counted == inside;
+  }
+  return true;
+}
+
+Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
+  const Eigen::Index n = std::min(count, pairs.lambda.size());
+  return {pairs.lambda.head(n).cwiseMax(0.0).cwiseSqrt() / kTwoPi,
+          pairs.phi.leftCols(n)};
+}
+
+}  // namespace
+
+Eigenmodes eigenmodes(const SparseMatrix& K,
+                      const SparseMatrix& M,
+                      Eigen::Index count) {
+  const Eigen::Index n = K.rows();
+  if (n == 0 || count <= 0) return {{}, Eigen::MatrixXd(n, 0)};
+  const double sigma = shift_below_zero(K, M);
+  const SparseMatrix A = K - sigma * M;
+  const Eigen::Index asked = count + 2;
+  if (n <= kDense || 2 * asked + 20 > n) {
+    return to_modes(solve_dense(A, M, sigma, count), count);
+  }
+  const Factor factor(A);
+  Eigen::Index basis = std::min(n, 2 * asked + 10);
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const std::optional<Pairs> raw =
+        solve_lanczos(factor, M, sigma, asked, basis);
+    if (raw) {
+      const Pairs pairs = polish(K, M, raw->phi);
+      if (nothing_missed(K, M, pairs.lambda)) return to_modes(pairs, count);
+    }
+    basis = std::min(n, basis + basis / 2 + 10);
+  }
+  throw InputError(
+      fmt::format("the {} lowest modes did not converge", count),
+      "stiffness and mass matrix",
+      "Ask for fewer modes, or look for parts that are not held or joined.");
+}
+
+Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
+                            const SparseMatrix& M,
+                            double max_hz) {
+  const std::optional<Eigen::Index> counted =
+      count_below(K, M, std::pow(kTwoPi * max_hz, 2));
+  Eigen::Index count = counted ? *counted + 1 : Eigen::Index{20};
+  while (true) {
+    Eigenmodes modes = eigenmodes(K, M, count);
+    const Eigen::Index found = modes.frequency_hz.size();
+    const Eigen::Index inside = (modes.frequency_hz.array() <= max_hz).count();
+    if (inside < found || found < count) {
+      return {modes.frequency_hz.head(inside), modes.phi.leftCols(inside)};
+    }
+    count += count / 2 + 5;
+  }
+}
+
+SparseMatrix extract(const SparseMatrix& A, const std::vector<int>& indices) {
+  std::vector<int> place(static_cast<std::size_t>(A.rows()), -1);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    place[static_cast<std::size_t>(indices[i])] = static_cast<int>(i);
+  }
+  std::vector<Eigen::Triplet<double>> kept;
+  kept.reserve(static_cast<std::size_t>(A.nonZeros()));
+  for (int outer = 0; outer < A.outerSize(); ++outer) {
+    const int col = place[static_cast<std::size_t>(outer)];
+    if (col < 0) continue;
+    for (SparseMatrix::InnerIterator it(A, outer); it; ++it) {
+      const int row = place[static_cast<std::size_t>(it.row())];
+      if (row >= 0) kept.emplace_back(row, col, it.value());
+    }
+  }
+  const Eigen::Index n = static_cast<Eigen::Index>(indices.size());
+  SparseMatrix result(n, n);
+  result.setFromTriplets(kept.begin(), kept.end());
+  return result;
+}
+
+}  // namespace tapfit::structure

@@ -1,0 +1,151 @@
+#include "updating/structure/factor.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <cholmod.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace tapfit::structure {
+namespace {
+
+// CHOLMOD's view of an Eigen matrix; the upper triangle is read.
+cholmod_sparse view(const SparseMatrix& A) {
+  cholmod_sparse result{};
+  result.nrow = static_cast<std::size_t>(A.rows());
+  result.ncol = static_cast<std::size_t>(A.cols());
+  result.nzmax = static_cast<std::size_t>(A.nonZeros());
+  result.p = const_cast<int*>(A.outerIndexPtr());
+  result.i = const_cast<int*>(A.innerIndexPtr());
+  result.x = const_cast<double*>(A.valuePtr());
+  result.stype = 1;
+  result.itype = CHOLMOD_INT;
+  result.xtype = CHOLMOD_REAL;
+  result.dtype = CHOLMOD_DOUBLE;
+  result.sorted = 1;
+  result.packed = 1;
+  return result;
+}
+
+[[noreturn]] void cannot_factor() {
+  throw InputError(
+      "the matrix cannot be factored: part of the structure is a mechanism",
+      "stiffness matrix",
+      "Look for parts that are not held or not joined, elements without "
+      "stiffness, and springs that are missing.");
+}
+
+}  // namespace
+
+struct Factor::Impl {
+  cholmod_common common{};
+  cholmod_factor* L = nullptr;
+
+  Impl() {
+    cholmod_start(&common);
+    common.print = 0;
+  }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    cholmod_free_factor(&L, &common);
+    cholmod_finish(&common);
+  }
+
+  void factor(const SparseMatrix& A) {
+    cholmod_sparse a = view(A);
+    L = cholmod_analyze(&a, &common);
+    if (L == nullptr) cannot_factor();
+    cholmod_factorize(&a, L, &common);
+    if (common.status == CHOLMOD_OK && L->minor == L->n) return;
+    // Not positive definite: L D L' without pivoting, on the same ordering.
+    cholmod_free_factor(&L, &common);
+    common.status = CHOLMOD_OK;
+    common.supernodal = CHOLMOD_SIMPLICIAL;
+    common.final_ll = 0;
+    L = cholmod_analyze(&a, &common);
+    if (L == nullptr) cannot_factor();
+    cholmod_factorize(&a, L, &common);
+    if (common.status != CHOLMOD_OK || L->minor != L->n) cannot_factor();
+  }
+
+  // Pivots of L D L' in the permuted order.
+  [[nodiscard]] Eigen::VectorXd pivots() const {
+    const Eigen::Index n = static_cast<Eigen::Index>(L->n);
+    Eigen::VectorXd d(n);
+    const double* x = static_cast<const double*>(L->x);
+    if (L->is_super == 0) {
+      const int* p = static_cast<const int*>(L->p);
+      for (Eigen::Index j = 0; j < n; ++j) d(j) = x[p[j]];
+      if (L->is_ll != 0) d = d.cwiseAbs2();
+      return d;
+    }
+    const int* super = static_cast<const int*>(L->super);
+    const int* pi = static_cast<const int*>(L->pi);
+    const int* px = static_cast<const int*>(L->px);
+    for (std::size_t s = 0; s < L->nsuper; ++s) {
+      const int rows = pi[s + 1] - pi[s];
+      for (int j = super[s]; j < super[s + 1]; ++j) {
+        const int k = j - super[s];
+        const double l = x[px[s] + k * rows + k];
+        d(j) = l * l;
+      }
+    }
+    return d;
+  }
+
+  // A pivot that is rounding of what its diagonal started from.
+  void check_pivots(const SparseMatrix& A) const {
+    constexpr double kRounding = 1e-14;
+    const Eigen::VectorXd d = pivots();
+    const Eigen::VectorXd a = A.diagonal();
+    const int* order = static_cast<const int*>(L->Perm);
+    for (Eigen::Index j = 0; j < d.size(); ++j) {
+      const double scale = std::abs(a(order[j]));
+      if (!(std::abs(d(j)) > kRounding * scale)) cannot_factor();
+    }
+  }
+};
+
+Factor::Factor(const SparseMatrix& A) : impl_(std::make_unique<Impl>()) {
+  if (A.rows() == 0) return;
+  if (!A.isCompressed()) {
+    SparseMatrix packed = A;
+    packed.makeCompressed();
+    impl_->factor(packed);
+  } else {
+    impl_->factor(A);
+  }
+  impl_->check_pivots(A);
+}
+
+Factor::~Factor() = default;
+Factor::Factor(Factor&&) noexcept = default;
+Factor& Factor::operator=(Factor&&) noexcept = default;
+
+Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
+  if (impl_->L == nullptr || B.size() == 0) return B;
+  cholmod_dense b{};
+  b.nrow = static_cast<std::size_t>(B.rows());
+  b.ncol = static_cast<std::size_t>(B.cols());
+  b.nzmax = static_cast<std::size_t>(B.size());
+  b.d = b.nrow;
+  b.x = const_cast<double*>(B.data());
+  b.xtype = CHOLMOD_REAL;
+  b.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->L, &b, &impl_->common);
+  if (x == nullptr) cannot_factor();
+  const Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
+      static_cast<double*>(x->x), B.rows(), B.cols());
+  cholmod_free_dense(&x, &impl_->common);
+  return result;
+}
+
+Eigen::Index Factor::negative_pivots() const {
+  if (impl_->L == nullptr) return 0;
+  return (impl_->pivots().array() < 0.0).count();
+}
+
+}  // namespace tapfit::structure

@@ -1,0 +1,132 @@
+// SPC, SPC1, SPCADD and the permanent constraints of GRID.
+#include "updating/structure/bulk_lines.hpp"
+#include "updating/structure/deck_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::structure {
+namespace {
+
+void read_spc(DeckBuilder& builder, const CardReader& card) {
+  const int set = card.id(1, "SID");
+  for (std::size_t at : {std::size_t{2}, std::size_t{5}}) {
+    if (card.blank(at)) continue;
+    const int grid = builder.grid(card, card.id(at, "G")).id;
+    if (card.real_or(at + 2, 0.0, "D") != 0.0) {
+      builder.warn(card, "an enforced displacement is taken as zero");
+    }
+    builder.constraint_sets[set].push_back({grid, card.components(at + 1)});
+  }
+}
+
+void read_spc1(DeckBuilder& builder, const CardReader& card) {
+  std::vector<Constraint>& held = builder.constraint_sets[card.id(1, "SID")];
+  const std::string components = card.components(2);
+  for (std::size_t at = 3; at < card.size(); ++at) {
+    if (card.blank(at)) continue;
+    if (upper(card.text(at)) != "THRU") {
+      held.push_back({builder.grid(card, card.id(at, "G")).id, components});
+      continue;
+    }
+    const int from = card.id(at - 1, "G");
+    const int to = card.id(at + 1, "G");
+    // THRU may run over ids that do not exist.
+    for (const Grid& grid : builder.deck.grids) {
+      if (grid.id > from && grid.id <= to) {
+        held.push_back({grid.id, components});
+      }
+    }
+    ++at;
+  }
+}
+
+void read_spcadd(DeckBuilder& builder, const CardReader& card) {
+  std::vector<int>& sets = builder.added_sets[card.id(1, "SID")];
+  for (std::size_t at = 2; at < card.size(); ++at) {
+    if (!card.blank(at)) sets.push_back(card.id(at, "S"));
+  }
+}
+
+std::vector<int> chosen_sets(const DeckBuilder& builder,
+                             std::optional<int> chosen) {
+  std::vector<int> sets;
+  if (!chosen) {
+    for (const auto& [id, held] : builder.constraint_sets) sets.push_back(id);
+    return sets;
+  }
+  const auto added = builder.added_sets.find(*chosen);
+  if (added != builder.added_sets.end()) sets = added->second;
+  if (builder.constraint_sets.contains(*chosen)) sets.push_back(*chosen);
+  return sets;
+}
+
+// Components held along turned axes, as components along the basic axes; empty
+// when they span no basic axes.
+std::optional<std::string> in_basic(const std::string& digits,
+                                    const Eigen::Matrix3d& axes) {
+  std::string result;
+  for (const Eigen::Index kind : {Eigen::Index{0}, Eigen::Index{3}}) {
+    Eigen::Matrix3d P = Eigen::Matrix3d::Zero();  // onto the held directions
+    for (const char digit : digits) {
+      const Eigen::Index axis = digit - '1' - kind;
+      if (axis < 0 || axis > 2) continue;
+      P += axes.col(axis) * axes.col(axis).transpose();
+    }
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      const double held = P(i, i);
+      if (std::abs(held) > 1e-6 && std::abs(held - 1.0) > 1e-6) return {};
+      if (held > 0.5) result += static_cast<char>('1' + kind + i);
+    }
+  }
+  return result;
+}
+
+void add_constraint(DeckBuilder& builder, const Constraint& constraint) {
+  Constraint basic = constraint;
+  const auto cd = builder.displacement_system.find(constraint.grid);
+  if (cd != builder.displacement_system.end()) {
+    const std::optional<std::string> turned =
+        in_basic(constraint.components, builder.systems.at(cd->second).axes);
+    if (turned) {
+      basic.components = *turned;
+    } else {
+      builder.deck.warnings.push_back(fmt::format(
+          "GRID {}: components {} are held along turned axes (CD {}); they "
+          "are held along the basic axes instead, which supports the model "
+          "differently",
+          constraint.grid,
+          constraint.components,
+          cd->second));
+    }
+  }
+  builder.deck.constraints.push_back(basic);
+}
+
+}  // namespace
+
+CardTable constraint_cards() {
+  return {{"SPC", read_spc}, {"SPC1", read_spc1}, {"SPCADD", read_spcadd}};
+}
+
+void apply_constraints(DeckBuilder& builder, std::optional<int> chosen) {
+  const std::vector<int> sets = chosen_sets(builder, chosen);
+  if (chosen && sets.empty()) {
+    builder.deck.warnings.push_back(fmt::format(
+        "the case control selects SPC {}, which does not exist: only the "
+        "grids' own constraints hold the model",
+        *chosen));
+  }
+  for (const Constraint& held : builder.permanent) {
+    add_constraint(builder, held);
+  }
+  for (const int set : sets) {
+    const auto found = builder.constraint_sets.find(set);
+    if (found == builder.constraint_sets.end()) continue;
+    for (const Constraint& held : found->second) add_constraint(builder, held);
+  }
+}
+
+}  // namespace tapfit::structure

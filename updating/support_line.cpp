@@ -1,0 +1,139 @@
+#include "updating/support_line.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using structure::Deck;
+
+std::map<int, std::set<int>> neighbours(const Deck& deck) {
+  std::map<int, std::set<int>> result;
+  const auto connect = [&result](int a, int b) {
+    result[a].insert(b);
+    result[b].insert(a);
+  };
+  for (const structure::Shell& shell : deck.shells) {
+    const std::size_t n = shell.grids.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      connect(shell.grids[k], shell.grids[(k + 1) % n]);
+    }
+  }
+  for (const structure::Bar& bar : deck.bars) {
+    connect(bar.grids[0], bar.grids[1]);
+  }
+  return result;
+}
+
+std::map<int, std::string> held_components(const Deck& deck) {
+  std::map<int, std::string> held;
+  for (const structure::Constraint& c : deck.constraints) {
+    held[c.grid] += c.components;
+  }
+  return held;
+}
+
+bool holds(const std::map<int, std::string>& held, int node, int component) {
+  const auto it = held.find(node);
+  const char digit = static_cast<char>('0' + component);
+  return it != held.end() && it->second.find(digit) != std::string::npos;
+}
+
+// Axis (0..2) along which the points lie, or -1.
+int line_axis(const Deck& deck, const std::vector<int>& nodes) {
+  Eigen::Vector3d low = deck.grids[deck.grid_index(nodes[0])].position;
+  Eigen::Vector3d high = low;
+  for (const int node : nodes) {
+    const Eigen::Vector3d& x = deck.grids[deck.grid_index(node)].position;
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const Eigen::Vector3d span = high - low;
+  Eigen::Index axis = 0;
+  const double longest = span.maxCoeff(&axis);
+  const double rest = span.sum() - longest;
+  // Straight to 1 % of the length: the tolerance of a drawn clamp edge.
+  return longest > 0.0 && rest <= 0.01 * longest ? static_cast<int>(axis) : -1;
+}
+
+// Length that each node carries: half the gap on either side.
+std::vector<double> tributary_lengths(const std::vector<double>& x) {
+  const std::size_t n = x.size();
+  std::vector<double> lengths(n, 0.0);
+  for (std::size_t k = 0; k + 1 < n; ++k) {
+    const double half = 0.5 * (x[k + 1] - x[k]);
+    lengths[k] += half;
+    lengths[k + 1] += half;
+  }
+  return lengths;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> support_groups(const Deck& deck) {
+  const std::map<int, std::set<int>> near = neighbours(deck);
+  const std::map<int, std::string> held = held_components(deck);
+  std::set<int> done;
+  std::vector<std::vector<int>> groups;
+  for (const structure::Grid& grid : deck.grids) {
+    if (!held.contains(grid.id) || done.contains(grid.id)) continue;
+    std::vector<int> open = {grid.id};
+    std::set<int> group;
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      if (!group.insert(node).second) continue;
+      const auto it = near.find(node);
+      if (it == near.end()) continue;
+      for (const int next : it->second) {
+        if (held.contains(next)) open.push_back(next);
+      }
+    }
+    done.insert(group.begin(), group.end());
+    groups.emplace_back(group.begin(), group.end());
+  }
+  return groups;
+}
+
+SupportLine support_line(const Deck& deck,
+                         const std::vector<int>& nodes,
+                         bool rotation,
+                         int component) {
+  SupportLine line;
+  if (nodes.empty()) return line;
+  const std::map<int, std::string> held = held_components(deck);
+  const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
+  std::vector<int> order = nodes;
+  std::vector<double> lengths(nodes.size(),
+                              1.0 / static_cast<double>(nodes.size()));
+  if (axis >= 0) {
+    const auto along = [&deck, axis](int node) {
+      return deck.grids[deck.grid_index(node)].position(axis);
+    };
+    std::sort(order.begin(), order.end(), [&along](int a, int b) {
+      return along(a) < along(b);
+    });
+    std::vector<double> x(order.size());
+    std::transform(order.begin(), order.end(), x.begin(), along);
+    lengths = tributary_lengths(x);
+  }
+  line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  std::vector<int> components = {component};
+  if (rotation) {
+    components = axis >= 0 ? std::vector<int>{4 + axis}
+                           : std::vector<int>{4, 5, 6};
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const int c : components) {
+      if (holds(held, order[k], c)) {
+        line.dofs.push_back({order[k], c, lengths[k]});
+      }
+    }
+  }
+  return line;
+}
+
+}  // namespace tapfit::updating

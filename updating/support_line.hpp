@@ -1,0 +1,42 @@
+// The geometry of a support: which constrained grids belong together, along
+// which line they lie, and how much of its length each carries.
+#pragma once
+
+#include "updating/structure/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A released degree of freedom of a support and the length it carries.
+struct SupportDof {
+  int node = 0;
+  int component = 0;  ///< 1..6
+  double length = 0.0;  ///< [m]; 1 / number of grids where there is no line
+};
+
+struct SupportLine {
+  std::vector<SupportDof> dofs;
+  double length = 0.0;  ///< total [m]; 1 where the grids lie on no line
+};
+
+/// Groups of constrained grids that are connected by element edges, each in
+/// the deck's order.
+[[nodiscard]] std::vector<std::vector<int>> support_groups(
+    const structure::Deck& deck);
+
+/// The degrees of freedom that a soft support releases: for grids along a
+/// line parallel to an axis the rotation about that line, otherwise all three
+/// rotations; for translations the component given.
+///
+/// @param nodes constrained grids of the deck, in any order
+/// @param rotation true: rotations, false: the translation `component`
+/// @return only degrees of freedom that the deck holds
+[[nodiscard]] SupportLine support_line(const structure::Deck& deck,
+                                       const std::vector<int>& nodes,
+                                       bool rotation,
+                                       int component);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,55 @@
+// Identifies parameters from FRFs: Levenberg-Marquardt on
+//
+//   J(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
+//
+// whose Gauss-Newton step is eq. 27 of the paper with the Tikhonov matrix of
+// the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). The residual's variance
+// is unknown (real data never reach the noise floor) and integrated out, hence
+// the logarithm. theta are logarithms, so that masses stay positive.
+#pragma once
+
+#include "acquisition/progress.hpp"
+#include "updating/frf_model.hpp"
+#include "updating/residual.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// What is known of theta beforehand; sd infinite where nothing is.
+struct Prior {
+  Eigen::VectorXd mean;
+  Eigen::VectorXd sd;
+  Eigen::VectorXd lower;  ///< hard bounds
+  Eigen::VectorXd upper;
+};
+
+struct UpdateOptions {
+  int max_iterations = 30;
+  double tolerance = 1e-6;  ///< on the relative change of the parameters
+};
+
+struct UpdateResult {
+  ModelState state;
+  double error = 0.0;         ///< ||r||
+  double objective = 0.0;     ///< J
+  Eigen::MatrixXd covariance; ///< of theta
+  Eigen::MatrixXd jacobian;   ///< d r / d theta at the end
+  Eigen::VectorXd residual;
+  std::vector<double> history;  ///< ||r|| after each step
+  bool converged = false;
+  std::string message;
+};
+
+/// Never returns a state with a larger J than the one given.
+[[nodiscard]] UpdateResult update(const FrfModel& model,
+                                  const Target& target,
+                                  const ModelState& start,
+                                  const Prior& prior,
+                                  const UpdateOptions& options,
+                                  const Progress& progress = {});
+
+}  // namespace tapfit::updating
