@@ -11,8 +11,11 @@ enum class Estimator { H1, H2, Hv };
 
 struct WindowOptions {
   bool force_window = true;  ///< rectangle with cosine taper around the pulse
-  /// Value of the exponential window at the block's end; 1 = none.
-  double end_value = 0.05;
+  /// Value of the exponential window at the block's end; 1 = none. The error of
+  /// the block's end is end_value times the share of the response that is left
+  /// there: with 0.01 it is 1 % for a response that has not decayed at all, and
+  /// nothing that counts for one that has (sigma T = 4.6).
+  double end_value = 0.01;
 };
 
 struct FrfOptions {
@@ -25,7 +28,12 @@ struct FrfOptions {
 /// Force and response carry the same exponential window, so that the result is
 /// the transfer function on s = sigma + j omega, sigma = -ln(end_value) / T.
 ///
-/// @param band_hz lower and upper frequency [Hz]; empty: all lines
+/// One FRF per run and sensor, signs of the degrees of freedom as the bundle
+/// gives them; runs without an accepted hit are left out (and stated). Velocity
+/// and displacement are made accelerances by s and s^2. Lines are those inside
+/// TestBundle::band_hz; without it all but line 0.
+///
+/// @throws InputError when no hit is accepted or no line lies in the band
 [[nodiscard]] FrfSet estimate_frfs(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
@@ -36,7 +44,11 @@ struct FrfOptions {
 /// FRFs at given points of the s-plane (each line its own exponential window),
 /// for comparing with a model on a damped line.
 ///
+/// H1 with the force window. The block's end cuts off exp(-Re(s) T) of what is
+/// left of the response: Re(s) T of 5 or more makes that less than 1 %.
+///
 /// @param s complex angular frequencies [rad/s], Re(s) >= 0
+/// @throws InputError when no hit is accepted or a line lies at Re(s) < 0
 [[nodiscard]] FrfSet estimate_frfs_at(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,

@@ -14,9 +14,9 @@ namespace tapfit::signal {
 struct Frf {
   Dof response;
   Dof reference;
-  std::size_t run = 0;      ///< index into TestBundle::runs
-  std::size_t channel = 0;  ///< response channel, index into channels
-  Eigen::VectorXcd H;       ///< accelerance per line [(m/s^2)/N]
+  std::size_t run = 0;        ///< index into TestBundle::runs
+  std::size_t channel = 0;    ///< response channel, index into channels
+  Eigen::VectorXcd H;         ///< accelerance per line [(m/s^2)/N]
   Eigen::VectorXd coherence;  ///< 0..1 per line; ones for a single hit
   Eigen::VectorXd variance;   ///< of H: E|dH|^2 per line [((m/s^2)/N)^2]
   int hits = 0;               ///< accepted hits behind it
@@ -28,6 +28,7 @@ struct Frf {
 struct FrfSet {
   Eigen::VectorXcd s;  ///< complex angular frequency of each line [rad/s]
   std::vector<Frf> frfs;
+  std::vector<std::string> statements;  ///< runs left out, and the like
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }
   [[nodiscard]] Eigen::VectorXd frequency_hz() const;

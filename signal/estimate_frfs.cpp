@@ -1,0 +1,237 @@
+#include "signal/estimate_frfs.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "signal/estimator.hpp"
+#include "signal/frf_variance.hpp"
+#include "signal/hit_blocks.hpp"
+#include "signal/spectra.hpp"
+#include "signal/window.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace tapfit::signal {
+namespace {
+
+using acquisition::HitSet;
+using acquisition::Quantity;
+using acquisition::Recording;
+using acquisition::Run;
+using acquisition::TestBundle;
+using Eigen::Index;
+
+// What is done with every run, and where its lines lie.
+struct Plan {
+  Eigen::VectorXcd s;
+  BlockOptions blocks;
+  Estimator estimator = Estimator::H1;
+  std::function<Spectra(const HitBlocks&)> transform;
+};
+
+// Sums over the window that the noise of one line goes through.
+struct WindowSums {
+  double w2 = 0.0;
+  double w4 = 0.0;
+};
+
+WindowSums exponential_sums(Index samples, double dt, double sigma) {
+  const double x = 2.0 * sigma * dt;
+  const double n = static_cast<double>(samples);
+  if (x * n < 1e-9) return {n, n};
+  // Geometric series of exp(-2 sigma t) and of its square.
+  return {std::expm1(-x * n) / std::expm1(-x),
+          std::expm1(-2.0 * x * n) / std::expm1(-2.0 * x)};
+}
+
+LineNoise line_noise(const Eigen::VectorXcd& s,
+                     const HitBlocks& blocks,
+                     std::size_t sensor) {
+  LineNoise noise;
+  noise.response.resize(s.size());
+  noise.force.resize(s.size());
+  noise.bandwidth.resize(s.size());
+  const Index after = blocks.force.rows() - blocks.trigger;
+  // The pulse is short against 1/sigma: its window counts as it is.
+  const double pulse = blocks.force_window.squaredNorm();
+  const bool windowed = blocks.force_end < blocks.force.rows();
+  for (Index i = 0; i < s.size(); ++i) {
+    const WindowSums sums = exponential_sums(after, blocks.dt, s(i).real());
+    noise.response(i) = blocks.noise[sensor].at(s(i).imag()) * sums.w2;
+    noise.force(i) = blocks.force_noise.at(s(i).imag()) *
+                     (windowed ? std::min(pulse, sums.w2) : sums.w2);
+    noise.bandwidth(i) =
+        2.0 * std::numbers::pi / blocks.dt * sums.w4 / (sums.w2 * sums.w2);
+  }
+  return noise;
+}
+
+// Factor that makes an accelerance of what was measured.
+Eigen::VectorXcd to_acceleration(const Eigen::VectorXcd& s, Quantity q) {
+  if (q == Quantity::Velocity) return s;
+  if (q == Quantity::Displacement) return s.cwiseProduct(s);
+  return Eigen::VectorXcd::Ones(s.size());
+}
+
+void add_run(const TestBundle& bundle,
+             std::size_t run_index,
+             const HitBlocks& blocks,
+             const Plan& plan,
+             FrfSet& set) {
+  const Run& run = bundle.runs[run_index];
+  const Spectra spectra = plan.transform(blocks);
+  for (std::size_t c = 0; c < run.sensors.size(); ++c) {
+    Estimate result =
+        estimate(spectra.force, spectra.responses[c], plan.estimator);
+    const Eigen::VectorXcd factor = to_acceleration(
+        plan.s, bundle.channels[run.sensors[c].channel].quantity);
+    Frf frf;
+    frf.response = run.sensors[c].dof;
+    frf.reference = run.hammer.dof;
+    frf.run = run_index;
+    frf.channel = run.sensors[c].channel;
+    frf.hits = static_cast<int>(blocks.force.cols());
+    frf.variance = frf_variance(plan.s,
+                                spectra.force,
+                                spectra.responses[c],
+                                result.H,
+                                line_noise(plan.s, blocks, c))
+                       .cwiseProduct(factor.cwiseAbs2());
+    frf.H = result.H.cwiseProduct(factor);
+    frf.coherence = std::move(result.coherence);
+    set.frfs.push_back(std::move(frf));
+  }
+}
+
+FrfSet estimate_all(const TestBundle& bundle,
+                    const std::vector<Recording>& recordings,
+                    const HitSet& hits,
+                    const Plan& plan,
+                    const Progress& progress) {
+  FrfSet set;
+  set.s = plan.s;
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    progress("FRFs",
+             static_cast<double>(r) / static_cast<double>(bundle.runs.size()));
+    const HitBlocks blocks = cut_hits(
+        bundle.runs[r], recordings[r], hits, hits.runs[r], plan.blocks);
+    if (blocks.force.cols() == 0) {
+      set.statements.push_back(
+          fmt::format("run {} ({}) is left out: none of its hits is accepted",
+                      r + 1,
+                      bundle.runs[r].file.filename().string()));
+      continue;
+    }
+    add_run(bundle, r, blocks, plan, set);
+  }
+  progress("FRFs", 1.0);
+  if (set.frfs.empty())
+    throw InputError("no run has an accepted hit",
+                     bundle.folder.string(),
+                     "accept at least one hit by hand");
+  return set;
+}
+
+void check(const TestBundle& bundle,
+           const std::vector<Recording>& recordings,
+           const HitSet& hits) {
+  if (recordings.size() != bundle.runs.size() ||
+      hits.runs.size() != bundle.runs.size())
+    throw InputError(fmt::format("{} runs, but {} recordings and hits of {}",
+                                 bundle.runs.size(),
+                                 recordings.size(),
+                                 hits.runs.size()),
+                     bundle.folder.string(),
+                     "read the recordings anew");
+  if (hits.block < 2 || hits.pre_trigger < 0 ||
+      hits.pre_trigger >= hits.block || !(hits.sample_rate_hz > 0.0))
+    throw InputError(
+        fmt::format("a block of {} samples, {} of them before the trigger, "
+                    "holds no response",
+                    hits.block,
+                    hits.pre_trigger),
+        bundle.folder.string(),
+        "give a longer block or a shorter pre-trigger");
+}
+
+// Seconds from trigger to the block's end.
+double ringing_time(const HitSet& hits) {
+  return static_cast<double>(hits.block - hits.pre_trigger) /
+         hits.sample_rate_hz;
+}
+
+// FFT lines inside the band; line 0 is left out, an accelerance holds
+// nothing there but the sensors' offset.
+std::pair<Index, Index> lines_in_band(const TestBundle& bundle,
+                                      const HitSet& hits) {
+  const double step = hits.sample_rate_hz / static_cast<double>(hits.block);
+  Index first = 1;
+  Index last = hits.block / 2;
+  if (bundle.band_hz) {
+    first = std::max(
+        first,
+        static_cast<Index>(std::ceil((*bundle.band_hz)[0] / step - 1e-9)));
+    last = std::min(
+        last,
+        static_cast<Index>(std::floor((*bundle.band_hz)[1] / step + 1e-9)));
+  }
+  if (last < first)
+    throw InputError(
+        fmt::format("no line lies in the band (lines are {:.4g} Hz apart, up "
+                    "to {:.4g} Hz)",
+                    step,
+                    0.5 * hits.sample_rate_hz),
+        "test.json: band_hz",
+        "widen the band or lengthen the block");
+  return {first, last};
+}
+
+}  // namespace
+
+FrfSet estimate_frfs(const TestBundle& bundle,
+                     const std::vector<Recording>& recordings,
+                     const HitSet& hits,
+                     const FrfOptions& options,
+                     const Progress& progress) {
+  check(bundle, recordings, hits);
+  const auto [first, last] = lines_in_band(bundle, hits);
+  const double step_hz = hits.sample_rate_hz / static_cast<double>(hits.block);
+  const double sigma = decay_rate(options.window.end_value, ringing_time(hits));
+  Plan plan;
+  plan.s.resize(last - first + 1);
+  for (Index i = 0; i < plan.s.size(); ++i)
+    plan.s(i) = {
+        sigma,
+        2.0 * std::numbers::pi * step_hz * static_cast<double>(first + i)};
+  plan.blocks = {options.window.force_window,
+                 step_hz * static_cast<double>(first)};
+  plan.estimator = options.estimator;
+  plan.transform = [sigma, first = first, last = last](const HitBlocks& b) {
+    return fft_spectra(b, sigma, first, last);
+  };
+  return estimate_all(bundle, recordings, hits, plan, progress);
+}
+
+FrfSet estimate_frfs_at(const TestBundle& bundle,
+                        const std::vector<Recording>& recordings,
+                        const HitSet& hits,
+                        const Eigen::VectorXcd& s,
+                        const Progress& progress) {
+  check(bundle, recordings, hits);
+  if (s.size() == 0 || !s.allFinite() || s.real().minCoeff() < 0.0)
+    throw InputError("FRFs are asked for at no line, or at Re(s) < 0",
+                     "estimate_frfs_at",
+                     "give lines on or to the right of the imaginary axis");
+  Plan plan;
+  plan.s = s;
+  const double lowest =
+      s.imag().cwiseAbs().minCoeff() / (2.0 * std::numbers::pi);
+  plan.blocks = {true, std::max(lowest, 1.0 / ringing_time(hits))};
+  plan.transform = [&s](const HitBlocks& b) { return spectra_at(b, s); };
+  return estimate_all(bundle, recordings, hits, plan, progress);
+}
+
+}  // namespace tapfit::signal

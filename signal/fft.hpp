@@ -1,0 +1,42 @@
+// Discrete Fourier transform of real samples, by FFTW.
+//
+//   X_k = sum_n x_n exp(-2 pi j k n / N),   k = 0 .. N/2
+//
+// Source: M. Frigo, S. G. Johnson, "The design and implementation of FFTW3",
+// Proc. IEEE 93(2), 2005. The only pair of files that includes fftw3.h.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace tapfit::signal {
+
+/// A transform of one length, with its plan and its buffers.
+///
+/// Planning is guarded by a lock because FFTW's planner is not thread-safe;
+/// one RealFft must not be used by two threads at once.
+class RealFft {
+ public:
+  /// @param length number of samples N, at least 1; any size, products of
+  ///   small primes are fastest
+  explicit RealFft(Eigen::Index length);
+  ~RealFft();
+  RealFft(RealFft&&) noexcept;
+  RealFft& operator=(RealFft&&) noexcept;
+
+  [[nodiscard]] Eigen::Index length() const;
+
+  /// Transform of the samples; missing ones count as zero.
+  ///
+  /// @param samples up to N real samples
+  /// @return N/2 + 1 lines, not scaled
+  [[nodiscard]] Eigen::VectorXcd transform(
+      const Eigen::Ref<const Eigen::VectorXd>& samples);
+
+ private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace tapfit::signal

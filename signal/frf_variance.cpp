@@ -1,0 +1,98 @@
+#include "signal/frf_variance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tapfit::signal {
+namespace {
+
+using Eigen::Index;
+
+// Scatter over hits per line, R.
+Eigen::VectorXd scatter(const Eigen::MatrixXcd& force,
+                        const Eigen::MatrixXcd& response,
+                        const Eigen::VectorXcd& H) {
+  const double free = static_cast<double>(force.cols() - 1);
+  const Eigen::MatrixXcd residual = response - H.asDiagonal() * force;
+  return residual.rowwise().squaredNorm() / free;
+}
+
+// Share b of the response that does not repeat, by least squares of
+// R = N + b q over the lines, weighted with the inverse square of what R is
+// expected to be.
+double repeatability(const Eigen::VectorXd& R,
+                     const Eigen::VectorXd& N,
+                     const Eigen::VectorXd& q) {
+  double b = 0.0;
+  for (int pass = 0; pass < 4; ++pass) {
+    double top = 0.0;
+    double bottom = 0.0;
+    for (Index i = 0; i < R.size(); ++i) {
+      const double expected = N(i) + std::max(b, 1e-12) * q(i);
+      if (!(expected > 0.0) || !(q(i) > 0.0)) continue;
+      const double share = q(i) / expected;
+      top += (R(i) - N(i)) / expected * share;
+      bottom += share * share;
+    }
+    b = bottom > 0.0 ? std::max(0.0, top / bottom) : 0.0;
+  }
+  return b;
+}
+
+// R / P averaged with triangular weights over the lines within reach.
+Eigen::VectorXd local_ratio(const Eigen::VectorXcd& s,
+                            const Eigen::VectorXd& ratio,
+                            const Eigen::VectorXd& reach) {
+  Eigen::VectorXd result(ratio.size());
+  for (Index i = 0; i < ratio.size(); ++i) {
+    double sum = ratio(i);
+    double weights = 1.0;
+    const auto add = [&](Index j) {
+      const double distance = std::abs(s(j).imag() - s(i).imag());
+      if (distance >= reach(i)) return false;
+      const double w = 1.0 - distance / reach(i);
+      sum += w * ratio(j);
+      weights += w;
+      return true;
+    };
+    for (Index j = i + 1; j < ratio.size() && add(j); ++j) {
+    }
+    for (Index j = i - 1; j >= 0 && add(j); --j) {
+    }
+    result(i) = sum / weights;
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
+                             const Eigen::MatrixXcd& force,
+                             const Eigen::MatrixXcd& response,
+                             const Eigen::VectorXcd& H,
+                             const LineNoise& noise) {
+  const double hits = static_cast<double>(force.cols());
+  const Eigen::VectorXd Gff = force.rowwise().squaredNorm();
+  const Eigen::VectorXd q =
+      H.cwiseAbs2().cwiseProduct(Gff) / hits;  // |Y|^2 per hit
+  Eigen::VectorXd P = noise.response + H.cwiseAbs2().cwiseProduct(noise.force);
+  // Data without any noise still carries rounding.
+  P.array() += 1e-24 * (q.array() + q.mean());
+  Eigen::VectorXd R = P;
+  if (force.cols() > 1) {
+    const Eigen::VectorXd measured = scatter(force, response, H);
+    P += repeatability(measured, P, q) * q;
+    P.array() += std::numeric_limits<double>::min();
+    const Eigen::VectorXd reach = 12.0 / (hits - 1.0) * noise.bandwidth;
+    R = P.cwiseProduct(local_ratio(
+        s, measured.cwiseQuotient(P), reach.cwiseMax(noise.bandwidth)));
+  }
+  Eigen::VectorXd variance(H.size());
+  for (Index i = 0; i < H.size(); ++i)
+    variance(i) = Gff(i) > 0.0 ? R(i) / Gff(i) : 0.0;
+  const double floor = 1e-24 * H.cwiseAbs2().maxCoeff();
+  return variance.cwiseMax(floor + std::numeric_limits<double>::min());
+}
+
+}  // namespace tapfit::signal

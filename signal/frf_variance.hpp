@@ -1,0 +1,49 @@
+// Variance of an FRF from the scatter of its hits and the noise before them.
+//
+//   var H = R / Gff,   R = noise power per hit and line
+//
+// What is known beforehand of R: noise of the channels before the hits, sent
+// through the same windows, and hits that repeat only to a share b of their
+// response (place, direction):
+//
+//   P = Ny sum w^2 + |H|^2 Nf sum wf^2 + b |H|^2 Gff / m
+//
+// What the hits say: R = sum_k |Y_k - H F_k|^2 / (m - 1), which is the
+// linearised jackknife and, for two hits, the formula with coherence
+// |H|^2 (1 - g^2) / (2 m g^2) without its bias. From few hits that is a
+// chi-squared number with 2 (m - 1) degrees of freedom per line, so the ratio
+// R / P is averaged over so many neighbouring lines that about 24 degrees of
+// freedom come together; P keeps the shape over the resonances.
+//
+// Sources: B. Efron, "The jackknife, the bootstrap and other resampling
+// plans", SIAM 1982; J. S. Bendat, A. G. Piersol, "Random Data", ch. 9.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tapfit::signal {
+
+/// Noise that the transform of one block carries before anything is hit.
+struct LineNoise {
+  Eigen::VectorXd response;  ///< per line, E|dY|^2
+  Eigen::VectorXd force;     ///< per line, E|dF|^2
+  /// Distance over which noise on neighbouring lines is the same noise, as a
+  /// number per line [rad/s]: 2 pi fs sum w^4 / (sum w^2)^2.
+  Eigen::VectorXd bandwidth;
+};
+
+/// E|dH|^2 per line; above zero and finite wherever H is.
+///
+/// A single hit has no scatter: its variance is that of the noise alone, and
+/// knows nothing of how well the hits repeat.
+///
+/// @param s lines [rad/s], ascending imaginary part
+/// @param force, response lines x hits
+/// @param H estimate, lines
+[[nodiscard]] Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
+                                           const Eigen::MatrixXcd& force,
+                                           const Eigen::MatrixXcd& response,
+                                           const Eigen::VectorXcd& H,
+                                           const LineNoise& noise);
+
+}  // namespace tapfit::signal

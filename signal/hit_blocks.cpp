@@ -1,0 +1,170 @@
+#include "signal/hit_blocks.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "signal/offset.hpp"
+#include "signal/window.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::signal {
+namespace {
+
+using Eigen::Index;
+
+// Tapers this long keep the ringing of an anti-alias filter, which sits at the
+// end of the spectrum, from leaking down into the band.
+constexpr Index taper = 16;
+
+// One accepted hit within its recording.
+struct Place {
+  Index trigger = 0;
+  Index pulse_samples = 0;
+  Stretch before;  // quiet
+  Stretch after;   // ringing, up to the next hit
+};
+
+std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
+                             Index n_samples,
+                             double fs,
+                             Index block,
+                             Index wanted) {
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (!hits[k].accepted) continue;
+    Place place;
+    place.trigger = hits[k].trigger;
+    place.pulse_samples = static_cast<Index>(std::ceil(hits[k].pulse_s * fs));
+    const Index margin = taper + 4 * std::max<Index>(place.pulse_samples, 2);
+    const Index earlier = k == 0 ? 0 : hits[k - 1].trigger + margin;
+    const Index later =
+        k + 1 < hits.size() ? hits[k + 1].trigger - margin : n_samples;
+    // A short pre-trigger must not be lost to the margin altogether.
+    const Index onset = place.trigger - std::min(margin, place.trigger / 2);
+    place.before = quiet_stretch(earlier, onset, wanted);
+    const Index start = std::min(place.trigger, n_samples);
+    place.after = {start,
+                   std::clamp(start + block, start, std::max(start, later))};
+    places.push_back(place);
+  }
+  return places;
+}
+
+// Rows of a block around the trigger; zero where the file has no samples.
+Eigen::VectorXd cut(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                    Index begin,
+                    Index block) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(block);
+  const Index first = std::max<Index>(begin, 0);
+  const Index last = std::min(begin + block, channel.size());
+  if (last > first)
+    x.segment(first - begin, last - first) =
+        channel.segment(first, last - first);
+  return x;
+}
+
+// Cuts all hits of one channel and collects the noise before them.
+struct CutChannel {
+  Eigen::MatrixXd blocks;
+  std::vector<Eigen::VectorXd> quiet;
+};
+
+CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                       const std::vector<Place>& places,
+                       Index block,
+                       Index pre_trigger,
+                       Index wanted) {
+  CutChannel result;
+  result.blocks.resize(block, static_cast<Index>(places.size()));
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Place& p = places[k];
+    const double level = offset_at_hit(channel, p.before, p.after, wanted);
+    const Index begin = p.trigger - pre_trigger;
+    Eigen::VectorXd x = cut(channel, begin, block);
+    for (Index i = 0; i < block; ++i)
+      if (begin + i >= 0 && begin + i < channel.size()) x(i) -= level;
+    result.blocks.col(static_cast<Index>(k)) = x;
+    result.quiet.emplace_back(
+        channel.segment(p.before.begin, p.before.length()).array() - level);
+  }
+  return result;
+}
+
+double rms(const Eigen::VectorXd& x) {
+  return x.size() == 0 ? 0.0
+                       : x.norm() / std::sqrt(static_cast<double>(x.size()));
+}
+
+void check_force(const Eigen::MatrixXd& force, const acquisition::Run& run) {
+  for (Index k = 0; k < force.cols(); ++k)
+    if (!(force.col(k).cwiseAbs().maxCoeff() > 0.0))
+      throw InputError("the hammer's channel is zero throughout a hit",
+                       run.file.string(),
+                       "reject the hit or check the hammer's channel");
+}
+
+}  // namespace
+
+HitBlocks cut_hits(const acquisition::Run& run,
+                   const acquisition::Recording& recording,
+                   const acquisition::HitSet& hits,
+                   const std::vector<acquisition::Hit>& run_hits,
+                   const BlockOptions& options) {
+  const double fs = recording.sample_rate_hz;
+  // Hann weights over four periods leave nothing of the band in the mean.
+  const Index wanted = std::max<Index>(
+      64, static_cast<Index>(std::ceil(4.0 * fs / options.lowest_hz)));
+  const std::vector<Place> places =
+      places_of(run_hits, recording.samples.rows(), fs, hits.block, wanted);
+  HitBlocks result;
+  result.dt = 1.0 / fs;
+  result.trigger = hits.pre_trigger;
+  if (places.empty()) return result;
+  const auto column = [&](const acquisition::Placement& at) {
+    return cut_channel(recording.samples.col(static_cast<Index>(at.channel)),
+                       places,
+                       hits.block,
+                       hits.pre_trigger,
+                       wanted);
+  };
+
+  CutChannel force = column(run.hammer);
+  result.force_noise = noise_spectrum(force.quiet, result.dt);
+  std::vector<PulseSpan> spans;
+  result.force_end = hits.block;
+  PulseSpan widest{hits.pre_trigger, hits.pre_trigger + 1};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    spans.push_back(find_pulse(force.blocks.col(static_cast<Index>(k)),
+                               hits.pre_trigger,
+                               places[k].pulse_samples,
+                               rms(force.quiet[k])));
+    widest.begin = std::min(widest.begin, spans[k].begin);
+    widest.end = std::max(widest.end, spans[k].end);
+  }
+  const auto window_of = [&](const PulseSpan& span) {
+    return options.force_window ? pulse_window(hits.block, span, taper)
+                                : causal_window(hits.block, span, taper);
+  };
+  result.force_window = window_of(widest);
+  if (options.force_window)
+    result.force_end = std::min(hits.block, widest.end + taper);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    force.blocks.col(static_cast<Index>(k)).array() *=
+        window_of(spans[k]).array();
+  result.force = std::move(force.blocks);
+  check_force(result.force, run);
+
+  for (const acquisition::Placement& sensor : run.sensors) {
+    CutChannel response = column(sensor);
+    result.noise.push_back(noise_spectrum(response.quiet, result.dt));
+    for (std::size_t k = 0; k < places.size(); ++k)
+      response.blocks.col(static_cast<Index>(k)).array() *=
+          causal_window(hits.block, spans[k], taper).array();
+    result.responses.push_back(std::move(response.blocks));
+  }
+  return result;
+}
+
+}  // namespace tapfit::signal

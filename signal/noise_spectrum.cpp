@@ -1,0 +1,73 @@
+#include "signal/noise_spectrum.hpp"
+
+#include "signal/fft.hpp"
+#include "signal/offset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::signal {
+namespace {
+
+constexpr Eigen::Index shortest = 16;
+constexpr Eigen::Index longest = 4096;
+// Triangular smoothing over +-8 bins leaves each value with about 16 degrees
+// of freedom per stretch.
+constexpr Eigen::Index smoothing = 8;
+
+Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
+  Eigen::VectorXd result(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    double sum = 0.0;
+    double weights = 0.0;
+    for (Eigen::Index d = -smoothing; d <= smoothing; ++d) {
+      // The first two bins are what the offset's removal has eaten.
+      if (i + d < 2 || i + d >= x.size()) continue;
+      const double w = static_cast<double>(smoothing + 1 - std::abs(d));
+      sum += w * x(i + d);
+      weights += w;
+    }
+    result(i) = weights > 0.0 ? sum / weights : x(i);
+  }
+  return result;
+}
+
+}  // namespace
+
+double NoiseSpectrum::at(double omega) const {
+  if (S.size() == 0) return 0.0;
+  if (S.size() == 1 || !(step > 0.0)) return S(0);
+  const double x =
+      std::clamp(omega / step, 0.0, static_cast<double>(S.size() - 1));
+  const Eigen::Index i = std::min(static_cast<Eigen::Index>(x), S.size() - 2);
+  const double f = x - static_cast<double>(i);
+  return (1.0 - f) * S(i) + f * S(i + 1);
+}
+
+NoiseSpectrum noise_spectrum(const std::vector<Eigen::VectorXd>& stretches,
+                             double dt) {
+  Eigen::Index n = 0;
+  for (const Eigen::VectorXd& x : stretches) n = std::max(n, x.size());
+  n = std::min(n, longest);
+  NoiseSpectrum result;
+  if (n < shortest) return result;
+  RealFft fft(n);
+  result.step = 2.0 * std::numbers::pi / (static_cast<double>(n) * dt);
+  result.S = Eigen::VectorXd::Zero(n / 2 + 1);
+  double total = 0.0;
+  for (const Eigen::VectorXd& x : stretches) {
+    if (x.size() < shortest) continue;
+    // The last samples are those nearest to the hit.
+    const Eigen::Index length = std::min(n, x.size());
+    const Eigen::VectorXd h = hann(length);
+    const Eigen::VectorXd tapered = h.cwiseProduct(x.tail(length));
+    const double weight = static_cast<double>(length);
+    result.S += weight / h.squaredNorm() * fft.transform(tapered).cwiseAbs2();
+    total += weight;
+  }
+  result.S = smooth(result.S / total);
+  return result;
+}
+
+}  // namespace tapfit::signal

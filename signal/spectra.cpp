@@ -1,0 +1,110 @@
+#include "signal/spectra.hpp"
+
+#include "signal/fft.hpp"
+#include "signal/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace tapfit::signal {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index chunk = 1024;
+
+Eigen::MatrixXcd fft_columns(RealFft& fft,
+                             const Eigen::MatrixXd& blocks,
+                             const Eigen::VectorXd& window,
+                             Index first,
+                             Index last) {
+  Eigen::MatrixXcd result(last - first + 1, blocks.cols());
+  for (Index k = 0; k < blocks.cols(); ++k) {
+    const Eigen::VectorXd x = blocks.col(k).cwiseProduct(window);
+    result.col(k) = fft.transform(x).segment(first, last - first + 1);
+  }
+  return result;
+}
+
+// Real and imaginary part of exp(-s t) for rows [begin, begin + n).
+struct Kernel {
+  Eigen::MatrixXd real;  // lines x n
+  Eigen::MatrixXd imag;
+};
+
+Kernel kernel(const Eigen::VectorXcd& s, double dt, Index row, Index n) {
+  Kernel e{Eigen::MatrixXd(s.size(), n), Eigen::MatrixXd(s.size(), n)};
+  const Eigen::VectorXcd step = (-s * dt).array().exp().matrix();
+  // Started anew for every chunk, so that rounding grows over 1024 factors
+  // at most, to about 1e-13.
+  Eigen::VectorXcd value =
+      (-s * (dt * static_cast<double>(row))).array().exp().matrix();
+  for (Index i = 0; i < n; ++i) {
+    e.real.col(i) = value.real();
+    e.imag.col(i) = value.imag();
+    value.array() *= step.array();
+  }
+  return e;
+}
+
+void accumulate(const Kernel& e,
+                const Eigen::Ref<const Eigen::MatrixXd>& x,
+                Eigen::MatrixXcd& sum) {
+  const Eigen::MatrixXd real = e.real * x;
+  const Eigen::MatrixXd imag = e.imag * x;
+  sum.real() += real;
+  sum.imag() += imag;
+}
+
+}  // namespace
+
+Spectra fft_spectra(const HitBlocks& blocks,
+                    double sigma,
+                    Index first,
+                    Index last) {
+  const Index n = blocks.force.rows();
+  RealFft fft(n);
+  const Eigen::VectorXd window =
+      exponential_window(n, blocks.trigger, blocks.dt, sigma);
+  Spectra result;
+  result.force = fft_columns(fft, blocks.force, window, first, last);
+  for (const Eigen::MatrixXd& response : blocks.responses)
+    result.responses.push_back(fft_columns(fft, response, window, first, last));
+  return result;
+}
+
+Spectra spectra_at(const HitBlocks& blocks, const Eigen::VectorXcd& s) {
+  const Index n = blocks.force.rows();
+  const Index hits = blocks.force.cols();
+  const double sigma = s.size() == 0 ? 0.0 : s.real().minCoeff();
+  const double needed =
+      sigma > 0.0 ? 27.6 / (sigma * blocks.dt) : static_cast<double>(n);
+  const Index end = std::clamp(
+      blocks.trigger +
+          static_cast<Index>(std::min(needed, static_cast<double>(n))),
+      std::min(n, blocks.force_end),
+      n);
+  // All sensors side by side, so that one product serves them.
+  const Index sensors = static_cast<Index>(blocks.responses.size());
+  Eigen::MatrixXcd force = Eigen::MatrixXcd::Zero(s.size(), hits);
+  Eigen::MatrixXcd responses = Eigen::MatrixXcd::Zero(s.size(), hits * sensors);
+  for (Index row = 0; row < end; row += chunk) {
+    const Index rows = std::min(chunk, end - row);
+    const Kernel e = kernel(s, blocks.dt, row - blocks.trigger, rows);
+    Eigen::MatrixXd x(rows, hits * sensors);
+    for (Index c = 0; c < sensors; ++c)
+      x.middleCols(c * hits, hits) =
+          blocks.responses[static_cast<std::size_t>(c)].middleRows(row, rows);
+    accumulate(e, x, responses);
+    if (row < blocks.force_end)
+      accumulate(e, blocks.force.middleRows(row, rows), force);
+  }
+  Spectra result;
+  result.force = std::move(force);
+  for (Index c = 0; c < sensors; ++c)
+    result.responses.emplace_back(responses.middleCols(c * hits, hits));
+  return result;
+}
+
+}  // namespace tapfit::signal

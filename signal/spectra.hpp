@@ -1,0 +1,36 @@
+// Transforms of a run's blocks, on FFT lines or anywhere in the s-plane:
+//
+//   X(s) = sum_n x_n exp(-s t_n),   t = 0 at the trigger
+//
+// without the factor dt, which cancels in response / force.
+#pragma once
+
+#include "signal/hit_blocks.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::signal {
+
+struct Spectra {
+  Eigen::MatrixXcd force;                   ///< lines x hits
+  std::vector<Eigen::MatrixXcd> responses;  ///< per sensor, lines x hits
+};
+
+/// The FFT lines [first, last] with one exponential window.
+///
+/// @param sigma decay of the window [1/s]
+[[nodiscard]] Spectra fft_spectra(const HitBlocks& blocks,
+                                  double sigma,
+                                  Eigen::Index first,
+                                  Eigen::Index last);
+
+/// Any points s, as a product of exp(-s t) with the blocks. Samples at which
+/// every line's window has fallen below 1e-12 are left out.
+///
+/// @param s complex angular frequencies [rad/s], Re(s) >= 0
+[[nodiscard]] Spectra spectra_at(const HitBlocks& blocks,
+                                 const Eigen::VectorXcd& s);
+
+}  // namespace tapfit::signal
