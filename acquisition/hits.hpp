@@ -9,7 +9,15 @@
 
 namespace tapfit::acquisition {
 
-enum class HitFault { Double, Overload, Weak, Soft, Truncated, Outlier, ByHand };
+enum class HitFault {
+  Double,
+  Overload,
+  Weak,
+  Soft,
+  Truncated,
+  Outlier,
+  ByHand
+};
 
 /// "double", "overload", "weak", "soft", "truncated", "outlier", "by hand".
 [[nodiscard]] std::string name(HitFault fault);
@@ -18,17 +26,19 @@ struct Hit {
   Eigen::Index begin = 0;    ///< first sample of the block (pre-trigger in it)
   Eigen::Index trigger = 0;  ///< sample where the trigger level was crossed
   double time_s = 0.0;       ///< of the force's peak, from the file's start
-  double peak_n = 0.0;
+  double peak_n = 0.0;       ///< magnitude, whatever the channel's polarity
   double pulse_s = 0.0;      ///< width of the main pulse
   bool accepted = true;
-  std::vector<HitFault> reasons;  ///< why it was judged out (empty when good)
+  /// What speaks against it; empty when good. An accepted hit has reasons when
+  /// it was overruled, or kept as the best of a bad run.
+  std::vector<HitFault> reasons;
 };
 
 struct HitSet {
   double sample_rate_hz = 0.0;
   Eigen::Index block = 0;        ///< samples per block, the same for all hits
   Eigen::Index pre_trigger = 0;  ///< samples of the block before the trigger
-  double trigger_n = 0.0;        ///< level used [N]
+  double trigger_n = 0.0;        ///< lowest level used in any run [N]
   std::vector<std::vector<Hit>> runs;   ///< as TestBundle::runs
   std::vector<std::string> statements;  ///< what was chosen, and why
 };
@@ -43,16 +53,19 @@ struct HitOptions {
 /// Finds and judges the hits of all runs.
 ///
 /// The block is as long as the gaps between hits allow (and no longer than the
-/// response lasts), the same for all hits.
+/// response lasts), the same for all hits. The bundle's band says how soft a
+/// hit may be (without one: up to 0.4 of the sampling rate). Options that are
+/// empty are taken from the bundle, else chosen and stated. A run whose hits
+/// are all judged out keeps its best one when that is merely weak or soft; else
+/// it is left without an accepted hit.
 ///
-/// @param band_hz used to judge how soft a hit is; empty: up to 0.4 of the
-///   sampling rate
 /// @throws InputError when a run holds no hit at all
 [[nodiscard]] HitSet find_hits(const TestBundle& bundle,
                                const std::vector<Recording>& recordings,
                                const HitOptions& options);
 
-/// Turns a hit's acceptance over by hand; notes HitFault::ByHand.
+/// Turns a hit's acceptance over by hand and notes HitFault::ByHand; a second
+/// time takes both back. A truncated hit stays out: its block is not all there.
 void overrule(Hit& hit);
 
 }  // namespace tapfit::acquisition

@@ -54,13 +54,15 @@ void replace_all(std::string& text,
                  std::string_view from,
                  std::string_view to) {
   std::string result;
-  std::size_t begin = 0;
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, begin)) {
-    result.append(text, begin, at - begin).append(to);
-    begin = at + from.size();
+  std::string_view rest = text;
+  for (std::size_t at = rest.find(from); at != std::string_view::npos;
+       at = rest.find(from)) {
+    result += rest.substr(0, at);
+    result += to;
+    rest.remove_prefix(at + from.size());
   }
-  text = result.append(text, begin);
+  result += rest;
+  text = result;
 }
 
 // One spelling for "m / s²", "m/s**2", "m/s2", "(m/s^2)", "m/s/s".

@@ -1,0 +1,88 @@
+#include "acquisition/hammer_pulses.hpp"
+
+#include "acquisition/remove_offset.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::acquisition {
+namespace {
+
+// Samples from the peak to where the force falls below `share` of it, with a
+// straight line between the two samples around that point.
+double flank(const Eigen::VectorXd& force,
+             Eigen::Index peak,
+             int step,
+             double share) {
+  const double level = share * force[peak];
+  Eigen::Index i = peak;
+  while (i + step >= 0 && i + step < force.size()) {
+    const double here = force[i];
+    const double next = force[i + step];
+    if (next < level) {
+      const double part = (here - level) / (here - next);
+      return std::abs(static_cast<double>(i - peak)) + part;
+    }
+    i += step;
+  }
+  return std::abs(static_cast<double>(i - peak)) + 1.0;
+}
+
+}  // namespace
+
+HammerSignal prepare_hammer(const Eigen::VectorXd& channel,
+                            double sample_rate_hz) {
+  // Half a second is long beside any pulse and short beside thermal drift.
+  const auto half_second = static_cast<Eigen::Index>(0.5 * sample_rate_hz);
+  const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
+  HammerSignal signal;
+  signal.force = without_drift(channel, segment);
+  const double up = signal.force.maxCoeff();
+  const double down = -signal.force.minCoeff();
+  // Undershoot after a blow stays well below the blow itself.
+  if (down > 1.5 * up) {
+    signal.polarity = -1.0;
+    signal.force = -signal.force;
+  }
+  signal.peak = std::max(0.0, signal.force.maxCoeff());
+  signal.noise = 1.4826 * median(signal.force.cwiseAbs());
+  signal.noise = std::max(signal.noise, 1e-6 * signal.peak);
+  return signal;
+}
+
+Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
+  Pulse pulse;
+  pulse.first = peak;
+  pulse.peak = peak;
+  pulse.height = force[peak];
+  if (peak > 0 && peak + 1 < force.size()) {
+    const double slope = 0.5 * (force[peak + 1] - force[peak - 1]);
+    const double bend = 2.0 * force[peak] - force[peak + 1] - force[peak - 1];
+    if (bend > 0.0) pulse.height += 0.5 * slope * slope / bend;
+  }
+  pulse.width = flank(force, peak, -1, 0.1) + flank(force, peak, 1, 0.1);
+  return pulse;
+}
+
+std::vector<Pulse> find_pulses(const Eigen::VectorXd& force, double level) {
+  std::vector<Pulse> pulses;
+  const Eigen::Index n = force.size();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (force[i] <= level) continue;
+    const Eigen::Index first = i;
+    Eigen::Index peak = i;
+    Eigen::Index last_high = i;
+    Eigen::Index dead = 4;
+    for (; i < n && i - last_high <= dead; ++i) {
+      if (force[i] > 0.5 * level) last_high = i;
+      if (force[i] > force[peak]) peak = i;
+      dead = std::max<Eigen::Index>(4, (last_high - first) / 2);
+    }
+    Pulse pulse = measure_pulse(force, peak);
+    pulse.first = first;
+    pulses.push_back(pulse);
+  }
+  return pulses;
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,43 @@
+// Pulses of the hammer: the force channel made ready for triggering, and the
+// places where it rises over a level.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// The force channel with drift removed and turned so that a blow is positive.
+struct HammerSignal {
+  Eigen::VectorXd force;  ///< [N]
+  double noise = 0.0;     ///< robust standard deviation (1.4826 MAD), > 0 [N]
+  double polarity = 1.0;  ///< -1 when blows are negative in the file
+  double peak = 0.0;      ///< largest value [N]
+};
+
+/// @param channel force as read [N]
+/// @param sample_rate_hz > 0
+[[nodiscard]] HammerSignal prepare_hammer(const Eigen::VectorXd& channel,
+                                          double sample_rate_hz);
+
+struct Pulse {
+  Eigen::Index first = 0;  ///< where the level was crossed upwards
+  Eigen::Index peak = 0;   ///< sample of the largest value
+  double height = 0.0;  ///< of the parabola through the peak's neighbours [N]
+  double width = 0.0;   ///< between the 10 % points [samples]
+};
+
+/// All pulses over the level, in time order.
+///
+/// The trigger is armed again once the force has stayed below half the level
+/// for four samples or half a pulse width, whichever is longer: an anti-alias
+/// filter's ringing swings within two or three samples.
+[[nodiscard]] std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
+                                             double level);
+
+/// Measures the pulse whose highest sample is given; `first` is left at it.
+[[nodiscard]] Pulse measure_pulse(const Eigen::VectorXd& force,
+                                  Eigen::Index peak);
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,138 @@
+#include "acquisition/judge_hits.hpp"
+
+#include "acquisition/remove_offset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Eigen::Index;
+
+bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
+  return (k == 0 || force[k] >= force[k - 1]) &&
+         (k + 1 == force.size() || force[k] > force[k + 1]);
+}
+
+// Smallest step between different neighbours: the quantisation of a record.
+double quantisation(const Eigen::VectorXd& block) {
+  double step = std::numeric_limits<double>::max();
+  for (Index i = 1; i < block.size(); ++i) {
+    const double change = std::abs(block[i] - block[i - 1]);
+    if (change > 0.0) step = std::min(step, change);
+  }
+  return step == std::numeric_limits<double>::max() ? 0.0 : step;
+}
+
+// Whether the run [first, last] of samples near the top falls off like a
+// clipped signal does on both sides.
+bool is_flat_top(const Eigen::VectorXd& x,
+                 Index first,
+                 Index last,
+                 double top,
+                 double tolerance) {
+  const Index n = last - first + 1;
+  if (n < 3) return false;
+  const Index reach = std::max<Index>(1, n / 2);
+  const Index left = first - reach;
+  const Index right = last + reach;
+  if (left < 0 || right >= x.size()) return false;
+  return top - x[left] > 10.0 * tolerance && top - x[right] > 10.0 * tolerance;
+}
+
+bool has_flat_top(const Eigen::VectorXd& x, double tolerance) {
+  const double top = x.maxCoeff();
+  for (Index i = 0; i < x.size(); ++i) {
+    if (top - x[i] > tolerance) continue;
+    const Index first = i;
+    while (i + 1 < x.size() && top - x[i + 1] <= tolerance) ++i;
+    if (is_flat_top(x, first, i, top, tolerance)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool has_second_pulse(const HammerSignal& hammer,
+                      const Pulse& main,
+                      Index begin,
+                      Index end,
+                      double percent) {
+  const Eigen::VectorXd& force = hammer.force;
+  // A tenth below the limit, since the height of a pulse a few samples wide
+  // is known no better.
+  const double limit =
+      std::max(0.009 * percent * main.height, 6.5 * hammer.noise);
+  const auto near =
+      std::max<Index>(4, static_cast<Index>(std::ceil(1.4 * main.width)));
+  const auto around =
+      std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
+  const Index last = std::min(end, force.size()) - 1;
+  for (Index k = std::max<Index>(begin, 0); k <= last; ++k) {
+    if (force[k] < 0.7 * limit || std::abs(k - main.peak) < near) continue;
+    if (!is_local_maximum(force, k)) continue;
+    const Pulse pulse = measure_pulse(force, k);
+    if (pulse.height < limit || pulse.width > 8.0 * main.width) continue;
+    const Index from = std::max<Index>(0, k - around);
+    const Index to = std::min(force.size() - 1, k + around);
+    const double below = -force.segment(from, to - from + 1).minCoeff();
+    if (pulse.height > 1.5 * below) return true;
+  }
+  return false;
+}
+
+double force_level_db(const HammerSignal& hammer,
+                      const Pulse& main,
+                      double band_end_hz,
+                      double sample_rate_hz) {
+  const Eigen::VectorXd& force = hammer.force;
+  const auto reach =
+      std::max<Index>(4, static_cast<Index>(std::ceil(1.5 * main.width)));
+  const Index from = std::max<Index>(0, main.peak - reach);
+  const Index to = std::min(force.size() - 1, main.peak + reach);
+  const auto spectrum = [&](double frequency_hz) {
+    std::complex<double> sum = 0.0;
+    const double step = 2.0 * std::numbers::pi * frequency_hz / sample_rate_hz;
+    for (Index i = from; i <= to; ++i) {
+      sum += force[i] * std::polar(1.0, -step * static_cast<double>(i - from));
+    }
+    return std::abs(sum);
+  };
+  double high = 0.0;
+  for (const double part : {0.9, 0.925, 0.95, 0.975, 1.0}) {
+    high = std::max(high, spectrum(part * band_end_hz));
+  }
+  const double low = spectrum(0.0);
+  return 20.0 * std::log10(std::max(high, 1e-12) / std::max(low, 1e-12));
+}
+
+bool is_overloaded(const Eigen::VectorXd& block,
+                   double full_scale,
+                   double noise) {
+  const double extreme = block.cwiseAbs().maxCoeff();
+  if (extreme >= 0.999 * full_scale) return true;
+  const double swing = block.maxCoeff() - block.minCoeff();
+  const double tolerance =
+      std::max({1e-5 * swing, 4.0 * noise, 1.5 * quantisation(block)});
+  // Far above noise and quantisation, else any top is flat.
+  if (swing < 100.0 * tolerance) return false;
+  return has_flat_top(block, tolerance) || has_flat_top(-block, tolerance);
+}
+
+double difference_noise(const Eigen::VectorXd& channel) {
+  const Index n = channel.size() - 1;
+  if (n < 1) return 0.0;
+  const Eigen::VectorXd steps = (channel.tail(n) - channel.head(n)).cwiseAbs();
+  const Index part = std::max<Index>(1, n / 16);
+  double quietest = std::numeric_limits<double>::max();
+  for (Index from = 0; from + part <= n; from += part) {
+    quietest = std::min(quietest, median(steps.segment(from, part)));
+  }
+  return 1.4826 / std::numbers::sqrt2 * quietest;
+}
+
+}  // namespace tapfit::acquisition
