@@ -1,0 +1,52 @@
+// The response of a small linear structure to a force that runs in straight
+// lines between its samples, without any error of time stepping.
+//
+//   M q'' + C q' + K q = b f(t),   a = R q''
+//   x = [w0 q; q'],  x' = A x + B f,   A V = V diag(lambda),  z = V^-1 x
+//   z[n+1] = e^(lambda h) z[n] + h ((phi1 - phi2) f[n] + phi2 f[n+1]) V^-1 B
+//   phi1(x) = (e^x - 1)/x,   phi2(x) = (e^x - 1 - x)/x^2,   x = lambda h
+//
+// The matrix exponential with a first-order hold on the force (for example
+// G. F. Franklin, J. D. Powell and M. Workman, "Digital Control of Dynamic
+// Systems", 3rd ed., 1998, sec. 6.3), taken in complex modes so that a step
+// costs as many products as there are modes.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace tapfit::acquisition {
+
+/// A linear structure in r generalised coordinates, one force, n sensors.
+struct SecondOrderSystem {
+  Eigen::MatrixXd M;       ///< r x r, positive definite
+  Eigen::MatrixXd C;       ///< r x r
+  Eigen::MatrixXd K;       ///< r x r
+  Eigen::VectorXd input;   ///< r, where the force acts
+  Eigen::MatrixXd output;  ///< n x r, acceleration per q''
+};
+
+/// Accelerations at the sensors, from rest.
+///
+/// @param force samples of the force [N], linear in between
+/// @param rate_hz of the samples of force and result
+/// @return n_samples x n [m/s^2]; empty when the structure has no full set of
+///   complex modes (critical damping, a free undamped rigid-body mode)
+[[nodiscard]] std::optional<Eigen::MatrixXd> exact_response(
+    const SecondOrderSystem& system,
+    const Eigen::VectorXd& force,
+    double rate_hz);
+
+/// Undamped natural frequency and damping ratio of each complex mode.
+struct DampedPoles {
+  Eigen::VectorXd frequency_hz;   ///< |lambda| / 2 pi, ascending
+  Eigen::VectorXd damping_ratio;  ///< -Re(lambda) / |lambda|
+};
+
+/// Poles of a system, underdamped pairs only.
+[[nodiscard]] DampedPoles damped_poles(const Eigen::MatrixXd& M,
+                                       const Eigen::MatrixXd& C,
+                                       const Eigen::MatrixXd& K);
+
+}  // namespace tapfit::acquisition

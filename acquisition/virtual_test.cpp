@@ -1,0 +1,95 @@
+#include "acquisition/virtual_test.hpp"
+
+#include "acquisition/anti_alias.hpp"
+#include "acquisition/input_error.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <optional>
+
+namespace tapfit::acquisition {
+namespace {
+
+// Mean of the piecewise linear force over a hat, see the header.
+Eigen::VectorXd acting_force(const Eigen::VectorXd& force) {
+  const Eigen::Index n = force.size();
+  Eigen::VectorXd mean = force * (10.0 / 12.0);
+  mean.head(n - 1) += force.tail(n - 1) / 12.0;
+  mean.tail(n - 1) += force.head(n - 1) / 12.0;
+  return mean;
+}
+
+Eigen::VectorXd delayed(const Eigen::VectorXd& signal, Eigen::Index samples) {
+  Eigen::VectorXd late = Eigen::VectorXd::Zero(signal.size());
+  for (Eigen::Index n = 0; n < signal.size(); ++n) {
+    const Eigen::Index from = n - samples;
+    if (from >= 0 && from < signal.size()) late(n) = signal(from);
+  }
+  return late;
+}
+
+}  // namespace
+
+Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
+                         const std::vector<HammerPulse>& pulses,
+                         double seconds,
+                         const VirtualRecorder& recorder,
+                         const std::vector<double>& delay_s) {
+  const double fast_hz = recorder.rate_hz * recorder.oversampling;
+  const auto samples =
+      static_cast<Eigen::Index>(std::llround(seconds * recorder.rate_hz)) *
+      recorder.oversampling;
+  const Eigen::VectorXd force = force_of(pulses, samples, fast_hz);
+  const std::optional<Eigen::MatrixXd> response =
+      exact_response(system, force, fast_hz);
+  if (!response) {
+    throw InputError("the structure has no full set of complex modes",
+                     "virtual test",
+                     "give every rigid-body mode a support or every mode less "
+                     "than critical damping");
+  }
+  const Eigen::VectorXd acting = acting_force(force);
+  const Eigen::VectorXd direct =
+      system.output * system.M.llt().solve(system.input);
+  Eigen::MatrixXd fast(samples, 1 + response->cols());
+  fast.col(0) = acting;
+  // The part of the acceleration that follows the force at once has no spring
+  // to smooth the corners of a force in straight lines: take its mean too.
+  fast.rightCols(response->cols()) =
+      *response + (acting - force) * direct.transpose();
+  for (std::size_t c = 0; c < delay_s.size(); ++c) {
+    const auto column = static_cast<Eigen::Index>(c);
+    const auto shift =
+        static_cast<Eigen::Index>(std::llround(delay_s[c] * fast_hz));
+    if (shift != 0) fast.col(column) = delayed(fast.col(column), shift);
+  }
+  return decimate(fast, recorder.oversampling);
+}
+
+Eigen::MatrixXd record_run(const Eigen::MatrixXd& felt,
+                           const VirtualRecorder& recorder,
+                           const std::vector<AnalogueChannel>& channels,
+                           SeededRandom& random) {
+  Eigen::MatrixXd samples(felt.rows(), felt.cols());
+  for (Eigen::Index c = 0; c < felt.cols(); ++c) {
+    samples.col(c) = pass_chain(felt.col(c),
+                                recorder.rate_hz,
+                                channels.at(static_cast<std::size_t>(c)),
+                                random);
+  }
+  return samples;
+}
+
+double choose_sensitivity(double largest,
+                          double full_scale_volts,
+                          double headroom) {
+  const double wanted = full_scale_volts / (headroom * largest);
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  for (const double step : {5.0, 2.0}) {
+    if (step * decade <= wanted) return step * decade;
+  }
+  return decade;
+}
+
+}  // namespace tapfit::acquisition
