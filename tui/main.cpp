@@ -1,1 +1,83 @@
-int main() { return 0; }
+// The program: reads the command line, runs one command or the terminal, and
+// turns every fault into a message and an exit status.
+#include "acquisition/input_error.hpp"
+#include "tui/app.hpp"
+#include "tui/commands/command_line.hpp"
+#include "tui/commands/progress_line.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <unistd.h>
+
+namespace {
+
+using tapfit::tui::CommandLineAnswer;
+using tapfit::tui::Invocation;
+
+enum ExitStatus {
+  Done = 0,
+  InputAtFault = 1,
+  CommandLineAtFault = 2,
+  StoppedByUser = 3,
+  OwnFault = 70,
+};
+
+int open_terminal(const Invocation& invocation) {
+  const bool replay = invocation.app.keys_file.has_value();
+  if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
+    fmt::print(stderr,
+               "tapfit: this is no terminal; try 'tapfit run {}'\n",
+               invocation.options.input.string());
+    return CommandLineAtFault;
+  }
+  return tapfit::tui::run_app(invocation.options.input, invocation.app);
+}
+
+int run_command(const Invocation& invocation) {
+  tapfit::tui::ProgressLine line(isatty(STDERR_FILENO) != 0);
+  const std::string output =
+      invocation.command(invocation.options, line.progress());
+  line.clear();
+  if (std::fwrite(output.data(), 1, output.size(), stdout) < output.size() ||
+      std::fflush(stdout) != 0) {
+    fmt::print(stderr, "tapfit: standard output cannot be written\n");
+    return InputAtFault;
+  }
+  return Done;
+}
+
+int tapfit_main(int argc, const char* const* argv) {
+  const auto parsed = tapfit::tui::parse_command_line(argc, argv);
+  if (const auto* answer = std::get_if<CommandLineAnswer>(&parsed)) {
+    fmt::print(
+        answer->exit_status == Done ? stdout : stderr, "{}", answer->text);
+    return answer->exit_status;
+  }
+  const auto& invocation = std::get<Invocation>(parsed);
+  return invocation.command != nullptr ? run_command(invocation)
+                                       : open_terminal(invocation);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return tapfit_main(argc, argv);
+  } catch (const tapfit::InputError& error) {
+    fmt::print(stderr, "tapfit: {}\n", error.what());
+    return InputAtFault;
+  } catch (const tapfit::Stopped&) {
+    fmt::print(stderr, "tapfit: stopped\n");
+    return StoppedByUser;
+  } catch (const std::filesystem::filesystem_error& error) {
+    fmt::print(stderr, "tapfit: {}\n", error.what());
+    return InputAtFault;
+  } catch (const std::exception& error) {
+    fmt::print(
+        stderr, "tapfit: our own fault, please report it: {}\n", error.what());
+    return OwnFault;
+  }
+}

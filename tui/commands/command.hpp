@@ -1,0 +1,32 @@
+// What every command line command is given, and what it returns.
+#pragma once
+
+#include "acquisition/progress.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// The command line of one command; each command reads what it knows of.
+struct CommandOptions {
+  std::filesystem::path input;  ///< bundle, deck or CSV file
+  bool json = false;            ///< one JSON object instead of text
+  std::optional<std::filesystem::path> uff;     ///< universal file to write
+  std::optional<std::filesystem::path> deck;    ///< bulk data to write
+  std::optional<std::filesystem::path> output;  ///< file or folder to write
+  std::vector<std::string> effects;             ///< "added-mass@201", in order
+  int modes = 10;                               ///< of the model
+  int node = 0;                                 ///< grid id
+};
+
+/// A command returns all of its standard output at once, so that a fault on
+/// the way leaves nothing printed.
+///
+/// @throws InputError, Stopped
+using Command = std::string (*)(const CommandOptions& options,
+                                const Progress& progress);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,169 @@
+#include "tui/commands/command_line.hpp"
+
+#include "tui/commands/compare_command.hpp"
+#include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/export_command.hpp"
+#include "tui/commands/frf_command.hpp"
+#include "tui/commands/hits_command.hpp"
+#include "tui/commands/model_command.hpp"
+#include "tui/commands/modes_command.hpp"
+#include "tui/commands/report_command.hpp"
+#include "tui/commands/run_command.hpp"
+#include "tui/commands/signature_command.hpp"
+#include "tui/commands/update_command.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <array>
+#include <sstream>
+
+namespace tapfit::tui {
+
+namespace {
+
+constexpr const char* simulate_name = "simulate";
+
+/// Options a command has besides --json.
+enum Extra : unsigned {
+  None = 0,
+  Uff = 1,
+  DeckFile = 2,
+  Output = 4,
+  Effects = 8,
+  Modes = 16,
+  Node = 32,
+};
+
+struct Entry {
+  const char* name;
+  const char* does;
+  Command command;
+  unsigned extras;
+  const char* input = "BUNDLE";
+};
+
+constexpr std::array<Entry, 11> entries{{
+    {"run", "The whole chain, recording to error ladder", run_command, None},
+    {"hits", "Hits found and judged", hits_command, None},
+    {"frf", "Frequency response functions and their quality", frf_command, Uff},
+    {"modes", "Identified modes", modes_command, Uff},
+    {"model", "A deck in numbers, and its modes", model_command, Modes, "DECK"},
+    {"compare", "Model against measurement", compare_command, None},
+    {"diagnose", "What is missing from the model", diagnose_command, None},
+    {"signature",
+     "Missing dynamic stiffness at a grid",
+     signature_command,
+     Node},
+    {"update",
+     "Add the effects named and identify them",
+     update_command,
+     Effects},
+    {"report",
+     "A Markdown report of the finished work",
+     report_command,
+     Output},
+    {"export",
+     "Write FRFs, modes and the updated deck",
+     export_command,
+     Uff | DeckFile | Effects},
+}};
+
+void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(entry.name, entry.does);
+  CommandOptions& options = invocation.options;
+  command->add_option(entry.input, options.input)->required();
+  command->add_flag("--json", options.json, "Print one JSON object");
+  if ((entry.extras & Uff) != 0) {
+    command->add_option("--uff", options.uff, "Universal file to write");
+  }
+  if ((entry.extras & DeckFile) != 0) {
+    command->add_option("--deck", options.deck, "Bulk data file to write");
+  }
+  if ((entry.extras & Output) != 0) {
+    command->add_option("-o,--output", options.output, "Where to write");
+  }
+  if ((entry.extras & Effects) != 0) {
+    command
+        ->add_option("--effect",
+                     options.effects,
+                     "Effect to add, for example added-mass@201")
+        ->allow_extra_args(false);
+  }
+  if ((entry.extras & Modes) != 0) {
+    command->add_option("--modes", options.modes, "How many modes")
+        ->check(CLI::Range(1, 10000));
+  }
+  if ((entry.extras & Node) != 0) {
+    command->add_option("NODE", options.node, "Grid id")->required();
+  }
+  command->callback([&invocation, &entry] {
+    invocation.name = entry.name;
+    invocation.command = entry.command;
+  });
+}
+
+/// The virtual test reads its own command line.
+void add_simulate(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand(simulate_name, "Make a bundle by a virtual test");
+  command->set_help_flag();
+  command->prefix_command();
+  command->callback([&invocation, command] {
+    invocation.name = simulate_name;
+    invocation.passed_on = command->remaining();
+  });
+}
+
+void add_terminal_options(CLI::App& app, Invocation& invocation) {
+  app.add_option("BUNDLE",
+                 invocation.options.input,
+                 "Test bundle to open in the terminal");
+  app.add_flag("--ascii", invocation.app.ascii, "Only ASCII characters");
+  app.add_flag("--no-colour,--no-color",
+               invocation.app.no_colour,
+               "No colours (as NO_COLOR)");
+  app.add_flag("--no-mouse", invocation.app.no_mouse, "Leave the mouse alone");
+  app.add_option("--keys",
+                 invocation.app.keys_file,
+                 "Replay a key script without a terminal");
+  app.add_option("--width", invocation.app.width, "Columns of the replay");
+  app.add_option("--height", invocation.app.height, "Rows of the replay");
+}
+
+}  // namespace
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Entry& entry : entries) names.emplace_back(entry.name);
+  names.emplace_back(simulate_name);
+  return names;
+}
+
+std::variant<Invocation, CommandLineAnswer> parse_command_line(
+    int argc, const char* const* argv) {
+  Invocation invocation;
+  CLI::App app(
+      "From hammer taps to a finite element model you can believe.\n"
+      "Without a command, opens the bundle in the terminal.",
+      "tapfit");
+  app.set_version_flag("--version", "tapfit " TAPFIT_VERSION);
+  app.require_subcommand(0, 1);
+  add_terminal_options(app, invocation);
+  for (const Entry& entry : entries) add_command(app, entry, invocation);
+  add_simulate(app, invocation);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const bool fault = app.exit(error, out, err) != 0;
+    return CommandLineAnswer{.exit_status = fault ? 2 : 0,
+                             .text = fault ? err.str() : out.str()};
+  }
+  if (invocation.name.empty() && invocation.options.input.empty()) {
+    return CommandLineAnswer{.exit_status = 2, .text = app.help()};
+  }
+  return invocation;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,36 @@
+// The command line: which command, with which options.
+#pragma once
+
+#include "tui/app.hpp"
+#include "tui/commands/command.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// What the user asked for.
+struct Invocation {
+  std::string name;           ///< "hits" and so on; empty: open the terminal
+  Command command = nullptr;  ///< null for the terminal and for "simulate"
+  CommandOptions options;
+  AppOptions app;
+  std::vector<std::string> passed_on;  ///< arguments of "simulate"
+};
+
+/// Nothing to be done but to print: help and version were asked for, or the
+/// command line is at fault.
+struct CommandLineAnswer {
+  int exit_status = 0;  ///< 0 for help and version, 2 for a fault
+  std::string text;     ///< for standard output (0) or standard error (2)
+};
+
+/// @param argv as main() gets it, the program's name first
+[[nodiscard]] std::variant<Invocation, CommandLineAnswer> parse_command_line(
+    int argc, const char* const* argv);
+
+/// Names of all commands, in the order of the work.
+[[nodiscard]] std::vector<std::string> command_names();
+
+}  // namespace tapfit::tui

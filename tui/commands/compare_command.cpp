@@ -1,0 +1,123 @@
+#include "tui/commands/compare_command.hpp"
+
+#include "tui/commands/text_table.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t worst_shown = 5;
+
+ordered_json frac_json(const updating::Comparison& comparison,
+                       const signal::FrfSet& frfs) {
+  ordered_json frac = ordered_json::object();
+  for (std::size_t k = 0; k < comparison.frac.size(); ++k) {
+    const std::string key = name(frfs.frfs.at(k));
+    const double value = comparison.frac[k];
+    frac[key] = std::min(value, frac.value(key, value));
+  }
+  return frac;
+}
+
+std::string worst_frfs_text(const updating::Comparison& comparison,
+                            const signal::FrfSet& frfs) {
+  std::vector<std::size_t> order(comparison.frf_error.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, std::greater{}, [&](std::size_t k) {
+    return comparison.frf_error[k];
+  });
+  TextTable table({"<worst FRFs", "run", "error", "FRAC"});
+  for (std::size_t k : order) {
+    if (k == order[std::min(worst_shown, order.size() - 1)] &&
+        order.size() > worst_shown) {
+      break;
+    }
+    const auto& frf = frfs.frfs.at(k);
+    table.add({name(frf),
+               fmt::format("{}", frf.run + 1),
+               percent(comparison.frf_error[k]),
+               fmt::format("{:.3f}", comparison.frac.at(k))});
+  }
+  return table.text();
+}
+
+std::string bands_text(const updating::Comparison& comparison) {
+  TextTable table({"<band Hz", "error"});
+  for (const auto& band : comparison.bands) {
+    table.add({fmt::format("{:.4g} to {:.4g}", band.low_hz, band.high_hz),
+               percent(band.error)});
+  }
+  return table.text();
+}
+
+}  // namespace
+
+ordered_json compare_json(const updating::Comparison& comparison,
+                          const signal::FrfSet& frfs) {
+  ordered_json pairs = ordered_json::array();
+  for (const auto& pair : comparison.pairs) {
+    pairs.push_back({{"measured_hz", pair.measured_hz},
+                     {"model_hz", pair.model_hz},
+                     {"error_percent", pair.error_percent},
+                     {"mac", pair.mac}});
+  }
+  ordered_json points = ordered_json::object();
+  for (const auto& [node, error] : comparison.point_error) {
+    points[fmt::format("{}", node)] = error;
+  }
+  return {{"error",
+           {{"base", comparison.error},
+            {"floor", comparison.floor},
+            {"floor_noise", comparison.floor_noise},
+            {"floor_mesh", comparison.floor_mesh},
+            {"contour", comparison.contour}}},
+          {"pairs", std::move(pairs)},
+          {"frac", frac_json(comparison, frfs)},
+          {"points", std::move(points)}};
+}
+
+std::string pairs_text(const std::vector<updating::ModePair>& pairs) {
+  TextTable table({"mode", "measured Hz", "model Hz", "error", "MAC"});
+  for (const auto& pair : pairs) {
+    table.add({fmt::format("{}", pair.measured + 1),
+               fmt::format("{:.3f}", pair.measured_hz),
+               fmt::format("{:.3f}", pair.model_hz),
+               fmt::format("{:+.2f} %", pair.error_percent),
+               fmt::format("{:.3f}", pair.mac)});
+  }
+  return table.text();
+}
+
+std::string compare_text(const updating::Comparison& comparison,
+                         const signal::FrfSet& frfs) {
+  return fmt::format(
+             "Model against measurement: error {}, floor {} "
+             "(noise {}, mesh {})\n  on {}\n",
+             percent(comparison.error),
+             percent(comparison.floor),
+             percent(comparison.floor_noise),
+             percent(comparison.floor_mesh),
+             comparison.contour) +
+         pairs_text(comparison.pairs) + bands_text(comparison) +
+         worst_frfs_text(comparison, frfs);
+}
+
+std::string compare_command(const CommandOptions& options,
+                            const Progress& progress) {
+  updating::Session session(options.input);
+  const updating::Comparison& comparison = session.base_comparison(progress);
+  const signal::FrfSet& frfs = session.frfs(progress);
+  return options.json ? compare_json(comparison, frfs).dump(2) + "\n"
+                      : compare_text(comparison, frfs);
+}
+
+}  // namespace tapfit::tui

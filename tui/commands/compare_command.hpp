@@ -1,0 +1,31 @@
+// tapfit compare: the base model against the measurement.
+#pragma once
+
+#include "signal/frf_set.hpp"
+#include "tui/commands/command.hpp"
+#include "updating/comparison.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapfit::tui {
+
+/// {"error", "pairs", "frac", "points"}. Where two runs measured the same
+/// pair of points, `frac` holds the worse one.
+///
+/// @param frfs the FRFs the comparison was made with, in the same order
+[[nodiscard]] nlohmann::ordered_json compare_json(
+    const updating::Comparison& comparison, const signal::FrfSet& frfs);
+
+/// Error and floor, paired modes, and the worst FRFs and bands.
+[[nodiscard]] std::string compare_text(const updating::Comparison& comparison,
+                                       const signal::FrfSet& frfs);
+
+/// A table of paired modes; measured modes without a partner are left out.
+[[nodiscard]] std::string pairs_text(
+    const std::vector<updating::ModePair>& pairs);
+
+/// @throws InputError (also for a bundle without a model), Stopped
+[[nodiscard]] std::string compare_command(const CommandOptions& options,
+                                          const Progress& progress);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,118 @@
+#include "tui/commands/diagnose_command.hpp"
+
+#include "tui/commands/effect_output.hpp"
+#include "tui/commands/ladder_text.hpp"
+#include "tui/commands/text_table.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t candidates_shown = 10;
+
+ordered_json candidate_json(const updating::Candidate& candidate) {
+  ordered_json others = ordered_json::array();
+  for (const auto& other : candidate.indistinguishable_from) {
+    others.push_back({{"effect", other.effect},
+                      {"where", where_json(other.effect, other.where)}});
+  }
+  return {{"effect", candidate.effect},
+          {"where", where_json(candidate.effect, candidate.where)},
+          {"probability", candidate.probability},
+          {"parameters", parameters_json(candidate.parameters)},
+          {"error", candidate.error},
+          {"held_out_error", candidate.held_out_error},
+          {"indistinguishable_from", std::move(others)}};
+}
+
+ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
+  ordered_json rungs = ordered_json::array();
+  for (const auto& rung : ladder) {
+    rungs.push_back({{"added", rung.added},
+                     {"where", where_json(rung.added, rung.where)},
+                     {"error", rung.error},
+                     {"parameters", parameters_json(rung.parameters)}});
+  }
+  return rungs;
+}
+
+std::string look_alikes(const updating::Candidate& candidate) {
+  std::string text;
+  for (const auto& other : candidate.indistinguishable_from) {
+    text += text.empty() ? "like " : ", ";
+    text += effect_text(other.effect, other.where);
+  }
+  return text;
+}
+
+std::string candidates_text(const std::vector<updating::Candidate>& list) {
+  TextTable table(
+      {"<candidate", "probability", "error", "<size", "<can't be told from"});
+  for (std::size_t k = 0; k < std::min(list.size(), candidates_shown); ++k) {
+    table.add({effect_text(list[k].effect, list[k].where),
+               fmt::format("{:.3f}", list[k].probability),
+               percent(list[k].error),
+               parameters_text(list[k].parameters),
+               look_alikes(list[k])});
+  }
+  return list.empty() ? std::string{} : table.text();
+}
+
+}  // namespace
+
+ordered_json diagnosis_json(const std::filesystem::path& bundle,
+                            const updating::Diagnosis& diagnosis) {
+  ordered_json candidates = ordered_json::array();
+  for (const auto& candidate : diagnosis.candidates) {
+    candidates.push_back(candidate_json(candidate));
+  }
+  return {
+      {"bundle", bundle.string()},
+      {"verdict", diagnosis.verdict},
+      {"error",
+       {{"base", diagnosis.error_base},
+        {"best", diagnosis.error_best},
+        {"floor", diagnosis.floor},
+        {"contour", diagnosis.contour}}},
+      {"candidates", std::move(candidates)},
+      {"ladder", ladder_json(diagnosis.ladder)},
+      {"model_parameters", model_parameters_json(diagnosis.model_parameters)},
+      {"warnings", diagnosis.warnings}};
+}
+
+std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
+  std::string text = fmt::format("Diagnosis: {}\n", diagnosis.verdict);
+  text += candidates_text(diagnosis.candidates);
+  for (const auto& rung : diagnosis.ladder) {
+    if (rung.parameters.empty()) continue;
+    text += fmt::format("  {}: {}\n",
+                        effect_text(rung.added, rung.where),
+                        parameters_text(rung.parameters));
+  }
+  for (const auto& estimate : diagnosis.model_parameters) {
+    text += fmt::format("  model parameter {} {}\n",
+                        parameters_text({estimate}),
+                        model_parameter_unit(estimate.name));
+  }
+  for (const auto& warning : diagnosis.warnings) {
+    text += "  note: " + warning + "\n";
+  }
+  return text + "\n" +
+         ladder_text(diagnosis.error_base, diagnosis.ladder, diagnosis.floor);
+}
+
+std::string diagnose_command(const CommandOptions& options,
+                             const Progress& progress) {
+  updating::Session session(options.input);
+  const updating::Diagnosis& diagnosis = session.diagnosis(progress);
+  return options.json ? diagnosis_json(options.input, diagnosis).dump(2) + "\n"
+                      : diagnosis_text(diagnosis);
+}
+
+}  // namespace tapfit::tui

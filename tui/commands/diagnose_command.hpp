@@ -1,0 +1,24 @@
+// tapfit diagnose: what is missing from the model.
+#pragma once
+
+#include "tui/commands/command.hpp"
+#include "updating/diagnosis.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapfit::tui {
+
+/// {"bundle", "verdict", "error", "candidates", "ladder", "model_parameters",
+/// "warnings"}
+[[nodiscard]] nlohmann::ordered_json diagnosis_json(
+    const std::filesystem::path& bundle, const updating::Diagnosis& diagnosis);
+
+/// Verdict, ranked candidates, what the base's parameters became, warnings and
+/// last the error ladder.
+[[nodiscard]] std::string diagnosis_text(const updating::Diagnosis& diagnosis);
+
+/// @throws InputError (also for a bundle without a model), Stopped
+[[nodiscard]] std::string diagnose_command(const CommandOptions& options,
+                                           const Progress& progress);
+
+}  // namespace tapfit::tui

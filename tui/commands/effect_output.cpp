@@ -1,0 +1,94 @@
+#include "tui/commands/effect_output.hpp"
+
+#include "tui/commands/text_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+ordered_json where_json(const std::string& effect,
+                        const updating::Where& where) {
+  ordered_json json = ordered_json::object();
+  const bool one_channel = effect.starts_with("channel-");
+  if (one_channel && !where.channels.empty()) {
+    json["channel"] = where.channels.front();
+    return json;
+  }
+  if (!where.channels.empty()) json["channels"] = where.channels;
+  if (where.node != 0) json["node"] = where.node;
+  if (!where.nodes.empty()) json["nodes"] = where.nodes;
+  if (!where.elements.empty()) json["elements"] = where.elements;
+  return json;
+}
+
+ordered_json parameters_json(
+    const std::vector<updating::Estimate>& parameters) {
+  ordered_json json = ordered_json::object();
+  for (const auto& estimate : parameters) {
+    json[estimate.name] = {{"value", estimate.value},
+                           {"sd", estimate.sd},
+                           {"lo95", estimate.lo95},
+                           {"hi95", estimate.hi95}};
+  }
+  return json;
+}
+
+ordered_json model_parameters_json(
+    const std::vector<updating::Estimate>& parameters) {
+  ordered_json json = ordered_json::object();
+  for (const auto& estimate : parameters) {
+    json[estimate.name] = {{"value", estimate.value},
+                           {"sd", estimate.sd},
+                           {"unit", model_parameter_unit(estimate.name)}};
+  }
+  return json;
+}
+
+std::string model_parameter_unit(const std::string& name) {
+  static const std::map<std::string, std::string> units{{"E", "Pa"},
+                                                        {"E1", "Pa"},
+                                                        {"E2", "Pa"},
+                                                        {"G", "Pa"},
+                                                        {"G12", "Pa"},
+                                                        {"G1Z", "Pa"},
+                                                        {"G2Z", "Pa"},
+                                                        {"nu", "1"},
+                                                        {"NU", "1"},
+                                                        {"rho", "kg/m^3"},
+                                                        {"RHO", "kg/m^3"},
+                                                        {"t", "m"},
+                                                        {"T", "m"},
+                                                        {"A", "m^2"},
+                                                        {"I1", "m^4"},
+                                                        {"I2", "m^4"},
+                                                        {"J", "m^4"},
+                                                        {"nsm", "kg/m^2"},
+                                                        {"damping_ratio", "1"}};
+  const auto unit = units.find(name.substr(0, name.find(':')));
+  return unit == units.end() ? "" : unit->second;
+}
+
+std::string effect_text(const std::string& effect,
+                        const updating::Where& where) {
+  const std::string place = describe(where);
+  return place.empty() ? effect : fmt::format("{} at {}", effect, place);
+}
+
+std::string parameters_text(const std::vector<updating::Estimate>& parameters) {
+  std::string text;
+  for (const auto& estimate : parameters) {
+    if (!text.empty()) text += ", ";
+    text += fmt::format("{} {} +- {:.2g}",
+                        estimate.name,
+                        short_number(estimate.value),
+                        estimate.sd);
+  }
+  return text;
+}
+
+}  // namespace tapfit::tui

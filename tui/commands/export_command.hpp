@@ -1,0 +1,17 @@
+// tapfit export: FRFs and modes as universal file, the updated model as deck.
+#pragma once
+
+#include "tui/commands/command.hpp"
+
+namespace tapfit::tui {
+
+/// --uff writes the measured FRFs (dataset 58), --deck the bulk data with the
+/// cards of the effects named by --effect (without any: those that the
+/// diagnosis supports).
+///
+/// @throws InputError when neither is asked for, when a file cannot be
+///   written, for a deck where the bundle has none; Stopped
+[[nodiscard]] std::string export_command(const CommandOptions& options,
+                                         const Progress& progress);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,85 @@
+#include "tui/commands/frf_command.hpp"
+
+#include "tui/commands/text_table.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+double mean_coherence(const signal::Frf& frf) {
+  return frf.coherence.size() > 0 ? frf.coherence.mean() : 0.0;
+}
+
+}  // namespace
+
+double median_sd_percent(const signal::Frf& frf) {
+  std::vector<double> percents;
+  for (Eigen::Index line = 0; line < frf.variance.size(); ++line) {
+    const double magnitude = std::abs(frf.H(line));
+    if (magnitude > 0.0) {
+      percents.push_back(100.0 * std::sqrt(frf.variance(line)) / magnitude);
+    }
+  }
+  if (percents.empty()) return 0.0;
+  const auto middle =
+      percents.begin() + static_cast<std::ptrdiff_t>(percents.size() / 2);
+  std::nth_element(percents.begin(), middle, percents.end());
+  return *middle;
+}
+
+ordered_json frf_json(const signal::FrfSet& frfs) {
+  ordered_json list = ordered_json::array();
+  for (const auto& frf : frfs.frfs) {
+    list.push_back({{"response", name(frf.response)},
+                    {"reference", name(frf.reference)},
+                    {"type", "accelerance"},
+                    {"lines", frfs.lines()},
+                    {"mean_coherence", mean_coherence(frf)},
+                    {"median_sd_percent", median_sd_percent(frf)},
+                    {"run", frf.run + 1},
+                    {"hits", frf.hits}});
+  }
+  return {{"frfs", std::move(list)}};
+}
+
+std::string frf_text(const signal::FrfSet& frfs) {
+  std::string text = fmt::format("FRFs: {}", frfs.frfs.size());
+  if (frfs.lines() > 0) {
+    const Eigen::VectorXd hz = frfs.frequency_hz();
+    text += fmt::format(", accelerance on {} lines, {:.4g} to {:.4g} Hz",
+                        frfs.lines(),
+                        hz(0),
+                        hz(hz.size() - 1));
+    if (const double sigma = frfs.s(0).real(); sigma > 0.0) {
+      text += fmt::format(", exponential window {:.3g} 1/s", sigma);
+    }
+  }
+  TextTable table(
+      {"<response / reference", "run", "hits", "coherence", "median sd"});
+  for (const auto& frf : frfs.frfs) {
+    table.add({name(frf),
+               fmt::format("{}", frf.run + 1),
+               fmt::format("{}", frf.hits),
+               fmt::format("{:.4f}", mean_coherence(frf)),
+               percent(median_sd_percent(frf) / 100.0)});
+  }
+  return text + "\n" + table.text();
+}
+
+std::string frf_command(const CommandOptions& options,
+                        const Progress& progress) {
+  updating::Session session(options.input);
+  const signal::FrfSet& frfs = session.frfs(progress);
+  return options.json ? frf_json(frfs).dump(2) + "\n" : frf_text(frfs);
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,27 @@
+// tapfit frf: the measured FRFs and how good they are.
+#pragma once
+
+#include "signal/frf_set.hpp"
+#include "tui/commands/command.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapfit::tui {
+
+/// {"frfs": [{"response", "reference", "type", "lines", "mean_coherence",
+/// "median_sd_percent"}]}
+[[nodiscard]] nlohmann::ordered_json frf_json(const signal::FrfSet& frfs);
+
+/// A table with one line per FRF.
+[[nodiscard]] std::string frf_text(const signal::FrfSet& frfs);
+
+/// Median over lines of the standard deviation of H, in percent of |H|.
+/// Lines where H is zero are left out; 0 when none is left.
+[[nodiscard]] double median_sd_percent(const signal::Frf& frf);
+
+/// With --uff also writes the curves.
+/// @throws InputError, Stopped
+[[nodiscard]] std::string frf_command(const CommandOptions& options,
+                                      const Progress& progress);
+
+}  // namespace tapfit::tui

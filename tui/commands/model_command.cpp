@@ -1,0 +1,86 @@
+#include "tui/commands/model_command.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "acquisition/test_bundle.hpp"
+#include "tui/commands/text_table.hpp"
+#include "updating/structure/deck.hpp"
+#include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/system.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+std::filesystem::path deck_path(const std::filesystem::path& input) {
+  if (!std::filesystem::is_directory(input)) return input;
+  const auto bundle = acquisition::read_test_bundle(input);
+  if (!bundle.deck) {
+    throw InputError("names no bulk data deck as its model",
+                     (input / "test.json").string(),
+                     "give the path of a deck");
+  }
+  return *bundle.deck;
+}
+
+ModelSummary summarise(const structure::Deck& deck, int count) {
+  const structure::System system = structure::assemble(deck);
+  const std::vector<int> free = system.free_dofs();
+  const auto modes = structure::eigenmodes(structure::extract(system.K, free),
+                                           structure::extract(system.M, free),
+                                           count);
+  return {.grids = deck.grids.size(),
+          .elements = deck.element_count(),
+          .dofs = free.size(),
+          .mass_kg = structure::total_mass(deck, system),
+          .frequency_hz = modes.frequency_hz,
+          .warnings = deck.warnings};
+}
+
+}  // namespace
+
+ordered_json model_json(const ModelSummary& summary) {
+  return {{"grids", summary.grids},
+          {"elements", summary.elements},
+          {"dofs", summary.dofs},
+          {"mass_kg", summary.mass_kg},
+          {"frequencies_hz",
+           std::vector<double>(summary.frequency_hz.begin(),
+                               summary.frequency_hz.end())},
+          {"warnings", summary.warnings}};
+}
+
+std::string model_text(const ModelSummary& summary) {
+  std::string text = fmt::format(
+      "Model: {} grids, {} elements, {} free degrees of freedom, {:.4g} kg\n",
+      summary.grids,
+      summary.elements,
+      summary.dofs,
+      summary.mass_kg);
+  TextTable table({"mode", "frequency Hz"});
+  for (Eigen::Index mode = 0; mode < summary.frequency_hz.size(); ++mode) {
+    table.add({fmt::format("{}", mode + 1),
+               fmt::format("{:.4f}", summary.frequency_hz(mode))});
+  }
+  text += table.text();
+  for (const auto& warning : summary.warnings) {
+    text += "  note: " + warning + "\n";
+  }
+  return text;
+}
+
+std::string model_command(const CommandOptions& options,
+                          const Progress& progress) {
+  progress("reading the deck", 0.0);
+  const structure::Deck deck = structure::read_deck(deck_path(options.input));
+  progress("solving for modes", 0.3);
+  const ModelSummary summary = summarise(deck, options.modes);
+  return options.json ? model_json(summary).dump(2) + "\n"
+                      : model_text(summary);
+}
+
+}  // namespace tapfit::tui

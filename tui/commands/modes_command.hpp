@@ -1,0 +1,22 @@
+// tapfit modes: the identified modes.
+#pragma once
+
+#include "modal/mode_set.hpp"
+#include "tui/commands/command.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapfit::tui {
+
+/// {"modes": [{"frequency_hz", "damping_ratio", "mpc", "shape"}], "warnings"}
+[[nodiscard]] nlohmann::ordered_json modes_json(const modal::ModeSet& modes);
+
+/// Frequencies and damping with their standard deviations, and the MPC.
+[[nodiscard]] std::string modes_text(const modal::ModeSet& modes);
+
+/// With --uff also writes the modes.
+/// @throws InputError, Stopped
+[[nodiscard]] std::string modes_command(const CommandOptions& options,
+                                        const Progress& progress);
+
+}  // namespace tapfit::tui

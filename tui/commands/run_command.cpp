@@ -1,0 +1,72 @@
+#include "tui/commands/run_command.hpp"
+
+#include "tui/commands/compare_command.hpp"
+#include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/frf_command.hpp"
+#include "tui/commands/hits_command.hpp"
+#include "tui/commands/modes_command.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+/// Bundles of ready FRFs have no hits.
+acquisition::HitSet hits_of(updating::Session& session,
+                            const Progress& progress) {
+  return session.bundle().runs.empty() ? acquisition::HitSet{}
+                                       : session.hits(progress);
+}
+
+std::string run_json(updating::Session& session,
+                     const CommandOptions& options,
+                     const Progress& progress) {
+  ordered_json json;
+  json["hits"] = hits_json(session.bundle(), hits_of(session, progress));
+  json["frf"] = frf_json(session.frfs(progress));
+  json["modes"] = modes_json(session.modes(progress));
+  json["compare"] = nullptr;
+  json["diagnose"] = nullptr;
+  if (session.has_model()) {
+    json["compare"] =
+        compare_json(session.base_comparison(progress), session.frfs());
+    json["diagnose"] =
+        diagnosis_json(options.input, session.diagnosis(progress));
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string run_text(updating::Session& session, const Progress& progress) {
+  std::string text = session.bundle().title + "\n";
+  for (const auto& warning : session.bundle().warnings) {
+    text += "  note: " + warning + "\n";
+  }
+  if (!session.bundle().runs.empty()) {
+    text += "\n" + hits_text(session.bundle(), session.hits(progress));
+  }
+  text += "\n" + frf_text(session.frfs(progress));
+  text += "\n" + modes_text(session.modes(progress));
+  if (!session.has_model()) {
+    return text +
+           "\nThe bundle names no model: the work ends with the modes.\n";
+  }
+  text +=
+      "\n" + compare_text(session.base_comparison(progress), session.frfs());
+  return text + "\n" + diagnosis_text(session.diagnosis(progress));
+}
+
+}  // namespace
+
+std::string run_command(const CommandOptions& options,
+                        const Progress& progress) {
+  updating::Session session(options.input);
+  return options.json ? run_json(session, options, progress)
+                      : run_text(session, progress);
+}
+
+}  // namespace tapfit::tui

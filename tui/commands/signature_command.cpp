@@ -1,0 +1,66 @@
+#include "tui/commands/signature_command.hpp"
+
+#include "tui/commands/text_table.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace tapfit::tui {
+
+using nlohmann::ordered_json;
+
+ordered_json signature_json(const updating::Signature& signature) {
+  ordered_json z = ordered_json::array();
+  for (const std::complex<double>& value : signature.z) {
+    z.push_back({value.real(), value.imag()});
+  }
+  const auto list = [](const Eigen::VectorXd& values) {
+    return std::vector<double>(values.begin(), values.end());
+  };
+  return {{"node", signature.node},
+          {"explained", signature.explained},
+          {"laws",
+           {{"mass",
+             {{"unexplained", signature.mass_unexplained},
+              {"mass_kg", signature.mass_kg}}},
+            {"spring",
+             {{"unexplained", signature.spring_unexplained},
+              {"stiffness_n_per_m", signature.spring_n_per_m}}},
+            {"dashpot",
+             {{"unexplained", signature.dashpot_unexplained},
+              {"damping_ns_per_m", signature.dashpot_ns_per_m}}}}},
+          {"frequency_hz", list(signature.frequency_hz)},
+          {"z_n_per_m", std::move(z)},
+          {"z_sd_n_per_m", list(signature.z_sd)}};
+}
+
+std::string signature_text(const updating::Signature& signature) {
+  TextTable table({"<law", "left unexplained", "<size"});
+  table.add({"mass (falls with frequency squared)",
+             percent(signature.mass_unexplained),
+             short_number(signature.mass_kg) + " kg"});
+  table.add({"spring (constant)",
+             percent(signature.spring_unexplained),
+             short_number(signature.spring_n_per_m) + " N/m"});
+  table.add({"dashpot (imaginary, rises)",
+             percent(signature.dashpot_unexplained),
+             short_number(signature.dashpot_ns_per_m) + " N s/m"});
+  return fmt::format(
+             "Missing dynamic stiffness at node {}: one place explains {} of "
+             "the discrepancy\n",
+             signature.node,
+             percent(signature.explained)) +
+         table.text();
+}
+
+std::string signature_command(const CommandOptions& options,
+                              const Progress& progress) {
+  updating::Session session(options.input);
+  const updating::Signature signature =
+      session.signature(options.node, progress);
+  return options.json ? signature_json(signature).dump(2) + "\n"
+                      : signature_text(signature);
+}
+
+}  // namespace tapfit::tui

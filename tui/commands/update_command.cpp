@@ -1,0 +1,61 @@
+#include "tui/commands/update_command.hpp"
+
+#include "tui/commands/compare_command.hpp"
+#include "tui/commands/diagnose_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cassert>
+
+namespace tapfit::tui {
+
+updating::Diagnosis diagnosis_of_named(
+    const std::vector<updating::Rung>& ladder,
+    const updating::Comparison& comparison,
+    const std::vector<updating::Estimate>& model_parameters) {
+  assert(!ladder.empty());
+  updating::Diagnosis diagnosis;
+  diagnosis.ladder.assign(ladder.begin() + 1, ladder.end());
+  diagnosis.error_base = ladder.front().error;
+  diagnosis.error_best = ladder.back().error;
+  diagnosis.floor = comparison.floor;
+  diagnosis.contour = comparison.contour;
+  diagnosis.model_parameters = model_parameters;
+  for (const auto& rung : diagnosis.ladder) {
+    if (!diagnosis.verdict.empty()) diagnosis.verdict += "+";
+    diagnosis.verdict += rung.added;
+    diagnosis.candidates.push_back({.effect = rung.added,
+                                    .where = rung.where,
+                                    .parameters = rung.parameters,
+                                    .probability = 1.0,
+                                    .error = rung.error,
+                                    .held_out_error = rung.error,
+                                    .indistinguishable_from = {}});
+  }
+  if (diagnosis.verdict.empty()) diagnosis.verdict = "none";
+  diagnosis.warnings.push_back(
+      "the effects were named by the user and taken as given: the "
+      "probabilities compare them with nothing");
+  return diagnosis;
+}
+
+std::string update_command(const CommandOptions& options,
+                           const Progress& progress) {
+  std::vector<updating::EffectRef> effects;
+  for (const auto& text : options.effects) {
+    effects.push_back(updating::parse_effect(text));
+  }
+  updating::Session session(options.input);
+  for (const auto& effect : effects) session.add(effect, progress);
+  const updating::Diagnosis diagnosis =
+      diagnosis_of_named(session.ladder(progress),
+                         session.comparison(progress),
+                         session.model_parameters(progress));
+  if (options.json) {
+    return diagnosis_json(options.input, diagnosis).dump(2) + "\n";
+  }
+  return pairs_text(session.comparison(progress).pairs) +
+         diagnosis_text(diagnosis);
+}
+
+}  // namespace tapfit::tui

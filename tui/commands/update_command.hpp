@@ -1,0 +1,23 @@
+// tapfit update: adds the effects named, in order, and identifies them.
+#pragma once
+
+#include "tui/commands/command.hpp"
+#include "updating/session.hpp"
+
+namespace tapfit::tui {
+
+/// What a session's ladder says, as a diagnosis of the effects that were
+/// named: each is its own candidate, taken as given.
+///
+/// @param ladder base rung first
+/// @param floor of the comparison
+[[nodiscard]] updating::Diagnosis diagnosis_of_named(
+    const std::vector<updating::Rung>& ladder,
+    const updating::Comparison& comparison,
+    const std::vector<updating::Estimate>& model_parameters);
+
+/// @throws InputError for an unknown effect or a place it cannot take; Stopped
+[[nodiscard]] std::string update_command(const CommandOptions& options,
+                                         const Progress& progress);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,27 @@
+// The deck of a session's model: the original lines, the cards of the effects
+// added, and the identified base parameters as comments.
+#pragma once
+
+#include "updating/session.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// Cards of every rung of the ladder, each with element ids of its own.
+///
+/// @param ladder base rung first
+[[nodiscard]] std::vector<std::string> effect_cards(
+    const std::vector<updating::Rung>& ladder,
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck);
+
+/// @throws InputError for a bundle without a deck, a file that cannot be
+///   written; Stopped
+void write_updated_deck(updating::Session& session,
+                        const std::filesystem::path& path,
+                        const Progress& progress);
+
+}  // namespace tapfit::tui
