@@ -18,8 +18,8 @@ namespace tapfit::updating {
 struct ModelModes {
   Eigen::VectorXd frequency_hz;
   Eigen::VectorXd damping_ratio;
-  Eigen::MatrixXd at_dofs;  ///< n_measured_dof x n_modes, as ModeSet::dofs
-  Eigen::MatrixXd at_grids; ///< 3 n_grids x n_modes: x, y, z of each deck grid
+  Eigen::MatrixXd at_dofs;   ///< n_measured_dof x n_modes, as ModeSet::dofs
+  Eigen::MatrixXd at_grids;  ///< 3 n_grids x n_modes: x, y, z of each deck grid
 };
 
 /// A measured mode and the model's mode that is paired with it.
@@ -45,14 +45,14 @@ struct Comparison {
   double floor_mesh = 0.0;   ///< from splitting the mesh once more
   std::string contour;       ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
-  Eigen::MatrixXd mac;       ///< measured modes x model modes
-  Eigen::VectorXd comac;     ///< per measured degree of freedom
+  Eigen::MatrixXd mac;    ///< measured modes x model modes
+  Eigen::VectorXd comac;  ///< per measured degree of freedom
   ModelModes modes;
-  std::vector<double> frf_error;       ///< per FRF
-  std::vector<double> frac;            ///< per FRF, 0..1
+  std::vector<double> frf_error;  ///< per FRF
+  std::vector<double> frac;       ///< per FRF, 0..1
   std::vector<BandError> bands;
-  std::map<int, double> point_error;   ///< per measured grid
-  Eigen::MatrixXd frf_band_error;      ///< n_frf x n_bands
+  std::map<int, double> point_error;  ///< per measured grid
+  Eigen::MatrixXd frf_band_error;     ///< n_frf x n_bands
   /// Model on the lines of Session::frfs(), per FRF, for plotting.
   std::vector<Eigen::VectorXcd> model_frfs;
 };

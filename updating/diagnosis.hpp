@@ -11,7 +11,7 @@ namespace tapfit::updating {
 
 /// Where an effect sits; which member is used depends on the effect.
 struct Where {
-  int node = 0;                       ///< 0: not used
+  int node = 0;  ///< 0: not used
   std::vector<int> nodes;
   std::vector<int> elements;
   std::vector<std::string> channels;
@@ -31,6 +31,7 @@ struct Estimate {
   double sd = 0.0;
   double lo95 = 0.0;
   double hi95 = 0.0;
+  std::string unit = {};  ///< where the name does not end in it
 };
 
 struct EffectRef {
@@ -52,9 +53,9 @@ struct Candidate {
 struct Signature {
   int node = 0;
   Eigen::VectorXd frequency_hz;
-  Eigen::VectorXcd z;         ///< [N/m]
-  Eigen::VectorXd z_sd;       ///< [N/m]
-  double explained = 0.0;     ///< share of the discrepancy one place explains
+  Eigen::VectorXcd z;      ///< [N/m]
+  Eigen::VectorXd z_sd;    ///< [N/m]
+  double explained = 0.0;  ///< share of the discrepancy one place explains
   /// Share of z left unexplained by each law: mass, spring, dashpot.
   double mass_unexplained = 1.0, mass_kg = 0.0;
   double spring_unexplained = 1.0, spring_n_per_m = 0.0;
@@ -74,8 +75,8 @@ struct Diagnosis {
   double error_best = 0.0;
   double floor = 0.0;
   std::string contour;
-  std::vector<Candidate> candidates;  ///< most probable first
-  std::vector<Rung> ladder;           ///< without the base
+  std::vector<Candidate> candidates;       ///< most probable first
+  std::vector<Rung> ladder;                ///< without the base
   std::vector<Estimate> model_parameters;  ///< "E:1" and so on
   std::vector<std::string> warnings;
 };

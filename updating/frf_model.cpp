@@ -72,9 +72,8 @@ FrfModel::FrfModel(ReducedBase base,
     Pair pair;
     pair.run = frf.run;
     pair.channel = setting.bundle->channels.at(frf.channel).name;
-    pair.response =
-        frf.response.sign *
-        row(frf.response.node, frf.response.component).transpose();
+    pair.response = frf.response.sign *
+                    row(frf.response.node, frf.response.component).transpose();
     pair.reference =
         frf.reference.sign *
         row(frf.reference.node, frf.reference.component).transpose();
@@ -175,14 +174,16 @@ struct FrfModel::RunLines {
   std::vector<Actor> actors;
   MatrixXd B;  // m x k, rows of the actors in modal coordinates
   std::vector<std::size_t> pairs;
-  MatrixXd responses;   // m x n
-  MatrixXd references;  // m x n
+  MatrixXd responses;            // m x n
+  MatrixXd references;           // m x n
   std::vector<MatrixXd> K_part;  // in modal coordinates, shared by all runs
   std::vector<MatrixXd> M_part;
   std::vector<std::size_t> support_effects;
   std::vector<MatrixXd> S;
 
   void collect(std::size_t run);
+  [[nodiscard]] VectorXcd flexibility(complex<double> s) const;
+  [[nodiscard]] MatrixXcd coupling(complex<double> s, const VectorXcd& g) const;
   [[nodiscard]] MatrixXcd woodbury(complex<double> s,
                                    const VectorXcd& g,
                                    const MatrixXd& points) const;
@@ -225,26 +226,39 @@ void FrfModel::RunLines::collect(std::size_t run) {
   }
 }
 
-// X = H* e for the points, in modal coordinates (eq. 15).
-MatrixXcd FrfModel::RunLines::woodbury(complex<double> s,
-                                       const VectorXcd& g,
-                                       const MatrixXd& points) const {
-  MatrixXcd X = g.asDiagonal() * points;
+VectorXcd FrfModel::RunLines::flexibility(complex<double> s) const {
+  const VectorXd& w = modes->omega;
+  VectorXcd g(w.size());
+  for (Index m = 0; m < w.size(); ++m) {
+    g(m) = 1.0 / (s * s + 2.0 * zeta(m) * w(m) * s + w(m) * w(m));
+  }
+  return g;
+}
+
+// D (I + B' H B D)^-1 of eq. 15. Passive effects on a line with sigma > 0 keep
+// the core regular.
+MatrixXcd FrfModel::RunLines::coupling(complex<double> s,
+                                       const VectorXcd& g) const {
   const Index k = B.cols();
-  if (k == 0) return X;
   VectorXcd D(k);
   for (Index a = 0; a < k; ++a) {
     const Actor& actor = actors[static_cast<std::size_t>(a)];
     const PlacedEffect& placed = state->effects[actor.effect];
     D(a) = actor.weight * placed.effect->law(s, placed.p, actor.group);
   }
-  const MatrixXcd GB = g.asDiagonal() * B;
-  MatrixXcd core = B.transpose() * GB * D.asDiagonal();
+  MatrixXcd core = B.transpose() * (g.asDiagonal() * B) * D.asDiagonal();
   core.diagonal().array() += 1.0;
-  // Passive effects on a line with sigma > 0 keep the core regular.
-  const MatrixXcd inner =
-      core.partialPivLu().solve(MatrixXcd(B.transpose() * X));
-  X.noalias() -= GB * (D.asDiagonal() * inner);
+  return D.asDiagonal() * core.inverse();
+}
+
+// X = H* e for the points, in modal coordinates (eq. 15).
+MatrixXcd FrfModel::RunLines::woodbury(complex<double> s,
+                                       const VectorXcd& g,
+                                       const MatrixXd& points) const {
+  MatrixXcd X = g.asDiagonal() * points;
+  if (B.cols() == 0) return X;
+  const MatrixXcd inner = coupling(s, g) * (B.transpose() * X);
+  X.noalias() -= g.asDiagonal() * (B * inner);
   return X;
 }
 
@@ -252,16 +266,13 @@ void FrfModel::RunLines::respond(complex<double> s,
                                  Index line,
                                  bool derivatives,
                                  ModelResponse& out) const {
-  const VectorXd& w = modes->omega;
-  VectorXcd g(w.size());
-  for (Index m = 0; m < w.size(); ++m) {
-    g(m) = 1.0 / (s * s + 2.0 * zeta(m) * w(m) * s + w(m) * w(m));
-  }
+  const VectorXcd g = flexibility(s);
   const MatrixXcd Xi = woodbury(s, g, references);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto c = static_cast<Index>(k);
     out.H(line, static_cast<Index>(pairs[k])) =
-        s * s * responses.col(c).cast<complex<double>>().cwiseProduct(Xi.col(c)).sum();
+        s * s *
+        responses.col(c).cast<complex<double>>().cwiseProduct(Xi.col(c)).sum();
   }
   if (derivatives) derive(s, line, woodbury(s, g, responses), Xi, out);
 }
@@ -275,24 +286,25 @@ void FrfModel::RunLines::derive(complex<double> s,
   const auto factors = static_cast<Index>(state->factor.size());
   const Index dampings = state->zeta.size();
   // d Z / d f in modal coordinates; the damping follows the frequencies.
-  const auto through = [&](const MatrixXd& dK, const MatrixXd* dM,
-                           Index column, double scale) {
-    VectorXcd damp(w.size());
-    for (Index m = 0; m < w.size(); ++m) {
-      damp(m) = w(m) > 0.0 ? s * zeta(m) / w(m) * dK(m, m) : 0.0;
-      // omega^2 = k / m: the mass acts on the frequency with the other sign.
-      if (dM != nullptr) damp(m) += s * zeta(m) * w(m) * (*dM)(m, m);
-    }
-    MatrixXcd ZX = dK * Xi;
-    if (dM != nullptr) ZX += s * s * (*dM * Xi);
-    ZX += damp.asDiagonal() * Xi;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto c = static_cast<Index>(k);
-      out.dH[static_cast<std::size_t>(column)](
-          line, static_cast<Index>(pairs[k])) =
-          -scale * s * s * Xo.col(c).cwiseProduct(ZX.col(c)).sum();
-    }
-  };
+  const auto through =
+      [&](const MatrixXd& dK, const MatrixXd* dM, Index column, double scale) {
+        VectorXcd damp(w.size());
+        for (Index m = 0; m < w.size(); ++m) {
+          damp(m) = w(m) > 0.0 ? s * zeta(m) / w(m) * dK(m, m) : 0.0;
+          // omega^2 = k / m: the mass acts on the frequency with the other
+          // sign.
+          if (dM != nullptr) damp(m) += s * zeta(m) * w(m) * (*dM)(m, m);
+        }
+        MatrixXcd ZX = dK * Xi;
+        if (dM != nullptr) ZX += s * s * (*dM * Xi);
+        ZX += damp.asDiagonal() * Xi;
+        for (std::size_t k = 0; k < pairs.size(); ++k) {
+          const auto c = static_cast<Index>(k);
+          out.dH[static_cast<std::size_t>(column)](
+              line, static_cast<Index>(pairs[k])) =
+              -scale * s * s * Xo.col(c).cwiseProduct(ZX.col(c)).sum();
+        }
+      };
   for (Index j = 0; j < factors; ++j) {
     const auto at = static_cast<std::size_t>(j);
     through(K_part[at], &M_part[at], j, state->factor[at]);
@@ -325,8 +337,8 @@ void FrfModel::RunLines::derive(complex<double> s,
       const complex<double> dz =
           actors[a].weight * placed.p[p] *
           placed.effect->law_derivative(s, placed.p, actors[a].group, p);
-      MatrixXcd& d = out.dH[static_cast<std::size_t>(
-          first[actors[a].effect] + static_cast<Index>(p))];
+      MatrixXcd& d = out.dH[static_cast<std::size_t>(first[actors[a].effect] +
+                                                     static_cast<Index>(p))];
       for (std::size_t k = 0; k < pairs.size(); ++k) {
         const auto c = static_cast<Index>(k);
         const auto r = static_cast<Index>(a);
@@ -335,6 +347,39 @@ void FrfModel::RunLines::derive(complex<double> s,
       }
     }
   }
+}
+
+std::vector<FrfModel::Columns> FrfModel::columns(
+    const ModelState& state,
+    const VectorXcd& s,
+    std::size_t run,
+    const MatrixXd& points,
+    const MatrixXd& candidates) const {
+  const BaseModes modes = base_modes(state);
+  RunLines lines;
+  lines.model = this;
+  lines.state = &state;
+  lines.modes = &modes;
+  lines.zeta = damping(state, modes, lines.owner);
+  lines.collect(run);
+  const MatrixXd at = modes.phi.transpose() * points;
+  const MatrixXd of = modes.phi.transpose() * candidates;
+  const MatrixXd squares = of.cwiseAbs2();
+  std::vector<Columns> result;
+  for (Index line = 0; line < s.size(); ++line) {
+    const VectorXcd g = lines.flexibility(s(line));
+    Columns c;
+    c.X = modes.phi * lines.woodbury(s(line), g, at);
+    c.own = squares.transpose() * g;
+    if (lines.B.cols() > 0) {
+      // diag(of' H* of) = diag(of' G of) - what the effects take away
+      const MatrixXcd inner = lines.coupling(s(line), g);
+      const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
+      c.own -= (GBc * inner).cwiseProduct(GBc).rowwise().sum();
+    }
+    result.push_back(std::move(c));
+  }
+  return result;
 }
 
 ModelResponse FrfModel::respond(const ModelState& state,

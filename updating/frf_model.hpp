@@ -72,10 +72,35 @@ class FrfModel {
   /// Undamped modes with every effect (a roving sensor as in the first run).
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
 
+  /// Receptance columns H* e for points of one run, in the base's coordinates
+  /// (rows of V give any degree of freedom), and the diagonal b H* b' for
+  /// every column of `candidates`.
+  struct Columns {
+    Eigen::MatrixXcd X;    ///< r x points
+    Eigen::VectorXcd own;  ///< per candidate
+  };
+  /// @param points r x n, rows of V as columns
+  /// @param candidates r x c
+  /// @return one entry per line of s
+  [[nodiscard]] std::vector<Columns> columns(
+      const ModelState& state,
+      const Eigen::VectorXcd& s,
+      std::size_t run,
+      const Eigen::MatrixXd& points,
+      const Eigen::MatrixXd& candidates) const;
+
   [[nodiscard]] const ReducedBase& base() const { return base_; }
   [[nodiscard]] const effects::Setting& setting() const { return setting_; }
   /// Row of V for a degree of freedom of the deck.
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
+
+  /// Signed rows of V of a measured pair, as columns.
+  [[nodiscard]] const Eigen::VectorXd& response_row(Eigen::Index pair) const {
+    return pairs_[static_cast<std::size_t>(pair)].response;
+  }
+  [[nodiscard]] const Eigen::VectorXd& reference_row(Eigen::Index pair) const {
+    return pairs_[static_cast<std::size_t>(pair)].reference;
+  }
 
   /// Keeps the order of the damping ratios when modes change places: modes at
   /// later states are matched to those at this one.

@@ -74,10 +74,9 @@ struct BaseBuilder::Impl {
   std::unique_ptr<structure::Factor> factor;
   std::vector<UncertainPart> parts;
 
-  [[nodiscard]] MatrixXd static_responses(
-      const structure::Factor& solver,
-      const std::vector<int>& active,
-      const std::vector<int>& points) const;
+  [[nodiscard]] MatrixXd static_responses(const structure::Factor& solver,
+                                          const std::vector<int>& active,
+                                          const std::vector<int>& points) const;
   [[nodiscard]] SparseMatrix support_matrix(const Where& where) const;
   [[nodiscard]] std::vector<int> released_free(
       const std::vector<Where>& released) const;

@@ -26,10 +26,10 @@ namespace tapfit::updating {
 /// A support's stiffness matrix in the base, per unit stiffness per metre.
 struct SupportTerm {
   Where where;
-  Eigen::MatrixXd S;     ///< r x r [per N/m/m or per N m/rad/m]
-  double stiff = 0.0;    ///< practically rigid [unit of S^-1]
-  double start = 0.0;    ///< lowers the most affected mode a few percent
-  double soft = 0.0;     ///< softest the basis is good for
+  Eigen::MatrixXd S;   ///< r x r [per N/m/m or per N m/rad/m]
+  double stiff = 0.0;  ///< practically rigid [unit of S^-1]
+  double start = 0.0;  ///< lowers the most affected mode a few percent
+  double soft = 0.0;   ///< softest the basis is good for
 };
 
 struct ReducedBase {

@@ -19,11 +19,11 @@ namespace tapfit::updating {
 /// Measured FRFs as a matrix, with the weight of every line.
 struct Target {
   Eigen::VectorXcd s;
-  Eigen::MatrixXcd H;         ///< lines x FRFs
-  Eigen::MatrixXd variance;   ///< lines x FRFs
-  Eigen::VectorXd weight;     ///< w_l
+  Eigen::MatrixXcd H;            ///< lines x FRFs
+  Eigen::MatrixXd variance;      ///< lines x FRFs
+  Eigen::VectorXd weight;        ///< w_l
   std::vector<std::size_t> run;  ///< of each FRF
-  std::vector<double> use;    ///< 1, or 0 for an FRF that is left out
+  std::vector<double> use;       ///< 1, or 0 for an FRF that is left out
 
   [[nodiscard]] double count() const;
 };

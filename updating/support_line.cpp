@@ -123,8 +123,8 @@ SupportLine support_line(const Deck& deck,
   line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<int> components = {component};
   if (rotation) {
-    components = axis >= 0 ? std::vector<int>{4 + axis}
-                           : std::vector<int>{4, 5, 6};
+    components =
+        axis >= 0 ? std::vector<int>{4 + axis} : std::vector<int>{4, 5, 6};
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
     for (const int c : components) {

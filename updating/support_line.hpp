@@ -13,7 +13,7 @@ namespace tapfit::updating {
 /// A released degree of freedom of a support and the length it carries.
 struct SupportDof {
   int node = 0;
-  int component = 0;  ///< 1..6
+  int component = 0;    ///< 1..6
   double length = 0.0;  ///< [m]; 1 / number of grids where there is no line
 };
 

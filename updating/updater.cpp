@@ -67,8 +67,8 @@ VectorXd step(const Point& at,
   const double weight = data / std::max(at.r.squaredNorm(), 1e-30);
   const VectorXd p = precision(prior);
   MatrixXd A = weight * at.J.transpose() * at.J;
-  VectorXd g = weight * at.J.transpose() * at.r +
-               p.cwiseProduct(at.theta - prior.mean);
+  VectorXd g =
+      weight * at.J.transpose() * at.r + p.cwiseProduct(at.theta - prior.mean);
   for (Index k = 0; k < A.rows(); ++k) {
     const bool low = at.theta(k) <= prior.lower(k) && g(k) > 0.0;
     const bool high = at.theta(k) >= prior.upper(k) && g(k) < 0.0;

@@ -34,10 +34,10 @@ struct UpdateOptions {
 
 struct UpdateResult {
   ModelState state;
-  double error = 0.0;         ///< ||r||
-  double objective = 0.0;     ///< J
-  Eigen::MatrixXd covariance; ///< of theta
-  Eigen::MatrixXd jacobian;   ///< d r / d theta at the end
+  double error = 0.0;          ///< ||r||
+  double objective = 0.0;      ///< J
+  Eigen::MatrixXd covariance;  ///< of theta
+  Eigen::MatrixXd jacobian;    ///< d r / d theta at the end
   Eigen::VectorXd residual;
   std::vector<double> history;  ///< ||r|| after each step
   bool converged = false;

@@ -20,13 +20,15 @@ std::vector<ActedDof> AddedMass::acts_on(const Where& where,
 }
 
 std::complex<double> AddedMass::law(std::complex<double> s,
-                                    const std::vector<double>& p, std::size_t) const {
+                                    const std::vector<double>& p,
+                                    std::size_t) const {
   return s * s * p[0];
 }
 
 std::complex<double> AddedMass::law_derivative(std::complex<double> s,
                                                const std::vector<double>&,
-                                               std::size_t, std::size_t) const {
+                                               std::size_t,
+                                               std::size_t) const {
   return s * s;
 }
 

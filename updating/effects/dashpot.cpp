@@ -24,13 +24,15 @@ std::vector<ActedDof> Dashpot::acts_on(const Where& where,
 }
 
 std::complex<double> Dashpot::law(std::complex<double> s,
-                                  const std::vector<double>& p, std::size_t) const {
+                                  const std::vector<double>& p,
+                                  std::size_t) const {
   return s * p[0];
 }
 
 std::complex<double> Dashpot::law_derivative(std::complex<double> s,
                                              const std::vector<double>&,
-                                             std::size_t, std::size_t) const {
+                                             std::size_t,
+                                             std::size_t) const {
   return s;
 }
 

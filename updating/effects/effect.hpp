@@ -40,8 +40,8 @@ struct ParameterSpec {
 /// One degree of freedom that the effect acts on.
 struct ActedDof {
   int node = 0;
-  int component = 3;    ///< 1..6
-  double weight = 1.0;  ///< factor on the law, for example a length
+  int component = 3;      ///< 1..6
+  double weight = 1.0;    ///< factor on the law, for example a length
   std::size_t group = 0;  ///< which law, where an effect has several
 };
 
@@ -74,10 +74,9 @@ class Effect {
 
   /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for
   /// Entry::Measurement the factor on the channel's FRFs.
-  [[nodiscard]] virtual std::complex<double> law(
-      std::complex<double> s,
-      const std::vector<double>& p,
-      std::size_t group) const = 0;
+  [[nodiscard]] virtual std::complex<double> law(std::complex<double> s,
+                                                 const std::vector<double>& p,
+                                                 std::size_t group) const = 0;
   /// d law / d p_k.
   [[nodiscard]] virtual std::complex<double> law_derivative(
       std::complex<double> s,

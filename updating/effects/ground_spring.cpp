@@ -24,13 +24,15 @@ std::vector<ActedDof> GroundSpring::acts_on(const Where& where,
 }
 
 std::complex<double> GroundSpring::law(std::complex<double>,
-                                       const std::vector<double>& p, std::size_t) const {
+                                       const std::vector<double>& p,
+                                       std::size_t) const {
   return p[0];
 }
 
 std::complex<double> GroundSpring::law_derivative(std::complex<double>,
                                                   const std::vector<double>&,
-                                                  std::size_t, std::size_t) const {
+                                                  std::size_t,
+                                                  std::size_t) const {
   return 1.0;
 }
 

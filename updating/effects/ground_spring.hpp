@@ -17,10 +17,9 @@ class GroundSpring final : public PointEffect {
   [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
                                               const Setting& setting,
                                               std::size_t run) const override;
-  [[nodiscard]] std::complex<double> law(
-      std::complex<double> s,
-      const std::vector<double>& p,
-      std::size_t group) const override;
+  [[nodiscard]] std::complex<double> law(std::complex<double> s,
+                                         const std::vector<double>& p,
+                                         std::size_t group) const override;
   [[nodiscard]] std::complex<double> law_derivative(
       std::complex<double> s,
       const std::vector<double>& p,

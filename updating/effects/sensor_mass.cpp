@@ -68,8 +68,7 @@ std::vector<ActedDof> SensorMass::acts_on(const Where& where,
                               where.channels.end(),
                               bundle.channels[p.channel].name);
     if (it == where.channels.end()) continue;
-    const auto position =
-        static_cast<std::size_t>(it - where.channels.begin());
+    const auto position = static_cast<std::size_t>(it - where.channels.begin());
     for (ActedDof dof : translations(p.dof.node)) {
       dof.group = group_of(where, position);
       result.push_back(dof);

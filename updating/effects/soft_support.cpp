@@ -56,10 +56,8 @@ std::vector<ParameterSpec> SoftSupport::parameters(
   const double size = where.variant == "rotation" ? 0.1 : 1.0;
   const double lower = 1e-2 * setting.mass_kg * low * low * size / length;
   const double upper = 1e4 * setting.mass_kg * high * high * size / length;
-  return {{base_name(where) + "_per_m",
-           std::sqrt(lower * upper),
-           lower,
-           upper}};
+  return {
+      {base_name(where) + "_per_m", std::sqrt(lower * upper), lower, upper}};
 }
 
 std::vector<ActedDof> SoftSupport::acts_on(const Where&,
@@ -95,11 +93,8 @@ std::vector<std::string> SoftSupport::bulk_data(
       "grids"};
   int offset = 0;
   for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
-    cards.push_back(ground_spring_card(*setting.deck,
-                                       offset++,
-                                       dof.node,
-                                       dof.component,
-                                       p[0] * dof.length));
+    cards.push_back(ground_spring_card(
+        *setting.deck, offset++, dof.node, dof.component, p[0] * dof.length));
   }
   return cards;
 }

@@ -1,0 +1,169 @@
+#include "updating/compare.hpp"
+
+#include "modal/mac.hpp"
+#include "modal/pairing.hpp"
+#include "signal/frac.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+
+constexpr int band_count = 6;
+
+ModelModes model_modes(const Fit& fit, const modal::ModeSet& measured) {
+  const FrfModel& model = *fit.model;
+  const ModelState& state = fit.result.state;
+  const BaseModes full = model.full_modes(state);
+  const double top = 2.0 * std::numbers::pi * 1.5 * model.setting().high_hz;
+  const Index count = std::max<Index>((full.omega.array() < top).count(),
+                                      std::min<Index>(1, full.omega.size()));
+  ModelModes modes;
+  modes.frequency_hz = full.omega.head(count) / (2.0 * std::numbers::pi);
+  modes.damping_ratio = Eigen::VectorXd::Constant(count, state.zeta_other);
+  const Index known = std::min<Index>(count, state.zeta.size());
+  modes.damping_ratio.head(known) = state.zeta.head(known);
+  const MatrixXd phi = full.phi.leftCols(count);
+  modes.at_dofs.resize(static_cast<Index>(measured.dofs.size()), count);
+  for (std::size_t k = 0; k < measured.dofs.size(); ++k) {
+    const Dof& dof = measured.dofs[k];
+    modes.at_dofs.row(static_cast<Index>(k)) =
+        dof.sign * model.row(dof.node, dof.component) * phi;
+  }
+  const auto grids = static_cast<Index>(model.setting().deck->grids.size());
+  modes.at_grids.resize(3 * grids, count);
+  for (Index g = 0; g < grids; ++g) {
+    modes.at_grids.middleRows(3 * g, 3) =
+        model.base().rows.middleRows(6 * g, 3) * phi;
+  }
+  return modes;
+}
+
+MatrixXcd measured_shapes(const modal::ModeSet& modes) {
+  MatrixXcd shapes(static_cast<Index>(modes.dofs.size()),
+                   static_cast<Index>(modes.modes.size()));
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    shapes.col(static_cast<Index>(k)) = modes.modes[k].shape;
+  }
+  return shapes;
+}
+
+void pair_up(const modal::ModeSet& modes, Comparison& c) {
+  const MatrixXcd measured = measured_shapes(modes);
+  const MatrixXcd model = c.modes.at_dofs.cast<std::complex<double>>();
+  c.mac = modal::mac(measured, model);
+  Eigen::VectorXd measured_hz(measured.cols());
+  for (Index k = 0; k < measured.cols(); ++k) {
+    measured_hz(k) = modes.modes[static_cast<std::size_t>(k)].frequency_hz;
+  }
+  const std::vector<modal::Pair> pairs =
+      modal::pair_modes(measured, measured_hz, model, c.modes.frequency_hz, {});
+  MatrixXcd left(measured.rows(), static_cast<Index>(pairs.size()));
+  MatrixXcd right = left;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    ModePair p;
+    p.measured = static_cast<int>(pairs[k].measured);
+    p.model = static_cast<int>(pairs[k].model);
+    p.measured_hz = measured_hz(p.measured);
+    p.model_hz = c.modes.frequency_hz(p.model);
+    p.error_percent = 100.0 * (p.model_hz - p.measured_hz) / p.measured_hz;
+    p.mac = c.mac(p.measured, p.model);
+    left.col(static_cast<Index>(k)) = measured.col(p.measured);
+    right.col(static_cast<Index>(k)) = model.col(p.model);
+    c.pairs.push_back(p);
+  }
+  c.comac = modal::comac(left, right);
+}
+
+void errors(const Target& target,
+            const MatrixXcd& H,
+            const signal::FrfSet& frfs,
+            const effects::Setting& setting,
+            Comparison& c) {
+  c.error = relative_error(target, H);
+  const Index lines = target.s.size();
+  const double low = std::log(std::max(setting.low_hz, 1e-6));
+  const double width = (std::log(setting.high_hz) - low) / band_count;
+  Index first = 0;
+  std::vector<std::pair<Index, Index>> ranges;
+  for (int b = 0; b < band_count; ++b) {
+    const double top = std::exp(low + width * (b + 1));
+    Index last = first;
+    while (last < lines &&
+           (b + 1 == band_count ||
+            target.s(last).imag() < 2.0 * std::numbers::pi * top)) {
+      ++last;
+    }
+    if (last > first) {
+      c.bands.push_back(
+          {std::exp(low + width * b),
+           top,
+           block_error(target, H, first, last - first, 0, H.cols())});
+      ranges.emplace_back(first, last - first);
+    }
+    first = last;
+  }
+  c.frf_band_error.resize(H.cols(), static_cast<Index>(ranges.size()));
+  std::map<int, std::pair<double, int>> by_point;
+  for (Index f = 0; f < H.cols(); ++f) {
+    const double e = frf_error(target, H, f);
+    c.frf_error.push_back(e);
+    c.frac.push_back(signal::frac(target.H.col(f), H.col(f)));
+    for (std::size_t b = 0; b < ranges.size(); ++b) {
+      c.frf_band_error(f, static_cast<Index>(b)) =
+          block_error(target, H, ranges[b].first, ranges[b].second, f, 1);
+    }
+    const signal::Frf& frf = frfs.frfs[static_cast<std::size_t>(f)];
+    for (const int node : {frf.response.node, frf.reference.node}) {
+      by_point[node].first += e * e;
+      by_point[node].second += 1;
+    }
+  }
+  for (const auto& [node, sum] : by_point) {
+    c.point_error[node] = std::sqrt(sum.first / sum.second);
+  }
+}
+
+}  // namespace
+
+Comparison compare(const Fit& fit,
+                   const Target& target,
+                   const signal::FrfSet& frfs,
+                   const modal::ModeSet& modes) {
+  Comparison c;
+  const ModelState& state = fit.result.state;
+  const ModelResponse at_target = fit.model->respond(state, target.s, false);
+  errors(target, at_target.H, frfs, fit.model->setting(), c);
+  const ModelResponse shown = fit.model->respond(state, frfs.s, false);
+  for (Index f = 0; f < shown.H.cols(); ++f) {
+    c.model_frfs.emplace_back(shown.H.col(f));
+  }
+  c.modes = model_modes(fit, modes);
+  if (!modes.modes.empty()) pair_up(modes, c);
+  return c;
+}
+
+double mesh_error(const FrfModel& finer,
+                  const FrfModel& coarser,
+                  const ModelState& state,
+                  const Target& target) {
+  const ModelResponse fine = finer.respond(state, target.s, true);
+  const ModelResponse coarse = coarser.respond(state, target.s, false);
+  Eigen::VectorXd d = stack(target, fine.H - coarse.H);
+  MatrixXd J(d.size(), static_cast<Index>(fine.dH.size()));
+  for (std::size_t k = 0; k < fine.dH.size(); ++k) {
+    J.col(static_cast<Index>(k)) = stack(target, fine.dH[k]);
+  }
+  if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
+  return d.norm() / 3.0;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,30 @@
+// Compares a fitted (or nominal) model with the measurement.
+#pragma once
+
+#include "modal/mode_set.hpp"
+#include "signal/frf_set.hpp"
+#include "updating/comparison.hpp"
+#include "updating/fitter.hpp"
+
+namespace tapfit::updating {
+
+/// @param fit the model and its state
+/// @param target measured FRFs on the comparison line
+/// @param frfs measured FRFs as shown to the user; the model is evaluated on
+///   their lines
+/// @param modes identified modes, for pairing and MAC
+[[nodiscard]] Comparison compare(const Fit& fit,
+                                 const Target& target,
+                                 const signal::FrfSet& frfs,
+                                 const modal::ModeSet& modes);
+
+/// The share of the error that the mesh causes, from the same model on a mesh
+/// that is one step coarser: with an element that converges as h^2 the finer
+/// mesh is off by a third of the difference. What uncertain properties and
+/// damping can take up is not counted.
+[[nodiscard]] double mesh_error(const FrfModel& finer,
+                                const FrfModel& coarser,
+                                const ModelState& state,
+                                const Target& target);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,62 @@
+#include "updating/estimates.hpp"
+
+#include <cmath>
+
+namespace tapfit::updating {
+namespace {
+
+// theta is a logarithm: the interval is symmetric there.
+Estimate from_log(const std::string& name, double value, double variance) {
+  const double sd = std::sqrt(std::max(variance, 0.0));
+  return {name,
+          value,
+          value * sd,
+          value * std::exp(-1.96 * sd),
+          value * std::exp(1.96 * sd)};
+}
+
+double variance_at(const Fit& fit, std::size_t k) {
+  const auto at = static_cast<Eigen::Index>(k);
+  const Eigen::MatrixXd& c = fit.result.covariance;
+  return at < c.rows() ? c(at, at) : 0.0;
+}
+
+}  // namespace
+
+std::vector<Estimate> effect_estimates(const Fit& fit,
+                                       std::size_t effect,
+                                       const effects::Setting& setting) {
+  const ModelState& state = fit.result.state;
+  std::size_t at =
+      state.factor.size() + static_cast<std::size_t>(state.zeta.size());
+  for (std::size_t e = 0; e < effect; ++e) at += state.effects[e].p.size();
+  const PlacedEffect& placed = state.effects[effect];
+  std::vector<Estimate> result;
+  for (const effects::Effect::Derived& d :
+       placed.effect->derived(placed.where, setting)) {
+    result.push_back(
+        from_log(d.name, placed.p[0] * d.factor, variance_at(fit, at)));
+  }
+  const std::vector<effects::ParameterSpec> specs =
+      placed.effect->parameters(placed.where, setting);
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    result.push_back(
+        from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));
+  }
+  return result;
+}
+
+std::vector<Estimate> property_estimates(
+    const Fit& fit, const std::vector<PropertyName>& names) {
+  std::vector<Estimate> result;
+  const ModelState& state = fit.result.state;
+  for (std::size_t k = 0; k < state.factor.size() && k < names.size(); ++k) {
+    Estimate e = from_log(
+        names[k].name, state.factor[k] * names[k].nominal, variance_at(fit, k));
+    e.unit = names[k].unit;
+    result.push_back(e);
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating

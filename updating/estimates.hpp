@@ -1,0 +1,29 @@
+// Identified parameters as results: value, standard deviation, interval.
+#pragma once
+
+#include "updating/diagnosis.hpp"
+#include "updating/fitter.hpp"
+#include "updating/uncertain_parts.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Name, unit and nominal value of an uncertain property.
+struct PropertyName {
+  std::string name;
+  std::string unit;
+  double nominal = 0.0;
+};
+
+/// Parameters of the fit's effect at a position, with derived ones (a total
+/// from a value per metre).
+[[nodiscard]] std::vector<Estimate> effect_estimates(
+    const Fit& fit, std::size_t effect, const effects::Setting& setting);
+
+/// The uncertain base properties of the fit, in their own units.
+[[nodiscard]] std::vector<Estimate> property_estimates(
+    const Fit& fit, const std::vector<PropertyName>& names);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,39 @@
+#include "updating/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tapfit::updating {
+
+double evidence_data(const Target& target, int modes_in_band) {
+  const double frfs =
+      std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  return std::min(effective_data(target),
+                  2.0 * frfs * std::max(1, modes_in_band));
+}
+
+double log_evidence(double error,
+                    double parameters,
+                    double places,
+                    double data) {
+  const double misfit = std::max(error * error, 1e-30);
+  return -0.5 * data * std::log(misfit) - 0.5 * parameters * std::log(data) -
+         std::log(std::max(places, 1.0));
+}
+
+std::vector<double> probabilities(const std::vector<double>& log_evidences) {
+  if (log_evidences.empty()) return {};
+  const double top =
+      *std::max_element(log_evidences.begin(), log_evidences.end());
+  std::vector<double> p;
+  double sum = 0.0;
+  for (const double e : log_evidences) {
+    p.push_back(std::exp(e - top));
+    sum += p.back();
+  }
+  for (double& x : p) x /= sum;
+  return p;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,187 @@
+#include "updating/fitter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+
+PlacedEffect placed(const effects::Effect& effect,
+                    const Where& where,
+                    const effects::Setting& setting) {
+  PlacedEffect result{&effect, where, {}};
+  for (const effects::ParameterSpec& spec : effect.parameters(where, setting)) {
+    result.p.push_back(spec.start);
+  }
+  return result;
+}
+
+std::vector<int> acted_points(const effects::Setting& setting,
+                              const std::vector<PlacedEffect>& effects) {
+  std::set<int> points;
+  for (const PlacedEffect& e : effects) {
+    for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
+      for (const effects::ActedDof& dof :
+           e.effect->acts_on(e.where, setting, run)) {
+        // Residual vectors across the measured direction would only swell
+        // the base: the modes there are stiff and hardly excited.
+        if (dof.component != setting.component) continue;
+        points.insert(6 * static_cast<int>(setting.deck->grid_index(dof.node)) +
+                      dof.component - 1);
+      }
+    }
+  }
+  return {points.begin(), points.end()};
+}
+
+Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
+    : builder_(&builder), setting_(std::move(setting)) {}
+
+std::shared_ptr<const FrfModel> Fitter::model_for(
+    const std::vector<PlacedEffect>& effects) const {
+  const std::vector<int> acted = acted_points(setting_.setting, effects);
+  std::set<int> points(acted.begin(), acted.end());
+  for (const signal::Frf& frf : setting_.measured.frfs) {
+    for (const Dof& dof : {frf.response, frf.reference}) {
+      points.insert(
+          6 * static_cast<int>(setting_.setting.deck->grid_index(dof.node)) +
+          dof.component - 1);
+    }
+  }
+  std::vector<Where> released;
+  for (const PlacedEffect& e : effects) {
+    if (e.effect->entry() == effects::Entry::Support) {
+      released.push_back(e.where);
+    }
+  }
+  auto model = std::make_shared<FrfModel>(
+      builder_->build({points.begin(), points.end()}, released),
+      setting_.setting,
+      setting_.measured);
+  model->set_reference(first_state(*model, effects));
+  return model;
+}
+
+ModelState Fitter::first_state(const FrfModel& model,
+                               const std::vector<PlacedEffect>& effects) const {
+  ModelState state;
+  state.factor.assign(setting_.uncertain_sd.size(), 1.0);
+  state.effects = effects;
+  state.zeta_other = setting_.damping_ratio;
+  const Eigen::VectorXd omega = model.base_modes(state).omega;
+  const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
+  const auto in_band = (omega.array() < top).count();
+  state.zeta = Eigen::VectorXd::Constant(in_band, setting_.damping_ratio);
+  return state;
+}
+
+Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Index n = state.parameters();
+  Prior prior;
+  prior.mean = Eigen::VectorXd::Zero(n);
+  prior.sd = Eigen::VectorXd::Constant(n, infinite);
+  prior.lower = Eigen::VectorXd::Constant(n, -infinite);
+  prior.upper = Eigen::VectorXd::Constant(n, infinite);
+  Index k = 0;
+  for (const double sd : setting_.uncertain_sd) {
+    prior.sd(k) = sd;
+    prior.lower(k) = -1.0;
+    prior.upper(k) = 1.0;
+    ++k;
+  }
+  for (Index q = 0; q < state.zeta.size(); ++q, ++k) {
+    prior.mean(k) = std::log(setting_.damping_ratio);
+    prior.sd(k) = setting_.damping_spread;
+    prior.lower(k) = std::log(1e-5);
+    prior.upper(k) = std::log(0.5);
+  }
+  for (const PlacedEffect& e : state.effects) {
+    for (const effects::ParameterSpec& spec :
+         e.effect->parameters(e.where, setting_.setting)) {
+      prior.lower(k) = std::log(spec.lower);
+      prior.upper(k) = std::log(spec.upper);
+      for (const SupportTerm& term : model.base().supports) {
+        if (e.effect->entry() == effects::Entry::Support &&
+            term.where == e.where) {
+          prior.lower(k) = std::log(term.soft);
+          prior.upper(k) = std::log(term.stiff);
+        }
+      }
+      ++k;
+    }
+  }
+  return prior;
+}
+
+Fit Fitter::fit(const std::vector<PlacedEffect>& start,
+                std::shared_ptr<const FrfModel> model,
+                const Progress& progress) const {
+  std::vector<PlacedEffect> effects = start;
+  for (PlacedEffect& e : effects) {
+    for (const SupportTerm& term : model->base().supports) {
+      const bool own =
+          e.effect->entry() == effects::Entry::Support && term.where == e.where;
+      // A catalogue start knows nothing of this structure's own stiffness.
+      if (own && (e.p[0] < term.soft || e.p[0] > term.stiff)) {
+        e.p[0] = term.start;
+      }
+    }
+  }
+  ModelState state = first_state(*model, effects);
+  const Prior prior = prior_for(*model, state);
+  Fit fit;
+  for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
+    UpdateOptions options;
+    const bool last = k + 1 == setting_.targets.size();
+    options.max_iterations = last ? 30 : 10;
+    options.tolerance = last ? 1e-6 : 1e-3;
+    fit.result =
+        update(*model, setting_.targets[k], state, prior, options, progress);
+    state = fit.result.state;
+  }
+  fit.effects = fit.result.state.effects;
+  fit.model = std::move(model);
+  return fit;
+}
+
+double Fitter::held_out_error(const Fit& fit,
+                              int folds,
+                              const Progress& progress) const {
+  const Target& whole = target();
+  std::set<std::size_t> runs(whole.run.begin(), whole.run.end());
+  const int groups = std::min<int>(folds, static_cast<int>(runs.size()));
+  if (groups < 2) return fit.result.error;
+  const Prior prior = prior_for(*fit.model, fit.result.state);
+  double sum = 0.0;
+  double count = 0.0;
+  for (int group = 0; group < groups; ++group) {
+    Target training = whole;
+    Target test = whole;
+    int position = 0;
+    for (const std::size_t run : runs) {
+      const bool out = position++ % groups == group;
+      for (std::size_t f = 0; f < whole.run.size(); ++f) {
+        if (whole.run[f] != run) continue;
+        training.use[f] = out ? 0.0 : 1.0;
+        test.use[f] = out ? 1.0 : 0.0;
+      }
+    }
+    UpdateOptions options;
+    options.max_iterations = 6;
+    options.tolerance = 1e-4;
+    const UpdateResult refit = update(
+        *fit.model, training, fit.result.state, prior, options, progress);
+    const ModelResponse response =
+        fit.model->respond(refit.state, whole.s, false);
+    const double error = relative_error(test, response.H);
+    sum += error * error * test.count();
+    count += test.count();
+  }
+  return std::sqrt(sum / count);
+}
+
+}  // namespace tapfit::updating

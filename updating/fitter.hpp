@@ -1,0 +1,80 @@
+// Fits the base model with any set of effects to the measured FRFs, from wide
+// damped lines to the one on which models are compared.
+#pragma once
+
+#include "acquisition/progress.hpp"
+#include "updating/frf_model.hpp"
+#include "updating/reduced_base.hpp"
+#include "updating/residual.hpp"
+#include "updating/uncertain_parts.hpp"
+#include "updating/updater.hpp"
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Everything that fits of one test share. The targets are ordered from the
+/// widest line to the one that counts.
+struct FitSetting {
+  effects::Setting setting;
+  std::vector<Target> targets;
+  signal::FrfSet measured;           ///< on the last target's line
+  std::vector<double> uncertain_sd;  ///< of ln factor
+  double damping_ratio = 0.01;       ///< typical, as identified
+  double damping_spread = 0.5;       ///< prior sd of ln zeta
+};
+
+struct Fit {
+  std::vector<PlacedEffect> effects;
+  UpdateResult result;
+  std::shared_ptr<const FrfModel> model;
+};
+
+/// @return degrees of freedom (6 grid_index + component - 1) that low-rank
+///   effects act on, for residual vectors
+[[nodiscard]] std::vector<int> acted_points(
+    const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
+
+class Fitter {
+ public:
+  Fitter(const BaseBuilder& builder, FitSetting setting);
+
+  /// Model whose base holds the points and supports of all effects given.
+  [[nodiscard]] std::shared_ptr<const FrfModel> model_for(
+      const std::vector<PlacedEffect>& effects) const;
+
+  /// Fits effects' parameters, uncertain properties and damping together.
+  ///
+  /// @param start effects with their starting sizes
+  /// @param model as from model_for(), for these effects or more
+  [[nodiscard]] Fit fit(const std::vector<PlacedEffect>& start,
+                        std::shared_ptr<const FrfModel> model,
+                        const Progress& progress = {}) const;
+
+  /// Goes on from a fit with some runs left out of the last target; returns
+  /// the error on those runs.
+  [[nodiscard]] double held_out_error(const Fit& fit,
+                                      int folds,
+                                      const Progress& progress = {}) const;
+
+  [[nodiscard]] Prior prior_for(const FrfModel& model,
+                                const ModelState& state) const;
+  [[nodiscard]] ModelState first_state(
+      const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
+
+  [[nodiscard]] const FitSetting& setting() const { return setting_; }
+  [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
+
+ private:
+  const BaseBuilder* builder_;
+  FitSetting setting_;
+};
+
+/// An effect with its catalogue start values.
+[[nodiscard]] PlacedEffect placed(const effects::Effect& effect,
+                                  const Where& where,
+                                  const effects::Setting& setting);
+
+}  // namespace tapfit::updating

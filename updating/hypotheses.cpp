@@ -1,0 +1,157 @@
+#include "updating/hypotheses.hpp"
+
+#include "updating/effects/catalogue.hpp"
+#include "updating/evidence.hpp"
+#include "updating/screening.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+bool present(const Fit& current, const PlacedEffect& candidate) {
+  return std::any_of(current.effects.begin(),
+                     current.effects.end(),
+                     [&](const PlacedEffect& e) {
+                       return e.effect == candidate.effect &&
+                              e.where == candidate.where;
+                     });
+}
+
+// Grids nearest to a grid, itself first.
+std::vector<int> nearest(const structure::Deck& deck, int node, int count) {
+  const Eigen::Vector3d at = deck.grids[deck.grid_index(node)].position;
+  std::vector<std::pair<double, int>> distance;
+  for (const structure::Grid& grid : deck.grids) {
+    distance.emplace_back((grid.position - at).norm(), grid.id);
+  }
+  const auto n = std::min<std::size_t>(distance.size(),
+                                       static_cast<std::size_t>(count) + 1);
+  std::partial_sort(distance.begin(),
+                    distance.begin() + static_cast<std::ptrdiff_t>(n),
+                    distance.end());
+  std::vector<int> nodes;
+  for (std::size_t k = 0; k < n; ++k) nodes.push_back(distance[k].second);
+  return nodes;
+}
+
+// Fits the present effects and one more.
+Hypothesis fit_one(const Fit& current,
+                   const PlacedEffect& extra,
+                   const Fitter& fitter,
+                   std::shared_ptr<const FrfModel> model,
+                   const Progress& progress) {
+  std::vector<PlacedEffect> effects = current.effects;
+  effects.push_back(extra);
+  if (!model) model = fitter.model_for(effects);
+  Hypothesis h;
+  h.fit = fitter.fit(effects, std::move(model), progress);
+  return h;
+}
+
+// The first few screened places of one kind.
+std::vector<PlacedEffect> best_places(const std::vector<Screened>& screened,
+                                      const effects::Effect* kind,
+                                      int count) {
+  std::vector<PlacedEffect> result;
+  for (const Screened& s : screened) {
+    if (static_cast<int>(result.size()) == count) break;
+    if (s.placed.effect == kind) result.push_back(s.placed);
+  }
+  return result;
+}
+
+// Around the best place of a kind, step to a better neighbour until there is
+// none. Each step fits all neighbours in one base.
+void climb(std::vector<Hypothesis>& found,
+           const Fit& current,
+           const Fitter& fitter,
+           int neighbours,
+           const Progress& progress) {
+  std::set<int> seen;
+  for (const Hypothesis& h : found) seen.insert(h.own().where.node);
+  for (int round = 0; round < 6; ++round) {
+    const auto best = std::min_element(
+        found.begin(), found.end(), [](const auto& a, const auto& b) {
+          return a.fit.result.error < b.fit.result.error;
+        });
+    const PlacedEffect own = best->own();
+    const double before = best->fit.result.error;
+    std::vector<PlacedEffect> tries;
+    for (const int node :
+         nearest(*fitter.setting().setting.deck, own.where.node, neighbours)) {
+      if (!seen.insert(node).second) continue;
+      PlacedEffect next = own;
+      next.where.node = node;
+      if (!present(current, next)) tries.push_back(next);
+    }
+    if (tries.empty()) return;
+    std::vector<PlacedEffect> all = current.effects;
+    all.insert(all.end(), tries.begin(), tries.end());
+    const auto model = fitter.model_for(all);
+    double after = before;
+    for (const PlacedEffect& next : tries) {
+      found.push_back(fit_one(current, next, fitter, model, progress));
+      after = std::min(after, found.back().fit.result.error);
+    }
+    if (after >= before) return;
+  }
+}
+
+}  // namespace
+
+std::vector<Hypothesis> fit_hypotheses(const Fit& current,
+                                       const Fitter& fitter,
+                                       const HypothesisOptions& options,
+                                       const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const std::vector<Screened> screened = screen(current, fitter, progress);
+  std::set<const effects::Effect*> point_kinds;
+  for (const Screened& s : screened) point_kinds.insert(s.placed.effect);
+
+  std::vector<Hypothesis> all;
+  double done = 0.0;
+  for (const auto& effect : effects::catalogue()) {
+    progress("diagnosis: fitting " + effect->name(),
+             done++ / static_cast<double>(effects::catalogue().size()));
+    const std::vector<Where> places = effect->places(setting);
+    std::vector<Hypothesis> found;
+    if (point_kinds.contains(effect.get())) {
+      std::vector<PlacedEffect> tries;
+      for (const PlacedEffect& p :
+           best_places(screened, effect.get(), options.places_per_kind)) {
+        if (!present(current, p)) tries.push_back(p);
+      }
+      if (tries.empty()) continue;
+      std::vector<PlacedEffect> together = current.effects;
+      together.insert(together.end(), tries.begin(), tries.end());
+      const auto model = fitter.model_for(together);
+      for (const PlacedEffect& p : tries) {
+        found.push_back(fit_one(current, p, fitter, model, progress));
+      }
+      climb(found, current, fitter, options.neighbours, progress);
+    } else {
+      for (const Where& where : places) {
+        const PlacedEffect p = placed(*effect, where, setting);
+        if (present(current, p)) continue;
+        found.push_back(fit_one(current, p, fitter, nullptr, progress));
+      }
+    }
+    for (Hypothesis& h : found) {
+      h.places = static_cast<double>(places.size());
+      h.log_evidence = log_evidence(h.fit.result.error,
+                                    static_cast<double>(h.own().p.size()),
+                                    h.places,
+                                    options.data);
+      all.push_back(std::move(h));
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+    return a.log_evidence > b.log_evidence;
+  });
+  return all;
+}
+
+}  // namespace tapfit::updating

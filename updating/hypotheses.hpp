@@ -1,0 +1,33 @@
+// The explanations worth a full fit: the best of each kind that the screening
+// found, their neighbours, and every place of the kinds with few places.
+#pragma once
+
+#include "updating/fitter.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A hypothesis, fitted together with everything already in the model.
+struct Hypothesis {
+  Fit fit;              ///< its own effect is the last one
+  double places = 1.0;  ///< how many places its kind was searched at
+  double log_evidence = 0.0;
+
+  [[nodiscard]] const PlacedEffect& own() const { return fit.effects.back(); }
+};
+
+struct HypothesisOptions {
+  int places_per_kind = 3;
+  int neighbours = 8;
+  double data = 100.0;  ///< evidence_data()
+};
+
+/// @return fitted hypotheses, strongest evidence first
+[[nodiscard]] std::vector<Hypothesis> fit_hypotheses(
+    const Fit& current,
+    const Fitter& fitter,
+    const HypothesisOptions& options,
+    const Progress& progress);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,470 @@
+#include "updating/session.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/compare.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/diagnose.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fitter.hpp"
+#include "updating/reduced_base.hpp"
+#include "updating/signature.hpp"
+#include "updating/structure/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+
+// Largest refined model that is solved without being asked for.
+constexpr std::size_t refined_grid_limit = 12000;
+// From peaks wide enough for 6 % of frequency error down to the line on which
+// errors are reported.
+constexpr double wide_delta = 0.06;
+constexpr double report_delta = 0.03;
+
+int measured_component(const acquisition::TestBundle& bundle) {
+  std::array<int, 4> votes{};
+  for (const acquisition::Run& run : bundle.runs) {
+    for (const acquisition::Placement& p : run.sensors) {
+      if (p.dof.component <= 3) {
+        ++votes.at(static_cast<std::size_t>(p.dof.component));
+      }
+    }
+  }
+  return static_cast<int>(std::max_element(votes.begin() + 1, votes.end()) -
+                          votes.begin());
+}
+
+void check_grid(const structure::Deck& deck,
+                const Dof& dof,
+                const std::string& place) {
+  if (!deck.has_grid(dof.node)) {
+    throw InputError(
+        fmt::format("the model has no grid {}", dof.node),
+        place,
+        fmt::format("use a grid id of {}", deck.path.filename().string()));
+  }
+}
+
+void check_grids(const acquisition::TestBundle& bundle,
+                 const structure::Deck& deck) {
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    const acquisition::Run& run = bundle.runs[r];
+    check_grid(
+        deck, run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r));
+    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
+      check_grid(deck,
+                 run.sensors[k].dof,
+                 fmt::format("test.json: runs[{}].sensors[{}]", r, k));
+    }
+  }
+}
+
+}  // namespace
+
+EffectRef parse_effect(const std::string& text) {
+  const std::size_t at = text.find('@');
+  EffectRef ref;
+  ref.effect = text.substr(0, at);
+  static_cast<void>(effects::find(ref.effect));
+  if (at == std::string::npos) return ref;
+  const std::string place = text.substr(at + 1);
+  const bool number =
+      !place.empty() &&
+      std::all_of(place.begin(), place.end(), [](unsigned char c) {
+        return std::isdigit(c) != 0;
+      });
+  if (number && place.size() < 10) {
+    ref.where.node = std::stoi(place);
+  } else if (place == "rotation" || place == "translation" || place == "each") {
+    ref.where.variant = place;
+  } else if (!place.empty()) {
+    ref.where.channels = {place};
+  } else {
+    throw InputError("no place after the @",
+                     fmt::format("effect \"{}\"", text),
+                     "write for example added-mass@201");
+  }
+  return ref;
+}
+
+struct Session::Impl {
+  acquisition::TestBundle bundle;
+  std::optional<structure::Deck> deck;
+  std::optional<std::vector<acquisition::Recording>> recordings;
+  std::optional<acquisition::HitSet> hits;
+  std::optional<signal::FrfSet> frfs;
+  std::optional<modal::ModeSet> modes;
+
+  std::optional<BaseBuilder> builder;
+  std::optional<BaseBuilder> coarse_builder;
+  std::unique_ptr<Fitter> fitter;
+  std::string contour;
+  std::vector<PropertyName> properties;
+  double floor_noise = 0.0;
+  double floor_mesh = 0.0;
+
+  std::vector<Fit> fits;  // base, then with one more effect each
+  std::vector<EffectRef> undone;
+  std::optional<Comparison> base_comparison;
+  std::optional<Comparison> comparison;
+  std::optional<Diagnosis> diagnosis;
+  std::vector<Rung> ladder;
+
+  void drop_from_frfs();
+  void drop_current();
+  void prepare_fit(Session& session, const Progress& progress);
+  [[nodiscard]] Comparison compare_now(const Fit& fit) const;
+  void describe_ladder();
+  [[nodiscard]] effects::Setting setting() const;
+  [[nodiscard]] std::array<double, 2> band() const;
+  [[nodiscard]] PlacedEffect place(const EffectRef& ref) const;
+};
+
+Session::Session(const std::filesystem::path& bundle)
+    : impl_(std::make_unique<Impl>()) {
+  impl_->bundle = acquisition::read_test_bundle(bundle);
+}
+Session::~Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+
+const acquisition::TestBundle& Session::bundle() const { return impl_->bundle; }
+bool Session::has_model() const {
+  return impl_->bundle.deck || impl_->bundle.matrices;
+}
+bool Session::has_recordings() const { return impl_->recordings.has_value(); }
+bool Session::has_hits() const { return impl_->hits.has_value(); }
+bool Session::has_frfs() const { return impl_->frfs.has_value(); }
+bool Session::has_modes() const { return impl_->modes.has_value(); }
+bool Session::has_comparison() const { return impl_->comparison.has_value(); }
+bool Session::has_diagnosis() const { return impl_->diagnosis.has_value(); }
+
+const structure::Deck& Session::deck(const Progress& progress) {
+  if (impl_->deck) return *impl_->deck;
+  if (!impl_->bundle.deck) {
+    throw InputError(impl_->bundle.matrices
+                         ? "a model given as matrices cannot be compared yet"
+                         : "the test has no model",
+                     (impl_->bundle.folder / "test.json").string(),
+                     "name a Nastran deck in the field \"model\"");
+  }
+  progress("model: reading", 0.0);
+  structure::Deck deck = structure::read_deck(*impl_->bundle.deck);
+  structure::scale_to_si(deck, impl_->bundle.units);
+  check_grids(impl_->bundle, deck);
+  impl_->deck = std::move(deck);
+  return *impl_->deck;
+}
+
+const std::vector<acquisition::Recording>& Session::recordings(
+    const Progress& progress) {
+  if (!impl_->recordings) {
+    progress("recordings: reading", 0.0);
+    impl_->recordings = acquisition::read_recordings(impl_->bundle);
+  }
+  return *impl_->recordings;
+}
+
+const acquisition::HitSet& Session::hits(const Progress& progress) {
+  if (!impl_->hits) {
+    const auto& all = recordings(progress);
+    progress("hits: finding", 0.0);
+    acquisition::HitOptions options;
+    options.trigger_percent = impl_->bundle.trigger_percent;
+    options.pre_trigger_s = impl_->bundle.pre_trigger_s;
+    options.block_s = impl_->bundle.block_s;
+    impl_->hits = acquisition::find_hits(impl_->bundle, all, options);
+  }
+  return *impl_->hits;
+}
+
+const signal::FrfSet& Session::frfs(const Progress& progress) {
+  if (!impl_->frfs) {
+    const auto& all = recordings(progress);
+    const auto& found = hits(progress);
+    impl_->frfs =
+        signal::estimate_frfs(impl_->bundle, all, found, {}, progress);
+  }
+  return *impl_->frfs;
+}
+
+const modal::ModeSet& Session::modes(const Progress& progress) {
+  if (!impl_->modes) {
+    impl_->modes = modal::identify_modes(frfs(progress), {}, progress);
+  }
+  return *impl_->modes;
+}
+
+std::array<double, 2> Session::Impl::band() const {
+  if (bundle.band_hz) return *bundle.band_hz;
+  const Eigen::VectorXd f = frfs->frequency_hz();
+  const double rate = hits->sample_rate_hz;
+  return {std::max(f.minCoeff(), 1e-3 * rate),
+          std::min(f.maxCoeff(), 0.4 * rate)};
+}
+
+effects::Setting Session::Impl::setting() const {
+  effects::Setting s;
+  s.bundle = &bundle;
+  s.deck = &*deck;
+  s.mass_kg = builder->mass_kg();
+  s.low_hz = band()[0];
+  s.high_hz = band()[1];
+  s.component = measured_component(bundle);
+  return s;
+}
+
+// Model, damped lines and the base fit; all that does not depend on effects.
+void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
+  if (fitter) return;
+  const structure::Deck& the_deck = session.deck(progress);
+  const modal::ModeSet& identified = session.modes(progress);
+  const acquisition::HitSet& found = *hits;
+  const std::array<double, 2> lines = band();
+  if (!builder) {
+    BaseOptions options;
+    options.high_hz = lines[1];
+    options.refinements =
+        4 * the_deck.grids.size() <= refined_grid_limit ? 1 : 0;
+    builder.emplace(the_deck, bundle.uncertain, options, progress);
+    if (options.refinements > 0) {
+      options.refinements = 0;
+      coarse_builder.emplace(the_deck, bundle.uncertain, options, progress);
+    }
+  }
+  FitSetting fit;
+  fit.setting = setting();
+  const double block_s = static_cast<double>(found.block - found.pre_trigger) /
+                         found.sample_rate_hz;
+  for (const double delta : {wide_delta, report_delta}) {
+    DampedLineOptions options;
+    options.delta = delta;
+    const Eigen::VectorXcd s = damped_line(lines, block_s, options);
+    progress("comparison: damped lines", 0.0);
+    fit.measured =
+        signal::estimate_frfs_at(bundle, *recordings, found, s, progress);
+    fit.targets.push_back(make_target(fit.measured));
+    contour = describe_line(lines, s, options);
+  }
+  std::vector<double> ratios;
+  for (const modal::Mode& mode : identified.modes) {
+    ratios.push_back(mode.damping_ratio);
+  }
+  if (!ratios.empty()) {
+    std::nth_element(
+        ratios.begin(),
+        ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2),
+        ratios.end());
+    fit.damping_ratio = std::clamp(ratios[ratios.size() / 2], 1e-4, 0.2);
+  }
+  properties.clear();
+  for (const acquisition::UncertainProperty& u : bundle.uncertain) {
+    fit.uncertain_sd.push_back(u.sd_percent / 100.0);
+    const structure::Material& material = the_deck.materials.at(u.id);
+    properties.push_back({fmt::format("{}:{}", u.property, u.id),
+                          u.property == "E" ? "Pa" : "kg/m^3",
+                          u.property == "E" ? material.E : material.rho});
+  }
+  fitter = std::make_unique<Fitter>(*builder, std::move(fit));
+  progress("comparison: base model", 0.5);
+  // The base as the deck has it: nothing fitted.
+  Fit base;
+  base.model = fitter->model_for({});
+  base.result.state = fitter->first_state(*base.model, {});
+  base.result.error = relative_error(
+      fitter->target(),
+      base.model->respond(base.result.state, fitter->target().s, false).H);
+  fits = {base};
+  floor_noise = noise_error(fitter->target());
+  if (coarse_builder) {
+    const Fitter coarse(*coarse_builder, fitter->setting());
+    floor_mesh = mesh_error(*base.model,
+                            *coarse.model_for({}),
+                            base.result.state,
+                            fitter->target());
+  }
+}
+
+Comparison Session::Impl::compare_now(const Fit& fit) const {
+  Comparison c = compare(fit, fitter->target(), *frfs, *modes);
+  c.floor_noise = floor_noise;
+  c.floor_mesh = floor_mesh;
+  c.floor = std::hypot(floor_noise, floor_mesh);
+  c.contour = contour;
+  return c;
+}
+
+const Comparison& Session::base_comparison(const Progress& progress) {
+  if (!impl_->base_comparison) {
+    impl_->prepare_fit(*this, progress);
+    impl_->base_comparison = impl_->compare_now(impl_->fits.front());
+  }
+  return *impl_->base_comparison;
+}
+
+const Comparison& Session::comparison(const Progress& progress) {
+  if (!impl_->comparison) {
+    impl_->prepare_fit(*this, progress);
+    impl_->comparison = impl_->compare_now(impl_->fits.back());
+  }
+  return *impl_->comparison;
+}
+
+const Diagnosis& Session::diagnosis(const Progress& progress) {
+  if (!impl_->diagnosis) {
+    const Comparison& base = base_comparison(progress);
+    DiagnoseOptions options;
+    options.floor = base.floor;
+    options.contour = base.contour;
+    options.properties = impl_->properties;
+    const auto& found = modes(progress).modes;
+    options.modes_in_band = std::max(1, static_cast<int>(found.size()));
+    Diagnosis d =
+        diagnose(*impl_->fitter, impl_->fits.back().effects, options, progress);
+    d.error_base = base.error;
+    impl_->diagnosis = std::move(d);
+  }
+  return *impl_->diagnosis;
+}
+
+Signature Session::signature(int node, const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  static_cast<void>(impl_->deck->grid_index(node));
+  return signature_at(
+      impl_->fits.back(), impl_->fitter->target(), node, progress);
+}
+
+void Session::Impl::drop_current() {
+  comparison.reset();
+  diagnosis.reset();
+  ladder.clear();
+}
+
+void Session::Impl::drop_from_frfs() {
+  frfs.reset();
+  modes.reset();
+  fitter.reset();
+  fits.clear();
+  undone.clear();
+  base_comparison.reset();
+  drop_current();
+}
+
+void Session::overrule_hit(std::size_t run, std::size_t hit) {
+  static_cast<void>(hits());
+  acquisition::overrule(impl_->hits->runs.at(run).at(hit));
+  impl_->drop_from_frfs();
+}
+
+// The catalogue's place that the reference means: the fields it leaves open are
+// filled from the first place that agrees with those it gives.
+PlacedEffect Session::Impl::place(const EffectRef& ref) const {
+  const effects::Effect& effect = effects::find(ref.effect);
+  const effects::Setting s = setting();
+  for (Where where : effect.places(s)) {
+    const Where& want = ref.where;
+    if (want.variant == "each") where.variant = "each";
+    const bool agrees =
+        (want.node == 0 || want.node == where.node) &&
+        (want.nodes.empty() || want.nodes == where.nodes) &&
+        (want.elements.empty() || want.elements == where.elements) &&
+        (want.channels.empty() || want.channels == where.channels) &&
+        (want.variant.empty() || want.variant == where.variant);
+    const bool open = want.node == 0 && where.node != 0;
+    if (agrees && !open) return placed(effect, where, s);
+  }
+  throw InputError(
+      fmt::format("{} cannot sit there", ref.effect),
+      fmt::format("effect \"{}{}{}\"",
+                  ref.effect,
+                  ref.where.node != 0 ? "@" : " at ",
+                  ref.where.node != 0 ? fmt::format("{}", ref.where.node)
+                                      : describe(ref.where)),
+      "give a grid of the model that can move, a sensor channel, "
+      "or a support of the model");
+}
+
+void Session::add(const EffectRef& effect, const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  std::vector<PlacedEffect> effects = impl_->fits.back().effects;
+  const PlacedEffect extra = impl_->place(effect);
+  for (const PlacedEffect& e : effects) {
+    if (e.effect == extra.effect && e.where == extra.where) {
+      throw InputError(
+          "the effect is in the model already",
+          fmt::format("{} at {}", effect.effect, describe(extra.where)),
+          "undo it first, or add another");
+    }
+  }
+  effects.push_back(extra);
+  const Fitter& fitter = *impl_->fitter;
+  impl_->fits.push_back(
+      fitter.fit(effects, fitter.model_for(effects), progress));
+  impl_->undone.clear();
+  impl_->drop_current();
+}
+
+bool Session::undo() {
+  if (impl_->fits.size() < 2) return false;
+  const PlacedEffect& last = impl_->fits.back().effects.back();
+  impl_->undone.push_back({last.effect->name(), last.where});
+  impl_->fits.pop_back();
+  impl_->drop_current();
+  return true;
+}
+
+bool Session::redo() {
+  if (impl_->undone.empty()) return false;
+  std::vector<EffectRef> rest = impl_->undone;
+  const EffectRef effect = rest.back();
+  rest.pop_back();
+  add(effect);
+  impl_->undone = rest;
+  return true;
+}
+
+void Session::Impl::describe_ladder() {
+  ladder.clear();
+  const effects::Setting s = setting();
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    Rung rung;
+    rung.added = "base";
+    rung.error = fits[k].result.error;
+    if (k > 0) {
+      const std::size_t last = fits[k].effects.size() - 1;
+      rung.added = fits[k].effects[last].effect->name();
+      rung.where = fits[k].effects[last].where;
+      rung.parameters = effect_estimates(fits[k], last, s);
+    }
+    ladder.push_back(std::move(rung));
+  }
+}
+
+const std::vector<Rung>& Session::ladder(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  if (impl_->ladder.empty()) impl_->describe_ladder();
+  return impl_->ladder;
+}
+
+std::vector<Estimate> Session::model_parameters(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  const Fit& fit = impl_->fits.back();
+  std::vector<Estimate> result = property_estimates(fit, impl_->properties);
+  const effects::Setting s = impl_->setting();
+  for (std::size_t k = 0; k < fit.effects.size(); ++k) {
+    for (Estimate e : effect_estimates(fit, k, s)) {
+      e.name = fit.effects[k].effect->name() + " " + e.name;
+      result.push_back(std::move(e));
+    }
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating
