@@ -1,0 +1,34 @@
+// Columns of numbers out of a CSV file as data loggers write it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+struct CsvOptions {
+  /// Lines before the first row of numbers; empty: the file tells.
+  std::optional<std::size_t> skip_lines;
+};
+
+/// Reads some columns of a CSV file.
+///
+/// Separators are ; tab or , (found from the file); with ; or tab a comma may
+/// be the decimal mark. Lines may end in CRLF, fields may be quoted, empty
+/// lines at the end do not matter. Without skip_lines the numbers begin with
+/// the first of two lines in a row whose first two fields are numbers.
+///
+/// @param columns each a name found in a header line, or a number from 1 on
+/// @return n_rows x columns.size()
+/// @throws InputError with file:line:column for what is no finite number, for
+///   a column that is not there, for a file without numbers
+[[nodiscard]] Eigen::MatrixXd read_csv_columns(
+    const std::filesystem::path& file,
+    const std::vector<std::string>& columns,
+    const CsvOptions& options);
+
+}  // namespace tapfit::acquisition

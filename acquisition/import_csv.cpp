@@ -1,0 +1,189 @@
+#include "acquisition/import_csv.hpp"
+
+#include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+#include "acquisition/units.hpp"
+#include "acquisition/write_test_bundle.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Index;
+
+std::vector<CsvChannel> all_channels(const ImportCsvOptions& options) {
+  std::vector<CsvChannel> channels{options.hammer};
+  channels.insert(
+      channels.end(), options.sensors.begin(), options.sensors.end());
+  return channels;
+}
+
+// The sampling rate from a column of times; each time may be half a step off.
+double rate_of(const Eigen::VectorXd& time, const std::string& file) {
+  const Index n = time.size();
+  const double step =
+      n < 2 ? 0.0 : (time[n - 1] - time[0]) / static_cast<double>(n - 1);
+  if (!(step > 0.0)) {
+    throw InputError("the time column does not rise",
+                     file,
+                     "name the column that holds seconds, or give the rate");
+  }
+  for (Index i = 0; i < n; ++i) {
+    const double expected = time[0] + static_cast<double>(i) * step;
+    if (std::abs(time[i] - expected) < 0.5 * step) continue;
+    throw InputError(
+        fmt::format("the sampling is uneven: row {} of the numbers is at "
+                    "{:.6g} s, expected near {:.6g} s",
+                    i + 1,
+                    time[i],
+                    expected),
+        file,
+        "export without gaps, or cut the file at the gap");
+  }
+  return 1.0 / step;
+}
+
+int whole_rate(double rate, const std::string& file) {
+  const double whole = std::round(rate);
+  // Times printed with few digits give the rate with few digits.
+  if (whole >= 1.0 && whole < 1e9 && std::abs(rate - whole) < 1e-3 * rate) {
+    return static_cast<int>(whole);
+  }
+  throw InputError(
+      fmt::format("is sampled at {:.6g} Hz, which is no whole number", rate),
+      file,
+      "give the sampling rate, or resample to a whole number of Hz");
+}
+
+struct Table {
+  int rate = 0;
+  Eigen::MatrixXd values;  ///< n_rows x (1 + sensors), as in the file
+};
+
+Table read_table(const CsvFile& source, const ImportCsvOptions& options) {
+  std::vector<std::string> columns;
+  for (const CsvChannel& channel : all_channels(options)) {
+    columns.push_back(channel.column);
+  }
+  const auto count = static_cast<Index>(columns.size());
+  if (!options.sample_rate_hz) columns.push_back(options.time_column);
+  const Eigen::MatrixXd numbers =
+      read_csv_columns(source.file, columns, options.csv);
+  const std::string file = source.file.string();
+  Table table;
+  const double rate = options.sample_rate_hz
+                          ? *options.sample_rate_hz
+                          : rate_of(numbers.col(count), file);
+  table.rate = whole_rate(rate, file);
+  table.values = numbers.leftCols(count);
+  return table;
+}
+
+// Power of two with at least a quarter of room above the largest value, so
+// that no sample looks like an overload and scaling loses no digit.
+double full_scale(const std::vector<Table>& tables, Index column) {
+  double largest = 0.0;
+  for (const Table& table : tables) {
+    largest = std::max(largest, table.values.col(column).cwiseAbs().maxCoeff());
+  }
+  if (largest == 0.0) return 1.0;
+  return std::exp2(std::ceil(std::log2(1.25 * largest)));
+}
+
+Channel bundle_channel(const CsvChannel& source, double scale) {
+  const std::optional<Unit> unit = find_unit(source.unit);
+  if (!unit || unit->quantity != source.quantity) {
+    throw InputError(fmt::format("\"{}\" is no known unit of {}",
+                                 source.unit,
+                                 name(source.quantity)),
+                     fmt::format("column \"{}\"", source.column),
+                     "use one of " + known_units(source.quantity));
+  }
+  Channel channel;
+  channel.name = source.channel;
+  channel.quantity = source.quantity;
+  channel.unit = source.unit;
+  channel.unit_to_si = unit->si;
+  channel.sensitivity = source.volts_per_unit.value_or(1.0);
+  channel.full_scale_volts = scale;
+  channel.mass_kg = source.mass_kg;
+  return channel;
+}
+
+Run bundle_run(const CsvFile& source,
+               const ImportCsvOptions& options,
+               const fs::path& file) {
+  Run run;
+  run.file = file;
+  run.hammer = {0, source.hammer.value_or(options.hammer.dof)};
+  for (std::size_t k = 0; k < options.sensors.size(); ++k) {
+    run.sensors.push_back({k + 1, options.sensors[k].dof});
+  }
+  return run;
+}
+
+void check_options(const ImportCsvOptions& options) {
+  if (options.files.empty() || options.sensors.empty()) {
+    throw InputError("nothing to import",
+                     "import",
+                     "name at least one CSV file and one sensor column");
+  }
+  std::error_code ignored;
+  if (!options.overwrite && fs::exists(options.folder / "test.json", ignored)) {
+    throw InputError("there is a test bundle already",
+                     options.folder.string(),
+                     "choose another folder, or ask to overwrite it");
+  }
+}
+
+// "run-01.csv" becomes "run-01.wav"; a name used before gets a number.
+fs::path sound_file(const CsvFile& source, std::set<std::string>& used) {
+  const std::string stem = source.file.stem().string();
+  std::string result = stem + ".wav";
+  for (int i = 2; !used.insert(result).second; ++i) {
+    result = fmt::format("{}-{}.wav", stem, i);
+  }
+  return result;
+}
+
+}  // namespace
+
+TestBundle import_csv(const ImportCsvOptions& options) {
+  check_options(options);
+  std::vector<Table> tables;
+  for (const CsvFile& file : options.files) {
+    tables.push_back(read_table(file, options));
+  }
+  TestBundle bundle;
+  bundle.title = options.title;
+  if (options.deck) bundle.deck = fs::absolute(*options.deck);
+  bundle.band_hz = options.band_hz;
+  const std::vector<CsvChannel> channels = all_channels(options);
+  Eigen::RowVectorXd scale(static_cast<Index>(channels.size()));
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    const double volts = full_scale(tables, column);
+    bundle.channels.push_back(bundle_channel(channels[k], volts));
+    scale[column] = (channels[k].flip_sign ? -1.0 : 1.0) / volts;
+  }
+  std::error_code ignored;
+  fs::create_directories(options.folder, ignored);
+  std::set<std::string> used;
+  for (std::size_t r = 0; r < tables.size(); ++r) {
+    const fs::path file = options.folder / sound_file(options.files[r], used);
+    write_audio(file,
+                tables[r].values * scale.asDiagonal(),
+                tables[r].rate,
+                AudioFormat::WavFloat64);
+    bundle.runs.push_back(bundle_run(options.files[r], options, file));
+  }
+  write_test_bundle(bundle, options.folder);
+  return read_test_bundle(options.folder);
+}
+
+}  // namespace tapfit::acquisition
