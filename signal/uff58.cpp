@@ -1,0 +1,242 @@
+#include "signal/uff58.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "acquisition/units.hpp"
+#include "signal/convert.hpp"
+#include "signal/uff58_record.hpp"
+#include "signal/uff_datasets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numbers>
+
+namespace tapfit::signal {
+namespace {
+
+using acquisition::Quantity;
+
+// Dataset 164: a value in file units divided by these is in SI.
+struct UnitFactors {
+  double length = 1.0;
+  double force = 1.0;
+};
+
+void read_units(const UffDataset& dataset, UnitFactors& factors) {
+  std::vector<double> values;
+  if (dataset.lines.size() < 2 || !numbers(dataset.lines[1], 25, values) ||
+      values.size() < 2 || !(values[0] > 0.0) || !(values[1] > 0.0))
+    throw InputError("dataset 164 holds no unit factors",
+                     dataset.place,
+                     "check its second line");
+  factors = {values[0], values[1]};
+}
+
+// Form and SI factor of an FRF; empty with a reason when it is none we can use.
+struct Meaning {
+  FrfForm form = FrfForm::Accelerance;
+  double to_si = 1.0;
+};
+
+std::optional<FrfForm> form_of(const UffAxis& axis,
+                               const std::optional<acquisition::Unit>& unit) {
+  if (axis.type == 8) return FrfForm::Receptance;
+  if (axis.type == 11) return FrfForm::Mobility;
+  if (axis.type == 12) return FrfForm::Accelerance;
+  if (axis.type > 1 || !unit) return std::nullopt;
+  if (unit->quantity == Quantity::Acceleration) return FrfForm::Accelerance;
+  if (unit->quantity == Quantity::Velocity) return FrfForm::Mobility;
+  if (unit->quantity == Quantity::Displacement) return FrfForm::Receptance;
+  return std::nullopt;
+}
+
+bool same_kind(FrfForm form, Quantity quantity) {
+  return (form == FrfForm::Accelerance && quantity == Quantity::Acceleration) ||
+         (form == FrfForm::Mobility && quantity == Quantity::Velocity) ||
+         (form == FrfForm::Receptance && quantity == Quantity::Displacement);
+}
+
+std::optional<Meaning> meaning(const UffFunction& function,
+                               const UnitFactors& factors,
+                               std::string& reason) {
+  const auto over = acquisition::find_unit(function.numerator.unit);
+  const auto under = acquisition::find_unit(function.denominator.unit);
+  const std::optional<FrfForm> form = form_of(function.numerator, over);
+  const bool by_force = function.denominator.type == 13 ||
+                        function.denominator.type == 9 ||
+                        (function.denominator.type <= 1 && under &&
+                         under->quantity == Quantity::Force);
+  if (!function.response || !function.reference)
+    reason = "its response or reference has no direction";
+  else if (!form)
+    reason = "its numerator is no motion";
+  else if (!by_force)
+    reason = "its denominator is no force";
+  if (!reason.empty()) return std::nullopt;
+  // The label is what the values are in; without a known one 164 counts.
+  const bool label_over = over && same_kind(*form, over->quantity);
+  const bool label_under = under && under->quantity == Quantity::Force;
+  return Meaning{*form,
+                 (label_over ? over->si : 1.0 / factors.length) /
+                     (label_under ? under->si : 1.0 / factors.force)};
+}
+
+// The number behind a key in an ID line: "SIGMA = 0.25 1/s".
+std::optional<double> number_after(const std::string& line,
+                                   std::string_view key) {
+  const std::size_t at = line.find(key);
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t begin = at + key.size();
+  const std::size_t end = std::min(line.find(' ', begin), line.size());
+  double value = 0.0;
+  const std::string_view text = line;
+  if (!parse_number(text.substr(begin, end - begin), value) ||
+      !std::isfinite(value))
+    return std::nullopt;
+  return value;
+}
+
+double sigma_of(const UffFunction& function) {
+  for (const std::string& line : function.id)
+    if (const auto sigma = number_after(line, "SIGMA = "))
+      return std::max(*sigma, 0.0);
+  return 0.0;
+}
+
+Eigen::VectorXcd lines_of(const UffFunction& function) {
+  Eigen::VectorXd f = function.x;
+  const auto first = number_after(function.id[4], "LINES = ");
+  const auto step = number_after(function.id[4], " + n ");
+  // Six digits of record 7 made exact, unless the line was edited.
+  for (Eigen::Index i = 0; first && step && i < f.size(); ++i) {
+    const double exact = *first + static_cast<double>(i) * *step;
+    if (std::abs(exact - f(i)) <= 2e-5 * std::abs(exact)) f(i) = exact;
+  }
+  Eigen::VectorXcd s(f.size());
+  s.real().setConstant(sigma_of(function));
+  s.imag() = 2.0 * std::numbers::pi * f;
+  return s;
+}
+
+bool same_lines(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
+  return a.size() == b.size() &&
+         (a - b).cwiseAbs().maxCoeff() <= 1e-5 * a.cwiseAbs().maxCoeff();
+}
+
+// A non-finite line (often the one at 0 Hz) is taken out of all FRFs.
+void drop_bad_lines(UffFrfs& result) {
+  std::vector<Eigen::Index> keep;
+  FrfSet& set = result.set;
+  for (Eigen::Index i = 0; i < set.lines(); ++i) {
+    bool good = std::isfinite(set.s(i).imag());
+    for (const Frf& frf : set.frfs)
+      good = good && std::isfinite(std::abs(frf.H(i)));
+    if (good) keep.push_back(i);
+  }
+  const auto dropped = set.lines() - static_cast<Eigen::Index>(keep.size());
+  if (dropped == 0) return;
+  result.skipped.push_back(
+      fmt::format("{} lines without a finite value", dropped));
+  set.s = set.s(keep).eval();
+  for (Frf& frf : set.frfs) {
+    frf.H = frf.H(keep).eval();
+    frf.coherence = frf.coherence(keep).eval();
+    frf.variance = frf.variance(keep).eval();
+  }
+}
+
+class Reader {
+ public:
+  void take(const UffDataset& dataset) {
+    if (dataset.type == 164) return read_units(dataset, factors_);
+    if (dataset.type == 151 || dataset.type == 1858) return;
+    if (dataset.type != 58)
+      return skip(dataset, fmt::format("dataset {}", dataset.type));
+    const int type = function_type(dataset);
+    if (type == 4) return take_frf(dataset);
+    if (type == 6) return coherences_.push_back(read_function(dataset));
+    skip(dataset, fmt::format("function type {}", type));
+  }
+
+  UffFrfs finish() {
+    for (const UffFunction& function : coherences_) take_coherence(function);
+    drop_bad_lines(result_);
+    return std::move(result_);
+  }
+
+ private:
+  void skip(const UffDataset& dataset, const std::string& why) {
+    result_.skipped.push_back(fmt::format("{}: {}", dataset.place, why));
+  }
+
+  void take_frf(const UffDataset& dataset) {
+    const UffFunction function = read_function(dataset);
+    std::string reason;
+    const auto sense = meaning(function, factors_, reason);
+    if (!sense) return skip(dataset, "an FRF is left out: " + reason);
+    const Eigen::VectorXcd s = lines_of(function);
+    if (result_.set.frfs.empty()) result_.set.s = s;
+    if (!same_lines(result_.set.s, s))
+      return skip(dataset, "an FRF is left out: its lines differ");
+    Frf frf;
+    frf.response = *function.response;
+    frf.reference = *function.reference;
+    const auto number =
+        references_.try_emplace(frf.reference, references_.size());
+    frf.run = number.first->second;
+    frf.H = sense->to_si *
+            convert(function.y, s, sense->form, FrfForm::Accelerance);
+    frf.coherence = Eigen::VectorXd::Ones(s.size());
+    frf.variance = Eigen::VectorXd::Zero(s.size());
+    result_.set.frfs.push_back(std::move(frf));
+  }
+
+  void take_coherence(const UffFunction& function) {
+    for (Frf& frf : result_.set.frfs)
+      if (function.response == frf.response &&
+          function.reference == frf.reference &&
+          function.y.size() == frf.H.size() && function.y.allFinite())
+        frf.coherence = function.y.real().cwiseMax(0.0).cwiseMin(1.0);
+  }
+
+  UffFrfs result_;
+  UnitFactors factors_;
+  std::vector<UffFunction> coherences_;
+  std::map<Dof, std::size_t> references_;
+};
+
+}  // namespace
+
+UffFrfs read_frfs_uff_text(const std::string& text, const std::string& name) {
+  Reader reader;
+  for (const UffDataset& dataset : split_uff(text, name)) reader.take(dataset);
+  UffFrfs result = reader.finish();
+  if (result.set.frfs.empty() || result.set.lines() == 0) {
+    std::string found;
+    for (const std::string& line : result.skipped) {
+      if (found.size() > 200) break;
+      found += (found.empty() ? "; it holds: " : "; ") + line;
+    }
+    throw InputError("the universal file holds no FRF (58, type 4)" + found,
+                     name,
+                     "export the FRFs as dataset 58, function type 4");
+  }
+  return result;
+}
+
+UffFrfs read_frfs_uff(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file))
+    throw InputError("the file cannot be read",
+                     file.string(),
+                     "check its name and your rights to it");
+  const std::string text{std::istreambuf_iterator<char>(in),
+                         std::istreambuf_iterator<char>()};
+  return read_frfs_uff_text(text, file.filename().string());
+}
+
+}  // namespace tapfit::signal

@@ -1,0 +1,178 @@
+#include "signal/uff58_record.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+namespace tapfit::signal {
+namespace {
+
+constexpr std::size_t header_lines = 11;
+
+struct Layout {
+  bool complex = false;
+  bool is_double = false;
+  bool even = true;
+  Eigen::Index count = 0;
+  double min = 0.0;
+  double step = 0.0;
+
+  [[nodiscard]] std::size_t per_value() const {
+    return (complex ? 2u : 1u) + (even ? 0u : 1u);
+  }
+  [[nodiscard]] std::size_t values() const {
+    return per_value() * static_cast<std::size_t>(count);
+  }
+};
+
+std::optional<Dof> dof(std::string_view line, std::size_t at) {
+  const int direction = integer(column(line, at + 10, 4));
+  if (direction == 0 || std::abs(direction) > 6) return std::nullopt;
+  return Dof{integer(column(line, at, 10)),
+             std::abs(direction),
+             direction < 0 ? -1 : 1};
+}
+
+UffAxis axis(std::string_view line) {
+  return {integer(column(line, 0, 10)), std::string(column(line, 47, 20))};
+}
+
+Layout layout(const UffDataset& dataset) {
+  const std::string_view line = dataset.lines[6];
+  Layout result;
+  const int type = integer(column(line, 0, 10));
+  if (type != 2 && type != 4 && type != 5 && type != 6)
+    throw InputError(
+        fmt::format("ordinate data type {} is none of 2, 4, 5, 6", type),
+        dataset.place,
+        "check record 7 of the dataset");
+  result.complex = type >= 5;
+  result.is_double = type == 4 || type == 6;
+  result.count = integer(column(line, 10, 10));
+  result.even = integer(column(line, 20, 10)) != 0;
+  // Written by some with wider fields; the numbers after three integers.
+  std::vector<double> rest;
+  if (line.size() > 30 && numbers(line.substr(30), 13, rest)) {
+    if (!rest.empty()) result.min = rest[0];
+    if (rest.size() > 1) result.step = rest[1];
+  }
+  // A count that the file cannot hold must not be allocated: each value takes
+  // two characters at least.
+  std::size_t size = dataset.bytes.size();
+  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i)
+    size += dataset.lines[i].size() + 1;
+  if (result.count <= 0 || result.values() > size)
+    throw InputError(
+        fmt::format(
+            "{} values are announced, {} bytes are there", result.count, size),
+        dataset.place,
+        "the file is cut off or record 7 is wrong");
+  return result;
+}
+
+template <class Float, class Bits>
+double from_bytes(const char* at, bool big_endian) {
+  Bits bits = 0;
+  for (std::size_t i = 0; i < sizeof(Bits); ++i) {
+    const std::size_t place = big_endian ? sizeof(Bits) - 1 - i : i;
+    bits |= static_cast<Bits>(
+        static_cast<Bits>(static_cast<unsigned char>(at[i])) << (8 * place));
+  }
+  return static_cast<double>(std::bit_cast<Float>(bits));
+}
+
+// Binary data: an uneven abscissa is single precision, even beside doubles.
+std::vector<double> binary_values(const UffDataset& dataset,
+                                  const Layout& shape) {
+  std::vector<double> values;
+  values.reserve(shape.values());
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < shape.values(); ++i) {
+    const bool abscissa = !shape.even && i % shape.per_value() == 0;
+    const bool wide = shape.is_double && !abscissa;
+    const std::size_t size = wide ? 8 : 4;
+    if (at + size > dataset.bytes.size()) break;
+    const char* from = dataset.bytes.data() + at;
+    values.push_back(
+        wide ? from_bytes<double, std::uint64_t>(from, dataset.big_endian)
+             : from_bytes<float, std::uint32_t>(from, dataset.big_endian));
+    at += size;
+  }
+  return values;
+}
+
+std::vector<double> text_values(const UffDataset& dataset,
+                                const Layout& shape) {
+  const std::size_t width = shape.is_double ? 20 : 13;
+  std::vector<double> values;
+  values.reserve(shape.values());
+  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
+    if (numbers(dataset.lines[i], width, values)) continue;
+    throw InputError(
+        fmt::format("\"{}\" is no line of numbers", dataset.lines[i]),
+        fmt::format("{}, data line {}", dataset.place, i - header_lines + 1),
+        "export the function anew");
+  }
+  return values;
+}
+
+void take_values(const std::vector<double>& values,
+                 const Layout& shape,
+                 UffFunction& function) {
+  function.x.resize(shape.count);
+  function.y.resize(shape.count);
+  const std::size_t stride = shape.per_value();
+  const std::size_t lead = shape.even ? 0 : 1;
+  for (Eigen::Index i = 0; i < shape.count; ++i) {
+    const std::size_t at = static_cast<std::size_t>(i) * stride;
+    function.x(i) = shape.even ? shape.min + static_cast<double>(i) * shape.step
+                               : values[at];
+    function.y(i) = {values[at + lead],
+                     shape.complex ? values[at + lead + 1] : 0.0};
+  }
+}
+
+}  // namespace
+
+int function_type(const UffDataset& dataset) {
+  return dataset.lines.size() > 5 ? integer(column(dataset.lines[5], 0, 5)) : 0;
+}
+
+UffFunction read_function(const UffDataset& dataset) {
+  if (dataset.lines.size() < header_lines)
+    throw InputError(fmt::format("a function has {} of {} header lines",
+                                 dataset.lines.size(),
+                                 header_lines),
+                     dataset.place,
+                     "the file is cut off; export it anew");
+  UffFunction function;
+  for (std::size_t i = 0; i < 5; ++i)
+    function.id[i] = std::string(column(dataset.lines[i], 0, 80));
+  const std::string_view who = dataset.lines[5];
+  function.function_type = integer(column(who, 0, 5));
+  function.response = dof(who, 41);
+  function.reference = dof(who, 66);
+  function.abscissa = axis(dataset.lines[7]);
+  function.numerator = axis(dataset.lines[8]);
+  function.denominator = axis(dataset.lines[9]);
+  const Layout shape = layout(dataset);
+  const std::vector<double> values = dataset.binary
+                                         ? binary_values(dataset, shape)
+                                         : text_values(dataset, shape);
+  if (values.size() < shape.values())
+    throw InputError(
+        fmt::format(
+            "{} of {} numbers are there", values.size(), shape.values()),
+        dataset.place,
+        "the file is cut off; export it anew");
+  take_values(values, shape, function);
+  return function;
+}
+
+}  // namespace tapfit::signal

@@ -1,0 +1,48 @@
+// One function of a universal file: dataset 58, ASCII or binary, any of its
+// six data layouts.
+//
+//   layout   even abscissa              uneven abscissa
+//   single   6E13.5: y y y ...          6E13.5: x y x y ...
+//   double   4E20.12                    E13.5,E20.12
+//   complex  re im re im ...            x re im ...: 6E13.5 or E13.5,2E20.12
+#pragma once
+
+#include "acquisition/dof.hpp"
+#include "signal/uff_datasets.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace tapfit::signal {
+
+/// What an axis is: specific data type and the unit's label.
+struct UffAxis {
+  int type = 0;  ///< 8 displacement, 11 velocity, 12 acceleration, 13 force, ..
+  std::string unit;
+};
+
+struct UffFunction {
+  int function_type = 0;         ///< 1 time, 4 FRF, 6 coherence, ...
+  std::optional<Dof> response;   ///< empty: a scalar
+  std::optional<Dof> reference;  ///< empty: a scalar
+  std::array<std::string, 5> id;
+  UffAxis abscissa;
+  UffAxis numerator;
+  UffAxis denominator;
+  Eigen::VectorXd x;   ///< abscissa, all values
+  Eigen::VectorXcd y;  ///< ordinate, imaginary part 0 for real functions
+};
+
+/// Only what the function is (record 6), without its data.
+[[nodiscard]] int function_type(const UffDataset& dataset);
+
+/// Reads dataset 58 or 58b.
+///
+/// @throws InputError for missing records, an unknown data type, fewer values
+///   than announced, text that is no number
+[[nodiscard]] UffFunction read_function(const UffDataset& dataset);
+
+}  // namespace tapfit::signal

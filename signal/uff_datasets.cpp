@@ -1,0 +1,197 @@
+#include "signal/uff_datasets.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace tapfit::signal {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n";
+
+std::string_view trim(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+// Walks through the text line by line.
+struct Lines {
+  std::string_view text;
+  std::size_t at = 0;
+  int number = 0;
+
+  [[nodiscard]] bool done() const { return at >= text.size(); }
+  std::string_view next() {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    ++number;
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return line;
+  }
+};
+
+bool is_fence(std::string_view line) { return trim(line) == "-1"; }
+
+void read_binary(Lines& lines, std::string_view header, UffDataset& dataset) {
+  if (integer(column(header, 13, 6)) != 2)
+    throw InputError("a binary dataset is not in IEEE 754 floating point",
+                     dataset.place,
+                     "export it in IEEE format or as ASCII");
+  dataset.binary = true;
+  dataset.big_endian = integer(column(header, 7, 6)) == 2;
+  const int text_lines = integer(column(header, 19, 12));
+  double size = 0.0;
+  if (!parse_number(column(header, 31, 12), size) || size < 0.0 ||
+      text_lines < 0)
+    throw InputError("a binary dataset does not say how long it is",
+                     dataset.place,
+                     "export it anew or as ASCII");
+  for (int i = 0; i < text_lines && !lines.done(); ++i)
+    dataset.lines.push_back(lines.next());
+  const std::size_t left = lines.done() ? 0 : lines.text.size() - lines.at;
+  if (size > static_cast<double>(left))
+    throw InputError(
+        fmt::format(
+            "a binary dataset ends after {} of {:.0f} bytes", left, size),
+        dataset.place,
+        "the file is cut off; export it anew");
+  const std::size_t bytes = static_cast<std::size_t>(size);
+  dataset.bytes = lines.text.substr(lines.at, bytes);
+  lines.at += bytes;
+}
+
+// Number at the start of a text and how many characters it takes.
+std::size_t scan_number(std::string_view text, double& value) {
+  std::string plain;
+  std::size_t i = 0;
+  bool exponent = false;
+  bool digits = false;
+  for (; i < text.size(); ++i) {
+    const char c = text[i];
+    const bool sign = c == '+' || c == '-';
+    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
+      digits = true;
+      plain += c;
+    } else if (c == '.' && !exponent) {
+      plain += c;
+    } else if (sign && i == 0) {
+      if (c == '-') plain += c;
+    } else if (digits && !exponent &&
+               (sign ||
+                std::string_view("EeDd").find(c) != std::string::npos)) {
+      exponent = true;
+      plain += 'e';
+      if (sign) plain += c;
+    } else if (sign && exponent && plain.back() == 'e') {
+      plain += c;
+    } else {
+      break;
+    }
+  }
+  const auto result =
+      std::from_chars(plain.data(), plain.data() + plain.size(), value);
+  if (result.ec == std::errc::result_out_of_range) {
+    // Too small for a double is nothing; too large is no measurement.
+    const std::size_t e = plain.find('e');
+    const bool tiny = e != std::string::npos && plain[e + 1] == '-';
+    value = tiny ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    return i;
+  }
+  const bool whole =
+      result.ec == std::errc() && result.ptr == plain.data() + plain.size();
+  return whole ? i : 0;
+}
+
+bool by_blanks(std::string_view line, std::vector<double>& values) {
+  std::size_t at = 0;
+  for (;;) {
+    const std::size_t begin = line.find_first_not_of(blanks, at);
+    if (begin == std::string_view::npos) return true;
+    at = std::min(line.find_first_of(blanks, begin), line.size());
+    double value = 0.0;
+    if (!parse_number(line.substr(begin, at - begin), value)) return false;
+    values.push_back(value);
+  }
+}
+
+}  // namespace
+
+std::vector<UffDataset> split_uff(std::string_view text,
+                                  const std::string& name) {
+  std::vector<UffDataset> datasets;
+  Lines lines{text};
+  while (!lines.done()) {
+    if (!is_fence(lines.next())) continue;
+    std::string_view header = lines.done() ? "" : lines.next();
+    // Two fences in a row: the first one closed nothing.
+    while (is_fence(header) && !lines.done()) header = lines.next();
+    if (trim(header).empty() && lines.done()) break;
+    UffDataset dataset;
+    dataset.place = fmt::format("{}, line {}", name, lines.number);
+    dataset.type = integer(column(header, 0, 6));
+    if (dataset.type <= 0)
+      throw InputError("a dataset has no type",
+                       dataset.place,
+                       "check that this is a universal file");
+    const std::string_view mark = column(header, 6, 1);
+    if (mark == "b" || mark == "B") read_binary(lines, header, dataset);
+    while (!lines.done()) {
+      const std::string_view line = lines.next();
+      if (is_fence(line)) break;
+      if (!dataset.binary) dataset.lines.push_back(line);
+    }
+    datasets.push_back(std::move(dataset));
+  }
+  return datasets;
+}
+
+std::string_view column(std::string_view line,
+                        std::size_t begin,
+                        std::size_t width) {
+  return begin < line.size() ? trim(line.substr(begin, width))
+                             : std::string_view{};
+}
+
+bool parse_number(std::string_view text, double& value) {
+  if (text.empty()) return false;
+  std::string lower;
+  for (const char c : text.substr(0, 4))
+    if (c != '+' && c != '-')
+      lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (lower.starts_with("nan") || lower.starts_with("inf")) {
+    value = std::numeric_limits<double>::quiet_NaN();
+    return true;
+  }
+  return scan_number(text, value) == text.size();
+}
+
+int integer(std::string_view text) {
+  double value = 0.0;
+  if (!parse_number(text, value) || !(std::abs(value) < 2e9)) return 0;
+  return static_cast<int>(value);
+}
+
+bool numbers(std::string_view line,
+             std::size_t width,
+             std::vector<double>& values) {
+  const std::size_t before = values.size();
+  if (by_blanks(line, values)) return true;
+  values.resize(before);
+  for (std::size_t at = 0; at < line.size(); at += width) {
+    const std::string_view field = column(line, at, width);
+    if (field.empty()) continue;
+    double value = 0.0;
+    if (!parse_number(field, value)) return false;
+    values.push_back(value);
+  }
+  return true;
+}
+
+}  // namespace tapfit::signal
