@@ -3,6 +3,7 @@
 
 #include "acquisition/progress.hpp"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,9 +11,21 @@
 
 namespace tapfit::tui {
 
+/// What `tapfit import` is told about the CSV files.
+struct ImportArguments {
+  std::vector<std::string> files;    ///< "FILE" or "FILE@POINT"
+  std::string hammer;                ///< "COLUMN@POINT[,KEY=VALUE ...]"
+  std::vector<std::string> sensors;  ///< the same
+  std::optional<double> sample_rate_hz;
+  std::string time_column = "1";
+  std::string title;
+  std::optional<std::array<double, 2>> band_hz;
+  bool overwrite = false;
+};
+
 /// The command line of one command; each command reads what it knows of.
 struct CommandOptions {
-  std::filesystem::path input;  ///< bundle, deck or CSV file
+  std::filesystem::path input;  ///< bundle or deck
   bool json = false;            ///< one JSON object instead of text
   std::optional<std::filesystem::path> uff;     ///< universal file to write
   std::optional<std::filesystem::path> deck;    ///< bulk data to write
@@ -20,6 +33,7 @@ struct CommandOptions {
   std::vector<std::string> effects;             ///< "added-mass@201", in order
   int modes = 10;                               ///< of the model
   int node = 0;                                 ///< grid id
+  ImportArguments csv;
 };
 
 /// A command returns all of its standard output at once, so that a fault on

@@ -5,6 +5,7 @@
 #include "tui/commands/export_command.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
+#include "tui/commands/import_command.hpp"
 #include "tui/commands/model_command.hpp"
 #include "tui/commands/modes_command.hpp"
 #include "tui/commands/report_command.hpp"
@@ -102,6 +103,33 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   });
 }
 
+void add_import(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("import", "Make a bundle out of CSV files");
+  CommandOptions& options = invocation.options;
+  ImportArguments& csv = options.csv;
+  command->add_option("CSV", csv.files, "FILE, or FILE@POINT of its blows")
+      ->required();
+  command->add_option("-o,--output", options.output, "Folder of the bundle")
+      ->required();
+  command->add_option("--hammer", csv.hammer, "COLUMN@POINT,KEY=VALUE...")
+      ->required();
+  command->add_option("--sensor", csv.sensors, "COLUMN@POINT,KEY=VALUE...")
+      ->required()
+      ->allow_extra_args(false);
+  command->add_option("--rate", csv.sample_rate_hz, "Samples per second");
+  command->add_option("--time", csv.time_column, "Column of the time [s]");
+  command->add_option("--title", csv.title, "Title of the bundle");
+  command->add_option("--deck", options.deck, "Its bulk data model");
+  command->add_option("--band", csv.band_hz, "Lowest and highest frequency");
+  command->add_flag("--overwrite", csv.overwrite, "Replace a test.json");
+  command->add_flag("--json", options.json, "Print one JSON object");
+  command->callback([&invocation] {
+    invocation.name = "import";
+    invocation.command = import_command;
+  });
+}
+
 /// The virtual test reads its own command line.
 void add_simulate(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
@@ -135,6 +163,7 @@ void add_terminal_options(CLI::App& app, Invocation& invocation) {
 std::vector<std::string> command_names() {
   std::vector<std::string> names;
   for (const Entry& entry : entries) names.emplace_back(entry.name);
+  names.emplace_back("import");
   names.emplace_back(simulate_name);
   return names;
 }
@@ -150,6 +179,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   app.require_subcommand(0, 1);
   add_terminal_options(app, invocation);
   for (const Entry& entry : entries) add_command(app, entry, invocation);
+  add_import(app, invocation);
   add_simulate(app, invocation);
   try {
     app.parse(argc, argv);

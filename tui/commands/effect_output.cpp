@@ -76,7 +76,9 @@ std::string model_parameter_unit(const std::string& name) {
 std::string effect_text(const std::string& effect,
                         const updating::Where& where) {
   const std::string place = describe(where);
-  return place.empty() ? effect : fmt::format("{} at {}", effect, place);
+  return place.starts_with("everywhere")
+             ? effect
+             : fmt::format("{} at {}", effect, place);
 }
 
 std::string parameters_text(const std::vector<updating::Estimate>& parameters) {

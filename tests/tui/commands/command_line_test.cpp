@@ -1,0 +1,100 @@
+#include "tui/commands/command_line.hpp"
+
+#include "tui/commands/run_command.hpp"
+#include "tui/commands/update_command.hpp"
+
+#include <fstream>
+
+namespace tapfit::tui {
+namespace {
+
+std::variant<Invocation, CommandLineAnswer> parse(
+    std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "tapfit");
+  return parse_command_line(static_cast<int>(arguments.size()),
+                            arguments.data());
+}
+
+Invocation parsed(const std::vector<const char*>& arguments) {
+  auto result = parse(arguments);
+  if (const auto* answer = std::get_if<CommandLineAnswer>(&result)) {
+    ADD_FAILURE() << answer->text;
+    return {};
+  }
+  return std::get<Invocation>(result);
+}
+
+CommandLineAnswer answered(const std::vector<const char*>& arguments) {
+  auto result = parse(arguments);
+  if (std::holds_alternative<Invocation>(result)) {
+    ADD_FAILURE() << "was taken for a command";
+    return {};
+  }
+  return std::get<CommandLineAnswer>(result);
+}
+
+TEST(CommandLine, BundleAloneOpensTheTerminal) {
+  const Invocation invocation = parsed({"some/bundle", "--ascii"});
+  EXPECT_EQ(invocation.command, nullptr);
+  EXPECT_EQ(invocation.name, "");
+  EXPECT_EQ(invocation.options.input, "some/bundle");
+  EXPECT_TRUE(invocation.app.ascii);
+  EXPECT_FALSE(invocation.app.keys_file.has_value());
+}
+
+TEST(CommandLine, CommandTakesBundleAndJson) {
+  const Invocation invocation = parsed({"run", "some/bundle", "--json"});
+  EXPECT_EQ(invocation.command, &run_command);
+  EXPECT_EQ(invocation.options.input, "some/bundle");
+  EXPECT_TRUE(invocation.options.json);
+}
+
+TEST(CommandLine, EffectsKeepTheirOrder) {
+  const Invocation invocation = parsed({"update",
+                                        "--effect",
+                                        "added-mass@201",
+                                        "some/bundle",
+                                        "--effect",
+                                        "sensor-mass"});
+  EXPECT_EQ(invocation.command, &update_command);
+  EXPECT_EQ(invocation.options.input, "some/bundle");
+  EXPECT_EQ(invocation.options.effects,
+            (std::vector<std::string>{"added-mass@201", "sensor-mass"}));
+}
+
+TEST(CommandLine, SimulateGetsItsArgumentsUntouched) {
+  const Invocation invocation =
+      parsed({"simulate", "out", "--seed", "7", "--help"});
+  EXPECT_EQ(invocation.name, "simulate");
+  EXPECT_EQ(invocation.passed_on,
+            (std::vector<std::string>{"out", "--seed", "7", "--help"}));
+}
+
+TEST(CommandLine, HelpAndVersionAreAnswersNotFaults) {
+  EXPECT_EQ(answered({"--help"}).exit_status, 0);
+  EXPECT_NE(answered({"--help"}).text.find("diagnose"), std::string::npos);
+  EXPECT_EQ(answered({"--version"}).exit_status, 0);
+  EXPECT_TRUE(answered({"--version"}).text.starts_with("tapfit "));
+  EXPECT_EQ(answered({"hits", "--help"}).exit_status, 0);
+}
+
+TEST(CommandLine, FaultsAreStatusTwo) {
+  EXPECT_EQ(answered({}).exit_status, 2);
+  EXPECT_EQ(answered({"run"}).exit_status, 2);
+  EXPECT_EQ(answered({"run", "b", "--no-such-option"}).exit_status, 2);
+  EXPECT_EQ(answered({"run", "b", "c"}).exit_status, 2);
+  EXPECT_EQ(answered({"model", "deck", "--modes", "0"}).exit_status, 2);
+  EXPECT_EQ(answered({"signature", "b", "twelve"}).exit_status, 2);
+}
+
+TEST(CommandLine, EveryCommandIsDescribed) {
+  std::ifstream file(TAPFIT_SOURCE_DIR "/docs/commands.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  for (const std::string& name : command_names()) {
+    EXPECT_NE(page.find("tapfit " + name), std::string::npos)
+        << "docs/commands.md does not describe tapfit " << name;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::tui

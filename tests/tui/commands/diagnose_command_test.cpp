@@ -1,0 +1,148 @@
+#include "tui/commands/diagnose_command.hpp"
+
+#include "tui/commands/effect_output.hpp"
+#include "tui/commands/ladder_text.hpp"
+#include "tui/commands/update_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+updating::Where at_node(int node) {
+  updating::Where where;
+  where.node = node;
+  return where;
+}
+
+updating::Where at_channels(std::vector<std::string> channels) {
+  updating::Where where;
+  where.channels = std::move(channels);
+  return where;
+}
+
+updating::Diagnosis sample_diagnosis() {
+  const updating::Estimate mass{.name = "mass_kg",
+                                .value = 0.0785,
+                                .sd = 0.0006,
+                                .lo95 = 0.0773,
+                                .hi95 = 0.0797};
+  updating::Diagnosis diagnosis;
+  diagnosis.verdict = "added-mass";
+  diagnosis.error_base = 0.388;
+  diagnosis.error_best = 0.038;
+  diagnosis.floor = 0.031;
+  diagnosis.candidates = {{.effect = "added-mass",
+                           .where = at_node(201),
+                           .parameters = {mass},
+                           .probability = 0.998,
+                           .error = 0.038,
+                           .held_out_error = 0.04,
+                           .indistinguishable_from = {}}};
+  diagnosis.ladder = {{.added = "added-mass",
+                       .where = at_node(201),
+                       .error = 0.038,
+                       .parameters = {mass}}};
+  diagnosis.model_parameters = {{.name = "E:1",
+                                 .value = 7.07e10,
+                                 .sd = 2e8,
+                                 .lo95 = 7.03e10,
+                                 .hi95 = 7.11e10}};
+  return diagnosis;
+}
+
+TEST(DiagnoseCommand, JsonIsThatOfTheFormat) {
+  const auto json = diagnosis_json("some/bundle", sample_diagnosis());
+  EXPECT_EQ(json.at("bundle"), "some/bundle");
+  EXPECT_EQ(json.at("verdict"), "added-mass");
+  EXPECT_EQ(json.at("error").at("base"), 0.388);
+  EXPECT_EQ(json.at("error").at("best"), 0.038);
+  EXPECT_EQ(json.at("error").at("floor"), 0.031);
+  const auto& candidate = json.at("candidates").at(0);
+  EXPECT_EQ(candidate.at("effect"), "added-mass");
+  EXPECT_EQ(candidate.at("where").dump(), R"({"node":201})");
+  EXPECT_EQ(candidate.at("parameters").dump(),
+            R"({"mass_kg":{"value":0.0785,"sd":0.0006,"lo95":0.0773,)"
+            R"("hi95":0.0797}})");
+  EXPECT_EQ(candidate.at("indistinguishable_from").dump(), "[]");
+  EXPECT_EQ(json.at("ladder").at(0).at("added"), "added-mass");
+  EXPECT_EQ(json.at("model_parameters").dump(),
+            R"({"E:1":{"value":70700000000.0,"sd":200000000.0,)"
+            R"("unit":"Pa"}})");
+  EXPECT_EQ(json.at("warnings").dump(), "[]");
+}
+
+TEST(DiagnoseCommand, NaNIsNeverPrinted) {
+  auto diagnosis = sample_diagnosis();
+  diagnosis.floor = std::numeric_limits<double>::quiet_NaN();
+  const std::string text = diagnosis_json("b", diagnosis).dump();
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  EXPECT_NE(text.find(R"("floor":null)"), std::string::npos);
+}
+
+TEST(DiagnoseCommand, TextEndsWithTheLadder) {
+  const std::string text = diagnosis_text(sample_diagnosis());
+  EXPECT_NE(text.find("Diagnosis: added-mass"), std::string::npos) << text;
+  EXPECT_NE(text.find("mass_kg 0.0785 +- 0.0006"), std::string::npos) << text;
+  EXPECT_LT(text.find("base model"), text.find("+ added-mass")) << text;
+  EXPECT_LT(text.find("+ added-mass"), text.rfind("floor")) << text;
+}
+
+TEST(LadderText, BarsAreInProportion) {
+  const std::string text = ladder_text(
+      0.3, {{.added = "x", .where = {}, .error = 0.1, .parameters = {}}}, 0.02);
+  EXPECT_NE(text.find("30.0 %  " + std::string(30, '#') + "\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("10.0 %  " + std::string(10, '#') + "\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("2.0 %  ##\n"), std::string::npos) << text;
+}
+
+TEST(EffectOutput, PlacesAreNamedAsTheEffectWantsThem) {
+  EXPECT_EQ(where_json("sensor-mass", at_channels({"acc1", "acc2"})).dump(),
+            R"({"channels":["acc1","acc2"]})");
+  EXPECT_EQ(where_json("channel-gain", at_channels({"acc1"})).dump(),
+            R"({"channel":"acc1"})");
+  updating::Where line;
+  line.nodes = {1, 2, 3};
+  EXPECT_EQ(where_json("soft-support", line).dump(), R"({"nodes":[1,2,3]})");
+  updating::Where patch;
+  patch.elements = {7, 8};
+  EXPECT_EQ(where_json("stiffness-loss", patch).dump(),
+            R"({"elements":[7,8]})");
+  EXPECT_EQ(where_json("damping-law", {}).dump(), "{}");
+}
+
+TEST(EffectOutput, UnitsOfModelParametersComeFromTheirNames) {
+  EXPECT_EQ(model_parameter_unit("E:1"), "Pa");
+  EXPECT_EQ(model_parameter_unit("rho:2"), "kg/m^3");
+  EXPECT_EQ(model_parameter_unit("T:4"), "m");
+  EXPECT_EQ(model_parameter_unit("mystery:1"), "");
+}
+
+TEST(UpdateCommand, NamedEffectsBecomeRungsAndCandidates) {
+  const updating::Rung base{
+      .added = "base", .where = {}, .error = 0.5, .parameters = {}};
+  const updating::Rung first{
+      .added = "sensor-mass", .where = {}, .error = 0.2, .parameters = {}};
+  const updating::Rung second{
+      .added = "soft-support", .where = {}, .error = 0.05, .parameters = {}};
+  updating::Comparison comparison;
+  comparison.floor = 0.04;
+  const updating::Diagnosis diagnosis =
+      diagnosis_of_named({base, first, second}, comparison, {});
+  EXPECT_EQ(diagnosis.verdict, "sensor-mass+soft-support");
+  EXPECT_EQ(diagnosis.error_base, 0.5);
+  EXPECT_EQ(diagnosis.error_best, 0.05);
+  EXPECT_EQ(diagnosis.floor, 0.04);
+  EXPECT_EQ(diagnosis.ladder.size(), 2U);
+  EXPECT_EQ(diagnosis.candidates.size(), 2U);
+  EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "none");
+}
+
+}  // namespace
+}  // namespace tapfit::tui

@@ -1,0 +1,54 @@
+#include "tui/commands/frf_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+signal::FrfSet sample_frfs() {
+  signal::Frf frf;
+  frf.response = {.node = 12, .component = 3, .sign = 1};
+  frf.reference = {.node = 3, .component = 3, .sign = 1};
+  frf.H = Eigen::VectorXcd::Constant(3, {3.0, 4.0});
+  frf.coherence = Eigen::Vector3d(1.0, 0.9, 0.8);
+  frf.variance = Eigen::Vector3d(0.0025, 0.01, 1.0);
+  frf.hits = 2;
+  signal::FrfSet set;
+  set.s.resize(3);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    set.s(k) = {0.5, 2.0 * std::numbers::pi * static_cast<double>(k + 1)};
+  }
+  set.frfs = {frf};
+  return set;
+}
+
+TEST(FrfCommand, MedianSdIsThatOfTheMiddleLine) {
+  // sd / |H|: 0.05/5, 0.1/5, 1/5; the middle one is 2 %.
+  EXPECT_DOUBLE_EQ(median_sd_percent(sample_frfs().frfs[0]), 2.0);
+}
+
+TEST(FrfCommand, MedianSdOfAnEmptyFrfIsZeroNotNaN) {
+  EXPECT_EQ(median_sd_percent(signal::Frf{}), 0.0);
+}
+
+TEST(FrfCommand, JsonHasThePromisedFields) {
+  const auto frf = frf_json(sample_frfs()).at("frfs").at(0);
+  EXPECT_EQ(frf.at("response"), "12Z+");
+  EXPECT_EQ(frf.at("reference"), "3Z+");
+  EXPECT_EQ(frf.at("type"), "accelerance");
+  EXPECT_EQ(frf.at("lines"), 3);
+  EXPECT_NEAR(frf.at("mean_coherence").get<double>(), 0.9, 1e-15);
+  EXPECT_DOUBLE_EQ(frf.at("median_sd_percent").get<double>(), 2.0);
+}
+
+TEST(FrfCommand, TextGivesLinesBandAndWindow) {
+  const std::string text = frf_text(sample_frfs());
+  EXPECT_NE(text.find("3 lines, 1 to 3 Hz"), std::string::npos) << text;
+  EXPECT_NE(text.find("window 0.5 1/s"), std::string::npos) << text;
+  EXPECT_NE(text.find("12Z+ / 3Z+"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace tapfit::tui

@@ -1,0 +1,40 @@
+#include "tui/commands/modes_command.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace tapfit::tui {
+namespace {
+
+modal::ModeSet sample_modes() {
+  modal::Mode mode;
+  mode.frequency_hz = 2.271;
+  mode.frequency_sd_hz = 0.0004;
+  mode.damping_ratio = 0.0044;
+  mode.damping_sd = 0.0001;
+  mode.mpc = 0.998;
+  mode.shape = Eigen::VectorXcd::Constant(1, {0.5, -0.25});
+  modal::ModeSet set;
+  set.dofs = {{.node = 12, .component = 3, .sign = 1}};
+  set.modes = {mode};
+  set.warnings = {"one is weak"};
+  return set;
+}
+
+TEST(ModesCommand, JsonIsThatOfTheFormat) {
+  const auto json = modes_json(sample_modes());
+  EXPECT_EQ(json.at("modes").dump(),
+            R"([{"frequency_hz":{"value":2.271,"sd":0.0004},)"
+            R"("damping_ratio":{"value":0.0044,"sd":0.0001},"mpc":0.998,)"
+            R"("shape":{"12Z+":[0.5,-0.25]}}])");
+  EXPECT_EQ(json.at("warnings").dump(), R"(["one is weak"])");
+}
+
+TEST(ModesCommand, TextHasFrequencyDampingAndWarnings) {
+  const std::string text = modes_text(sample_modes());
+  EXPECT_NE(text.find("2.271"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.44 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("one is weak"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace tapfit::tui

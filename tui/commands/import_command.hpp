@@ -1,0 +1,24 @@
+// tapfit import: makes a test bundle out of CSV files.
+#pragma once
+
+#include "acquisition/import_csv.hpp"
+#include "tui/commands/command.hpp"
+
+namespace tapfit::tui {
+
+/// Reads "COLUMN@POINT[,KEY=VALUE ...]", for example
+/// "2@12Z+,unit=g,name=acc1,mass_kg=0.02". Keys: name, unit, volts_per_unit,
+/// mass_kg, flip.
+///
+/// @throws InputError naming the part that cannot be read
+[[nodiscard]] acquisition::CsvChannel parse_csv_channel(
+    const std::string& text, acquisition::Quantity quantity);
+
+/// Reads "FILE" or "FILE@POINT", the point where this file's blows fell.
+[[nodiscard]] acquisition::CsvFile parse_csv_file(const std::string& text);
+
+/// @throws InputError
+[[nodiscard]] std::string import_command(const CommandOptions& options,
+                                         const Progress& progress);
+
+}  // namespace tapfit::tui
