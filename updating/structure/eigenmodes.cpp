@@ -45,8 +45,10 @@ Pairs solve_dense(const SparseMatrix& A,
                   const SparseMatrix& M,
                   double sigma,
                   Eigen::Index count) {
+  const Eigen::MatrixXd mass = M;
+  const Eigen::MatrixXd shifted = A;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      Eigen::MatrixXd(M), Eigen::MatrixXd(A));
+      mass, shifted);
   if (solver.info() != Eigen::Success) {
     throw InputError("the modes cannot be solved for",
                      "stiffness matrix",
@@ -60,7 +62,7 @@ Pairs solve_dense(const SparseMatrix& A,
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index from = mu.size() - 1 - i;
     pairs.lambda(i) = sigma + 1.0 / mu(from);
-    pairs.phi.col(i) = solver.eigenvectors().col(from);
+    pairs.phi.col(i) = solver.eigenvectors().col(from) / std::sqrt(mu(from));
   }
   return pairs;
 }
