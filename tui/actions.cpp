@@ -1,0 +1,87 @@
+#include "tui/actions.hpp"
+
+#include "tui/number.hpp"
+
+#include <fmt/format.h>
+
+namespace tapfit::tui {
+namespace {
+
+/// Reads the ladder anew and tells its last step.
+std::string last_step(Workbench& bench,
+                      Snapshot& known,
+                      const Progress& progress,
+                      const std::string& done) {
+  known.forget_model_results();
+  const std::vector<updating::Rung> ladder = bench.ladder(progress);
+  known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
+  known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
+      bench.model_parameters(progress));
+  if (ladder.empty()) return done;
+  if (ladder.size() == 1) {
+    return fmt::format(
+        "{}: base model, error {}", done, percent(ladder.back().error));
+  }
+  return fmt::format("{}: error {} → {}",
+                     done,
+                     percent(ladder[ladder.size() - 2].error),
+                     percent(ladder.back().error));
+}
+
+std::string add_now(Workbench& bench,
+                    Snapshot& known,
+                    const Progress& progress,
+                    const updating::EffectRef& effect) {
+  bench.add(effect, progress);
+  return last_step(bench, known, progress, "added " + effect.effect);
+}
+
+}  // namespace
+
+Job overrule_hit(std::size_t run, std::size_t hit) {
+  return {"overruling the hit",
+          [run, hit](Workbench& bench, Snapshot& known, const Progress& p) {
+            bench.overrule_hit(run, hit);
+            known.forget_from_hits();
+            known.hits =
+                std::make_shared<const acquisition::HitSet>(bench.hits(p));
+            return std::string();
+          },
+          std::nullopt};
+}
+
+Job add_effect(const updating::EffectRef& effect) {
+  return {"adding " + effect.effect,
+          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
+            return add_now(bench, known, p, effect);
+          },
+          std::nullopt};
+}
+
+Job add_effect(const std::string& effect) {
+  return {"adding " + effect,
+          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
+            return add_now(bench, known, p, bench.parse_effect(effect));
+          },
+          std::nullopt};
+}
+
+Job undo() {
+  return {"undo",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            if (!bench.undo()) return std::string("nothing to undo");
+            return last_step(bench, known, p, "undone");
+          },
+          std::nullopt};
+}
+
+Job redo() {
+  return {"redo",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            if (!bench.redo()) return std::string("nothing to redo");
+            return last_step(bench, known, p, "redone");
+          },
+          std::nullopt};
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,17 @@
+// What the user asks for, as jobs for the worker.
+#pragma once
+
+#include "tui/worker.hpp"
+
+#include <string>
+
+namespace tapfit::tui {
+
+[[nodiscard]] Job overrule_hit(std::size_t run, std::size_t hit);
+[[nodiscard]] Job add_effect(const updating::EffectRef& effect);
+/// As typed: "added-mass@201".
+[[nodiscard]] Job add_effect(const std::string& effect);
+[[nodiscard]] Job undo();
+[[nodiscard]] Job redo();
+
+}  // namespace tapfit::tui

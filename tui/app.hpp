@@ -1,0 +1,27 @@
+// The terminal program: seven screens over one test bundle.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+namespace tapfit::tui {
+
+struct AppOptions {
+  bool ascii = false;      ///< only ASCII glyphs, whatever the locale
+  bool no_colour = false;  ///< as if NO_COLOR were set
+  bool no_mouse = false;
+  /// A key script (key_script.hpp) replayed without a terminal; the screens
+  /// it asks for, or else the last one, go to standard output as text.
+  std::optional<std::filesystem::path> keys_file;
+  int width = 80;   ///< [columns] of the replayed screen
+  int height = 24;  ///< [rows]
+};
+
+/// Opens the bundle and runs until the user quits.
+///
+/// @return the exit status: 0
+/// @throws InputError for a bundle or key script that cannot be read; the
+///   terminal is restored before it leaves
+int run_app(const std::filesystem::path& bundle, const AppOptions& options);
+
+}  // namespace tapfit::tui

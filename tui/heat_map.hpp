@@ -1,0 +1,30 @@
+// A matrix as coloured numbers: MAC, or error per FRF and band.
+#pragma once
+
+#include "tui/screen.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+struct HeatMap {
+  Eigen::MatrixXd values;
+  std::vector<std::string> row_names;
+  std::vector<std::string> column_names;
+  double scale = 1.0;      ///< the value that is shown hottest
+  bool hundredths = true;  ///< 0.987 as "99"; else percent of 1 up to "999"
+  int top = 0;             ///< first row shown
+  int left = 0;            ///< first column shown
+  int selected = -1;       ///< row to mark
+};
+
+/// 0 for nothing to 6 for `scale` and beyond; 0 for what is not finite.
+[[nodiscard]] int heat_of(double value, double scale);
+
+/// Names on the left and above, five cells per entry; cut to the rectangle.
+void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map);
+
+}  // namespace tapfit::tui

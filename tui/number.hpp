@@ -1,0 +1,35 @@
+// Numbers as a reader wants them: as many digits as they deserve, their
+// uncertainty, their unit. Never "nan", never wider than needed.
+#pragma once
+
+#include "updating/diagnosis.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace tapfit::tui {
+
+/// `digits` significant digits; "–" for what is no finite number.
+[[nodiscard]] std::string number(double value, int digits = 4);
+
+/// Fixed decimals; "–" for what is no finite number, 1e+12 beyond 1e7.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// 0.388 to "38.8 %"; below 0.95 % with two decimals.
+[[nodiscard]] std::string percent(double fraction);
+
+/// "2.2710 ± 0.0004": the deviation with two digits, the value to match.
+/// A deviation that is zero or not finite is left away.
+[[nodiscard]] std::string with_sd(double value, double sd);
+
+/// "mass_kg" to {"mass", "kg"}; "E:1" to {"E:1", "Pa"}.
+struct NameAndUnit {
+  std::string name;
+  std::string unit;
+};
+[[nodiscard]] NameAndUnit split_unit(std::string_view name);
+
+/// "mass 0.0785 ± 0.0006 kg".
+[[nodiscard]] std::string describe(const updating::Estimate& estimate);
+
+}  // namespace tapfit::tui

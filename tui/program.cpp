@@ -1,0 +1,290 @@
+#include "tui/program.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tui/actions.hpp"
+#include "tui/text.hpp"
+#include "tui/views/compare_view.hpp"
+#include "tui/views/diagnose_view.hpp"
+#include "tui/views/frf_view.hpp"
+#include "tui/views/modes_view.hpp"
+#include "tui/views/recording_view.hpp"
+#include "tui/views/report_view.hpp"
+#include "tui/views/update_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr std::size_t update_screen = 5;
+
+}  // namespace
+
+Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
+    : canvas_(canvas), worker_(std::move(bench)) {
+  auto frf_page = std::make_unique<FrfPage>();
+  frf_page_ = frf_page.get();
+  pages_ = {std::make_unique<RecordingPage>(),
+            std::move(frf_page),
+            std::make_unique<ModesPage>(),
+            std::make_unique<ComparePage>(),
+            std::make_unique<DiagnosePage>(),
+            std::make_unique<UpdatePage>(),
+            std::make_unique<ReportPage>()};
+  tick();
+}
+
+Program::~Program() = default;
+
+void Program::resize(int width, int height) {
+  canvas_.width = width;
+  canvas_.height = height;
+  changed_ = true;
+}
+
+bool Program::ready() const {
+  if (page().wants_model() && !known_.has_model) return false;
+  const std::vector<Need> needs = page().essential();
+  return known_.bundle &&
+         std::all_of(needs.begin(), needs.end(), [this](const Need& need) {
+           return known_.has(need);
+         });
+}
+
+std::optional<Need> Program::next_need() const {
+  if (!known_.bundle) return std::nullopt;
+  if (page().wants_model() && !known_.has_model) return std::nullopt;
+  for (const Need& need : page().essential()) {
+    if (known_.has(need)) continue;
+    if (failed_.contains(need)) return std::nullopt;
+    return need;
+  }
+  for (const Need& need : page().welcome(known_)) {
+    if (!known_.has(need) && !failed_.contains(need)) return need;
+  }
+  return std::nullopt;
+}
+
+bool Program::idle() const {
+  return !running_ && actions_.empty() && !next_need();
+}
+
+void Program::start(Job job) {
+  running_ = true;
+  running_need_ = job.need.has_value();
+  stopped_by_user_ = false;
+  worker_.start(std::move(job));
+  changed_ = true;
+}
+
+void Program::finish(Finished finished) {
+  running_ = false;
+  known_ = std::move(finished.snapshot);
+  const bool action = !finished.need;
+  using How = Finished::How;
+  if (finished.how == How::Failed) {
+    if (finished.need) failed_[*finished.need] = finished.message;
+    tell(finished.message, true);
+  } else if (finished.how == How::Stopped && stopped_by_user_) {
+    if (finished.need) failed_[*finished.need] = "stopped; r starts it again";
+    tell("stopped: " + finished.title);
+  } else if (finished.how == How::Done && action && !finished.title.empty()) {
+    failed_.clear();
+    if (!finished.message.empty()) tell(finished.message);
+    const bool added = finished.title.starts_with("adding");
+    if (added) current_ = update_screen;
+  }
+  changed_ = true;
+}
+
+bool Program::tick() {
+  if (std::optional<Finished> finished = worker_.take_finished()) {
+    finish(std::move(*finished));
+  }
+  if (!running_ && !actions_.empty()) {
+    Job job = std::move(actions_.front());
+    actions_.pop_front();
+    start(std::move(job));
+  }
+  if (!running_) {
+    if (const std::optional<Need> need = next_need()) start(make(*need));
+  }
+  WorkerStatus status = worker_.status();
+  if (status.stage != shown_.stage || status.fraction != shown_.fraction ||
+      status.busy != shown_.busy) {
+    changed_ = true;
+  }
+  shown_ = std::move(status);
+  return std::exchange(changed_, false);
+}
+
+bool Program::animate() {
+  return ready() && !help_open_ && page().animate(known_);
+}
+
+void Program::tell(const std::string& text, bool error) {
+  message_ = text;
+  message_is_error_ = error;
+  message_open_ = error && text_width(text) > canvas_.width - 2;
+  changed_ = true;
+}
+
+void Program::act(Job job) {
+  actions_.push_back(std::move(job));
+  // What is being computed would be out of date; the action goes first.
+  if (running_ && running_need_) worker_.stop();
+}
+
+void Program::retry() {
+  failed_.clear();
+  tell("");
+}
+
+void Program::show_screen(std::size_t index) {
+  current_ = index;
+  mode_ = Mode::Normal;
+}
+
+void Program::press(Key key) {
+  changed_ = true;
+  if (key == keys::resize) return;
+  if (help_open_ || message_open_) {
+    help_open_ = false;
+    message_open_ = false;
+    return;
+  }
+  if (key.code == keys::click) return mouse(key);
+  if (mode_ == Mode::Filter) return press_filter(key);
+  if (mode_ == Mode::Colon) return press_colon(key);
+  press_normal(key);
+}
+
+void Program::press_normal(Key key) {
+  if (!key.ctrl && key.code >= U'1' && key.code <= U'7') {
+    return show_screen(key.code - U'1');
+  }
+  if (!key.ctrl && ready()) {
+    Command command;
+    if (page().press(known_, key, command)) return carry_out(command);
+  }
+  press_global(key);
+}
+
+void Program::press_global(Key key) {
+  if (key == U'q') {
+    quit_ = true;
+  } else if (key == U'?') {
+    help_open_ = true;
+  } else if (key == U':') {
+    mode_ = Mode::Colon;
+    typed_.clear();
+  } else if (key == U'/' && page().list() != nullptr) {
+    mode_ = Mode::Filter;
+  } else if (key == U'u') {
+    act(undo());
+  } else if (key == Key(U'r', true)) {
+    act(redo());
+  } else if (key == U'r') {
+    retry();
+  } else if (key == keys::escape || key == Key(U'c', true)) {
+    escape();
+  } else if (key == keys::back_tab) {
+    show_screen((current_ + pages_.size() - 1) % pages_.size());
+  } else if (key.code < 0xE000 && !key.ctrl) {
+    tell(fmt::format("{} does nothing here; ? shows the keys", name(key)));
+  }
+}
+
+void Program::escape() {
+  if (running_) {
+    stopped_by_user_ = true;
+    actions_.clear();
+    worker_.stop();
+    return tell("stopping …");
+  }
+  ListState* list = page().list();
+  if (list != nullptr) list->filter.clear();
+  tell("q quits");
+}
+
+void Program::press_filter(Key key) {
+  ListState* list = page().list();
+  if (list == nullptr || key == keys::enter) {
+    mode_ = Mode::Normal;
+  } else if (key == keys::escape || key == Key(U'c', true)) {
+    list->filter.clear();
+    mode_ = Mode::Normal;
+  } else if (key == keys::backspace) {
+    if (!list->filter.empty()) list->filter.pop_back();
+  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
+    list->filter.push_back(static_cast<char>(key.code));
+  }
+}
+
+void Program::press_colon(Key key) {
+  if (key == keys::escape || key == Key(U'c', true)) {
+    mode_ = Mode::Normal;
+  } else if (key == keys::enter) {
+    mode_ = Mode::Normal;
+    run_colon(typed_);
+  } else if (key == keys::backspace) {
+    if (typed_.empty()) {
+      mode_ = Mode::Normal;
+    } else {
+      typed_.pop_back();
+    }
+  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
+    typed_.push_back(static_cast<char>(key.code));
+  }
+}
+
+void Program::run_colon(const std::string& text) {
+  if (text.empty()) return;
+  using Kind = ColonCommand::Kind;
+  ColonCommand command;
+  try {
+    command = parse_colon_command(text);
+  } catch (const InputError& error) {
+    return tell(error.what(), true);
+  }
+  switch (command.kind) {
+    case Kind::Quit:
+      quit_ = true;
+      return;
+    case Kind::Help:
+      help_open_ = true;
+      return;
+    case Kind::Add:
+      return act(add_effect(command.argument));
+    case Kind::Undo:
+      return act(undo());
+    case Kind::Redo:
+      return act(redo());
+    case Kind::Stop:
+      return escape();
+    case Kind::Retry:
+      return retry();
+    case Kind::Screen:
+      return show_screen(static_cast<std::size_t>(command.screen - 1));
+  }
+}
+
+void Program::carry_out(const Command& command) {
+  if (!command.message.empty()) tell(command.message);
+  switch (command.kind) {
+    case Command::Kind::None:
+      return;
+    case Command::Kind::OverruleHit:
+      return act(overrule_hit(command.run, command.hit));
+    case Command::Kind::Add:
+      return act(add_effect(command.effect));
+    case Command::Kind::ShowFrf:
+      frf_page_->select(command.frf);
+      return show_screen(1);
+  }
+}
+
+}  // namespace tapfit::tui

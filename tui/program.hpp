@@ -1,0 +1,92 @@
+// The program without its terminal: keys in, screens out. It keeps the seven
+// pages, asks the worker for what the shown one needs, and carries out what
+// the user asks for.
+#pragma once
+
+#include "tui/colon_command.hpp"
+#include "tui/key.hpp"
+#include "tui/screen.hpp"
+#include "tui/views/page.hpp"
+#include "tui/worker.hpp"
+
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tapfit::tui {
+
+class FrfPage;
+
+class Program {
+ public:
+  Program(std::unique_ptr<Workbench> bench, const Canvas& canvas);
+  ~Program();
+
+  void resize(int width, int height);
+  void press(Key key);
+  /// Takes what the worker has done and gives it the next work.
+  /// @return true when the screen may have changed
+  bool tick();
+  /// Moves what is animated by a frame; true when the screen has changed.
+  bool animate();
+  [[nodiscard]] Screen draw() const;
+  /// Nothing runs and nothing that the screen needs is missing.
+  [[nodiscard]] bool idle() const;
+  [[nodiscard]] bool quit() const { return quit_; }
+
+ private:
+  enum class Mode { Normal, Filter, Colon };
+
+  [[nodiscard]] Page& page() const { return *pages_[current_]; }
+  [[nodiscard]] bool ready() const;
+  [[nodiscard]] std::optional<Need> next_need() const;
+  void finish(Finished finished);
+  void start(Job job);
+
+  void press_normal(Key key);
+  void press_global(Key key);
+  void press_filter(Key key);
+  void press_colon(Key key);
+  void escape();
+  void mouse(Key key);
+  void show_screen(std::size_t index);
+  void run_colon(const std::string& text);
+  void carry_out(const Command& command);
+  void act(Job job);
+  void retry();
+  void tell(const std::string& text, bool error = false);
+
+  [[nodiscard]] Screen body(const Canvas& canvas) const;
+  [[nodiscard]] Screen waiting(const Canvas& canvas) const;
+  [[nodiscard]] Screen help(const Canvas& canvas) const;
+  void draw_tabs(Screen& screen) const;
+  void draw_line(Screen& screen, int y) const;
+  void draw_keys(Screen& screen, int y) const;
+
+  Canvas canvas_;
+  Snapshot known_;
+  std::array<std::unique_ptr<Page>, 7> pages_;
+  FrfPage* frf_page_ = nullptr;  ///< one of pages_
+  std::size_t current_ = 0;
+  Mode mode_ = Mode::Normal;
+  std::string typed_;  ///< after ':'
+  std::string message_;
+  bool message_is_error_ = false;
+  bool message_open_ = false;  ///< in a box, as it does not fit the line
+  bool help_open_ = false;
+  bool quit_ = false;
+  bool changed_ = true;
+
+  std::map<Need, std::string> failed_;  ///< not asked for again by itself
+  std::deque<Job> actions_;             ///< what the user asked for
+  bool running_ = true;                 ///< a job's end has not been taken yet
+  bool running_need_ = true;            ///< it makes a result, it is no action
+  bool stopped_by_user_ = false;
+  WorkerStatus shown_;
+  Worker worker_;  // last: its thread ends before the rest goes
+};
+
+}  // namespace tapfit::tui

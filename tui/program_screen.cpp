@@ -1,0 +1,242 @@
+// How the program draws itself: tabs above, the page, a line for messages and
+// progress, the key bar below.
+#include "tui/bars.hpp"
+#include "tui/layout.hpp"
+#include "tui/program.hpp"
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr int least_width = 80;
+constexpr int least_height = 24;
+
+std::string tab_text(std::size_t index, const Page& page) {
+  return fmt::format(" {} {} ", index + 1, page.title());
+}
+
+Screen too_small(const Canvas& canvas) {
+  Screen screen(canvas);
+  const std::vector<std::string> lines =
+      wrapped(fmt::format("tapfit needs {} x {} cells, this is {} x {}. "
+                          "Enlarge the window, or q to quit.",
+                          least_width,
+                          least_height,
+                          canvas.width,
+                          canvas.height),
+              std::max(canvas.width, 1));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    screen.text(0, static_cast<int>(i), lines[i]);
+  }
+  return screen;
+}
+
+/// A box in the middle with lines of text.
+void draw_box(Screen& screen,
+              const std::string& title,
+              const std::vector<std::string>& lines,
+              Style style) {
+  const int width = std::min(screen.width() - 4, 76);
+  const int height =
+      std::min(screen.height(), static_cast<int>(lines.size()) + 2);
+  const Rect rect{(screen.width() - width) / 2,
+                  (screen.height() - height) / 2,
+                  width,
+                  height};
+  screen.fill(rect, U' ');
+  screen.box(rect, title, style);
+  const Rect room = inside(rect);
+  for (int i = 0; i < room.height; ++i) {
+    screen.text(room.x + 1,
+                room.y + i,
+                lines[static_cast<std::size_t>(i)],
+                {},
+                room.width - 2);
+  }
+}
+
+std::string work_text(const WorkerStatus& status) {
+  std::string text = status.title;
+  if (!status.stage.empty() && status.stage != status.title) {
+    text += ": " + status.stage;
+  }
+  return text;
+}
+
+}  // namespace
+
+Screen Program::draw() const {
+  if (canvas_.width < least_width || canvas_.height < least_height) {
+    return too_small(canvas_);
+  }
+  Screen screen(canvas_);
+  draw_tabs(screen);
+  const Canvas room{canvas_.width, canvas_.height - 3, canvas_.ascii};
+  screen.place(0, 1, help_open_ ? help(room) : body(room));
+  draw_line(screen, canvas_.height - 2);
+  draw_keys(screen, canvas_.height - 1);
+  return screen;
+}
+
+Screen Program::body(const Canvas& canvas) const {
+  Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
+  if (message_open_) {
+    draw_box(screen,
+             "message",
+             wrapped(message_, std::min(canvas.width - 8, 72)),
+             {.colour = message_is_error_ ? Colour::Red : Colour::Default});
+  }
+  return screen;
+}
+
+Screen Program::waiting(const Canvas& canvas) const {
+  Screen screen(canvas);
+  const auto say = [&](const std::string& title, const std::string& words) {
+    draw_box(screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
+  };
+  if (known_.bundle && page().wants_model() && !known_.has_model) {
+    say(page().title(),
+        "This bundle has no model, so there is nothing to compare with. "
+        "Recording (1), FRFs (2) and modes (3) need none.\n \nTo go on, put "
+        "the Nastran deck beside test.json and name it there, as in "
+        "\"model\": \"model.bdf\"; or K and M of any other program as Matrix "
+        "Market files. Then open the bundle again.");
+    return screen;
+  }
+  for (const Need& need : page().essential()) {
+    if (known_.has(need)) continue;
+    const auto failed = failed_.find(need);
+    if (failed != failed_.end()) {
+      say(name(need.stage), failed->second + "\n \nr tries again.");
+      return screen;
+    }
+    const int width = std::min(canvas.width - 8, 60);
+    const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
+    draw_box(screen,
+             name(need.stage),
+             {fmt::format("{} … {} %", work_text(shown_), percents),
+              bar(shown_.fraction, width - 4, canvas.ascii),
+              "",
+              "Esc stops it; other screens stay usable."},
+             {});
+    return screen;
+  }
+  return screen;
+}
+
+Screen Program::help(const Canvas& canvas) const {
+  Screen screen(canvas);
+  const int width = std::min(canvas.width - 8, 72);
+  std::vector<std::string> lines = wrapped(page().help(), width);
+  lines.emplace_back();
+  std::vector<KeyHelp> all = page().keys();
+  const std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
+                                        {":", "command"},
+                                        {"u", "undo"},
+                                        {"Ctrl-R", "redo"},
+                                        {"r", "try again"},
+                                        {"Esc Ctrl-C", "stop work"},
+                                        {"/", "filter the list"},
+                                        {"q", "quit"}};
+  for (const KeyHelp& key : everywhere) {
+    const bool known =
+        std::any_of(all.begin(), all.end(), [&](const KeyHelp& k) {
+          return k.key == key.key || k.what == key.what;
+        });
+    if (!known) all.push_back(key);
+  }
+  const std::size_t half = (all.size() + 1) / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    std::string line = fmt::format("{:<11}{:<24}", all[i].key, all[i].what);
+    if (i + half < all.size()) {
+      line += fmt::format("{:<11}{}", all[i + half].key, all[i + half].what);
+    }
+    lines.push_back(line);
+  }
+  lines.emplace_back();
+  lines.emplace_back(":q :help :add EFFECT@PLACE :undo :redo :screen N :stop");
+  draw_box(screen, page().title(), lines, {.colour = Colour::Sky});
+  return screen;
+}
+
+void Program::draw_tabs(Screen& screen) const {
+  int x = 0;
+  for (std::size_t i = 0; i < pages_.size(); ++i) {
+    Style style{.colour = Colour::Sky};
+    style.reverse = i == current_;
+    style.bold = i == current_;
+    x = screen.text(x, 0, tab_text(i, *pages_[i]), style);
+  }
+  const int room = screen.width() - x - 1;
+  if (known_.bundle && room > 12) {
+    screen.text_right(screen.width() - 1,
+                      0,
+                      known_.bundle->title,
+                      {.colour = Colour::Grey},
+                      room);
+  }
+}
+
+void Program::mouse(Key key) {
+  if (key.y != 0) return;
+  int x = 0;
+  for (std::size_t i = 0; i < pages_.size(); ++i) {
+    const int end = x + text_width(tab_text(i, *pages_[i]));
+    if (key.x >= x && key.x < end) return show_screen(i);
+    x = end;
+  }
+}
+
+void Program::draw_line(Screen& screen, int y) const {
+  const int width = screen.width() - 2;
+  if (mode_ == Mode::Colon) {
+    const int x = screen.text(0, y, ":" + typed_, {}, width);
+    screen.put(x, y, U' ', {.reverse = true});
+    return;
+  }
+  const ListState* list = page().list();
+  if (mode_ == Mode::Filter && list != nullptr) {
+    const int x = screen.text(0, y, "/" + list->filter, {}, width);
+    screen.put(x, y, U' ', {.reverse = true});
+    return;
+  }
+  if (shown_.busy) {
+    const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
+    const std::string words =
+        fmt::format("{} … {} %  ", work_text(shown_), percents);
+    const int x =
+        screen.text(1, y, words, {.colour = Colour::Yellow}, width - 20);
+    screen.text(x,
+                y,
+                bar(shown_.fraction, std::min(20, width - x), screen.ascii()),
+                {.colour = Colour::Yellow});
+    return;
+  }
+  std::string words = message_;
+  if (list != nullptr && !list->filter.empty()) {
+    words = fmt::format("filter /{}  (Esc clears)  {}", list->filter, message_);
+  }
+  const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
+  screen.text(1, y, words, {.colour = colour}, width);
+}
+
+void Program::draw_keys(Screen& screen, int y) const {
+  const std::string always = "? help  : command  q quit ";
+  const int end = screen.width() - text_width(always);
+  screen.fill({0, y, screen.width(), 1}, U' ', {.reverse = true});
+  screen.text(end, y, always, {.reverse = true});
+  int x = 1;
+  for (const KeyHelp& key : page().keys()) {
+    const int width = text_width(key.key) + 1 + text_width(key.what) + 2;
+    if (x + width > end) break;
+    x = screen.text(x, y, key.key, {.bold = true, .reverse = true}) + 1;
+    x = screen.text(x, y, key.what, {.reverse = true}) + 2;
+  }
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,107 @@
+#include "tui/screen.hpp"
+
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace tapfit::tui {
+
+Screen::Screen(int width, int height, bool ascii)
+    : width_(std::max(width, 0)),
+      height_(std::max(height, 0)),
+      ascii_(ascii),
+      cells_(static_cast<std::size_t>(width_) *
+             static_cast<std::size_t>(height_)) {}
+
+const Cell& Screen::at(int x, int y) const {
+  assert(area().holds(x, y));
+  return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(x)];
+}
+
+void Screen::put(int x, int y, char32_t glyph, Style style) {
+  if (!area().holds(x, y)) return;
+  const std::size_t index =
+      static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+      static_cast<std::size_t>(x);
+  cells_[index] = {ascii_ ? ascii_glyph(glyph) : glyph, style};
+}
+
+int Screen::text(int x, int y, std::string_view utf8, Style style, int width) {
+  const std::string shown =
+      clipped(ascii_ ? to_ascii(utf8) : std::string(utf8), width);
+  for (const char32_t glyph : decode(shown)) put(x++, y, glyph, style);
+  return x;
+}
+
+void Screen::text_right(
+    int x_end, int y, std::string_view utf8, Style style, int width) {
+  const std::string shown =
+      clipped(ascii_ ? to_ascii(utf8) : std::string(utf8), width);
+  text(x_end - text_width(shown), y, shown, style, width);
+}
+
+void Screen::fill(const Rect& rect, char32_t glyph, Style style) {
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    for (int x = rect.x; x < rect.x + rect.width; ++x) put(x, y, glyph, style);
+  }
+}
+
+void Screen::paint(const Rect& rect, Style style) {
+  for (int y = rect.y; y < rect.y + rect.height; ++y) {
+    for (int x = rect.x; x < rect.x + rect.width; ++x) {
+      if (area().holds(x, y)) put(x, y, at(x, y).glyph, style);
+    }
+  }
+}
+
+void Screen::box(const Rect& rect, std::string_view title, Style style) {
+  if (rect.width < 2 || rect.height < 2) return;
+  const int right = rect.x + rect.width - 1;
+  const int bottom = rect.y + rect.height - 1;
+  for (int x = rect.x + 1; x < right; ++x) {
+    put(x, rect.y, U'─', style);
+    put(x, bottom, U'─', style);
+  }
+  for (int y = rect.y + 1; y < bottom; ++y) {
+    put(rect.x, y, U'│', style);
+    put(right, y, U'│', style);
+  }
+  put(rect.x, rect.y, U'┌', style);
+  put(right, rect.y, U'┐', style);
+  put(rect.x, bottom, U'└', style);
+  put(right, bottom, U'┘', style);
+  if (!title.empty() && rect.width > 6) {
+    const std::string padded = fmt::format(" {} ", title);
+    text(rect.x + 2, rect.y, padded, style, rect.width - 4);
+  }
+}
+
+void Screen::place(int x, int y, const Screen& other) {
+  for (int row = 0; row < other.height(); ++row) {
+    for (int column = 0; column < other.width(); ++column) {
+      const Cell& cell = other.at(column, row);
+      put(x + column, y + row, cell.glyph, cell.style);
+    }
+  }
+}
+
+std::string Screen::to_text() const {
+  std::string text;
+  for (int y = 0; y < height_; ++y) {
+    std::string line;
+    std::size_t used = 0;
+    for (int x = 0; x < width_; ++x) {
+      append_utf8(line, at(x, y).glyph);
+      if (at(x, y).glyph != U' ') used = line.size();
+    }
+    line.resize(used);
+    text += line + "\n";
+  }
+  return text;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,110 @@
+// A grid of cells: what every view returns and the terminal shows. Nothing
+// here knows a terminal, so that screens are compared as text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// Colours that stay apart for colour-blind eyes (after Okabe and Ito).
+enum class Colour : std::uint8_t {
+  Default,
+  Blue,
+  Orange,
+  Green,
+  Red,
+  Purple,
+  Sky,
+  Yellow,
+  Grey,
+};
+inline constexpr int colour_count = 9;
+
+struct Style {
+  Colour colour = Colour::Default;
+  std::uint8_t heat = 0;  ///< background: 0 none, 1 (cold) .. 6 (hot)
+  bool bold = false;
+  bool dim = false;
+  bool reverse = false;
+
+  bool operator==(const Style&) const = default;
+};
+inline constexpr int heat_levels = 6;
+
+struct Cell {
+  char32_t glyph = U' ';
+  Style style;
+
+  bool operator==(const Cell&) const = default;
+};
+
+/// A rectangle of cells; width and height may be zero, never negative.
+struct Rect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  [[nodiscard]] bool holds(int px, int py) const {
+    return px >= x && px < x + width && py >= y && py < y + height;
+  }
+};
+
+/// How large a view may be and which glyphs it may use.
+struct Canvas {
+  int width = 80;
+  int height = 24;
+  bool ascii = false;
+};
+
+/// Whatever is put outside of the grid is dropped; with `ascii`, every glyph
+/// put is replaced by its ASCII stand-in.
+class Screen {
+ public:
+  Screen(int width, int height, bool ascii = false);
+  explicit Screen(const Canvas& canvas)
+      : Screen(canvas.width, canvas.height, canvas.ascii) {}
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] bool ascii() const { return ascii_; }
+  [[nodiscard]] Rect area() const { return {0, 0, width_, height_}; }
+
+  /// @pre 0 <= x < width, 0 <= y < height
+  [[nodiscard]] const Cell& at(int x, int y) const;
+
+  void put(int x, int y, char32_t glyph, Style style = {});
+  /// Writes UTF-8 text, at most `width` cells; returns the cell after it.
+  int text(int x,
+           int y,
+           std::string_view utf8,
+           Style style = {},
+           int width = 100000);
+  /// As text(), ending in the cell before `x_end`.
+  void text_right(int x_end,
+                  int y,
+                  std::string_view utf8,
+                  Style style = {},
+                  int width = 100000);
+  void fill(const Rect& rect, char32_t glyph, Style style = {});
+  /// Changes the style of cells, not their glyphs.
+  void paint(const Rect& rect, Style style);
+  void box(const Rect& rect, std::string_view title, Style style = {});
+  /// Copies another screen's cells to (x, y).
+  void place(int x, int y, const Screen& other);
+
+  /// Rows ended by '\n', without trailing spaces.
+  [[nodiscard]] std::string to_text() const;
+
+ private:
+  int width_;
+  int height_;
+  bool ascii_;
+  std::vector<Cell> cells_;
+};
+
+}  // namespace tapfit::tui

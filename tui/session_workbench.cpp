@@ -1,0 +1,69 @@
+#include "tui/session_workbench.hpp"
+
+namespace tapfit::tui {
+namespace {
+
+class SessionWorkbench final : public Workbench {
+ public:
+  explicit SessionWorkbench(const std::filesystem::path& bundle)
+      : session_(bundle) {}
+
+  const acquisition::TestBundle& bundle() override { return session_.bundle(); }
+  bool has_model() override { return session_.has_model(); }
+  const structure::Deck& deck(const Progress& p) override {
+    return session_.deck(p);
+  }
+  const std::vector<acquisition::Recording>& recordings(
+      const Progress& p) override {
+    return session_.recordings(p);
+  }
+  const acquisition::HitSet& hits(const Progress& p) override {
+    return session_.hits(p);
+  }
+  const signal::FrfSet& frfs(const Progress& p) override {
+    return session_.frfs(p);
+  }
+  const modal::ModeSet& modes(const Progress& p) override {
+    return session_.modes(p);
+  }
+  const updating::Comparison& comparison(const Progress& p) override {
+    return session_.comparison(p);
+  }
+  const updating::Comparison& base_comparison(const Progress& p) override {
+    return session_.base_comparison(p);
+  }
+  const updating::Diagnosis& diagnosis(const Progress& p) override {
+    return session_.diagnosis(p);
+  }
+  updating::Signature signature(int node, const Progress& p) override {
+    return session_.signature(node, p);
+  }
+  std::vector<updating::Rung> ladder(const Progress& p) override {
+    return session_.ladder(p);
+  }
+  std::vector<updating::Estimate> model_parameters(const Progress& p) override {
+    return session_.model_parameters(p);
+  }
+  void overrule_hit(std::size_t run, std::size_t hit) override {
+    session_.overrule_hit(run, hit);
+  }
+  updating::EffectRef parse_effect(const std::string& text) override {
+    return updating::parse_effect(text);
+  }
+  void add(const updating::EffectRef& effect, const Progress& p) override {
+    session_.add(effect, p);
+  }
+  bool undo() override { return session_.undo(); }
+  bool redo() override { return session_.redo(); }
+
+ private:
+  updating::Session session_;
+};
+
+}  // namespace
+
+std::unique_ptr<Workbench> open_session(const std::filesystem::path& bundle) {
+  return std::make_unique<SessionWorkbench>(bundle);
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,68 @@
+// What is known so far: shared, unchanging results that the worker hands over
+// and the screens draw.
+#pragma once
+
+#include "tui/trace.hpp"
+#include "tui/wireframe.hpp"
+#include "updating/session.hpp"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// A result of the work that screens may need.
+enum class Stage {
+  Model,  ///< the deck and its wireframe
+  Traces,
+  Hits,
+  Frfs,
+  Modes,
+  BaseComparison,
+  Comparison,
+  Ladder,  ///< and the model's parameters
+  Diagnosis,
+  Signature,
+};
+
+/// "hits", "diagnosis": for progress and messages.
+[[nodiscard]] std::string name(Stage stage);
+
+/// One result; `node` only for signatures.
+struct Need {
+  Stage stage = Stage::Hits;
+  int node = 0;
+
+  auto operator<=>(const Need&) const = default;
+};
+
+struct Snapshot {
+  template <class T>
+  using Shared = std::shared_ptr<const T>;
+
+  Shared<acquisition::TestBundle> bundle;
+  bool has_model = false;
+  Shared<structure::Deck> deck;
+  Shared<Wireframe> wire;
+  Shared<std::vector<Trace>> traces;
+  Shared<acquisition::HitSet> hits;
+  Shared<signal::FrfSet> frfs;
+  Shared<modal::ModeSet> modes;
+  Shared<updating::Comparison> base_comparison;
+  Shared<updating::Comparison> comparison;
+  Shared<updating::Comparison> previous;  ///< before the last add or undo
+  Shared<std::vector<updating::Rung>> ladder;
+  Shared<std::vector<updating::Estimate>> parameters;
+  Shared<updating::Diagnosis> diagnosis;
+  std::map<int, Shared<updating::Signature>> signatures;
+
+  [[nodiscard]] bool has(const Need& need) const;
+  /// Drops what depends on the hits.
+  void forget_from_hits();
+  /// Drops what depends on the current model.
+  void forget_model_results();
+};
+
+}  // namespace tapfit::tui

@@ -1,0 +1,151 @@
+#include "tui/table.hpp"
+
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace tapfit::tui {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+/// Width of a text once it is on this screen.
+int shown_width(const Screen& screen, const std::string& text) {
+  return screen.ascii() ? static_cast<int>(to_ascii(text).size())
+                        : text_width(text);
+}
+
+std::vector<int> column_widths(const Screen& screen, const Table& table) {
+  std::vector<int> widths;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    int width = shown_width(screen, table.columns[c].title);
+    for (const Row& row : table.rows) {
+      if (c < row.cells.size()) {
+        width = std::max(width, shown_width(screen, row.cells[c]));
+      }
+    }
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+void draw_cells(Screen& screen,
+                const Rect& line,
+                const std::vector<int>& widths,
+                const Table& table,
+                const std::vector<std::string>& cells,
+                Style style) {
+  int x = line.x;
+  for (std::size_t c = 0; c < cells.size() && c < widths.size(); ++c) {
+    const int room = std::min(widths[c], line.x + line.width - x);
+    if (room <= 0) return;
+    const bool whole = room == widths[c];
+    if (table.columns[c].right && whole) {
+      screen.text_right(x + room, line.y, cells[c], style, room);
+    } else {
+      screen.text(x, line.y, cells[c], style, room);
+    }
+    x += widths[c] + 2;
+  }
+}
+
+std::size_t place_of(const std::vector<std::size_t>& rows, std::size_t row) {
+  const auto found = std::find(rows.begin(), rows.end(), row);
+  return found == rows.end() ? 0
+                             : static_cast<std::size_t>(found - rows.begin());
+}
+
+}  // namespace
+
+std::vector<std::size_t> visible_rows(const Table& table,
+                                      const std::string& filter) {
+  std::vector<std::size_t> rows;
+  const std::string wanted = lower(filter);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const std::vector<std::string>& cells = table.rows[r].cells;
+    const bool shown =
+        wanted.empty() ||
+        std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
+          return lower(cell).find(wanted) != std::string::npos;
+        });
+    if (shown) rows.push_back(r);
+  }
+  return rows;
+}
+
+std::size_t settled(const Table& table, const ListState& state) {
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  if (rows.empty()) return 0;
+  const auto found = std::lower_bound(rows.begin(), rows.end(), state.selected);
+  return found == rows.end() ? rows.back() : *found;
+}
+
+bool list_key(ListState& state, const Table& table, Key key, int page) {
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  if (rows.empty()) return false;
+  const auto last = static_cast<long>(rows.size()) - 1;
+  auto at = static_cast<long>(place_of(rows, settled(table, state)));
+  if (key == keys::up || key == U'k' || key == keys::wheel_up) {
+    at -= 1;
+  } else if (key == keys::down || key == U'j' || key == keys::wheel_down) {
+    at += 1;
+  } else if (key == keys::page_up) {
+    at -= page;
+  } else if (key == keys::page_down) {
+    at += page;
+  } else if (key == keys::home || key == U'g') {
+    at = 0;
+  } else if (key == keys::end || key == U'G') {
+    at = last;
+  } else {
+    return false;
+  }
+  state.selected = rows[static_cast<std::size_t>(std::clamp(at, 0L, last))];
+  return true;
+}
+
+void draw_table(Screen& screen,
+                const Rect& rect,
+                const Table& table,
+                const ListState& state,
+                bool active) {
+  if (rect.empty()) return;
+  const std::vector<int> widths = column_widths(screen, table);
+  std::vector<std::string> titles;
+  for (const Column& column : table.columns) titles.push_back(column.title);
+  const Rect indented{rect.x + 1, rect.y, rect.width - 1, 1};
+  draw_cells(screen, indented, widths, table, titles, {.colour = Colour::Grey});
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  const int room = rect.height - 1;
+  if (room <= 0) return;
+  const std::size_t selected = settled(table, state);
+  const auto at = static_cast<int>(place_of(rows, selected));
+  const int count = static_cast<int>(rows.size());
+  const int top = std::clamp(at - room / 2, 0, std::max(count - room, 0));
+  for (int i = 0; i < std::min(room, count - top); ++i) {
+    const std::size_t r = rows[static_cast<std::size_t>(top + i)];
+    const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 1, 1};
+    Style style = table.rows[r].style;
+    if (active && r == selected) {
+      style.reverse = true;
+      style.bold = true;
+      screen.fill({rect.x, line.y, rect.width, 1}, U' ', style);
+      screen.put(rect.x, line.y, U'▸', style);
+    }
+    draw_cells(screen, line, widths, table, table.rows[r].cells, style);
+  }
+  if (top > 0) screen.put(rect.x + rect.width - 1, rect.y, U'↑');
+  if (top + room < count) {
+    screen.put(rect.x + rect.width - 1, rect.y + rect.height - 1, U'↓');
+  }
+}
+
+}  // namespace tapfit::tui

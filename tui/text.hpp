@@ -1,0 +1,34 @@
+// UTF-8 text as cells: decoding, encoding, and the ASCII that stands in where
+// the terminal knows no better.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// Code points of UTF-8 text, one per cell. Bytes that are no UTF-8, control
+/// characters and glyphs that do not fill exactly one cell become '?'.
+[[nodiscard]] std::vector<char32_t> decode(std::string_view utf8);
+
+/// Appends one code point as UTF-8.
+void append_utf8(std::string& text, char32_t glyph);
+
+/// The text in ASCII: "±" becomes "+-", "²" becomes "^2"; else '?'.
+[[nodiscard]] std::string to_ascii(std::string_view utf8);
+
+/// One glyph in ASCII, one cell wide: box lines to + - |, blocks to #.
+[[nodiscard]] char32_t ascii_glyph(char32_t glyph);
+
+/// Cells that the text fills.
+[[nodiscard]] int text_width(std::string_view utf8);
+
+/// At most `width` cells of the text, the last one "…" where it was cut.
+[[nodiscard]] std::string clipped(std::string_view utf8, int width);
+
+/// The text in lines of at most `width` cells, broken at spaces.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view utf8,
+                                               int width);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,339 @@
+#include "tui/views/diagnose_view.hpp"
+
+#include "tui/bars.hpp"
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Candidate;
+using updating::Signature;
+
+std::string first_size(const Candidate& candidate) {
+  return candidate.parameters.empty() ? "–" : describe(candidate.parameters[0]);
+}
+
+Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
+  const int bars = width >= 110 ? 16 : 8;
+  Table table{{{"prob", true},
+               {""},
+               {"effect"},
+               {"where"},
+               {"error", true},
+               {"left out", true},
+               {"size"}},
+              {}};
+  for (const Candidate& c : d.candidates) {
+    Style style;
+    if (!c.indistinguishable_from.empty()) style.colour = Colour::Yellow;
+    table.rows.push_back({{percent(c.probability),
+                           bar(c.probability, bars, ascii),
+                           c.effect,
+                           clipped(updating::describe(c.where), 22),
+                           percent(c.error),
+                           percent(c.held_out_error),
+                           first_size(c)},
+                          style});
+  }
+  return table;
+}
+
+std::string look_alikes(const Candidate& c) {
+  if (c.indistinguishable_from.empty()) return "told apart from all others";
+  std::string text = "can't be told from:";
+  for (const updating::EffectRef& other : c.indistinguishable_from) {
+    text +=
+        fmt::format(" {} {};", other.effect, updating::describe(other.where));
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string all_sizes(const Candidate& c) {
+  std::string text;
+  for (const updating::Estimate& p : c.parameters) {
+    const NameAndUnit split = split_unit(p.name);
+    text += fmt::format("{}{} {} {} (95 %: {} to {})",
+                        text.empty() ? "" : "; ",
+                        split.name,
+                        with_sd(p.value, p.sd),
+                        split.unit,
+                        number(p.lo95),
+                        number(p.hi95));
+  }
+  return text.empty() ? "no parameters" : text;
+}
+
+/// Re z of the three laws at s = j w: mass -w^2 m, spring k; dashpot Im w c.
+Curve law_curve(const std::string& label,
+                const Eigen::VectorXd& frequency_hz,
+                const Pen& pen,
+                double m,
+                double k,
+                double c) {
+  const Eigen::ArrayXd w = 2.0 * std::numbers::pi * frequency_hz.array();
+  Curve curve{label, frequency_hz, {}, {}, {}, pen};
+  const Eigen::ArrayXd re = k - m * w.square();
+  const Eigen::ArrayXd im = c * w;
+  curve.y = c != 0.0 ? im.matrix() : re.matrix();
+  return curve;
+}
+
+/// The parts of z; stretches whose deviation is beyond the plot's sense are
+/// left in, since the eye weighs them by their scatter.
+Plot signature_plot(const Signature& s, const DiagnoseState& state) {
+  Plot plot;
+  const Eigen::Index n = s.frequency_hz.size();
+  const double lo = n > 1 ? s.frequency_hz[0] : 0.0;
+  const double hi = n > 1 ? s.frequency_hz[n - 1] : 1.0;
+  const PlotRange shown = resolved(state.range, lo, hi);
+  plot.x = {"f", "Hz", shown.lo, shown.hi, false};
+  plot.y = {"missing z", "N/m", 0.0, 0.0, false};
+  if (shown.cursor_set) plot.cursor = shown.cursor;
+  if (s.z.size() != n || n == 0) return plot;
+  Curve real{"Re z", s.frequency_hz, s.z.real(), {}, {}, {Colour::Sky}};
+  Curve imaginary{"Im z",
+                  s.frequency_hz,
+                  s.z.imag(),
+                  {},
+                  {},
+                  {Colour::Purple, Pattern::Dotted, '+'}};
+  plot.curves = {real, imaginary};
+  const double best = std::min(
+      {s.mass_unexplained, s.spring_unexplained, s.dashpot_unexplained});
+  const Pen pen{Colour::Orange, Pattern::Dashed, 'o'};
+  if (best == s.mass_unexplained) {
+    plot.curves.push_back(
+        law_curve("mass law", s.frequency_hz, pen, s.mass_kg, 0.0, 0.0));
+  } else if (best == s.spring_unexplained) {
+    plot.curves.push_back(law_curve(
+        "spring law", s.frequency_hz, pen, 0.0, s.spring_n_per_m, 0.0));
+  } else {
+    plot.curves.push_back(law_curve(
+        "dashpot law", s.frequency_hz, pen, 0.0, 0.0, s.dashpot_ns_per_m));
+  }
+  return plot;
+}
+
+/// A few wild lines (no response there) must not flatten the rest: the y
+/// range holds the inner 90 % of the values.
+void hold_inner_range(Plot& plot) {
+  std::vector<double> values;
+  for (const Curve& curve : plot.curves) {
+    for (Eigen::Index i = 0; i < curve.y.size(); ++i) {
+      const bool shown = curve.x[i] >= plot.x.lo && curve.x[i] <= plot.x.hi;
+      if (shown && std::isfinite(curve.y[i])) values.push_back(curve.y[i]);
+    }
+  }
+  if (values.size() < 20) return;
+  std::sort(values.begin(), values.end());
+  const double low = values[values.size() / 20];
+  const double high = values[values.size() - 1 - values.size() / 20];
+  if (!(low < high)) return;
+  plot.y.lo = low - 0.25 * (high - low);
+  plot.y.hi = high + 0.25 * (high - low);
+}
+
+void draw_signature(Screen& screen,
+                    const Rect& rect,
+                    const DiagnoseInput& input,
+                    const DiagnoseState& state,
+                    const std::vector<int>& grids) {
+  if (grids.empty()) {
+    screen.text(rect.x + 1, rect.y + 1, "no single place: no signature");
+    return;
+  }
+  const auto found = input.signatures.find(grids[0]);
+  if (found == input.signatures.end()) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                fmt::format("signature of grid {} …", grids[0]),
+                {.colour = Colour::Grey});
+    return;
+  }
+  const Signature& s = *found->second;
+  Plot plot = signature_plot(s, state);
+  hold_inner_range(plot);
+  const auto [body, text] = split_top(rect, rect.height - 3);
+  draw_plot(screen, body, plot);
+  const auto line = [&](int row, const std::string& words) {
+    screen.text(text.x + 1, text.y + row, words, {}, text.width - 1);
+  };
+  const auto left = [](double share) { return fixed(100.0 * share, 0); };
+  line(0,
+       fmt::format("grid {} alone explains {} % of the discrepancy;",
+                   s.node,
+                   left(s.explained)));
+  line(1,
+       fmt::format("mass {} kg leaves {} %, spring {} N/m {} %,",
+                   number(s.mass_kg, 3),
+                   left(s.mass_unexplained),
+                   number(s.spring_n_per_m, 3),
+                   left(s.spring_unexplained)));
+  line(2,
+       plot.cursor ? read_out(plot, *plot.cursor)
+                   : fmt::format("dashpot {} N s/m {} %",
+                                 number(s.dashpot_ns_per_m, 3),
+                                 left(s.dashpot_unexplained)));
+}
+
+void draw_place(Screen& screen,
+                const Rect& rect,
+                const DiagnoseInput& input,
+                const DiagnoseState& state,
+                const std::vector<int>& grids) {
+  if (input.wire == nullptr) return;
+  Scene scene;
+  const bool few = grids.size() <= 4;
+  for (const int node : grids) {
+    scene.marks.push_back({node,
+                           U'●',
+                           {.colour = Colour::Red, .bold = true},
+                           few ? fmt::format("{}", node) : std::string()});
+  }
+  scene.highlighted = grids;
+  draw_wireframe(screen, rect, *input.wire, scene, state.pose);
+}
+
+std::string verdict_line(const updating::Diagnosis& d) {
+  return fmt::format("verdict: {}   error {} → {}, floor {}",
+                     d.verdict,
+                     percent(d.error_base),
+                     percent(d.error_best),
+                     percent(d.floor));
+}
+
+}  // namespace
+
+std::vector<int> grids_of(const acquisition::TestBundle& bundle,
+                          const updating::Where& where) {
+  std::vector<int> grids;
+  if (where.node != 0) grids.push_back(where.node);
+  grids.insert(grids.end(), where.nodes.begin(), where.nodes.end());
+  for (const std::string& channel : where.channels) {
+    for (const acquisition::Run& run : bundle.runs) {
+      for (const acquisition::Placement& sensor : run.sensors) {
+        if (sensor.channel < bundle.channels.size() &&
+            bundle.channels[sensor.channel].name == channel) {
+          grids.push_back(sensor.dof.node);
+        }
+      }
+    }
+  }
+  std::vector<int> once;
+  for (const int grid : grids) {
+    if (std::find(once.begin(), once.end(), grid) == once.end()) {
+      once.push_back(grid);
+    }
+  }
+  return once;
+}
+
+Screen diagnose_view(const DiagnoseInput& input,
+                     const DiagnoseState& state,
+                     const Canvas& canvas) {
+  Screen screen(canvas);
+  const updating::Diagnosis& d = input.diagnosis;
+  screen.text(1, 0, verdict_line(d), {.bold = true}, canvas.width - 2);
+  const std::string note =
+      d.warnings.empty() ? d.contour : fmt::format("! {}", d.warnings[0]);
+  const Colour note_colour = d.warnings.empty() ? Colour::Grey : Colour::Yellow;
+  screen.text(1, 1, note, {.colour = note_colour}, canvas.width - 2);
+  if (d.candidates.empty()) {
+    screen.text(1, 3, "No candidate: nothing in the catalogue fits.");
+    return screen;
+  }
+  const Table table = candidate_table(d, canvas.width, canvas.ascii);
+  const Candidate& chosen = d.candidates[settled(table, state.list)];
+  const Rect body{0, 2, canvas.width, canvas.height - 2};
+  const int rows = std::clamp(static_cast<int>(d.candidates.size()) + 1,
+                              4,
+                              std::max(body.height / 3, 4));
+  const auto [list, rest] = split_top(body, rows);
+  draw_table(screen, list, table, state.list, true);
+  const auto [words, lower] = split_top(rest, 2);
+  screen.text(1, words.y, all_sizes(chosen), {}, canvas.width - 2);
+  screen.text(1,
+              words.y + 1,
+              look_alikes(chosen),
+              {.colour = Colour::Yellow},
+              canvas.width - 2);
+  const std::vector<int> grids = grids_of(input.bundle, chosen.where);
+  const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
+  draw_signature(screen, left, input, state, grids);
+  draw_place(screen, right, input, state, grids);
+  return screen;
+}
+
+std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
+  std::vector<Need> needs{{Stage::Model}};
+  const updating::Diagnosis& d = *known.diagnosis;
+  if (d.candidates.empty()) return needs;
+  const Table table = candidate_table(d, 80, true);
+  const Candidate& c = d.candidates[settled(table, state_.list)];
+  const std::vector<int> grids = grids_of(*known.bundle, c.where);
+  if (!grids.empty()) needs.push_back({Stage::Signature, grids[0]});
+  return needs;
+}
+
+Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return diagnose_view(
+      {*known.bundle, *known.diagnosis, known.signatures, known.wire.get()},
+      state_,
+      canvas);
+}
+
+bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
+  const updating::Diagnosis& d = *known.diagnosis;
+  const Table table = candidate_table(d, 80, true);
+  if (key == U'a' || key == keys::enter) {
+    if (d.candidates.empty()) return true;
+    const Candidate& c = d.candidates[settled(table, state_.list)];
+    command.kind = Command::Kind::Add;
+    command.effect = {c.effect, c.where};
+    return true;
+  }
+  if (list_key(state_.list, table, key)) return true;
+  if (pose_key(state_.pose, key)) return true;
+  for (const auto& [node, signature] : known.signatures) {
+    const Eigen::VectorXd& f = signature->frequency_hz;
+    if (f.size() > 1) {
+      return range_key(state_.range, key, f[0], f[f.size() - 1]);
+    }
+  }
+  return false;
+}
+
+std::vector<KeyHelp> DiagnosePage::keys() const {
+  return {{"j k", "candidate"},
+          {"a", "add it"},
+          {"u", "undo"},
+          {"^R", "redo"},
+          {"h l", "cursor"},
+          {"< > ( )", "turn"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"/", "filter"}};
+}
+
+std::string DiagnosePage::help() const {
+  return "Physical effects that may be missing from the model, most probable "
+         "first: where, how large (± one standard deviation), the error left "
+         "after adding it, and the error on data it was not fitted to. Yellow "
+         "ones can't be told apart from others with these points. The plot is "
+         "the missing dynamic stiffness at the place: a mass falls with the "
+         "square of frequency, a spring is constant, a dashpot is imaginary "
+         "and rises. The dashed curve is the law that fits best. a adds the "
+         "candidate to the model and identifies all parameters anew.";
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,49 @@
+// Screen 5: which physical effect is missing, where, how large, how sure.
+#pragma once
+
+#include "tui/plot_range.hpp"
+#include "tui/views/page.hpp"
+
+#include <optional>
+
+namespace tapfit::tui {
+
+struct DiagnoseInput {
+  const acquisition::TestBundle& bundle;
+  const updating::Diagnosis& diagnosis;
+  const std::map<int, std::shared_ptr<const updating::Signature>>& signatures;
+  const Wireframe* wire = nullptr;
+};
+
+struct DiagnoseState {
+  ListState list;   ///< candidates
+  PlotRange range;  ///< [Hz], of the signature
+  Pose pose;
+  bool log = false;
+};
+
+[[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
+                                   const DiagnoseState& state,
+                                   const Canvas& canvas);
+
+/// Grids that the place means: its own, or those of its channels' sensors.
+[[nodiscard]] std::vector<int> grids_of(const acquisition::TestBundle& bundle,
+                                        const updating::Where& where);
+
+class DiagnosePage final : public Page {
+ public:
+  std::string title() const override { return "Diagnose"; }
+  bool wants_model() const override { return true; }
+  std::vector<Need> essential() const override { return {{Stage::Diagnosis}}; }
+  std::vector<Need> welcome(const Snapshot& known) const override;
+  Screen draw(const Snapshot& known, const Canvas& canvas) const override;
+  bool press(const Snapshot& known, Key key, Command& command) override;
+  ListState* list() override { return &state_.list; }
+  std::vector<KeyHelp> keys() const override;
+  std::string help() const override;
+
+ private:
+  DiagnoseState state_;
+};
+
+}  // namespace tapfit::tui

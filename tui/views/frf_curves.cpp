@@ -1,0 +1,75 @@
+#include "tui/views/frf_curves.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace tapfit::tui {
+
+Curve magnitude_curve(const std::string& label,
+                      const Eigen::VectorXd& frequency_hz,
+                      const Eigen::VectorXcd& H,
+                      const Pen& pen) {
+  Curve curve{label, {}, {}, {}, {}, pen};
+  if (H.size() != frequency_hz.size()) return curve;
+  curve.x = frequency_hz;
+  curve.y = H.cwiseAbs();
+  return curve;
+}
+
+Curve phase_curve(const std::string& label,
+                  const Eigen::VectorXd& frequency_hz,
+                  const Eigen::VectorXcd& H,
+                  const Pen& pen) {
+  Curve curve{label, {}, {}, {}, {}, pen};
+  if (H.size() != frequency_hz.size()) return curve;
+  curve.x = frequency_hz;
+  curve.y.resize(H.size());
+  double last = 0.0;
+  for (Eigen::Index i = 0; i < H.size(); ++i) {
+    const double phase = std::arg(H[i]) * 180.0 / std::numbers::pi;
+    // A jump across the cut is no curve; leave out its first point.
+    const bool jumped = i > 0 && std::abs(phase - last) > 270.0;
+    curve.y[i] = jumped ? std::numeric_limits<double>::quiet_NaN() : phase;
+    last = phase;
+  }
+  return curve;
+}
+
+Curve measured_curve(const std::string& label,
+                     const Eigen::VectorXd& frequency_hz,
+                     const signal::Frf& frf,
+                     bool band) {
+  Curve curve = magnitude_curve(label, frequency_hz, frf.H, {Colour::Sky});
+  if (band && curve.y.size() > 0 && frf.variance.size() == curve.y.size()) {
+    const Eigen::VectorXd reach = 1.96 * frf.variance.cwiseMax(0.0).cwiseSqrt();
+    curve.low = (curve.y - reach).cwiseMax(0.0);
+    curve.high = curve.y + reach;
+  }
+  return curve;
+}
+
+FrequencySpan frequency_span(const signal::FrfSet& frfs) {
+  if (frfs.lines() < 2) return {};
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  if (!(f[0] < f[f.size() - 1])) return {};
+  return {f[0], f[f.size() - 1]};
+}
+
+double line_spacing(const signal::FrfSet& frfs) {
+  if (frfs.lines() < 2) return 0.0;
+  const FrequencySpan span = frequency_span(frfs);
+  return (span.hi - span.lo) / static_cast<double>(frfs.lines() - 1);
+}
+
+Plot frf_plot(const signal::FrfSet& frfs, const PlotRange& range, bool log) {
+  const FrequencySpan span = frequency_span(frfs);
+  const PlotRange shown = resolved(range, span.lo, span.hi);
+  Plot plot;
+  plot.x = {"f", "Hz", shown.lo, shown.hi, false};
+  plot.y = {"|H|", accelerance_unit, 0.0, 0.0, log};
+  if (shown.cursor_set) plot.cursor = shown.cursor;
+  return plot;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,303 @@
+#include "tui/views/modes_view.hpp"
+
+#include "modal/mac.hpp"
+#include "tui/bars.hpp"
+#include "tui/heat_map.hpp"
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/views/frf_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+Table mode_table(const modal::ModeSet& modes) {
+  Table table{{{"#", true}, {"f Hz", true}, {"damping %", true}, {"MPC", true}},
+              {}};
+  for (std::size_t i = 0; i < modes.modes.size(); ++i) {
+    const modal::Mode& mode = modes.modes[i];
+    table.rows.push_back(
+        {{std::to_string(i + 1),
+          with_sd(mode.frequency_hz, mode.frequency_sd_hz),
+          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
+          fixed(mode.mpc, 3)},
+         {}});
+  }
+  return table;
+}
+
+/// Turns a complex shape so that its real part is as large as possible:
+/// the angle is half that of sum phi^2.
+Eigen::VectorXd realised(const Eigen::VectorXcd& shape) {
+  const std::complex<double> sum = shape.array().square().sum();
+  const double angle = -0.5 * std::arg(sum);
+  return (shape * std::polar(1.0, angle)).real();
+}
+
+Colour letter_colour(char letter) {
+  if (letter == 's') return Colour::Green;
+  if (letter == 'v') return Colour::Sky;
+  if (letter == 'd') return Colour::Orange;
+  return Colour::Grey;
+}
+
+/// The mean magnitude of all FRFs, scaled into the diagram's orders.
+Curve background(const signal::FrfSet& frfs, double orders) {
+  Curve curve{"", frfs.frequency_hz(), {}, {}, {}, {Colour::Grey}};
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(curve.x.size());
+  for (const signal::Frf& frf : frfs.frfs) {
+    if (frf.H.size() == mean.size()) mean += frf.H.cwiseAbs();
+  }
+  if (mean.size() == 0 || !(mean.maxCoeff() > 0.0)) return {};
+  const double top = std::log10(mean.maxCoeff());
+  const double bottom =
+      std::log10(std::max(mean.minCoeff(), 1e-6 * mean.maxCoeff()));
+  const double span = std::max(top - bottom, 1e-9);
+  curve.y.resize(mean.size());
+  for (Eigen::Index i = 0; i < mean.size(); ++i) {
+    const double level = std::log10(std::max(mean[i], 1e-300)) - bottom;
+    curve.y[i] = orders * std::max(level, 0.0) / span;
+  }
+  return curve;
+}
+
+void draw_diagram(Screen& screen,
+                  const Rect& rect,
+                  const ModesInput& input,
+                  const ModesState& state,
+                  std::size_t selected) {
+  Plot plot;
+  FrequencySpan span;
+  int orders = 10;
+  for (const modal::DiagramPole& pole : input.modes.diagram) {
+    orders = std::max(orders, pole.order);
+    span.hi = std::max(span.hi, pole.frequency_hz);
+    const Style style{.colour = letter_colour(pole.letter)};
+    plot.spots.push_back({pole.frequency_hz,
+                          static_cast<double>(pole.order),
+                          static_cast<char32_t>(pole.letter),
+                          style});
+  }
+  if (input.frfs != nullptr && input.frfs->lines() > 1) {
+    span = frequency_span(*input.frfs);
+    plot.curves.push_back(background(*input.frfs, orders));
+  }
+  const PlotRange shown = resolved(state.range, span.lo, span.hi);
+  plot.x = {"f", "Hz", shown.lo, shown.hi, false};
+  plot.y = {"order", "", 0.0, orders + 1.0, false};
+  plot.title = "stabilisation";
+  if (shown.cursor_set) plot.cursor = shown.cursor;
+  for (std::size_t i = 0; i < input.modes.modes.size(); ++i) {
+    Style style{.colour = Colour::Yellow, .bold = true};
+    style.reverse = i == selected;
+    plot.markers.push_back({input.modes.modes[i].frequency_hz, U'▼', style});
+  }
+  draw_plot(screen, rect, plot);
+}
+
+void draw_shape_bars(Screen& screen,
+                     const Rect& rect,
+                     const modal::ModeSet& modes,
+                     std::size_t selected) {
+  const Eigen::VectorXd shape = realised(modes.modes[selected].shape);
+  const double largest = shape.size() > 0 ? shape.cwiseAbs().maxCoeff() : 0.0;
+  const auto rows =
+      std::min<Eigen::Index>({shape.size(),
+                              static_cast<Eigen::Index>(modes.dofs.size()),
+                              rect.height});
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const int y = rect.y + static_cast<int>(i);
+    const double share = largest > 0.0 ? shape[i] / largest : 0.0;
+    screen.text_right(
+        rect.x + 7, y, tapfit::name(modes.dofs[static_cast<std::size_t>(i)]));
+    screen.put(rect.x + 8, y, share < 0.0 ? U'-' : U'+');
+    screen.text(rect.x + 9,
+                y,
+                bar(std::abs(share), rect.width - 10, screen.ascii()),
+                {.colour = share < 0.0 ? Colour::Orange : Colour::Blue});
+  }
+}
+
+void draw_shape(Screen& screen,
+                const Rect& rect,
+                const ModesInput& input,
+                const ModesState& state,
+                std::size_t selected) {
+  const modal::Mode& mode = input.modes.modes[selected];
+  screen.text(
+      rect.x,
+      rect.y,
+      fmt::format(
+          "mode {} at {} Hz", selected + 1, number(mode.frequency_hz, 5)),
+      {.bold = true},
+      rect.width);
+  const Rect body = split_top(rect, 1).second;
+  if (input.wire == nullptr) {
+    draw_shape_bars(screen, body, input.modes, selected);
+    return;
+  }
+  Scene scene;
+  scene.stems = stems(input.modes, selected);
+  scene.phase = state.phase;
+  draw_wireframe(screen, body, *input.wire, scene, state.pose);
+}
+
+void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
+  HeatMap map;
+  const auto count = static_cast<Eigen::Index>(input.modes.modes.size());
+  const updating::Comparison* c = input.comparison;
+  const bool with_model = c != nullptr && c->mac.rows() == count;
+  for (const modal::Mode& mode : input.modes.modes) {
+    map.row_names.push_back(fixed(mode.frequency_hz, 2));
+  }
+  if (with_model) {
+    map.values = c->mac;
+    for (const double f : c->modes.frequency_hz) {
+      map.column_names.push_back(number(f, 3));
+    }
+  } else {
+    const auto dofs = static_cast<Eigen::Index>(input.modes.dofs.size());
+    Eigen::MatrixXcd shapes(dofs, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const Eigen::VectorXcd& shape =
+          input.modes.modes[static_cast<std::size_t>(i)].shape;
+      if (shape.size() != dofs) return;
+      shapes.col(i) = shape;
+    }
+    map.values = modal::mac(shapes, shapes);
+    for (const modal::Mode& mode : input.modes.modes) {
+      map.column_names.push_back(number(mode.frequency_hz, 3));
+    }
+  }
+  screen.text(rect.x,
+              rect.y,
+              with_model ? "MAC in %: measured (rows, Hz) with model (columns)"
+                         : "AutoMAC in %: measured with measured",
+              {.bold = true},
+              rect.width);
+  draw_heat_map(screen, split_top(rect, 1).second, map);
+}
+
+std::string summary(const modal::ModeSet& modes) {
+  return fmt::format("{} modes, {}, synthesis error {}{}",
+                     modes.modes.size(),
+                     modes.scaled ? "unit modal mass" : "not scaled",
+                     percent(modes.synthesis_error),
+                     modes.warnings.empty() ? "" : "   ! " + modes.warnings[0]);
+}
+
+}  // namespace
+
+std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
+                                     std::size_t mode) {
+  std::map<int, Eigen::Vector3d> found;
+  const Eigen::VectorXd shape = realised(modes.modes[mode].shape);
+  const std::size_t count =
+      std::min(modes.dofs.size(), static_cast<std::size_t>(shape.size()));
+  for (std::size_t i = 0; i < count; ++i) {
+    const Dof& dof = modes.dofs[i];
+    if (dof.component < 1 || dof.component > 3) continue;
+    auto [at, fresh] = found.try_emplace(dof.node, Eigen::Vector3d::Zero());
+    at->second[dof.component - 1] +=
+        dof.sign * shape[static_cast<Eigen::Index>(i)];
+  }
+  return found;
+}
+
+Screen modes_view(const ModesInput& input,
+                  const ModesState& state,
+                  const Canvas& canvas) {
+  Screen screen(canvas);
+  const Table table = mode_table(input.modes);
+  screen.text(1, 0, summary(input.modes), {}, canvas.width - 2);
+  const Rect body{0, 1, canvas.width, canvas.height - 1};
+  if (input.modes.modes.empty()) {
+    screen.text(1, 2, "No mode was found; the diagram shows what was tried.");
+    draw_diagram(screen, split_top(body, 3).second, input, state, 0);
+    return screen;
+  }
+  const std::size_t selected = settled(table, state.list);
+  const int left = std::clamp(canvas.width / 2, 45, 60);
+  if (state.mac) {
+    const auto [side, rest] = split_left(body, left);
+    draw_table(screen, side, table, state.list, true);
+    draw_mac(screen, rest, input);
+    return screen;
+  }
+  const auto [upper, lower] = split_top(body, (body.height - 1) / 2);
+  const auto [side, shape] = split_left(upper, left);
+  draw_table(screen, side, table, state.list, true);
+  draw_shape(screen, shape, input, state, selected);
+  draw_diagram(screen, lower, input, state, selected);
+  return screen;
+}
+
+std::vector<Need> ModesPage::welcome(const Snapshot& known) const {
+  std::vector<Need> needs;
+  if (known.has_model) needs.push_back({Stage::Model});
+  if (known.has_model && state_.mac) needs.push_back({Stage::Comparison});
+  return needs;
+}
+
+Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return modes_view({*known.modes,
+                     known.frfs.get(),
+                     known.wire.get(),
+                     known.comparison.get()},
+                    state_,
+                    canvas);
+}
+
+bool ModesPage::press(const Snapshot& known, Key key, Command&) {
+  if (key == U'm') {
+    state_.mac = !state_.mac;
+  } else if (key == U' ') {
+    state_.moving = !state_.moving;
+    if (!state_.moving) state_.phase = 1.0;
+  } else if (!list_key(state_.list, mode_table(*known.modes), key) &&
+             !pose_key(state_.pose, key)) {
+    const FrequencySpan span = frequency_span(*known.frfs);
+    return range_key(state_.range, key, span.lo, span.hi);
+  }
+  return true;
+}
+
+bool ModesPage::animate(const Snapshot&) {
+  if (!state_.moving) return false;
+  constexpr int frames = 24;  // of one swing
+  state_.frame = (state_.frame + 1) % frames;
+  state_.phase = std::cos(2.0 * std::numbers::pi * state_.frame / frames);
+  return true;
+}
+
+std::vector<KeyHelp> ModesPage::keys() const {
+  return {{"j k", "mode"},
+          {"m", "MAC"},
+          {"Space", "animate"},
+          {"< >", "turn"},
+          {"( )", "tilt"},
+          {"{ }", "size"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"h l", "cursor"},
+          {"/", "filter"}};
+}
+
+std::string ModesPage::help() const {
+  return "Modes identified from the FRFs, with one standard deviation. MPC is "
+         "1 for a real shape. The diagram shows the poles of every model "
+         "order: o new, f stable in frequency, d also in damping, v also in "
+         "the vector, s in all; ▼ marks the modes that were taken, the grey "
+         "curve is the mean magnitude of the FRFs. The shape is drawn as "
+         "stems at the measured points. m shows the MAC with the model, "
+         "or of the measured modes among themselves where there is no model.";
+}
+
+}  // namespace tapfit::tui

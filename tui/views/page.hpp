@@ -1,0 +1,62 @@
+// What the seven screens have in common.
+#pragma once
+
+#include "tui/key.hpp"
+#include "tui/screen.hpp"
+#include "tui/snapshot.hpp"
+#include "tui/table.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// What a key asks for beyond the screen itself.
+struct Command {
+  enum class Kind { None, OverruleHit, Add, ShowFrf };
+  Kind kind = Kind::None;
+  std::size_t run = 0;
+  std::size_t hit = 0;
+  std::size_t frf = 0;
+  updating::EffectRef effect;
+  std::string message;  ///< for the message line, if not empty
+};
+
+struct KeyHelp {
+  std::string key;
+  std::string what;
+};
+
+class Page {
+ public:
+  Page() = default;
+  Page(const Page&) = delete;
+  Page& operator=(const Page&) = delete;
+  virtual ~Page() = default;
+
+  [[nodiscard]] virtual std::string title() const = 0;
+  /// True for screens that are about the model.
+  [[nodiscard]] virtual bool wants_model() const { return false; }
+  /// Results without which there is nothing to draw, in order.
+  [[nodiscard]] virtual std::vector<Need> essential() const = 0;
+  /// Results that are asked for once the essential ones are there.
+  [[nodiscard]] virtual std::vector<Need> welcome(const Snapshot&) const {
+    return {};
+  }
+  /// @pre the essential results are there
+  [[nodiscard]] virtual Screen draw(const Snapshot& known,
+                                    const Canvas& canvas) const = 0;
+  /// @pre the essential results are there
+  /// @return true when the key meant something here
+  virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
+  /// The list that `/` filters, if there is one.
+  virtual ListState* list() { return nullptr; }
+  /// Moves what is animated by one frame; true when the screen has changed.
+  virtual bool animate(const Snapshot&) { return false; }
+  /// Most useful first; the key bar shows as many as fit.
+  [[nodiscard]] virtual std::vector<KeyHelp> keys() const = 0;
+  /// What the screen shows and how to read it.
+  [[nodiscard]] virtual std::string help() const = 0;
+};
+
+}  // namespace tapfit::tui

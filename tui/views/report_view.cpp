@@ -1,0 +1,261 @@
+#include "tui/views/report_view.hpp"
+
+#include "tui/bars.hpp"
+#include "tui/heat_map.hpp"
+#include "tui/number.hpp"
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Comparison;
+using updating::ModePair;
+
+constexpr int tallest = 2000;
+
+/// Writes downwards.
+struct Sheet {
+  Screen screen;
+  int y = 0;
+
+  void line(const std::string& words, Style style = {}) {
+    screen.text(1, y++, words, style, screen.width() - 2);
+  }
+  void heading(const std::string& words) {
+    if (y > 0) ++y;
+    line(words, {.colour = Colour::Sky, .bold = true});
+  }
+  void paragraph(const std::string& words, Style style = {}) {
+    for (const std::string& row : wrapped(words, screen.width() - 4)) {
+      line(row, style);
+    }
+  }
+};
+
+void write_verdict(Sheet& sheet, const ReportInput& input) {
+  sheet.heading("Verdict");
+  sheet.line(fmt::format("error {} → {}, floor {} (noise {}, mesh {})",
+                         percent(input.base.error),
+                         percent(input.current.error),
+                         percent(input.current.floor),
+                         percent(input.current.floor_noise),
+                         percent(input.current.floor_mesh)),
+             {.bold = true});
+  if (input.diagnosis != nullptr) {
+    sheet.line(fmt::format("diagnosis of the current model: {}",
+                           input.diagnosis->verdict));
+  }
+  sheet.paragraph(input.current.contour, {.colour = Colour::Grey});
+}
+
+void write_ladder(Sheet& sheet, const ReportInput& input) {
+  sheet.heading("Error ladder");
+  double largest = 1e-9;
+  for (const updating::Rung& rung : input.ladder) {
+    if (std::isfinite(rung.error)) largest = std::max(largest, rung.error);
+  }
+  const int names = std::clamp(sheet.screen.width() / 2, 20, 50);
+  for (const updating::Rung& rung : input.ladder) {
+    const bool base = rung.added == "base";
+    const std::string what =
+        base ? std::string("base model")
+             : fmt::format(
+                   "+ {} {}", rung.added, updating::describe(rung.where));
+    sheet.screen.text(1, sheet.y, what, {}, names - 2);
+    sheet.screen.text_right(names + 8, sheet.y, percent(rung.error));
+    draw_error_bar(sheet.screen,
+                   {names + 10, sheet.y, sheet.screen.width() - names - 12, 1},
+                   rung.error,
+                   input.current.floor,
+                   largest);
+    ++sheet.y;
+    if (base) continue;
+    for (const updating::Estimate& p : rung.parameters) {
+      sheet.line(fmt::format("    {}", describe(p)));
+    }
+  }
+  for (const updating::Estimate& p : input.parameters) {
+    sheet.line(fmt::format("model: {}", describe(p)));
+  }
+}
+
+const ModePair* pair_of(const Comparison& c, int measured) {
+  for (const ModePair& pair : c.pairs) {
+    if (pair.measured == measured) return &pair;
+  }
+  return nullptr;
+}
+
+std::string signed_percent(double value) {
+  return fmt::format("{}{} %", value > 0.0 ? "+" : "", fixed(value, 2));
+}
+
+void write_frequencies(Sheet& sheet, const ReportInput& input) {
+  sheet.heading("Frequencies and MAC, before and after");
+  Table table{{{"measured Hz", true},
+               {"before Hz", true},
+               {"error", true},
+               {"MAC", true},
+               {"after Hz", true},
+               {"error", true},
+               {"MAC", true}},
+              {}};
+  std::map<int, double> measured;
+  for (const ModePair& p : input.base.pairs)
+    measured[p.measured] = p.measured_hz;
+  for (const ModePair& p : input.current.pairs) {
+    measured[p.measured] = p.measured_hz;
+  }
+  double before = 0.0;
+  double after = 0.0;
+  for (const auto& [mode, hz] : measured) {
+    std::vector<std::string> cells{fixed(hz, 3)};
+    for (const Comparison* c : {&input.base, &input.current}) {
+      const ModePair* p = pair_of(*c, mode);
+      cells.push_back(p != nullptr ? fixed(p->model_hz, 3) : "–");
+      cells.push_back(p != nullptr ? signed_percent(p->error_percent) : "–");
+      cells.push_back(p != nullptr ? fixed(p->mac, 3) : "–");
+    }
+    table.rows.push_back({std::move(cells), {}});
+  }
+  for (const ModePair& p : input.base.pairs)
+    before += std::abs(p.error_percent);
+  for (const ModePair& p : input.current.pairs) {
+    after += std::abs(p.error_percent);
+  }
+  const int rows = static_cast<int>(table.rows.size()) + 1;
+  draw_table(
+      sheet.screen, {0, sheet.y, sheet.screen.width(), rows}, table, {}, false);
+  sheet.y += rows;
+  if (input.base.pairs.empty() || input.current.pairs.empty()) return;
+  sheet.line(fmt::format(
+      "mean frequency error {} % → {} %",
+      fixed(before / static_cast<double>(input.base.pairs.size()), 2),
+      fixed(after / static_cast<double>(input.current.pairs.size()), 2)));
+}
+
+HeatMap mac_map(const Comparison& c) {
+  HeatMap map;
+  map.values = c.mac;
+  map.row_names.resize(static_cast<std::size_t>(c.mac.rows()));
+  for (std::size_t i = 0; i < map.row_names.size(); ++i) {
+    map.row_names[i] = std::to_string(i + 1);
+  }
+  for (Eigen::Index i = 0; i < c.mac.cols(); ++i) {
+    map.column_names.push_back(std::to_string(i + 1));
+  }
+  return map;
+}
+
+void write_macs(Sheet& sheet, const ReportInput& input) {
+  if (input.base.mac.size() == 0 || input.current.mac.size() == 0) return;
+  sheet.heading("MAC in %, measured (rows) with model: before | after");
+  const int half = sheet.screen.width() / 2;
+  const int rows = static_cast<int>(std::max(input.base.mac.rows(),
+                                             input.current.mac.rows())) +
+                   1;
+  draw_heat_map(
+      sheet.screen, {1, sheet.y, half - 2, rows}, mac_map(input.base));
+  draw_heat_map(sheet.screen,
+                {half + 1, sheet.y, half - 2, rows},
+                mac_map(input.current));
+  sheet.y += rows;
+}
+
+std::vector<std::string> all_warnings(const Snapshot& known) {
+  std::vector<std::string> found = known.bundle->warnings;
+  const auto take = [&found](const std::vector<std::string>& more) {
+    found.insert(found.end(), more.begin(), more.end());
+  };
+  if (known.deck) take(known.deck->warnings);
+  if (known.modes) take(known.modes->warnings);
+  if (known.diagnosis) take(known.diagnosis->warnings);
+  return found;
+}
+
+ReportInput input_of(const Snapshot& known) {
+  return {*known.base_comparison,
+          *known.comparison,
+          *known.ladder,
+          *known.parameters,
+          known.diagnosis.get(),
+          all_warnings(known)};
+}
+
+}  // namespace
+
+Screen report_sheet(const ReportInput& input, int width, bool ascii) {
+  Sheet sheet{Screen(width, tallest, ascii)};
+  write_verdict(sheet, input);
+  write_ladder(sheet, input);
+  write_frequencies(sheet, input);
+  write_macs(sheet, input);
+  if (!input.warnings.empty()) {
+    sheet.heading("Warnings");
+    for (const std::string& warning : input.warnings) {
+      sheet.paragraph(fmt::format("! {}", warning), {.colour = Colour::Yellow});
+    }
+  }
+  Screen cut(width, std::min(sheet.y, tallest), ascii);
+  cut.place(0, 0, sheet.screen);
+  return cut;
+}
+
+Screen report_view(const ReportInput& input,
+                   int first_row,
+                   const Canvas& canvas) {
+  const Screen sheet = report_sheet(input, canvas.width, canvas.ascii);
+  Screen screen(canvas);
+  const int last = std::max(sheet.height() - canvas.height, 0);
+  screen.place(0, -std::clamp(first_row, 0, last), sheet);
+  if (first_row < last) screen.put(canvas.width - 1, canvas.height - 1, U'↓');
+  if (first_row > 0) screen.put(canvas.width - 1, 0, U'↑');
+  return screen;
+}
+
+Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return report_view(input_of(known), first_row_, canvas);
+}
+
+bool ReportPage::press(const Snapshot& known, Key key, Command&) {
+  const int rows = report_sheet(input_of(known), 80, false).height();
+  if (key == keys::down || key == U'j' || key == keys::wheel_down) {
+    ++first_row_;
+  } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
+    --first_row_;
+  } else if (key == keys::page_down || key == U' ') {
+    first_row_ += 10;
+  } else if (key == keys::page_up) {
+    first_row_ -= 10;
+  } else if (key == keys::home || key == U'g') {
+    first_row_ = 0;
+  } else if (key == keys::end || key == U'G') {
+    first_row_ = rows;
+  } else {
+    return false;
+  }
+  first_row_ = std::clamp(first_row_, 0, std::max(rows - 10, 0));
+  return true;
+}
+
+std::vector<KeyHelp> ReportPage::keys() const {
+  return {{"j k", "scroll"},
+          {"PgUp PgDn", "page"},
+          {"g G", "top, end"},
+          {"u", "undo"},
+          {"^R", "redo"}};
+}
+
+std::string ReportPage::help() const {
+  return "What was found, on one sheet: the error with each effect that was "
+         "added, the frequencies and MAC of the base model and the current "
+         "one against the measurement, and every warning that was given.";
+}
+
+}  // namespace tapfit::tui

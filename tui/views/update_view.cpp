@@ -1,0 +1,224 @@
+#include "tui/views/update_view.hpp"
+
+#include "tui/bars.hpp"
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/text.hpp"
+#include "tui/views/frf_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Comparison;
+
+/// Between two curves: magnitudes slide along their logarithms.
+Eigen::VectorXcd between(const Eigen::VectorXcd& from,
+                         const Eigen::VectorXcd& to,
+                         double share) {
+  if (from.size() != to.size() || share >= 1.0) return to;
+  Eigen::VectorXcd mixed(to.size());
+  for (Eigen::Index i = 0; i < to.size(); ++i) {
+    const double a = std::max(std::abs(from[i]), 1e-300);
+    const double b = std::max(std::abs(to[i]), 1e-300);
+    mixed[i] = std::pow(a, 1.0 - share) * std::pow(b, share);
+  }
+  return mixed;
+}
+
+Table parameter_table(const UpdateInput& input) {
+  Table table{{{"parameter"}, {"value", true}, {"unit"}}, {}};
+  const auto add = [&table](const updating::Estimate& p) {
+    const NameAndUnit split = split_unit(p.name);
+    table.rows.push_back(
+        {{clipped(split.name, 26), with_sd(p.value, p.sd), split.unit}, {}});
+  };
+  for (const updating::Estimate& p : input.parameters) add(p);
+  for (const updating::Rung& rung : input.ladder) {
+    if (rung.parameters.empty() || rung.added == "base") continue;
+    table.rows.push_back({{rung.added, "", ""}, {.colour = Colour::Sky}});
+    for (const updating::Estimate& p : rung.parameters) add(p);
+  }
+  return table;
+}
+
+void draw_ladder(Screen& screen, const Rect& rect, const UpdateInput& input) {
+  double largest = 1e-9;
+  for (const updating::Rung& rung : input.ladder) {
+    if (std::isfinite(rung.error)) largest = std::max(largest, rung.error);
+  }
+  const double floor = input.current != nullptr ? input.current->floor : 0.0;
+  screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
+  const int names = std::min(rect.width / 2, 30);
+  const int rows =
+      std::min(static_cast<int>(input.ladder.size()), rect.height - 1);
+  // The newest rungs, when not all fit.
+  const std::size_t first =
+      input.ladder.size() - static_cast<std::size_t>(std::max(rows, 0));
+  for (int i = 0; i < rows; ++i) {
+    const updating::Rung& rung =
+        input.ladder[first + static_cast<std::size_t>(i)];
+    const int y = rect.y + 1 + i;
+    const std::string place =
+        rung.added == "base"
+            ? std::string()
+            : fmt::format(" {}", updating::describe(rung.where));
+    screen.text(rect.x, y, rung.added + place, {}, names - 1);
+    screen.text_right(rect.x + names + 7, y, percent(rung.error));
+    draw_error_bar(screen,
+                   {rect.x + names + 8, y, rect.width - names - 9, 1},
+                   rung.error,
+                   floor,
+                   largest);
+  }
+}
+
+Plot overlay(const UpdateInput& input,
+             const UpdateState& state,
+             std::size_t selected) {
+  const signal::Frf& frf = input.frfs.frfs[selected];
+  const Eigen::VectorXd f = input.frfs.frequency_hz();
+  Plot plot = frf_plot(input.frfs, state.range, state.log);
+  plot.title = signal::name(frf);
+  plot.curves.push_back(measured_curve("measured", f, frf, false));
+  const auto has = [selected](const Comparison* c) {
+    return c != nullptr && selected < c->model_frfs.size();
+  };
+  if (has(input.base)) {
+    plot.curves.push_back(
+        magnitude_curve("base",
+                        f,
+                        input.base->model_frfs[selected],
+                        {Colour::Grey, Pattern::Dotted, '.'}));
+  }
+  if (has(input.current)) {
+    const Eigen::VectorXcd& now = input.current->model_frfs[selected];
+    const Eigen::VectorXcd shown =
+        has(input.previous) && state.slide < 1.0
+            ? between(input.previous->model_frfs[selected], now, state.slide)
+            : now;
+    plot.curves.push_back(magnitude_curve(
+        "updated", f, shown, {Colour::Orange, Pattern::Dashed, 'o'}));
+  }
+  return plot;
+}
+
+Table frf_names(const signal::FrfSet& frfs) {
+  Table table{{{"FRF"}}, {}};
+  for (const signal::Frf& frf : frfs.frfs) {
+    table.rows.push_back({{signal::name(frf)}, {}});
+  }
+  return table;
+}
+
+}  // namespace
+
+Screen update_view(const UpdateInput& input,
+                   const UpdateState& state,
+                   const Canvas& canvas) {
+  Screen screen(canvas);
+  std::string headline = "nothing added yet: 5 ranks what may be missing";
+  if (input.ladder.size() > 1) {
+    headline = fmt::format("{} effect(s) added: error {} → {}",
+                           input.ladder.size() - 1,
+                           percent(input.ladder.front().error),
+                           percent(input.ladder.back().error));
+  }
+  if (input.current != nullptr) {
+    headline += fmt::format(", floor {}", percent(input.current->floor));
+  }
+  screen.text(1, 0, headline, {.bold = true}, canvas.width - 2);
+  const Rect body{0, 1, canvas.width, canvas.height - 1};
+  const Table parameters = parameter_table(input);
+  const int wanted = std::max({static_cast<int>(parameters.rows.size()),
+                               static_cast<int>(input.ladder.size()),
+                               2}) +
+                     1;
+  const auto [upper, lower] =
+      split_top(body, std::min(wanted, body.height * 2 / 5));
+  const auto [left, right] = split_left(upper, canvas.width / 2);
+  draw_table(screen, left, parameters, {}, false);
+  draw_ladder(screen, right, input);
+  if (input.frfs.frfs.empty()) return screen;
+  const std::size_t selected = settled(frf_names(input.frfs), state.list);
+  const Plot plot = overlay(input, state, selected);
+  const auto [area, line] = split_top(lower, lower.height - 1);
+  draw_plot(screen, area, plot);
+  if (plot.cursor) {
+    screen.text(1,
+                line.y,
+                read_out(plot, *plot.cursor),
+                {.colour = Colour::Yellow},
+                canvas.width - 2);
+  } else {
+    screen.text(
+        1,
+        line.y,
+        fmt::format("FRF {} of {}", selected + 1, input.frfs.frfs.size()),
+        {.colour = Colour::Grey});
+  }
+  return screen;
+}
+
+Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return update_view({*known.frfs,
+                      *known.ladder,
+                      *known.parameters,
+                      known.base_comparison.get(),
+                      known.comparison.get(),
+                      known.previous.get()},
+                     state_,
+                     canvas);
+}
+
+bool UpdatePage::press(const Snapshot& known, Key key, Command&) {
+  if (key == U'x') {
+    state_.log = !state_.log;
+  } else if (key == U' ') {
+    state_.slide = 0.0;
+  } else if (!list_key(state_.list, frf_names(*known.frfs), key)) {
+    const FrequencySpan span = frequency_span(*known.frfs);
+    return range_key(
+        state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
+  }
+  return true;
+}
+
+bool UpdatePage::animate(const Snapshot& known) {
+  if (known.comparison && known.comparison != seen_) {
+    seen_ = known.comparison;
+    state_.slide = known.previous ? 0.0 : 1.0;
+  }
+  if (state_.slide >= 1.0) return false;
+  constexpr double step = 0.06;  // about a second from curve to curve
+  state_.slide = std::min(1.0, state_.slide + step);
+  return true;
+}
+
+std::vector<KeyHelp> UpdatePage::keys() const {
+  return {{"j k", "FRF"},
+          {"u", "undo"},
+          {"^R", "redo"},
+          {"Space", "slide again"},
+          {"h l", "cursor"},
+          {"x", "log/linear"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"_", "whole band"},
+          {"/", "filter"}};
+}
+
+std::string UpdatePage::help() const {
+  return "The current model: its uncertain properties and the parameters of "
+         "what was added, ± one standard deviation, and how the error fell "
+         "with each effect (the mark on a bar is the floor). Below, the "
+         "updated model over the measurement, with the base model for "
+         "comparison. u takes the last effect off, Ctrl-R puts it back.";
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,54 @@
+// Screen 6: the updated model's parameters, and its curve sliding onto the
+// measurement.
+#pragma once
+
+#include "tui/plot_range.hpp"
+#include "tui/views/page.hpp"
+
+namespace tapfit::tui {
+
+struct UpdateInput {
+  const signal::FrfSet& frfs;
+  const std::vector<updating::Rung>& ladder;
+  const std::vector<updating::Estimate>& parameters;
+  const updating::Comparison* base = nullptr;
+  const updating::Comparison* current = nullptr;
+  const updating::Comparison* previous = nullptr;  ///< where to slide from
+};
+
+struct UpdateState {
+  ListState list;   ///< FRFs
+  PlotRange range;  ///< [Hz]
+  bool log = true;
+  double slide = 1.0;  ///< 0: the previous model's curve, 1: the current one
+};
+
+[[nodiscard]] Screen update_view(const UpdateInput& input,
+                                 const UpdateState& state,
+                                 const Canvas& canvas);
+
+class UpdatePage final : public Page {
+ public:
+  std::string title() const override { return "Update"; }
+  bool wants_model() const override { return true; }
+  std::vector<Need> essential() const override {
+    return {{Stage::Frfs}, {Stage::Ladder}};
+  }
+  std::vector<Need> welcome(const Snapshot&) const override {
+    return {{Stage::Comparison}, {Stage::BaseComparison}};
+  }
+  Screen draw(const Snapshot& known, const Canvas& canvas) const override;
+  bool press(const Snapshot& known, Key key, Command& command) override;
+  ListState* list() override { return &state_.list; }
+  bool animate(const Snapshot& known) override;
+  std::vector<KeyHelp> keys() const override;
+  std::string help() const override;
+
+ private:
+  UpdateState state_;
+  /// Only told apart from the next one, never looked into; held, so that its
+  /// address is not given to another.
+  std::shared_ptr<const updating::Comparison> seen_;
+};
+
+}  // namespace tapfit::tui

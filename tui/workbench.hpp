@@ -1,0 +1,45 @@
+// What the screens ask of the work behind them. Two implementations: the
+// session over a test bundle, and a made-up one that tests drive.
+#pragma once
+
+#include "acquisition/hits.hpp"
+#include "acquisition/progress.hpp"
+#include "updating/session.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// As updating::Session; every call may take long and is made on the worker's
+/// thread only, but for bundle() and has_model(), which are called before.
+class Workbench {
+ public:
+  Workbench() = default;
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
+  virtual ~Workbench() = default;
+
+  virtual const acquisition::TestBundle& bundle() = 0;
+  virtual bool has_model() = 0;
+  virtual const structure::Deck& deck(const Progress&) = 0;
+  virtual const std::vector<acquisition::Recording>& recordings(
+      const Progress&) = 0;
+  virtual const acquisition::HitSet& hits(const Progress&) = 0;
+  virtual const signal::FrfSet& frfs(const Progress&) = 0;
+  virtual const modal::ModeSet& modes(const Progress&) = 0;
+  virtual const updating::Comparison& comparison(const Progress&) = 0;
+  virtual const updating::Comparison& base_comparison(const Progress&) = 0;
+  virtual const updating::Diagnosis& diagnosis(const Progress&) = 0;
+  virtual updating::Signature signature(int node, const Progress&) = 0;
+  virtual std::vector<updating::Rung> ladder(const Progress&) = 0;
+  virtual std::vector<updating::Estimate> model_parameters(const Progress&) = 0;
+
+  virtual void overrule_hit(std::size_t run, std::size_t hit) = 0;
+  virtual updating::EffectRef parse_effect(const std::string& text) = 0;
+  virtual void add(const updating::EffectRef&, const Progress&) = 0;
+  virtual bool undo() = 0;
+  virtual bool redo() = 0;
+};
+
+}  // namespace tapfit::tui

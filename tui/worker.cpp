@@ -1,0 +1,158 @@
+#include "tui/worker.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace tapfit::tui {
+namespace {
+
+template <class T>
+std::shared_ptr<const T> shared(T value) {
+  return std::make_shared<const T>(std::move(value));
+}
+
+void make_model(Workbench& bench, Snapshot& known, const Progress& progress) {
+  known.deck = shared(bench.deck(progress));
+  known.wire = shared(wireframe(*known.deck));
+}
+
+void make_traces(Workbench& bench, Snapshot& known, const Progress& progress) {
+  std::vector<Trace> traces;
+  for (const acquisition::Recording& r : bench.recordings(progress)) {
+    traces.push_back(trace(r));
+  }
+  known.traces = shared(std::move(traces));
+}
+
+void make_result(Workbench& bench,
+                 Snapshot& known,
+                 const Need& need,
+                 const Progress& progress) {
+  switch (need.stage) {
+    case Stage::Model:
+      return make_model(bench, known, progress);
+    case Stage::Traces:
+      return make_traces(bench, known, progress);
+    case Stage::Hits:
+      known.hits = shared(bench.hits(progress));
+      return;
+    case Stage::Frfs:
+      known.frfs = shared(bench.frfs(progress));
+      return;
+    case Stage::Modes:
+      known.modes = shared(bench.modes(progress));
+      return;
+    case Stage::BaseComparison:
+      known.base_comparison = shared(bench.base_comparison(progress));
+      return;
+    case Stage::Comparison:
+      known.comparison = shared(bench.comparison(progress));
+      return;
+    case Stage::Ladder:
+      known.ladder = shared(bench.ladder(progress));
+      known.parameters = shared(bench.model_parameters(progress));
+      return;
+    case Stage::Diagnosis:
+      known.diagnosis = shared(bench.diagnosis(progress));
+      return;
+    case Stage::Signature:
+      known.signatures[need.node] =
+          shared(bench.signature(need.node, progress));
+      return;
+  }
+}
+
+}  // namespace
+
+Job make(const Need& need) {
+  return {name(need.stage),
+          [need](Workbench& bench, Snapshot& known, const Progress& progress) {
+            make_result(bench, known, need, progress);
+            return std::string();
+          },
+          need};
+}
+
+Worker::Worker(std::unique_ptr<Workbench> bench) : bench_(std::move(bench)) {
+  known_.bundle = shared(bench_->bundle());
+  known_.has_model = bench_->has_model();
+  finished_ = Finished{Finished::How::Done, "", "", std::nullopt, known_};
+  thread_ = std::jthread([this](const std::stop_token& leave) { loop(leave); });
+}
+
+Worker::~Worker() { stop(); }
+
+void Worker::start(Job job) {
+  const std::lock_guard lock(mutex_);
+  assert(!status_.busy && !next_ && !finished_);
+  status_ = {true, job.title, "", 0.0};
+  stop_ = std::stop_source();
+  next_ = std::move(job);
+  wake_.notify_one();
+}
+
+void Worker::stop() {
+  const std::lock_guard lock(mutex_);
+  stop_.request_stop();
+}
+
+WorkerStatus Worker::status() const {
+  const std::lock_guard lock(mutex_);
+  return status_;
+}
+
+std::optional<Finished> Worker::take_finished() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(finished_, std::nullopt);
+}
+
+void Worker::report(std::string_view stage, double fraction) {
+  const std::lock_guard lock(mutex_);
+  status_.stage = stage;
+  status_.fraction =
+      std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+}
+
+void Worker::loop(const std::stop_token& leave) {
+  while (true) {
+    Job job;
+    {
+      std::unique_lock lock(mutex_);
+      if (!wake_.wait(lock, leave, [this] { return next_.has_value(); })) {
+        return;
+      }
+      job = std::move(*next_);
+      next_.reset();
+    }
+    run(job);
+  }
+}
+
+void Worker::run(Job& job) {
+  Progress progress;
+  progress.report = [this](std::string_view stage, double fraction) {
+    report(stage, fraction);
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    progress.stop = stop_.get_token();
+  }
+  Finished end{Finished::How::Done, job.title, "", job.need, {}};
+  try {
+    end.message = job.run(*bench_, known_, progress);
+  } catch (const Stopped&) {
+    end.how = Finished::How::Stopped;
+  } catch (const std::exception& error) {
+    end.how = Finished::How::Failed;
+    end.message = error.what();
+  }
+  end.snapshot = known_;
+  const std::lock_guard lock(mutex_);
+  finished_ = std::move(end);
+  status_.busy = false;
+}
+
+}  // namespace tapfit::tui
