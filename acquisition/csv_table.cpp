@@ -52,9 +52,7 @@ std::optional<double> to_number(std::string field, const Layout& layout) {
   if (begin != end && *begin == '+') ++begin;
   double value = 0.0;
   const auto [rest, fault] = std::from_chars(begin, end, value);
-  if (fault != std::errc{} || rest != end || !std::isfinite(value)) {
-    return std::nullopt;
-  }
+  if (fault != std::errc{} || rest != end) return std::nullopt;
   return value;
 }
 
@@ -169,8 +167,8 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
       const std::size_t at = positions[k];
       const std::string field = at < fields.size() ? fields[at] : "";
       const std::optional<double> value = to_number(field, text.layout);
-      if (!value) {
-        throw InputError(fmt::format("\"{}\" is no number", field),
+      if (!value || !std::isfinite(*value)) {
+        throw InputError(fmt::format("\"{}\" is no finite number", field),
                          fmt::format("{}:{}:{}", text.name, i + 1, at + 1),
                          "correct the cell, or skip the lines before it");
       }

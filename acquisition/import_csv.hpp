@@ -20,10 +20,11 @@ struct CsvChannel {
   std::string unit = "m/s^2";
   /// Given: the column holds volts, and this many make one unit. Empty: the
   /// column holds the unit itself.
-  std::optional<double> volts_per_unit;
+  std::optional<double> volts_per_unit = std::nullopt;
   bool flip_sign = false;
-  std::optional<double> mass_kg;
-  Dof dof;  ///< where it was; for the hammer unless the file says otherwise
+  std::optional<double> mass_kg = std::nullopt;
+  Dof dof =
+      {};  ///< where it was; for the hammer unless the file says otherwise
 };
 
 /// One recording.

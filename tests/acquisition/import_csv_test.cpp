@@ -1,0 +1,157 @@
+#include "acquisition/import_csv.hpp"
+
+#include "acquisition/hits.hpp"
+#include "acquisition/input_error.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+class Csv : public ::testing::Test {
+ protected:
+  Eigen::MatrixXd read(const std::string& text,
+                       const std::vector<std::string>& columns) {
+    return read_csv_columns(folder_.write("a.csv", text), columns, {});
+  }
+  std::string refusal(const std::string& text,
+                      const std::vector<std::string>& columns) {
+    try {
+      (void)read(text, columns);
+    } catch (const InputError& error) {
+      return error.where();
+    }
+    return "accepted";
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(Csv, ReadsEverySeparatorAndDecimalMark) {
+  Eigen::MatrixXd expected(3, 2);
+  expected << 0.5, 1e-3, -2.25, 20.0, 3.0, 0.0;
+  const std::vector<std::string> columns{"a", "b"};
+  EXPECT_EQ(read("t,a,b\n0,0.5,1e-3\n1,-2.25,20\n2,3,0\n", columns), expected);
+  EXPECT_EQ(
+      read("t;a;b\r\n0;0,5;0,001\r\n1;-2,25;20,0\r\n2;3,0;0\r\n", columns),
+      expected);
+  EXPECT_EQ(read("t\ta\tb\n0\t.5\t1E-3\n1\t-2.25\t2e1\n2\t+3\t0\n\n", columns),
+            expected);
+  EXPECT_EQ(
+      read("\"t\",\"a\",\"b\"\n0,\"0.5\",1e-3\n1,-2.25,20\n2,3,0", {"2", "3"}),
+      expected);
+}
+
+TEST_F(Csv, FindsTheNumbersBelowALoggersHeader) {
+  const std::string text =
+      "\"ID No.\",\"PCD-400A\"\r\n\"Sampling Rate(Hz)\",50\r\n"
+      "\"CH No.\",\"CH2\",\"CH8\"\r\n\"Range\",2000,5\r\n"
+      "\"Unit\",\"cm/s2\",\"V\"\r\n0.00,1,2,,Mass,2.5,kg\r\n0.02,3,4,,\r\n";
+  Eigen::MatrixXd expected(2, 2);
+  expected << 2, 1, 4, 3;
+  EXPECT_EQ(read(text, {"CH8", "CH2"}), expected);
+}
+
+TEST_F(Csv, NamesLineAndColumnOfAFault) {
+  const std::string name = (folder_.path() / "a.csv").string();
+  EXPECT_EQ(refusal("t,a\n0,1\n1,2\n2,x\n", {"a"}), name + ":4:2");
+  EXPECT_EQ(refusal("t,a\n0,1\n1,2\n2\n", {"a"}), name + ":4:2");
+  EXPECT_EQ(refusal("t,a\n0,1\n1,nan\n2,3\n3,3\n", {"a"}), name + ":3:2");
+}
+
+TEST_F(Csv, RefusesMissingColumnsAndEmptyFiles) {
+  const std::string name = (folder_.path() / "a.csv").string();
+  EXPECT_EQ(refusal("t,a\n0,1\n1,2\n", {"b"}), name);
+  EXPECT_EQ(refusal("t,a\n0,1\n1,2\n", {"3"}), name);
+  EXPECT_EQ(refusal("", {"1"}), name);
+  EXPECT_EQ(refusal("no numbers here\n", {"1"}), name);
+}
+
+ImportCsvOptions simple(const testing::TemporaryFolder& folder) {
+  ImportCsvOptions options;
+  options.hammer = {.column = "f",
+                    .channel = "hammer",
+                    .quantity = Quantity::Force,
+                    .unit = "N",
+                    .volts_per_unit = 0.5,
+                    .dof = {7, 3, 1}};
+  options.sensors = {{.column = "a",
+                      .channel = "acc1",
+                      .unit = "cm/s^2",
+                      .flip_sign = true,
+                      .dof = {2, 1, 1}}};
+  options.folder = folder.path() / "bundle";
+  return options;
+}
+
+TEST_F(Csv, BecomesABundleWithPhysicalValues) {
+  ImportCsvOptions options = simple(folder_);
+  options.files = {
+      {folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}},
+      {folder_.write("two.csv", "t,f,a\n0,7,3\n.01,2,1\n"), Dof{9, 3, -1}}};
+  const TestBundle bundle = import_csv(options);
+  EXPECT_EQ(bundle.runs[0].hammer.dof, (Dof{7, 3, 1}));
+  EXPECT_EQ(bundle.runs[1].hammer.dof, (Dof{9, 3, -1}));
+  const std::vector<Recording> recordings = read_recordings(bundle);
+  EXPECT_EQ(recordings[0].sample_rate_hz, 100.0);
+  // Force: volts / 0.5 V/N. Acceleration: cm/s^2, sign turned. Scaling is by
+  // powers of two, so only the unit's factor rounds.
+  EXPECT_DOUBLE_EQ(recordings[0].samples(1, 0), 4.0);
+  EXPECT_DOUBLE_EQ(recordings[0].samples(1, 1), 4.0);
+  EXPECT_DOUBLE_EQ(recordings[1].samples(0, 0), 14.0);
+  EXPECT_THROW(import_csv(options), InputError) << "must not overwrite";
+  options.overwrite = true;
+  EXPECT_NO_THROW(import_csv(options));
+}
+
+TEST_F(Csv, RefusesUnevenTimeAndOddRates) {
+  ImportCsvOptions options = simple(folder_);
+  options.files = {
+      {folder_.write("gap.csv", "t,f,a\n0,1,3\n1,2,4\n2,2,4\n9,2,4\n"), {}}};
+  EXPECT_THROW(import_csv(options), InputError);
+  options.files = {
+      {folder_.write("odd.csv", "t,f,a\n0,1,3\n.08,2,4\n.16,2,4\n"), {}}};
+  EXPECT_THROW(import_csv(options), InputError);
+  options.sample_rate_hz = 12.0;
+  EXPECT_NO_THROW(import_csv(options));
+}
+
+// Real files: PCD-400A, 50 Hz, one hit each with negative blows, the pulse one
+// to three samples long and, in set 3, five samples after the file's start.
+TEST_F(Csv, ReadsTheThreeStoreyFrame) {
+  const std::filesystem::path data =
+      TAPFIT_SOURCE_DIR "/../shared/data/three-storey-frame";
+  if (!std::filesystem::exists(data)) {
+    GTEST_SKIP() << data << " is not there";
+  }
+  ImportCsvOptions options = simple(folder_);
+  options.hammer.column = "CH8";
+  options.hammer.volts_per_unit = 49.0;
+  options.sensors.clear();
+  int node = 1;
+  for (const char* column : {"CH2", "CH3", "CH5", "CH6"}) {
+    options.sensors.push_back({.column = column,
+                               .channel = column,
+                               .unit = "cm/s^2",
+                               .dof = {node++, 1, 1}});
+  }
+  for (const char* name : {"imp_ham_set1_nomass.CSV",
+                           "imp_ham_set2_nomass.CSV",
+                           "imp_ham_set3_no_mass.CSV"}) {
+    options.files.push_back({data / name, {}});
+  }
+  const TestBundle bundle = import_csv(options);
+  const std::vector<Recording> recordings = read_recordings(bundle);
+  EXPECT_EQ(recordings[0].sample_rate_hz, 50.0);
+  EXPECT_EQ(recordings[0].samples.rows(), 9028);
+  EXPECT_NEAR(recordings[2].samples(5, 0), -137.621949512195 / 49.0, 1e-12);
+  const HitSet hits = find_hits(bundle, recordings, {});
+  for (const std::vector<Hit>& run : hits.runs) {
+    ASSERT_EQ(run.size(), 1U);
+    EXPECT_TRUE(run[0].accepted) << name(run[0].reasons.front());
+  }
+  EXPECT_EQ(hits.runs[2][0].trigger, 5);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
