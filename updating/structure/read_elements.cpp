@@ -127,7 +127,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
                        card.vector(11 + 3 * end, "offset");
   }
   const std::string option = upper(card.text(8));
-  if (!option.empty() && option != "GGG") {
+  if (!option.empty() && option != "GGG" && option != "1") {
     builder.warn(card, fmt::format("field 9 \"{}\" is taken as GGG", option));
   }
   bar.torsional_inertia = card.card().name() == "CBEAM";

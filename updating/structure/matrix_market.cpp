@@ -1,0 +1,275 @@
+#include "updating/structure/matrix_market.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/structure/bulk_cards.hpp"
+#include "updating/structure/bulk_lines.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <unordered_map>
+
+namespace tapfit::structure {
+namespace {
+
+std::ifstream open(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw InputError("cannot open the file",
+                     path.string(),
+                     "Check the file's name and that it may be read.");
+  }
+  return file;
+}
+
+// Lines of a Matrix Market file with the place for messages.
+class MarketReader {
+ public:
+  explicit MarketReader(const std::filesystem::path& path)
+      : file_(open(path)), name_(path.filename().string()) {}
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw InputError(what,
+                     fmt::format("{}:{}", name_, line_),
+                     "Write a real, symmetric or general Matrix Market file.");
+  }
+
+  /// The next line's numbers; comments and blank lines are passed over.
+  std::vector<double> numbers(std::size_t count) {
+    std::string text;
+    while (std::getline(file_, text)) {
+      ++line_;
+      if (trimmed(text).empty() || text.front() == '%') continue;
+      std::istringstream words(text);
+      std::vector<double> values;
+      std::string word;
+      while (words >> word) {
+        const std::optional<double> value = parse_real(word);
+        if (!value) fail(fmt::format("\"{}\" is not a finite number", word));
+        values.push_back(*value);
+      }
+      if (values.size() != count) {
+        fail(fmt::format(
+            "{} numbers where {} are needed", values.size(), count));
+      }
+      return values;
+    }
+    fail("the file ends too early");
+  }
+
+  std::string header() {
+    std::string text;
+    std::getline(file_, text);
+    line_ = 1;
+    return upper(text);
+  }
+
+  Eigen::Index index(double value, double size, const char* what) const {
+    if (value != std::floor(value) || value < 1.0 || value > size) {
+      fail(fmt::format("{} {} is outside the matrix", what, value));
+    }
+    return static_cast<Eigen::Index>(value) - 1;
+  }
+
+ private:
+  std::ifstream file_;
+  std::string name_;
+  int line_ = 0;
+};
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add(Eigen::Index i,
+         Eigen::Index j,
+         double value,
+         bool symmetric,
+         Triplets& triplets) {
+  triplets.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
+  if (symmetric && i != j) {
+    triplets.emplace_back(static_cast<int>(j), static_cast<int>(i), value);
+  }
+}
+
+struct Row {
+  int node = 0;
+  int component = 0;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+std::optional<int> component_of(const std::string& text) {
+  static constexpr std::array<const char*, 6> kNames{
+      "X", "Y", "Z", "RX", "RY", "RZ"};
+  for (int i = 0; i < 6; ++i) {
+    if (text == kNames[static_cast<std::size_t>(i)]) return i + 1;
+  }
+  const std::optional<int> digit = parse_integer(text);
+  if (!digit || *digit < 1 || *digit > 6) return std::nullopt;
+  return digit;
+}
+
+Row parse_row(const std::string& text, const std::string& where) {
+  std::vector<std::string> cells;
+  std::istringstream line(text);
+  for (std::string cell; std::getline(line, cell, ',');) {
+    cells.push_back(trimmed(cell));
+  }
+  cells.resize(std::max<std::size_t>(cells.size(), 2));
+  const std::optional<int> node = parse_integer(cells[0]);
+  const std::optional<int> component = component_of(upper(cells[1]));
+  Row row;
+  bool good = node && *node > 0 && component;
+  if (good) {
+    row.node = *node;
+    row.component = *component;
+  }
+  for (std::size_t i = 0; good && cells.size() >= 5 && i < 3; ++i) {
+    const std::optional<double> x = parse_real(cells[2 + i]);
+    good = x.has_value();
+    if (good) row.position(static_cast<Eigen::Index>(i)) = *x;
+  }
+  if (!good) {
+    throw InputError(fmt::format("\"{}\" is not a degree of freedom", text),
+                     where,
+                     "Write node,component or node,component,x,y,z with "
+                     "components 1 to 6 or X, Y, Z, RX, RY, RZ.");
+  }
+  return row;
+}
+
+std::vector<Row> read_rows(const std::filesystem::path& path) {
+  std::ifstream file = open(path);
+  std::vector<Row> rows;
+  std::set<std::array<int, 2>> seen;
+  std::string text;
+  for (int line = 1; std::getline(file, text); ++line) {
+    text = trimmed(text);
+    if (text.empty() || text.front() == '#') continue;
+    if (rows.empty() && line == 1 && !parse_integer(text.substr(0, 1)))
+      continue;
+    const std::string where =
+        fmt::format("{}:{}", path.filename().string(), line);
+    rows.push_back(parse_row(text, where));
+    if (!seen.insert({rows.back().node, rows.back().component}).second) {
+      throw InputError("this degree of freedom is named twice",
+                       where,
+                       "Each row of the matrices needs its own.");
+    }
+  }
+  return rows;
+}
+
+void check_symmetric(const SparseMatrix& A, const std::filesystem::path& path) {
+  const SparseMatrix At = A.transpose();
+  // Ten digits: what programs that print text keep.
+  if ((A - At).norm() > 1e-10 * A.norm()) {
+    throw InputError("the matrix is not symmetric",
+                     path.filename().string(),
+                     "Only symmetric stiffness and mass matrices are used.");
+  }
+}
+
+SparseMatrix scatter(const SparseMatrix& A,
+                     const std::vector<int>& place,
+                     Eigen::Index size) {
+  Triplets triplets;
+  for (int col = 0; col < A.outerSize(); ++col) {
+    for (SparseMatrix::InnerIterator it(A, col); it; ++it) {
+      triplets.emplace_back(place[static_cast<std::size_t>(it.row())],
+                            place[static_cast<std::size_t>(col)],
+                            it.value());
+    }
+  }
+  SparseMatrix result(size, size);
+  result.setFromTriplets(triplets.begin(), triplets.end());
+  return result;
+}
+
+// Makes the grids and tells where each row goes.
+std::vector<int> place_rows(const std::vector<Row>& rows, Deck& deck) {
+  std::unordered_map<int, int> index;
+  std::vector<int> place;
+  for (const Row& row : rows) {
+    const auto [found, is_new] =
+        index.try_emplace(row.node, static_cast<int>(deck.grids.size()));
+    if (is_new) deck.grids.push_back({row.node, row.position});
+    place.push_back(6 * found->second + row.component - 1);
+  }
+  return place;
+}
+
+}  // namespace
+
+SparseMatrix read_matrix_market(const std::filesystem::path& path) {
+  MarketReader reader(path);
+  const std::string header = reader.header();
+  const bool dense = header.find(" ARRAY ") != std::string::npos;
+  const bool symmetric = header.find(" SYMMETRIC") != std::string::npos;
+  const bool known =
+      header.starts_with("%%MATRIXMARKET MATRIX ") &&
+      header.find("COMPLEX") == std::string::npos &&
+      header.find("PATTERN") == std::string::npos &&
+      (symmetric || header.find(" GENERAL") != std::string::npos) &&
+      header.find("SKEW") == std::string::npos;
+  if (!known) reader.fail("this is not a real Matrix Market matrix");
+  const std::vector<double> size = reader.numbers(dense ? 2 : 3);
+  if (size[0] < 1.0 || size[0] != size[1]) {
+    reader.fail("the matrix is not square");
+  }
+  const Eigen::Index n = static_cast<Eigen::Index>(size[0]);
+  Triplets triplets;
+  if (dense) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      for (Eigen::Index i = symmetric ? j : 0; i < n; ++i) {
+        add(i, j, reader.numbers(1)[0], symmetric, triplets);
+      }
+    }
+  } else {
+    for (double k = 0.0; k < size[2]; ++k) {
+      const std::vector<double> entry = reader.numbers(3);
+      add(reader.index(entry[0], size[0], "row"),
+          reader.index(entry[1], size[0], "column"),
+          entry[2],
+          symmetric,
+          triplets);
+    }
+  }
+  SparseMatrix A(n, n);
+  A.setFromTriplets(triplets.begin(), triplets.end());
+  return A;
+}
+
+MatrixModel read_matrix_system(const std::filesystem::path& stiffness,
+                               const std::filesystem::path& mass,
+                               const std::filesystem::path& dofs) {
+  const SparseMatrix K = read_matrix_market(stiffness);
+  const SparseMatrix M = read_matrix_market(mass);
+  const std::vector<Row> rows = read_rows(dofs);
+  const Eigen::Index n = static_cast<Eigen::Index>(rows.size());
+  if (K.rows() != n || M.rows() != n) {
+    throw InputError(
+        fmt::format(
+            "K has {} rows, M {} and the table {}", K.rows(), M.rows(), n),
+        dofs.filename().string(),
+        "Give the table one line per row of both matrices.");
+  }
+  check_symmetric(K, stiffness);
+  check_symmetric(M, mass);
+  MatrixModel model;
+  model.deck.path = stiffness;
+  const std::vector<int> place = place_rows(rows, model.deck);
+  const std::size_t size = 6 * model.deck.grids.size();
+  model.system.K = scatter(K, place, static_cast<Eigen::Index>(size));
+  model.system.M = scatter(M, place, static_cast<Eigen::Index>(size));
+  model.system.fixed.assign(size, false);
+  model.system.inactive.assign(size, true);
+  for (const int i : place) {
+    model.system.inactive[static_cast<std::size_t>(i)] = false;
+  }
+  return model;
+}
+
+}  // namespace tapfit::structure
