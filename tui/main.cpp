@@ -4,12 +4,16 @@
 #include "tui/app.hpp"
 #include "tui/commands/command_line.hpp"
 #include "tui/commands/progress_line.hpp"
+#include "tui/commands/simulate_command.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
 #include <unistd.h>
 
 namespace {
@@ -49,6 +53,16 @@ int run_command(const Invocation& invocation) {
   return Done;
 }
 
+int run_simulate(const Invocation& invocation) {
+  std::vector<const char*> argv{invocation.name.c_str()};
+  for (const std::string& argument : invocation.passed_on) {
+    argv.push_back(argument.c_str());
+  }
+  argv.push_back(nullptr);
+  return tapfit::tui::simulate_command(static_cast<int>(argv.size()) - 1,
+                                       argv.data());
+}
+
 int tapfit_main(int argc, const char* const* argv) {
   const auto parsed = tapfit::tui::parse_command_line(argc, argv);
   if (const auto* answer = std::get_if<CommandLineAnswer>(&parsed)) {
@@ -57,6 +71,7 @@ int tapfit_main(int argc, const char* const* argv) {
     return answer->exit_status;
   }
   const auto& invocation = std::get<Invocation>(parsed);
+  if (invocation.name == "simulate") return run_simulate(invocation);
   return invocation.command != nullptr ? run_command(invocation)
                                        : open_terminal(invocation);
 }

@@ -1,0 +1,220 @@
+// Bad input and bad command lines: the exit status tells whose fault it is,
+// the message names the place, and nothing reaches standard output.
+#include "tests/end_to_end/run_program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+namespace tapfit::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+template <typename T>
+void append(std::string& bytes, T value) {
+  std::array<char, sizeof(T)> raw{};
+  std::memcpy(raw.data(), &value, sizeof(T));
+  bytes.append(raw.data(), raw.size());
+}
+
+/// A 32-bit float WAV file; samples are interleaved.
+std::string float_wav(std::uint16_t channels,
+                      std::uint32_t rate,
+                      const std::vector<float>& samples) {
+  const auto data_bytes = static_cast<std::uint32_t>(4 * samples.size());
+  std::string bytes = "RIFF";
+  append(bytes, std::uint32_t{36 + data_bytes});
+  bytes += "WAVEfmt ";
+  append(bytes, std::uint32_t{16});
+  append(bytes, std::uint16_t{3});  // IEEE float
+  append(bytes, channels);
+  append(bytes, rate);
+  append(bytes, std::uint32_t{rate * channels * 4});
+  append(bytes, static_cast<std::uint16_t>(channels * 4));
+  append(bytes, std::uint16_t{32});
+  bytes += "data";
+  append(bytes, data_bytes);
+  for (const float sample : samples) append(bytes, sample);
+  return bytes;
+}
+
+json sample_test_json() {
+  return json::parse(R"({
+    "tapfit": 1, "title": "sample", "band_hz": [5, 100],
+    "channels": [
+      {"name": "hammer", "quantity": "force", "unit": "N",
+       "sensitivity": 0.01, "sensitivity_unit": "V/N",
+       "full_scale_volts": 5.0},
+      {"name": "acc1", "quantity": "acceleration", "unit": "m/s^2",
+       "sensitivity": 0.01, "sensitivity_unit": "V/(m/s^2)",
+       "full_scale_volts": 5.0}],
+    "runs": [{"file": "run-01.wav",
+      "hammer": {"channel": "hammer", "node": 1, "direction": "+Z"},
+      "sensors": [{"channel": "acc1", "node": 2, "direction": "+Z"}]}]
+})");
+}
+
+/// A 25 Hz oscillator that is tapped once: force, acceleration.
+std::vector<float> sample_tap() {
+  std::vector<float> samples;
+  for (int k = 0; k < 4096; ++k) {
+    const double t = (k - 200) / 1024.0;
+    const bool contact = k >= 200 && k < 204;
+    samples.push_back(contact ? 0.4F : 0.0F);
+    samples.push_back(static_cast<float>(
+        t > 0.0 ? 0.2 * std::exp(-3.0 * t) * std::sin(157.08 * t) : 0.0));
+  }
+  return samples;
+}
+
+class BadInput : public testing::Test {
+ protected:
+  void SetUp() override {
+    bundle_ = fresh_folder() / "bundle";
+    write_json(sample_test_json());
+    write_file(bundle_ / "run-01.wav", float_wav(2, 1024, sample_tap()));
+  }
+  void write_json(const json& test) {
+    write_file(bundle_ / "test.json", test.dump());
+  }
+  ProgramResult run(const std::string& command) {
+    return run_tapfit(fmt::format("{} '{}'", command, bundle_.string()));
+  }
+  /// Status 1, the words in the message, and a silent standard output.
+  void expect_input_fault(const ProgramResult& result,
+                          const std::vector<std::string>& words) {
+    EXPECT_EQ(result.exit_status, 1);
+    EXPECT_EQ(result.out, "");
+    for (const std::string& word : words) {
+      EXPECT_NE(result.err.find(word), std::string::npos)
+          << '"' << word << "\" is not in: " << result.err;
+    }
+  }
+
+  fs::path bundle_;
+};
+
+TEST_F(BadInput, HealthySampleGivesItsHitAsJson) {
+  const ProgramResult result = run("hits --json");
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  const json hits = json::parse(result.out).at("runs").at(0).at("hits");
+  ASSERT_EQ(hits.size(), 1U);
+  // 0.4 of full scale, 5 V / (0.01 V/N) = 500 N: 200 N at 200/1024 s.
+  EXPECT_NEAR(hits.at(0).at("peak_n").get<double>(), 200.0, 1.0);
+  EXPECT_NEAR(hits.at(0).at("time_s").get<double>(), 0.196, 0.004);
+  EXPECT_TRUE(hits.at(0).at("accepted").is_boolean());
+}
+
+TEST_F(BadInput, MissingFolderIsNamed) {
+  fs::remove_all(bundle_);
+  expect_input_fault(run("run"), {bundle_.string()});
+}
+
+TEST_F(BadInput, BrokenJsonIsNamed) {
+  write_file(bundle_ / "test.json", "{\"tapfit\": 1,");
+  expect_input_fault(run("run --json"), {"test.json"});
+}
+
+TEST_F(BadInput, MissingRecordingIsNamed) {
+  fs::remove(bundle_ / "run-01.wav");
+  expect_input_fault(run("hits"), {"run-01.wav"});
+}
+
+TEST_F(BadInput, FileThatIsNoSoundIsNamed) {
+  write_file(bundle_ / "run-01.wav", "this is no sound");
+  expect_input_fault(run("hits"), {"run-01.wav"});
+}
+
+TEST_F(BadInput, WrongChannelCountIsNamed) {
+  write_file(bundle_ / "run-01.wav", float_wav(1, 1024, sample_tap()));
+  expect_input_fault(run("hits"), {"run-01.wav", "channel"});
+}
+
+TEST_F(BadInput, NaNSampleIsNamedWithItsChannel) {
+  auto samples = sample_tap();
+  samples[2 * 512 + 1] = std::numeric_limits<float>::quiet_NaN();
+  write_file(bundle_ / "run-01.wav", float_wav(2, 1024, samples));
+  expect_input_fault(run("hits"), {"run-01.wav", "acc1"});
+}
+
+TEST_F(BadInput, UnknownChannelIsNamed) {
+  json test = sample_test_json();
+  test["runs"][0]["sensors"][0]["channel"] = "acc9";
+  write_json(test);
+  expect_input_fault(run("hits"), {"acc9"});
+}
+
+TEST_F(BadInput, UnknownGridIsNamed) {
+  json test = sample_test_json();
+  test["model"] = "model.bdf";
+  test["runs"][0]["sensors"][0]["node"] = 77;
+  write_json(test);
+  write_file(bundle_ / "model.bdf",
+             "BEGIN BULK\n"
+             "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n"
+             "CBAR,1,1,1,2,0.,0.,1.\n"
+             "PBAR,1,1,1.-4,1.-8,1.-8,2.-8\n"
+             "MAT1,1,7.+10,,.33,2700.\n"
+             "SPC1,1,123456,1\nENDDATA\n");
+  expect_input_fault(run("compare"), {"77"});
+}
+
+TEST_F(BadInput, CompareWithoutAModelSaysSo) {
+  expect_input_fault(run("compare"), {"model"});
+}
+
+TEST_F(BadInput, DeckWithAMissingPropertyIsNamed) {
+  write_file(bundle_ / "bad.bdf",
+             "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n"
+             "CBAR,1,99,1,2,0.,0.,1.\nENDDATA\n");
+  const ProgramResult result =
+      run_tapfit(fmt::format("model '{}/bad.bdf'", bundle_.string()));
+  expect_input_fault(result, {"bad.bdf", "99"});
+}
+
+TEST_F(BadInput, UnknownEffectIsNamed) {
+  expect_input_fault(run("update --effect wishful-thinking@1"),
+                     {"wishful-thinking"});
+}
+
+TEST(BadCommandLine, IsStatusTwoWithASilentOutput) {
+  for (const char* arguments : {"",
+                                "run",
+                                "hits --no-such-option x",
+                                "run x y",
+                                "model x --modes -1"}) {
+    const ProgramResult result = run_tapfit(arguments);
+    EXPECT_EQ(result.exit_status, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_NE(result.err, "") << arguments;
+  }
+}
+
+TEST(BadCommandLine, TerminalIsNotOpenedWithoutOne) {
+  const ProgramResult result = run_tapfit("some/bundle");
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("tapfit run"), std::string::npos) << result.err;
+}
+
+TEST(HelpAndVersion, AreOnStandardOutput) {
+  const ProgramResult help = run_tapfit("--help");
+  EXPECT_EQ(help.exit_status, 0);
+  EXPECT_EQ(help.err, "");
+  EXPECT_NE(help.out.find("diagnose"), std::string::npos) << help.out;
+  const ProgramResult version = run_tapfit("--version");
+  EXPECT_EQ(version.exit_status, 0);
+  EXPECT_TRUE(version.out.starts_with("tapfit ")) << version.out;
+}
+
+}  // namespace
+}  // namespace tapfit::end_to_end

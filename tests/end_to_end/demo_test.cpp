@@ -1,0 +1,145 @@
+// The demonstration recording, from hammer taps to the updated model: both
+// built-in effects are found, with their sizes, and the error falls to the
+// floor. truth.json says what was built in; the program never reads it.
+#include "tests/end_to_end/run_program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace tapfit::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const fs::path demo = TAPFIT_SOURCE_DIR "/recordings/solar-panel-frame";
+
+std::set<std::string> split(const std::string& text, char separator) {
+  std::set<std::string> parts;
+  std::stringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) {
+    parts.insert(part);
+  }
+  return parts;
+}
+
+/// The object of truth.json for an effect; null when it was not built in.
+json built_in(const json& truth, const std::string& effect) {
+  for (const json& object : truth.at("effects")) {
+    if (object.at("effect") == effect) return object;
+  }
+  return nullptr;
+}
+
+/// Every value of a parameter below the last rung that names the effect.
+double identified(const json& diagnosis,
+                  const std::string& effect,
+                  const std::string& parameter) {
+  double value = 0.0;
+  for (const json& rung : diagnosis.at("ladder")) {
+    if (rung.at("added") == effect) {
+      value = rung.at("parameters").at(parameter).at("value");
+    }
+  }
+  return value;
+}
+
+class Demo : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (!fs::exists(demo)) return;
+    const auto result =
+        run_tapfit(fmt::format("run '{}' --json", demo.string()));
+    exit_status_ = result.exit_status;
+    message_ = result.err;
+    if (exit_status_ == 0) run_ = json::parse(result.out);
+    truth_ = json::parse(read_file(demo / "truth.json"));
+  }
+  void SetUp() override {
+    if (!fs::exists(demo)) GTEST_SKIP() << demo << " is not there";
+    ASSERT_EQ(exit_status_, 0) << message_;
+  }
+
+  static inline int exit_status_ = -1;
+  static inline std::string message_;
+  static inline json run_;
+  static inline json truth_;
+};
+
+TEST_F(Demo, SomeHitsAreRejectedForDoubleHitAndOverload) {
+  std::set<std::string> reasons;
+  for (const json& run : run_.at("hits").at("runs")) {
+    for (const json& hit : run.at("hits")) {
+      for (const json& reason : hit.at("reasons")) reasons.insert(reason);
+    }
+  }
+  EXPECT_TRUE(reasons.contains("double"));
+  EXPECT_TRUE(reasons.contains("overload"));
+}
+
+TEST_F(Demo, BothEffectsAreFoundAndNoOther) {
+  const std::string verdict = run_.at("diagnose").at("verdict");
+  std::set<std::string> expected;
+  for (const json& effect : truth_.at("effects")) {
+    expected.insert(effect.at("effect"));
+  }
+  EXPECT_EQ(split(verdict, '+'), expected) << verdict;
+}
+
+// 5 %: the size that DESIGN promises of an effect never seen before.
+TEST_F(Demo, SensorMassIsWithinFivePercent) {
+  const json sensor = built_in(truth_, "sensor-mass");
+  ASSERT_FALSE(sensor.is_null());
+  const double truth = sensor.at("mass_kg");
+  EXPECT_NEAR(identified(run_.at("diagnose"), "sensor-mass", "mass_kg"),
+              truth,
+              0.05 * truth);
+}
+
+// 1.5: the two parts of the floor are estimates themselves.
+TEST_F(Demo, ErrorFallsToTheFloor) {
+  const json& error = run_.at("diagnose").at("error");
+  EXPECT_LE(error.at("best").get<double>(),
+            1.5 * error.at("floor").get<double>());
+  EXPECT_GE(error.at("base").get<double>(),
+            3.0 * error.at("best").get<double>());
+}
+
+TEST_F(Demo, LadderFallsFromRungToRung) {
+  double above = run_.at("diagnose").at("error").at("base");
+  for (const json& rung : run_.at("diagnose").at("ladder")) {
+    EXPECT_LT(rung.at("error").get<double>(), above) << rung;
+    above = rung.at("error");
+  }
+}
+
+// The text of `update` opens with the paired modes; MAC is its last column.
+TEST_F(Demo, MacAfterIsNearOne) {
+  std::string effects;
+  for (const json& effect : truth_.at("effects")) {
+    effects +=
+        fmt::format(" --effect {}", effect.at("effect").get<std::string>());
+  }
+  const auto result =
+      run_tapfit(fmt::format("update '{}'{}", demo.string(), effects));
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  std::stringstream lines(result.out);
+  std::string line;
+  std::getline(lines, line);
+  ASSERT_NE(line.find("MAC"), std::string::npos) << result.out;
+  int pairs = 0;
+  while (std::getline(lines, line) && !line.starts_with("Diagnosis")) {
+    EXPECT_GE(std::stod(line.substr(line.find_last_of(' '))), 0.98) << line;
+    ++pairs;
+  }
+  EXPECT_GE(pairs, 3) << result.out;
+}
+
+}  // namespace
+}  // namespace tapfit::end_to_end

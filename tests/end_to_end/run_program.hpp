@@ -1,0 +1,26 @@
+// Runs the real program as its users do, and keeps what it said.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace tapfit::end_to_end {
+
+struct ProgramResult {
+  int exit_status = -1;  ///< -1 when it did not end by itself
+  std::string out;
+  std::string err;
+};
+
+/// Runs "tapfit ARGUMENTS" through the shell, without a terminal.
+/// @param arguments quoted for the shell where needed
+[[nodiscard]] ProgramResult run_tapfit(const std::string& arguments);
+
+/// An empty folder of the running test's own below the system's temporary
+/// folder; what an earlier run left there is removed.
+[[nodiscard]] std::filesystem::path fresh_folder();
+
+void write_file(const std::filesystem::path& path, const std::string& text);
+[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+
+}  // namespace tapfit::end_to_end
