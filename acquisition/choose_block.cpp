@@ -135,6 +135,8 @@ Index response_length(const Eigen::VectorXd& response) {
     rms[k] = response.segment(k * window, window).norm();
   }
   const double floor = std::max(1.5 * rms.minCoeff(), 1e-3 * rms.maxCoeff());
+  // Without 20 dB of decay the quietest window says nothing about the noise.
+  if (floor > 0.1 * rms.maxCoeff()) return response.size();
   Index last = count - 1;
   while (last > 0 && rms[last] <= floor) --last;
   return (last + 1) * window;

@@ -64,11 +64,11 @@ struct BlockNeeds {
 /// The largest even number up to n with no prime factor above 7; n >= 2.
 [[nodiscard]] Eigen::Index smooth_length(Eigen::Index n);
 
-/// Samples after the trigger until a response is lost in its noise, or has
-/// fallen to a thousandth: the last of 64 windows whose RMS exceeds that.
+/// Samples after the trigger until a response is lost in its noise: the last of
+/// 64 windows whose RMS exceeds 1.5 times that of the quietest window and a
+/// thousandth of the strongest. All of them when it falls by less than 20 dB.
 ///
 /// @param response one channel from the trigger to the end of the room
-/// @param noise RMS of the quietest part of the channel
 [[nodiscard]] Eigen::Index response_length(const Eigen::VectorXd& response);
 
 }  // namespace tapfit::acquisition

@@ -1,6 +1,7 @@
 #include "acquisition/hammer_pulses.hpp"
 
 #include "acquisition/remove_offset.hpp"
+#include "acquisition/sinc_interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +56,14 @@ Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
   pulse.first = peak;
   pulse.peak = peak;
   pulse.height = force[peak];
-  if (peak > 0 && peak + 1 < force.size()) {
-    const double slope = 0.5 * (force[peak + 1] - force[peak - 1]);
-    const double bend = 2.0 * force[peak] - force[peak + 1] - force[peak - 1];
-    if (bend > 0.0) pulse.height += 0.5 * slope * slope / bend;
-  }
+  pulse.centre = static_cast<double>(peak);
   pulse.width = flank(force, peak, -1, 0.1) + flank(force, peak, 1, 0.1);
+  // A wide pulse is sampled well enough as it is.
+  if (pulse.width < 12.0) {
+    const Peak between = interpolated_peak(force, peak);
+    pulse.centre = between.position;
+    pulse.height = std::max(pulse.height, between.height);
+  }
   return pulse;
 }
 

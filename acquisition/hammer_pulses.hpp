@@ -24,7 +24,8 @@ struct HammerSignal {
 struct Pulse {
   Eigen::Index first = 0;  ///< where the level was crossed upwards
   Eigen::Index peak = 0;   ///< sample of the largest value
-  double height = 0.0;  ///< of the parabola through the peak's neighbours [N]
+  double centre = 0.0;     ///< of the interpolated peak [samples]
+  double height = 0.0;     ///< of the interpolated peak [N]
   double width = 0.0;   ///< between the 10 % points [samples]
 };
 

@@ -89,18 +89,29 @@ double usual_width(const std::vector<WorkingRun>& work) {
       Eigen::VectorXd::Map(widths.data(), static_cast<Index>(widths.size())));
 }
 
-// The longest that any response of any run's largest hit lasts.
+// The largest hit of those with room enough to watch the response die.
+const PulseGroup& clearest_hit(const std::vector<PulseGroup>& groups) {
+  Index longest = 0;
+  for (const PulseGroup& group : groups) {
+    longest = std::max(longest, group.room);
+  }
+  const PulseGroup* best = nullptr;
+  for (const PulseGroup& group : groups) {
+    if (2 * group.room < longest) continue;
+    if (best == nullptr || group.largest.height > best->largest.height) {
+      best = &group;
+    }
+  }
+  return *best;
+}
+
+// The longest that any response of any run's clearest hit lasts.
 Index lasting_response(const TestBundle& bundle,
                        const std::vector<Recording>& recordings,
                        const std::vector<WorkingRun>& work) {
   Index lasting = 0;
   for (std::size_t r = 0; r < work.size(); ++r) {
-    const PulseGroup& hit =
-        *std::max_element(work[r].groups.begin(),
-                          work[r].groups.end(),
-                          [](const PulseGroup& a, const PulseGroup& b) {
-                            return a.largest.height < b.largest.height;
-                          });
+    const PulseGroup& hit = clearest_hit(work[r].groups);
     for (const Placement& sensor : bundle.runs[r].sensors) {
       const Eigen::VectorXd channel =
           recordings[r].samples.col(static_cast<Index>(sensor.channel));

@@ -1,6 +1,7 @@
 #include "acquisition/judge_hits.hpp"
 
 #include "acquisition/remove_offset.hpp"
+#include "acquisition/sinc_interpolation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,30 @@ using Eigen::Index;
 bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
   return (k == 0 || force[k] >= force[k - 1]) &&
          (k + 1 == force.size() || force[k] > force[k + 1]);
+}
+
+// The block, with the pulse's ringing taken off. A linear-phase filter rings
+// alike before and after, so each side is freed of the other's mirror image;
+// a filter that rings only afterwards leaves nothing to take off.
+Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
+                                const Pulse& main,
+                                Index begin,
+                                Index end) {
+  const Index first = std::max<Index>(0, begin);
+  const Index count = std::min(end, force.size()) - first;
+  Eigen::VectorXd block = force.segment(first, count);
+  if (main.width >= 12.0) return block;
+  constexpr Index reach = 40;
+  const Index from = std::max<Index>(0, main.peak - first - reach);
+  const Index to = std::min(count - 1, main.peak - first + reach);
+  for (Index k = from; k <= to; ++k) {
+    const double mirror = 2.0 * main.centre - static_cast<double>(first + k);
+    const double distance =
+        std::abs(static_cast<double>(first + k) - main.centre);
+    if (distance < main.width) continue;
+    block[k] -= interpolate(force, mirror);
+  }
+  return block;
 }
 
 // Smallest step between different neighbours: the quantisation of a record.
@@ -62,19 +87,22 @@ bool has_second_pulse(const HammerSignal& hammer,
                       Index begin,
                       Index end,
                       double percent) {
-  const Eigen::VectorXd& force = hammer.force;
   // A tenth below the limit, since the height of a pulse a few samples wide
   // is known no better.
   const double limit =
       std::max(0.009 * percent * main.height, 6.5 * hammer.noise);
+  const Eigen::VectorXd force = without_ringing(hammer.force, main, begin, end);
+  const Index first = std::max<Index>(0, begin);
+  const Index main_peak = main.peak - first;
   const auto near =
       std::max<Index>(4, static_cast<Index>(std::ceil(1.4 * main.width)));
   const auto around =
       std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
-  const Index last = std::min(end, force.size()) - 1;
-  for (Index k = std::max<Index>(begin, 0); k <= last; ++k) {
-    if (force[k] < 0.7 * limit || std::abs(k - main.peak) < near) continue;
+  for (Index k = 0; k < force.size(); ++k) {
+    if (force[k] < 0.7 * limit || std::abs(k - main_peak) < near) continue;
     if (!is_local_maximum(force, k)) continue;
+    // The mirror image of an undershoot is no blow: it must be there as read.
+    if (hammer.force[first + k] < 0.4 * limit) continue;
     const Pulse pulse = measure_pulse(force, k);
     if (pulse.height < limit || pulse.width > 8.0 * main.width) continue;
     const Index from = std::max<Index>(0, k - around);
@@ -117,7 +145,7 @@ bool is_overloaded(const Eigen::VectorXd& block,
   if (extreme >= 0.999 * full_scale) return true;
   const double swing = block.maxCoeff() - block.minCoeff();
   const double tolerance =
-      std::max({1e-5 * swing, 4.0 * noise, 1.5 * quantisation(block)});
+      std::max({1e-5 * swing, 8.0 * noise, 1.5 * quantisation(block)});
   // Far above noise and quantisation, else any top is flat.
   if (swing < 100.0 * tolerance) return false;
   return has_flat_top(block, tolerance) || has_flat_top(-block, tolerance);

@@ -37,8 +37,8 @@ namespace tapfit::acquisition {
 ///
 /// A flat top is a run of n >= 3 samples within a tolerance d of the extreme,
 /// with the signal more than 10 d below it half a run further on both sides;
-/// a parabola falls at most 9 d there. d covers noise, a quantisation step
-/// and 1e-5 of the extreme.
+/// a parabola falls at most 6 d there. d covers noise after the clipping (8
+/// standard deviations), a quantisation step and 1e-5 of the swing.
 ///
 /// @param block the channel's samples in the block, offset and all
 /// @param full_scale of the channel, > 0, in the block's unit

@@ -1,0 +1,210 @@
+// Rates of false alarms and of detections, over seeded records.
+#include "acquisition/judge_hits.hpp"
+
+#include "tests/acquisition/hammer_record.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Eigen::Index;
+
+struct Setting {
+  double rate = 0.0;
+  double width_s = 0.0;
+  double block_s = 0.0;
+};
+
+// Every pulse width and block of the promise, at rates that make sense for
+// them; below 4 samples a pulse only exists because of the anti-alias filter.
+std::vector<Setting> settings() {
+  std::vector<Setting> all;
+  for (const double rate : {256.0, 1024.0, 4096.0, 12800.0, 51200.0}) {
+    for (const double width : {0.2e-3, 0.5e-3, 1e-3, 2e-3, 5e-3, 10e-3}) {
+      for (const double block : {0.5, 1.0, 2.0, 4.0, 8.0, 16.0}) {
+        const bool visible = width * rate >= 0.5;
+        const bool small = block * rate <= 60000.0;  // keeps the test quick
+        if (visible && small) all.push_back({rate, width, block});
+      }
+    }
+  }
+  return all;
+}
+
+// As wide as a pulse looks after the filter: its own width, two samples more.
+double seen_width(const Setting& s) { return s.width_s + 2.0 / s.rate; }
+
+HammerSignal make(const Setting& s,
+                  double second_share,
+                  double noise_share,
+                  std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const auto n = static_cast<Index>(s.block_s * s.rate);
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
+  const bool filter = s.width_s * s.rate < 20.0;
+  const double at = 0.1 * s.block_s + uniform(random) / s.rate;
+  const double peak = 20.0;
+  testing::add_pulse(force, s.rate, at, s.width_s, peak, filter);
+  if (second_share > 0.0) {
+    const double nearest = 3.0 * seen_width(s);
+    const double farthest = std::max(nearest, 0.8 * s.block_s);
+    // Most bounces come soon: spread evenly in the logarithm.
+    const double after =
+        nearest * std::pow(farthest / nearest, uniform(random));
+    testing::add_pulse(
+        force, s.rate, at + after, s.width_s, second_share * peak, filter);
+  }
+  const double top = force.maxCoeff();
+  testing::add_noise(force, noise_share * top, random);
+  return prepare_hammer(force, s.rate);
+}
+
+bool judged_double(const HammerSignal& hammer) {
+  Index peak = 0;
+  hammer.force.maxCoeff(&peak);
+  return has_second_pulse(
+      hammer, measure_pulse(hammer.force, peak), 0, hammer.force.size(), 5.0);
+}
+
+struct Rate {
+  int yes = 0;
+  int all = 0;
+  [[nodiscard]] double percent() const { return 100.0 * yes / all; }
+};
+
+Rate double_rate(double second_share, double noise_share, unsigned seed) {
+  std::mt19937_64 random(seed);
+  Rate rate;
+  for (const Setting& s : settings()) {
+    for (int k = 0; k < 4; ++k) {
+      const bool found =
+          judged_double(make(s, second_share, noise_share, random));
+      rate.yes += found ? 1 : 0;
+      ++rate.all;
+    }
+  }
+  return rate;
+}
+
+void say(const char* what, const Rate& rate) {
+  ::testing::Test::RecordProperty(what, fmt::format("{:.2f}", rate.percent()));
+  fmt::print("{}: {:.2f} % of {}\n", what, rate.percent(), rate.all);
+}
+
+// Promised: at most 0.5 % false alarms. Noise from 100 dB to 40 dB below.
+TEST(SecondPulse, RaisesNoFalseAlarm) {
+  for (const double noise : {1e-5, 1e-3, 1e-2}) {
+    const Rate rate = double_rate(0.0, noise, 11);
+    say("false alarms", rate);
+    EXPECT_LE(rate.percent(), 0.5) << "noise " << noise;
+  }
+}
+
+// Promised: at least 99 % of second blows of 5 % and more, three pulse widths
+// and more after the first.
+TEST(SecondPulse, IsFound) {
+  for (const double share : {0.05, 0.10, 0.30, 1.0}) {
+    const Rate rate = double_rate(share, 1e-4, 12);
+    say("second blows found", rate);
+    EXPECT_GE(rate.percent(), 99.0) << "share " << share;
+  }
+}
+
+TEST(SecondPulse, UndershootAndHumAreNone) {
+  const Setting s{4096.0, 2e-3, 2.0};
+  std::mt19937_64 random(3);
+  HammerSignal hammer = make(s, 0.0, 1e-4, random);
+  Index peak = 0;
+  hammer.force.maxCoeff(&peak);
+  for (Index i = 0; i < hammer.force.size(); ++i) {
+    const double t = static_cast<double>(i - peak) / s.rate;
+    if (t > 2e-3) hammer.force[i] -= 4.0 * std::exp(-t / 0.02);
+    hammer.force[i] += 1.2 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
+  }
+  EXPECT_FALSE(judged_double(prepare_hammer(hammer.force, s.rate)));
+}
+
+// A half sine's spectrum is cos(pi f w) / (1 - (2 f w)^2).
+TEST(ForceLevel, AgreesWithTheClosedForm) {
+  const double rate = 51200.0;
+  const double width = 2e-3;
+  Eigen::VectorXd force = Eigen::VectorXd::Zero(4096);
+  testing::add_pulse(force, rate, 0.02, width, 10.0, false);
+  HammerSignal hammer;
+  hammer.force = force;
+  Index peak = 0;
+  force.maxCoeff(&peak);
+  const double end = 500.0;
+  const double f = 0.9 * end;  // the strongest of the last tenth
+  const double closed =
+      20.0 * std::log10(std::cos(std::numbers::pi * f * width) /
+                        (1.0 - std::pow(2.0 * f * width, 2)));
+  // 102 samples over the pulse: the sum is good to (1/102)^2 of its value.
+  EXPECT_NEAR(force_level_db(hammer, measure_pulse(force, peak), end, rate),
+              closed,
+              0.05);
+}
+
+// A decaying oscillation, quantised to 16 bits of a full scale of 1.
+Eigen::VectorXd decay16(double frequency, double level, double clip) {
+  Eigen::VectorXd x(20000);
+  for (Index i = 0; i < x.size(); ++i) {
+    const double t = static_cast<double>(i) / 5000.0;
+    const double value = level * std::exp(-0.3 * t) *
+                         std::sin(2.0 * std::numbers::pi * frequency * t);
+    x[i] = std::round(std::clamp(value, -clip, clip) * 32768.0) / 32768.0;
+  }
+  return x;
+}
+
+// Three equal samples in a row are no overload: at low frequencies every
+// quantised top has them.
+TEST(Overload, RaisesNoFalseAlarmOnQuantisedDecays) {
+  Rate rate;
+  for (const double level : {0.05, 0.3, 0.5, 0.9}) {
+    for (double frequency = 1.0; frequency < 1000.0; frequency *= 1.13) {
+      const Eigen::VectorXd x = decay16(frequency, level, 1.0);
+      rate.yes += is_overloaded(x, 1.0, difference_noise(x)) ? 1 : 0;
+      ++rate.all;
+    }
+  }
+  say("overload false alarms", rate);
+  EXPECT_LE(rate.percent(), 0.5);
+}
+
+// Clipped by an amplifier below digital full scale, with and without noise
+// that came after the clipping.
+TEST(Overload, FindsClippingBelowFullScale) {
+  std::mt19937_64 random(5);
+  for (const double noise : {0.0, 1e-5, 1e-4}) {
+    Rate rate;
+    for (double frequency = 2.0; frequency < 400.0; frequency *= 1.2) {
+      Eigen::VectorXd x = decay16(frequency, 0.9, 0.7);
+      testing::add_noise(x, noise, random);
+      rate.yes += is_overloaded(x, 1.0, noise) ? 1 : 0;
+      ++rate.all;
+    }
+    say("clipping found", rate);
+    EXPECT_GE(rate.percent(), 99.0) << "noise " << noise;
+  }
+}
+
+TEST(Overload, FindsFullScale) {
+  Eigen::VectorXd x = decay16(40.0, 0.5, 1.0);
+  EXPECT_FALSE(is_overloaded(x, 1.0, 1e-5));
+  x[7] = -1.0;
+  EXPECT_TRUE(is_overloaded(x, 1.0, 1e-5));
+}
+
+TEST(DifferenceNoise, IsTheStandardDeviationOfWhiteNoise) {
+  std::mt19937_64 random(9);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(160000);
+  testing::add_noise(x, 0.25, random);
+  // The least of 16 medians of 10,000 values each: 3 sd of 1.5 % low.
+  EXPECT_NEAR(difference_noise(x), 0.25, 0.012);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
