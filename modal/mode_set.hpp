@@ -36,7 +36,8 @@ struct ModeSet {
   std::vector<Mode> modes;
   bool scaled = false;  ///< unit modal mass (a driving point was measured)
   std::vector<DiagramPole> diagram;
-  double synthesis_error = 0.0;  ///< rms of synthesised minus measured, relative
+  double synthesis_error =
+      0.0;  ///< rms of synthesised minus measured, relative
   std::vector<std::string> warnings;
 };
 

@@ -1,0 +1,160 @@
+#include "modal/curves.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::modal {
+namespace {
+
+constexpr Eigen::Index kFewestLines = 8;
+constexpr double kModelFloor = 0.01;
+
+/// Mean over 2 half + 1 lines, fewer at the ends.
+Eigen::VectorXd running_mean(const Eigen::VectorXd& x, Eigen::Index half) {
+  Eigen::VectorXd result(x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
+    const Eigen::Index end = std::min(x.size(), k + half + 1);
+    result(k) = x.segment(begin, end - begin).mean();
+  }
+  return result;
+}
+
+void check_lines(const Eigen::VectorXcd& s) {
+  if (s.size() < kFewestLines) {
+    throw InputError(
+        fmt::format("only {} frequency lines to identify modes from", s.size()),
+        "FRFs",
+        "widen the band or lengthen the block so that there are at least 8");
+  }
+  if (!s.allFinite()) {
+    throw InputError("a frequency line is not finite",
+                     "FRFs",
+                     "check the file the FRFs came from");
+  }
+  const double sigma = s(0).real();
+  const double spacing =
+      (s(s.size() - 1) - s(0)).imag() / static_cast<double>(s.size() - 1);
+  for (Eigen::Index k = 0; k < s.size(); ++k) {
+    const double expected = s(0).imag() + static_cast<double>(k) * spacing;
+    if (spacing <= 0.0 || std::abs(s(k).imag() - expected) > 1e-3 * spacing ||
+        std::abs(s(k).real() - sigma) > 1e-9 * std::abs(s(s.size() - 1))) {
+      throw InputError("the frequency lines are not evenly spaced on one sigma",
+                       fmt::format("FRFs, line {}", k + 1),
+                       "estimate the FRFs on the lines of one block");
+    }
+  }
+}
+
+bool usable(const signal::Frf& frf,
+            Eigen::Index lines,
+            std::vector<std::string>& warnings) {
+  if (frf.H.size() != lines) {
+    throw InputError(fmt::format("{} values on {} lines", frf.H.size(), lines),
+                     "FRF " + signal::name(frf),
+                     "all FRFs of a set share their lines");
+  }
+  if (!frf.H.allFinite()) {
+    throw InputError("a value is not finite",
+                     "FRF " + signal::name(frf),
+                     "check the recording behind it, or leave it out");
+  }
+  if (frf.H.cwiseAbs().maxCoeff() > 0.0) return true;
+  warnings.push_back("FRF " + signal::name(frf) +
+                     " is zero throughout and was left out");
+  return false;
+}
+
+Eigen::VectorXd clean_variance(const signal::Frf& frf, Eigen::Index lines) {
+  if (frf.variance.size() != lines) return Eigen::VectorXd::Zero(lines);
+  Eigen::VectorXd variance = frf.variance;
+  for (double& value : variance) {
+    if (!std::isfinite(value) || value < 0.0) value = 0.0;
+  }
+  return variance;
+}
+
+Eigen::VectorXd weights(const Eigen::VectorXcd& H,
+                        const Eigen::VectorXd& variance) {
+  const Eigen::Index wide = std::max<Eigen::Index>(4, H.size() / 25);
+  const Eigen::VectorXd noise = running_mean(variance, 2);
+  const Eigen::VectorXd level = running_mean(H.cwiseAbs2(), wide);
+  const double least = 1e-6 * H.cwiseAbs2().mean();
+  return (noise + kModelFloor * kModelFloor * level)
+      .array()
+      .max(kModelFloor * kModelFloor * least)
+      .rsqrt()
+      .matrix();
+}
+
+Dof positive(Dof dof) {
+  dof.sign = 1;
+  return dof;
+}
+
+}  // namespace
+
+Curves prepare_curves(const signal::FrfSet& frfs,
+                      std::vector<std::string>& warnings) {
+  check_lines(frfs.s);
+  // Nothing can be divided by s^2 on the line s = 0.
+  const Eigen::Index skip = std::abs(frfs.s(0).imag()) > 0.0 ? 0 : 1;
+  const Eigen::Index lines = frfs.lines() - skip;
+  Curves curves;
+  curves.s = frfs.s.tail(lines);
+  curves.sigma = curves.s(0).real();
+  curves.spacing = (curves.s(lines - 1) - curves.s(0)).imag() /
+                   static_cast<double>(lines - 1);
+  for (std::size_t f = 0; f < frfs.frfs.size(); ++f) {
+    const signal::Frf& frf = frfs.frfs[f];
+    if (!usable(frf, frfs.lines(), warnings)) continue;
+    curves.source.push_back(f);
+    curves.response.push_back(positive(frf.response));
+    curves.reference.push_back(positive(frf.reference));
+    curves.run.push_back(frf.run);
+  }
+  if (curves.source.empty()) {
+    throw InputError("no FRF to identify modes from",
+                     "FRFs",
+                     "accept at least one hit with a response");
+  }
+  const auto count = static_cast<Eigen::Index>(curves.source.size());
+  curves.H.resize(lines, count);
+  curves.variance.resize(lines, count);
+  curves.weight.resize(lines, count);
+  for (Eigen::Index f = 0; f < count; ++f) {
+    const signal::Frf& frf =
+        frfs.frfs[curves.source[static_cast<std::size_t>(f)]];
+    const int sign = frf.response.sign * frf.reference.sign;
+    curves.H.col(f) = static_cast<double>(sign) * frf.H.tail(lines);
+    curves.variance.col(f) = clean_variance(frf, frfs.lines()).tail(lines);
+    curves.weight.col(f) = weights(curves.H.col(f), curves.variance.col(f));
+  }
+  return curves;
+}
+
+Curves select_curves(const Curves& curves,
+                     const std::vector<Eigen::Index>& indices) {
+  Curves part = curves;
+  part.H = curves.H(Eigen::all, indices);
+  part.variance = curves.variance(Eigen::all, indices);
+  part.weight = curves.weight(Eigen::all, indices);
+  part.response.clear();
+  part.reference.clear();
+  part.run.clear();
+  part.source.clear();
+  for (const Eigen::Index index : indices) {
+    const auto f = static_cast<std::size_t>(index);
+    part.response.push_back(curves.response[f]);
+    part.reference.push_back(curves.reference[f]);
+    part.run.push_back(curves.run[f]);
+    part.source.push_back(curves.source[f]);
+  }
+  return part;
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,379 @@
+#include "modal/modal_fit.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+constexpr Complex j{0.0, 1.0};
+
+/// Real parts over imaginary parts.
+Eigen::MatrixXd stack(const Eigen::MatrixXcd& x) {
+  Eigen::MatrixXd result(2 * x.rows(), x.cols());
+  result.topRows(x.rows()) = x.real();
+  result.bottomRows(x.rows()) = x.imag();
+  return result;
+}
+
+Eigen::MatrixXcd unstack(const Eigen::MatrixXd& x) {
+  const Index n = x.rows() / 2;
+  Eigen::MatrixXcd result(n, x.cols());
+  result.real() = x.topRows(n);
+  result.imag() = x.bottomRows(n);
+  return result;
+}
+
+/// Separable weights nearest to w_f(k): mean logarithms over lines and FRFs.
+void separate_weights(const Curves& curves, ModalFit& fit) {
+  const Eigen::MatrixXd logs = curves.weight.array().log();
+  const Eigen::VectorXd per_frf = logs.colwise().mean().transpose();
+  const double mean = per_frf.mean();
+  fit.frf_weight = per_frf.array().exp();
+  fit.line_weight = (logs.rowwise().mean().array() - mean).exp();
+}
+
+/// Columns that multiply Re R and Im R of each mode in accelerance, or their
+/// derivatives to the pole (power 2).
+Eigen::MatrixXcd pole_columns(const Eigen::VectorXcd& s,
+                              const Eigen::VectorXcd& poles,
+                              int power) {
+  Eigen::MatrixXcd columns(s.size(), 2 * poles.size());
+  for (Index r = 0; r < poles.size(); ++r) {
+    for (Index k = 0; k < s.size(); ++k) {
+      const Complex up = 1.0 / (s(k) - poles(r));
+      const Complex down = 1.0 / (s(k) - std::conj(poles(r)));
+      const Complex g = s(k) * s(k) * (power == 1 ? up : up * up);
+      const Complex h = s(k) * s(k) * (power == 1 ? down : down * down);
+      columns(k, 2 * r) = g + h;
+      columns(k, 2 * r + 1) = j * (g - h);
+    }
+  }
+  return columns;
+}
+
+/// Re and Im of each residual term as columns.
+Eigen::MatrixXcd term_columns(const Eigen::MatrixXcd& basis) {
+  Eigen::MatrixXcd columns(basis.rows(), 2 * basis.cols());
+  for (Index t = 0; t < basis.cols(); ++t) {
+    columns.col(2 * t) = basis.col(t);
+    columns.col(2 * t + 1) = j * basis.col(t);
+  }
+  return columns;
+}
+
+/// The linear problem for given poles: weighted, columns of unit length.
+struct Linear {
+  Eigen::MatrixXd Q;             ///< 2 n_lines x n_columns, orthonormal
+  Eigen::MatrixXd R;             ///< upper triangular
+  Eigen::VectorXd scale;         ///< length of each column before scaling
+  Eigen::MatrixXd residual;      ///< weighted by v and u, 2 n_lines x n_frfs
+  Eigen::MatrixXd coefficients;  ///< n_columns x n_frfs
+  double cost = 0.0;
+};
+
+Linear solve_linear(const Curves& curves,
+                    const Eigen::VectorXcd& poles,
+                    const ModalFit& weights,
+                    Eigen::MatrixXcd& columns) {
+  const Eigen::MatrixXcd terms =
+      term_columns(residual_basis(curves.s, curves.s));
+  const Eigen::MatrixXcd modes = pole_columns(curves.s, poles, 1);
+  columns.resize(curves.lines(), modes.cols() + terms.cols());
+  columns << modes, terms;
+  Linear linear;
+  Eigen::MatrixXd phi = stack(weights.line_weight.asDiagonal() * columns);
+  linear.scale = phi.colwise().norm().transpose().cwiseMax(1e-300);
+  phi = phi * linear.scale.cwiseInverse().asDiagonal();
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(phi);
+  const Index n = phi.cols();
+  linear.Q = qr.householderQ() * Eigen::MatrixXd::Identity(phi.rows(), n);
+  linear.R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  // A diagonal of zero would be two equal columns.
+  for (Index c = 0; c < n; ++c) {
+    if (std::abs(linear.R(c, c)) < 1e-12) linear.R(c, c) = 1e-12;
+  }
+  const Eigen::MatrixXd y = stack(weights.line_weight.asDiagonal() * curves.H);
+  const Eigen::MatrixXd Qy = linear.Q.transpose() * y;
+  linear.coefficients = linear.scale.cwiseInverse().asDiagonal() *
+                        linear.R.triangularView<Eigen::Upper>().solve(Qy);
+  linear.residual = (y - linear.Q * Qy) * weights.frf_weight.asDiagonal();
+  linear.cost = linear.residual.squaredNorm();
+  return linear;
+}
+
+/// Derivatives of the fitted functions to each pole's real and imaginary part
+/// for unit Re R and Im R, projected off the linear columns.
+Eigen::MatrixXd projected_derivatives(const Curves& curves,
+                                      const Eigen::VectorXcd& poles,
+                                      const ModalFit& weights,
+                                      const Linear& linear) {
+  const Eigen::MatrixXd E = stack(weights.line_weight.asDiagonal() *
+                                  pole_columns(curves.s, poles, 2));
+  return E - linear.Q * (linear.Q.transpose() * E);
+}
+
+/// C of one FRF: derivative to (Re, Im lambda) = E C, block diagonal 2 x 2.
+Eigen::MatrixXd residue_blocks(const Linear& linear, Index frf, Index modes) {
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+  for (Index r = 0; r < modes; ++r) {
+    const double re = linear.coefficients(2 * r, frf);
+    const double im = linear.coefficients(2 * r + 1, frf);
+    C.block<2, 2>(2 * r, 2 * r) << re, -im, im, re;
+  }
+  return C;
+}
+
+struct Step {
+  Eigen::MatrixXd normal;
+  Eigen::VectorXd gradient;
+};
+
+Step gauss_newton(const Eigen::MatrixXd& E,
+                  const Linear& linear,
+                  const Eigen::VectorXd& frf_weight) {
+  const Index modes = E.cols() / 2;
+  const Eigen::MatrixXd gram = E.transpose() * E;
+  const Eigen::MatrixXd Er = E.transpose() * linear.residual;
+  Step step{Eigen::MatrixXd::Zero(2 * modes, 2 * modes),
+            Eigen::VectorXd::Zero(2 * modes)};
+  for (Index f = 0; f < frf_weight.size(); ++f) {
+    const Eigen::MatrixXd C = residue_blocks(linear, f, modes);
+    const double u = frf_weight(f);
+    step.normal.noalias() += u * u * (C.transpose() * gram * C);
+    step.gradient.noalias() += u * (C.transpose() * Er.col(f));
+  }
+  return step;
+}
+
+Eigen::VectorXcd moved(const Eigen::VectorXcd& poles,
+                       const Eigen::VectorXd& step) {
+  Eigen::VectorXcd result = poles;
+  for (Index r = 0; r < poles.size(); ++r) {
+    result(r) += Complex(step(2 * r), step(2 * r + 1));
+  }
+  return result;
+}
+
+/// Solves (N + mu diag N) x = g in units of the diagonal.
+Eigen::VectorXd damped_solve(const Step& step, double mu) {
+  const Eigen::VectorXd d = step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  Eigen::MatrixXd N = d.cwiseInverse().asDiagonal() * step.normal *
+                      d.cwiseInverse().asDiagonal();
+  N.diagonal().array() += mu + 1e-14;
+  const Eigen::VectorXd g = step.gradient.cwiseQuotient(d);
+  return N.ldlt().solve(g).cwiseQuotient(d);
+}
+
+double mean_square_near(const Eigen::MatrixXd& residual,
+                        Index lines,
+                        Index begin,
+                        Index end) {
+  const Index n = end - begin;
+  return (residual.middleRows(begin, n).squaredNorm() +
+          residual.middleRows(lines + begin, n).squaredNorm()) /
+         static_cast<double>(2 * n * residual.cols());
+}
+
+/// Lines within a few half bandwidths of a pole: begin, end.
+std::pair<Index, Index> around(const Curves& curves, const Complex& pole) {
+  const double half =
+      std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
+  const double first = curves.s(0).imag();
+  const auto index = [&](double omega) {
+    const double k = std::round((omega - first) / curves.spacing);
+    return static_cast<Index>(
+        std::clamp(k, 0.0, static_cast<double>(curves.lines() - 1)));
+  };
+  const Index last = curves.lines() - 1;
+  Index begin = index(pole.imag() - half);
+  Index end = index(pole.imag() + half);
+  begin = std::min(begin, std::max<Index>(0, last - 6));
+  end = std::max(end, std::min<Index>(last, 6));
+  return {begin, end + 1};
+}
+
+/// Fills what is said about each mode from the solved linear problem.
+void judge_modes(const Curves& curves, const Linear& linear, ModalFit& fit) {
+  const Index modes = fit.poles.size();
+  const Index n = linear.R.cols();
+  const Eigen::MatrixXd Rinv = linear.R.triangularView<Eigen::Upper>().solve(
+      Eigen::MatrixXd::Identity(n, n));
+  fit.significance.resize(modes);
+  fit.contribution.resize(modes);
+  for (Index r = 0; r < modes; ++r) {
+    const Eigen::MatrixXd rows = Rinv.middleRows(2 * r, 2);
+    const Eigen::Matrix2d inverse = (rows * rows.transpose()).inverse();
+    double drop = 0.0;
+    for (Index f = 0; f < curves.count(); ++f) {
+      const Eigen::Vector2d c =
+          fit.frf_weight(f) * linear.scale.segment<2>(2 * r).cwiseProduct(
+                                  linear.coefficients.block<2, 1>(2 * r, f));
+      drop += c.dot(inverse * c);
+    }
+    const auto [begin, end] = around(curves, fit.poles(r));
+    const double noise =
+        mean_square_near(linear.residual, curves.lines(), begin, end);
+    fit.significance(r) = drop / static_cast<double>(2 * curves.count()) /
+                          std::max(noise, 1e-300);
+    const Complex s(curves.sigma, fit.poles(r).imag());
+    const Eigen::VectorXd peak = fit.residues.col(r).cwiseAbs() *
+                                 (std::norm(s) / std::abs(s - fit.poles(r)));
+    const Index line = std::clamp((begin + end - 1) / 2, begin, end - 1);
+    const Eigen::VectorXd level = curves.H.row(line).cwiseAbs().transpose();
+    fit.contribution(r) =
+        peak.cwiseProduct(fit.frf_weight).norm() /
+        std::max(level.cwiseProduct(fit.frf_weight).norm(), 1e-300);
+  }
+}
+
+ModalFit finish(const Curves& curves,
+                const Eigen::VectorXcd& poles,
+                ModalFit fit) {
+  Eigen::MatrixXcd columns;
+  const Linear linear = solve_linear(curves, poles, fit, columns);
+  const Index modes = poles.size();
+  const Index terms = columns.cols() / 2 - modes;
+  fit.poles = poles;
+  fit.residues.resize(curves.count(), modes);
+  fit.terms.resize(curves.count(), terms);
+  for (Index c = 0; c < modes + terms; ++c) {
+    Eigen::VectorXcd value(curves.count());
+    value.real() = linear.coefficients.row(2 * c).transpose();
+    value.imag() = linear.coefficients.row(2 * c + 1).transpose();
+    if (c < modes) {
+      fit.residues.col(c) = value;
+    } else {
+      fit.terms.col(c - modes) = value;
+    }
+  }
+  fit.H = columns * linear.coefficients.cast<Complex>();
+  judge_modes(curves, linear, fit);
+  return fit;
+}
+
+/// x with every line's neighbours added as they are correlated by the window:
+/// rho(d) = 1 / (1 + j d spacing / (2 sigma)).
+Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
+  if (ratio <= 0.0) return x;
+  constexpr Index kReach = 24;
+  Eigen::MatrixXcd result = x;
+  for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
+    const Complex rho =
+        1.0 / (1.0 + j * static_cast<double>(d) / (2.0 * ratio));
+    const Index n = x.rows() - d;
+    result.bottomRows(n) += rho * x.topRows(n);
+    result.topRows(n) += std::conj(rho) * x.bottomRows(n);
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXcd residual_basis(const Eigen::VectorXcd& s,
+                                const Eigen::VectorXcd& band) {
+  const Complex low = band(0);
+  const Complex high = band(band.size() - 1);
+  const Index count = band.size() < 60 ? 2 : 4;
+  Eigen::MatrixXcd basis(s.size(), count);
+  for (Index k = 0; k < s.size(); ++k) {
+    const Complex x = s(k) * s(k) / std::norm(high);
+    basis(k, 0) = 1.0;
+    basis(k, 1) = x;
+    if (count < 4) continue;
+    basis(k, 2) = x * x;
+    basis(k, 3) = std::norm(low) / (s(k) * s(k));
+  }
+  return basis;
+}
+
+ModalFit fit_residues(const Curves& curves, const Eigen::VectorXcd& poles) {
+  ModalFit fit;
+  separate_weights(curves, fit);
+  return finish(curves, poles, fit);
+}
+
+ModalFit refine_poles(const Curves& curves,
+                      const Eigen::VectorXcd& start,
+                      int iterations) {
+  ModalFit fit;
+  separate_weights(curves, fit);
+  Eigen::VectorXcd poles = start;
+  Eigen::MatrixXcd columns;
+  Linear linear = solve_linear(curves, poles, fit, columns);
+  double mu = 1e-3;
+  for (int i = 0; i < iterations && poles.size() > 0; ++i) {
+    const Eigen::MatrixXd E = projected_derivatives(curves, poles, fit, linear);
+    const Step step = gauss_newton(E, linear, fit.frf_weight);
+    bool moved_on = false;
+    double relative = 0.0;
+    for (int attempt = 0; attempt < 6 && !moved_on; ++attempt) {
+      const Eigen::VectorXcd next = moved(poles, damped_solve(step, mu));
+      const bool admissible = next.allFinite() &&
+                              next.real().maxCoeff() < curves.sigma &&
+                              next.imag().minCoeff() > 0.0;
+      if (admissible) {
+        Linear trial = solve_linear(curves, next, fit, columns);
+        if (trial.cost < linear.cost) {
+          relative =
+              ((next - poles).array().abs() / poles.array().abs()).maxCoeff();
+          poles = next;
+          linear = std::move(trial);
+          mu = std::max(0.1 * mu, 1e-9);
+          moved_on = true;
+          continue;
+        }
+      }
+      mu *= 10.0;
+    }
+    if (!moved_on || relative < 1e-9) break;
+  }
+  return finish(curves, poles, fit);
+}
+
+Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
+  const Index modes = fit.poles.size();
+  const Index lines = curves.lines();
+  if (modes == 0) return {};
+  Eigen::MatrixXcd columns;
+  const Linear linear = solve_linear(curves, fit.poles, fit, columns);
+  const Eigen::MatrixXd E =
+      projected_derivatives(curves, fit.poles, fit, linear);
+  const Step step = gauss_newton(E, linear, fit.frf_weight);
+  const Eigen::MatrixXcd Ec = unstack(E);
+  const double ratio = curves.sigma / curves.spacing;
+  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+  for (Index f = 0; f < curves.count(); ++f) {
+    const Eigen::VectorXd left = (curves.H.col(f) - fit.H.col(f)).cwiseAbs2();
+    Eigen::VectorXd sd(lines);
+    for (Index k = 0; k < lines; ++k) {
+      const Index begin = std::max<Index>(0, k - 5);
+      const Index n = std::min(lines, k + 6) - begin;
+      sd(k) =
+          std::sqrt(std::max(curves.variance.col(f).segment(begin, n).mean(),
+                             left.segment(begin, n).mean()));
+    }
+    const double u = fit.frf_weight(f);
+    const Eigen::MatrixXcd X =
+        (u * u) * (fit.line_weight.cwiseProduct(sd).asDiagonal() * Ec);
+    const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();
+    const Eigen::MatrixXd C = residue_blocks(linear, f, modes);
+    middle.noalias() += C.transpose() * V * C;
+  }
+  const Eigen::VectorXd d =
+      step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Eigen::MatrixXd N = d.asDiagonal() * step.normal * d.asDiagonal();
+  N.diagonal().array() += 1e-14;
+  const Eigen::MatrixXd inverse =
+      d.asDiagonal() *
+      N.ldlt().solve(Eigen::MatrixXd::Identity(2 * modes, 2 * modes)) *
+      d.asDiagonal();
+  return inverse * middle * inverse.transpose();
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,64 @@
+// The modal model fitted to FRFs: residues by linear least squares, poles by
+// Gauss-Newton on what the residues leave (variable projection).
+//
+//   H_f(s) = s^2 sum_r [ R_fr / (s - lambda_r) + conj(R_fr) / (s -
+//            conj(lambda_r)) ] + a_f + b_f s^2 + c_f s^4 + d_f / s^2
+//
+// The last terms stand for the modes below the band (a mass line and its first
+// correction) and above it (a compliance and its first correction).
+// Lines are weighted alike in all FRFs, w_f(k) = u_f v(k), so that one QR
+// factorisation serves all of them.
+//
+// Source: G. Golub, V. Pereyra, "Separable nonlinear least squares", Inverse
+// Problems 19, 2003, R1-R26, with Kaufman's simplified Jacobian.
+#pragma once
+
+#include "modal/curves.hpp"
+
+#include <Eigen/Core>
+
+namespace tapfit::modal {
+
+struct ModalFit {
+  Eigen::VectorXcd poles;       ///< [rad/s], upper half plane, n_modes
+  Eigen::MatrixXcd residues;    ///< of receptance, n_frfs x n_modes
+  Eigen::MatrixXcd terms;       ///< of residual_basis, n_frfs x n_terms
+  Eigen::MatrixXcd H;           ///< fitted accelerance, n_lines x n_frfs
+  Eigen::VectorXd line_weight;  ///< v, n_lines
+  Eigen::VectorXd frf_weight;   ///< u, n_frfs
+  /// F of each mode: the drop in weighted residual that its residues earn, per
+  /// parameter, over the residual's variance around its frequency.
+  Eigen::VectorXd significance;
+  /// Mode's part of H at its own frequency over all of H there, both rms over
+  /// the FRFs.
+  Eigen::VectorXd contribution;
+};
+
+/// Functions of s for modes out of the band: 1, s^2, s^4, 1/s^2, scaled to be
+/// of size one; only the first two on fewer than 60 lines.
+///
+/// @return n_lines x n_terms
+[[nodiscard]] Eigen::MatrixXcd residual_basis(const Eigen::VectorXcd& s,
+                                              const Eigen::VectorXcd& band);
+
+/// Residues for given poles. No two poles may coincide.
+[[nodiscard]] ModalFit fit_residues(const Curves& curves,
+                                    const Eigen::VectorXcd& poles);
+
+/// Poles and residues together, starting from given poles.
+///
+/// @param iterations most Gauss-Newton steps; ends early when poles rest
+[[nodiscard]] ModalFit refine_poles(const Curves& curves,
+                                    const Eigen::VectorXcd& poles,
+                                    int iterations);
+
+/// Covariance of the poles of a refined fit, from the FRFs' variance or from
+/// what the fit leaves, whichever is larger. Neighbouring lines of an
+/// exponentially windowed block are correlated; that is accounted for.
+///
+/// @return 2 n_modes square, (Re lambda_1, Im lambda_1, Re lambda_2, ...)
+///   [(rad/s)^2]
+[[nodiscard]] Eigen::MatrixXd pole_covariance(const Curves& curves,
+                                              const ModalFit& fit);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,201 @@
+#include "modal/select_modes.hpp"
+
+#include "modal/mac.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double kLeastSignificance =
+    4.0;  // F that a mode's residues must earn
+constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
+constexpr double kSameShape = 0.9;           // MAC of residues of split poles
+
+bool lasts(const Track& track, std::size_t orders) {
+  const auto least = std::max<std::size_t>(
+      4, static_cast<std::size_t>(0.15 * static_cast<double>(orders)));
+  return track.poles.size() >= least && track.share > 0.5 &&
+         2 * track.stable >= static_cast<int>(track.poles.size());
+}
+
+/// Poles of one mode cannot be told apart closer than this [rad/s].
+double resolution(const Curves& curves, const Complex& pole) {
+  return std::max(0.3 * std::abs(pole.real()), 0.05 * curves.spacing);
+}
+
+Eigen::VectorXcd candidates(const Curves& curves,
+                            const std::vector<Track>& tracks,
+                            std::size_t orders) {
+  std::vector<const Track*> good;
+  for (const Track& track : tracks) {
+    if (lasts(track, orders)) good.push_back(&track);
+  }
+  std::ranges::sort(good, std::ranges::greater{}, [](const Track* track) {
+    return track->stable;
+  });
+  std::vector<Complex> poles;
+  std::vector<const Track*> taken;
+  for (const Track* track : good) {
+    const bool repeated = std::ranges::any_of(taken, [&](const Track* other) {
+      const double apart = std::abs(track->pole - other->pole);
+      const double alike =
+          mac(track->participation, other->participation)(0, 0);
+      return apart < resolution(curves, track->pole) && alike > 0.8;
+    });
+    if (repeated) continue;
+    taken.push_back(track);
+    poles.push_back(track->pole);
+  }
+  std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
+  return Eigen::Map<Eigen::VectorXcd>(poles.data(),
+                                      static_cast<Index>(poles.size()));
+}
+
+Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
+  Eigen::VectorXcd result(poles.size() - 1);
+  result << poles.head(leave_out), poles.tail(poles.size() - leave_out - 1);
+  return result;
+}
+
+/// The weaker of two poles within a half bandwidth whose residues have one
+/// shape: a single mode that the polynomial split.
+bool is_split(const ModalFit& fit, Index r) {
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    if (q == r) continue;
+    const double apart = std::abs(fit.poles(q) - fit.poles(r));
+    const double width =
+        std::max(std::abs(fit.poles(q).real()), std::abs(fit.poles(r).real()));
+    if (apart > 2.0 * width) continue;
+    if (fit.contribution(q) < fit.contribution(r)) continue;
+    if (mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool impossible(const Complex& pole, const IdentifyOptions& options) {
+  const double zeta = -pole.real() / std::abs(pole);
+  return zeta <= 1e-6 || zeta > options.max_damping_ratio;
+}
+
+/// A pole that only stands for the modes beside the band.
+bool far_outside(const Curves& curves, const Complex& pole) {
+  const double low = curves.s(0).imag();
+  const double high = curves.s(curves.lines() - 1).imag();
+  const double margin = 0.05 * (high - low);
+  const double omega = std::abs(pole);
+  return omega < low - margin || omega > high + margin;
+}
+
+/// The mode to take out next, or -1.
+Index weakest(const Curves& curves,
+              const ModalFit& fit,
+              const IdentifyOptions& options) {
+  Index worst = -1;
+  double least = 1.0;
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    if (far_outside(curves, fit.poles(r))) continue;
+    double worth = std::min(fit.significance(r) / kLeastSignificance,
+                            fit.contribution(r) / kLeastContribution);
+    if (impossible(fit.poles(r), options)) worth = 0.0;
+    if (is_split(fit, r)) worth = std::min(worth, 0.5);
+    if (worth >= least) continue;
+    least = worth;
+    worst = r;
+  }
+  return worst;
+}
+
+ModalFit sorted(const Curves& curves, const ModalFit& fit) {
+  std::vector<Complex> poles(fit.poles.begin(), fit.poles.end());
+  std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
+  return fit_residues(curves,
+                      Eigen::Map<Eigen::VectorXcd>(
+                          poles.data(), static_cast<Index>(poles.size())));
+}
+
+bool in_band(const Curves& curves, const Complex& pole) {
+  const double omega = std::abs(pole);
+  return omega >= curves.s(0).imag() &&
+         omega <= curves.s(curves.lines() - 1).imag();
+}
+
+double misfit(const Curves& curves, const ModalFit& fit) {
+  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
+          fit.frf_weight.asDiagonal())
+      .squaredNorm();
+}
+
+/// Tries one more pole outside the band, started at omega; keeps it when the
+/// misfit falls clearly and the pole stays outside.
+bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
+  Eigen::VectorXcd poles(fit.poles.size() + 1);
+  poles << fit.poles, Complex(-0.01 * omega, omega);
+  ModalFit trial = refine_poles(curves, poles, 15);
+  const Complex last = trial.poles(trial.poles.size() - 1);
+  if (in_band(curves, last) || std::abs(last) > 10.0 * omega) return false;
+  const Index before = fit.poles.size();
+  for (Index r = 0; r < before; ++r) {
+    if (in_band(curves, fit.poles(r)) != in_band(curves, trial.poles(r))) {
+      return false;
+    }
+  }
+  // Two parameters per FRF on 2 n_lines values fall by 1 / n_lines by chance.
+  const double chance = 1.0 / static_cast<double>(curves.lines());
+  const double least = 1.0 - 0.01 - 4.0 * chance;
+  if (misfit(curves, trial) > least * misfit(curves, fit)) return false;
+  fit = std::move(trial);
+  return true;
+}
+
+/// Modes beside the band, whose tails the residual terms only approach.
+void add_neighbours(const Curves& curves, ModalFit& fit) {
+  const double low = curves.s(0).imag();
+  const double high = curves.s(curves.lines() - 1).imag();
+  if (curves.lines() < 60) return;
+  if (add_outside(curves, 1.15 * high, fit)) {
+    (void)add_outside(curves, 1.5 * high, fit);
+  }
+  if (low > 0.1 * high) (void)add_outside(curves, low / 1.15, fit);
+}
+
+/// Takes out modes until all that stay are needed.
+ModalFit drop_weak(const Curves& curves,
+                   ModalFit fit,
+                   const IdentifyOptions& options,
+                   const Progress& progress) {
+  const auto total = static_cast<double>(fit.poles.size() + 1);
+  while (fit.poles.size() > 0) {
+    progress("residues", 1.0 - static_cast<double>(fit.poles.size()) / total);
+    const Index worst = weakest(curves, fit, options);
+    if (worst < 0) break;
+    fit = refine_poles(curves, without(fit.poles, worst), 4);
+  }
+  return fit;
+}
+
+}  // namespace
+
+ModalFit select_modes(const Curves& curves,
+                      const std::vector<Track>& tracks,
+                      std::size_t orders,
+                      const IdentifyOptions& options,
+                      const Progress& progress) {
+  const Eigen::VectorXcd start = candidates(curves, tracks, orders);
+  ModalFit fit = refine_poles(curves, start, 6);
+  fit = drop_weak(curves, std::move(fit), options, progress);
+  if (fit.poles.size() == 0) return fit;
+  add_neighbours(curves, fit);
+  fit = refine_poles(curves, fit.poles, 20);
+  fit = drop_weak(curves, std::move(fit), options, progress);
+  return sorted(curves, fit);
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,21 @@
+// From tracks to modes: every track that lasts is a candidate; the fit of the
+// modal model then decides which candidates the FRFs need.
+#pragma once
+
+#include "modal/modal_fit.hpp"
+#include "modal/stabilisation.hpp"
+
+namespace tapfit::modal {
+
+/// Fits the candidates and takes out, weakest first, those without which the
+/// model is as good.
+///
+/// @return the fit with the poles that stay, by frequency; poles a little
+///   outside the band may be among them. No poles when nothing is found.
+[[nodiscard]] ModalFit select_modes(const Curves& curves,
+                                    const std::vector<Track>& tracks,
+                                    std::size_t orders,
+                                    const IdentifyOptions& options,
+                                    const Progress& progress);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,257 @@
+#include "modal/shapes.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <map>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+std::map<Dof, int> number_points(const Curves& curves) {
+  std::map<Dof, int> index;
+  for (const Dof& dof : curves.response) index.emplace(dof, 0);
+  for (const Dof& dof : curves.reference) index.emplace(dof, 0);
+  int next = 0;
+  for (auto& [dof, value] : index) value = next++;
+  return index;
+}
+
+/// Sides of the points reached from a root; true when an odd cycle is met.
+bool colour(const std::vector<std::pair<int, int>>& edges,
+            int root,
+            std::vector<int>& side) {
+  side[static_cast<std::size_t>(root)] = 0;
+  bool odd = false;
+  for (bool grown = true; grown;) {
+    grown = false;
+    odd = false;
+    for (const auto& [a, b] : edges) {
+      int& sa = side[static_cast<std::size_t>(a)];
+      int& sb = side[static_cast<std::size_t>(b)];
+      if (sa >= 0 && sb >= 0) odd = odd || sa == sb;
+      if ((sa >= 0) == (sb >= 0)) continue;
+      (sa < 0 ? sa : sb) = 1 - (sa < 0 ? sb : sa);
+      grown = true;
+    }
+  }
+  return odd;
+}
+
+/// The connected part with the most points.
+std::vector<int> largest_part(const std::vector<std::pair<int, int>>& edges,
+                              std::size_t points,
+                              bool& odd) {
+  std::vector<int> best(points, -1);
+  std::vector<bool> seen(points, false);
+  std::ptrdiff_t most = 0;
+  for (std::size_t root = 0; root < points; ++root) {
+    if (seen[root]) continue;
+    std::vector<int> side(points, -1);
+    const bool found_odd = colour(edges, static_cast<int>(root), side);
+    for (std::size_t p = 0; p < points; ++p) {
+      if (side[p] >= 0) seen[p] = true;
+    }
+    const std::ptrdiff_t size =
+        std::ranges::count_if(side, [](int s) { return s >= 0; });
+    if (size <= most) continue;
+    most = size;
+    best = side;
+    odd = found_odd;
+  }
+  return best;
+}
+
+/// phi by propagation along the strongest FRFs, starting with 1 at the root.
+Eigen::VectorXcd propagate(const ShapeGraph& graph,
+                           const Eigen::VectorXcd& P,
+                           const Eigen::VectorXd& weight) {
+  const auto n = static_cast<Index>(graph.points.size());
+  Eigen::VectorXcd phi = Eigen::VectorXcd::Zero(n);
+  std::vector<bool> known(graph.points.size(), false);
+  Index strongest = -1;
+  for (Index f = 0; f < P.size(); ++f) {
+    if (graph.side[static_cast<std::size_t>(
+            graph.edges[static_cast<std::size_t>(f)].first)] < 0) {
+      continue;
+    }
+    if (strongest < 0 || std::abs(P(f)) * weight(f) >
+                             std::abs(P(strongest)) * weight(strongest)) {
+      strongest = f;
+    }
+  }
+  if (strongest < 0 || std::abs(P(strongest)) == 0.0) return phi;
+  const int root = graph.edges[static_cast<std::size_t>(strongest)].first;
+  phi(root) = std::sqrt(std::abs(P(strongest)));
+  known[static_cast<std::size_t>(root)] = true;
+  for (;;) {
+    Index best = -1;
+    bool forward = true;
+    for (Index f = 0; f < P.size(); ++f) {
+      const auto [a, b] = graph.edges[static_cast<std::size_t>(f)];
+      const bool ka = known[static_cast<std::size_t>(a)];
+      const bool kb = known[static_cast<std::size_t>(b)];
+      if (ka == kb) continue;
+      if (best < 0 ||
+          std::abs(P(f)) * weight(f) > std::abs(P(best)) * weight(best)) {
+        best = f;
+        forward = ka;
+      }
+    }
+    if (best < 0) return phi;
+    const auto [a, b] = graph.edges[static_cast<std::size_t>(best)];
+    const int from = forward ? a : b;
+    const int to = forward ? b : a;
+    // A point in a node of the mode cannot tell its neighbours anything.
+    if (std::abs(phi(from)) > 0.0) phi(to) = P(best) / phi(from);
+    known[static_cast<std::size_t>(to)] = true;
+  }
+}
+
+/// Turns one side by t and the other by 1 / t so that odd cycles agree.
+void fix_scale(const ShapeGraph& graph,
+               const Eigen::VectorXcd& P,
+               const Eigen::VectorXd& weight,
+               Eigen::VectorXcd& phi) {
+  Complex sum = 0.0;
+  double logs = 0.0;
+  double total = 0.0;
+  for (Index f = 0; f < P.size(); ++f) {
+    const auto [a, b] = graph.edges[static_cast<std::size_t>(f)];
+    const int side = graph.side[static_cast<std::size_t>(a)];
+    if (side < 0 || side != graph.side[static_cast<std::size_t>(b)]) continue;
+    const Complex product = phi(a) * phi(b);
+    if (std::abs(product) == 0.0 || std::abs(P(f)) == 0.0) continue;
+    Complex ratio = P(f) / product;  // t^2 on side 0, t^-2 on side 1
+    if (side == 1) ratio = 1.0 / ratio;
+    const double w = std::norm(weight(f)) * std::abs(P(f)) * std::abs(P(f));
+    sum += w * ratio / std::abs(ratio);
+    logs += w * std::log(std::abs(ratio));
+    total += w;
+  }
+  if (total == 0.0) return;
+  const Complex t = std::exp(0.5 * logs / total) *
+                    std::sqrt(sum / std::max(std::abs(sum), 1e-300));
+  for (std::size_t p = 0; p < graph.points.size(); ++p) {
+    const auto i = static_cast<Index>(p);
+    if (graph.side[p] == 0) phi(i) *= t;
+    if (graph.side[p] == 1) phi(i) /= t;
+  }
+}
+
+/// One robust Gauss-Newton step on P_ab = phi_a phi_b; smallest step where the
+/// scale is free.
+void polish(const ShapeGraph& graph,
+            const Eigen::VectorXcd& P,
+            const Eigen::VectorXd& weight,
+            Eigen::VectorXcd& phi) {
+  Eigen::VectorXcd r(P.size());
+  Eigen::MatrixXcd J = Eigen::MatrixXcd::Zero(P.size(), phi.size());
+  for (Index f = 0; f < P.size(); ++f) {
+    const auto [a, b] = graph.edges[static_cast<std::size_t>(f)];
+    r(f) = P(f) - phi(a) * phi(b);
+    J(f, a) += phi(b);
+    J(f, b) += phi(a);
+  }
+  Eigen::VectorXd size = r.cwiseAbs().cwiseProduct(weight);
+  std::vector<double> sorted(size.begin(), size.end());
+  std::ranges::nth_element(sorted, sorted.begin() + sorted.size() / 2);
+  const double scale = std::max(3.0 * sorted[sorted.size() / 2], 1e-300);
+  Eigen::VectorXd w(P.size());
+  for (Index f = 0; f < P.size(); ++f) {
+    w(f) = weight(f) / (1.0 + size(f) / scale);
+  }
+  const Eigen::MatrixXcd A = w.asDiagonal() * J;
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> solver(A);
+  const Eigen::VectorXcd weighted = w.cwiseProduct(r);
+  Eigen::VectorXcd step = solver.solve(weighted);
+  const double limit = 0.5 * phi.norm();
+  if (step.norm() > limit) step *= limit / step.norm();
+  if (step.allFinite()) phi += step;
+}
+
+/// exp(j angle) that turns the shape as real as possible.
+Complex real_turn(const Eigen::VectorXcd& shape) {
+  const Complex sum = (shape.array() * shape.array()).sum();
+  return std::polar(1.0, -0.5 * std::arg(sum));
+}
+
+}  // namespace
+
+ShapeGraph shape_graph(const Curves& curves,
+                       std::vector<std::string>& warnings) {
+  ShapeGraph graph;
+  const std::map<Dof, int> index = number_points(curves);
+  for (const auto& [dof, value] : index) graph.points.push_back(dof);
+  for (std::size_t f = 0; f < curves.response.size(); ++f) {
+    graph.edges.emplace_back(index.at(curves.response[f]),
+                             index.at(curves.reference[f]));
+  }
+  graph.side = largest_part(graph.edges, graph.points.size(), graph.scaled);
+  const auto size = [&](int side) {
+    return std::ranges::count(graph.side, side);
+  };
+  const int larger = size(1) > size(0) ? 1 : 0;
+  for (std::size_t p = 0; p < graph.points.size(); ++p) {
+    const bool keep =
+        graph.scaled ? graph.side[p] >= 0 : graph.side[p] == larger;
+    if (!keep) continue;
+    graph.kept.push_back(static_cast<int>(p));
+    graph.dofs.push_back(graph.points[p]);
+  }
+  if (!graph.scaled) {
+    warnings.push_back(fmt::format(
+        "no driving point was measured: shapes have no scale and hold only the "
+        "{} points of one side; hit next to one of the sensors to get both",
+        graph.dofs.size()));
+  }
+  if (std::ranges::count(graph.side, -1) > 0) {
+    warnings.push_back(fmt::format(
+        "{} points share no hammer or sensor with the others and are left out "
+        "of the shapes",
+        std::ranges::count(graph.side, -1)));
+  }
+  return graph;
+}
+
+Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
+                             const Eigen::MatrixXcd& residues,
+                             const Eigen::VectorXcd& poles,
+                             const Eigen::VectorXd& frf_weight) {
+  const auto n = static_cast<Index>(graph.kept.size());
+  Eigen::MatrixXcd shapes(n, poles.size());
+  for (Index r = 0; r < poles.size(); ++r) {
+    const Eigen::VectorXcd P =
+        Complex(0.0, 2.0 * poles(r).imag()) * residues.col(r);
+    Eigen::VectorXcd phi = propagate(graph, P, frf_weight);
+    if (graph.scaled) fix_scale(graph, P, frf_weight, phi);
+    for (int i = 0; i < 12; ++i) polish(graph, P, frf_weight, phi);
+    Eigen::VectorXcd shape = phi(graph.kept);
+    shape *= real_turn(shape);
+    Index largest = 0;
+    shape.cwiseAbs().maxCoeff(&largest);
+    if (shape(largest).real() < 0.0) shape = -shape;
+    if (!graph.scaled && std::abs(shape(largest)) > 0.0) {
+      shape /= std::abs(shape(largest));
+    }
+    shapes.col(r) = shape;
+  }
+  return shapes;
+}
+
+double phase_collinearity(const Eigen::VectorXcd& shape) {
+  const double xx = shape.real().squaredNorm();
+  const double yy = shape.imag().squaredNorm();
+  const double xy = shape.real().dot(shape.imag());
+  const double sum = xx + yy;
+  if (sum <= 0.0) return 0.0;
+  return ((xx - yy) * (xx - yy) + 4.0 * xy * xy) / (sum * sum);
+}
+
+}  // namespace tapfit::modal

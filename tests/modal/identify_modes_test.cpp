@@ -1,0 +1,291 @@
+#include "modal/identify_modes.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "modal/mac.hpp"
+#include "tests/modal/synthetic_frfs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tapfit {
+namespace {
+
+using Eigen::Index;
+using test::SyntheticSystem;
+
+/// Modes in the band and two above it, spaced at random but at least 2 %.
+SyntheticSystem random_system(Index modes,
+                              Index points,
+                              double low_zeta,
+                              double high_zeta,
+                              std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  SyntheticSystem system;
+  system.frequency_hz.resize(modes + 2);
+  system.damping_ratio.resize(modes + 2);
+  const double gap = 85.0 / static_cast<double>(modes);
+  for (Index r = 0; r < modes; ++r) {
+    const double place = 0.1 + 0.7 * uniform(random);
+    system.frequency_hz(r) = 10.0 + gap * (static_cast<double>(r) + place);
+  }
+  system.frequency_hz(modes) = 118.0;
+  system.frequency_hz(modes + 1) = 150.0;
+  for (double& zeta : system.damping_ratio) {
+    zeta = low_zeta + (high_zeta - low_zeta) * uniform(random);
+  }
+  system.phi = test::random_shapes(points, modes + 2, random);
+  return system;
+}
+
+void expect_modes(const modal::ModeSet& found,
+                  const SyntheticSystem& system,
+                  Index in_band,
+                  double frequency_tolerance,
+                  double damping_tolerance) {
+  ASSERT_EQ(found.modes.size(), static_cast<std::size_t>(in_band));
+  for (Index r = 0; r < in_band; ++r) {
+    const modal::Mode& mode = found.modes[static_cast<std::size_t>(r)];
+    EXPECT_NEAR(
+        mode.frequency_hz / system.frequency_hz(r), 1.0, frequency_tolerance);
+    EXPECT_NEAR(
+        mode.damping_ratio / system.damping_ratio(r), 1.0, damping_tolerance);
+  }
+}
+
+TEST(IdentifyModes, FindsNoiseFreeModesWithScaledShapes) {
+  for (const Index modes : {1, 2, 7, 15}) {
+    std::mt19937_64 random(11 + static_cast<unsigned>(modes));
+    const SyntheticSystem system = random_system(modes, 8, 0.002, 0.01, random);
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {0, 3}, test::line_points(5, 100, 900, 0.3), 0.0, random);
+    const modal::ModeSet found = modal::identify_modes(frfs, {});
+    SCOPED_TRACE(modes);
+    // What is left is the two modes above the band, which the residual terms
+    // can only approach.
+    expect_modes(found, system, modes, 1e-4, 1e-3);
+    ASSERT_TRUE(found.scaled);
+    ASSERT_EQ(found.dofs.size(), 8U);
+    EXPECT_LT(found.synthesis_error, 1e-3);
+    for (std::size_t r = 0; r < found.modes.size(); ++r) {
+      const Eigen::VectorXd phi = system.phi.col(static_cast<Index>(r));
+      Eigen::VectorXcd shape = found.modes[r].shape;
+      if ((shape.real().dot(phi)) < 0.0) shape = -shape;
+      EXPECT_LT((shape - phi.cast<std::complex<double>>()).norm() / phi.norm(),
+                2e-3);
+      EXPECT_GT(found.modes[r].mpc, 0.999);
+    }
+  }
+}
+
+TEST(IdentifyModes, FindsHeavilyDampedModes) {
+  std::mt19937_64 random(5);
+  SyntheticSystem system = random_system(5, 10, 0.05, 0.05, random);
+  const signal::FrfSet frfs = test::roving_hammer(
+      system, {0, 3}, test::line_points(2, 105, 700, 0.0), 0.0, random);
+  // Wide modes above the band reach far into it.
+  expect_modes(modal::identify_modes(frfs, {}), system, 5, 1e-3, 1e-2);
+}
+
+TEST(IdentifyModes, StandsFivePercentNoise) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    std::mt19937_64 random(seed);
+    const SyntheticSystem system = random_system(6, 10, 0.003, 0.01, random);
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {0, 4}, test::line_points(5, 100, 900, 0.0), 0.05, random);
+    SCOPED_TRACE(seed);
+    expect_modes(modal::identify_modes(frfs, {}), system, 6, 1e-3, 5e-2);
+  }
+}
+
+TEST(IdentifyModes, SeparatesCloseModesWithTwoReferences) {
+  std::mt19937_64 random(3);
+  SyntheticSystem system;
+  system.frequency_hz.resize(4);
+  system.frequency_hz << 150.0, 179.8, 180.8, 230.0;
+  system.damping_ratio = Eigen::VectorXd::Constant(4, 0.005);
+  system.phi = test::random_shapes(10, 4, random);
+  const signal::FrfSet frfs = test::roving_hammer(
+      system, {1, 6}, test::line_points(120, 260, 800, 0.4), 0.02, random);
+  expect_modes(modal::identify_modes(frfs, {}), system, 4, 1e-3, 5e-2);
+}
+
+TEST(IdentifyModes, TakesSigmaOutExactly) {
+  std::mt19937_64 random(8);
+  const SyntheticSystem system = random_system(4, 6, 0.004, 0.01, random);
+  SyntheticSystem alone = system;
+  alone.frequency_hz = system.frequency_hz.head(4).eval();
+  alone.damping_ratio = system.damping_ratio.head(4).eval();
+  alone.phi = system.phi.leftCols(4).eval();
+  for (const double sigma : {0.0, 0.5, 3.0}) {
+    const signal::FrfSet frfs = test::roving_hammer(
+        alone, {0, 2}, test::line_points(5, 100, 900, sigma), 0.0, random);
+    SCOPED_TRACE(sigma);
+    // No mode out of the band: the modal model is exact.
+    expect_modes(modal::identify_modes(frfs, {}), alone, 4, 1e-9, 1e-7);
+  }
+}
+
+TEST(IdentifyModes, LosesNoneAndInventsNone) {
+  int good = 0;
+  std::string lost;
+  std::uniform_real_distribution<double> uniform;
+  constexpr int kSystems = 40;
+  for (unsigned seed = 100; seed < 100 + kSystems; ++seed) {
+    std::mt19937_64 random(seed);
+    const Index modes = 2 + static_cast<Index>(seed % 11);
+    const SyntheticSystem system = random_system(modes, 8, 0.002, 0.01, random);
+    const double noise = 0.03 * uniform(random);
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {0, 5}, test::line_points(5, 100, 600, 0.5), noise, random);
+    const modal::ModeSet found = modal::identify_modes(frfs, {});
+    bool all = found.modes.size() == static_cast<std::size_t>(modes);
+    for (std::size_t r = 0; all && r < found.modes.size(); ++r) {
+      all = std::abs(found.modes[r].frequency_hz /
+                         system.frequency_hz(static_cast<Index>(r)) -
+                     1.0) < 2e-3;
+    }
+    if (all) ++good;
+    if (!all) lost += std::to_string(seed) + " ";
+  }
+  EXPECT_GE(good, 38) << "wrong with seeds " << lost;  // 95 %
+}
+
+TEST(IdentifyModes, StatesUncertaintyThatHolds) {
+  int inside_frequency = 0;
+  int inside_damping = 0;
+  constexpr int kSeeds = 100;
+  SyntheticSystem system;
+  system.frequency_hz.resize(2);
+  system.frequency_hz << 20.0, 31.0;
+  system.damping_ratio = Eigen::VectorXd::Constant(2, 0.01);
+  std::mt19937_64 shapes(1);
+  system.phi = test::random_shapes(3, 2, shapes);
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    std::mt19937_64 random(seed);
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {0, 1}, test::line_points(10, 40, 200, 0.0), 0.05, random);
+    const modal::ModeSet found = modal::identify_modes(frfs, {});
+    ASSERT_EQ(found.modes.size(), 2U);
+    const modal::Mode& mode = found.modes[0];
+    if (std::abs(mode.frequency_hz - 20.0) < 1.96 * mode.frequency_sd_hz) {
+      ++inside_frequency;
+    }
+    if (std::abs(mode.damping_ratio - 0.01) < 1.96 * mode.damping_sd) {
+      ++inside_damping;
+    }
+  }
+  // 95 % nominal; three standard deviations of a binomial are 6.5.
+  EXPECT_GE(inside_frequency, 88);
+  EXPECT_GE(inside_damping, 88);
+  EXPECT_LE(inside_frequency + inside_damping, 199);
+}
+
+TEST(IdentifyModes, WorksWithOneReferenceAndNoVariance) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(3, 4, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {1}, test::line_points(5, 100, 300, 0.2), 0.03, random);
+  for (signal::Frf& frf : frfs.frfs) {
+    frf.variance.setZero();
+    frf.hits = 1;
+  }
+  expect_modes(modal::identify_modes(frfs, {}), system, 3, 2e-3, 0.1);
+}
+
+TEST(IdentifyModes, WorksWithAMissingFrf) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(5, 8, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {1, 4}, test::line_points(5, 100, 600, 0.2), 0.01, random);
+  frfs.frfs.erase(frfs.frfs.begin() + 5);
+  const modal::ModeSet found = modal::identify_modes(frfs, {});
+  expect_modes(found, system, 5, 1e-3, 0.05);
+  EXPECT_EQ(found.dofs.size(), 8U);
+}
+
+TEST(IdentifyModes, TurnsSignsToPlus) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(3, 5, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {0, 1}, test::line_points(5, 100, 600, 0.2), 0.0, random);
+  for (signal::Frf& frf : frfs.frfs) {
+    if (frf.reference.node != 3) continue;
+    frf.reference.sign = -1;
+    frf.H = -frf.H;
+  }
+  const modal::ModeSet found = modal::identify_modes(frfs, {});
+  ASSERT_EQ(found.modes.size(), 3U);
+  for (std::size_t r = 0; r < 3; ++r) {
+    const Eigen::VectorXcd phi =
+        system.phi.col(static_cast<Index>(r)).cast<std::complex<double>>();
+    EXPECT_GT(modal::mac(found.modes[r].shape, phi)(0, 0), 0.9999);
+  }
+}
+
+TEST(IdentifyModes, WithoutDrivingPointKeepsTheHitPoints) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(3, 6, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {0, 1}, test::line_points(5, 100, 600, 0.2), 0.0, random);
+  std::erase_if(frfs.frfs,
+                [](const signal::Frf& frf) { return frf.reference.node <= 2; });
+  const modal::ModeSet found = modal::identify_modes(frfs, {});
+  EXPECT_FALSE(found.scaled);
+  ASSERT_EQ(found.dofs.size(), 4U);
+  EXPECT_EQ(found.dofs.front().node, 3);
+  EXPECT_FALSE(found.warnings.empty());
+  ASSERT_EQ(found.modes.size(), 3U);
+  const Eigen::VectorXcd phi =
+      system.phi.col(1).tail(4).cast<std::complex<double>>();
+  EXPECT_GT(modal::mac(found.modes[1].shape, phi)(0, 0), 0.9999);
+}
+
+TEST(IdentifyModes, RefusesTooFewLines) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(2, 3, 0.005, 0.01, random);
+  const signal::FrfSet frfs = test::roving_hammer(
+      system, {0}, test::line_points(5, 100, 5, 0.2), 0.0, random);
+  EXPECT_THROW((void)modal::identify_modes(frfs, {}), InputError);
+}
+
+TEST(IdentifyModes, RefusesWhatIsNotFinite) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(2, 3, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {0}, test::line_points(5, 100, 50, 0.2), 0.0, random);
+  frfs.frfs[1].H(7) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)modal::identify_modes(frfs, {}), InputError);
+}
+
+TEST(IdentifyModes, RefusesUnevenLines) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(2, 3, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {0}, test::line_points(5, 100, 50, 0.2), 0.0, random);
+  frfs.s(7) += std::complex<double>(0.0, 3.0);
+  EXPECT_THROW((void)modal::identify_modes(frfs, {}), InputError);
+}
+
+TEST(IdentifyModes, FindsNothingInConstantFrfsOrNoise) {
+  std::mt19937_64 random(4);
+  std::normal_distribution<double> normal;
+  const SyntheticSystem system = random_system(2, 5, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {0, 1}, test::line_points(5, 100, 300, 0.2), 0.0, random);
+  for (signal::Frf& frf : frfs.frfs) frf.H.setConstant({2.0, 0.0});
+  const modal::ModeSet constant = modal::identify_modes(frfs, {});
+  EXPECT_TRUE(constant.modes.empty());
+  EXPECT_FALSE(constant.warnings.empty());
+  for (signal::Frf& frf : frfs.frfs) {
+    for (std::complex<double>& value : frf.H) {
+      value = {normal(random), normal(random)};
+    }
+    frf.variance.setConstant(2.0);
+  }
+  EXPECT_TRUE(modal::identify_modes(frfs, {}).modes.empty());
+}
+
+}  // namespace
+}  // namespace tapfit
