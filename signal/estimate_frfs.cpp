@@ -4,6 +4,7 @@
 #include "signal/estimator.hpp"
 #include "signal/frf_variance.hpp"
 #include "signal/hit_blocks.hpp"
+#include "signal/line_noise.hpp"
 #include "signal/spectra.hpp"
 #include "signal/window.hpp"
 
@@ -31,43 +32,6 @@ struct Plan {
   Estimator estimator = Estimator::H1;
   std::function<Spectra(const HitBlocks&)> transform;
 };
-
-// Sums over the window that the noise of one line goes through.
-struct WindowSums {
-  double w2 = 0.0;
-  double w4 = 0.0;
-};
-
-WindowSums exponential_sums(Index samples, double dt, double sigma) {
-  const double x = 2.0 * sigma * dt;
-  const double n = static_cast<double>(samples);
-  if (x * n < 1e-9) return {n, n};
-  // Geometric series of exp(-2 sigma t) and of its square.
-  return {std::expm1(-x * n) / std::expm1(-x),
-          std::expm1(-2.0 * x * n) / std::expm1(-2.0 * x)};
-}
-
-LineNoise line_noise(const Eigen::VectorXcd& s,
-                     const HitBlocks& blocks,
-                     std::size_t sensor) {
-  LineNoise noise;
-  noise.response.resize(s.size());
-  noise.force.resize(s.size());
-  noise.bandwidth.resize(s.size());
-  const Index after = blocks.force.rows() - blocks.trigger;
-  // The pulse is short against 1/sigma: its window counts as it is.
-  const double pulse = blocks.force_window.squaredNorm();
-  const bool windowed = blocks.force_end < blocks.force.rows();
-  for (Index i = 0; i < s.size(); ++i) {
-    const WindowSums sums = exponential_sums(after, blocks.dt, s(i).real());
-    noise.response(i) = blocks.noise[sensor].at(s(i).imag()) * sums.w2;
-    noise.force(i) = blocks.force_noise.at(s(i).imag()) *
-                     (windowed ? std::min(pulse, sums.w2) : sums.w2);
-    noise.bandwidth(i) =
-        2.0 * std::numbers::pi / blocks.dt * sums.w4 / (sums.w2 * sums.w2);
-  }
-  return noise;
-}
 
 // Factor that makes an accelerance of what was measured.
 Eigen::VectorXcd to_acceleration(const Eigen::VectorXcd& s, Quantity q) {
@@ -163,6 +127,12 @@ double ringing_time(const HitSet& hits) {
          hits.sample_rate_hz;
 }
 
+// Lowest frequency of interest: no lower than the block resolves.
+double lowest_hz(const Eigen::VectorXcd& s, const HitSet& hits) {
+  return std::max(s.imag().cwiseAbs().minCoeff() / (2.0 * std::numbers::pi),
+                  1.0 / ringing_time(hits));
+}
+
 // FFT lines inside the band; line 0 is left out, an accelerance holds
 // nothing there but the sensors' offset.
 std::pair<Index, Index> lines_in_band(const TestBundle& bundle,
@@ -206,8 +176,7 @@ FrfSet estimate_frfs(const TestBundle& bundle,
     plan.s(i) = {
         sigma,
         2.0 * std::numbers::pi * step_hz * static_cast<double>(first + i)};
-  plan.blocks = {options.window.force_window,
-                 step_hz * static_cast<double>(first)};
+  plan.blocks = {options.window.force_window, lowest_hz(plan.s, hits)};
   plan.estimator = options.estimator;
   plan.transform = [sigma, first = first, last = last](const HitBlocks& b) {
     return fft_spectra(b, sigma, first, last);
@@ -227,9 +196,7 @@ FrfSet estimate_frfs_at(const TestBundle& bundle,
                      "give lines on or to the right of the imaginary axis");
   Plan plan;
   plan.s = s;
-  const double lowest =
-      s.imag().cwiseAbs().minCoeff() / (2.0 * std::numbers::pi);
-  plan.blocks = {true, std::max(lowest, 1.0 / ringing_time(hits))};
+  plan.blocks = {true, lowest_hz(s, hits)};
   plan.transform = [&s](const HitBlocks& b) { return spectra_at(b, s); };
   return estimate_all(bundle, recordings, hits, plan, progress);
 }

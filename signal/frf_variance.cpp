@@ -40,18 +40,22 @@ double repeatability(const Eigen::VectorXd& R,
   return b;
 }
 
-// R / P averaged with triangular weights over the lines within reach.
-Eigen::VectorXd local_ratio(const Eigen::VectorXcd& s,
+// R / P averaged with triangular weights over the lines within reach; at the
+// band's ends, where one side is missing, the other one reaches further.
+Eigen::VectorXd local_ratio(const Eigen::VectorXd& omega,
                             const Eigen::VectorXd& ratio,
                             const Eigen::VectorXd& reach) {
   Eigen::VectorXd result(ratio.size());
+  const double low = omega.minCoeff();
+  const double high = omega.maxCoeff();
   for (Index i = 0; i < ratio.size(); ++i) {
+    const double edge = std::min(omega(i) - low, high - omega(i));
+    const double width = reach(i) + std::max(0.0, reach(i) - edge);
     double sum = ratio(i);
     double weights = 1.0;
     const auto add = [&](Index j) {
-      const double distance = std::abs(s(j).imag() - s(i).imag());
-      if (distance >= reach(i)) return false;
-      const double w = 1.0 - distance / reach(i);
+      const double w = 1.0 - std::abs(omega(j) - omega(i)) / width;
+      if (w <= 0.0) return false;
       sum += w * ratio(j);
       weights += w;
       return true;
@@ -86,7 +90,7 @@ Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
     P.array() += std::numeric_limits<double>::min();
     const Eigen::VectorXd reach = 12.0 / (hits - 1.0) * noise.bandwidth;
     R = P.cwiseProduct(local_ratio(
-        s, measured.cwiseQuotient(P), reach.cwiseMax(noise.bandwidth)));
+        s.imag(), measured.cwiseQuotient(P), reach.cwiseMax(noise.bandwidth)));
   }
   Eigen::VectorXd variance(H.size());
   for (Index i = 0; i < H.size(); ++i)

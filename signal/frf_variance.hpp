@@ -13,24 +13,18 @@
 // |H|^2 (1 - g^2) / (2 m g^2) without its bias. From few hits that is a
 // chi-squared number with 2 (m - 1) degrees of freedom per line, so the ratio
 // R / P is averaged over so many neighbouring lines that about 24 degrees of
-// freedom come together; P keeps the shape over the resonances.
+// freedom come together (as many on one side at the band's ends); P keeps the
+// shape over the resonances.
 //
 // Sources: B. Efron, "The jackknife, the bootstrap and other resampling
 // plans", SIAM 1982; J. S. Bendat, A. G. Piersol, "Random Data", ch. 9.
 #pragma once
 
+#include "signal/line_noise.hpp"
+
 #include <Eigen/Core>
 
 namespace tapfit::signal {
-
-/// Noise that the transform of one block carries before anything is hit.
-struct LineNoise {
-  Eigen::VectorXd response;  ///< per line, E|dY|^2
-  Eigen::VectorXd force;     ///< per line, E|dF|^2
-  /// Distance over which noise on neighbouring lines is the same noise, as a
-  /// number per line [rad/s]: 2 pi fs sum w^4 / (sum w^2)^2.
-  Eigen::VectorXd bandwidth;
-};
 
 /// E|dH|^2 per line; above zero and finite wherever H is.
 ///

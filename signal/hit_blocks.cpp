@@ -97,6 +97,34 @@ double rms(const Eigen::VectorXd& x) {
                        : x.norm() / std::sqrt(static_cast<double>(x.size()));
 }
 
+// Windows of all hits, block x hits.
+struct Windows {
+  Eigen::MatrixXd force;
+  Eigen::MatrixXd response;
+  Index force_end = 0;  // rows of force from here on are zero
+};
+
+Windows windows_of(const CutChannel& force,
+                   const std::vector<Place>& places,
+                   Index pre_trigger,
+                   bool force_window) {
+  const Index block = force.blocks.rows();
+  Windows windows{force.blocks, force.blocks, force_window ? 0 : block};
+  for (Index k = 0; k < force.blocks.cols(); ++k) {
+    const std::size_t hit = static_cast<std::size_t>(k);
+    const PulseSpan span = find_pulse(force.blocks.col(k),
+                                      pre_trigger,
+                                      places[hit].pulse_samples,
+                                      rms(force.quiet[hit]));
+    windows.response.col(k) = causal_window(block, span, taper);
+    windows.force.col(k) = force_window ? pulse_window(block, span, taper)
+                                        : causal_window(block, span, taper);
+    windows.force_end =
+        std::max(windows.force_end, std::min(block, span.end + taper));
+  }
+  return windows;
+}
+
 void check_force(const Eigen::MatrixXd& force, const acquisition::Run& run) {
   for (Index k = 0; k < force.cols(); ++k)
     if (!(force.col(k).cwiseAbs().maxCoeff() > 0.0))
@@ -122,7 +150,7 @@ HitBlocks cut_hits(const acquisition::Run& run,
   result.dt = 1.0 / fs;
   result.trigger = hits.pre_trigger;
   if (places.empty()) return result;
-  const auto column = [&](const acquisition::Placement& at) {
+  const auto channel_at = [&](const acquisition::Placement& at) {
     return cut_channel(recording.samples.col(static_cast<Index>(at.channel)),
                        places,
                        hits.block,
@@ -130,39 +158,20 @@ HitBlocks cut_hits(const acquisition::Run& run,
                        wanted);
   };
 
-  CutChannel force = column(run.hammer);
+  CutChannel force = channel_at(run.hammer);
+  const Windows windows =
+      windows_of(force, places, hits.pre_trigger, options.force_window);
   result.force_noise = noise_spectrum(force.quiet, result.dt);
-  std::vector<PulseSpan> spans;
-  result.force_end = hits.block;
-  PulseSpan widest{hits.pre_trigger, hits.pre_trigger + 1};
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    spans.push_back(find_pulse(force.blocks.col(static_cast<Index>(k)),
-                               hits.pre_trigger,
-                               places[k].pulse_samples,
-                               rms(force.quiet[k])));
-    widest.begin = std::min(widest.begin, spans[k].begin);
-    widest.end = std::max(widest.end, spans[k].end);
-  }
-  const auto window_of = [&](const PulseSpan& span) {
-    return options.force_window ? pulse_window(hits.block, span, taper)
-                                : causal_window(hits.block, span, taper);
-  };
-  result.force_window = window_of(widest);
-  if (options.force_window)
-    result.force_end = std::min(hits.block, widest.end + taper);
-  for (std::size_t k = 0; k < places.size(); ++k)
-    force.blocks.col(static_cast<Index>(k)).array() *=
-        window_of(spans[k]).array();
-  result.force = std::move(force.blocks);
+  result.force = force.blocks.cwiseProduct(windows.force);
   check_force(result.force, run);
-
+  result.force_end = windows.force_end;
+  result.force_power = windows.force.cwiseAbs2().rowwise().mean();
+  result.response_power = windows.response.cwiseAbs2().rowwise().mean();
   for (const acquisition::Placement& sensor : run.sensors) {
-    CutChannel response = column(sensor);
+    const CutChannel response = channel_at(sensor);
     result.noise.push_back(noise_spectrum(response.quiet, result.dt));
-    for (std::size_t k = 0; k < places.size(); ++k)
-      response.blocks.col(static_cast<Index>(k)).array() *=
-          causal_window(hits.block, spans[k], taper).array();
-    result.responses.push_back(std::move(response.blocks));
+    result.responses.emplace_back(
+        response.blocks.cwiseProduct(windows.response));
   }
   return result;
 }

@@ -18,7 +18,8 @@ struct HitBlocks {
   Eigen::MatrixXd force;       ///< block x hits [N], pulse window applied
   /// Per sensor of the run: block x hits [SI], zero before the hit begins.
   std::vector<Eigen::MatrixXd> responses;
-  Eigen::VectorXd force_window;      ///< block, of the widest pulse
+  Eigen::VectorXd force_power;       ///< block, mean over hits of window^2
+  Eigen::VectorXd response_power;    ///< block, mean over hits of window^2
   NoiseSpectrum force_noise;         ///< before the hits
   std::vector<NoiseSpectrum> noise;  ///< per sensor, before the hits
 };

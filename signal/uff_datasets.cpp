@@ -121,6 +121,32 @@ bool by_blanks(std::string_view line, std::vector<double>& values) {
   }
 }
 
+bool by_columns(std::string_view line,
+                std::size_t width,
+                std::vector<double>& values) {
+  for (std::size_t at = 0; at < line.size(); at += width) {
+    const std::string_view field = column(line, at, width);
+    if (field.empty()) continue;
+    double value = 0.0;
+    if (!parse_number(field, value)) return false;
+    values.push_back(value);
+  }
+  return true;
+}
+
+// Numbers that touch, told apart by the sign that follows an exponent.
+bool by_signs(std::string_view line, std::vector<double>& values) {
+  for (;;) {
+    line = trim(line);
+    if (line.empty()) return true;
+    double value = 0.0;
+    const std::size_t length = scan_number(line, value);
+    if (length == 0) return false;
+    values.push_back(value);
+    line.remove_prefix(length);
+  }
+}
+
 }  // namespace
 
 std::vector<UffDataset> split_uff(std::string_view text,
@@ -184,14 +210,9 @@ bool numbers(std::string_view line,
   const std::size_t before = values.size();
   if (by_blanks(line, values)) return true;
   values.resize(before);
-  for (std::size_t at = 0; at < line.size(); at += width) {
-    const std::string_view field = column(line, at, width);
-    if (field.empty()) continue;
-    double value = 0.0;
-    if (!parse_number(field, value)) return false;
-    values.push_back(value);
-  }
-  return true;
+  if (by_columns(line, width, values)) return true;
+  values.resize(before);
+  return by_signs(line, values);
 }
 
 }  // namespace tapfit::signal

@@ -49,7 +49,7 @@ struct UffDataset {
 [[nodiscard]] int integer(std::string_view text);
 
 /// All numbers of a data line: by blanks where that works, else by columns of
-/// the given width (glued numbers).
+/// the given width (glued numbers), else sign by sign.
 ///
 /// @param width of one number, 13 or 20
 /// @return false when the line holds something else

@@ -1,0 +1,144 @@
+#include "signal/frf_variance.hpp"
+
+#include "signal/estimate_frfs.hpp"
+#include "tests/signal/generated_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit::signal {
+namespace {
+
+const std::vector<TestMode> two_modes{{20.0, 0.01, 1.0}, {61.0, 0.008, -0.7}};
+
+struct Coverage {
+  double share = 0.0;  // of lines whose truth lies within 95 %
+  double bias = 0.0;   // mean error over mean |H|
+};
+
+// |dH|^2 / E|dH|^2 of circular Gaussian noise is exponential: 95 % of it lies
+// below ln 20.
+Coverage coverage(const GeneratedOptions& options,
+                  bool damped_line,
+                  int repeats) {
+  GeneratedOptions quiet = options;
+  quiet.response_noise = quiet.force_noise = quiet.spread = 0.0;
+  int inside = 0;
+  int lines = 0;
+  std::complex<double> sum = 0.0;
+  double size = 0.0;
+  const GeneratedTest clean = generate_test(two_modes, quiet);
+  for (int r = 0; r < repeats; ++r) {
+    GeneratedOptions o = options;
+    o.seed = options.seed + static_cast<unsigned>(r);
+    GeneratedTest test = generate_test(two_modes, o);
+    test.bundle.band_hz = {5.0, 100.0};
+    FrfSet set;
+    if (damped_line) {
+      Eigen::VectorXcd s(140);
+      s.real().setConstant(5.0);
+      s.imag().setLinSpaced(
+          140, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 100.0);
+      set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s);
+    } else {
+      set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
+    }
+    // Against the noise-free estimate, so that truncation is not counted.
+    const FrfSet truth =
+        estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s);
+    for (Eigen::Index i = 0; i < set.lines(); ++i) {
+      const std::complex<double> error = set.frfs[0].H(i) - truth.frfs[0].H(i);
+      inside += std::norm(error) <= std::log(20.0) * set.frfs[0].variance(i);
+      ++lines;
+      sum += error;
+      size += std::abs(truth.frfs[0].H(i));
+    }
+  }
+  return {static_cast<double>(inside) / lines, std::abs(sum) / size};
+}
+
+// Promised: 90 to 99 % of the truths in 95 % bands. Forty records of 140 to
+// 750 lines, of which about one in three is independent, leave 1 % of chance.
+void expect_covered(const Coverage& c) {
+  EXPECT_GT(c.share, 0.90);
+  EXPECT_LT(c.share, 0.99);
+}
+
+GeneratedOptions noisy(int hits) {
+  GeneratedOptions o;
+  o.block = 2048;
+  o.gap = 4096;
+  o.hits = hits;
+  o.response_noise = 0.02;
+  o.force_noise = 0.01;
+  o.seed = 100;
+  return o;
+}
+
+TEST(FrfVariance, CoversForOneHit) {
+  const Coverage c = coverage(noisy(1), false, 40);
+  expect_covered(c);
+  expect_covered(coverage(noisy(1), true, 60));
+}
+
+TEST(FrfVariance, CoversForTwoHits) {
+  expect_covered(coverage(noisy(2), false, 40));
+}
+
+TEST(FrfVariance, CoversForThreeHitsOnFftLines) {
+  const Coverage c = coverage(noisy(3), false, 40);
+  expect_covered(c);
+  // H1 is unbiased with noise on the response; the force's noise biases it by
+  // Nf / |F|^2, 1e-5 here. The mean over 30,000 lines scatters by 1e-4.
+  EXPECT_LT(c.bias, 5e-4);
+}
+
+TEST(FrfVariance, CoversForThreeHitsOnADampedLine) {
+  expect_covered(coverage(noisy(3), true, 60));
+}
+
+TEST(FrfVariance, CoversForTenHits) {
+  expect_covered(coverage(noisy(10), false, 15));
+}
+
+TEST(FrfVariance, CoversHitsThatDoNotRepeat) {
+  // A gain that differs by 3 % from hit to hit dwarfs the noise: the error is
+  // one number for all lines, so coverage is counted over records. Five hits
+  // leave Student's t with 4 degrees of freedom: 86 % in 1.73 sd.
+  GeneratedOptions o = noisy(5);
+  o.spread = 0.03;
+  o.response_noise = 0.002;
+  const Coverage c = coverage(o, false, 60);
+  EXPECT_GT(c.share, 0.78);
+  EXPECT_LT(c.share, 0.99);
+}
+
+TEST(FrfVariance, FallsWithTheNumberOfHits) {
+  // Same noise: variance goes as one over the summed pulse energy.
+  const auto mean_variance = [](int hits) {
+    GeneratedTest test = generate_test(two_modes, noisy(hits));
+    test.bundle.band_hz = {30.0, 50.0};
+    const FrfSet set =
+        estimate_frfs(test.bundle, test.recordings, test.hits, {});
+    return set.frfs[0].variance.mean();
+  };
+  // Strengths 20, 26, 32 N repeated: sum of squares 2100 for three, 6776 for
+  // ten. The variance itself is known to about a fifth.
+  EXPECT_NEAR(mean_variance(3) / mean_variance(10), 6776.0 / 2100.0, 1.0);
+}
+
+TEST(FrfVariance, IsFiniteForDataWithoutNoise) {
+  for (const int hits : {1, 3}) {
+    GeneratedOptions o;
+    o.hits = hits;
+    const GeneratedTest test = generate_test(two_modes, o);
+    const FrfSet set =
+        estimate_frfs(test.bundle, test.recordings, test.hits, {});
+    EXPECT_TRUE(set.frfs[0].variance.allFinite());
+    EXPECT_GT(set.frfs[0].variance.minCoeff(), 0.0);
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::signal
