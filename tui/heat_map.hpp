@@ -15,7 +15,6 @@ struct HeatMap {
   std::vector<std::string> row_names;
   std::vector<std::string> column_names;
   double scale = 1.0;      ///< the value that is shown hottest
-  bool hundredths = true;  ///< 0.987 as "99"; else percent of 1 up to "999"
   int top = 0;             ///< first row shown
   int left = 0;            ///< first column shown
   int selected = -1;       ///< row to mark

@@ -1,0 +1,50 @@
+#include "tui/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Number, NeverShowsWhatIsNoNumber) {
+  for (const double bad : {std::nan(""), infinity, -infinity}) {
+    EXPECT_EQ(number(bad), "–");
+    EXPECT_EQ(fixed(bad, 2), "–");
+    EXPECT_EQ(percent(bad), "–");
+    EXPECT_EQ(with_sd(bad, 1.0), "–");
+  }
+  EXPECT_EQ(with_sd(2.5, std::nan("")), "2.5");
+}
+
+TEST(Number, GivesTheDeviationTwoDigitsAndTheValueAsMany) {
+  EXPECT_EQ(with_sd(2.271, 0.0004), "2.27100 ± 0.00040");
+  EXPECT_EQ(with_sd(78.512, 1.5), "78.5 ± 1.5");
+  EXPECT_EQ(with_sd(7.07e10, 2e8), "(7.070 ± 0.020)e10");
+  EXPECT_EQ(with_sd(3.0, 0.0), "3");
+}
+
+TEST(Number, StaysShortForHugeValues) {
+  EXPECT_LE(fixed(1e300, 3).size(), 10U);
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+}
+
+TEST(Number, SplitsUnitsOffNames) {
+  EXPECT_EQ(split_unit("mass_kg").unit, "kg");
+  EXPECT_EQ(split_unit("mass_kg.acc1").name, "mass.acc1");
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad").unit, "N m/rad");
+  EXPECT_EQ(split_unit("damping_ns_per_m").name, "damping");
+  EXPECT_EQ(split_unit("E:1").unit, "Pa");
+  EXPECT_EQ(split_unit("factor").unit, "");
+}
+
+TEST(Number, WritesPercentWithSenseBelowOne) {
+  EXPECT_EQ(percent(0.388), "38.8 %");
+  EXPECT_EQ(percent(0.0042), "0.42 %");
+}
+
+}  // namespace
+}  // namespace tapfit::tui

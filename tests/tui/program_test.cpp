@@ -1,0 +1,183 @@
+#include "tui/program.hpp"
+
+#include "tests/tui/fake_workbench.hpp"
+#include "tui/replay.hpp"
+#include "tui/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace tapfit::tui {
+namespace {
+
+using testing::FakeOptions;
+
+std::string played(const std::string& script,
+                   const Canvas& canvas = {},
+                   const FakeOptions& options = {}) {
+  Program program(testing::fake_workbench(options), canvas);
+  return replay(program, parse_key_script(script));
+}
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void expect_fits(const std::string& text, int width) {
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line)) {
+    EXPECT_LE(text_width(line), width) << line;
+  }
+  EXPECT_FALSE(holds(text, "nan")) << text;
+  EXPECT_FALSE(holds(text, "inf ")) << text;
+}
+
+TEST(Program, WalksAllSevenScreens) {
+  const std::vector<std::string> shown{"run-01.wav",
+                                       "coherence",
+                                       "stabilisation",
+                                       "error 38.8 %",
+                                       "verdict: added-mass",
+                                       "ladder",
+                                       "Error ladder"};
+  for (const Canvas& canvas : {Canvas{80, 24, false}, Canvas{120, 35, false}}) {
+    for (int screen = 1; screen <= 7; ++screen) {
+      const std::string text =
+          played(std::to_string(screen) + "\nwait\n<Tab>\nwait", canvas);
+      const auto index = static_cast<std::size_t>(screen - 1);
+      EXPECT_TRUE(holds(text, shown[index])) << text;
+      EXPECT_TRUE(holds(text, "q quit")) << text;
+      EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), canvas.height);
+      expect_fits(text, canvas.width);
+    }
+  }
+}
+
+TEST(Program, HoldsOnlyAsciiInAsciiMode) {
+  for (const char screen : std::string("1234567")) {
+    const std::string script =
+        std::string(1, screen) + "\nwait\nscreen\n?\nscreen";
+    const std::string text = played(script, {100, 30, true});
+    for (const char c : text) {
+      ASSERT_LT(static_cast<unsigned char>(c), 0x80U) << text;
+    }
+  }
+}
+
+TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
+  const std::string added = played("5\nwait\na\nwait");
+  EXPECT_TRUE(holds(added, "added added-mass: error 38.8 % → 0.01 %")) << added;
+  EXPECT_TRUE(holds(added, "1 effect(s) added")) << added;
+  const std::string undone = played("5\nwait\na\nwait\nu\nwait");
+  EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
+  const std::string redone = played("5\nwait\na\nwait\nu\nwait\n<C-r>\nwait");
+  EXPECT_TRUE(holds(redone, "1 effect(s) added")) << redone;
+}
+
+TEST(Program, AddsByName) {
+  EXPECT_TRUE(holds(played("6\nwait\n:add added-mass@5<Enter>\nwait"),
+                    "1 effect(s) added"));
+  EXPECT_TRUE(
+      holds(played("6\nwait\n:add what@5<Enter>\nwait"), "no such effect"));
+}
+
+TEST(Program, OverrulesAHit) {
+  EXPECT_TRUE(holds(played("wait"), "3 hits, 2 accepted"));
+  const std::string text = played("wait\nj \nwait");
+  EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
+  EXPECT_TRUE(holds(text, "by hand")) << text;
+}
+
+TEST(Program, ShowsErrorsWithoutLeaving) {
+  FakeOptions options;
+  options.hits_fail = true;
+  const std::string text = played("wait", {}, options);
+  EXPECT_TRUE(holds(text, "no hit was found")) << text;
+  EXPECT_TRUE(holds(text, "r tries again")) << text;
+  EXPECT_TRUE(holds(played("wait\n2\nwait", {}, options), "measured"));
+}
+
+TEST(Program, SaysWhyThereIsNothingWithoutAModel) {
+  FakeOptions options;
+  options.model = false;
+  for (const char screen : std::string("4567")) {
+    const std::string text =
+        played(std::string(1, screen) + "\nwait", {}, options);
+    EXPECT_TRUE(holds(text, "has no model")) << text;
+    EXPECT_TRUE(holds(text, "test.json")) << text;
+  }
+  EXPECT_TRUE(holds(played("3\nwait", {}, options), "4Z+"));
+}
+
+TEST(Program, StopsWorkOnEscape) {
+  FakeOptions options;
+  options.endless_modes = true;
+  Program program(testing::fake_workbench(options), {});
+  program.press(Key(U'3'));
+  for (int i = 0; i < 20000 && !holds(program.draw().to_text(), "43 %"); ++i) {
+    program.tick();
+  }
+  EXPECT_TRUE(holds(program.draw().to_text(), "fitting … 43 %"));
+  // Screens whose results are there stay usable meanwhile.
+  program.press(Key(U'2'));
+  EXPECT_TRUE(holds(program.draw().to_text(), "measured"));
+  program.press(Key(U'3'));
+  program.press(Key(keys::escape));
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(program.draw().to_text(), "stopped; r starts it again"));
+}
+
+TEST(Program, AsksForRoomWhenThereIsTooLittle) {
+  const std::string text = played("wait\nresize 60 20");
+  EXPECT_TRUE(holds(text, "80 x 24")) << text;
+  expect_fits(text, 60);
+  EXPECT_NO_THROW(played("wait\nresize 1 1"));
+  EXPECT_TRUE(holds(played("resize 60 20\nresize 90 30\nwait"), "run-01.wav"));
+}
+
+TEST(Program, FiltersLists) {
+  const std::string text = played("2\nwait\n/4Z+ / 4<Enter>");
+  EXPECT_TRUE(holds(text, "4Z+ / 4Z+"));
+  EXPECT_FALSE(holds(text, "6Z+ / 3Z+")) << text;
+  EXPECT_TRUE(holds(played("2\nwait\n/4Z+ / 4<Enter><Esc>"), "6Z+ / 3Z+"));
+}
+
+TEST(Program, HelpNamesTheKeysOfTheScreen) {
+  const std::string text = played("5\nwait\n?");
+  EXPECT_TRUE(holds(text, "add it")) << text;
+  EXPECT_TRUE(holds(text, ":add EFFECT")) << text;
+  EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
+}
+
+TEST(Program, Quits) {
+  Program program(testing::fake_workbench(), {});
+  program.press(Key(U'q'));
+  EXPECT_TRUE(program.quit());
+}
+
+TEST(Program, TakesEveryKeyOnEveryScreen) {
+  Program program(testing::fake_workbench(), {});
+  for (char32_t screen = U'1'; screen <= U'7'; ++screen) {
+    program.press(Key(screen));
+    wait_until_idle(program);
+    for (char32_t code = U' '; code < 0x7F; ++code) {
+      if (code == U'q' || (code >= U'1' && code <= U'7')) continue;
+      program.press(Key(code));
+      program.tick();
+      program.animate();
+      (void)program.draw();
+      program.press(Key(keys::escape));
+    }
+    for (char32_t code = keys::enter; code <= keys::resize; ++code) {
+      program.press(Key(code));
+      (void)program.draw();
+    }
+    wait_until_idle(program);
+    expect_fits(program.draw().to_text(), 80);
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::tui

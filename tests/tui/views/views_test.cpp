@@ -1,0 +1,221 @@
+// Views from hand-made results: the numbers shown are the results' numbers.
+#include "tests/tui/fake_workbench.hpp"
+#include "tui/text.hpp"
+#include "tui/views/compare_view.hpp"
+#include "tui/views/diagnose_view.hpp"
+#include "tui/views/frf_view.hpp"
+#include "tui/views/modes_view.hpp"
+#include "tui/views/recording_view.hpp"
+#include "tui/views/report_view.hpp"
+#include "tui/views/update_view.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
+
+bool holds(const Screen& screen, const std::string& part) {
+  return screen.to_text().find(part) != std::string::npos;
+}
+
+std::vector<Trace> traces() {
+  std::vector<Trace> all;
+  for (const auto& recording : testing::fake_recordings()) {
+    all.push_back(trace(recording));
+  }
+  return all;
+}
+
+TEST(RecordingView, ShowsHitsAndReasons) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  const acquisition::HitSet hits = testing::fake_hits();
+  const std::vector<Trace> all = traces();
+  for (const Canvas& canvas : sizes) {
+    const Screen s = recording_view({bundle, all, hits}, {}, canvas);
+    EXPECT_TRUE(holds(s, "4.000    21.0  8.0  ✗ double")) << s.to_text();
+    EXPECT_TRUE(holds(s, "▼"));
+    EXPECT_TRUE(holds(s, "✗"));
+    EXPECT_TRUE(holds(s, "block 2.734 s, trigger 1.5 N"));
+  }
+}
+
+TEST(RecordingView, TakesABundleWithoutRecordings) {
+  const acquisition::TestBundle bundle;
+  const acquisition::HitSet hits;
+  const std::vector<Trace> none;
+  EXPECT_TRUE(
+      holds(recording_view({bundle, none, hits}, {}, {}), "no recordings"));
+}
+
+TEST(FrfView, ReadsOutUnderTheCursor) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  FrfState state;
+  state.range.cursor = 5.0;
+  state.range.cursor_set = true;
+  const double size = std::abs(frfs.frfs[0].H[16]);  // 1 Hz + 16 / 4 Hz
+  for (const Canvas& canvas : sizes) {
+    const Screen s = frf_view(frfs, state, canvas);
+    EXPECT_TRUE(holds(s, fmt::format("5.000 Hz   |H| {:.4g}", size)))
+        << s.to_text();
+    EXPECT_TRUE(holds(s, "coherence 0.9870"));
+  }
+}
+
+TEST(FrfView, TakesNoFrfs) {
+  EXPECT_TRUE(holds(frf_view({}, {}, {}), "no FRF"));
+  signal::FrfSet one = testing::fake_frfs();
+  one.s.conservativeResize(1);
+  for (signal::Frf& frf : one.frfs) {
+    frf.H.conservativeResize(1);
+    frf.coherence.conservativeResize(1);
+    frf.variance.conservativeResize(1);
+  }
+  EXPECT_NO_THROW((void)frf_view(one, {}, {}));
+}
+
+TEST(ModesView, ShowsFrequenciesWithTheirDeviation) {
+  const modal::ModeSet modes = testing::fake_modes();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Wireframe wire = wireframe(testing::fake_deck());
+  for (const Canvas& canvas : sizes) {
+    const Screen s = modes_view({modes, &frfs, &wire, nullptr}, {}, canvas);
+    EXPECT_TRUE(holds(s, "17.5000 ± 0.0025")) << s.to_text();
+    EXPECT_TRUE(holds(s, "1.000 ± 0.020"));
+    EXPECT_TRUE(holds(s, "0.998"));
+  }
+}
+
+TEST(ModesView, ShowsAutoMacOrMacWithTheModel) {
+  const modal::ModeSet modes = testing::fake_modes();
+  ModesState state;
+  state.mac = true;
+  const Screen alone =
+      modes_view({modes, nullptr, nullptr, nullptr}, state, {});
+  EXPECT_TRUE(holds(alone, "AutoMAC"));
+  EXPECT_TRUE(holds(alone, "100")) << alone.to_text();
+  // (1 - 0.4)^2 / (2 * 1.16) = 0.155
+  EXPECT_TRUE(holds(alone, " 16 ")) << alone.to_text();
+  const updating::Comparison c = testing::fake_comparison(0.05);
+  EXPECT_TRUE(
+      holds(modes_view({modes, nullptr, nullptr, &c}, state, {}), "97"));
+}
+
+TEST(ModesView, TakesNoModes) {
+  modal::ModeSet none;
+  EXPECT_TRUE(
+      holds(modes_view({none, nullptr, nullptr, nullptr}, {}, {}), "No mode"));
+}
+
+TEST(ModesView, StemsFollowTheSignOfTheShape) {
+  const auto found = stems(testing::fake_modes(), 1);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found.at(6).z() / found.at(4).z(), -0.4, 1e-12);  // exact data
+}
+
+TEST(CompareView, ShowsErrorFloorPairsAndMap) {
+  const updating::Comparison c = testing::fake_comparison(0.05);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  for (const Canvas& canvas : sizes) {
+    const Screen s = compare_view({c, frfs, nullptr}, {}, canvas);
+    EXPECT_TRUE(
+        holds(s, "error 38.8 % (floor 3.1 %: noise 1.2 %, mesh 2.9 %)"));
+    EXPECT_TRUE(holds(s, "17.500    18.375    +5.00  0.970")) << s.to_text();
+    EXPECT_TRUE(holds(s, "87"));
+    EXPECT_TRUE(holds(s, "measured"));
+    EXPECT_TRUE(holds(s, "model"));
+  }
+}
+
+TEST(CompareView, KeepsNumbersThatAreNoneAway) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  const double nan = std::nan("");
+  c.error = nan;
+  c.frf_band_error.setConstant(nan);
+  c.frf_error.assign(4, nan);
+  c.model_frfs[0].setConstant(nan);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  EXPECT_FALSE(holds(compare_view({c, frfs, nullptr}, {}, {}), "nan"));
+}
+
+TEST(DiagnoseView, ShowsCandidatesSizesAndLookAlikes) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  const updating::Diagnosis d = testing::fake_diagnosis();
+  const Wireframe wire = wireframe(testing::fake_deck());
+  std::map<int, std::shared_ptr<const updating::Signature>> signatures;
+  signatures[5] =
+      std::make_shared<const updating::Signature>(testing::fake_signature(5));
+  for (const Canvas& canvas : sizes) {
+    Screen s = diagnose_view({bundle, d, signatures, &wire}, {}, canvas);
+    EXPECT_TRUE(
+        holds(s, "verdict: added-mass   error 38.8 % → 3.8 %, floor 3.1 %"));
+    EXPECT_TRUE(holds(s, "98.3 %")) << s.to_text();
+    EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg (95 %: 0.0773 to 0.0797)"));
+    EXPECT_TRUE(holds(s, "grid 5 alone explains 99 %"));
+    EXPECT_TRUE(holds(s, "mass 0.0801 kg leaves 6 %, spring -412 N/m 84 %"))
+        << s.to_text();
+    DiagnoseState second;
+    second.list.selected = 1;
+    s = diagnose_view({bundle, d, signatures, &wire}, second, canvas);
+    EXPECT_TRUE(holds(s, "can't be told from: added-mass"));
+  }
+}
+
+TEST(DiagnoseView, FindsTheGridsOfChannels) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  updating::Where where;
+  where.channels = {"acc2"};
+  EXPECT_EQ(grids_of(bundle, where), std::vector<int>{4});
+}
+
+TEST(DiagnoseView, TakesNoCandidates) {
+  const acquisition::TestBundle bundle;
+  updating::Diagnosis d;
+  d.verdict = "none";
+  EXPECT_TRUE(
+      holds(diagnose_view({bundle, d, {}, nullptr}, {}, {}), "verdict: none"));
+}
+
+TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const updating::Comparison before = testing::fake_comparison(0.05);
+  const updating::Comparison after = testing::fake_comparison(0.0);
+  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
+                                           {"added-mass", {}, 0.038, {}}};
+  const std::vector<updating::Estimate> parameters{
+      {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
+  const UpdateInput input{frfs, ladder, parameters, &before, &after, &before};
+  UpdateState state;
+  const Screen there = update_view(input, state, {});
+  EXPECT_TRUE(holds(there, "error 38.8 % → 3.8 %")) << there.to_text();
+  EXPECT_TRUE(holds(there, "(7.070 ± 0.020)e10"));
+  state.slide = 0.0;
+  EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
+}
+
+TEST(ReportView, ShowsBeforeAndAfter) {
+  const updating::Comparison before = testing::fake_comparison(0.05);
+  const updating::Comparison after = testing::fake_comparison(0.01);
+  const std::vector<updating::Rung> ladder{
+      {"base", {}, 0.388, {}},
+      {"added-mass", {}, 0.038, {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
+  const ReportInput input{
+      before, after, ladder, {}, nullptr, {"the mesh is coarse"}};
+  for (const int width : {80, 120}) {
+    const Screen s = report_sheet(input, width, false);
+    EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg")) << s.to_text();
+    EXPECT_TRUE(holds(s, "mean frequency error 5.00 % → 1.00 %"));
+    EXPECT_TRUE(holds(s, "17.500     18.375  +5.00 %  0.970    17.675"))
+        << s.to_text();
+    EXPECT_TRUE(holds(s, "the mesh is coarse"));
+  }
+  // Scrolled to its end, the last line is still there.
+  EXPECT_TRUE(holds(report_view(input, 1000, {80, 21, false}), "coarse"));
+}
+
+}  // namespace
+}  // namespace tapfit::tui
