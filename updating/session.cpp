@@ -8,7 +8,7 @@
 #include "updating/fitter.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/signature.hpp"
-#include "updating/structure/system.hpp"
+#include "updating/structure/scale_units.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,240 @@
+#include "updating/frf_model.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fitter.hpp"
+#include "updating/structure/system.hpp"
+
+#include <Eigen/SparseLU>
+#include <gtest/gtest.h>
+
+#include <complex>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+using std::complex;
+
+class FrfModelTest : public ::testing::Test {
+ protected:
+  FrfModelTest()
+      : deck_(support::plate_deck(true)),
+        bundle_(support::plate_bundle()),
+        setting_(support::plate_setting(bundle_, deck_)),
+        s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
+        pairs_(support::plate_pairs(bundle_, s_)) {
+    BaseOptions options;
+    options.high_hz = 400.0;
+    options.refinements = 0;
+    builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
+    FitSetting fit;
+    fit.setting = setting_;
+    fit.measured = pairs_;
+    fit.targets = {make_target(pairs_)};
+    fit.uncertain_sd = {0.03};
+    fitter_.emplace(*builder_, fit);
+  }
+
+  PlacedEffect at_node(const std::string& name, int node, double p) const {
+    Where where;
+    where.node = node;
+    return {&effects::find(name), where, {p}};
+  }
+  PlacedEffect sensors(double m1, double m2) const {
+    Where where;
+    where.channels = {"acc1", "acc2"};
+    where.variant = "each";
+    return {&effects::find("sensor-mass"), where, {m1, m2}};
+  }
+  PlacedEffect clamp(double k) const {
+    const effects::Effect& effect = effects::find("soft-support");
+    for (const Where& where : effect.places(setting_)) {
+      if (where.variant == "rotation") return {&effect, where, {k}};
+    }
+    throw std::logic_error("no clamp");
+  }
+
+  structure::Deck deck_;
+  acquisition::TestBundle bundle_;
+  effects::Setting setting_;
+  VectorXcd s_;
+  signal::FrfSet pairs_;
+  std::optional<BaseBuilder> builder_;
+  std::optional<Fitter> fitter_;
+};
+
+// The definition: Z(s) = K + s^2 M + B D B', solved whole.
+MatrixXcd direct(const structure::Deck& deck,
+                 const signal::FrfSet& pairs,
+                 const std::vector<std::tuple<int, int, complex<double>>>&
+                     point_stiffness_by_line,
+                 const VectorXcd& s,
+                 const std::vector<int>& also_free = {},
+                 double k_free = 0.0) {
+  const structure::System system = structure::assemble(deck);
+  std::vector<int> free = system.free_dofs();
+  free.insert(free.end(), also_free.begin(), also_free.end());
+  std::vector<int> position(static_cast<std::size_t>(system.dofs()), -1);
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    position[static_cast<std::size_t>(free[k])] = static_cast<int>(k);
+  }
+  const auto n = static_cast<Index>(free.size());
+  MatrixXcd H(s.size(), static_cast<Index>(pairs.frfs.size()));
+  for (Index l = 0; l < s.size(); ++l) {
+    std::vector<Eigen::Triplet<complex<double>>> entries;
+    const auto put = [&](const structure::SparseMatrix& A, complex<double> f) {
+      for (Index c = 0; c < A.outerSize(); ++c) {
+        for (structure::SparseMatrix::InnerIterator it(A, c); it; ++it) {
+          const int a = position[static_cast<std::size_t>(it.row())];
+          const int b = position[static_cast<std::size_t>(it.col())];
+          if (a >= 0 && b >= 0) entries.emplace_back(a, b, f * it.value());
+        }
+      }
+    };
+    put(system.K, 1.0);
+    put(system.M, s(l) * s(l));
+    for (const auto& [node, power, size] : point_stiffness_by_line) {
+      const int dofs = power == 2 ? 3 : 1;  // a mass moves in all directions
+      for (int d = 0; d < dofs; ++d) {
+        const int at = position[6 * deck.grid_index(node) +
+                                static_cast<std::size_t>(2 - d)];
+        entries.emplace_back(at, at, size * std::pow(s(l), power));
+      }
+    }
+    for (const int dof : also_free) {
+      const int at = position[static_cast<std::size_t>(dof)];
+      // End grids carry half a gap of 30 mm.
+      const int row = dof / 66;
+      const double length = row == 0 || row == 4 ? 0.015 : 0.03;
+      entries.emplace_back(at, at, k_free * length);
+    }
+    Eigen::SparseMatrix<complex<double>> Z(n, n);
+    Z.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<complex<double>>> lu(Z);
+    for (std::size_t f = 0; f < pairs.frfs.size(); ++f) {
+      const signal::Frf& frf = pairs.frfs[f];
+      VectorXcd force = VectorXcd::Zero(n);
+      force(position[6 * deck.grid_index(frf.reference.node) + 2]) =
+          frf.reference.sign;
+      const VectorXcd x = lu.solve(force);
+      H(l, static_cast<Index>(f)) =
+          s(l) * s(l) * static_cast<double>(frf.response.sign) *
+          x(position[6 * deck.grid_index(frf.response.node) + 2]);
+    }
+  }
+  return H;
+}
+
+ModelState undamped(const Fitter& fitter,
+                    const FrfModel& model,
+                    const std::vector<PlacedEffect>& effects) {
+  ModelState state = fitter.first_state(model, effects);
+  state.zeta.setConstant(1e-12);
+  state.zeta_other = 1e-12;
+  return state;
+}
+
+double difference(const MatrixXcd& a, const MatrixXcd& b) {
+  return (a - b).norm() / b.norm();
+}
+
+TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
+  const auto model = fitter_->model_for({});
+  const MatrixXcd H =
+      model->respond(undamped(*fitter_, *model, {}), s_, false).H;
+  // Modes to four times the band plus residual vectors: the stated error.
+  EXPECT_LT(difference(H, direct(deck_, pairs_, {}, s_)), 1e-5);
+}
+
+TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
+  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
+                                             at_node("ground-spring", 50, 3e4),
+                                             at_node("dashpot", 20, 7.0),
+                                             sensors(0.01, 0.02)};
+  const auto model = fitter_->model_for(effects);
+  const MatrixXcd H =
+      model->respond(undamped(*fitter_, *model, effects), s_, false).H;
+  const MatrixXcd exact = direct(deck_,
+                                 pairs_,
+                                 {{30, 2, 0.05},
+                                  {50, 0, 3e4},
+                                  {20, 1, 7.0},
+                                  {11, 2, 0.01},
+                                  {36, 2, 0.02}},
+                                 s_);
+  EXPECT_LT(difference(H, exact), 1e-5);
+}
+
+TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
+  const auto model = fitter_->model_for({clamp(1.0)});
+  const SupportTerm& term = model->base().supports.front();
+  std::vector<int> rotations;
+  for (int j = 0; j < 5; ++j) rotations.push_back(6 * 11 * j + 4);
+  for (const double k : {term.soft, 3.0 * term.start, 0.1 * term.stiff}) {
+    const ModelState state = undamped(*fitter_, *model, {clamp(k)});
+    const MatrixXcd H = model->respond(state, s_, false).H;
+    const MatrixXcd exact = direct(deck_, pairs_, {}, s_, rotations, k);
+    // Between the two states of the basis the error is largest.
+    EXPECT_LT(difference(H, exact), 1e-3) << "k = " << k;
+  }
+}
+
+TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
+  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
+                                             at_node("ground-spring", 50, 3e4),
+                                             at_node("dashpot", 20, 7.0),
+                                             sensors(0.01, 0.02),
+                                             clamp(1.0)};
+  auto placed = effects;
+  const auto model = fitter_->model_for(effects);
+  placed.back().p[0] = model->base().supports.front().start;
+  ModelState state = fitter_->first_state(*model, placed);
+  state.zeta.setLinSpaced(0.004, 0.02);
+  const Eigen::VectorXd theta = pack(state);
+  const ModelResponse response = model->respond(state, s_, true);
+  ASSERT_EQ(response.dH.size(), static_cast<std::size_t>(theta.size()));
+  for (Index k = 0; k < theta.size(); ++k) {
+    const double h = 1e-5;
+    Eigen::VectorXd up = theta;
+    Eigen::VectorXd down = theta;
+    up(k) += h;
+    down(k) -= h;
+    const MatrixXcd numeric =
+        (model->respond(unpack(state, up), s_, false).H -
+         model->respond(unpack(state, down), s_, false).H) /
+        (2.0 * h);
+    // Modal damping turns with the modes when a support gives; that part is
+    // left out of the analytic derivative and is of the order of zeta.
+    const double allowed = k + 1 == theta.size() ? 0.05 : 1e-6;
+    EXPECT_LT(difference(response.dH[static_cast<std::size_t>(k)], numeric),
+              allowed)
+        << "parameter " << k;
+  }
+}
+
+TEST_F(FrfModelTest, PackAndUnpackAreInverse) {
+  const auto model = fitter_->model_for({});
+  ModelState state =
+      fitter_->first_state(*model, {at_node("added-mass", 30, 0.05)});
+  state.factor = {1.02};
+  const ModelState back = unpack(state, pack(state));
+  EXPECT_DOUBLE_EQ(back.factor[0], 1.02);
+  EXPECT_NEAR(back.effects[0].p[0], 0.05, 1e-15);
+}
+
+TEST_F(FrfModelTest, FullModesFallWithAddedMass) {
+  const std::vector<PlacedEffect> effects = {at_node("added-mass", 33, 0.1)};
+  const auto model = fitter_->model_for(effects);
+  const Eigen::VectorXd base =
+      model->full_modes(fitter_->first_state(*model, {})).omega;
+  const Eigen::VectorXd loaded =
+      model->full_modes(fitter_->first_state(*model, effects)).omega;
+  EXPECT_LT(loaded(0), 0.95 * base(0));
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,26 @@
+// A small cantilevered plate with a made-up hammer test, for tests of the
+// updating folder: FRFs come straight from the model, with nothing measured.
+#pragma once
+
+#include "acquisition/test_bundle.hpp"
+#include "signal/frf_set.hpp"
+#include "updating/effects/effect.hpp"
+#include "updating/structure/deck.hpp"
+
+namespace tapfit::support {
+
+/// 0.30 m x 0.12 m x 3 mm aluminium, 10 x 4 shells, clamped along x = 0 where
+/// `clamped`; grid ids 1 + i + 11 j, i along x (0..10), j along y (0..4).
+[[nodiscard]] structure::Deck plate_deck(bool clamped);
+
+/// Two accelerometers at grids 11 and 36, six hit points, one run each.
+[[nodiscard]] acquisition::TestBundle plate_bundle();
+
+[[nodiscard]] effects::Setting plate_setting(
+    const acquisition::TestBundle& bundle, const structure::Deck& deck);
+
+/// The pairs of the bundle on the lines given, FRFs still zero.
+[[nodiscard]] signal::FrfSet plate_pairs(const acquisition::TestBundle& bundle,
+                                         const Eigen::VectorXcd& s);
+
+}  // namespace tapfit::support

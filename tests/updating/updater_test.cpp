@@ -1,0 +1,175 @@
+#include "updating/updater.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/diagnose.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fitter.hpp"
+#include "updating/signature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+
+// A test whose "measurement" is the model with an effect, its modulus off by
+// 2 %, its damping scattered, and noise on every line.
+class PlateExperiment {
+ public:
+  PlateExperiment(const std::vector<PlacedEffect>& hidden,
+                  double noise,
+                  unsigned seed)
+      : deck_(support::plate_deck(true)),
+        bundle_(support::plate_bundle()),
+        setting_(support::plate_setting(bundle_, deck_)) {
+    BaseOptions options;
+    options.high_hz = 400.0;
+    options.refinements = 0;
+    builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
+    FitSetting fit;
+    fit.setting = setting_;
+    fit.uncertain_sd = {0.03};
+    fit.damping_ratio = 0.008;
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    for (const double delta : {0.06, 0.03}) {
+      const Eigen::VectorXcd s =
+          damped_line({10.0, 400.0}, 3.0, {delta, 120});
+      signal::FrfSet set = support::plate_pairs(bundle_, s);
+      fit.measured = set;
+      fit.targets = {make_target(set)};
+      const Fitter truth(*builder_, fit);
+      const auto model = truth.model_for(hidden);
+      ModelState state = truth.first_state(*model, hidden);
+      state.factor = {1.02};
+      for (Index q = 0; q < state.zeta.size(); ++q) {
+        state.zeta(q) = q % 2 == 0 ? 0.006 : 0.010;
+      }
+      const Eigen::MatrixXcd H = model->respond(state, s, false).H;
+      const double level = noise * std::sqrt(H.cwiseAbs2().mean());
+      for (std::size_t f = 0; f < set.frfs.size(); ++f) {
+        set.frfs[f].H = H.col(static_cast<Index>(f));
+        for (std::complex<double>& h : set.frfs[f].H) {
+          h += level * std::complex<double>(normal(random), normal(random));
+        }
+        set.frfs[f].variance.setConstant(2.0 * level * level);
+      }
+      measured_.push_back(set);
+    }
+    fit.measured = measured_.back();
+    fit.targets = {make_target(measured_[0]), make_target(measured_[1])};
+    fitter_.emplace(*builder_, fit);
+  }
+
+  [[nodiscard]] const Fitter& fitter() const { return *fitter_; }
+  [[nodiscard]] Diagnosis diagnose_it() const {
+    DiagnoseOptions options;
+    options.floor = std::max(noise_error(fitter_->target()), 1e-3);
+    options.modes_in_band = 5;
+    options.properties = {{"E:1", "Pa", 70e9}};
+    return diagnose(*fitter_, {}, options);
+  }
+
+ private:
+  structure::Deck deck_;
+  acquisition::TestBundle bundle_;
+  effects::Setting setting_;
+  std::optional<BaseBuilder> builder_;
+  std::vector<signal::FrfSet> measured_;
+  std::optional<Fitter> fitter_;
+};
+
+PlacedEffect at_node(const std::string& name, int node, double p) {
+  Where where;
+  where.node = node;
+  return {&effects::find(name), where, {p}};
+}
+
+PlacedEffect both_sensors(double mass) {
+  Where where;
+  where.channels = {"acc1", "acc2"};
+  return {&effects::find("sensor-mass"), where, {mass}};
+}
+
+TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
+  EXPECT_TRUE(fit.result.converged);
+  // 1 % noise on 12 FRFs x 120 lines leaves far less than this.
+  EXPECT_NEAR(fit.result.state.effects[0].p[0], 0.02, 0.0002);
+  EXPECT_NEAR(fit.result.state.factor[0], 1.02, 0.002);
+  for (std::size_t k = 1; k < fit.result.history.size(); ++k) {
+    EXPECT_LE(fit.result.history[k], fit.result.history[k - 1] * 1.0001);
+  }
+}
+
+TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
+  int inside = 0;
+  const int trials = 40;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, seed);
+    const std::vector<PlacedEffect> start = {
+        at_node("added-mass", 30, 0.015)};
+    const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
+    const auto last = fit.result.covariance.rows() - 1;
+    const double sd = std::sqrt(fit.result.covariance(last, last));
+    const double off = std::log(fit.result.state.effects[0].p[0] / 0.02);
+    inside += std::abs(off) <= 1.96 * sd ? 1 : 0;
+  }
+  // 95 % of 40 is 38; 33 is the 0.5 % quantile of the binomial.
+  EXPECT_GE(inside, 33);
+}
+
+TEST(DiagnoseTest, FindsAnAddedMassAtItsGrid) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.03)}, 0.02, 1);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "added-mass");
+  ASSERT_FALSE(d.ladder.empty());
+  EXPECT_EQ(d.ladder[0].where.node, 30);
+  EXPECT_NEAR(d.ladder[0].parameters[0].value, 0.03, 0.0015);
+}
+
+TEST(DiagnoseTest, FindsTheSensorsMass) {
+  const PlateExperiment test({both_sensors(0.008)}, 0.02, 2);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "sensor-mass");
+  EXPECT_NEAR(d.candidates[0].parameters[0].value, 0.008, 0.0004);
+}
+
+TEST(DiagnoseTest, SaysNoneWhenNothingIsMissing) {
+  const PlateExperiment test({}, 0.02, 4);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "none");
+  EXPECT_TRUE(d.ladder.empty());
+}
+
+TEST(DiagnoseTest, FindsTwoEffects) {
+  const PlateExperiment test(
+      {both_sensors(0.008), at_node("ground-spring", 50, 2e4)}, 0.02, 5);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.ladder.size(), 2U);
+  EXPECT_NE(d.verdict.find("sensor-mass"), std::string::npos);
+  EXPECT_NE(d.verdict.find("ground-spring"), std::string::npos);
+}
+
+TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.002, 6);
+  const Fit base = test.fitter().fit({}, test.fitter().model_for({}));
+  Fit at_truth = base;
+  at_truth.result.state.factor = {1.02};
+  const Signature s =
+      signature_at(at_truth, test.fitter().target(), 30);
+  EXPECT_GT(s.explained, 0.95);
+  EXPECT_LT(s.mass_unexplained, 0.5 * s.spring_unexplained);
+  // Local flexibility beyond the base's modes is a few percent of a mass.
+  EXPECT_NEAR(s.mass_kg, 0.02, 0.002);
+}
+
+}  // namespace
+}  // namespace tapfit::updating
