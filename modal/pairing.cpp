@@ -7,99 +7,114 @@
 #include <limits>
 
 namespace tapfit::modal {
+namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXcd;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
-// Shortest augmenting paths with potentials; rows and columns count from 1,
-// row 0 and column 0 stand for "not yet assigned".
-std::vector<Index> assign(const MatrixXd& cost) {
-  const Index p = cost.rows();
-  const Index q = cost.cols();
-  VectorXd u = VectorXd::Zero(p + 1);
-  VectorXd v = VectorXd::Zero(q + 1);
-  std::vector<Index> row_of(static_cast<std::size_t>(q + 1), 0);
-  for (Index i = 1; i <= p; ++i) {
-    std::vector<Index> way(static_cast<std::size_t>(q + 1), 0);
-    std::vector<bool> used(static_cast<std::size_t>(q + 1), false);
-    VectorXd least =
-        VectorXd::Constant(q + 1, std::numeric_limits<double>::max());
-    row_of[0] = i;
-    Index at = 0;
-    do {
-      used[static_cast<std::size_t>(at)] = true;
-      const Index row = row_of[static_cast<std::size_t>(at)];
-      double delta = std::numeric_limits<double>::max();
-      Index next = 0;
-      for (Index j = 1; j <= q; ++j) {
-        if (used[static_cast<std::size_t>(j)]) continue;
-        const double reduced = cost(row - 1, j - 1) - u(row) - v(j);
-        if (reduced < least(j)) {
-          least(j) = reduced;
-          way[static_cast<std::size_t>(j)] = at;
-        }
-        if (least(j) < delta) {
-          delta = least(j);
-          next = j;
-        }
-      }
-      for (Index j = 0; j <= q; ++j) {
-        if (used[static_cast<std::size_t>(j)]) {
-          u(row_of[static_cast<std::size_t>(j)]) += delta;
-          v(j) -= delta;
-        } else {
-          least(j) -= delta;
-        }
-      }
-      at = next;
-    } while (row_of[static_cast<std::size_t>(at)] != 0);
-    while (at != 0) {
-      const Index before = way[static_cast<std::size_t>(at)];
-      row_of[static_cast<std::size_t>(at)] =
-          row_of[static_cast<std::size_t>(before)];
-      at = before;
+constexpr double kForbidden = 1e3;  // far above any sum of real costs
+
+/// 1 - score, or kForbidden.
+Eigen::MatrixXd costs(const Eigen::MatrixXd& likeness,
+                      const Eigen::VectorXd& f_measured,
+                      const Eigen::VectorXd& f_model,
+                      const PairingOptions& options) {
+  Eigen::MatrixXd cost =
+      Eigen::MatrixXd::Constant(likeness.rows(), likeness.cols(), kForbidden);
+  for (Index i = 0; i < cost.rows(); ++i) {
+    for (Index k = 0; k < cost.cols(); ++k) {
+      if (f_measured(i) <= 0.0 || f_model(k) <= 0.0) continue;
+      const double apart = std::abs(std::log(f_model(k) / f_measured(i)));
+      if (apart > std::log(options.most_frequency_ratio)) continue;
+      if (likeness(i, k) < options.least_mac) continue;
+      cost(i, k) = 1.0 - likeness(i, k) + options.frequency_weight * apart;
     }
   }
-  std::vector<Index> column(static_cast<std::size_t>(p), 0);
-  for (Index j = 1; j <= q; ++j) {
-    const Index row = row_of[static_cast<std::size_t>(j)];
-    if (row > 0) column[static_cast<std::size_t>(row - 1)] = j - 1;
-  }
-  return column;
+  return cost;
 }
 
-std::vector<Pair> pair_modes(const MatrixXcd& measured,
-                             const VectorXd& measured_hz,
-                             const MatrixXcd& model,
-                             const VectorXd& model_hz,
+/// One row joins: cheapest chain of changes that ends in a free column. Rows
+/// and columns count from 1; owner[0] is the row that looks for a place.
+void insert_row(const Eigen::MatrixXd& cost,
+                Index row,
+                std::vector<double>& u,
+                std::vector<double>& v,
+                std::vector<Index>& owner) {
+  const auto columns = static_cast<std::size_t>(cost.cols());
+  std::vector<double> least(columns + 1,
+                            std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> from(columns + 1, 0);
+  std::vector<bool> seen(columns + 1, false);
+  owner[0] = row;
+  std::size_t at = 0;
+  do {
+    seen[at] = true;
+    const Index r = owner[at];
+    double step = std::numeric_limits<double>::infinity();
+    std::size_t next = 0;
+    for (std::size_t c = 1; c <= columns; ++c) {
+      if (seen[c]) continue;
+      const double reduced = cost(r - 1, static_cast<Index>(c) - 1) -
+                             u[static_cast<std::size_t>(r)] - v[c];
+      if (reduced < least[c]) {
+        least[c] = reduced;
+        from[c] = at;
+      }
+      if (least[c] < step) {
+        step = least[c];
+        next = c;
+      }
+    }
+    for (std::size_t c = 0; c <= columns; ++c) {
+      if (seen[c]) {
+        u[static_cast<std::size_t>(owner[c])] += step;
+        v[c] -= step;
+      } else {
+        least[c] -= step;
+      }
+    }
+    at = next;
+  } while (owner[at] != 0);
+  for (; at != 0; at = from[at]) owner[at] = owner[from[at]];
+}
+
+}  // namespace
+
+std::vector<Index> assign(const Eigen::MatrixXd& cost) {
+  std::vector<double> u(static_cast<std::size_t>(cost.rows()) + 1, 0.0);
+  std::vector<double> v(static_cast<std::size_t>(cost.cols()) + 1, 0.0);
+  std::vector<Index> owner(v.size(), 0);
+  for (Index row = 1; row <= cost.rows(); ++row) {
+    insert_row(cost, row, u, v, owner);
+  }
+  std::vector<Index> result(static_cast<std::size_t>(cost.rows()), -1);
+  for (std::size_t c = 1; c < owner.size(); ++c) {
+    if (owner[c] == 0) continue;
+    result[static_cast<std::size_t>(owner[c] - 1)] = static_cast<Index>(c) - 1;
+  }
+  return result;
+}
+
+std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
+                             const Eigen::VectorXd& f_measured,
+                             const Eigen::MatrixXcd& model,
+                             const Eigen::VectorXd& f_model,
                              const PairingOptions& options) {
   std::vector<Pair> pairs;
   if (measured.cols() == 0 || model.cols() == 0) return pairs;
-  const MatrixXd shapes = mac(measured, model);
-  MatrixXd score(measured.cols(), model.cols());
-  for (Index i = 0; i < score.rows(); ++i) {
-    for (Index j = 0; j < score.cols(); ++j) {
-      const double off =
-          (model_hz(j) - measured_hz(i)) /
-          (options.frequency_tolerance * std::max(measured_hz(i), 1e-12));
-      score(i, j) = shapes(i, j) * std::exp(-0.5 * off * off);
-    }
+  const Eigen::MatrixXd likeness = mac(measured, model);
+  const Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
+  const bool wide = cost.rows() <= cost.cols();
+  const std::vector<Index> found =
+      assign(wide ? cost : Eigen::MatrixXd(cost.transpose()));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto index = static_cast<Index>(k);
+    const Index i = wide ? index : found[k];
+    const Index m = wide ? found[k] : index;
+    if (cost(i, m) < kForbidden) pairs.push_back({i, m, likeness(i, m)});
   }
-  const bool wide = score.rows() <= score.cols();
-  const MatrixXd cost = wide ? MatrixXd(-score) : MatrixXd(-score.transpose());
-  const std::vector<Index> column = assign(cost);
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    const auto row = static_cast<Index>(k);
-    const Pair pair = wide ? Pair{row, column[k]} : Pair{column[k], row};
-    if (shapes(pair.measured, pair.model) >= options.least_mac) {
-      pairs.push_back(pair);
-    }
+  if (!wide) {
+    std::ranges::sort(pairs, {}, &Pair::measured);
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return a.measured < b.measured;
-  });
   return pairs;
 }
 

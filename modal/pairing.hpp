@@ -1,12 +1,13 @@
-// Which measured mode is which mode of the model: the assignment with the
-// largest total score, where
+// Which measured mode is which mode of the model.
 //
-//   score = MAC exp(-((f_model - f_measured) / (tolerance f_measured))^2 / 2)
+//   score = MAC - a |ln(f_model / f_measured)|
 //
-// so that two similar shapes (few sensors alias them) are told apart by
-// frequency.
+// The pairs are those with the largest sum of scores (optimal assignment),
+// so that one good match cannot take away another's only one.
+//
 // Source of the assignment: H. W. Kuhn, "The Hungarian method for the
-// assignment problem", Naval Research Logistics Quarterly 2, 1955.
+// assignment problem", Naval Research Logistics 2, 1955, p. 83-97, in the
+// shortest-path form of R. Jonker, A. Volgenant, Computing 38, 1987.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,30 +16,38 @@
 
 namespace tapfit::modal {
 
+struct PairingOptions {
+  double least_mac = 0.3;             ///< no pair below
+  double most_frequency_ratio = 1.6;  ///< no pair further apart
+  double frequency_weight = 1.0;      ///< a
+};
+
 struct Pair {
   Eigen::Index measured = 0;  ///< column of the measured shapes
   Eigen::Index model = 0;     ///< column of the model's shapes
+  double mac = 0.0;
 };
 
-struct PairingOptions {
-  double frequency_tolerance = 0.15;  ///< relative
-  double least_mac = 0.3;             ///< pairs below are not made
-};
-
-/// @param measured n_dof x p shapes
-/// @param measured_hz p frequencies
-/// @param model n_dof x q shapes at the same degrees of freedom
-/// @param model_hz q frequencies
-/// @return at most min(p, q) pairs, ascending in measured frequency column
-[[nodiscard]] std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
-                                           const Eigen::VectorXd& measured_hz,
-                                           const Eigen::MatrixXcd& model,
-                                           const Eigen::VectorXd& model_hz,
-                                           const PairingOptions& options);
-
-/// Column of each row in the assignment of least total cost.
+/// Pairs measured modes with the model's, by measured frequency.
 ///
-/// @param cost p x q, p <= q, finite
+/// Where fewer than three points were measured MAC says little: with one point
+/// the frequency alone decides.
+///
+/// @param measured n_dof x p shapes
+/// @param f_measured p [Hz]
+/// @param model n_dof x q shapes at the same degrees of freedom
+/// @param f_model q [Hz]; modes at 0 Hz (rigid) pair with nothing
+/// @return at most min(p, q) pairs, by measured index
+[[nodiscard]] std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
+                                           const Eigen::VectorXd& f_measured,
+                                           const Eigen::MatrixXcd& model,
+                                           const Eigen::VectorXd& f_model,
+                                           const PairingOptions& options = {});
+
+/// Assignment of rows to columns with the least sum of costs.
+///
+/// @param cost n x m, finite, n <= m
+/// @return per row its column
 [[nodiscard]] std::vector<Eigen::Index> assign(const Eigen::MatrixXd& cost);
 
 }  // namespace tapfit::modal
