@@ -59,12 +59,6 @@ std::size_t shown_width(std::string_view text) {
       }));
 }
 
-std::string percent(double fraction) {
-  const double value = 100.0 * fraction;
-  return std::abs(value) < 0.995 ? fmt::format("{:.2f} %", value)
-                                 : fmt::format("{:.1f} %", value);
-}
-
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
 }  // namespace tapfit::tui

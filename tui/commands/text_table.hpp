@@ -1,6 +1,8 @@
 // Plain text tables, columns as wide as their widest cell.
 #pragma once
 
+#include "tui/number.hpp"
+
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -29,8 +31,6 @@ class TextTable {
 /// Characters shown by UTF-8 text (combining marks are not looked for).
 [[nodiscard]] std::size_t shown_width(std::string_view text);
 
-/// "38.8 %" from 0.388; "0.07 %" keeps two digits below one percent.
-[[nodiscard]] std::string percent(double fraction);
 
 /// Four significant digits, for example "71.02e9" as "7.102e+10".
 [[nodiscard]] std::string short_number(double value);
