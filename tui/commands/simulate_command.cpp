@@ -1,0 +1,120 @@
+#include "tui/commands/simulate_command.hpp"
+
+#include "updating/virtual_bundle.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::VirtualBundleResult;
+using updating::VirtualBundleSpec;
+
+/// The command line as written.
+struct Words {
+  std::string folder;
+  std::vector<std::string> effects;
+  std::string roving = "hammer";
+  std::vector<double> band;
+  VirtualBundleSpec spec;
+};
+
+void describe(CLI::App& app, Words& words) {
+  VirtualBundleSpec& spec = words.spec;
+  app.add_option("folder", words.folder, "folder to make")->required();
+  app.add_option(
+      "--structure", spec.structure, "frame, ladder, plate or a Nastran deck");
+  app.add_option(
+         "--effect", words.effects, "what to hide (again for each), or none")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--seed", spec.seed, "same seed, same bundle");
+  app.add_option("--roving", words.roving, "hammer or sensor")
+      ->check(CLI::IsMember({"hammer", "sensor"}));
+  app.add_option("--runs", spec.points, "points to rove over")
+      ->check(CLI::Range(2, 999));
+  app.add_option("--hits", spec.hits, "hits at each point")
+      ->check(CLI::Range(1, 99));
+  app.add_option("--band", words.band, "band of interest [Hz]")->expected(2);
+  app.add_option("--gap", spec.gap_s, "time between hits [s]")
+      ->check(CLI::Range(0.05, 600.0));
+  app.add_option("--modulus", spec.modulus_percent, "E off by [%]")
+      ->check(CLI::Range(-50.0, 50.0));
+  app.add_option("--damping", spec.damping_mean, "mean damping ratio")
+      ->check(CLI::Range(1e-5, 0.2));
+  app.add_option("--stated-mass",
+                 spec.stated_mass_kg,
+                 "sensor mass on the maker's sheet [kg]")
+      ->check(CLI::Range(0.0, 100.0));
+  app.add_flag("!--no-faulty-hits",
+               spec.faulty_hits,
+               "leave out the double hit and the overload");
+  app.add_flag("--force", spec.overwrite, "replace a test that is there");
+  app.footer("Effects:\n" + updating::virtual_effect_help() +
+             "Without --structure and --effect the demo is made.");
+}
+
+VirtualBundleSpec spec_of(const CLI::App& app, const Words& words) {
+  VirtualBundleSpec spec = words.spec;
+  if (app.count("--effect") == 0 && spec.structure == "frame") {
+    const VirtualBundleSpec demo = updating::demo_spec();
+    spec.effects = demo.effects;
+    if (!spec.stated_mass_kg) spec.stated_mass_kg = demo.stated_mass_kg;
+  }
+  for (const std::string& text : words.effects) {
+    if (text == "none") continue;
+    spec.effects.push_back(updating::parse_virtual_effect(text));
+  }
+  spec.roving_sensor = words.roving == "sensor";
+  if (!words.band.empty()) spec.band_hz = {words.band[0], words.band[1]};
+  return spec;
+}
+
+std::string summary(const VirtualBundleResult& result,
+                    const std::string& folder) {
+  std::string text = fmt::format(
+      "{}: {} runs of {:.0f} s at {:.0f} Hz, {:.1f} MB\n"
+      "band {:g} to {:g} Hz\n"
+      "model [Hz]    {:.2f}\n"
+      "measured [Hz] {:.2f}\n"
+      "damping [%]   ",
+      folder,
+      result.runs,
+      result.seconds_per_run,
+      result.rate_hz,
+      static_cast<double>(result.bytes) / 1e6,
+      result.band_hz[0],
+      result.band_hz[1],
+      fmt::join(result.model_hz, "  "),
+      fmt::join(result.true_hz, "  "));
+  for (const double zeta : result.true_damping) {
+    text += fmt::format("{:.2f}  ", 100.0 * zeta);
+  }
+  return text + "\nWhat is hidden stands in truth.json.\n";
+}
+
+}  // namespace
+
+int simulate_command(int argc, const char* const* argv) {
+  CLI::App app("Makes a hammer test of a structure with a hidden effect",
+               "tapfit simulate");
+  Words words;
+  describe(app, words);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const VirtualBundleSpec spec = spec_of(app, words);
+  const VirtualBundleResult result =
+      updating::make_virtual_bundle(spec, words.folder);
+  fmt::print("{}", summary(result, words.folder));
+  return 0;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,170 @@
+#include "updating/virtual_effect.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace tapfit::updating {
+namespace {
+
+enum class Place { None, Node, Channel, Channels, Elements };
+
+struct Kind {
+  const char* name;
+  Place place;
+  std::vector<const char*> values;  ///< parameter names
+  std::size_t needed;               ///< of the values
+};
+
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> all{
+      {"sensor-mass", Place::Channels, {"mass_kg"}, 1},
+      {"sensor-cable",
+       Place::Channels,
+       {"stiffness_n_per_m", "damping_ns_per_m"},
+       2},
+      {"soft-support", Place::None, {"rotational_stiffness_per_m"}, 1},
+      {"added-mass", Place::Node, {"mass_kg"}, 1},
+      {"ground-spring", Place::Node, {"stiffness_n_per_m"}, 1},
+      {"dashpot", Place::Node, {"damping_ns_per_m"}, 1},
+      {"stiffness-loss", Place::Elements, {"factor"}, 1},
+      {"absorber",
+       Place::Node,
+       {"mass_kg", "frequency_hz", "damping_ratio"},
+       2},
+      {"channel-gain", Place::Channel, {"gain"}, 1},
+      {"channel-delay", Place::Channel, {"delay_s"}, 1},
+      {"channel-polarity", Place::Channel, {}, 0},
+  };
+  return all;
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& text) {
+  throw InputError(
+      what, "--effect " + text, "Write one of:\n" + virtual_effect_help());
+}
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(at, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+template <typename Number>
+std::optional<Number> number(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+void check_places(const Kind& kind,
+                  const VirtualEffect& effect,
+                  const std::string& text) {
+  const std::size_t count = effect.places.size();
+  const bool right = kind.place == Place::None       ? count == 0
+                     : kind.place == Place::Channels ? true
+                     : kind.place == Place::Elements ? count > 0
+                                                     : count == 1;
+  if (!right) refuse("wrong number of places", text);
+  if (kind.place != Place::Node && kind.place != Place::Elements) return;
+  for (const std::string& place : effect.places) {
+    if (!number<int>(place)) refuse(place + " is no id", text);
+  }
+}
+
+const Kind& kind_of(const std::string& name, const std::string& text) {
+  const auto kind = std::find_if(kinds().begin(),
+                                 kinds().end(),
+                                 [&](const Kind& k) { return k.name == name; });
+  if (kind == kinds().end()) refuse("no effect of this name", text);
+  return *kind;
+}
+
+}  // namespace
+
+std::vector<int> VirtualEffect::numbers() const {
+  std::vector<int> ids;
+  for (const std::string& place : places) ids.push_back(std::stoi(place));
+  return ids;
+}
+
+VirtualEffect parse_virtual_effect(const std::string& text) {
+  VirtualEffect effect;
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::string head = text.substr(0, equals);
+  const std::size_t at = std::min(head.find('@'), head.size());
+  effect.name = head.substr(0, at);
+  const Kind& kind = kind_of(effect.name, text);
+  if (at < head.size()) effect.places = split(head.substr(at + 1), ':');
+  if (equals < text.size()) {
+    for (const std::string& part : split(text.substr(equals + 1), ',')) {
+      const std::optional<double> value = number<double>(part);
+      if (!value || !std::isfinite(*value)) {
+        refuse("'" + part + "' is no number", text);
+      }
+      effect.values.push_back(*value);
+    }
+  }
+  if (effect.values.size() < kind.needed ||
+      effect.values.size() > kind.values.size()) {
+    refuse("wrong number of values", text);
+  }
+  check_places(kind, effect, text);
+  return effect;
+}
+
+std::string virtual_effect_help() {
+  static constexpr std::array<const char*, 5> places{
+      "", "@NODE", "@CHANNEL", "[@CHANNEL:...]", "@ELEMENT:..."};
+  std::string help;
+  for (const Kind& kind : kinds()) {
+    help += fmt::format("  {}{}{}{}\n",
+                        kind.name,
+                        places[static_cast<std::size_t>(kind.place)],
+                        kind.values.empty() ? "" : "=",
+                        fmt::join(kind.values, ","));
+  }
+  return help;
+}
+
+nlohmann::ordered_json truth_entry(const VirtualEffect& effect,
+                                   const std::vector<std::string>& channels) {
+  const Kind& kind = kind_of(effect.name, effect.name);
+  nlohmann::ordered_json entry{{"effect", effect.name}};
+  switch (kind.place) {
+    case Place::None:
+      break;
+    case Place::Node:
+      entry["node"] = effect.numbers().front();
+      break;
+    case Place::Channel:
+      entry["channel"] = effect.places.front();
+      break;
+    case Place::Elements:
+      entry["elements"] = effect.numbers();
+      break;
+    case Place::Channels:
+      entry["channels"] = effect.places.empty() ? channels : effect.places;
+      break;
+  }
+  for (std::size_t k = 0; k < effect.values.size(); ++k) {
+    entry[kind.values[k]] = effect.values[k];
+  }
+  return entry;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,233 @@
+#include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/factor.hpp"
+#include "updating/virtual_structure.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::updating {
+namespace {
+
+using structure::SparseMatrix;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+/// Of what stands for all higher modes: their answer in the band is static.
+constexpr double residual_damping = 0.3;
+
+bool on_sensor(const VirtualEffect& effect, const std::string& channel) {
+  return effect.places.empty() ||
+         std::find(effect.places.begin(), effect.places.end(), channel) !=
+             effect.places.end();
+}
+
+SparseMatrix sum(const SparseMatrix& A, const Triplets& parts) {
+  SparseMatrix change(A.rows(), A.cols());
+  change.setFromTriplets(parts.begin(), parts.end());
+  return A + change;
+}
+
+/// The structure with one run's sensors on it.
+struct Loaded {
+  SparseMatrix K;
+  SparseMatrix M;
+  std::vector<VirtualDashpot> dashpots;
+};
+
+Loaded put_on(const VirtualStructure& structure,
+              const std::vector<VirtualSensor>& sensors) {
+  Triplets stiffness;
+  Triplets mass;
+  Loaded loaded{{}, {}, structure.dashpots};
+  for (const VirtualSensor& sensor : sensors) {
+    const int at = structure.dof_index(sensor.dof);
+    for (const VirtualEffect& effect : structure.effects) {
+      if (!on_sensor(effect, sensor.channel)) continue;
+      if (effect.name == "sensor-mass") {
+        const int first = at - (sensor.dof.component - 1);
+        for (int c = 0; c < 3; ++c) {
+          mass.emplace_back(first + c, first + c, effect.values[0]);
+        }
+      } else if (effect.name == "sensor-cable") {
+        stiffness.emplace_back(at, at, effect.values[0]);
+        loaded.dashpots.push_back({at, -1, effect.values[1]});
+      }
+    }
+  }
+  loaded.K = sum(structure.K, stiffness);
+  loaded.M = sum(structure.M, mass);
+  return loaded;
+}
+
+/// Where each dof of the whole lies among the free ones; -1: held.
+std::vector<int> free_positions(const VirtualStructure& structure) {
+  std::vector<int> position(static_cast<std::size_t>(structure.K.rows()), -1);
+  for (std::size_t k = 0; k < structure.free.size(); ++k) {
+    position[static_cast<std::size_t>(structure.free[k])] = static_cast<int>(k);
+  }
+  return position;
+}
+
+/// Static answers to unit forces, M-orthogonal to the modes and to each other,
+/// diagonal in K.
+structure::Eigenmodes residual_modes(const SparseMatrix& K,
+                                     const SparseMatrix& M,
+                                     const Eigen::MatrixXd& phi,
+                                     const Eigen::MatrixXd& forces) {
+  Eigen::MatrixXd R = structure::Factor(K).solve(forces);
+  for (int pass = 0; pass < 2; ++pass) {
+    R -= phi * (phi.transpose() * (M * R));
+    R.array().rowwise() /=
+        (R.cwiseProduct(M * R)).colwise().sum().array().sqrt();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(R.transpose() *
+                                                            (M * R));
+  const Eigen::VectorXd& size = gram.eigenvalues();
+  const Eigen::Index kept = (size.array() > 1e-8).count();
+  const Eigen::MatrixXd basis =
+      R * gram.eigenvectors().rightCols(kept) *
+      size.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(basis.transpose() *
+                                                            (K * basis));
+  return {ritz.eigenvalues().cwiseSqrt() / two_pi, basis * ritz.eigenvectors()};
+}
+
+Eigen::VectorXd modal_damping(const Eigen::VectorXd& frequency_hz,
+                              Eigen::Index elastic_end,
+                              double suspension_hz,
+                              const VirtualDamping& damping) {
+  acquisition::SeededRandom random(damping.seed, "modal damping");
+  Eigen::VectorXd zeta(frequency_hz.size());
+  for (Eigen::Index k = 0; k < zeta.size(); ++k) {
+    const double elastic = damping.mean * random.scatter(damping.scatter);
+    const bool rigid = frequency_hz(k) < 2.0 * suspension_hz;
+    zeta(k) = k >= elastic_end ? residual_damping
+              : rigid          ? damping.suspension
+                               : elastic;
+  }
+  return zeta;
+}
+
+Eigen::MatrixXd damping_matrix(const Eigen::VectorXd& frequency_hz,
+                               const Eigen::VectorXd& zeta,
+                               const Eigen::MatrixXd& phi,
+                               const std::vector<VirtualDashpot>& dashpots,
+                               const std::vector<int>& position) {
+  Eigen::MatrixXd C =
+      (2.0 * two_pi * zeta.cwiseProduct(frequency_hz)).asDiagonal();
+  for (const VirtualDashpot& dashpot : dashpots) {
+    Eigen::RowVectorXd shape = Eigen::RowVectorXd::Zero(phi.cols());
+    const auto add = [&](int dof, double factor) {
+      const int row = dof < 0 ? -1 : position[static_cast<std::size_t>(dof)];
+      if (row >= 0) shape += factor * phi.row(row);
+    };
+    add(dashpot.first, 1.0);
+    add(dashpot.second, -1.0);
+    C += dashpot.damping * shape.transpose() * shape;
+  }
+  return C;
+}
+
+/// Unit forces at every point that is hit, felt or damped.
+Eigen::MatrixXd unit_forces(std::vector<int> rows, Eigen::Index size) {
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::erase(rows, -1);
+  Eigen::MatrixXd forces =
+      Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    forces(rows[k], static_cast<Eigen::Index>(k)) = 1.0;
+  }
+  return forces;
+}
+
+/// The generalised coordinates: modes, then what stands for all others.
+struct Coordinates {
+  Eigen::MatrixXd phi;
+  Eigen::VectorXd frequency_hz;
+  Eigen::Index elastic = 0;  ///< number of true modes
+};
+
+Coordinates coordinates(const SparseMatrix& K,
+                        const SparseMatrix& M,
+                        const std::vector<int>& attached,
+                        double max_hz) {
+  const structure::Eigenmodes modes = structure::eigenmodes_up_to(K, M, max_hz);
+  const structure::Eigenmodes rest =
+      residual_modes(K, M, modes.phi, unit_forces(attached, K.rows()));
+  Coordinates q;
+  q.elastic = modes.phi.cols();
+  q.phi.resize(K.rows(), q.elastic + rest.phi.cols());
+  q.phi << modes.phi, rest.phi;
+  q.frequency_hz.resize(q.phi.cols());
+  q.frequency_hz << modes.frequency_hz, rest.frequency_hz;
+  return q;
+}
+
+/// One row of phi per point, with the sign of its direction; zero where the
+/// structure is held.
+Eigen::MatrixXd rows_at(const std::vector<Dof>& points,
+                        const VirtualStructure& structure,
+                        const std::vector<int>& position,
+                        const Eigen::MatrixXd& phi) {
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(
+      static_cast<Eigen::Index>(points.size()), phi.cols());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto dof = static_cast<std::size_t>(structure.dof_index(points[k]));
+    if (position[dof] < 0) continue;
+    rows.row(static_cast<Eigen::Index>(k)) =
+        points[k].sign * phi.row(position[dof]);
+  }
+  return rows;
+}
+
+}  // namespace
+
+ReducedTruth reduce_truth(const VirtualStructure& structure,
+                          const std::vector<VirtualSensor>& sensors,
+                          const std::vector<Dof>& hammers,
+                          double max_hz,
+                          const VirtualDamping& damping) {
+  const Loaded loaded = put_on(structure, sensors);
+  const std::vector<int> position = free_positions(structure);
+  std::vector<Dof> felt;
+  for (const VirtualSensor& sensor : sensors) felt.push_back(sensor.dof);
+  std::vector<Dof> points = hammers;
+  points.insert(points.end(), felt.begin(), felt.end());
+  std::vector<int> attached;
+  for (const Dof& point : points) {
+    attached.push_back(
+        position[static_cast<std::size_t>(structure.dof_index(point))]);
+  }
+  for (const VirtualDashpot& dashpot : loaded.dashpots) {
+    attached.push_back(position[static_cast<std::size_t>(dashpot.first)]);
+  }
+  const Coordinates q =
+      coordinates(structure::extract(loaded.K, structure.free),
+                  structure::extract(loaded.M, structure.free),
+                  attached,
+                  max_hz);
+  const Eigen::VectorXd zeta = modal_damping(
+      q.frequency_hz, q.elastic, structure.suspension_hz, damping);
+
+  ReducedTruth truth;
+  const Eigen::Index r = q.phi.cols();
+  truth.system.M = Eigen::MatrixXd::Identity(r, r);
+  truth.system.K = (two_pi * q.frequency_hz).cwiseAbs2().asDiagonal();
+  truth.system.C =
+      damping_matrix(q.frequency_hz, zeta, q.phi, loaded.dashpots, position);
+  truth.hammers = rows_at(hammers, structure, position, q.phi).transpose();
+  truth.system.input = truth.hammers.col(0);
+  truth.system.output = rows_at(felt, structure, position, q.phi);
+  const acquisition::DampedPoles poles =
+      acquisition::damped_poles(truth.system.M, truth.system.C, truth.system.K);
+  const Eigen::Index shown = (poles.frequency_hz.array() <= max_hz).count();
+  truth.frequency_hz = poles.frequency_hz.head(shown);
+  truth.damping_ratio = poles.damping_ratio.head(shown);
+  return truth;
+}
+
+}  // namespace tapfit::updating

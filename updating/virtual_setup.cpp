@@ -1,0 +1,208 @@
+#include "updating/virtual_setup.hpp"
+
+#include "acquisition/anti_alias.hpp"
+#include "acquisition/input_error.hpp"
+#include "updating/structure/refine_mesh.hpp"
+#include "updating/virtual_panel.hpp"
+#include "updating/virtual_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::updating {
+namespace {
+
+/// What is usual for one of the structures.
+struct Habit {
+  Panel panel;
+  std::array<double, 2> band_hz{};
+  double peak_n = 0.0;
+  int split = 2;  ///< elements of the truth along a side of the model's
+  std::vector<Eigen::Vector3d> sensors;  ///< empty: chosen
+};
+
+std::optional<Habit> habit_of(const std::string& structure) {
+  if (structure == "frame") {
+    return Habit{frame_panel(),
+                 {1.0, 55.0},
+                 15.0,
+                 3,
+                 {{0.90, 0.0, 0.0}, {0.90, 0.55, 0.0}}};
+  }
+  if (structure == "ladder")
+    return Habit{ladder_panel(), {2.0, 120.0}, 25.0, 3, {}};
+  if (structure == "plate")
+    return Habit{plate_panel(), {30.0, 600.0}, 60.0, 2, {}};
+  return std::nullopt;
+}
+
+VirtualModel model_of_panel(const Panel& panel, int split) {
+  PanelMesh fine = mesh_panel(panel, split);
+  return {mesh_panel(panel, 1).deck,
+          std::move(fine.deck),
+          std::move(fine.children)};
+}
+
+VirtualModel model_of_deck(const std::filesystem::path& path) {
+  VirtualModel model;
+  model.model = structure::read_deck(path);
+  const structure::RefinedDeck once = structure::refine_mesh(model.model);
+  const structure::RefinedDeck twice = structure::refine_mesh(once.deck);
+  model.fine = twice.deck;
+  for (const auto& [id, parts] : once.children) {
+    for (const int part : parts) {
+      const auto grandchildren = twice.children.find(part);
+      if (grandchildren == twice.children.end()) continue;
+      std::vector<int>& all = model.children[id];
+      all.insert(all.end(),
+                 grandchildren->second.begin(),
+                 grandchildren->second.end());
+    }
+  }
+  return model;
+}
+
+double recorder_rate(double band_end_hz) {
+  double rate = 64.0;
+  while (acquisition::alias_free_fraction * rate < band_end_hz) rate *= 2.0;
+  return rate;
+}
+
+acquisition::HammerHand hand_for(const VirtualBundleSpec& spec,
+                                 const std::array<double, 2>& band_hz,
+                                 double lowest_hz,
+                                 double peak_n) {
+  acquisition::HammerHand hand;
+  hand.hits = spec.hits;
+  hand.peak_n = peak_n;
+  // Down by some 3 dB at the band's end: a soft tip for a slow structure.
+  hand.width_s = 0.6 / band_hz[1];
+  // Long enough for the lowest mode to die away, or for patience to end.
+  hand.gap_s = spec.gap_s.value_or(
+      std::clamp(70.0 / std::max(lowest_hz, band_hz[0]), 0.5, 28.0));
+  hand.lead_s = std::min(1.0, hand.gap_s);
+  return hand;
+}
+
+std::vector<Dof> fixed_sensors(const std::vector<Eigen::Vector3d>& places,
+                               const structure::Deck& deck,
+                               int component) {
+  std::vector<Dof> sensors;
+  for (const Eigen::Vector3d& place : places) {
+    const auto nearest = std::min_element(
+        deck.grids.begin(),
+        deck.grids.end(),
+        [&](const structure::Grid& a, const structure::Grid& b) {
+          return (a.position - place).norm() < (b.position - place).norm();
+        });
+    sensors.push_back({nearest->id, component, 1});
+  }
+  return sensors;
+}
+
+// The hammer roves and the sensors stay, or the other way round: then the
+// hammer hits the first sensor point and the sensors go over the others.
+std::vector<VirtualRun> plan_runs(const VirtualBundleSpec& spec,
+                                  const TestPoints& points,
+                                  const std::vector<std::string>& channels) {
+  std::vector<VirtualRun> runs;
+  if (!spec.roving_sensor) {
+    for (const Dof& hammer : points.others) {
+      VirtualRun run{hammer, {}};
+      for (std::size_t k = 0; k < points.sensors.size(); ++k) {
+        run.sensors.push_back({channels[k], points.sensors[k]});
+      }
+      runs.push_back(run);
+    }
+    return runs;
+  }
+  const std::size_t half = points.others.size() / channels.size();
+  for (std::size_t k = 0; k < half; ++k) {
+    VirtualRun run{points.sensors.front(), {}};
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+      run.sensors.push_back({channels[c], points.others[c * half + k]});
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+void check_channels(const VirtualBundleSpec& spec,
+                    const std::vector<std::string>& channels) {
+  for (const VirtualEffect& effect : spec.effects) {
+    if (!effect.name.starts_with("channel-") &&
+        !effect.name.starts_with("sensor-")) {
+      continue;
+    }
+    for (const std::string& place : effect.places) {
+      const bool hammer =
+          place == "hammer" && effect.name.starts_with("channel-");
+      if (hammer || std::find(channels.begin(), channels.end(), place) !=
+                        channels.end()) {
+        continue;
+      }
+      throw InputError(
+          fmt::format("there is no channel '{}' here", place),
+          effect.name,
+          fmt::format("Name one of hammer, {}.", fmt::join(channels, ", ")));
+    }
+  }
+}
+
+}  // namespace
+
+VirtualSetup set_up(const VirtualBundleSpec& spec) {
+  const std::optional<Habit> habit = habit_of(spec.structure);
+  if (!habit && !spec.band_hz) {
+    throw InputError("a deck needs a band",
+                     spec.structure,
+                     "Give --band LOW HIGH in Hz, or one of frame, ladder, "
+                     "plate.");
+  }
+  VirtualSetup setup;
+  setup.band_hz = spec.band_hz ? *spec.band_hz : habit->band_hz;
+  if (habit) {
+    setup.model = model_of_panel(habit->panel, habit->split);
+    setup.model_cards = panel_cards(habit->panel, mesh_panel(habit->panel, 1));
+    setup.title = "Virtual hammer test: " + habit->panel.title;
+  } else {
+    setup.model = model_of_deck(spec.structure);
+    setup.title = "Virtual hammer test of " +
+                  std::filesystem::path(spec.structure).filename().string();
+  }
+  const structure::Deck& deck = setup.model.model;
+  setup.component = test_direction(deck);
+  setup.sensor_channels = {"acc1", "acc2"};
+  check_channels(spec, setup.sensor_channels);
+
+  const ModelShapes shapes =
+      model_shapes(deck, setup.component, setup.band_hz[1]);
+  for (const double hz : shapes.frequency_hz) {
+    if (hz >= setup.band_hz[0]) setup.model_hz.push_back(hz);
+  }
+  if (setup.model_hz.empty()) {
+    throw InputError("the model has no mode in the band",
+                     spec.structure,
+                     "Choose the band so that some modes lie in it.");
+  }
+  TestPoints points = choose_points(
+      deck,
+      shapes.shapes,
+      static_cast<int>(setup.sensor_channels.size()),
+      spec.points,
+      fixed_sensors(habit ? habit->sensors : std::vector<Eigen::Vector3d>{},
+                    deck,
+                    setup.component));
+  setup.sensor_channels.resize(points.sensors.size());
+  setup.runs = plan_runs(spec, points, setup.sensor_channels);
+  setup.recorder.rate_hz = recorder_rate(setup.band_hz[1]);
+  setup.hand = hand_for(spec,
+                        setup.band_hz,
+                        setup.model_hz.front(),
+                        habit ? habit->peak_n : 40.0);
+  return setup;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,167 @@
+#include "updating/virtual_structure.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "updating/virtual_support.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using structure::SparseMatrix;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr double suspension_hz = 1.3;
+
+void add_diagonal(SparseMatrix& A, const Triplets& parts) {
+  SparseMatrix change(A.rows(), A.cols());
+  change.setFromTriplets(parts.begin(), parts.end());
+  A += change;
+}
+
+void scale_modulus(structure::Deck& deck, double factor) {
+  if (deck.materials.empty()) return;
+  structure::Material& material = deck.materials.begin()->second;
+  material.E *= factor;
+  material.E2 *= factor;
+  material.G *= factor;
+  material.G1z *= factor;
+  material.G2z *= factor;
+}
+
+bool hangs_free(const structure::Deck& deck) {
+  if (!deck.constraints.empty()) return false;
+  for (const structure::ScalarElement& spring : deck.scalars) {
+    const bool grounded = spring.grids[0] == 0 || spring.grids[1] == 0;
+    if (grounded && spring.stiffness > 0.0) return false;
+  }
+  return true;
+}
+
+void lose_stiffness(const VirtualModel& model,
+                    const structure::Deck& fine,
+                    const VirtualEffect& effect,
+                    SparseMatrix& K) {
+  std::set<int> weak;
+  for (const int id : effect.numbers()) {
+    const auto parent = model.children.find(id);
+    if (parent == model.children.end()) {
+      throw InputError(fmt::format("the model has no element {}", id),
+                       "stiffness-loss",
+                       "Name elements of the model deck.");
+    }
+    weak.insert(parent->second.begin(), parent->second.end());
+  }
+  K -= (1.0 - effect.values[0]) *
+       structure::assemble_stiffness(fine,
+                                     [&](int id) { return weak.contains(id); });
+}
+
+// A mass on a spring and dashpot, in a degree of freedom of its own.
+void add_absorber(const VirtualEffect& effect,
+                  int dof,
+                  VirtualStructure& structure) {
+  const int own = static_cast<int>(structure.K.rows());
+  structure.K.conservativeResize(own + 1, own + 1);
+  structure.M.conservativeResize(own + 1, own + 1);
+  const double m = effect.values[0];
+  const double w = two_pi * effect.values[1];
+  const double zeta = effect.values.size() > 2 ? effect.values[2] : 0.01;
+  const double k = m * w * w;
+  add_diagonal(structure.K,
+               {{dof, dof, k}, {own, own, k}, {dof, own, -k}, {own, dof, -k}});
+  add_diagonal(structure.M, {{own, own, m}});
+  structure.dashpots.push_back({dof, own, 2.0 * zeta * w * m});
+  structure.free.push_back(own);
+}
+
+bool acts_at_node(const VirtualEffect& effect) {
+  return effect.name == "added-mass" || effect.name == "ground-spring" ||
+         effect.name == "dashpot" || effect.name == "absorber";
+}
+
+void add_at_node(const VirtualEffect& effect,
+                 int component,
+                 VirtualStructure& structure) {
+  const Dof dof{effect.numbers().front(), component, 1};
+  const int at = structure.dof_index(dof);
+  const double value = effect.values[0];
+  if (effect.name == "added-mass") {
+    const int first = at - (component - 1);
+    add_diagonal(structure.M,
+                 {{first, first, value},
+                  {first + 1, first + 1, value},
+                  {first + 2, first + 2, value}});
+  } else if (effect.name == "ground-spring") {
+    add_diagonal(structure.K, {{at, at, value}});
+  } else if (effect.name == "dashpot") {
+    structure.dashpots.push_back({at, -1, value});
+  } else if (effect.name == "absorber") {
+    add_absorber(effect, at, structure);
+  }
+}
+
+// Rigid and light bungees: every rigid motion gets the suspension's frequency.
+void hang(VirtualStructure& structure) {
+  const double w = two_pi * suspension_hz;
+  structure.K += w * w * structure.M;
+  structure.suspension_hz = suspension_hz;
+}
+
+}  // namespace
+
+int VirtualStructure::dof_index(const Dof& dof) const {
+  const auto grid = grid_index.find(dof.node);
+  if (grid == grid_index.end()) {
+    throw InputError(fmt::format("the model has no grid {}", dof.node),
+                     "virtual structure",
+                     "Name a grid of the model deck.");
+  }
+  return 6 * grid->second + dof.component - 1;
+}
+
+VirtualStructure build_virtual_structure(
+    const VirtualModel& model,
+    const std::vector<VirtualEffect>& effects,
+    double modulus_factor,
+    int component) {
+  structure::Deck fine = model.fine;
+  scale_modulus(fine, modulus_factor);
+  structure::System system = structure::assemble(fine);
+
+  VirtualStructure result;
+  result.effects = effects;
+  result.K = system.K;
+  result.M = system.M;
+  result.total_mass = structure::total_mass(fine, system);
+  for (std::size_t k = 0; k < fine.grids.size(); ++k) {
+    result.grid_index[fine.grids[k].id] = static_cast<int>(k);
+  }
+  if (hangs_free(model.model)) hang(result);
+  for (const VirtualEffect& effect : effects) {
+    if (effect.name == "soft-support") {
+      const SupportEdge edge = support_edge(fine);
+      for (const auto& [grid, length] : edge.length_of) {
+        const int at = result.dof_index({grid, edge.component, 1});
+        system.fixed[static_cast<std::size_t>(at)] = false;
+        add_diagonal(result.K, {{at, at, effect.values[0] * length}});
+        result.support_length += length;
+        if (model.model.has_grid(grid)) result.support_nodes.push_back(grid);
+      }
+    } else if (effect.name == "stiffness-loss") {
+      lose_stiffness(model, fine, effect, result.K);
+    }
+  }
+  result.free = system.free_dofs();
+  for (const VirtualEffect& effect : effects) {
+    if (acts_at_node(effect)) add_at_node(effect, component, result);
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,73 @@
+#include "updating/virtual_support.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+constexpr const char* rotations = "456";
+
+std::set<int> held_grids(const structure::Deck& deck) {
+  std::set<int> held;
+  for (const structure::Constraint& constraint : deck.constraints) {
+    const bool turns =
+        constraint.components.find_first_of(rotations) == std::string::npos;
+    if (!turns) held.insert(constraint.grid);
+  }
+  return held;
+}
+
+// The basic axis along which the grids lie.
+int line_axis(const structure::Deck& deck, const std::set<int>& held) {
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
+  Eigen::Vector3d high = -low;
+  for (const structure::Grid& grid : deck.grids) {
+    if (!held.contains(grid.id)) continue;
+    low = low.cwiseMin(grid.position);
+    high = high.cwiseMax(grid.position);
+  }
+  Eigen::Vector3d extent = high - low;
+  Eigen::Index axis = 0;
+  const double length = held.size() < 2 ? 0.0 : extent.maxCoeff(&axis);
+  extent(axis) = 0.0;
+  if (!(length > 0.0) || extent.maxCoeff() > 1e-6 * length) {
+    throw InputError("the clamped grids form no line along an axis",
+                     "soft-support",
+                     "Take a structure that is clamped along one straight "
+                     "edge, or leave the effect out.");
+  }
+  return static_cast<int>(axis);
+}
+
+}  // namespace
+
+SupportEdge support_edge(const structure::Deck& deck) {
+  const std::set<int> held = held_grids(deck);
+  SupportEdge edge;
+  const int axis = line_axis(deck, held);
+  edge.component = 4 + axis;
+  std::set<std::pair<int, int>> sides;
+  for (const structure::Shell& shell : deck.shells) {
+    for (std::size_t k = 0; k < shell.grids.size(); ++k) {
+      const int a = shell.grids[k];
+      const int b = shell.grids[(k + 1) % shell.grids.size()];
+      if (held.contains(a) && held.contains(b)) {
+        sides.insert(std::minmax(a, b));
+      }
+    }
+  }
+  for (const auto& [a, b] : sides) {
+    const double half = 0.5 * (deck.grids[deck.grid_index(a)].position -
+                               deck.grids[deck.grid_index(b)].position)
+                                  .norm();
+    edge.length_of[a] += half;
+    edge.length_of[b] += half;
+  }
+  return edge;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,19 @@
+// The clamped edge of a mesh: which grids it holds, which rotation a clamp
+// that gives way lets go, and the length of edge that each grid stands for.
+#pragma once
+
+#include "updating/structure/deck.hpp"
+
+#include <map>
+
+namespace tapfit::updating {
+
+struct SupportEdge {
+  int component = 4;                ///< 4..6, rotation about the edge
+  std::map<int, double> length_of;  ///< grid id -> [m]
+};
+
+/// @throws InputError when the held grids form no line along a basic axis
+[[nodiscard]] SupportEdge support_edge(const structure::Deck& deck);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,78 @@
+#include "updating/virtual_truth.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace tapfit::updating {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+json rounded(const Eigen::VectorXd& values, double steps) {
+  json list = json::array();
+  for (const double value : values) {
+    list.push_back(std::round(value * steps) / steps);
+  }
+  return list;
+}
+
+json effects_json(const VirtualSetup& setup,
+                  const VirtualStructure& structure) {
+  json effects = json::array();
+  for (const VirtualEffect& effect : structure.effects) {
+    json entry = truth_entry(effect, setup.sensor_channels);
+    if (effect.name == "soft-support") {
+      entry["rotational_stiffness_nm_per_rad"] =
+          effect.values[0] * structure.support_length;
+      entry["nodes"] = structure.support_nodes;
+    }
+    effects.push_back(entry);
+  }
+  return effects;
+}
+
+std::string joined_names(const VirtualStructure& structure) {
+  std::string names;
+  for (const VirtualEffect& effect : structure.effects) {
+    names += (names.empty() ? "" : "+") + effect.name;
+  }
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
+void write_truth(const VirtualBundleSpec& spec,
+                 const VirtualSetup& setup,
+                 const VirtualStructure& structure,
+                 const ReducedTruth& truth,
+                 double modulus_factor,
+                 const std::filesystem::path& file) {
+  const auto& materials = setup.model.model.materials;
+  json document{
+      {"seed", spec.seed},
+      {"structure", spec.structure},
+      {"effect", joined_names(structure)},
+      {"roving", spec.roving_sensor ? "sensor" : "hammer"},
+      {"total_mass_kg", structure.total_mass},
+      {"effects", effects_json(setup, structure)},
+      {"natural_frequencies_hz", rounded(truth.frequency_hz, 1e4)},
+      {"damping_ratio", rounded(truth.damping_ratio, 1e5)},
+  };
+  if (!materials.empty()) {
+    document["E_true"] = materials.begin()->second.E * modulus_factor;
+  }
+  std::ofstream out(file);
+  out << document.dump(1) << '\n';
+  out.flush();
+  if (!out) {
+    throw InputError("cannot write what was built in",
+                     file.string(),
+                     "Check the folder and the space left.");
+  }
+}
+
+}  // namespace tapfit::updating
