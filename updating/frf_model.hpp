@@ -52,6 +52,9 @@ struct ModelResponse {
   std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
 };
 
+struct ModalState;
+struct RunLines;
+
 /// The model at the measured pairs of an FRF set.
 class FrfModel {
  public:
@@ -107,13 +110,19 @@ class FrfModel {
   void set_reference(const ModelState& state);
 
  private:
-  struct RunLines;
   struct Pair {
     std::size_t run = 0;
     std::string channel;
     Eigen::VectorXd response;   // r, signed
     Eigen::VectorXd reference;  // r, signed
   };
+  [[nodiscard]] ModalState modal_state(const ModelState& state,
+                                       bool derivatives) const;
+  [[nodiscard]] RunLines run_lines(const ModalState& shared,
+                                   std::size_t run) const;
+  void measure(const ModalState& shared,
+               const Eigen::VectorXcd& s,
+               ModelResponse& out) const;
   [[nodiscard]] Eigen::VectorXd damping(const ModelState& state,
                                         const BaseModes& modes,
                                         std::vector<int>& owner) const;

@@ -58,6 +58,14 @@ MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V) {
   return V;
 }
 
+// The same span in the coordinates that make K diagonal too, so that nominal
+// modes and a modulus common to all elements cost nothing later.
+MatrixXd diagonalise(const SparseMatrix& K, const MatrixXd& V) {
+  const MatrixXd projected = V.transpose() * (K * V);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(projected);
+  return V * solver.eigenvectors();
+}
+
 }  // namespace
 
 struct BaseBuilder::Impl {
@@ -275,6 +283,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     at += block.cols();
   }
   V = orthonormalise(m.system.M, V);
+  if (released.empty()) V = diagonalise(m.system.K, V);
   base.rows = V.topRows(6 * m.original_grids);
   base.K = V.transpose() * (m.system.K * V);
   for (const UncertainPart& part : m.parts) {

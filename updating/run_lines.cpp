@@ -1,0 +1,163 @@
+#include "updating/run_lines.hpp"
+
+#include <Eigen/LU>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using std::complex;
+
+namespace {
+
+bool is_diagonal(const MatrixXd& A) {
+  const double off = (A - MatrixXd(A.diagonal().asDiagonal())).norm();
+  return off <= 1e-9 * A.norm();
+}
+
+}  // namespace
+
+ModalTerm::ModalTerm(const MatrixXd& phi, const MatrixXd& K, const MatrixXd* M)
+    : K_(phi.transpose() * K * phi) {
+  k_ = K_.diagonal();
+  m_ = VectorXd::Zero(k_.size());
+  if (is_diagonal(K_)) K_.resize(0, 0);
+  if (M == nullptr || M->isZero(0.0)) return;
+  M_ = phi.transpose() * *M * phi;
+  m_ = M_.diagonal();
+  if (is_diagonal(M_)) M_.resize(0, 0);
+}
+
+MatrixXcd ModalTerm::times(complex<double> s,
+                           const VectorXd& omega,
+                           const VectorXd& zeta,
+                           const MatrixXcd& X) const {
+  VectorXcd d(omega.size());
+  for (Index m = 0; m < d.size(); ++m) {
+    // c = 2 zeta sqrt(k m) grows with half of either.
+    d(m) = s * zeta(m) * omega(m) * m_(m);
+    if (omega(m) > 0.0) d(m) += s * zeta(m) / omega(m) * k_(m);
+    if (K_.size() == 0) d(m) += k_(m);
+    if (M_.size() == 0) d(m) += s * s * m_(m);
+  }
+  MatrixXcd result = d.asDiagonal() * X;
+  if (K_.size() > 0) result += K_ * X;
+  if (M_.size() > 0) result += s * s * (M_ * X);
+  return result;
+}
+
+VectorXcd RunLines::flexibility(complex<double> s) const {
+  const VectorXd& w = shared->modes.omega;
+  VectorXcd g(w.size());
+  for (Index m = 0; m < w.size(); ++m) {
+    g(m) = 1.0 / (s * s + 2.0 * shared->zeta(m) * w(m) * s + w(m) * w(m));
+  }
+  return g;
+}
+
+// Passive effects on a line with sigma > 0 keep the core regular.
+MatrixXcd RunLines::coupling(complex<double> s, const VectorXcd& g) const {
+  const Index k = B.cols();
+  VectorXcd D(k);
+  for (Index a = 0; a < k; ++a) {
+    const Actor& actor = actors[static_cast<std::size_t>(a)];
+    const PlacedEffect& placed = shared->state->effects[actor.effect];
+    D(a) = actor.weight * placed.effect->law(s, placed.p, actor.group);
+  }
+  MatrixXcd core = B.transpose() * (g.asDiagonal() * B) * D.asDiagonal();
+  core.diagonal().array() += 1.0;
+  return D.asDiagonal() * core.inverse();
+}
+
+MatrixXcd RunLines::columns(const VectorXcd& g,
+                            const MatrixXcd& coupled,
+                            const MatrixXd& points) const {
+  MatrixXcd X = g.asDiagonal() * points;
+  if (B.cols() == 0) return X;
+  const MatrixXcd inner = coupled * (B.transpose() * X);
+  X.noalias() -= g.asDiagonal() * (B * inner);
+  return X;
+}
+
+void RunLines::respond(complex<double> s,
+                       Index line,
+                       ModelResponse& out) const {
+  const VectorXcd g = flexibility(s);
+  const MatrixXcd coupled = B.cols() > 0 ? coupling(s, g) : MatrixXcd();
+  const MatrixXcd Xi = columns(g, coupled, references);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto c = static_cast<Index>(k);
+    const VectorXcd at = responses.col(c).cast<complex<double>>();
+    out.H(line, static_cast<Index>(pairs[k])) =
+        s * s * at.cwiseProduct(Xi.col(c)).sum();
+  }
+  if (out.dH.empty()) return;
+  const MatrixXcd Xo = columns(g, coupled, responses);
+  derive_terms(s, line, Xo, Xi, out);
+  derive_damping(s, line, Xo, Xi, out);
+  derive_effects(s, line, Xo, Xi, out);
+}
+
+void RunLines::derive_terms(complex<double> s,
+                            Index line,
+                            const MatrixXcd& Xo,
+                            const MatrixXcd& Xi,
+                            ModelResponse& out) const {
+  for (const ScaledTerm& scaled : shared->terms) {
+    const MatrixXcd ZX =
+        scaled.term.times(s, shared->modes.omega, shared->zeta, Xi);
+    MatrixXcd& d = out.dH[scaled.column];
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto c = static_cast<Index>(k);
+      d(line, static_cast<Index>(pairs[k])) =
+          -scaled.scale * s * s * Xo.col(c).cwiseProduct(ZX.col(c)).sum();
+    }
+  }
+}
+
+void RunLines::derive_damping(complex<double> s,
+                              Index line,
+                              const MatrixXcd& Xo,
+                              const MatrixXcd& Xi,
+                              ModelResponse& out) const {
+  const VectorXd& w = shared->modes.omega;
+  for (Index m = 0; m < w.size(); ++m) {
+    const int q = shared->owner[static_cast<std::size_t>(m)];
+    if (q < 0) continue;
+    const complex<double> dz = 2.0 * shared->zeta(m) * w(m) * s;
+    MatrixXcd& d = out.dH[shared->first_zeta + static_cast<std::size_t>(q)];
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto c = static_cast<Index>(k);
+      d(line, static_cast<Index>(pairs[k])) = -s * s * dz * Xo(m, c) * Xi(m, c);
+    }
+  }
+}
+
+void RunLines::derive_effects(complex<double> s,
+                              Index line,
+                              const MatrixXcd& Xo,
+                              const MatrixXcd& Xi,
+                              ModelResponse& out) const {
+  const MatrixXcd BXo = B.transpose() * Xo;
+  const MatrixXcd BXi = B.transpose() * Xi;
+  for (std::size_t a = 0; a < actors.size(); ++a) {
+    const PlacedEffect& placed = shared->state->effects[actors[a].effect];
+    for (std::size_t p = 0; p < placed.p.size(); ++p) {
+      const complex<double> dz =
+          actors[a].weight * placed.p[p] *
+          placed.effect->law_derivative(s, placed.p, actors[a].group, p);
+      MatrixXcd& d = out.dH[shared->first[actors[a].effect] + p];
+      const auto r = static_cast<Index>(a);
+      for (std::size_t k = 0; k < pairs.size(); ++k) {
+        const auto c = static_cast<Index>(k);
+        d(line, static_cast<Index>(pairs[k])) -=
+            s * s * dz * BXo(r, c) * BXi(r, c);
+      }
+    }
+  }
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,97 @@
+// The lines of one run: everything FrfModel needs to walk over s, in the
+// coordinates of the model's own modes. Internal to frf_model.
+#pragma once
+
+#include "updating/frf_model.hpp"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A degree of freedom acted on, with the effect that does.
+struct Actor {
+  std::size_t effect = 0;
+  std::size_t group = 0;
+  double weight = 1.0;
+};
+
+/// d Z / d f of a matrix term, in modal coordinates; diagonal where it can be.
+class ModalTerm {
+ public:
+  ModalTerm(const Eigen::MatrixXd& phi,
+            const Eigen::MatrixXd& K,
+            const Eigen::MatrixXd* M);
+
+  /// d Z / d f times X at s; damping follows the frequencies.
+  [[nodiscard]] Eigen::MatrixXcd times(std::complex<double> s,
+                                       const Eigen::VectorXd& omega,
+                                       const Eigen::VectorXd& zeta,
+                                       const Eigen::MatrixXcd& X) const;
+
+ private:
+  Eigen::VectorXd k_, m_;  // diagonals
+  Eigen::MatrixXd K_, M_;  // full; empty where diagonal
+};
+
+/// A matrix term and the parameter (position in pack()) that scales it.
+struct ScaledTerm {
+  ModalTerm term;
+  std::size_t column = 0;
+  double scale = 1.0;  ///< d / d ln p = p d / d p
+};
+
+/// What all runs of one evaluation share.
+struct ModalState {
+  const ModelState* state = nullptr;
+  BaseModes modes;
+  Eigen::VectorXd zeta;    ///< of every mode
+  std::vector<int> owner;  ///< parameter of each zeta, or -1
+  std::vector<ScaledTerm> terms;
+  std::vector<std::size_t> first;  ///< column of each effect's parameters
+  std::size_t first_zeta = 0;
+};
+
+struct RunLines {
+  const ModalState* shared = nullptr;
+  std::vector<Actor> actors;
+  Eigen::MatrixXd B;  ///< modes x actors
+  std::vector<std::size_t> pairs;
+  Eigen::MatrixXd responses;   ///< modes x pairs
+  Eigen::MatrixXd references;  ///< modes x pairs
+
+  /// Diagonal of H, the base's receptance in its modes.
+  [[nodiscard]] Eigen::VectorXcd flexibility(std::complex<double> s) const;
+  /// D (I + B' H B D)^-1 of eq. 15.
+  [[nodiscard]] Eigen::MatrixXcd coupling(std::complex<double> s,
+                                          const Eigen::VectorXcd& g) const;
+  /// X = H* e for the points (eq. 15).
+  [[nodiscard]] Eigen::MatrixXcd columns(const Eigen::VectorXcd& g,
+                                         const Eigen::MatrixXcd& coupled,
+                                         const Eigen::MatrixXd& points) const;
+  /// Fills one line of the response, with derivatives where out.dH is made.
+  void respond(std::complex<double> s,
+               Eigen::Index line,
+               ModelResponse& out) const;
+
+ private:
+  void derive_terms(std::complex<double> s,
+                    Eigen::Index line,
+                    const Eigen::MatrixXcd& Xo,
+                    const Eigen::MatrixXcd& Xi,
+                    ModelResponse& out) const;
+  void derive_damping(std::complex<double> s,
+                      Eigen::Index line,
+                      const Eigen::MatrixXcd& Xo,
+                      const Eigen::MatrixXcd& Xi,
+                      ModelResponse& out) const;
+  void derive_effects(std::complex<double> s,
+                      Eigen::Index line,
+                      const Eigen::MatrixXcd& Xo,
+                      const Eigen::MatrixXcd& Xi,
+                      ModelResponse& out) const;
+};
+
+}  // namespace tapfit::updating
