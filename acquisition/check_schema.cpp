@@ -58,7 +58,7 @@ std::string place_of(const std::vector<std::string>& steps) {
     if (is_index(step)) {
       place += fmt::format("[{}]", step);
     } else {
-      place += (place.empty() ? "" : ".") + step;
+      place += fmt::format("{}{}", place.empty() ? "" : ".", step);
     }
   }
   return place;
@@ -99,7 +99,8 @@ void collect_unknown(const json& root,
                      std::vector<std::string>& found) {
   if (value.is_object() && node.contains("properties")) {
     for (const auto& [key, child] : value.items()) {
-      const std::string here = place.empty() ? key : place + "." + key;
+      const std::string here =
+          place.empty() ? key : fmt::format("{}.{}", place, key);
       if (!node["properties"].contains(key)) {
         found.push_back(here);
       } else {
@@ -141,9 +142,10 @@ void check_against_schema(const json& document, const std::string& source) {
   }
   const std::vector<std::string> steps = steps_of(first.context);
   const std::string place = place_of(steps);
-  throw InputError(sentence(first.description),
-                   place.empty() ? source : source + ": " + place,
-                   "expected: " + description_of(root, steps));
+  throw InputError(
+      sentence(first.description),
+      place.empty() ? source : fmt::format("{}: {}", source, place),
+      fmt::format("expected: {}", description_of(root, steps)));
 }
 
 std::vector<std::string> unknown_fields(const json& document) {

@@ -3,6 +3,7 @@
 #include "acquisition/hits.hpp"
 
 #include "acquisition/choose_block.hpp"
+#include "acquisition/compare_hits.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/judge_hits.hpp"
 #include "acquisition/remove_offset.hpp"
@@ -19,10 +20,8 @@ using Eigen::Index;
 
 constexpr double default_trigger = 0.05;  // of the run's largest peak
 constexpr double least_snr = 20.0;        // peak over noise of a good hit
-constexpr double usable_snr = 10.0;       // ... of one better than none
+constexpr double usable_snr = 10.0;       // ... of the largest in a run
 constexpr double softest_db = -20.0;      // at the band's end (ISO 7626-5)
-constexpr double weak_share = 0.15;       // of the run's median peak
-constexpr double outlier_factor = 1.6;    // response per impulse, at least
 
 /// One run on its way through the steps.
 struct WorkingRun {
@@ -147,11 +146,6 @@ Block block_for(const TestBundle& bundle,
   return choose_block(groups, needs, options);
 }
 
-void note(Hit& hit, HitFault fault) {
-  hit.accepted = false;
-  hit.reasons.push_back(fault);
-}
-
 bool overloaded(const TestBundle& bundle,
                 const Run& run,
                 const Recording& recording,
@@ -217,114 +211,6 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
     hits.push_back(hit);
   }
   return hits;
-}
-
-void judge_weak(std::vector<Hit>& hits) {
-  std::vector<double> peaks;
-  for (const Hit& hit : hits) {
-    if (hit.accepted) peaks.push_back(hit.peak_n);
-  }
-  if (peaks.size() < 3) return;
-  const double usual = median(
-      Eigen::VectorXd::Map(peaks.data(), static_cast<Index>(peaks.size())));
-  for (Hit& hit : hits) {
-    if (hit.peak_n >= weak_share * usual) continue;
-    const bool known =
-        std::count(hit.reasons.begin(), hit.reasons.end(), HitFault::Weak) > 0;
-    if (!known) note(hit, HitFault::Weak);
-  }
-}
-
-// ln of the RMS response per impulse, per sensor of the run.
-Eigen::VectorXd response_per_impulse(const Run& run,
-                                     const Recording& recording,
-                                     const HammerSignal& hammer,
-                                     const Hit& hit,
-                                     const HitSet& set) {
-  const auto width = static_cast<Index>(
-      std::ceil(1.5 * hit.pulse_s * recording.sample_rate_hz));
-  const Index from = std::max<Index>(0, hit.trigger - width);
-  const Index to = std::min(hammer.force.size(), hit.trigger + 2 * width + 2);
-  const double impulse =
-      std::max(hammer.force.segment(from, to - from).sum(), 1e-30);
-  Eigen::VectorXd level(static_cast<Index>(run.sensors.size()));
-  // The beginning decides: later, what an earlier blow left counts for more.
-  const Index count = std::max<Index>(8, (set.block - set.pre_trigger) / 8);
-  for (Index k = 0; k < level.size(); ++k) {
-    const auto column =
-        static_cast<Index>(run.sensors[static_cast<std::size_t>(k)].channel);
-    const Eigen::VectorXd part = recording.samples.col(column).segment(
-        hit.trigger, std::min(count, recording.samples.rows() - hit.trigger));
-    const double mean = part.mean();
-    const double energy = (part.array() - mean).matrix().norm();
-    level[k] = std::log(std::max(energy, 1e-30) / impulse);
-  }
-  return level;
-}
-
-void judge_outliers(const Run& run,
-                    const Recording& recording,
-                    const HammerSignal& hammer,
-                    const HitSet& set,
-                    std::vector<Hit>& hits) {
-  std::vector<std::size_t> good;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (hits[i].accepted) good.push_back(i);
-  }
-  const auto count = static_cast<Index>(good.size());
-  if (count < 3) return;
-  Eigen::MatrixXd levels(count, static_cast<Index>(run.sensors.size()));
-  for (Index i = 0; i < count; ++i) {
-    levels.row(i) = response_per_impulse(
-        run, recording, hammer, hits[good[static_cast<std::size_t>(i)]], set);
-  }
-  for (Index k = 0; k < levels.cols(); ++k) {
-    const Eigen::VectorXd away =
-        (levels.col(k).array() - median(levels.col(k))).abs();
-    const double spread = 1.4826 * median(away);
-    const double limit = std::max(std::log(outlier_factor), 6.0 * spread);
-    for (Index i = 0; i < count; ++i) {
-      Hit& hit = hits[good[static_cast<std::size_t>(i)]];
-      if (away[i] > limit && hit.accepted) note(hit, HitFault::Outlier);
-    }
-  }
-}
-
-bool usable(const Hit& hit, double noise) {
-  return hit.peak_n > usable_snr * noise &&
-         std::all_of(
-             hit.reasons.begin(), hit.reasons.end(), [](HitFault fault) {
-               return fault == HitFault::Weak || fault == HitFault::Soft ||
-                      fault == HitFault::Outlier;
-             });
-}
-
-// A run that lost every hit keeps its best usable one.
-void rescue(const Run& run,
-            double noise,
-            std::vector<Hit>& hits,
-            std::vector<std::string>& statements) {
-  const bool any = std::any_of(
-      hits.begin(), hits.end(), [](const Hit& hit) { return hit.accepted; });
-  if (any) return;
-  Hit* best = nullptr;
-  for (Hit& hit : hits) {
-    if (!usable(hit, noise)) continue;
-    if (best == nullptr || hit.peak_n > best->peak_n) best = &hit;
-  }
-  const std::string file = run.file.filename().string();
-  if (best == nullptr) {
-    statements.push_back(
-        fmt::format("{}: every hit was judged out; the run is not used", file));
-    return;
-  }
-  best->accepted = true;
-  statements.push_back(fmt::format(
-      "{}: every hit was judged out; the hit at {:.3f} s ({}) is kept as the "
-      "best there is",
-      file,
-      best->time_s,
-      name(best->reasons.front())));
 }
 
 void state_choices(const std::vector<WorkingRun>& work,
@@ -412,6 +298,13 @@ HitSet find_hits(const TestBundle& bundle,
     set.runs.push_back(std::move(hits));
   }
   return set;
+}
+
+void note(Hit& hit, HitFault fault) {
+  hit.accepted = false;
+  const bool known =
+      std::count(hit.reasons.begin(), hit.reasons.end(), fault) > 0;
+  if (!known) hit.reasons.push_back(fault);
 }
 
 std::string name(HitFault fault) {

@@ -64,6 +64,9 @@ struct HitOptions {
                                const std::vector<Recording>& recordings,
                                const HitOptions& options);
 
+/// Judges a hit out for a reason, which is noted once.
+void note(Hit& hit, HitFault fault);
+
 /// Turns a hit's acceptance over by hand and notes HitFault::ByHand; a second
 /// time takes both back. A truncated hit stays out: its block is not all there.
 void overrule(Hit& hit);

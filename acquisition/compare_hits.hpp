@@ -1,0 +1,36 @@
+// What the hits of one run say about each other.
+#pragma once
+
+#include "acquisition/hammer_pulses.hpp"
+#include "acquisition/hits.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// Judges hits out as weak that have less than 15 % of the median peak of the
+/// accepted ones; needs three of those.
+void judge_weak(std::vector<Hit>& hits);
+
+/// Judges accepted hits out whose response per force impulse differs from the
+/// run's median by more than a factor of 1.6 and 6 robust standard deviations,
+/// on any sensor; needs three accepted hits. The first eighth of the block
+/// decides, since later what an earlier blow left counts for more.
+void judge_outliers(const Run& run,
+                    const Recording& recording,
+                    const HammerSignal& hammer,
+                    const HitSet& set,
+                    std::vector<Hit>& hits);
+
+/// In a run without any accepted hit, accepts the strongest that is merely
+/// weak (10 times the noise at least), soft or an outlier; says so, or that
+/// there is none.
+///
+/// @param noise of the hammer channel [N]
+void rescue(const Run& run,
+            double noise,
+            std::vector<Hit>& hits,
+            std::vector<std::string>& statements);
+
+}  // namespace tapfit::acquisition
