@@ -176,7 +176,9 @@ FrfSet estimate_frfs(const TestBundle& bundle,
     plan.s(i) = {
         sigma,
         2.0 * std::numbers::pi * step_hz * static_cast<double>(first + i)};
-  plan.blocks = {options.window.force_window, lowest_hz(plan.s, hits)};
+  plan.blocks = {options.window.force_window,
+                 lowest_hz(plan.s, hits),
+                 options.ringing_poles};
   plan.estimator = options.estimator;
   plan.transform = [sigma, first = first, last = last](const HitBlocks& b) {
     return fft_spectra(b, sigma, first, last);
@@ -188,6 +190,7 @@ FrfSet estimate_frfs_at(const TestBundle& bundle,
                         const std::vector<Recording>& recordings,
                         const HitSet& hits,
                         const Eigen::VectorXcd& s,
+                        const Eigen::VectorXcd& ringing_poles,
                         const Progress& progress) {
   check(bundle, recordings, hits);
   if (s.size() == 0 || !s.allFinite() || s.real().minCoeff() < 0.0)
@@ -196,7 +199,7 @@ FrfSet estimate_frfs_at(const TestBundle& bundle,
                      "give lines on or to the right of the imaginary axis");
   Plan plan;
   plan.s = s;
-  plan.blocks = {true, lowest_hz(s, hits)};
+  plan.blocks = {true, lowest_hz(s, hits), ringing_poles};
   plan.transform = [&s](const HitBlocks& b) { return spectra_at(b, s); };
   return estimate_all(bundle, recordings, hits, plan, progress);
 }

@@ -21,6 +21,9 @@ struct WindowOptions {
 struct FrfOptions {
   Estimator estimator = Estimator::H1;
   WindowOptions window;
+  /// Poles whose ringing from earlier hits is taken off the responses
+  /// (signal/ringing.hpp) [rad/s]; empty: nothing is taken off.
+  Eigen::VectorXcd ringing_poles;
 };
 
 /// FRFs on the FFT lines of the block that lie inside the band.
@@ -48,12 +51,14 @@ struct FrfOptions {
 /// left of the response: Re(s) T of 5 or more makes that less than 1 %.
 ///
 /// @param s complex angular frequencies [rad/s], Re(s) >= 0
+/// @param ringing_poles as in FrfOptions
 /// @throws InputError when no hit is accepted or a line lies at Re(s) < 0
 [[nodiscard]] FrfSet estimate_frfs_at(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,
     const Eigen::VectorXcd& s,
+    const Eigen::VectorXcd& ringing_poles,
     const Progress& progress = {});
 
 }  // namespace tapfit::signal

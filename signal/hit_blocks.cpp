@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "signal/offset.hpp"
+#include "signal/ringing.hpp"
 #include "signal/window.hpp"
 
 #include <fmt/format.h>
@@ -23,6 +24,7 @@ struct Place {
   Index trigger = 0;
   Index pulse_samples = 0;
   Stretch before;  // quiet
+  Stretch rings;   // where the earlier hit's ringing is fitted
   Stretch after;   // ringing, up to the next hit
 };
 
@@ -30,7 +32,8 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
                              Index n_samples,
                              double fs,
                              Index block,
-                             Index wanted) {
+                             Index wanted,
+                             const Eigen::VectorXcd& ringing_poles) {
   std::vector<Place> places;
   for (std::size_t k = 0; k < hits.size(); ++k) {
     if (!hits[k].accepted) continue;
@@ -44,6 +47,10 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
     // A short pre-trigger must not be lost to the margin altogether.
     const Index onset = place.trigger - std::min(margin, place.trigger / 2);
     place.before = quiet_stretch(earlier, onset, wanted);
+    if (k > 0) {
+      place.rings = ringing_stretch(
+          ringing_poles, fs, quiet_stretch(earlier, onset, n_samples));
+    }
     const Index start = std::min(place.trigger, n_samples);
     place.after = {start,
                    std::clamp(start + block, start, std::max(start, later))};
@@ -71,17 +78,26 @@ struct CutChannel {
   std::vector<Eigen::VectorXd> quiet;
 };
 
-CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& channel,
+CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
                        const std::vector<Place>& places,
                        Index block,
                        Index pre_trigger,
-                       Index wanted) {
+                       Index wanted,
+                       const Eigen::VectorXcd& ringing_poles,
+                       double fs) {
   CutChannel result;
   result.blocks.resize(block, static_cast<Index>(places.size()));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Place& p = places[k];
-    const double level = offset_at_hit(channel, p.before, p.after, wanted);
     const Index begin = p.trigger - pre_trigger;
+    Eigen::VectorXd channel = recorded;
+    if (p.rings.length() > 0) {
+      const Index from = std::max<Index>(0, std::min(p.before.begin, begin));
+      const Index to = std::min(begin + block, recorded.size());
+      channel.segment(from, to - from) -=
+          ringing(recorded, p.rings, ringing_poles, fs, from, to - from);
+    }
+    const double level = offset_at_hit(channel, p.before, p.after, wanted);
     Eigen::VectorXd x = cut(channel, begin, block);
     for (Index i = 0; i < block; ++i)
       if (begin + i >= 0 && begin + i < channel.size()) x(i) -= level;
@@ -144,21 +160,28 @@ HitBlocks cut_hits(const acquisition::Run& run,
   // Hann weights over four periods leave nothing of the band in the mean.
   const Index wanted = std::max<Index>(
       64, static_cast<Index>(std::ceil(4.0 * fs / options.lowest_hz)));
-  const std::vector<Place> places =
-      places_of(run_hits, recording.samples.rows(), fs, hits.block, wanted);
+  const std::vector<Place> places = places_of(run_hits,
+                                              recording.samples.rows(),
+                                              fs,
+                                              hits.block,
+                                              wanted,
+                                              options.ringing_poles);
   HitBlocks result;
   result.dt = 1.0 / fs;
   result.trigger = hits.pre_trigger;
   if (places.empty()) return result;
-  const auto channel_at = [&](const acquisition::Placement& at) {
+  const auto channel_at = [&](const acquisition::Placement& at,
+                              const Eigen::VectorXcd& poles) {
     return cut_channel(recording.samples.col(static_cast<Index>(at.channel)),
                        places,
                        hits.block,
                        hits.pre_trigger,
-                       wanted);
+                       wanted,
+                       poles,
+                       fs);
   };
 
-  CutChannel force = channel_at(run.hammer);
+  CutChannel force = channel_at(run.hammer, {});
   const Windows windows =
       windows_of(force, places, hits.pre_trigger, options.force_window);
   result.force_noise = noise_spectrum(force.quiet, result.dt);
@@ -168,7 +191,7 @@ HitBlocks cut_hits(const acquisition::Run& run,
   result.force_power = windows.force.cwiseAbs2().rowwise().mean();
   result.response_power = windows.response.cwiseAbs2().rowwise().mean();
   for (const acquisition::Placement& sensor : run.sensors) {
-    const CutChannel response = channel_at(sensor);
+    const CutChannel response = channel_at(sensor, options.ringing_poles);
     result.noise.push_back(noise_spectrum(response.quiet, result.dt));
     result.responses.emplace_back(
         response.blocks.cwiseProduct(windows.response));

@@ -27,6 +27,8 @@ struct HitBlocks {
 struct BlockOptions {
   bool force_window = true;
   double lowest_hz = 0.0;  ///< lowest frequency of interest, above 0
+  /// Poles whose ringing from earlier hits is taken off [rad/s]; none: nothing.
+  Eigen::VectorXcd ringing_poles;
 };
 
 /// Cuts and prepares the accepted hits of one run.

@@ -66,6 +66,26 @@ void check_grids(const acquisition::TestBundle& bundle,
   }
 }
 
+bool several_hits(const acquisition::HitSet& hits) {
+  return std::any_of(hits.runs.begin(), hits.runs.end(), [](const auto& run) {
+    return run.size() > 1;
+  });
+}
+
+// Poles of which more than a thousandth is left when the block ends.
+Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
+                            const acquisition::HitSet& hits) {
+  const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;
+  std::vector<std::complex<double>> poles;
+  for (const modal::Mode& mode : modes.modes) {
+    if (std::exp(mode.pole.real() * block_s) > 1e-3) {
+      poles.push_back(mode.pole);
+    }
+  }
+  return Eigen::Map<Eigen::VectorXcd>(poles.data(),
+                                      static_cast<Index>(poles.size()));
+}
+
 }  // namespace
 
 EffectRef parse_effect(const std::string& text) {
@@ -100,6 +120,7 @@ struct Session::Impl {
   std::optional<std::vector<acquisition::Recording>> recordings;
   std::optional<acquisition::HitSet> hits;
   std::optional<signal::FrfSet> frfs;
+  Eigen::VectorXcd ringing_poles;  // modes that outlast the block
   std::optional<modal::ModeSet> modes;
 
   std::optional<BaseBuilder> builder;
@@ -189,8 +210,20 @@ const signal::FrfSet& Session::frfs(const Progress& progress) {
   if (!impl_->frfs) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
+    signal::FrfOptions options;
     impl_->frfs =
-        signal::estimate_frfs(impl_->bundle, all, found, {}, progress);
+        signal::estimate_frfs(impl_->bundle, all, found, options, progress);
+    // A mode that still rings when the next hit comes is known only once the
+    // modes are: FRFs, modes, and FRFs again without the ringing.
+    if (impl_->bundle.band_hz && several_hits(found)) {
+      impl_->ringing_poles =
+          slow_poles(modal::identify_modes(*impl_->frfs, {}, progress), found);
+    }
+    if (impl_->ringing_poles.size() > 0) {
+      options.ringing_poles = impl_->ringing_poles;
+      impl_->frfs =
+          signal::estimate_frfs(impl_->bundle, all, found, options, progress);
+    }
   }
   return *impl_->frfs;
 }
@@ -248,8 +281,8 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
     options.delta = delta;
     const Eigen::VectorXcd s = damped_line(lines, block_s, options);
     progress("comparison: damped lines", 0.0);
-    fit.measured =
-        signal::estimate_frfs_at(bundle, *recordings, found, s, progress);
+    fit.measured = signal::estimate_frfs_at(
+        bundle, *recordings, found, s, ringing_poles, progress);
     fit.targets.push_back(make_target(fit.measured));
     contour = describe_line(lines, s, options);
   }
@@ -349,6 +382,7 @@ void Session::Impl::drop_current() {
 
 void Session::Impl::drop_from_frfs() {
   frfs.reset();
+  ringing_poles.resize(0);
   modes.reset();
   fitter.reset();
   fits.clear();

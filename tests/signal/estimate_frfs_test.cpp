@@ -169,7 +169,8 @@ TEST(EstimateFrfsAt, EqualsTheTransferFunctionOnADampedLine) {
   const FrfSet set = estimate_frfs_at(test.bundle,
                                       test.recordings,
                                       test.hits,
-                                      damped_line(5.0, 2.0, 95.0, 140));
+                                      damped_line(5.0, 2.0, 95.0, 140),
+                                      {});
   EXPECT_LT(worst_error(set, two_modes, 2.0, 95.0), 5e-4);
 }
 
@@ -182,7 +183,8 @@ TEST(EstimateFrfsAt, LightDampingAndShortBlocksAreExactToo) {
   const FrfSet set = estimate_frfs_at(test.bundle,
                                       test.recordings,
                                       test.hits,
-                                      damped_line(5.0, 2.0, 95.0, 140));
+                                      damped_line(5.0, 2.0, 95.0, 140),
+                                      {});
   EXPECT_LT(worst_error(set, mode, 10.0, 60.0), 1e-3);
 }
 
@@ -194,7 +196,7 @@ TEST(EstimateFrfsAt, AgreesWithTheFftLines) {
   test.bundle.band_hz = {4.0, 95.0};
   const FrfSet fft = estimate_frfs(test.bundle, test.recordings, test.hits, {});
   const FrfSet at =
-      estimate_frfs_at(test.bundle, test.recordings, test.hits, fft.s);
+      estimate_frfs_at(test.bundle, test.recordings, test.hits, fft.s, {});
   // The same lines, the same offset: rounding only.
   EXPECT_LT((fft.frfs[0].H - at.frfs[0].H).norm(), 1e-9 * fft.frfs[0].H.norm());
   EXPECT_LT((fft.frfs[0].variance - at.frfs[0].variance).norm(),
@@ -207,11 +209,11 @@ TEST(EstimateFrfsAt, TakesLinesWithDifferentDecay) {
   s << std::complex<double>(1.5, 125.0), std::complex<double>(10.0, 300.0),
       std::complex<double>(40.0, 380.0);
   const FrfSet set =
-      estimate_frfs_at(test.bundle, test.recordings, test.hits, s);
+      estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {});
   EXPECT_LT(worst_error(set, two_modes, 0.0, 1e3), 1e-3);
   s(0) = {-1.0, 10.0};
   EXPECT_THROW(
-      (void)estimate_frfs_at(test.bundle, test.recordings, test.hits, s),
+      (void)estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {}),
       InputError);
 }
 

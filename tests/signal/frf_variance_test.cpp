@@ -40,13 +40,13 @@ Coverage coverage(const GeneratedOptions& options,
       s.real().setConstant(5.0);
       s.imag().setLinSpaced(
           140, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 100.0);
-      set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s);
+      set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {});
     } else {
       set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
     }
     // Against the noise-free estimate, so that truncation is not counted.
     const FrfSet truth =
-        estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s);
+        estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s, {});
     for (Eigen::Index i = 0; i < set.lines(); ++i) {
       const std::complex<double> error = set.frfs[0].H(i) - truth.frfs[0].H(i);
       inside += std::norm(error) <= std::log(20.0) * set.frfs[0].variance(i);
