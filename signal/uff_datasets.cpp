@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -63,6 +64,8 @@ void read_binary(Lines& lines, std::string_view header, UffDataset& dataset) {
         dataset.place,
         "the file is cut off; export it anew");
   const std::size_t bytes = static_cast<std::size_t>(size);
+  // The last header line may have ended with the file, without a line end.
+  lines.at = std::min(lines.at, lines.text.size());
   dataset.bytes = lines.text.substr(lines.at, bytes);
   lines.at += bytes;
 }

@@ -289,6 +289,8 @@ TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
                  "        12    0    0    0 A",
                  "    58b     1     2          11        4000"),
          "cut off");
+  // Found by mutation: the header ends with the file, no byte announced.
+  refuse("    -1\n    58b     1     2           1           0\nFRF", "no FRF");
   EXPECT_THROW((void)read_frfs_uff("/nowhere/at-all.uff"), InputError);
 }
 
