@@ -3,6 +3,8 @@
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/update_command.hpp"
 
+#include <gtest/gtest.h>
+
 #include <fstream>
 
 namespace tapfit::tui {

@@ -1,5 +1,6 @@
 #include "tui/commands/compare_command.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {

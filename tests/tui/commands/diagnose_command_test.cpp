@@ -4,6 +4,7 @@
 #include "tui/commands/ladder_text.hpp"
 #include "tui/commands/update_command.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <limits>

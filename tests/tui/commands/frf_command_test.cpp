@@ -1,5 +1,6 @@
 #include "tui/commands/frf_command.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <numbers>

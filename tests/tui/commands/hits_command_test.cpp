@@ -2,6 +2,7 @@
 // the format of results promise.
 #include "tui/commands/hits_command.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {

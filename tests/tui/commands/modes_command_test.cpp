@@ -1,5 +1,6 @@
 #include "tui/commands/modes_command.hpp"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {

@@ -1,5 +1,7 @@
 #include "tui/commands/text_table.hpp"
 
+#include <gtest/gtest.h>
+
 namespace tapfit::tui {
 namespace {
 
