@@ -285,10 +285,10 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
                                         const fs::path& folder,
                                         const Progress& progress) {
   const VirtualSetup setup = set_up(spec);
+  make_folder(spec, folder);
   const double factor = modulus_factor(spec);
   const VirtualStructure structure = build_virtual_structure(
       setup.model, spec.effects, factor, setup.component);
-  make_folder(spec, folder);
   Records records = make_records(spec, setup, structure, progress);
   const std::vector<acquisition::Channel> channels =
       make_channels(spec, setup, records);

@@ -16,7 +16,7 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 /// Of what stands for all higher modes: their answer in the band is static.
-constexpr double residual_damping = 0.3;
+constexpr double residual_damping = 0.05;
 
 bool on_sensor(const VirtualEffect& effect, const std::string& channel) {
   return effect.places.empty() ||
