@@ -37,20 +37,26 @@ std::vector<int> acted_points(const effects::Setting& setting,
   return {points.begin(), points.end()};
 }
 
+std::vector<int> measured_points(const structure::Deck& deck,
+                                 const acquisition::TestBundle& bundle) {
+  std::set<int> points;
+  const auto insert = [&](const acquisition::Placement& p) {
+    points.insert(6 * static_cast<int>(deck.grid_index(p.dof.node)) +
+                  p.dof.component - 1);
+  };
+  for (const acquisition::Run& run : bundle.runs) {
+    insert(run.hammer);
+    for (const acquisition::Placement& p : run.sensors) insert(p);
+  }
+  return {points.begin(), points.end()};
+}
+
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
 std::shared_ptr<const FrfModel> Fitter::model_for(
     const std::vector<PlacedEffect>& effects) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);
-  std::set<int> points(acted.begin(), acted.end());
-  for (const signal::Frf& frf : setting_.measured.frfs) {
-    for (const Dof& dof : {frf.response, frf.reference}) {
-      points.insert(
-          6 * static_cast<int>(setting_.setting.deck->grid_index(dof.node)) +
-          dof.component - 1);
-    }
-  }
   std::vector<Where> released;
   for (const PlacedEffect& e : effects) {
     if (e.effect->entry() == effects::Entry::Support) {
@@ -58,9 +64,7 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
     }
   }
   auto model = std::make_shared<FrfModel>(
-      builder_->build({points.begin(), points.end()}, released),
-      setting_.setting,
-      setting_.measured);
+      builder_->build(acted, released), setting_.setting, setting_.measured);
   model->set_reference(first_state(*model, effects));
   return model;
 }

@@ -37,6 +37,10 @@ struct Fit {
 [[nodiscard]] std::vector<int> acted_points(
     const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
 
+/// @return degrees of freedom that are hit or measured, ascending
+[[nodiscard]] std::vector<int> measured_points(
+    const structure::Deck& deck, const acquisition::TestBundle& bundle);
+
 class Fitter {
  public:
   Fitter(const BaseBuilder& builder, FitSetting setting);

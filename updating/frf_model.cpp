@@ -8,6 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -72,20 +73,31 @@ FrfModel::FrfModel(ReducedBase base,
                    const effects::Setting& setting,
                    const signal::FrfSet& measured)
     : base_(std::move(base)), setting_(setting) {
-  std::map<std::size_t, std::vector<std::size_t>> runs;
+  std::map<Dof, Index> column;
+  std::set<std::size_t> runs;
+  std::vector<VectorXd> points;
+  const auto column_of = [&](const Dof& dof) {
+    const auto [it, fresh] =
+        column.try_emplace(dof, static_cast<Index>(points.size()));
+    if (fresh) {
+      points.push_back(dof.sign * row(dof.node, dof.component).transpose());
+    }
+    return it->second;
+  };
   for (const signal::Frf& frf : measured.frfs) {
     Pair pair;
     pair.run = frf.run;
     pair.channel = setting.bundle->channels.at(frf.channel).name;
-    pair.response = frf.response.sign *
-                    row(frf.response.node, frf.response.component).transpose();
-    pair.reference =
-        frf.reference.sign *
-        row(frf.reference.node, frf.reference.component).transpose();
-    runs[frf.run].push_back(pairs_.size());
+    pair.response = column_of(frf.response);
+    pair.reference = column_of(frf.reference);
+    runs.insert(frf.run);
     pairs_.push_back(std::move(pair));
   }
-  for (auto& [run, members] : runs) by_run_.push_back(std::move(members));
+  runs_.assign(runs.begin(), runs.end());
+  points_.resize(base_.size(), static_cast<Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points_.col(static_cast<Index>(k)) = points[k];
+  }
 }
 
 Eigen::RowVectorXd FrfModel::row(int node, int component) const {
@@ -225,6 +237,51 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
   return lines;
 }
 
+// Runs on which the effects act alike (fixed sensors) are walked together,
+// each point once.
+std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
+  std::vector<RunLines> result;
+  std::vector<std::vector<std::size_t>> members;
+  for (const std::size_t run : runs_) {
+    RunLines lines = run_lines(shared, run);
+    std::size_t k = 0;
+    while (k < result.size() &&
+           !(result[k].B.cols() == lines.B.cols() && result[k].B == lines.B)) {
+      ++k;
+    }
+    if (k == result.size()) {
+      result.push_back(std::move(lines));
+      members.emplace_back();
+    }
+    members[k].push_back(run);
+  }
+  const MatrixXd points = shared.modes.phi.transpose() * points_;
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    std::map<Index, Index> response;
+    std::map<Index, Index> reference;
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const Pair& pair = pairs_[p];
+      if (std::find(members[k].begin(), members[k].end(), pair.run) ==
+          members[k].end()) {
+        continue;
+      }
+      const Index o =
+          response.try_emplace(pair.response, response.size()).first->second;
+      const Index i =
+          reference.try_emplace(pair.reference, reference.size()).first->second;
+      result[k].pairs.push_back({static_cast<Index>(p), o, i});
+    }
+    const auto gather = [&points](const std::map<Index, Index>& columns) {
+      MatrixXd at(points.rows(), static_cast<Index>(columns.size()));
+      for (const auto& [from, to] : columns) at.col(to) = points.col(from);
+      return at;
+    };
+    result[k].responses = gather(response);
+    result[k].references = gather(reference);
+  }
+  return result;
+}
+
 std::vector<FrfModel::Columns> FrfModel::columns(
     const ModelState& state,
     const VectorXcd& s,
@@ -238,7 +295,7 @@ std::vector<FrfModel::Columns> FrfModel::columns(
   const MatrixXd squares = of.cwiseAbs2().transpose();
   std::vector<Columns> result;
   for (Index line = 0; line < s.size(); ++line) {
-    const VectorXcd g = lines.flexibility(s(line));
+    const VectorXcd g = flexibility(shared, s(line));
     Columns c;
     c.own = squares * g;
     MatrixXcd coupled;
@@ -294,21 +351,10 @@ ModelResponse FrfModel::respond(const ModelState& state,
     out.dH.assign(static_cast<std::size_t>(state.parameters()),
                   MatrixXcd::Zero(s.size(), n));
   }
-  const MatrixXd turn = shared.modes.phi.transpose();
-  for (const std::vector<std::size_t>& members : by_run_) {
-    RunLines lines = run_lines(shared, pairs_[members.front()].run);
-    lines.pairs = members;
-    const auto count = static_cast<Index>(members.size());
-    lines.responses.resize(turn.rows(), count);
-    lines.references.resize(turn.rows(), count);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const auto c = static_cast<Index>(k);
-      lines.responses.col(c) = turn * pairs_[members[k]].response;
-      lines.references.col(c) = turn * pairs_[members[k]].reference;
-    }
-    for (Index line = 0; line < s.size(); ++line) {
-      lines.respond(s(line), line, out);
-    }
+  const std::vector<RunLines> all = walks(shared);
+  for (Index line = 0; line < s.size(); ++line) {
+    const VectorXcd g = flexibility(shared, s(line));
+    for (const RunLines& lines : all) lines.respond(s(line), g, line, out);
   }
   measure(shared, s, out);
   return out;

@@ -98,11 +98,11 @@ class FrfModel {
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
 
   /// Signed rows of V of a measured pair, as columns.
-  [[nodiscard]] const Eigen::VectorXd& response_row(Eigen::Index pair) const {
-    return pairs_[static_cast<std::size_t>(pair)].response;
+  [[nodiscard]] Eigen::VectorXd response_row(Eigen::Index pair) const {
+    return points_.col(pairs_[static_cast<std::size_t>(pair)].response);
   }
-  [[nodiscard]] const Eigen::VectorXd& reference_row(Eigen::Index pair) const {
-    return pairs_[static_cast<std::size_t>(pair)].reference;
+  [[nodiscard]] Eigen::VectorXd reference_row(Eigen::Index pair) const {
+    return points_.col(pairs_[static_cast<std::size_t>(pair)].reference);
   }
 
   /// Keeps the order of the damping ratios when modes change places: modes at
@@ -113,13 +113,14 @@ class FrfModel {
   struct Pair {
     std::size_t run = 0;
     std::string channel;
-    Eigen::VectorXd response;   // r, signed
-    Eigen::VectorXd reference;  // r, signed
+    Eigen::Index response = 0;  // column of points_
+    Eigen::Index reference = 0;
   };
   [[nodiscard]] ModalState modal_state(const ModelState& state,
                                        bool derivatives) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
+  [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
   void measure(const ModalState& shared,
                const Eigen::VectorXcd& s,
                ModelResponse& out) const;
@@ -130,7 +131,8 @@ class FrfModel {
   ReducedBase base_;
   effects::Setting setting_;
   std::vector<Pair> pairs_;
-  std::vector<std::vector<std::size_t>> by_run_;
+  Eigen::MatrixXd points_;  // r x points: signed rows of V, each once
+  std::vector<std::size_t> runs_;
   Eigen::MatrixXd reference_phi_;
 };
 

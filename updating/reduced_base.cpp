@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -36,7 +37,7 @@ MatrixXd expand(const MatrixXd& part, const std::vector<int>& at, Index n) {
 }
 
 // Basis of the columns' span, orthonormal in M.
-MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V) {
+MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
   for (Index k = 0; k < V.cols(); ++k) {
     const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
     V.col(k) /= norm > 0.0 ? norm : 1.0;
@@ -47,7 +48,7 @@ MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V) {
     const MatrixXd gram = V.transpose() * (M * V);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
     const VectorXd& d = solver.eigenvalues();
-    const double limit = 1e-9 * d.maxCoeff();
+    const double limit = least * d.maxCoeff();
     Index first = 0;
     while (d(first) < limit) ++first;
     const Index kept = d.size() - first;
@@ -58,12 +59,24 @@ MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V) {
   return V;
 }
 
-// The same span in the coordinates that make K diagonal too, so that nominal
-// modes and a modulus common to all elements cost nothing later.
-MatrixXd diagonalise(const SparseMatrix& K, const MatrixXd& V) {
-  const MatrixXd projected = V.transpose() * (K * V);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(projected);
-  return V * solver.eigenvectors();
+MatrixXd join(const std::vector<MatrixXd>& blocks) {
+  Index columns = 0;
+  for (const MatrixXd& block : blocks) columns += block.cols();
+  MatrixXd V(blocks.front().rows(), columns);
+  Index at = 0;
+  for (const MatrixXd& block : blocks) {
+    V.middleCols(at, block.cols()) = block;
+    at += block.cols();
+  }
+  return V;
+}
+
+// Other coordinates of the same span: V Q.
+void turn(ReducedBase& base, const MatrixXd& Q) {
+  base.rows = (base.rows * Q).eval();
+  base.K = (Q.transpose() * base.K * Q).eval();
+  for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
+  for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
 }
 
 }  // namespace
@@ -81,7 +94,11 @@ struct BaseBuilder::Impl {
   VectorXd modes_hz;
   std::unique_ptr<structure::Factor> factor;
   std::vector<UncertainPart> parts;
+  MatrixXd V0;        // modes and static responses at options.points
+  ReducedBase fixed;  // seen through V0, K diagonal
 
+  [[nodiscard]] ReducedBase project(const MatrixXd& V) const;
+  [[nodiscard]] ReducedBase extend(const MatrixXd& extra) const;
   [[nodiscard]] MatrixXd static_responses(const structure::Factor& solver,
                                           const std::vector<int>& active,
                                           const std::vector<int>& points) const;
@@ -102,6 +119,7 @@ BaseBuilder::BaseBuilder(
     : impl_(std::make_unique<Impl>()) {
   Impl& m = *impl_;
   m.options = options;
+  std::sort(m.options.points.begin(), m.options.points.end());
   m.original_grids = static_cast<Index>(deck.grids.size());
   m.deck = deck;
   for (int k = 0; k < options.refinements; ++k) {
@@ -128,6 +146,15 @@ BaseBuilder::BaseBuilder(
   const SparseMatrix A = K + m.shift * M;
   m.factor = std::make_unique<structure::Factor>(A);
   m.parts = uncertain_parts(m.deck, uncertain);
+  m.V0 = orthonormalise(
+      m.system.M,
+      join({m.modes, m.static_responses(*m.factor, m.free, m.options.points)}),
+      1e-9);
+  const MatrixXd projected = m.V0.transpose() * (m.system.K * m.V0);
+  m.V0 =
+      (m.V0 * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
+          .eval();
+  m.fixed = m.project(m.V0);
 }
 
 BaseBuilder::~BaseBuilder() = default;
@@ -249,47 +276,85 @@ MatrixXd BaseBuilder::Impl::softened(const std::vector<int>& active,
   return both;
 }
 
+// All matrices seen through a basis that is orthonormal in M.
+ReducedBase BaseBuilder::Impl::project(const MatrixXd& V) const {
+  ReducedBase base;
+  base.rows = V.topRows(6 * original_grids);
+  base.K = V.transpose() * (system.K * V);
+  for (const UncertainPart& part : parts) {
+    base.K_part.emplace_back(V.transpose() * (part.K * V));
+    base.M_part.emplace_back(V.transpose() * (part.M * V));
+  }
+  return base;
+}
+
+// The fixed basis and a few vectors more. Only products with the new vectors
+// are taken in the large space; what is known of the fixed ones is kept.
+ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
+  MatrixXd R = extra;
+  for (int pass = 0; pass < 2; ++pass) {
+    R -= V0 * (V0.transpose() * (system.M * R));
+  }
+  R = orthonormalise(system.M, R, 1e-12);
+  const Index a = V0.cols();
+  const Index b = R.cols();
+  const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
+    const MatrixXd AR = A * R;
+    MatrixXd whole(a + b, a + b);
+    whole.topLeftCorner(a, a) = known;
+    whole.topRightCorner(a, b) = V0.transpose() * AR;
+    whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
+    whole.bottomRightCorner(b, b) = R.transpose() * AR;
+    return whole;
+  };
+  ReducedBase base;
+  base.rows.resize(6 * original_grids, a + b);
+  base.rows << fixed.rows, R.topRows(6 * original_grids);
+  base.K = grow(fixed.K, system.K);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
+    base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
+  }
+  turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  return base;
+}
+
 ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                const std::vector<Where>& released) const {
   const Impl& m = *impl_;
-  std::vector<MatrixXd> blocks = {
-      m.modes, m.static_responses(*m.factor, m.free, points)};
-  ReducedBase base;
+  std::vector<int> fresh;
+  std::set_difference(points.begin(),
+                      points.end(),
+                      m.options.points.begin(),
+                      m.options.points.end(),
+                      std::back_inserter(fresh));
+  if (released.empty()) {
+    if (fresh.empty()) return m.fixed;
+    return m.extend(m.static_responses(*m.factor, m.free, fresh));
+  }
+  std::vector<int> all = m.options.points;
+  all.insert(all.end(), fresh.begin(), fresh.end());
   std::vector<SparseMatrix> springs;
+  std::vector<SupportTerm> supports;
   for (const Where& where : released) {
     SupportTerm term;
     term.where = where;
     springs.push_back(m.support_matrix(where));
     m.scale_support(term, springs.back());
-    base.supports.push_back(term);
+    supports.push_back(term);
   }
-  if (!released.empty()) {
-    const std::vector<int> active = m.released_free(released);
-    for (const bool soft : {false, true}) {
-      SparseMatrix spring(m.system.dofs(), m.system.dofs());
-      for (std::size_t k = 0; k < springs.size(); ++k) {
-        const SupportTerm& term = base.supports[k];
-        spring += (soft ? term.soft : term.start) * springs[k];
-      }
-      blocks.push_back(m.softened(active, spring, points));
+  std::vector<MatrixXd> blocks = {m.V0};
+  const std::vector<int> active = m.released_free(released);
+  for (const bool soft : {false, true}) {
+    SparseMatrix spring(m.system.dofs(), m.system.dofs());
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      spring += (soft ? supports[k].soft : supports[k].start) * springs[k];
     }
+    blocks.push_back(m.softened(active, spring, all));
   }
-  Index columns = 0;
-  for (const MatrixXd& block : blocks) columns += block.cols();
-  MatrixXd V(m.system.dofs(), columns);
-  Index at = 0;
-  for (const MatrixXd& block : blocks) {
-    V.middleCols(at, block.cols()) = block;
-    at += block.cols();
-  }
-  V = orthonormalise(m.system.M, V);
-  if (released.empty()) V = diagonalise(m.system.K, V);
-  base.rows = V.topRows(6 * m.original_grids);
-  base.K = V.transpose() * (m.system.K * V);
-  for (const UncertainPart& part : m.parts) {
-    base.K_part.emplace_back(V.transpose() * (part.K * V));
-    base.M_part.emplace_back(V.transpose() * (part.M * V));
-  }
+  const MatrixXd V = orthonormalise(m.system.M, join(blocks), 1e-9);
+  ReducedBase base = m.project(V);
+  base.supports = supports;
   for (std::size_t k = 0; k < springs.size(); ++k) {
     base.supports[k].S = V.transpose() * (springs[k] * V);
   }

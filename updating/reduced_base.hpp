@@ -44,8 +44,10 @@ struct ReducedBase {
 
 struct BaseOptions {
   double high_hz = 100.0;  ///< top of the band
-  double reach = 4.0;      ///< modes up to reach * high_hz
+  double reach = 3.0;      ///< modes up to reach * high_hz
   int refinements = 1;     ///< times the mesh is split
+  /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
+  std::vector<int> points = {};
 };
 
 /// Holds the factored matrices, so that bases for other points cost only
@@ -62,7 +64,7 @@ class BaseBuilder {
   BaseBuilder(BaseBuilder&&) noexcept;
   BaseBuilder& operator=(BaseBuilder&&) noexcept;
 
-  /// @param points degrees of freedom 6 * grid_index + component - 1
+  /// @param points further degrees of freedom that are acted on, ascending
   /// @param released soft-support places whose compliance the base must hold
   [[nodiscard]] ReducedBase build(const std::vector<int>& points,
                                   const std::vector<Where>& released) const;

@@ -49,11 +49,11 @@ MatrixXcd ModalTerm::times(complex<double> s,
   return result;
 }
 
-VectorXcd RunLines::flexibility(complex<double> s) const {
-  const VectorXd& w = shared->modes.omega;
+VectorXcd flexibility(const ModalState& shared, complex<double> s) {
+  const VectorXd& w = shared.modes.omega;
   VectorXcd g(w.size());
   for (Index m = 0; m < w.size(); ++m) {
-    g(m) = 1.0 / (s * s + 2.0 * shared->zeta(m) * w(m) * s + w(m) * w(m));
+    g(m) = 1.0 / (s * s + 2.0 * shared.zeta(m) * w(m) * s + w(m) * w(m));
   }
   return g;
 }
@@ -83,16 +83,14 @@ MatrixXcd RunLines::columns(const VectorXcd& g,
 }
 
 void RunLines::respond(complex<double> s,
+                       const VectorXcd& g,
                        Index line,
                        ModelResponse& out) const {
-  const VectorXcd g = flexibility(s);
   const MatrixXcd coupled = B.cols() > 0 ? coupling(s, g) : MatrixXcd();
   const MatrixXcd Xi = columns(g, coupled, references);
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const auto c = static_cast<Index>(k);
-    const VectorXcd at = responses.col(c).cast<complex<double>>();
-    out.H(line, static_cast<Index>(pairs[k])) =
-        s * s * at.cwiseProduct(Xi.col(c)).sum();
+  const MatrixXcd H = s * s * (responses.transpose() * Xi);
+  for (const WalkedPair& p : pairs) {
+    out.H(line, p.frf) = H(p.response, p.reference);
   }
   if (out.dH.empty()) return;
   const MatrixXcd Xo = columns(g, coupled, responses);
@@ -109,11 +107,10 @@ void RunLines::derive_terms(complex<double> s,
   for (const ScaledTerm& scaled : shared->terms) {
     const MatrixXcd ZX =
         scaled.term.times(s, shared->modes.omega, shared->zeta, Xi);
+    const MatrixXcd change = -scaled.scale * s * s * (Xo.transpose() * ZX);
     MatrixXcd& d = out.dH[scaled.column];
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto c = static_cast<Index>(k);
-      d(line, static_cast<Index>(pairs[k])) =
-          -scaled.scale * s * s * Xo.col(c).cwiseProduct(ZX.col(c)).sum();
+    for (const WalkedPair& p : pairs) {
+      d(line, p.frf) = change(p.response, p.reference);
     }
   }
 }
@@ -129,9 +126,8 @@ void RunLines::derive_damping(complex<double> s,
     if (q < 0) continue;
     const complex<double> dz = 2.0 * shared->zeta(m) * w(m) * s;
     MatrixXcd& d = out.dH[shared->first_zeta + static_cast<std::size_t>(q)];
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const auto c = static_cast<Index>(k);
-      d(line, static_cast<Index>(pairs[k])) = -s * s * dz * Xo(m, c) * Xi(m, c);
+    for (const WalkedPair& p : pairs) {
+      d(line, p.frf) = -s * s * dz * Xo(m, p.response) * Xi(m, p.reference);
     }
   }
 }
@@ -151,10 +147,8 @@ void RunLines::derive_effects(complex<double> s,
           placed.effect->law_derivative(s, placed.p, actors[a].group, p);
       MatrixXcd& d = out.dH[shared->first[actors[a].effect] + p];
       const auto r = static_cast<Index>(a);
-      for (std::size_t k = 0; k < pairs.size(); ++k) {
-        const auto c = static_cast<Index>(k);
-        d(line, static_cast<Index>(pairs[k])) -=
-            s * s * dz * BXo(r, c) * BXi(r, c);
+      for (const WalkedPair& q : pairs) {
+        d(line, q.frf) -= s * s * dz * BXo(r, q.response) * BXi(r, q.reference);
       }
     }
   }

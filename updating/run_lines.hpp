@@ -54,16 +54,25 @@ struct ModalState {
   std::size_t first_zeta = 0;
 };
 
+/// Diagonal of H, the base's receptance in its modes.
+[[nodiscard]] Eigen::VectorXcd flexibility(const ModalState& shared,
+                                           std::complex<double> s);
+
+/// A pair of the FRF set and its columns among the points walked.
+struct WalkedPair {
+  Eigen::Index frf = 0;
+  Eigen::Index response = 0;
+  Eigen::Index reference = 0;
+};
+
 struct RunLines {
   const ModalState* shared = nullptr;
   std::vector<Actor> actors;
   Eigen::MatrixXd B;  ///< modes x actors
-  std::vector<std::size_t> pairs;
-  Eigen::MatrixXd responses;   ///< modes x pairs
-  Eigen::MatrixXd references;  ///< modes x pairs
+  std::vector<WalkedPair> pairs;
+  Eigen::MatrixXd responses;   ///< modes x response points
+  Eigen::MatrixXd references;  ///< modes x reference points
 
-  /// Diagonal of H, the base's receptance in its modes.
-  [[nodiscard]] Eigen::VectorXcd flexibility(std::complex<double> s) const;
   /// D (I + B' H B D)^-1 of eq. 15.
   [[nodiscard]] Eigen::MatrixXcd coupling(std::complex<double> s,
                                           const Eigen::VectorXcd& g) const;
@@ -73,6 +82,7 @@ struct RunLines {
                                          const Eigen::MatrixXd& points) const;
   /// Fills one line of the response, with derivatives where out.dH is made.
   void respond(std::complex<double> s,
+               const Eigen::VectorXcd& g,
                Eigen::Index line,
                ModelResponse& out) const;
 

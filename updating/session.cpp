@@ -264,6 +264,7 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   if (!builder) {
     BaseOptions options;
     options.high_hz = lines[1];
+    options.points = measured_points(the_deck, bundle);
     options.refinements =
         4 * the_deck.grids.size() <= refined_grid_limit ? 1 : 0;
     builder.emplace(the_deck, bundle.uncertain, options, progress);

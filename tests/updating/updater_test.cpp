@@ -30,6 +30,7 @@ class PlateExperiment {
     BaseOptions options;
     options.high_hz = 400.0;
     options.refinements = 0;
+    options.points = measured_points(deck_, bundle_);
     builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
     FitSetting fit;
     fit.setting = setting_;
@@ -38,8 +39,7 @@ class PlateExperiment {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     for (const double delta : {0.06, 0.03}) {
-      const Eigen::VectorXcd s =
-          damped_line({10.0, 400.0}, 3.0, {delta, 120});
+      const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 3.0, {delta, 120});
       signal::FrfSet set = support::plate_pairs(bundle_, s);
       fit.measured = set;
       fit.targets = {make_target(set)};
@@ -114,8 +114,7 @@ TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
   const int trials = 40;
   for (unsigned seed = 0; seed < trials; ++seed) {
     const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, seed);
-    const std::vector<PlacedEffect> start = {
-        at_node("added-mass", 30, 0.015)};
+    const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.015)};
     const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
     const auto last = fit.result.covariance.rows() - 1;
     const double sd = std::sqrt(fit.result.covariance(last, last));
@@ -163,8 +162,7 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   const Fit base = test.fitter().fit({}, test.fitter().model_for({}));
   Fit at_truth = base;
   at_truth.result.state.factor = {1.02};
-  const Signature s =
-      signature_at(at_truth, test.fitter().target(), 30);
+  const Signature s = signature_at(at_truth, test.fitter().target(), 30);
   EXPECT_GT(s.explained, 0.95);
   EXPECT_LT(s.mass_unexplained, 0.5 * s.spring_unexplained);
   // Local flexibility beyond the base's modes is a few percent of a mass.
