@@ -4,6 +4,7 @@
 #include "modal/frf_matrix.hpp"
 #include "modal/modal_fit.hpp"
 #include "modal/plscf.hpp"
+#include "modal/run_modes.hpp"
 #include "modal/select_modes.hpp"
 #include "modal/shapes.hpp"
 #include "modal/stabilisation.hpp"
@@ -76,14 +77,39 @@ void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
   }
 }
 
+void warn_about_unresolved(const std::vector<Complex>& poles,
+                           std::vector<std::string>& warnings) {
+  for (const Complex& pole : poles) {
+    warnings.push_back(fmt::format(
+        "a pole at {:.4g} Hz was left out: its damping cannot be told from "
+        "none (hum, or a block too short for it)",
+        std::abs(pole) / kTwoPi));
+  }
+}
+
+/// The fit on the lines and with the sign of each FRF given.
+std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
+                                          const Curves& curves,
+                                          const Eigen::MatrixXcd& H) {
+  std::vector<Eigen::VectorXcd> fitted(frfs.frfs.size(),
+                                       Eigen::VectorXcd::Zero(frfs.lines()));
+  for (Index f = 0; f < curves.count(); ++f) {
+    const std::size_t source = curves.source[static_cast<std::size_t>(f)];
+    const signal::Frf& frf = frfs.frfs[source];
+    const double sign = frf.response.sign * frf.reference.sign;
+    fitted[source].tail(curves.lines()) = sign * H.col(f);
+  }
+  return fitted;
+}
+
 /// Fills all that comes from the fit; poles beside the band are left out.
 void add_modes(const Curves& curves,
                const ShapeGraph& graph,
                const ModalFit& fit,
+               const Eigen::MatrixXd& covariance,
                ModeSet& set) {
   const Eigen::MatrixXcd shapes =
       mode_shapes(graph, fit.residues, fit.poles, fit.frf_weight);
-  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
   for (Index r = 0; r < fit.poles.size(); ++r) {
@@ -93,6 +119,39 @@ void add_modes(const Curves& curves,
         fit.poles(r), covariance.block<2, 2>(2 * r, 2 * r), shapes.col(r)));
     warn_about(set.modes.back(), set.warnings);
   }
+}
+
+/// Replaces a fit of common poles by one of each run's own, when that leaves
+/// clearly less: the sensors' mass moves the modes.
+bool fit_each_run(const Curves& curves,
+                  const IdentifyOptions& options,
+                  const Progress& progress,
+                  ModalFit& fit,
+                  Eigen::MatrixXd& covariance,
+                  std::vector<std::string>& warnings) {
+  constexpr double kPoor = 0.05;
+  const bool found = fit.poles.size() > 0;
+  const double common = found ? synthesis_error(curves, fit.H) : 1.0;
+  if (common < kPoor || !sensors_rove(curves)) return false;
+  const std::optional<RunModes> runs =
+      identify_per_run(curves, options, progress);
+  if (!runs || synthesis_error(curves, runs->H) > 0.5 * common) return false;
+  if (!found) fit = fit_residues(curves, runs->poles);
+  fit.poles = runs->poles;
+  fit.residues = runs->residues;
+  fit.H = runs->H;
+  const Index modes = fit.poles.size();
+  covariance = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+  for (Index r = 0; r < modes; ++r) {
+    covariance(2 * r, 2 * r) = std::pow(runs->scatter(r).real(), 2);
+    covariance(2 * r + 1, 2 * r + 1) = std::pow(runs->scatter(r).imag(), 2);
+  }
+  warnings.push_back(fmt::format(
+      "frequencies move by up to {:.2g} % with the sensors: their mass loads "
+      "the structure; each run was fitted by itself, and the standard "
+      "deviations are the scatter over runs",
+      100.0 * runs->frequency_range.maxCoeff()));
+  return true;
 }
 
 }  // namespace
@@ -111,10 +170,21 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   const Stabilisation stabilisation = stabilise(
       orders, curves.s(0).imag(), curves.s(curves.lines() - 1).imag(), options);
   set.diagram = stabilisation.diagram;
-  const ModalFit fit = select_modes(
+  Selection selection = select_modes(
       curves, stabilisation.tracks, orders.size(), options, progress);
-  add_modes(curves, graph, fit, set);
-  set.synthesis_error = synthesis_error(curves, fit.H);
+  ModalFit& fit = selection.fit;
+  Eigen::MatrixXd covariance;
+  if (!fit_each_run(curves, options, progress, fit, covariance, set.warnings)) {
+    covariance = pole_covariance(curves, fit);
+    warn_about_unresolved(selection.unresolved, set.warnings);
+  }
+  if (fit.poles.size() > 0) {
+    add_modes(curves, graph, fit, covariance, set);
+    set.fitted = fitted_frfs(frfs, curves, fit.H);
+    set.synthesis_error = synthesis_error(curves, fit.H);
+  } else {
+    set.synthesis_error = 1.0;
+  }
   if (set.modes.empty()) {
     set.warnings.push_back(
         "no mode found: no pole returns over the model orders; look at the "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace tapfit::modal {
 namespace {
@@ -206,6 +207,10 @@ void judge_modes(const Curves& curves, const Linear& linear, ModalFit& fit) {
       Eigen::MatrixXd::Identity(n, n));
   fit.significance.resize(modes);
   fit.contribution.resize(modes);
+  // An exponential window spreads noise over about sigma T lines, in the very
+  // form of a resonance.
+  const double shared =
+      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
   for (Index r = 0; r < modes; ++r) {
     const Eigen::MatrixXd rows = Rinv.middleRows(2 * r, 2);
     const Eigen::Matrix2d inverse = (rows * rows.transpose()).inverse();
@@ -220,7 +225,7 @@ void judge_modes(const Curves& curves, const Linear& linear, ModalFit& fit) {
     const double noise =
         mean_square_near(linear.residual, curves.lines(), begin, end);
     fit.significance(r) = drop / static_cast<double>(2 * curves.count()) /
-                          std::max(noise, 1e-300);
+                          std::max(shared * noise, 1e-300);
     const Complex s(curves.sigma, fit.poles(r).imag());
     const Eigen::VectorXd peak = fit.residues.col(r).cwiseAbs() *
                                  (std::norm(s) / std::abs(s - fit.poles(r)));
@@ -271,6 +276,33 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
     result.topRows(n) += std::conj(rho) * x.bottomRows(n);
   }
   return result;
+}
+
+/// Standard deviation of the weighted residual u v e: per line (rms over FRFs)
+/// times per FRF (about 1).
+struct Noise {
+  Eigen::VectorXd per_line;
+  Eigen::VectorXd per_frf;
+};
+
+/// From the FRFs' variance or what the fit leaves, whichever is larger.
+Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
+  const Index lines = curves.lines();
+  Eigen::MatrixXd power(lines, curves.count());
+  const Eigen::MatrixXd left = (curves.H - fit.H).cwiseAbs2();
+  for (Index k = 0; k < lines; ++k) {
+    const Index begin = std::max<Index>(0, k - 5);
+    const Index n = std::min(lines, k + 6) - begin;
+    power.row(k) = left.middleRows(begin, n).colwise().mean().cwiseMax(
+        curves.variance.middleRows(begin, n).colwise().mean());
+  }
+  power = fit.line_weight.cwiseAbs2().asDiagonal() * power *
+          fit.frf_weight.cwiseAbs2().asDiagonal();
+  Noise noise;
+  noise.per_line = power.rowwise().mean().cwiseSqrt();
+  const double mean = std::max(power.mean(), 1e-300);
+  noise.per_frf = (power.colwise().mean().transpose() / mean).cwiseSqrt();
+  return noise;
 }
 
 }  // namespace
@@ -338,32 +370,21 @@ ModalFit refine_poles(const Curves& curves,
 
 Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
   const Index modes = fit.poles.size();
-  const Index lines = curves.lines();
   if (modes == 0) return {};
   Eigen::MatrixXcd columns;
   const Linear linear = solve_linear(curves, fit.poles, fit, columns);
   const Eigen::MatrixXd E =
       projected_derivatives(curves, fit.poles, fit, linear);
   const Step step = gauss_newton(E, linear, fit.frf_weight);
-  const Eigen::MatrixXcd Ec = unstack(E);
+  const Noise noise = weighted_noise(curves, fit);
+  const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(E);
   const double ratio = curves.sigma / curves.spacing;
+  const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();
   Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
   for (Index f = 0; f < curves.count(); ++f) {
-    const Eigen::VectorXd left = (curves.H.col(f) - fit.H.col(f)).cwiseAbs2();
-    Eigen::VectorXd sd(lines);
-    for (Index k = 0; k < lines; ++k) {
-      const Index begin = std::max<Index>(0, k - 5);
-      const Index n = std::min(lines, k + 6) - begin;
-      sd(k) =
-          std::sqrt(std::max(curves.variance.col(f).segment(begin, n).mean(),
-                             left.segment(begin, n).mean()));
-    }
-    const double u = fit.frf_weight(f);
-    const Eigen::MatrixXcd X =
-        (u * u) * (fit.line_weight.cwiseProduct(sd).asDiagonal() * Ec);
-    const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();
     const Eigen::MatrixXd C = residue_blocks(linear, f, modes);
-    middle.noalias() += C.transpose() * V * C;
+    const double scale = fit.frf_weight(f) * noise.per_frf(f);
+    middle.noalias() += scale * scale * (C.transpose() * V * C);
   }
   const Eigen::VectorXd d =
       step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();

@@ -38,6 +38,9 @@ struct ModeSet {
   std::vector<DiagramPole> diagram;
   double synthesis_error =
       0.0;  ///< rms of synthesised minus measured, relative
+  /// The fitted model per FRF of the set given, on its lines, residual terms
+  /// included [(m/s^2)/N]; empty when no mode was found.
+  std::vector<Eigen::VectorXcd> fitted;
   std::vector<std::string> warnings;
 };
 

@@ -1,6 +1,7 @@
 #include "modal/select_modes.hpp"
 
 #include "modal/mac.hpp"
+#include "modal/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,78 @@ void add_neighbours(const Curves& curves, ModalFit& fit) {
   if (low > 0.1 * high) (void)add_outside(curves, low / 1.15, fit);
 }
 
+/// Residual power per line over what is usual, averaged over the half
+/// bandwidth that a line's neighbours share.
+Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
+  const Eigen::VectorXd power =
+      (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
+       fit.frf_weight.asDiagonal())
+          .rowwise()
+          .squaredNorm();
+  Eigen::VectorXd smooth(power.size());
+  for (Index k = 0; k < power.size(); ++k) {
+    const Index begin = std::max<Index>(0, k - 2);
+    const Index n = std::min(power.size(), k + 3) - begin;
+    smooth(k) = power.segment(begin, n).mean();
+  }
+  std::vector<double> values(smooth.begin(), smooth.end());
+  std::ranges::nth_element(values, values.begin() + power.size() / 2);
+  const double usual = values[values.size() / 2];
+  return smooth / std::max(usual, 1e-300);
+}
+
+double usual_damping(const ModalFit& fit) {
+  std::vector<double> ratios;
+  for (const Complex& pole : fit.poles) {
+    ratios.push_back(-pole.real() / std::abs(pole));
+  }
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return *middle;
+}
+
+/// Damping over its standard deviation, per mode.
+Eigen::VectorXd resolved(const Curves& curves, const ModalFit& fit) {
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  Eigen::VectorXd result(fit.poles.size());
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    const double sd = std::sqrt(std::max(0.0, covariance(2 * r, 2 * r)));
+    result(r) = -fit.poles(r).real() / std::max(sd, 1e-300);
+  }
+  return result;
+}
+
+/// Looks for modes that no track told of where the residual has a peak, for
+/// example one that hardly moves the references.
+ModalFit recover_missed(const Curves& curves,
+                        ModalFit fit,
+                        const IdentifyOptions& options) {
+  constexpr double kPeak = 1.5;
+  // No track speaks for such a mode, so its damping has to.
+  constexpr double kCertain = 10.0;
+  Eigen::VectorXd open = Eigen::VectorXd::Ones(curves.lines());
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    Index line = 0;
+    if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < kPeak) {
+      break;
+    }
+    const double omega = curves.s(line).imag();
+    Eigen::VectorXcd poles(fit.poles.size() + 1);
+    poles << fit.poles, Complex(-usual_damping(fit) * omega, omega);
+    ModalFit trial = refine_poles(curves, poles, 12);
+    const Index last = trial.poles.size() - 1;
+    if (in_band(curves, trial.poles(last)) &&
+        weakest(curves, trial, options) < 0 &&
+        resolved(curves, trial)(last) > kCertain) {
+      fit = std::move(trial);
+    }
+    const Index begin = std::max<Index>(0, line - 8);
+    open.segment(begin, std::min(curves.lines(), line + 9) - begin).setZero();
+  }
+  return fit;
+}
+
 /// Takes out modes until all that stay are needed.
 ModalFit drop_weak(const Curves& curves,
                    ModalFit fit,
@@ -181,21 +254,55 @@ ModalFit drop_weak(const Curves& curves,
   return fit;
 }
 
+/// Takes out what has no damping to speak of (hum) or neither a clear damping
+/// nor points that move in phase (noise).
+void drop_unresolved(const Curves& curves, Selection& selection) {
+  ModalFit& fit = selection.fit;
+  while (fit.poles.size() > 0) {
+    const Eigen::VectorXd certainty = resolved(curves, fit);
+    Index worst = -1;
+    double least = 1.0;
+    for (Index r = 0; r < fit.poles.size(); ++r) {
+      if (far_outside(curves, fit.poles(r))) continue;
+      const bool in_phase = phase_collinearity(fit.residues.col(r)) > 0.8;
+      const double worth = certainty(r) / (in_phase ? 3.0 : 8.0);
+      if (worth >= least) continue;
+      least = worth;
+      worst = r;
+    }
+    if (worst < 0) return;
+    if (in_band(curves, fit.poles(worst))) {
+      selection.unresolved.push_back(fit.poles(worst));
+    }
+    fit = refine_poles(curves, without(fit.poles, worst), 6);
+  }
+}
+
 }  // namespace
 
-ModalFit select_modes(const Curves& curves,
-                      const std::vector<Track>& tracks,
-                      std::size_t orders,
-                      const IdentifyOptions& options,
-                      const Progress& progress) {
-  const Eigen::VectorXcd start = candidates(curves, tracks, orders);
-  ModalFit fit = refine_poles(curves, start, 6);
+Selection select_modes(const Curves& curves,
+                       const std::vector<Track>& tracks,
+                       std::size_t orders,
+                       const IdentifyOptions& options,
+                       const Progress& progress) {
+  Selection selection;
+  ModalFit& fit = selection.fit;
+  fit = refine_poles(curves, candidates(curves, tracks, orders), 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
-  if (fit.poles.size() == 0) return fit;
+  if (fit.poles.size() == 0) return selection;
   add_neighbours(curves, fit);
   fit = refine_poles(curves, fit.poles, 20);
   fit = drop_weak(curves, std::move(fit), options, progress);
-  return sorted(curves, fit);
+  if (fit.poles.size() == 0) return selection;
+  drop_unresolved(curves, selection);
+  const std::vector<Complex> told = selection.unresolved;
+  if (fit.poles.size() == 0) return selection;
+  fit = recover_missed(curves, std::move(fit), options);
+  drop_unresolved(curves, selection);
+  // What was only tried is not worth telling.
+  selection.unresolved = told;
+  if (fit.poles.size() > 0) fit = sorted(curves, fit);
+  return selection;
 }
 
 }  // namespace tapfit::modal

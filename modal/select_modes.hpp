@@ -5,17 +5,26 @@
 #include "modal/modal_fit.hpp"
 #include "modal/stabilisation.hpp"
 
+#include <complex>
+#include <vector>
+
 namespace tapfit::modal {
+
+struct Selection {
+  /// The modes that stay, by frequency; poles a little outside the band may be
+  /// among them. No poles when nothing is found.
+  ModalFit fit;
+  /// Poles that lasted over the orders but whose damping cannot be told from
+  /// none, as a hum's cannot [rad/s].
+  std::vector<std::complex<double>> unresolved;
+};
 
 /// Fits the candidates and takes out, weakest first, those without which the
 /// model is as good.
-///
-/// @return the fit with the poles that stay, by frequency; poles a little
-///   outside the band may be among them. No poles when nothing is found.
-[[nodiscard]] ModalFit select_modes(const Curves& curves,
-                                    const std::vector<Track>& tracks,
-                                    std::size_t orders,
-                                    const IdentifyOptions& options,
-                                    const Progress& progress);
+[[nodiscard]] Selection select_modes(const Curves& curves,
+                                     const std::vector<Track>& tracks,
+                                     std::size_t orders,
+                                     const IdentifyOptions& options,
+                                     const Progress& progress);
 
 }  // namespace tapfit::modal

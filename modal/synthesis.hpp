@@ -1,0 +1,28 @@
+// FRFs from identified modes.
+//
+//   H_ab(s) = s^2 sum_r [ R_r / (s - lambda_r) + conj(R_r) / (s -
+//             conj(lambda_r)) ],  R_r = phi_a phi_b / (2 j omega_d,r)
+//
+// Modes outside the band are not in it; ModeSet::fitted has them.
+#pragma once
+
+#include "modal/mode_set.hpp"
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace tapfit::modal {
+
+/// Accelerance between two points from the modes alone.
+///
+/// @param s lines [rad/s]
+/// @return per line [(m/s^2)/N]; empty when the shapes are not scaled or do
+///   not hold both points
+[[nodiscard]] std::optional<Eigen::VectorXcd> synthesise(
+    const ModeSet& modes,
+    const Dof& response,
+    const Dof& reference,
+    const Eigen::VectorXcd& s);
+
+}  // namespace tapfit::modal
