@@ -89,7 +89,11 @@ void append_line(const SourceLine& line,
   } else {
     std::string name = upper(fields.name);
     std::erase(name, '*');
-    cards.push_back({{trimmed(name)}, line.where, line.number});
+    Card card;
+    card.fields.push_back(trimmed(name));
+    card.where = line.where;
+    card.line = line.number;
+    cards.push_back(card);
   }
   std::vector<std::string>& all = cards.back().fields;
   all.insert(all.end(), fields.data.begin(), fields.data.end());

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace tapfit::structure {
@@ -56,7 +57,7 @@ double material_angle(const DeckBuilder& builder,
   const Eigen::Vector3d x = builder.system(card, *system).axes.col(0);
   const Eigen::Vector3d flat = x - normal * normal.dot(x);
   const double angle = std::atan2(normal.dot(side.cross(flat)), side.dot(flat));
-  return angle * 180.0 / EIGEN_PI;
+  return angle * 180.0 / std::numbers::pi;
 }
 
 void read_shell(DeckBuilder& builder,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <unordered_map>
 
 namespace tapfit::structure {
@@ -122,7 +123,7 @@ class Refiner {
     const Eigen::Vector3d turned = at(child.grids[1]) - at(child.grids[0]);
     const double angle =
         std::atan2(normal.dot(side.cross(turned)), side.dot(turned));
-    return parent.theta_deg - angle * 180.0 / EIGEN_PI;
+    return parent.theta_deg - angle * 180.0 / std::numbers::pi;
   }
 
   void split(const Bar& bar) {

@@ -22,7 +22,7 @@ Deck cantilever(int n, const BarProperty& section, bool coupled) {
   const Eigen::Vector3d along = Eigen::Vector3d(1, 1, 0).normalized();
   for (int i = 0; i <= n; ++i) deck.grids.push_back({i + 1, along * i / n});
   for (int i = 1; i <= n; ++i) {
-    deck.bars.push_back({i, 1, {i, i + 1}, Eigen::Vector3d::UnitZ()});
+    deck.bars.push_back(make_bar(i, 1, i, i + 1));
   }
   deck.constraints.push_back({1, "123456"});
   return deck;
@@ -160,12 +160,12 @@ TEST(BeamModes, MeetsPublishedNastranResults) {
   if (!std::filesystem::exists(folder)) {
     GTEST_SKIP() << folder << " is not here";
   }
-  // pt145 to the printed digits; satk within its section's shear factor;
+  // pt145 to the seven printed digits; satk within its section's shear factor;
   // goland's shells differ in the sixth digit.
   const std::vector<Published> cases{
       {"pt145_swept_wing_CBAR/pt145.bdf",
        {39.96147, 236.4137, 250.4423, 701.4011, 703.4198, 1153.105},
-       2e-7},
+       5e-7},
       {"satk_CBAR_CONM2/pn_mwe_s-solution_1.dat",
        {89.56075, 89.56075, 1044.760},
        5e-5},

@@ -3,6 +3,7 @@
 
 #include "updating/structure/eigenmodes.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -70,6 +71,15 @@ inline Deck plate_deck(const Plate& plate, int nx, int ny) {
     }
   }
   return deck;
+}
+
+inline Bar make_bar(int id, int property, int a, int b) {
+  Bar bar;
+  bar.id = id;
+  bar.property = property;
+  bar.grids = {a, b};
+  bar.orientation = Eigen::Vector3d::UnitZ();
+  return bar;
 }
 
 /// Holds components of every grid for which `where` is true.

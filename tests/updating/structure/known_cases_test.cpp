@@ -68,8 +68,8 @@ INSTANTIATE_TEST_SUITE_P(Cases,
                          testing::Values(Case{"frame-none", 0},
                                          Case{"ladder-dashpot", 0},
                                          Case{"plate-channel-gain", 3}),
-                         [](const auto& info) {
-                           std::string name = info.param.name;
+                         [](const auto& tested) {
+                           std::string name = tested.param.name;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

@@ -64,24 +64,23 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
 }
 
 TEST(ScaleUnits, MillimetresAndTonnesGiveTheSameFrequencies) {
-  const std::string elements =
-      "CQUAD4,1,1,1,2,3,4\nCBAR,2,1,1,2,0.,0.,1.\n,,,0.,0.,{0}\n"
-      "SPC1,1,123456,1\n";
-  const Deck si = deck_of(fmt::format(
+  const auto elements = [](const std::string& offset) {
+    return "CQUAD4,1,1,1,2,3,4\nCBAR,2,1,1,2,0.,0.,1.\n,,,0.,0.," + offset +
+           "\nSPC1,1,123456,1\n";
+  };
+  const Deck si = deck_of(
       "GRID,1,,0.,0.,0.\nGRID,2,,.1,0.,0.\nGRID,3,,.1,.1,0.\n"
       "GRID,4,,0.,.1,0.\nPSHELL,1,1,.002,1,,1,,1.5\nMAT1,1,7.+10,,.3,2700.\n"
       "PBARL,1,1,,BAR\n,.01,.005\nCONM2,9,3,,.05,,,.01\n,1.-5,,1.-5,,,1.-5\n"
       "CELAS2,10,1.+5,4,3\nCELAS2,11,50.,4,4\n" +
-          elements,
-      ".005"));
-  Deck mm = deck_of(fmt::format(
+      elements(".005"));
+  Deck mm = deck_of(
       "GRID,1,,0.,0.,0.\nGRID,2,,100.,0.,0.\nGRID,3,,100.,100.,0.\n"
       "GRID,4,,0.,100.,0.\nPSHELL,1,1,2.,1,,1,,1.5-9\n"
       "MAT1,1,7.+4,,.3,2.7-9\n"
       "PBARL,1,1,,BAR\n,10.,5.\nCONM2,9,3,,5.-5,,,10.\n,1.-2,,1.-2,,,1.-2\n"
       "CELAS2,10,100.,4,3\nCELAS2,11,5.+4,4,4\n" +
-          elements,
-      "5."));
+      elements("5."));
   scale_to_si(mm, "mm-t-s");
   const Eigen::VectorXd a = modes_of(si, 8).frequency_hz;
   const Eigen::VectorXd b = modes_of(mm, 8).frequency_hz;

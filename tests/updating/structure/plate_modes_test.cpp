@@ -56,7 +56,8 @@ TEST(PlateModes, SupportedThinPlateConvergesAsTheSquareOfTheSize) {
                   .triangles = triangles};
     const double coarse = supported_errors(p, 8).cwiseAbs().maxCoeff();
     const double fine = supported_errors(p, 16).cwiseAbs().maxCoeff();
-    EXPECT_LT(coarse, 0.03) << triangles;
+    // The sixth mode has three half waves: 2.7 elements each.
+    EXPECT_LT(coarse, 0.07) << triangles;
     // Second order means a quarter; the mixture of modes blurs it a little.
     EXPECT_LT(fine, 0.32 * coarse) << triangles;
   }
@@ -84,6 +85,13 @@ TEST(PlateModes, ThickPlateIsMindlins) {
 // NAFEMS FV12 and FV16: 10 m x 10 m x 0.05 m, E 200 GPa, nu 0.3, rho 8000.
 const Plate kNafems{.a = 10, .b = 10, .thickness = 0.05};
 
+// sqrt(D / rho t) / (2 pi a^2) [Hz].
+double thin_plate_unit(const Plate& p) {
+  const double D = p.material.E * std::pow(p.thickness, 3) /
+                   (12 * (1 - p.material.nu * p.material.nu));
+  return std::sqrt(D / (p.material.rho * p.thickness)) / (2 * kPi * p.a * p.a);
+}
+
 void hold_in_plane(Deck& deck) {
   hold(deck, "126", [](const Eigen::Vector3d&) { return true; });
 }
@@ -95,12 +103,17 @@ TEST(PlateModes, MeetsNafemsFv12FreeSquare) {
   EXPECT_LT(f.head(3).maxCoeff(), 1e-3);
   const std::vector<double> published{
       1.622, 2.360, 2.922, 4.233, 4.233, 7.416, 7.416};
+  // Thin plate, omega a^2 sqrt(rho t / D). Source: D. J. Gorman, Free Vibration
+  // Analysis of Rectangular Plates, 1982.
+  const std::vector<double> thin{
+      13.468, 19.596, 24.270, 34.801, 34.801, 61.093, 61.093};
   for (std::size_t i = 0; i < published.size(); ++i) {
-    // The benchmark's values are those of its own meshes, rounded to three
-    // digits; the highest differ between programs by a per cent.
-    EXPECT_NEAR(f(3 + static_cast<Eigen::Index>(i)) / published[i],
-                1.0,
-                i < 5 ? 0.01 : 0.02);
+    const double hz = f(3 + static_cast<Eigen::Index>(i));
+    // The benchmark's values are means of several programs' meshes and lie up
+    // to 1 % above the exact ones.
+    EXPECT_NEAR(hz / published[i], 1.0, 0.012);
+    // Mesh of 20 x 20 and the shear of t/a = 1/200.
+    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(kNafems)), 1.0, 0.004);
   }
   EXPECT_NEAR(f(6), f(7), 1e-6 * f(6));  // a square's twin modes
 }
@@ -111,8 +124,14 @@ TEST(PlateModes, MeetsNafemsFv16Cantilever) {
   hold(deck, "345", [](const Eigen::Vector3d& p) { return p.x() < 1e-9; });
   const Eigen::VectorXd f = modes_of(deck, 6).frequency_hz;
   const std::vector<double> published{0.421, 1.029, 2.582, 3.306, 3.753, 6.555};
+  // A. W. Leissa, "The free vibration of rectangular plates", J. Sound Vib.
+  // 31, 1973: a Ritz solution, so from above.
+  const std::vector<double> thin{
+      3.4710, 8.5065, 21.284, 27.199, 30.955, 54.187};
   for (std::size_t i = 0; i < published.size(); ++i) {
-    EXPECT_NEAR(f(static_cast<Eigen::Index>(i)) / published[i], 1.0, 0.01);
+    const double hz = f(static_cast<Eigen::Index>(i));
+    EXPECT_NEAR(hz / published[i], 1.0, 0.012);
+    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(kNafems)), 1.0, 0.006);
   }
 }
 
