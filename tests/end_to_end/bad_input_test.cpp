@@ -48,7 +48,7 @@ std::string float_wav(std::uint16_t channels,
 }
 
 json sample_test_json() {
-  return json::parse(R"({
+  return json::parse(R"json({
     "tapfit": 1, "title": "sample", "band_hz": [5, 100],
     "channels": [
       {"name": "hammer", "quantity": "force", "unit": "N",
