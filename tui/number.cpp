@@ -28,7 +28,7 @@ std::string percent(double fraction) {
   return fixed(value, std::abs(value) < 0.95 ? 2 : 1) + " %";
 }
 
-std::string with_sd(double value, double sd) {
+std::string with_sd(double value, double sd, int digits) {
   if (!std::isfinite(value)) return "–";
   if (!std::isfinite(sd) || sd <= 0.0) return number(value, 5);
   const double size = std::max(std::abs(value), sd);
@@ -36,7 +36,8 @@ std::string with_sd(double value, double sd) {
   const bool scientific = exponent > 5.0 || exponent < -4.0;
   const double scale = scientific ? std::pow(10.0, exponent) : 1.0;
   const double place = std::floor(std::log10(sd / scale));
-  const int decimals = static_cast<int>(std::clamp(1.0 - place, 0.0, 9.0));
+  const int decimals =
+      static_cast<int>(std::clamp(digits - 1.0 - place, 0.0, 9.0));
   const std::string body = fmt::format(
       "{:.{}f} ± {:.{}f}", value / scale, decimals, sd / scale, decimals);
   if (!scientific) return body;

@@ -23,6 +23,7 @@ TEST(Number, NeverShowsWhatIsNoNumber) {
 TEST(Number, GivesTheDeviationTwoDigitsAndTheValueAsMany) {
   EXPECT_EQ(with_sd(2.271, 0.0004), "2.27100 ± 0.00040");
   EXPECT_EQ(with_sd(78.512, 1.5), "78.5 ± 1.5");
+  EXPECT_EQ(with_sd(2.271, 0.0004, 1), "2.2710 ± 0.0004");
   EXPECT_EQ(with_sd(7.07e10, 2e8), "(7.070 ± 0.020)e10");
   EXPECT_EQ(with_sd(3.0, 0.0), "3");
 }

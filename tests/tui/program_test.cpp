@@ -4,6 +4,7 @@
 #include "tui/replay.hpp"
 #include "tui/text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -45,7 +46,7 @@ TEST(Program, WalksAllSevenScreens) {
   for (const Canvas& canvas : {Canvas{80, 24, false}, Canvas{120, 35, false}}) {
     for (int screen = 1; screen <= 7; ++screen) {
       const std::string text =
-          played(std::to_string(screen) + "\nwait\n<Tab>\nwait", canvas);
+          played(fmt::format("{}\nwait\n<Tab>\nwait", screen), canvas);
       const auto index = static_cast<std::size_t>(screen - 1);
       EXPECT_TRUE(holds(text, shown[index])) << text;
       EXPECT_TRUE(holds(text, "q quit")) << text;
@@ -58,7 +59,7 @@ TEST(Program, WalksAllSevenScreens) {
 TEST(Program, HoldsOnlyAsciiInAsciiMode) {
   for (const char screen : std::string("1234567")) {
     const std::string script =
-        std::string(1, screen) + "\nwait\nscreen\n?\nscreen";
+        fmt::format("{}\nwait\nscreen\n?\nscreen", screen);
     const std::string text = played(script, {100, 30, true});
     for (const char c : text) {
       ASSERT_LT(static_cast<unsigned char>(c), 0x80U) << text;
@@ -104,7 +105,7 @@ TEST(Program, SaysWhyThereIsNothingWithoutAModel) {
   options.model = false;
   for (const char screen : std::string("4567")) {
     const std::string text =
-        played(std::string(1, screen) + "\nwait", {}, options);
+        played(fmt::format("{}\nwait", screen), {}, options);
     EXPECT_TRUE(holds(text, "has no model")) << text;
     EXPECT_TRUE(holds(text, "test.json")) << text;
   }

@@ -76,7 +76,7 @@ void draw_error_map(Screen& screen,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
   screen.text(rect.x + 1,
               rect.y,
-              "error in % per FRF and band (up to … Hz)",
+              "error in %, bands up to Hz",
               {.colour = Colour::Grey},
               rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);

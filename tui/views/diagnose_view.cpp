@@ -23,26 +23,29 @@ std::string first_size(const Candidate& candidate) {
 }
 
 Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
-  const int bars = width >= 110 ? 16 : 8;
+  const bool wide = width >= 110;
   Table table{{{"prob", true},
                {""},
                {"effect"},
                {"where"},
                {"error", true},
-               {"left out", true},
-               {"size"}},
+               {"size"},
+               {"left out", true}},
               {}};
   for (const Candidate& c : d.candidates) {
     Style style;
     if (!c.indistinguishable_from.empty()) style.colour = Colour::Yellow;
-    table.rows.push_back({{percent(c.probability),
-                           bar(c.probability, bars, ascii),
-                           c.effect,
-                           clipped(updating::describe(c.where), 22),
-                           percent(c.error),
-                           percent(c.held_out_error),
-                           first_size(c)},
-                          style});
+    // Only the best few are tried on data that were left out.
+    const bool tried = c.held_out_error > 0.0;
+    table.rows.push_back(
+        {{percent(c.probability),
+          bar(c.probability, wide ? 16 : 4, ascii),
+          c.effect,
+          clipped(updating::describe(c.where), wide ? 26 : 16),
+          percent(c.error),
+          first_size(c),
+          tried ? percent(c.held_out_error) : std::string("–")},
+         style});
   }
   return table;
 }
@@ -170,11 +173,11 @@ void draw_signature(Screen& screen,
   };
   const auto left = [](double share) { return fixed(100.0 * share, 0); };
   line(0,
-       fmt::format("grid {} alone explains {} % of the discrepancy;",
+       fmt::format("grid {} alone explains {} %; left of z by law:",
                    s.node,
                    left(s.explained)));
   line(1,
-       fmt::format("mass {} kg leaves {} %, spring {} N/m {} %,",
+       fmt::format("mass {} kg {} %, spring {} N/m {} %,",
                    number(s.mass_kg, 3),
                    left(s.mass_unexplained),
                    number(s.spring_n_per_m, 3),

@@ -25,8 +25,8 @@ Table mode_table(const modal::ModeSet& modes) {
     const modal::Mode& mode = modes.modes[i];
     table.rows.push_back(
         {{std::to_string(i + 1),
-          with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
+          with_sd(mode.frequency_hz, mode.frequency_sd_hz, 1),
+          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd, 1),
           fixed(mode.mpc, 3)},
          {}});
   }
@@ -224,9 +224,9 @@ Screen modes_view(const ModesInput& input,
     return screen;
   }
   const std::size_t selected = settled(table, state.list);
-  const int left = std::clamp(canvas.width / 2, 45, 60);
+  const int left = std::clamp(canvas.width / 2, 50, 60);
   if (state.mac) {
-    const auto [side, rest] = split_left(body, left);
+    const auto [side, rest] = split_left(body, canvas.width < 110 ? 24 : left);
     draw_table(screen, side, table, state.list, true);
     draw_mac(screen, rest, input);
     return screen;

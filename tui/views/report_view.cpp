@@ -81,6 +81,12 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
     }
   }
   for (const updating::Estimate& p : input.parameters) {
+    // Those of added effects stand below their rungs.
+    const bool of_rung = std::any_of(
+        input.ladder.begin(), input.ladder.end(), [&](const updating::Rung& r) {
+          return p.name.starts_with(fmt::format("{} ", r.added));
+        });
+    if (of_rung) continue;
     sheet.line(fmt::format("model: {}", describe(p)));
   }
 }

@@ -32,17 +32,13 @@ Eigen::VectorXcd between(const Eigen::VectorXcd& from,
 }
 
 Table parameter_table(const UpdateInput& input) {
-  Table table{{{"parameter"}, {"value", true}, {"unit"}}, {}};
-  const auto add = [&table](const updating::Estimate& p) {
+  Table table{{{"parameter"}, {"value"}}, {}};
+  for (const updating::Estimate& p : input.parameters) {
     const NameAndUnit split = split_unit(p.name);
     table.rows.push_back(
-        {{clipped(split.name, 26), with_sd(p.value, p.sd), split.unit}, {}});
-  };
-  for (const updating::Estimate& p : input.parameters) add(p);
-  for (const updating::Rung& rung : input.ladder) {
-    if (rung.parameters.empty() || rung.added == "base") continue;
-    table.rows.push_back({{rung.added, "", ""}, {.colour = Colour::Sky}});
-    for (const updating::Estimate& p : rung.parameters) add(p);
+        {{clipped(split.name, 26),
+          fmt::format("{} {}", with_sd(p.value, p.sd), split.unit)},
+         {}});
   }
   return table;
 }
