@@ -19,9 +19,25 @@ bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
          (k + 1 == force.size() || force[k] > force[k + 1]);
 }
 
+// Whether a pulse rings before and after itself alike, as it does behind a
+// linear-phase filter.
+bool rings_both_ways(const Eigen::VectorXd& force, const Pulse& main) {
+  const auto near =
+      std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
+  constexpr Index span = 8;
+  if (main.peak < near + span || main.peak + near + span >= force.size()) {
+    return false;
+  }
+  const double before =
+      force.segment(main.peak - near - span, span).cwiseAbs().maxCoeff();
+  const double after =
+      force.segment(main.peak + near + 1, span).cwiseAbs().maxCoeff();
+  return before > 0.3 * after && after > 0.3 * before;
+}
+
 // The block, with the pulse's ringing taken off. A linear-phase filter rings
 // alike before and after, so each side is freed of the other's mirror image;
-// a filter that rings only afterwards leaves nothing to take off.
+// nothing is done behind a filter that rings only afterwards.
 Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
                                 const Pulse& main,
                                 Index begin,
@@ -29,7 +45,7 @@ Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
   const Index first = std::max<Index>(0, begin);
   const Index count = std::min(end, force.size()) - first;
   Eigen::VectorXd block = force.segment(first, count);
-  if (main.width >= 12.0) return block;
+  if (main.width >= 12.0 || !rings_both_ways(force, main)) return block;
   constexpr Index reach = 40;
   const Index from = std::max<Index>(0, main.peak - first - reach);
   const Index to = std::min(count - 1, main.peak - first + reach);
@@ -41,6 +57,21 @@ Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
     block[k] -= interpolate(force, mirror);
   }
   return block;
+}
+
+// How far the force swings below zero within some samples of a place, between
+// the samples too: ringing is sampled but two or three times a period.
+double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
+  const Index from = std::max<Index>(0, place - around);
+  const Index to = std::min(force.size() - 1, place + around);
+  Index lowest = 0;
+  const double sampled = -force.segment(from, to - from + 1).minCoeff(&lowest);
+  lowest += from;
+  constexpr Index context = 20;
+  const Index first = std::max<Index>(0, lowest - context);
+  const Index count = std::min<Index>(2 * context + 1, force.size() - first);
+  const Eigen::VectorXd turned = -force.segment(first, count);
+  return std::max(sampled, interpolated_peak(turned, lowest - first).height);
 }
 
 // Smallest step between different neighbours: the quantisation of a record.
@@ -102,12 +133,10 @@ bool has_second_pulse(const HammerSignal& hammer,
     if (force[k] < 0.7 * limit || std::abs(k - main_peak) < near) continue;
     if (!is_local_maximum(force, k)) continue;
     // The mirror image of an undershoot is no blow: it must be there as read.
-    if (hammer.force[first + k] < 0.4 * limit) continue;
+    if (hammer.force[first + k] < 0.4 * std::max(force[k], limit)) continue;
     const Pulse pulse = measure_pulse(force, k);
     if (pulse.height < limit || pulse.width > 8.0 * main.width) continue;
-    const Index from = std::max<Index>(0, k - around);
-    const Index to = std::min(force.size() - 1, k + around);
-    const double below = -force.segment(from, to - from + 1).minCoeff();
+    const double below = swing_below(force, k, around);
     if (pulse.height > 1.5 * below) return true;
   }
   return false;

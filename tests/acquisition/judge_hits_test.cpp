@@ -112,6 +112,58 @@ TEST(SecondPulse, IsFound) {
   }
 }
 
+// Half sines at 16 times the rate through a causal Butterworth filter of order
+// 8 at 0.4 of the rate (bilinear transform, four sections), then every 16th
+// sample: rings after the pulse only, its first lobes at 30 % and 17 %.
+Eigen::VectorXd behind_butterworth(double width, double at, double second) {
+  constexpr int over = 16;
+  const double pi = std::numbers::pi;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2000 * over);
+  for (Index i = 0; i < x.size(); ++i) {
+    const double t = static_cast<double>(i) / over - at;
+    if (std::abs(t) < 0.5 * width) x[i] += std::cos(pi * t / width);
+    if (std::abs(t - 40.0) < 0.5 * width) {
+      x[i] += second * std::cos(pi * (t - 40.0) / width);
+    }
+  }
+  const double K = std::tan(pi * 0.4 / over);
+  for (int section = 0; section < 4; ++section) {
+    const double damping = 2.0 * std::sin(pi * (2 * section + 1) / 16.0);
+    const double norm = 1.0 / (1.0 + K * damping + K * K);
+    const double b = K * K * norm;
+    const double a1 = 2.0 * (K * K - 1.0) * norm;
+    const double a2 = (1.0 - K * damping + K * K) * norm;
+    double z1 = 0.0;
+    double z2 = 0.0;
+    for (double& value : x) {
+      const double y = b * value + z1;
+      z1 = 2.0 * b * value - a1 * y + z2;
+      z2 = b * value - a2 * y;
+      value = y;
+    }
+  }
+  return x(Eigen::seqN(0, 2000, over));
+}
+
+TEST(SecondPulse, CausalRingingIsNone) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  for (const double second : {0.0, 0.1}) {
+    Rate rate;
+    for (const double width : {0.5, 1.0, 2.0, 5.0, 10.0}) {
+      for (int k = 0; k < 20; ++k) {
+        Eigen::VectorXd force =
+            behind_butterworth(width, 200.0 + uniform(random), second);
+        testing::add_noise(force, 1e-4 * force.maxCoeff(), random);
+        rate.yes += judged_double(prepare_hammer(force, 1000.0)) ? 1 : 0;
+        ++rate.all;
+      }
+    }
+    say("causal filter, judged double", rate);
+    EXPECT_EQ(rate.yes, second > 0.0 ? rate.all : 0);
+  }
+}
+
 TEST(SecondPulse, UndershootAndHumAreNone) {
   const Setting s{4096.0, 2e-3, 2.0};
   std::mt19937_64 random(3);
