@@ -9,6 +9,12 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
+namespace {
+
+constexpr int start_scan = 16;
+
+}  // namespace
+
 PlacedEffect placed(const effects::Effect& effect,
                     const Where& where,
                     const effects::Setting& setting) {
@@ -121,6 +127,34 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
   return prior;
 }
 
+// Size of the newest effect from which the fit starts: the best of a scan over
+// all that it may be, everything else as it is. A resonance that has to move
+// past another does not get there by following the slope.
+void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
+  if (state.effects.empty()) return;
+  std::vector<double>& p = state.effects.back().p;
+  const Prior prior = prior_for(model, state);
+  const auto count = static_cast<Index>(p.size());
+  const Index last = prior.lower.size() - 1;
+  if (count == 0 || !std::isfinite(prior.lower(last))) return;
+  const Target& wide = setting_.targets.front();
+  const double low = prior.lower(last);
+  const double step = (prior.upper(last) - low) / start_scan;
+  const std::vector<double> given = p;
+  std::vector<double> best = given;
+  double least = relative_error(wide, model.respond(state, wide.s, false).H);
+  for (int k = 0; k < start_scan; ++k) {
+    p.assign(p.size(), std::exp(low + (k + 0.5) * step));
+    const double error =
+        relative_error(wide, model.respond(state, wide.s, false).H);
+    if (error < least) {
+      least = error;
+      best = p;
+    }
+  }
+  p = best;
+}
+
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress) const {
@@ -136,6 +170,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     }
   }
   ModelState state = first_state(*model, effects);
+  scan_start(*model, state);
   const Prior prior = prior_for(*model, state);
   Fit fit;
   for (std::size_t k = 0; k < setting_.targets.size(); ++k) {

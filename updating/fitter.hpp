@@ -72,6 +72,8 @@ class Fitter {
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 
  private:
+  void scan_start(const FrfModel& model, ModelState& state) const;
+
   const BaseBuilder* builder_;
   FitSetting setting_;
 };

@@ -161,6 +161,10 @@ BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 
+bool BaseBuilder::is_free() const {
+  const VectorXd& f = impl_->modes_hz;
+  return f.size() > 0 && f(0) < 1e-3 * impl_->options.high_hz;
+}
 double BaseBuilder::mass_kg() const { return impl_->mass; }
 Index BaseBuilder::dofs() const {
   return static_cast<Index>(impl_->free.size());
@@ -295,7 +299,13 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
   for (int pass = 0; pass < 2; ++pass) {
     R -= V0 * (V0.transpose() * (system.M * R));
   }
-  R = orthonormalise(system.M, R, 1e-12);
+  // What is left of a vector that the fixed basis holds already is rounding.
+  std::vector<Index> kept;
+  for (Index k = 0; k < R.cols(); ++k) {
+    if (R.col(k).norm() > 1e-8 * extra.col(k).norm()) kept.push_back(k);
+  }
+  if (kept.empty()) return fixed;
+  R = orthonormalise(system.M, MatrixXd(R(Eigen::all, kept)), 1e-12);
   const Index a = V0.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {

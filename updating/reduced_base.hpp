@@ -69,6 +69,8 @@ class BaseBuilder {
   [[nodiscard]] ReducedBase build(const std::vector<int>& points,
                                   const std::vector<Where>& released) const;
 
+  /// Whether the structure can move as a rigid body.
+  [[nodiscard]] bool is_free() const;
   [[nodiscard]] double mass_kg() const;
   [[nodiscard]] Eigen::Index dofs() const;
   [[nodiscard]] int refinements() const;

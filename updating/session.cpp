@@ -260,7 +260,7 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   const structure::Deck& the_deck = session.deck(progress);
   const modal::ModeSet& identified = session.modes(progress);
   const acquisition::HitSet& found = *hits;
-  const std::array<double, 2> lines = band();
+  std::array<double, 2> lines = band();
   if (!builder) {
     BaseOptions options;
     options.high_hz = lines[1];
@@ -272,6 +272,12 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
       options.refinements = 0;
       coarse_builder.emplace(the_deck, bundle.uncertain, options, progress);
     }
+  }
+  if (builder->is_free() && !identified.modes.empty()) {
+    // How the structure hangs is not in the model; below the first elastic
+    // mode that is all there is to see.
+    const double first = identified.modes.front().frequency_hz;
+    lines[0] = std::max(lines[0], std::min(0.8 * first, 0.5 * lines[1]));
   }
   FitSetting fit;
   fit.setting = setting();
