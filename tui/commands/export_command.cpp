@@ -1,6 +1,7 @@
 #include "tui/commands/export_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/updated_deck.hpp"
@@ -8,6 +9,8 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <fstream>
 
 namespace tapfit::tui {
 
@@ -30,6 +33,21 @@ void add_effects(updating::Session& session,
   }
 }
 
+void write_uff(updating::Session& session,
+               const std::filesystem::path& path,
+               const Progress& progress) {
+  const std::string& title = session.bundle().title;
+  const signal::FrfSet& frfs = session.frfs(progress);
+  const modal::ModeSet& modes = session.modes(progress);
+  std::ofstream file(path);
+  signal::write_frfs_uff(frfs, title, file);
+  file << modal::modes_as_uff(modes, title);
+  if (!file.flush()) {
+    throw InputError(
+        "cannot be written", path.string(), "check folder and permissions");
+  }
+}
+
 }  // namespace
 
 std::string export_command(const CommandOptions& options,
@@ -42,8 +60,7 @@ std::string export_command(const CommandOptions& options,
   updating::Session session(options.input);
   std::vector<std::string> written;
   if (options.uff) {
-    signal::write_frfs_uff(
-        session.frfs(progress), session.bundle().title, *options.uff);
+    write_uff(session, *options.uff, progress);
     written.push_back(options.uff->string());
   }
   if (options.deck) {

@@ -5,9 +5,9 @@
 
 namespace tapfit::tui {
 
-/// --uff writes the measured FRFs (dataset 58), --deck the bulk data with the
-/// cards of the effects named by --effect (without any: those that the
-/// diagnosis supports).
+/// --uff writes the measured FRFs and modes (datasets 58 and 55), --deck the
+/// bulk data with the cards of the effects named by --effect (without any:
+/// those that the diagnosis supports).
 ///
 /// @throws InputError when neither is asked for, when a file cannot be
 ///   written, for a deck where the bundle has none; Stopped

@@ -1,5 +1,6 @@
 #include "tui/commands/frf_command.hpp"
 
+#include "signal/uff58.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -79,6 +80,9 @@ std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session(options.input);
   const signal::FrfSet& frfs = session.frfs(progress);
+  if (options.uff) {
+    signal::write_frfs_uff(frfs, session.bundle().title, *options.uff);
+  }
   return options.json ? frf_json(frfs).dump(2) + "\n" : frf_text(frfs);
 }
 

@@ -1,5 +1,6 @@
 #include "tui/commands/modes_command.hpp"
 
+#include "modal/uff55.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -64,6 +65,9 @@ std::string modes_command(const CommandOptions& options,
                           const Progress& progress) {
   updating::Session session(options.input);
   const modal::ModeSet& modes = session.modes(progress);
+  if (options.uff) {
+    modal::write_modes_uff(modes, session.bundle().title, *options.uff);
+  }
   return options.json ? modes_json(modes).dump(2) + "\n" : modes_text(modes);
 }
 
