@@ -199,6 +199,10 @@ std::vector<acquisition::AnalogueChannel> make_chains(
   return chains;
 }
 
+fs::path recording_file(const fs::path& folder, int run) {
+  return folder / fmt::format("run-{:02}.flac", run);
+}
+
 acquisition::TestBundle describe(const VirtualSetup& setup,
                                  std::vector<acquisition::Channel> channels,
                                  const fs::path& folder) {
@@ -214,7 +218,7 @@ acquisition::TestBundle describe(const VirtualSetup& setup,
   }
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {
     acquisition::Run run;
-    run.file = folder / fmt::format("run-{:02}.flac", k + 1);
+    run.file = recording_file(folder, static_cast<int>(k) + 1);
     run.hammer = {0, setup.runs[k].hammer};
     std::size_t channel = 0;
     for (const VirtualSensor& sensor : setup.runs[k].sensors) {
@@ -237,6 +241,9 @@ void make_folder(const VirtualBundleSpec& spec, const fs::path& folder) {
     throw InputError("there is a test already",
                      folder.string(),
                      "Choose another folder, or replace it with --force.");
+  }
+  // Recordings of a longer test must not be left beside a shorter one.
+  for (int run = 1; fs::remove(recording_file(folder, run), error); ++run) {
   }
 }
 

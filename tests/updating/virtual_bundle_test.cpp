@@ -79,7 +79,13 @@ TEST(VirtualBundle, SameSeedSameBytes) {
   const fs::path first = fresh_folder("first");
   const fs::path again = fresh_folder("again");
   (void)make_virtual_bundle(small_spec(), first);
-  (void)make_virtual_bundle(small_spec(), again);
+  VirtualBundleSpec longer = small_spec();
+  longer.points = 5;
+  (void)make_virtual_bundle(longer, again);
+  longer.points = 4;
+  longer.overwrite = true;
+  (void)make_virtual_bundle(longer, again);
+  EXPECT_FALSE(fs::exists(again / "run-05.flac"));
   for (const char* file :
        {"test.json", "model.bdf", "truth.json", "run-01.flac", "run-04.flac"}) {
     EXPECT_EQ(bytes_of(first / file), bytes_of(again / file)) << file;
