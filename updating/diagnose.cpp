@@ -21,6 +21,10 @@ const double look_alike = std::log(20.0);
 const double very_strong = std::log(150.0);
 // A fit within this factor of the floor leaves nothing to explain.
 constexpr double at_floor = 1.3;
+// Beyond this there is surely more than one rung can explain.
+constexpr double clear_of_floor = 3.0;
+// First rungs from which a second one is tried.
+constexpr int kinds_tried_first = 4;
 
 Candidate candidate_of(const Hypothesis& h,
                        const effects::Setting& setting,
@@ -107,6 +111,33 @@ bool earns_its_place(const Hypothesis& best,
                      double held_out_after) {
   return best.log_evidence - round.none_evidence > very_strong &&
          held_out_after < 0.95 * held_out_before;
+}
+
+// A first rung that leaves much may be a stand-in for two effects. Each other
+// kind's best is given the chance of a second rung; the pair that leaves least
+// names the first rung.
+std::size_t first_of_best_pair(const Round& round,
+                               const Fitter& fitter,
+                               HypothesisOptions options,
+                               const Progress& progress) {
+  options.neighbours = 0;
+  options.places_per_kind = 1;
+  std::size_t best = 0;
+  double least = 1e300;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    if (!kinds.insert(h.own().effect).second) continue;
+    const Round next = look(h.fit, fitter, options, progress);
+    if (next.hypotheses.empty()) continue;
+    const double error = next.hypotheses.front().fit.result.error;
+    if (error < least) {
+      least = error;
+      best = k;
+    }
+  }
+  return best;
 }
 
 // Takes effects off that the others have made superfluous.
@@ -239,18 +270,25 @@ Diagnosis diagnose(const Fitter& fitter,
   search.data = evidence_data(fitter.target(), options.modes_in_band);
 
   std::vector<std::string> names;
-  std::map<std::string, double> rung_probability;
   double held_out = fitter.held_out_error(current, folds, progress);
   for (int rung = 0; rung < options.max_rungs; ++rung) {
     if (rung > 0 && current.result.error <= at_floor * options.floor) break;
     const Round round = look(current, fitter, search, progress);
     if (rung == 0) result.candidates = candidates_of(round, setting);
     if (round.hypotheses.empty()) break;
-    const Hypothesis& best = round.hypotheses.front();
+    std::size_t chosen = 0;
+    if (rung == 0 && round.hypotheses.front().fit.result.error >
+                         clear_of_floor * options.floor) {
+      chosen = first_of_best_pair(round, fitter, search, progress);
+    }
+    const Hypothesis& best = round.hypotheses[chosen];
     const double after = fitter.held_out_error(best.fit, folds, progress);
-    if (rung == 0) result.candidates.front().held_out_error = after;
+    if (rung == 0 && chosen == 0) {
+      result.candidates.front().held_out_error = after;
+    }
     if (!earns_its_place(best, round, held_out, after)) break;
-    names.push_back(group_name(round));
+    names.push_back(chosen == 0 ? group_name(round)
+                                : best.own().effect->name());
     current = best.fit;
     if (rung > 0) {
       current = relocate(std::move(current), fitter, search, names, progress);

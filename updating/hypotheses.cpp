@@ -2,6 +2,7 @@
 
 #include "updating/effects/catalogue.hpp"
 #include "updating/evidence.hpp"
+#include "updating/parallel.hpp"
 #include "updating/screening.hpp"
 
 #include <algorithm>
@@ -37,18 +38,24 @@ std::vector<int> nearest(const structure::Deck& deck, int node, int count) {
   return nodes;
 }
 
-// Fits the present effects and one more.
-Hypothesis fit_one(const Fit& current,
-                   const PlacedEffect& extra,
-                   const Fitter& fitter,
-                   std::shared_ptr<const FrfModel> model,
-                   const Progress& progress) {
-  std::vector<PlacedEffect> effects = current.effects;
-  effects.push_back(extra);
-  if (!model) model = fitter.model_for(effects);
-  Hypothesis h;
-  h.fit = fitter.fit(effects, std::move(model), progress);
-  return h;
+// Fits the present effects and one more, for each of several.
+//
+// @param shared one base for all of them; empty: each gets its own
+std::vector<Hypothesis> fit_each(const Fit& current,
+                                 const std::vector<PlacedEffect>& extras,
+                                 const Fitter& fitter,
+                                 const std::shared_ptr<const FrfModel>& shared,
+                                 const Progress& progress) {
+  std::vector<Hypothesis> result(extras.size());
+  // Only this thread reports; the others only listen for the stop.
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(extras.size(), [&](std::size_t k) {
+    std::vector<PlacedEffect> effects = current.effects;
+    effects.push_back(extras[k]);
+    result[k].fit =
+        fitter.fit(effects, shared ? shared : fitter.model_for(effects), quiet);
+  });
+  return result;
 }
 
 // The first few screened places of one kind.
@@ -92,9 +99,9 @@ void climb(std::vector<Hypothesis>& found,
     all.insert(all.end(), tries.begin(), tries.end());
     const auto model = fitter.model_for(all);
     double after = before;
-    for (const PlacedEffect& next : tries) {
-      found.push_back(fit_one(current, next, fitter, model, progress));
-      after = std::min(after, found.back().fit.result.error);
+    for (Hypothesis& h : fit_each(current, tries, fitter, model, progress)) {
+      after = std::min(after, h.fit.result.error);
+      found.push_back(std::move(h));
     }
     if (after >= before) return;
   }
@@ -128,16 +135,17 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
       std::vector<PlacedEffect> together = current.effects;
       together.insert(together.end(), tries.begin(), tries.end());
       const auto model = fitter.model_for(together);
-      for (const PlacedEffect& p : tries) {
-        found.push_back(fit_one(current, p, fitter, model, progress));
+      found = fit_each(current, tries, fitter, model, progress);
+      if (options.neighbours > 0) {
+        climb(found, current, fitter, options.neighbours, progress);
       }
-      climb(found, current, fitter, options.neighbours, progress);
     } else {
+      std::vector<PlacedEffect> tries;
       for (const Where& where : places) {
         const PlacedEffect p = placed(*effect, where, setting);
-        if (present(current, p)) continue;
-        found.push_back(fit_one(current, p, fitter, nullptr, progress));
+        if (!present(current, p)) tries.push_back(p);
       }
+      found = fit_each(current, tries, fitter, nullptr, progress);
     }
     for (Hypothesis& h : found) {
       h.places = static_cast<double>(places.size());

@@ -2,6 +2,7 @@
 
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/parallel.hpp"
 
 #include <Eigen/QR>
 
@@ -194,18 +195,19 @@ std::vector<Screened> screen(const Fit& current,
                   &target,
                   &project,
                   project(stack(target, response.H - target.H))};
-  for (std::size_t b = 0; b < nodes.size(); ++b) {
-    progress("diagnosis: screening",
-             static_cast<double>(b) / static_cast<double>(nodes.size()));
-    for (const effects::Effect* kind : kinds) {
-      Where where;
-      where.node = nodes[b];
+  progress("diagnosis: screening", 0.5);
+  result.resize(nodes.size() * kinds.size());
+  for_each_parallel(nodes.size(), [&](std::size_t b) {
+    Where where;
+    where.node = nodes[b];
+    for (std::size_t k = 0; k < kinds.size(); ++k) {
       const effects::ParameterSpec spec =
-          kind->parameters(where, setting).front();
-      const auto [size, error] = scan.best(b, *kind, spec);
-      result.push_back({PlacedEffect{kind, where, {size}}, error});
+          kinds[k]->parameters(where, setting).front();
+      const auto [size, error] = scan.best(b, *kinds[k], spec);
+      result[b * kinds.size() + k] = {PlacedEffect{kinds[k], where, {size}},
+                                      error};
     }
-  }
+  });
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
     return a.error < b.error;
   });

@@ -2,8 +2,10 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/effects/added_mass.hpp"
+#include "updating/effects/channel_gain.hpp"
 #include "updating/effects/dashpot.hpp"
 #include "updating/effects/ground_spring.hpp"
+#include "updating/effects/sensor_cable.hpp"
 #include "updating/effects/sensor_mass.hpp"
 #include "updating/effects/soft_support.hpp"
 
@@ -14,12 +16,14 @@
 namespace tapfit::effects {
 
 std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 5> effects = {
+  static const std::array<std::unique_ptr<const Effect>, 7> effects = {
       std::make_unique<const SensorMass>(),
       std::make_unique<const SoftSupport>(),
       std::make_unique<const AddedMass>(),
       std::make_unique<const GroundSpring>(),
       std::make_unique<const Dashpot>(),
+      std::make_unique<const SensorCable>(),
+      std::make_unique<const ChannelGain>(),
   };
   return effects;
 }

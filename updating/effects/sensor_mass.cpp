@@ -2,6 +2,7 @@
 
 #include "updating/effects/deck_cards.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/effects/sensor_channels.hpp"
 
 #include <algorithm>
 #include <set>
@@ -14,35 +15,10 @@ std::size_t group_of(const Where& where, std::size_t position) {
   return where.variant == "each" ? position : 0;
 }
 
-// Sensor channels in the order of the channel table.
-std::vector<std::string> sensor_channels(const acquisition::TestBundle& b) {
-  std::set<std::size_t> used;
-  for (const acquisition::Run& run : b.runs) {
-    for (const acquisition::Placement& p : run.sensors) used.insert(p.channel);
-  }
-  std::vector<std::string> names;
-  for (const std::size_t channel : used) {
-    names.push_back(b.channels[channel].name);
-  }
-  return names;
-}
-
 }  // namespace
 
 std::vector<Where> SensorMass::places(const Setting& setting) const {
-  const std::vector<std::string> channels = sensor_channels(*setting.bundle);
-  std::vector<Where> result;
-  if (channels.empty()) return result;
-  Where all;
-  all.channels = channels;
-  result.push_back(all);
-  if (channels.size() == 1) return result;
-  for (const std::string& channel : channels) {
-    Where one;
-    one.channels = {channel};
-    result.push_back(one);
-  }
-  return result;
+  return sensor_places(setting);
 }
 
 std::vector<ParameterSpec> SensorMass::parameters(
@@ -62,15 +38,9 @@ std::vector<ActedDof> SensorMass::acts_on(const Where& where,
                                           const Setting& setting,
                                           std::size_t run) const {
   std::vector<ActedDof> result;
-  const acquisition::TestBundle& bundle = *setting.bundle;
-  for (const acquisition::Placement& p : bundle.runs.at(run).sensors) {
-    const auto it = std::find(where.channels.begin(),
-                              where.channels.end(),
-                              bundle.channels[p.channel].name);
-    if (it == where.channels.end()) continue;
-    const auto position = static_cast<std::size_t>(it - where.channels.begin());
-    for (ActedDof dof : translations(p.dof.node)) {
-      dof.group = group_of(where, position);
+  for (const PlacedSensor& sensor : placed_sensors(where, setting, run)) {
+    for (ActedDof dof : translations(sensor.dof.node)) {
+      dof.group = group_of(where, sensor.position);
       result.push_back(dof);
     }
   }

@@ -1,0 +1,39 @@
+// A wrong sensitivity of one channel: its FRFs are multiplied by a real gain at
+// every frequency, and no pole moves.
+#pragma once
+
+#include "updating/effects/effect.hpp"
+
+namespace tapfit::effects {
+
+class ChannelGain final : public Effect {
+ public:
+  [[nodiscard]] std::string name() const override { return "channel-gain"; }
+  [[nodiscard]] std::string physics() const override {
+    return "a wrong sensitivity; one factor at every frequency, no frequency "
+           "moves";
+  }
+  [[nodiscard]] Entry entry() const override { return Entry::Measurement; }
+  /// Each sensor channel.
+  [[nodiscard]] std::vector<Where> places(
+      const Setting& setting) const override;
+  [[nodiscard]] std::vector<ParameterSpec> parameters(
+      const Where& where, const Setting& setting) const override;
+  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
+                                              const Setting& setting,
+                                              std::size_t run) const override;
+  [[nodiscard]] std::complex<double> law(std::complex<double> s,
+                                         const std::vector<double>& p,
+                                         std::size_t group) const override;
+  [[nodiscard]] std::complex<double> law_derivative(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group,
+      std::size_t k) const override;
+  [[nodiscard]] std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const override;
+};
+
+}  // namespace tapfit::effects

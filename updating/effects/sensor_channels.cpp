@@ -1,0 +1,46 @@
+#include "updating/effects/sensor_channels.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tapfit::effects {
+
+std::vector<Where> sensor_places(const Setting& setting) {
+  // In the order of the channel table.
+  std::set<std::size_t> used;
+  for (const acquisition::Run& run : setting.bundle->runs) {
+    for (const acquisition::Placement& p : run.sensors) used.insert(p.channel);
+  }
+  Where all;
+  for (const std::size_t channel : used) {
+    all.channels.push_back(setting.bundle->channels[channel].name);
+  }
+  std::vector<Where> result;
+  if (all.channels.empty()) return result;
+  result.push_back(all);
+  if (all.channels.size() == 1) return result;
+  for (const std::string& channel : all.channels) {
+    Where one;
+    one.channels = {channel};
+    result.push_back(one);
+  }
+  return result;
+}
+
+std::vector<PlacedSensor> placed_sensors(const Where& where,
+                                         const Setting& setting,
+                                         std::size_t run) {
+  std::vector<PlacedSensor> result;
+  const acquisition::TestBundle& bundle = *setting.bundle;
+  for (const acquisition::Placement& p : bundle.runs.at(run).sensors) {
+    const auto it = std::find(where.channels.begin(),
+                              where.channels.end(),
+                              bundle.channels[p.channel].name);
+    if (it == where.channels.end()) continue;
+    result.push_back(
+        {p.dof, static_cast<std::size_t>(it - where.channels.begin())});
+  }
+  return result;
+}
+
+}  // namespace tapfit::effects
