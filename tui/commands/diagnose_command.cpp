@@ -8,6 +8,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <sstream>
+
 namespace tapfit::tui {
 
 using nlohmann::ordered_json;
@@ -42,26 +45,53 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
   return rungs;
 }
 
+std::string indented_parameters(
+    const std::vector<updating::Estimate>& parameters) {
+  std::string text;
+  for (const auto& estimate : parameters) {
+    text += "      " + parameters_text({estimate}) + "\n";
+  }
+  return text;
+}
+
 std::string look_alikes(const updating::Candidate& candidate) {
   std::string text;
   for (const auto& other : candidate.indistinguishable_from) {
-    text += text.empty() ? "like " : ", ";
+    text += text.empty() ? "or " : ", ";
     text += effect_text(other.effect, other.where);
   }
   return text;
 }
 
+/// A table with one line per candidate, its size on the line below.
 std::string candidates_text(const std::vector<updating::Candidate>& list) {
-  TextTable table(
-      {"<candidate", "probability", "error", "<size", "<can't be told from"});
-  for (std::size_t k = 0; k < std::min(list.size(), candidates_shown); ++k) {
+  if (list.empty()) return {};
+  const std::size_t shown = std::min(list.size(), candidates_shown);
+  TextTable table({"<candidate", "probability", "error", "<"});
+  for (std::size_t k = 0; k < shown; ++k) {
     table.add({effect_text(list[k].effect, list[k].where),
                fmt::format("{:.3f}", list[k].probability),
                percent(list[k].error),
-               parameters_text(list[k].parameters),
                look_alikes(list[k])});
   }
-  return list.empty() ? std::string{} : table.text();
+  std::istringstream lines(table.text());
+  std::string text;
+  std::string line;
+  std::getline(lines, line);
+  text += line + "\n";
+  for (std::size_t k = 0; k < shown; ++k) {
+    std::getline(lines, line);
+    text += line + "\n" + indented_parameters(list[k].parameters);
+  }
+  return text;
+}
+
+bool is_candidate(const updating::Diagnosis& diagnosis,
+                  const updating::Rung& rung) {
+  return std::ranges::any_of(
+      diagnosis.candidates, [&rung](const updating::Candidate& candidate) {
+        return candidate.effect == rung.added && candidate.where == rung.where;
+      });
 }
 
 }  // namespace
@@ -90,10 +120,9 @@ std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
   std::string text = fmt::format("Diagnosis: {}\n", diagnosis.verdict);
   text += candidates_text(diagnosis.candidates);
   for (const auto& rung : diagnosis.ladder) {
-    if (rung.parameters.empty()) continue;
-    text += fmt::format("  {}: {}\n",
-                        effect_text(rung.added, rung.where),
-                        parameters_text(rung.parameters));
+    if (rung.parameters.empty() || is_candidate(diagnosis, rung)) continue;
+    text += "  " + effect_text(rung.added, rung.where) + "\n" +
+            indented_parameters(rung.parameters);
   }
   for (const auto& estimate : diagnosis.model_parameters) {
     text += fmt::format("  model parameter {} {}\n",

@@ -81,14 +81,24 @@ std::string effect_text(const std::string& effect,
              : fmt::format("{} at {}", effect, place);
 }
 
+namespace {
+
+/// Two digits, without an exponent where that can be helped.
+std::string sd_text(double sd) {
+  return sd >= 10.0 && sd < 1e5 ? fmt::format("{:.0f}", sd)
+                                : fmt::format("{:.2g}", sd);
+}
+
+}  // namespace
+
 std::string parameters_text(const std::vector<updating::Estimate>& parameters) {
   std::string text;
   for (const auto& estimate : parameters) {
     if (!text.empty()) text += ", ";
-    text += fmt::format("{} {} +- {:.2g}",
+    text += fmt::format("{} {} +- {}",
                         estimate.name,
                         short_number(estimate.value),
-                        estimate.sd);
+                        sd_text(estimate.sd));
   }
   return text;
 }

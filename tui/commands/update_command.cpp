@@ -5,9 +5,33 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cassert>
 
 namespace tapfit::tui {
+
+namespace {
+
+/// Gives the candidates the values that all effects together have, and leaves
+/// the base's own parameters: the session names an effect's "EFFECT NAME".
+void take_final_values(updating::Diagnosis& diagnosis) {
+  auto& parameters = diagnosis.model_parameters;
+  for (auto& candidate : diagnosis.candidates) {
+    for (auto& estimate : candidate.parameters) {
+      const auto found =
+          std::ranges::find(parameters,
+                            candidate.effect + " " + estimate.name,
+                            &updating::Estimate::name);
+      if (found == parameters.end()) continue;
+      const std::string name = estimate.name;
+      estimate = *found;
+      estimate.name = name;
+      parameters.erase(found);
+    }
+  }
+}
+
+}  // namespace
 
 updating::Diagnosis diagnosis_of_named(
     const std::vector<updating::Rung>& ladder,
@@ -32,6 +56,7 @@ updating::Diagnosis diagnosis_of_named(
                                     .held_out_error = rung.error,
                                     .indistinguishable_from = {}});
   }
+  take_final_values(diagnosis);
   if (diagnosis.verdict.empty()) diagnosis.verdict = "none";
   diagnosis.warnings.push_back(
       "the effects were named by the user and taken as given: the "

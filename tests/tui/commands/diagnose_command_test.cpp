@@ -145,5 +145,31 @@ TEST(UpdateCommand, NamedEffectsBecomeRungsAndCandidates) {
   EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "none");
 }
 
+TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {
+  const auto mass = [](const std::string& name, double value) {
+    return updating::Estimate{
+        .name = name, .value = value, .sd = 0.1, .lo95 = 0.0, .hi95 = 9.0};
+  };
+  const updating::Rung base{
+      .added = "base", .where = {}, .error = 0.5, .parameters = {}};
+  const updating::Rung first{.added = "added-mass",
+                             .where = at_node(1),
+                             .error = 0.2,
+                             .parameters = {mass("mass_kg", 1.0)}};
+  updating::Rung second = first;
+  second.where = at_node(2);
+  const auto diagnosis = diagnosis_of_named({base, first, second},
+                                            {},
+                                            {mass("E:1", 7e10),
+                                             mass("added-mass mass_kg", 3.0),
+                                             mass("added-mass mass_kg", 4.0)});
+  EXPECT_EQ(diagnosis.ladder[0].parameters[0].value, 1.0);
+  EXPECT_EQ(diagnosis.candidates[0].parameters[0].value, 3.0);
+  EXPECT_EQ(diagnosis.candidates[1].parameters[0].value, 4.0);
+  EXPECT_EQ(diagnosis.candidates[1].parameters[0].name, "mass_kg");
+  ASSERT_EQ(diagnosis.model_parameters.size(), 1U);
+  EXPECT_EQ(diagnosis.model_parameters[0].name, "E:1");
+}
+
 }  // namespace
 }  // namespace tapfit::tui
