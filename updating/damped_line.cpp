@@ -16,9 +16,9 @@ Eigen::VectorXcd damped_line(std::array<double, 2> band_hz,
   const double two_pi = 2.0 * std::numbers::pi;
   const double least = 5.0 / block_s;
   // Lines one peak width apart carry nearly independent information.
-  const double needed =
-      std::log(band_hz[1] / std::max(band_hz[0], 1e-3)) / options.delta;
-  const double stretch = std::max(1.0, needed / options.max_lines);
+  const double octaves = std::log(band_hz[1] / std::max(band_hz[0], 1e-3));
+  const double stretch = std::max(
+      1.0, std::expm1(octaves / (options.max_lines - 1)) / options.delta);
   std::vector<std::complex<double>> s;
   double omega = two_pi * band_hz[0];
   while (omega <= two_pi * band_hz[1] * (1.0 + 1e-12)) {

@@ -305,7 +305,10 @@ std::vector<FrfModel::Columns> FrfModel::columns(
       const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
       c.own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
     }
-    c.X = shared.modes.phi * lines.columns(g, coupled, at);
+    c.X = lines.columns(g, coupled, at);
+    if (!shared.modes.phi.isIdentity(0.0)) {
+      c.X = (shared.modes.phi * c.X).eval();
+    }
     result.push_back(std::move(c));
   }
   return result;

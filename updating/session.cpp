@@ -377,8 +377,15 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
 Signature Session::signature(int node, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   static_cast<void>(impl_->deck->grid_index(node));
-  return signature_at(
-      impl_->fits.back(), impl_->fitter->target(), node, progress);
+  // The base gains the static response at the grid looked at: without it the
+  // grid's own flexibility would be taken for something missing.
+  Fit current = impl_->fits.back();
+  std::vector<PlacedEffect> with_node = current.effects;
+  Where where;
+  where.node = node;
+  with_node.push_back({&effects::find("added-mass"), where, {1.0}});
+  current.model = impl_->fitter->model_for(with_node);
+  return signature_at(current, impl_->fitter->target(), node, progress);
 }
 
 void Session::Impl::drop_current() {

@@ -15,8 +15,8 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
 
-// Least squares of z = size * law, weighted by 1 / sd; returns the size and
-// the share of z (in the same weights) that is left.
+// Weighted least squares of z = size * law; returns the size and the share of
+// z (in the same weights) that is left.
 std::pair<double, double> fit_law(const VectorXcd& z,
                                   const VectorXd& weight,
                                   const VectorXcd& law) {
@@ -56,6 +56,9 @@ Signature signature_at(const Fit& current,
   result.z_sd.resize(lines);
   double all = 0.0;
   double left = 0.0;
+  // A law is fitted where the effect shows: an error of z counts by what it
+  // does to the FRFs.
+  VectorXd weight(lines);
   for (Index l = 0; l < lines; ++l) {
     const complex<double> s2 = target.s(l) * target.s(l);
     const VectorXcd pattern = s2 * patterns.pattern[0].row(l).transpose();
@@ -71,16 +74,12 @@ Signature signature_at(const Fit& current,
     const double safe = std::max(std::abs(turn), 1e-9);
     result.z(l) = w * std::conj(turn) / (safe * safe);
     result.z_sd(l) = w_sd / (safe * safe);
+    weight(l) = std::sqrt(power) * safe * safe / target.weight(l);
     const double scale = std::pow(target.weight(l), -2);
     all += scale * missing.squaredNorm();
     left += scale * misfit;
   }
   result.explained = all > 0.0 ? 1.0 - left / all : 0.0;
-  VectorXd weight(lines);
-  for (Index l = 0; l < lines; ++l) {
-    weight(l) =
-        1.0 / std::max(result.z_sd(l), 1e-12 * std::abs(result.z(l)) + 1e-300);
-  }
   const VectorXcd& s = target.s;
   std::tie(result.mass_kg, result.mass_unexplained) =
       fit_law(result.z, weight, s.cwiseProduct(s));

@@ -36,19 +36,16 @@ std::optional<Point> look(const FrfModel& model,
                           const Target& target,
                           const ModelState& like,
                           const Prior& prior,
-                          const VectorXd& theta,
-                          bool derivatives) {
+                          const VectorXd& theta) {
   const ModelResponse response =
-      model.respond(unpack(like, theta), target.s, derivatives);
+      model.respond(unpack(like, theta), target.s, true);
   if (!response.H.allFinite()) return std::nullopt;
   Point point;
   point.theta = theta;
   point.r = stack(target, response.H - target.H);
-  if (derivatives) {
-    point.J.resize(point.r.size(), theta.size());
-    for (std::size_t k = 0; k < response.dH.size(); ++k) {
-      point.J.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
-    }
+  point.J.resize(point.r.size(), theta.size());
+  for (std::size_t k = 0; k < response.dH.size(); ++k) {
+    point.J.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }
   const double misfit = std::max(point.r.squaredNorm(), 1e-30);
   point.objective =
@@ -98,7 +95,7 @@ UpdateResult update(const FrfModel& model,
   const double data = effective_data(target);
   const VectorXd first =
       pack(start).cwiseMax(prior.lower).cwiseMin(prior.upper);
-  std::optional<Point> at = look(model, target, start, prior, first, true);
+  std::optional<Point> at = look(model, target, start, prior, first);
   result.state = unpack(start, first);
   if (!at) {
     result.message = "the model's FRFs are not finite at the start";
@@ -114,11 +111,10 @@ UpdateResult update(const FrfModel& model,
                                 .cwiseMax(prior.lower)
                                 .cwiseMin(prior.upper);
       moved = (next - at->theta).cwiseAbs().maxCoeff();
-      std::optional<Point> trial =
-          look(model, target, start, prior, next, false);
+      std::optional<Point> trial = look(model, target, start, prior, next);
       improved = trial && trial->objective < at->objective;
       if (improved) {
-        at = look(model, target, start, prior, next, true);
+        at = std::move(trial);
         damping = std::max(damping * 0.2, 1e-9);
       } else {
         if (moved <= options.tolerance) break;

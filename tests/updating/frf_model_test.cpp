@@ -147,8 +147,9 @@ TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
   const auto model = fitter_->model_for({});
   const MatrixXcd H =
       model->respond(undamped(*fitter_, *model, {}), s_, false).H;
-  // Modes to four times the band plus residual vectors: the stated error.
-  EXPECT_LT(difference(H, direct(deck_, pairs_, {}, s_)), 1e-5);
+  // Modes to three times the band plus residual vectors leave (1 / 3)^4 of
+  // the highest modes' share, about 4e-5 here.
+  EXPECT_LT(difference(H, direct(deck_, pairs_, {}, s_)), 1e-4);
 }
 
 TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
@@ -164,7 +165,8 @@ TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
       pairs_,
       {{30, 2, 0.05}, {50, 0, 3e4}, {20, 1, 7.0}, {11, 2, 0.01}, {36, 2, 0.02}},
       s_);
-  EXPECT_LT(difference(H, exact), 1e-5);
+  // The base's own error, a little larger at places that are not measured.
+  EXPECT_LT(difference(H, exact), 5e-4);
 }
 
 TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
@@ -176,42 +178,54 @@ TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
     const ModelState state = undamped(*fitter_, *model, {clamp(k)});
     const MatrixXcd H = model->respond(state, s_, false).H;
     const MatrixXcd exact = direct(deck_, pairs_, {}, s_, rotations, k);
-    // Between the two states of the basis the error is largest.
-    EXPECT_LT(difference(H, exact), 1e-3) << "k = " << k;
+    // Between the states of the basis the error is largest, 0.3 % here.
+    EXPECT_LT(difference(H, exact), 5e-3) << "k = " << k;
   }
 }
 
-TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
-  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
-                                             at_node("ground-spring", 50, 3e4),
-                                             at_node("dashpot", 20, 7.0),
-                                             sensors(0.01, 0.02),
-                                             clamp(1.0)};
-  auto placed = effects;
-  const auto model = fitter_->model_for(effects);
-  placed.back().p[0] = model->base().supports.front().start;
-  ModelState state = fitter_->first_state(*model, placed);
-  state.zeta.setLinSpaced(0.004, 0.02);
+// Largest relative difference between analytic and central differences.
+double derivative_error(const FrfModel& model,
+                        const ModelState& state,
+                        const VectorXcd& s) {
   const Eigen::VectorXd theta = pack(state);
-  const ModelResponse response = model->respond(state, s_, true);
-  ASSERT_EQ(response.dH.size(), static_cast<std::size_t>(theta.size()));
+  const ModelResponse response = model.respond(state, s, true);
+  double worst = 0.0;
   for (Index k = 0; k < theta.size(); ++k) {
     const double h = 1e-5;
     Eigen::VectorXd up = theta;
     Eigen::VectorXd down = theta;
     up(k) += h;
     down(k) -= h;
-    const MatrixXcd numeric =
-        (model->respond(unpack(state, up), s_, false).H -
-         model->respond(unpack(state, down), s_, false).H) /
-        (2.0 * h);
-    // Modal damping turns with the modes when a support gives; that part is
-    // left out of the analytic derivative and is of the order of zeta.
-    const double allowed = k + 1 == theta.size() ? 0.05 : 1e-6;
-    EXPECT_LT(difference(response.dH[static_cast<std::size_t>(k)], numeric),
-              allowed)
-        << "parameter " << k;
+    const MatrixXcd numeric = (model.respond(unpack(state, up), s, false).H -
+                               model.respond(unpack(state, down), s, false).H) /
+                              (2.0 * h);
+    worst = std::max(
+        worst, difference(response.dH[static_cast<std::size_t>(k)], numeric));
   }
+  return worst;
+}
+
+TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
+  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
+                                             at_node("ground-spring", 50, 3e4),
+                                             at_node("dashpot", 20, 7.0),
+                                             sensors(0.01, 0.02)};
+  const auto model = fitter_->model_for(effects);
+  ModelState state = fitter_->first_state(*model, effects);
+  state.factor = {1.02};
+  state.zeta.setLinSpaced(0.004, 0.02);
+  // Central differences of step 1e-5 are good to about 1e-8 here.
+  EXPECT_LT(derivative_error(*model, state, s_), 1e-6);
+}
+
+TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
+  auto effects = std::vector<PlacedEffect>{clamp(1.0)};
+  const auto model = fitter_->model_for(effects);
+  effects.back().p[0] = model->base().supports.front().start;
+  const ModelState state = fitter_->first_state(*model, effects);
+  // Modal damping turns with the modes when a support gives; that part is left
+  // out of the analytic derivative and is of the order of zeta (1 %).
+  EXPECT_LT(derivative_error(*model, state, s_), 0.05);
 }
 
 TEST_F(FrfModelTest, PackAndUnpackAreInverse) {
