@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace tapfit::modal {
 namespace {
@@ -67,6 +68,33 @@ bool usable(const signal::Frf& frf,
   warnings.push_back("FRF " + signal::name(frf) +
                      " is zero throughout and was left out");
   return false;
+}
+
+/// Variance from how much a line differs from the mean of its neighbours, as
+/// the running median, which a resonance cannot move. For white noise the
+/// difference has 3/2 of its variance, and the median of |x|^2 is ln 2 of its
+/// mean.
+Eigen::VectorXd roughness(const Eigen::VectorXcd& H) {
+  const Eigen::Index n = H.size();
+  const Eigen::Index half = std::max<Eigen::Index>(10, n / 20);
+  Eigen::VectorXd difference = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index k = 1; k + 1 < n; ++k) {
+    difference(k) = std::norm(H(k) - 0.5 * (H(k - 1) + H(k + 1)));
+  }
+  difference(0) = difference(1);
+  difference(n - 1) = difference(n - 2);
+  Eigen::VectorXd result(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
+    const Eigen::Index end = std::min(n, k + half + 1);
+    std::vector<double> near(difference.begin() + begin,
+                             difference.begin() + end);
+    const auto middle =
+        near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::ranges::nth_element(near, middle);
+    result(k) = *middle / (1.5 * std::numbers::ln2);
+  }
+  return result;
 }
 
 Eigen::VectorXd clean_variance(const signal::Frf& frf, Eigen::Index lines) {
@@ -132,6 +160,10 @@ Curves prepare_curves(const signal::FrfSet& frfs,
     const int sign = frf.response.sign * frf.reference.sign;
     curves.H.col(f) = static_cast<double>(sign) * frf.H.tail(lines);
     curves.variance.col(f) = clean_variance(frf, frfs.lines()).tail(lines);
+    if (frf.hits < 2 || curves.variance.col(f).isZero(0.0)) {
+      curves.variance.col(f) =
+          curves.variance.col(f).cwiseMax(roughness(curves.H.col(f)));
+    }
     curves.weight.col(f) = weights(curves.H.col(f), curves.variance.col(f));
   }
   return curves;

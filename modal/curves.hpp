@@ -21,7 +21,9 @@ struct Curves {
   double sigma = 0.0;    ///< Re(s), the same on all lines [rad/s]
   double spacing = 0.0;  ///< between lines [rad/s]
   Eigen::MatrixXcd H;    ///< n_lines x n_frfs accelerance, signs turned to +
-  Eigen::MatrixXd variance;    ///< E|dH|^2, n_lines x n_frfs
+  /// E|dH|^2, n_lines x n_frfs; at least the roughness of H over the lines for
+  /// a single hit, which has no scatter to tell of.
+  Eigen::MatrixXd variance;
   Eigen::MatrixXd weight;      ///< w, n_lines x n_frfs
   std::vector<Dof> response;   ///< per FRF, sign +1
   std::vector<Dof> reference;  ///< per FRF, sign +1

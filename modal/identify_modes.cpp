@@ -122,20 +122,23 @@ void add_modes(const Curves& curves,
 }
 
 /// Replaces a fit of common poles by one of each run's own, when that leaves
-/// clearly less: the sensors' mass moves the modes.
+/// clearly less or needs fewer modes: the sensors' mass moves the modes.
 bool fit_each_run(const Curves& curves,
                   const IdentifyOptions& options,
                   const Progress& progress,
                   ModalFit& fit,
                   Eigen::MatrixXd& covariance,
                   std::vector<std::string>& warnings) {
-  constexpr double kPoor = 0.05;
+  if (!sensors_rove(curves)) return false;
   const bool found = fit.poles.size() > 0;
   const double common = found ? synthesis_error(curves, fit.H) : 1.0;
-  if (common < kPoor || !sensors_rove(curves)) return false;
   const std::optional<RunModes> runs =
       identify_per_run(curves, options, progress);
-  if (!runs || synthesis_error(curves, runs->H) > 0.5 * common) return false;
+  if (!runs) return false;
+  // Common poles can follow moving ones only by being many.
+  const double apart = synthesis_error(curves, runs->H);
+  const bool fewer = runs->poles.size() < fit.poles.size();
+  if (apart > 0.5 * common && !(fewer && apart < 2.0 * common)) return false;
   if (!found) fit = fit_residues(curves, runs->poles);
   fit.poles = runs->poles;
   fit.residues = runs->residues;

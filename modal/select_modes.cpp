@@ -188,6 +188,7 @@ Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
 }
 
 double usual_damping(const ModalFit& fit) {
+  if (fit.poles.size() == 0) return 0.005;
   std::vector<double> ratios;
   for (const Complex& pole : fit.poles) {
     ratios.push_back(-pole.real() / std::abs(pole));
@@ -209,16 +210,33 @@ Eigen::VectorXd resolved(const Curves& curves, const ModalFit& fit) {
   return result;
 }
 
+/// Whether a pole that no track speaks for is a mode: well resolved, in phase,
+/// a good part of the FRFs at its frequency, damped like the others and not
+/// beside one of them, where it could only mend that one's misfit.
+bool is_convincing(const Curves& curves, const ModalFit& fit, Index r) {
+  const Complex pole = fit.poles(r);
+  const double zeta = -pole.real() / std::abs(pole);
+  if (!in_band(curves, pole) || fit.contribution(r) < 0.25) return false;
+  if (zeta > 4.0 * usual_damping(fit)) return false;
+  if (curves.count() > 2 && phase_collinearity(fit.residues.col(r)) < 0.6) {
+    return false;
+  }
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    const double width = std::max(-pole.real(), -fit.poles(q).real());
+    if (q != r && std::abs(fit.poles(q) - pole) < 3.0 * width) return false;
+  }
+  return resolved(curves, fit)(r) > 10.0;
+}
+
 /// Looks for modes that no track told of where the residual has a peak, for
 /// example one that hardly moves the references.
 ModalFit recover_missed(const Curves& curves,
                         ModalFit fit,
                         const IdentifyOptions& options) {
   constexpr double kPeak = 1.5;
-  // No track speaks for such a mode, so its damping has to.
-  constexpr double kCertain = 10.0;
   Eigen::VectorXd open = Eigen::VectorXd::Ones(curves.lines());
-  for (int attempt = 0; attempt < 6; ++attempt) {
+  int failures = 0;
+  while (failures < 6) {
     Index line = 0;
     if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < kPeak) {
       break;
@@ -228,10 +246,11 @@ ModalFit recover_missed(const Curves& curves,
     poles << fit.poles, Complex(-usual_damping(fit) * omega, omega);
     ModalFit trial = refine_poles(curves, poles, 12);
     const Index last = trial.poles.size() - 1;
-    if (in_band(curves, trial.poles(last)) &&
-        weakest(curves, trial, options) < 0 &&
-        resolved(curves, trial)(last) > kCertain) {
+    if (weakest(curves, trial, options) < 0 &&
+        is_convincing(curves, trial, last)) {
       fit = std::move(trial);
+    } else {
+      ++failures;
     }
     const Index begin = std::max<Index>(0, line - 8);
     open.segment(begin, std::min(curves.lines(), line + 9) - begin).setZero();
@@ -289,14 +308,13 @@ Selection select_modes(const Curves& curves,
   ModalFit& fit = selection.fit;
   fit = refine_poles(curves, candidates(curves, tracks, orders), 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
-  if (fit.poles.size() == 0) return selection;
-  add_neighbours(curves, fit);
-  fit = refine_poles(curves, fit.poles, 20);
-  fit = drop_weak(curves, std::move(fit), options, progress);
-  if (fit.poles.size() == 0) return selection;
-  drop_unresolved(curves, selection);
+  if (fit.poles.size() > 0) {
+    add_neighbours(curves, fit);
+    fit = refine_poles(curves, fit.poles, 20);
+    fit = drop_weak(curves, std::move(fit), options, progress);
+    drop_unresolved(curves, selection);
+  }
   const std::vector<Complex> told = selection.unresolved;
-  if (fit.poles.size() == 0) return selection;
   fit = recover_missed(curves, std::move(fit), options);
   drop_unresolved(curves, selection);
   // What was only tried is not worth telling.

@@ -242,6 +242,42 @@ TEST(IdentifyModes, WithoutDrivingPointKeepsTheHitPoints) {
   EXPECT_GT(modal::mac(found.modes[1].shape, phi)(0, 0), 0.9999);
 }
 
+// A sensor's mass m moves mode r by about -m phi^2 / 2 of its frequency; here
+// each run has its own modes, within 2 % of the first's.
+TEST(IdentifyModes, FitsEachRunWhereSensorsMoveTheModes) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> uniform;
+  SyntheticSystem system = random_system(4, 10, 0.004, 0.006, random);
+  system.phi.row(0).setOnes();  // the hammer is in no mode's node
+  const Eigen::VectorXd still = system.frequency_hz;
+  signal::FrfSet frfs;
+  frfs.s = test::line_points(5, 100, 900, 0.3);
+  for (int run = 0; run < 4; ++run) {
+    for (Index r = 0; r < 4; ++r) {
+      system.frequency_hz(r) = still(r) * (1.0 - 0.02 * uniform(random));
+    }
+    const signal::FrfSet all = test::roving_hammer(
+        system, {2 * run + 2, 2 * run + 3}, frfs.s, 0.005, random);
+    for (signal::Frf frf : all.frfs) {
+      if (frf.reference.node != 1) continue;
+      frf.run = static_cast<std::size_t>(run);
+      frfs.frfs.push_back(frf);
+    }
+  }
+  const modal::ModeSet found = modal::identify_modes(frfs, {});
+  ASSERT_EQ(found.modes.size(), 4U);
+  ASSERT_EQ(found.dofs.size(), 8U);
+  for (std::size_t r = 0; r < 4; ++r) {
+    const modal::Mode& mode = found.modes[r];
+    const Eigen::VectorXcd phi = system.phi.col(static_cast<Index>(r))
+                                     .tail(8)
+                                     .cast<std::complex<double>>();
+    EXPECT_NEAR(mode.frequency_hz / still(static_cast<Index>(r)), 0.99, 0.01);
+    EXPECT_GT(mode.frequency_sd_hz / mode.frequency_hz, 1e-3);
+    EXPECT_GT(modal::mac(mode.shape, phi)(0, 0), 0.99);
+  }
+}
+
 TEST(IdentifyModes, RefusesTooFewLines) {
   std::mt19937_64 random(4);
   const SyntheticSystem system = random_system(2, 3, 0.005, 0.01, random);
