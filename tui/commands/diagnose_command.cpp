@@ -18,6 +18,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t candidates_shown = 10;
+constexpr std::size_t look_alikes_shown = 2;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
   ordered_json others = ordered_json::array();
@@ -55,10 +56,14 @@ std::string indented_parameters(
 }
 
 std::string look_alikes(const updating::Candidate& candidate) {
+  const auto& others = candidate.indistinguishable_from;
   std::string text;
-  for (const auto& other : candidate.indistinguishable_from) {
+  for (std::size_t k = 0; k < std::min(others.size(), look_alikes_shown); ++k) {
     text += text.empty() ? "or " : ", ";
-    text += effect_text(other.effect, other.where);
+    text += effect_text(others[k].effect, others[k].where);
+  }
+  if (others.size() > look_alikes_shown) {
+    text += fmt::format(" and {} more", others.size() - look_alikes_shown);
   }
   return text;
 }
