@@ -1,7 +1,7 @@
 #include "tui/commands/updated_deck.hpp"
 
 #include "tui/commands/effect_output.hpp"
-#include "tui/commands/text_table.hpp"
+#include "tui/commands/update_command.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/structure/system.hpp"
 
@@ -31,14 +31,14 @@ effects::Setting setting_of(const acquisition::TestBundle& bundle,
 }
 
 /// The identified values in the order the effect wants them; its start value
-/// for one that the rung does not hold.
-std::vector<double> values(const updating::Rung& rung,
+/// for one that was not identified.
+std::vector<double> values(const std::vector<updating::Estimate>& identified,
                            const std::vector<effects::ParameterSpec>& specs) {
   std::vector<double> p;
   for (const auto& spec : specs) {
-    const auto found = std::ranges::find(
-        rung.parameters, spec.name, &updating::Estimate::name);
-    p.push_back(found == rung.parameters.end() ? spec.start : found->value);
+    const auto found =
+        std::ranges::find(identified, spec.name, &updating::Estimate::name);
+    p.push_back(found == identified.end() ? spec.start : found->value);
   }
   return p;
 }
@@ -55,21 +55,22 @@ void take_id(const std::string& card, structure::Deck& deck) {
 
 }  // namespace
 
-std::vector<std::string> effect_cards(const std::vector<updating::Rung>& ladder,
-                                      const acquisition::TestBundle& bundle,
-                                      const structure::Deck& deck) {
+std::vector<std::string> effect_cards(
+    const std::vector<updating::Candidate>& added_effects,
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck) {
   structure::Deck with_ids = deck;
   effects::Setting setting = setting_of(bundle, deck);
   setting.deck = &with_ids;
   std::vector<std::string> cards;
-  for (std::size_t k = 1; k < ladder.size(); ++k) {
-    const updating::Rung& rung = ladder[k];
-    const effects::Effect& effect = effects::find(rung.added);
+  for (const auto& added : added_effects) {
+    const effects::Effect& effect = effects::find(added.effect);
     cards.push_back(fmt::format("$ {}: {}",
-                                effect_text(rung.added, rung.where),
-                                parameters_text(rung.parameters)));
-    const auto p = values(rung, effect.parameters(rung.where, setting));
-    for (std::string& card : effect.bulk_data(rung.where, setting, p)) {
+                                effect_text(added.effect, added.where),
+                                parameters_text(added.parameters)));
+    const auto p =
+        values(added.parameters, effect.parameters(added.where, setting));
+    for (std::string& card : effect.bulk_data(added.where, setting, p)) {
       take_id(card, with_ids);
       cards.push_back(std::move(card));
     }
@@ -81,10 +82,14 @@ void write_updated_deck(updating::Session& session,
                         const std::filesystem::path& path,
                         const Progress& progress) {
   const structure::Deck& deck = session.deck(progress);
+  const updating::Diagnosis named =
+      diagnosis_of_named(session.ladder(progress),
+                         session.comparison(progress),
+                         session.model_parameters(progress));
   std::vector<std::string> cards =
-      effect_cards(session.ladder(progress), session.bundle(), deck);
-  for (const auto& estimate : session.model_parameters(progress)) {
-    cards.push_back(fmt::format("$ identified: {} {}",
+      effect_cards(named.candidates, session.bundle(), deck);
+  for (const auto& estimate : named.model_parameters) {
+    cards.push_back(fmt::format("$ identified, not written to its card: {} {}",
                                 parameters_text({estimate}),
                                 model_parameter_unit(estimate.name)));
   }

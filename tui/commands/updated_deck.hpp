@@ -10,11 +10,11 @@
 
 namespace tapfit::tui {
 
-/// Cards of every rung of the ladder, each with element ids of its own.
+/// Cards of the effects, each with element ids of its own.
 ///
-/// @param ladder base rung first
+/// @param added_effects with the values that all of them together have
 [[nodiscard]] std::vector<std::string> effect_cards(
-    const std::vector<updating::Rung>& ladder,
+    const std::vector<updating::Candidate>& added_effects,
     const acquisition::TestBundle& bundle,
     const structure::Deck& deck);
 
