@@ -97,7 +97,7 @@ TEST_F(Demo, TheLargeEffectsAreFoundAndNoneInvented) {
   }
 }
 
-// 5 %: the size that DESIGN promises of an effect never seen before.
+// 5 %: what the size of an effect is good for in the lab.
 TEST_F(Demo, SensorMassIsWithinFivePercent) {
   const json sensor = built_in(truth_, "sensor-mass");
   ASSERT_FALSE(sensor.is_null());
