@@ -21,6 +21,7 @@ struct FitSetting {
   effects::Setting setting;
   std::vector<Target> targets;
   signal::FrfSet measured;           ///< on the last target's line
+  std::string contour;               ///< the last target's line, in words
   std::vector<double> uncertain_sd;  ///< of ln factor
   double damping_ratio = 0.01;       ///< typical, as identified
   double damping_spread = 0.5;       ///< prior sd of ln zeta

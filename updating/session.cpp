@@ -1,10 +1,11 @@
 #include "updating/session.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "signal/uff58.hpp"
 #include "updating/compare.hpp"
-#include "updating/damped_line.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/fit_setting.hpp"
 #include "updating/fitter.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/signature.hpp"
@@ -23,24 +24,6 @@ using Eigen::Index;
 
 // Largest refined model that is solved without being asked for.
 constexpr std::size_t refined_grid_limit = 12000;
-// From peaks wide enough for 6 % of frequency error down to the line on which
-// errors are reported.
-constexpr double wide_delta = 0.06;
-constexpr double report_delta = 0.03;
-
-int measured_component(const acquisition::TestBundle& bundle) {
-  std::array<int, 4> votes{};
-  for (const acquisition::Run& run : bundle.runs) {
-    for (const acquisition::Placement& p : run.sensors) {
-      if (p.dof.component <= 3) {
-        ++votes.at(static_cast<std::size_t>(p.dof.component));
-      }
-    }
-  }
-  return static_cast<int>(std::max_element(votes.begin() + 1, votes.end()) -
-                          votes.begin());
-}
-
 void check_grid(const structure::Deck& deck,
                 const Dof& dof,
                 const std::string& place) {
@@ -88,32 +71,6 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
 
 }  // namespace
 
-EffectRef parse_effect(const std::string& text) {
-  const std::size_t at = text.find('@');
-  EffectRef ref;
-  ref.effect = text.substr(0, at);
-  static_cast<void>(effects::find(ref.effect));
-  if (at == std::string::npos) return ref;
-  const std::string place = text.substr(at + 1);
-  const bool number =
-      !place.empty() &&
-      std::all_of(place.begin(), place.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-      });
-  if (number && place.size() < 10) {
-    ref.where.node = std::stoi(place);
-  } else if (place == "rotation" || place == "translation" || place == "each") {
-    ref.where.variant = place;
-  } else if (!place.empty()) {
-    ref.where.channels = {place};
-  } else {
-    throw InputError("no place after the @",
-                     fmt::format("effect \"{}\"", text),
-                     "write for example added-mass@201");
-  }
-  return ref;
-}
-
 struct Session::Impl {
   acquisition::TestBundle bundle;
   std::optional<structure::Deck> deck;
@@ -145,7 +102,6 @@ struct Session::Impl {
   void describe_ladder();
   [[nodiscard]] effects::Setting setting() const;
   [[nodiscard]] std::array<double, 2> band() const;
-  [[nodiscard]] PlacedEffect place(const EffectRef& ref) const;
 };
 
 Session::Session(const std::filesystem::path& bundle)
@@ -186,6 +142,12 @@ const structure::Deck& Session::deck(const Progress& progress) {
 
 const std::vector<acquisition::Recording>& Session::recordings(
     const Progress& progress) {
+  if (!impl_->recordings && impl_->bundle.frfs) {
+    throw InputError("the test consists of ready FRFs: it has no recordings",
+                     (impl_->bundle.folder / "test.json").string(),
+                     "FRFs and modes can be had; for hits, comparison and "
+                     "diagnosis give \"runs\"");
+  }
   if (!impl_->recordings) {
     progress("recordings: reading", 0.0);
     impl_->recordings = acquisition::read_recordings(impl_->bundle);
@@ -207,6 +169,10 @@ const acquisition::HitSet& Session::hits(const Progress& progress) {
 }
 
 const signal::FrfSet& Session::frfs(const Progress& progress) {
+  if (!impl_->frfs && impl_->bundle.frfs) {
+    progress("FRFs: reading", 0.0);
+    impl_->frfs = signal::read_frfs_uff(*impl_->bundle.frfs).set;
+  }
   if (!impl_->frfs) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
@@ -258,9 +224,9 @@ effects::Setting Session::Impl::setting() const {
 void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   if (fitter) return;
   const structure::Deck& the_deck = session.deck(progress);
+  const acquisition::HitSet& found = session.hits(progress);
   const modal::ModeSet& identified = session.modes(progress);
-  const acquisition::HitSet& found = *hits;
-  std::array<double, 2> lines = band();
+  const std::array<double, 2> lines = band();
   if (!builder) {
     BaseOptions options;
     options.high_hz = lines[1];
@@ -273,45 +239,12 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
       coarse_builder.emplace(the_deck, bundle.uncertain, options, progress);
     }
   }
-  if (builder->is_free() && !identified.modes.empty()) {
-    // How the structure hangs is not in the model; below the first elastic
-    // mode that is all there is to see.
-    const double first = identified.modes.front().frequency_hz;
-    lines[0] = std::max(lines[0], std::min(0.8 * first, 0.5 * lines[1]));
-  }
-  FitSetting fit;
-  fit.setting = setting();
-  const double block_s = static_cast<double>(found.block - found.pre_trigger) /
-                         found.sample_rate_hz;
-  for (const double delta : {wide_delta, report_delta}) {
-    DampedLineOptions options;
-    options.delta = delta;
-    const Eigen::VectorXcd s = damped_line(lines, block_s, options);
-    progress("comparison: damped lines", 0.0);
-    fit.measured = signal::estimate_frfs_at(
-        bundle, *recordings, found, s, ringing_poles, progress);
-    fit.targets.push_back(make_target(fit.measured));
-    contour = describe_line(lines, s, options);
-  }
-  std::vector<double> ratios;
-  for (const modal::Mode& mode : identified.modes) {
-    ratios.push_back(mode.damping_ratio);
-  }
-  if (!ratios.empty()) {
-    std::nth_element(
-        ratios.begin(),
-        ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2),
-        ratios.end());
-    fit.damping_ratio = std::clamp(ratios[ratios.size() / 2], 1e-4, 0.2);
-  }
-  properties.clear();
-  for (const acquisition::UncertainProperty& u : bundle.uncertain) {
-    fit.uncertain_sd.push_back(u.sd_percent / 100.0);
-    const structure::Material& material = the_deck.materials.at(u.id);
-    properties.push_back({fmt::format("{}:{}", u.property, u.id),
-                          u.property == "E" ? "Pa" : "kg/m^3",
-                          u.property == "E" ? material.E : material.rho});
-  }
+  FitSetting fit =
+      fit_setting({setting(), *recordings, found, ringing_poles, identified},
+                  builder->is_free(),
+                  progress);
+  contour = fit.contour;
+  properties = property_names(bundle, the_deck);
   fitter = std::make_unique<Fitter>(*builder, std::move(fit));
   progress("comparison: base model", 0.5);
   // The base as the deck has it: nothing fitted.
@@ -411,38 +344,10 @@ void Session::overrule_hit(std::size_t run, std::size_t hit) {
   impl_->drop_from_frfs();
 }
 
-// The catalogue's place that the reference means: the fields it leaves open are
-// filled from the first place that agrees with those it gives.
-PlacedEffect Session::Impl::place(const EffectRef& ref) const {
-  const effects::Effect& effect = effects::find(ref.effect);
-  const effects::Setting s = setting();
-  for (Where where : effect.places(s)) {
-    const Where& want = ref.where;
-    if (want.variant == "each") where.variant = "each";
-    const bool agrees =
-        (want.node == 0 || want.node == where.node) &&
-        (want.nodes.empty() || want.nodes == where.nodes) &&
-        (want.elements.empty() || want.elements == where.elements) &&
-        (want.channels.empty() || want.channels == where.channels) &&
-        (want.variant.empty() || want.variant == where.variant);
-    const bool open = want.node == 0 && where.node != 0;
-    if (agrees && !open) return placed(effect, where, s);
-  }
-  throw InputError(
-      fmt::format("{} cannot sit there", ref.effect),
-      fmt::format("effect \"{}{}{}\"",
-                  ref.effect,
-                  ref.where.node != 0 ? "@" : " at ",
-                  ref.where.node != 0 ? fmt::format("{}", ref.where.node)
-                                      : describe(ref.where)),
-      "give a grid of the model that can move, a sensor channel, "
-      "or a support of the model");
-}
-
 void Session::add(const EffectRef& effect, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   std::vector<PlacedEffect> effects = impl_->fits.back().effects;
-  const PlacedEffect extra = impl_->place(effect);
+  const PlacedEffect extra = place_effect(effect, impl_->setting());
   for (const PlacedEffect& e : effects) {
     if (e.effect == extra.effect && e.where == extra.where) {
       throw InputError(

@@ -9,6 +9,7 @@
 #include "signal/estimate_frfs.hpp"
 #include "updating/comparison.hpp"
 #include "updating/diagnosis.hpp"
+#include "updating/effect_place.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <filesystem>
@@ -16,11 +17,6 @@
 #include <optional>
 
 namespace tapfit::updating {
-
-/// "added-mass@201", "sensor-mass", "soft-support": an effect to add by hand.
-///
-/// @throws InputError for an unknown effect or a place it cannot take
-[[nodiscard]] EffectRef parse_effect(const std::string& text);
 
 class Session {
  public:
