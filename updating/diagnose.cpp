@@ -106,14 +106,15 @@ std::vector<Candidate> candidates_of(const Round& round,
   return result;
 }
 
-// A rung must lower the error on runs that it was not fitted to, and do so
-// with very strong evidence.
+// A rung must lower the error on runs that it was not fitted to, to a share of
+// what it was, and do so with very strong evidence.
 bool earns_its_place(const Hypothesis& best,
                      const Round& round,
                      double held_out_before,
-                     double held_out_after) {
+                     double held_out_after,
+                     double share) {
   return best.log_evidence - round.none_evidence > very_strong &&
-         held_out_after < worth_it * held_out_before;
+         held_out_after < share * held_out_before;
 }
 
 // A first rung that leaves much may be a stand-in for two effects. Each other
@@ -280,16 +281,19 @@ Diagnosis diagnose(const Fitter& fitter,
     if (rung == 0) result.candidates = candidates_of(round, setting);
     if (round.hypotheses.empty()) break;
     std::size_t chosen = 0;
+    double share = worth_it;
     if (rung == 0 && round.hypotheses.front().fit.result.error >
                          clear_of_floor * options.floor) {
       chosen = first_of_best_pair(round, fitter, search, progress);
+      // What it is worth shows on the next rung.
+      share = 1.0;
     }
     const Hypothesis& best = round.hypotheses[chosen];
     const double after = fitter.held_out_error(best.fit, folds, progress);
     if (rung == 0 && chosen == 0) {
       result.candidates.front().held_out_error = after;
     }
-    if (!earns_its_place(best, round, held_out, after)) break;
+    if (!earns_its_place(best, round, held_out, after, share)) break;
     names.push_back(chosen == 0 ? group_name(round)
                                 : best.own().effect->name());
     current = best.fit;
