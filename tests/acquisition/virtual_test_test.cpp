@@ -3,6 +3,7 @@
 #include "acquisition/anti_alias.hpp"
 #include "acquisition/input_error.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
