@@ -41,6 +41,12 @@ Candidate candidate_of(const Hypothesis& h,
   return c;
 }
 
+// An effect that is in the model, as the round that chose it saw it.
+struct Chosen {
+  std::string name;  // its kind, or the group of kinds not told apart
+  double probability = 0.0;
+};
+
 // What was found on one rung.
 struct Round {
   std::vector<Hypothesis> hypotheses;
@@ -62,6 +68,17 @@ Round look(const Fit& current,
   }
   round.probability = probabilities(evidence);
   return round;
+}
+
+// Probability of an effect among all that was tried with it, none included.
+double probability_of(const Round& round, const PlacedEffect& effect) {
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& own = round.hypotheses[k].own();
+    if (own.effect == effect.effect && own.where == effect.where) {
+      return round.probability[k + 1];
+    }
+  }
+  return 0.0;
 }
 
 // Kinds whose best hypothesis is not told apart from the best of all.
@@ -144,13 +161,15 @@ std::size_t first_of_best_pair(const Round& round,
   return best;
 }
 
-// Takes effects off that the others have made superfluous.
+// Takes effects off that the others have made superfluous; the first `already`
+// stay.
 Fit prune(Fit fit,
+          std::size_t already,
           const Fitter& fitter,
           double data,
-          std::vector<std::string>& names,
+          std::vector<Chosen>& chosen,
           const Progress& progress) {
-  for (std::size_t k = 0; k + 1 < fit.effects.size();) {
+  for (std::size_t k = already; k + 1 < fit.effects.size();) {
     std::vector<PlacedEffect> fewer = fit.effects;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
     Fit without = fitter.fit(fewer, fitter.model_for(fewer), progress);
@@ -159,7 +178,7 @@ Fit prune(Fit fit,
                         log_evidence(without.result.error, 0.0, 1.0, data);
     if (gain < very_strong) {
       fit = std::move(without);
-      names.erase(names.begin() + static_cast<std::ptrdiff_t>(k));
+      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {
       ++k;
     }
@@ -170,21 +189,27 @@ Fit prune(Fit fit,
 // With several effects in, each is looked for again while the others stay: the
 // first was found before the others were known.
 Fit relocate(Fit fit,
+             std::size_t already,
              const Fitter& fitter,
              const HypothesisOptions& options,
-             std::vector<std::string>& names,
+             std::vector<Chosen>& chosen,
              const Progress& progress) {
-  for (std::size_t k = 0; k + 1 < fit.effects.size(); ++k) {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
     std::vector<PlacedEffect> others = fit.effects;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
     const Fit without = fitter.fit(others, fitter.model_for(others), progress);
     const Round round = look(without, fitter, options, progress);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
-    if (best.fit.result.error >= 0.98 * fit.result.error) continue;
+    if (best.fit.result.error >= 0.98 * fit.result.error) {
+      // Now that the others are known, so is how sure this one is.
+      chosen[k - already].probability =
+          probability_of(round, fit.effects[k]);
+      continue;
+    }
     fit = best.fit;
-    names.erase(names.begin() + static_cast<std::ptrdiff_t>(k));
-    names.push_back(group_name(round));
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    chosen.push_back({group_name(round), round.probability[1]});
   }
   return fit;
 }
@@ -192,7 +217,7 @@ Fit relocate(Fit fit,
 // Error after each rung, in the order of the largest drop: refits with ever
 // more of the effects.
 std::vector<Rung> ladder_of(const Fit& fit,
-                            const std::vector<std::string>& names,
+                            const std::vector<Chosen>& names,
                             std::size_t already,
                             const Fitter& fitter,
                             const Progress& progress) {
@@ -220,7 +245,8 @@ std::vector<Rung> ladder_of(const Fit& fit,
       }
     }
     Rung rung;
-    rung.added = names[chosen - already];
+    rung.added = names[chosen - already].name;
+    rung.probability = names[chosen - already].probability;
     rung.where = fit.effects[chosen].where;
     rung.error = least;
     rung.parameters = effect_estimates(fit, chosen, setting);
@@ -239,7 +265,6 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
   for (auto rung = ladder.rbegin(); rung != ladder.rend(); ++rung) {
     const std::string kind = rung->added.substr(0, rung->added.find('|'));
     Candidate lead;
-    lead.probability = 1.0;
     const auto it = std::find_if(
         candidates.begin(), candidates.end(), [&](const Candidate& c) {
           return c.effect == kind && c.where == rung->where;
@@ -249,6 +274,7 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
       candidates.erase(it);
     }
     lead.effect = kind;
+    lead.probability = rung->probability;
     lead.where = rung->where;
     lead.parameters = rung->parameters;
     lead.error = error;
@@ -273,7 +299,7 @@ Diagnosis diagnose(const Fitter& fitter,
   search.neighbours = options.neighbours;
   search.data = evidence_data(fitter.target(), options.modes_in_band);
 
-  std::vector<std::string> names;
+  std::vector<Chosen> names;
   double held_out = fitter.held_out_error(current, folds, progress);
   for (int rung = 0; rung < options.max_rungs; ++rung) {
     if (rung > 0 && current.result.error <= at_floor * options.floor) break;
@@ -294,12 +320,23 @@ Diagnosis diagnose(const Fitter& fitter,
       result.candidates.front().held_out_error = after;
     }
     if (!earns_its_place(best, round, held_out, after, share)) break;
-    names.push_back(chosen == 0 ? group_name(round)
-                                : best.own().effect->name());
+    names.push_back(
+        {chosen == 0 ? group_name(round) : best.own().effect->name(),
+         round.probability[chosen + 1]});
     current = best.fit;
     if (rung > 0) {
-      current = relocate(std::move(current), fitter, search, names, progress);
-      current = prune(std::move(current), fitter, search.data, names, progress);
+      current = relocate(std::move(current),
+                         present.size(),
+                         fitter,
+                         search,
+                         names,
+                         progress);
+      current = prune(std::move(current),
+                      present.size(),
+                      fitter,
+                      search.data,
+                      names,
+                      progress);
     }
     held_out = fitter.held_out_error(current, folds, progress);
   }

@@ -66,6 +66,7 @@ struct Rung {
   std::string added;  ///< effect, or "base" for the first
   Where where;
   double error = 0.0;
+  double probability = 1.0;  ///< among all tried with the same other effects
   std::vector<Estimate> parameters;
 };
 

@@ -63,14 +63,15 @@ Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
 std::shared_ptr<const FrfModel> Fitter::model_for(
     const std::vector<PlacedEffect>& effects) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);
-  std::vector<Where> released;
+  std::vector<StiffnessChange> changes;
   for (const PlacedEffect& e : effects) {
-    if (e.effect->entry() == effects::Entry::Support) {
-      released.push_back(e.where);
-    }
+    const auto kind = e.effect->changes_stiffness();
+    if (!kind) continue;
+    changes.push_back(
+        {*kind, {e.effect->name(), e.where}, setting_.setting.component});
   }
   auto model = std::make_shared<FrfModel>(
-      builder_->build(acted, released), setting_.setting, setting_.measured);
+      builder_->build(acted, changes), setting_.setting, setting_.measured);
   model->set_reference(first_state(*model, effects));
   return model;
 }
@@ -114,12 +115,10 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
          e.effect->parameters(e.where, setting_.setting)) {
       prior.lower(k) = std::log(spec.lower);
       prior.upper(k) = std::log(spec.upper);
-      for (const SupportTerm& term : model.base().supports) {
-        if (e.effect->entry() == effects::Entry::Support &&
-            term.where == e.where) {
-          prior.lower(k) = std::log(term.soft);
-          prior.upper(k) = std::log(term.stiff);
-        }
+      for (const StiffnessTerm& term : model.base().terms) {
+        if (!is_of(term, e)) continue;
+        prior.lower(k) = std::log(term.lower);
+        prior.upper(k) = std::log(term.upper);
       }
       ++k;
     }
@@ -128,31 +127,33 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
 }
 
 // Size of the newest effect from which the fit starts: the best of a scan over
-// all that it may be, everything else as it is. A resonance that has to move
-// past another does not get there by following the slope.
+// all that it may be, one parameter after the other, everything else as it is.
+// A resonance that has to move past another does not get there by following
+// the slope.
 void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   if (state.effects.empty()) return;
   std::vector<double>& p = state.effects.back().p;
   const Prior prior = prior_for(model, state);
-  const auto count = static_cast<Index>(p.size());
-  const Index last = prior.lower.size() - 1;
-  if (count == 0 || !std::isfinite(prior.lower(last))) return;
   const Target& wide = setting_.targets.front();
-  const double low = prior.lower(last);
-  const double step = (prior.upper(last) - low) / start_scan;
-  const std::vector<double> given = p;
-  std::vector<double> best = given;
-  double least = relative_error(wide, model.respond(state, wide.s, false).H);
-  for (int k = 0; k < start_scan; ++k) {
-    p.assign(p.size(), std::exp(low + (k + 0.5) * step));
-    const double error =
-        relative_error(wide, model.respond(state, wide.s, false).H);
-    if (error < least) {
-      least = error;
-      best = p;
+  const auto error = [&] {
+    return relative_error(wide, model.respond(state, wide.s, false).H);
+  };
+  const Index first = prior.lower.size() - static_cast<Index>(p.size());
+  double least = error();
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double low = prior.lower(first + static_cast<Index>(k));
+    const double high = prior.upper(first + static_cast<Index>(k));
+    double best = p[k];
+    for (int step = 0; step < start_scan; ++step) {
+      p[k] = std::exp(low + (high - low) * (step + 0.5) / start_scan);
+      const double tried = error();
+      if (tried < least) {
+        least = tried;
+        best = p[k];
+      }
     }
+    p[k] = best;
   }
-  p = best;
 }
 
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
@@ -160,13 +161,10 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 const Progress& progress) const {
   std::vector<PlacedEffect> effects = start;
   for (PlacedEffect& e : effects) {
-    for (const SupportTerm& term : model->base().supports) {
-      const bool own =
-          e.effect->entry() == effects::Entry::Support && term.where == e.where;
+    for (const StiffnessTerm& term : model->base().terms) {
+      if (!is_of(term, e)) continue;
       // A catalogue start knows nothing of this structure's own stiffness.
-      if (own && (e.p[0] < term.soft || e.p[0] > term.stiff)) {
-        e.p[0] = term.start;
-      }
+      if (e.p[0] < term.lower || e.p[0] > term.upper) e.p[0] = term.start;
     }
   }
   ModelState state = first_state(*model, effects);

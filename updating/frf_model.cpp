@@ -41,6 +41,11 @@ BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M) {
 
 }  // namespace
 
+bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
+  return effect.effect->name() == term.of.effect &&
+         effect.where == term.of.where;
+}
+
 Index ModelState::parameters() const {
   Index n = static_cast<Index>(factor.size()) + zeta.size();
   for (const PlacedEffect& e : effects) n += static_cast<Index>(e.p.size());
@@ -88,6 +93,9 @@ FrfModel::FrfModel(ReducedBase base,
     Pair pair;
     pair.run = frf.run;
     pair.channel = setting.bundle->channels.at(frf.channel).name;
+    pair.hammer =
+        setting.bundle->channels.at(setting.bundle->runs.at(frf.run).hammer.channel)
+            .name;
     pair.response = column_of(frf.response);
     pair.reference = column_of(frf.reference);
     runs.insert(frf.run);
@@ -112,15 +120,12 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
     K += (state.factor[j] - 1.0) * base_.K_part[j];
     M += (state.factor[j] - 1.0) * base_.M_part[j];
   }
-  for (const SupportTerm& term : base_.supports) {
-    double k = term.stiff;
+  for (const StiffnessTerm& term : base_.terms) {
+    double p = term.absent;
     for (const PlacedEffect& e : state.effects) {
-      if (e.effect->entry() == effects::Entry::Support &&
-          e.where == term.where) {
-        k = e.p[0];
-      }
+      if (is_of(term, e)) p = e.p[0];
     }
-    K += k * term.S;
+    K += (p - term.included) * term.S;
   }
   return solve_modes(K, M);
 }
@@ -203,9 +208,8 @@ ModalState FrfModel::modal_state(const ModelState& state,
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
-    if (placed.effect->entry() != effects::Entry::Support) continue;
-    for (const SupportTerm& term : base_.supports) {
-      if (placed.where != term.where) continue;
+    for (const StiffnessTerm& term : base_.terms) {
+      if (!is_of(term, placed)) continue;
       shared.terms.push_back(
           {ModalTerm(phi, term.S, nullptr), shared.first[e], placed.p[0]});
     }
@@ -282,34 +286,37 @@ std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
   return result;
 }
 
-std::vector<FrfModel::Columns> FrfModel::columns(
+std::vector<FrfModel::Walk> FrfModel::walk_columns(
     const ModelState& state,
     const VectorXcd& s,
-    std::size_t run,
-    const MatrixXd& points,
     const MatrixXd& candidates) const {
   const ModalState shared = modal_state(state, false);
-  const RunLines lines = run_lines(shared, run);
-  const MatrixXd at = shared.modes.phi.transpose() * points;
-  const MatrixXd of = shared.modes.phi.transpose() * candidates;
+  const MatrixXd& phi = shared.modes.phi;
+  const bool same = phi.isIdentity(0.0);
+  const MatrixXd of = phi.transpose() * candidates;
   const MatrixXd squares = of.cwiseAbs2().transpose();
-  std::vector<Columns> result;
-  for (Index line = 0; line < s.size(); ++line) {
-    const VectorXcd g = flexibility(shared, s(line));
-    Columns c;
-    c.own = squares * g;
-    MatrixXcd coupled;
-    if (lines.B.cols() > 0) {
-      // diag(of' H* of) = diag(of' H of) - what the effects take away
-      coupled = lines.coupling(s(line), g);
-      const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
-      c.own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
+  std::vector<Walk> result;
+  for (const RunLines& lines : walks(shared)) {
+    Walk walk;
+    walk.pairs = lines.pairs;
+    walk.own.resize(s.size(), candidates.cols());
+    for (Index line = 0; line < s.size(); ++line) {
+      const VectorXcd g = flexibility(shared, s(line));
+      VectorXcd own = squares * g;
+      MatrixXcd coupled;
+      if (lines.B.cols() > 0) {
+        // diag(of' H* of) = diag(of' H of) - what the effects take away
+        coupled = lines.coupling(s(line), g);
+        const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
+        own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
+      }
+      walk.own.row(line) = own.transpose();
+      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
+      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
+      walk.Xo.push_back(same ? Xo : phi * Xo);
+      walk.Xi.push_back(same ? Xi : phi * Xi);
     }
-    c.X = lines.columns(g, coupled, at);
-    if (!shared.modes.phi.isIdentity(0.0)) {
-      c.X = (shared.modes.phi * c.X).eval();
-    }
-    result.push_back(std::move(c));
+    result.push_back(std::move(walk));
   }
   return result;
 }
@@ -323,19 +330,23 @@ void FrfModel::measure(const ModalState& shared,
     const PlacedEffect& placed = state.effects[e];
     if (placed.effect->entry() != effects::Entry::Measurement) continue;
     const std::vector<std::string>& channels = placed.where.channels;
+    const auto faulty = [&channels](const std::string& name) {
+      return std::find(channels.begin(), channels.end(), name) !=
+             channels.end();
+    };
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      if (std::find(channels.begin(), channels.end(), pairs_[k].channel) ==
-          channels.end()) {
-        continue;
-      }
+      const bool response = faulty(pairs_[k].channel);
+      if (!response && !faulty(pairs_[k].hammer)) continue;
+      const std::size_t group = response ? 0 : 1;
       const auto c = static_cast<Index>(k);
       for (Index l = 0; l < s.size(); ++l) {
-        const complex<double> gain = placed.effect->law(s(l), placed.p, 0);
+        const complex<double> gain = placed.effect->law(s(l), placed.p, group);
         for (MatrixXcd& d : out.dH) d(l, c) *= gain;
         for (std::size_t p = 0; !out.dH.empty() && p < placed.p.size(); ++p) {
           out.dH[shared.first[e] + p](l, c) =
               placed.p[p] *
-              placed.effect->law_derivative(s(l), placed.p, 0, p) * out.H(l, c);
+              placed.effect->law_derivative(s(l), placed.p, group, p) *
+              out.H(l, c);
         }
         out.H(l, c) *= gain;
       }

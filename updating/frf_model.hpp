@@ -26,6 +26,9 @@ struct PlacedEffect {
   std::vector<double> p;
 };
 
+/// Whether the base holds this effect as a change of its stiffness.
+[[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
+
 /// Everything that can be fitted.
 struct ModelState {
   std::vector<double> factor;  ///< uncertain property over nominal
@@ -52,6 +55,13 @@ struct ModelResponse {
   std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
 };
 
+/// A pair of the FRF set and its columns among the points walked.
+struct WalkedPair {
+  Eigen::Index frf = 0;
+  Eigen::Index response = 0;
+  Eigen::Index reference = 0;
+};
+
 struct ModalState;
 struct RunLines;
 
@@ -75,35 +85,24 @@ class FrfModel {
   /// Undamped modes with every effect (a roving sensor as in the first run).
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
 
-  /// Receptance columns H* e for points of one run, in the base's coordinates
-  /// (rows of V give any degree of freedom), and the diagonal b H* b' for
-  /// every column of `candidates`.
-  struct Columns {
-    Eigen::MatrixXcd X;    ///< r x points
-    Eigen::VectorXcd own;  ///< per candidate
+  /// Receptance columns H* e of the runs on which the effects act alike, in
+  /// the base's coordinates (rows of V give any degree of freedom).
+  struct Walk {
+    std::vector<WalkedPair> pairs;
+    std::vector<Eigen::MatrixXcd> Xo;  ///< per line: r x response points
+    std::vector<Eigen::MatrixXcd> Xi;  ///< per line: r x reference points
+    Eigen::MatrixXcd own;  ///< lines x candidates: b H* b'
   };
-  /// @param points r x n, rows of V as columns
-  /// @param candidates r x c
-  /// @return one entry per line of s
-  [[nodiscard]] std::vector<Columns> columns(
+  /// @param candidates r x c, rows b of V as columns
+  [[nodiscard]] std::vector<Walk> walk_columns(
       const ModelState& state,
       const Eigen::VectorXcd& s,
-      std::size_t run,
-      const Eigen::MatrixXd& points,
       const Eigen::MatrixXd& candidates) const;
 
   [[nodiscard]] const ReducedBase& base() const { return base_; }
   [[nodiscard]] const effects::Setting& setting() const { return setting_; }
   /// Row of V for a degree of freedom of the deck.
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
-
-  /// Signed rows of V of a measured pair, as columns.
-  [[nodiscard]] Eigen::VectorXd response_row(Eigen::Index pair) const {
-    return points_.col(pairs_[static_cast<std::size_t>(pair)].response);
-  }
-  [[nodiscard]] Eigen::VectorXd reference_row(Eigen::Index pair) const {
-    return points_.col(pairs_[static_cast<std::size_t>(pair)].reference);
-  }
 
   /// Keeps the order of the damping ratios when modes change places: modes at
   /// later states are matched to those at this one.
@@ -113,6 +112,7 @@ class FrfModel {
   struct Pair {
     std::size_t run = 0;
     std::string channel;
+    std::string hammer;
     Eigen::Index response = 0;  // column of points_
     Eigen::Index reference = 0;
   };

@@ -12,13 +12,22 @@
 namespace tapfit::updating {
 namespace {
 
+bool share(const std::vector<int>& a, const std::vector<int>& b) {
+  return std::any_of(a.begin(), a.end(), [&b](int id) {
+    return std::find(b.begin(), b.end(), id) != b.end();
+  });
+}
+
+// The same again, or another loss of the same elements.
 bool present(const Fit& current, const PlacedEffect& candidate) {
-  return std::any_of(current.effects.begin(),
-                     current.effects.end(),
-                     [&](const PlacedEffect& e) {
-                       return e.effect == candidate.effect &&
-                              e.where == candidate.where;
-                     });
+  return std::any_of(
+      current.effects.begin(),
+      current.effects.end(),
+      [&](const PlacedEffect& e) {
+        return e.effect == candidate.effect &&
+               (e.where == candidate.where ||
+                share(e.where.elements, candidate.where.elements));
+      });
 }
 
 // Grids nearest to a grid, itself first.
@@ -115,8 +124,8 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
                                        const Progress& progress) {
   const effects::Setting& setting = fitter.setting().setting;
   const std::vector<Screened> screened = screen(current, fitter, progress);
-  std::set<const effects::Effect*> point_kinds;
-  for (const Screened& s : screened) point_kinds.insert(s.placed.effect);
+  std::set<const effects::Effect*> screened_kinds;
+  for (const Screened& s : screened) screened_kinds.insert(s.placed.effect);
 
   std::vector<Hypothesis> all;
   double done = 0.0;
@@ -125,27 +134,29 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
              done++ / static_cast<double>(effects::catalogue().size()));
     const std::vector<Where> places = effect->places(setting);
     std::vector<Hypothesis> found;
-    if (point_kinds.contains(effect.get())) {
-      std::vector<PlacedEffect> tries;
-      for (const PlacedEffect& p :
-           best_places(screened, effect.get(), options.places_per_kind)) {
-        if (!present(current, p)) tries.push_back(p);
+    std::vector<PlacedEffect> tries;
+    if (screened_kinds.contains(effect.get())) {
+      tries = best_places(screened, effect.get(), options.places_per_kind);
+    } else {
+      for (const Where& where : places) {
+        tries.push_back(placed(*effect, where, setting));
       }
-      if (tries.empty()) continue;
+    }
+    std::erase_if(tries, [&](const PlacedEffect& p) {
+      return present(current, p);
+    });
+    if (tries.empty()) continue;
+    // Points share a base; what changes the stiffness needs one of its own.
+    const bool points = tries.front().where.node != 0;
+    std::shared_ptr<const FrfModel> shared;
+    if (points) {
       std::vector<PlacedEffect> together = current.effects;
       together.insert(together.end(), tries.begin(), tries.end());
-      const auto model = fitter.model_for(together);
-      found = fit_each(current, tries, fitter, model, progress);
-      if (options.neighbours > 0) {
-        climb(found, current, fitter, options.neighbours, progress);
-      }
-    } else {
-      std::vector<PlacedEffect> tries;
-      for (const Where& where : places) {
-        const PlacedEffect p = placed(*effect, where, setting);
-        if (!present(current, p)) tries.push_back(p);
-      }
-      found = fit_each(current, tries, fitter, nullptr, progress);
+      shared = fitter.model_for(together);
+    }
+    found = fit_each(current, tries, fitter, shared, progress);
+    if (points && options.neighbours > 0) {
+      climb(found, current, fitter, options.neighbours, progress);
     }
     for (Hypothesis& h : found) {
       h.places = static_cast<double>(places.size());

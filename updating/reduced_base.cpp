@@ -1,21 +1,19 @@
 #include "updating/reduced_base.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/released_system.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/structure/refine_mesh.hpp"
 #include "updating/structure/system.hpp"
-#include "updating/support_line.hpp"
 #include "updating/uncertain_parts.hpp"
 
 #include <Eigen/Eigenvalues>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -79,11 +77,21 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
 }
 
+// Stiffness that elements keep, from all of it to next to none.
+StiffnessTerm loss_term() {
+  StiffnessTerm term;
+  term.included = 1.0;
+  term.absent = 1.0;
+  term.upper = 1.0;
+  term.start = 0.4;
+  term.lower = 0.04;
+  return term;
+}
+
 }  // namespace
 
 struct BaseBuilder::Impl {
-  structure::Deck deck;  // refined
-  structure::RefinedDeck last;
+  structure::RefinedDeck mesh;  // the deck, split
   Index original_grids = 0;
   BaseOptions options;
   structure::System system;
@@ -97,17 +105,17 @@ struct BaseBuilder::Impl {
   MatrixXd V0;        // modes and static responses at options.points
   ReducedBase fixed;  // seen through V0, K diagonal
 
-  [[nodiscard]] ReducedBase project(const MatrixXd& V) const;
+  [[nodiscard]] ReducedBase project(const MatrixXd& V,
+                                    const ReleasedSystem& of) const;
   [[nodiscard]] ReducedBase extend(const MatrixXd& extra) const;
   [[nodiscard]] MatrixXd static_responses(const structure::Factor& solver,
                                           const std::vector<int>& active,
+                                          Index dofs,
                                           const std::vector<int>& points) const;
-  [[nodiscard]] SparseMatrix support_matrix(const Where& where) const;
-  [[nodiscard]] std::vector<int> released_free(
-      const std::vector<Where>& released) const;
-  void scale_support(SupportTerm& term, const SparseMatrix& S) const;
-  [[nodiscard]] MatrixXd softened(const std::vector<int>& active,
-                                  const SparseMatrix& spring,
+  [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
+                                          const SparseMatrix& S) const;
+  [[nodiscard]] MatrixXd softened(const ReleasedSystem& released,
+                                  const SparseMatrix& change,
                                   const std::vector<int>& points) const;
 };
 
@@ -121,19 +129,17 @@ BaseBuilder::BaseBuilder(
   m.options = options;
   std::sort(m.options.points.begin(), m.options.points.end());
   m.original_grids = static_cast<Index>(deck.grids.size());
-  m.deck = deck;
-  for (int k = 0; k < options.refinements; ++k) {
-    m.deck = structure::refine_mesh(m.deck).deck;
-  }
+  m.mesh.deck = deck;
+  if (options.split) m.mesh = structure::refine_mesh(deck);
   progress("model: assembling", 0.0);
-  m.system = structure::assemble(m.deck);
+  m.system = structure::assemble(m.mesh.deck);
   m.free = m.system.free_dofs();
   if (m.free.empty()) {
     throw InputError("the model has no free degree of freedom",
                      deck.path.string(),
                      "check the elements and the SPC cards");
   }
-  m.mass = structure::total_mass(m.deck, m.system);
+  m.mass = structure::total_mass(m.mesh.deck, m.system);
   const SparseMatrix K = structure::extract(m.system.K, m.free);
   const SparseMatrix M = structure::extract(m.system.M, m.free);
   progress("model: eigenmodes", 0.2);
@@ -145,16 +151,17 @@ BaseBuilder::BaseBuilder(
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   const SparseMatrix A = K + m.shift * M;
   m.factor = std::make_unique<structure::Factor>(A);
-  m.parts = uncertain_parts(m.deck, uncertain);
+  m.parts = uncertain_parts(m.mesh.deck, uncertain);
   m.V0 = orthonormalise(
       m.system.M,
-      join({m.modes, m.static_responses(*m.factor, m.free, m.options.points)}),
+      join({m.modes, m.static_responses(
+                *m.factor, m.free, m.system.dofs(), m.options.points)}),
       1e-9);
   const MatrixXd projected = m.V0.transpose() * (m.system.K * m.V0);
   m.V0 =
       (m.V0 * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
           .eval();
-  m.fixed = m.project(m.V0);
+  m.fixed = m.project(m.V0, {m.system.K, m.system.M, m.parts, {}, m.free});
 }
 
 BaseBuilder::~BaseBuilder() = default;
@@ -169,14 +176,14 @@ double BaseBuilder::mass_kg() const { return impl_->mass; }
 Index BaseBuilder::dofs() const {
   return static_cast<Index>(impl_->free.size());
 }
-int BaseBuilder::refinements() const { return impl_->options.refinements; }
 
 // (K + shift M)^-1 for unit forces at the points.
 MatrixXd BaseBuilder::Impl::static_responses(
     const structure::Factor& solver,
     const std::vector<int>& active,
+    Index dofs,
     const std::vector<int>& points) const {
-  std::vector<int> position(static_cast<std::size_t>(system.dofs()), -1);
+  std::vector<int> position(static_cast<std::size_t>(dofs), -1);
   for (std::size_t k = 0; k < active.size(); ++k) {
     position[static_cast<std::size_t>(active[k])] = static_cast<int>(k);
   }
@@ -190,60 +197,18 @@ MatrixXd BaseBuilder::Impl::static_responses(
   for (std::size_t k = 0; k < rows.size(); ++k) {
     force(rows[k], static_cast<Index>(k)) = 1.0;
   }
-  if (rows.empty()) return MatrixXd::Zero(system.dofs(), 0);
-  return expand(solver.solve(force), active, system.dofs());
+  if (rows.empty()) return MatrixXd::Zero(dofs, 0);
+  return expand(solver.solve(force), active, dofs);
 }
 
-// Springs of unit stiffness per metre on the released degrees of freedom of
-// the refined mesh: on the support's own grids and those between them.
-SparseMatrix BaseBuilder::Impl::support_matrix(const Where& where) const {
-  const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
-  std::vector<int> nodes;
-  for (const std::vector<int>& group : support_groups(deck)) {
-    const bool inside = std::any_of(
-        group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
-    if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
-  }
-  const int component = where.variant == "rotation" ? 0 : 3;
-  const SupportLine line =
-      support_line(deck, nodes, where.variant == "rotation", component);
-  SparseMatrix S(system.dofs(), system.dofs());
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const SupportDof& dof : line.dofs) {
-    const int index =
-        6 * static_cast<int>(deck.grid_index(dof.node)) + dof.component - 1;
-    entries.emplace_back(index, index, dof.length);
-  }
-  S.setFromTriplets(entries.begin(), entries.end());
-  return S;
-}
-
-std::vector<int> BaseBuilder::Impl::released_free(
-    const std::vector<Where>& released) const {
-  std::vector<bool> active(static_cast<std::size_t>(system.dofs()), false);
-  for (const int k : free) active[static_cast<std::size_t>(k)] = true;
-  for (const Where& where : released) {
-    const SparseMatrix S = support_matrix(where);
-    for (Index k = 0; k < S.outerSize(); ++k) {
-      for (SparseMatrix::InnerIterator it(S, k); it; ++it) {
-        active[static_cast<std::size_t>(it.row())] = true;
-      }
-    }
-  }
-  std::vector<int> result;
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    if (active[k] && !system.inactive[k]) {
-      result.push_back(static_cast<int>(k));
-    }
-  }
-  return result;
-}
-
-// How stiff is stiff: to first order a support of stiffness k per metre lowers
-// omega_r^2 by sum_i f_i^2 / (k length_i), f the reaction in mode r.
-void BaseBuilder::Impl::scale_support(SupportTerm& term,
-                                      const SparseMatrix& S) const {
-  const MatrixXd reaction = system.K * modes;
+// How stiff is stiff: to first order springs of stiffness k per metre lower
+// omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
+// asks of them.
+StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
+                                             const SparseMatrix& S) const {
+  MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.cols());
+  rigid.topRows(modes.rows()) = modes;
+  const MatrixXd reaction = released.K * rigid;
   double worst = 0.0;
   for (Index r = 0; r < modes.cols(); ++r) {
     if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
@@ -256,36 +221,37 @@ void BaseBuilder::Impl::scale_support(SupportTerm& term,
     worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
   }
   if (worst <= 0.0) worst = 1.0;
-  term.stiff = worst / 1e-4;
+  StiffnessTerm term;
+  term.upper = worst / 1e-4;
+  term.absent = term.upper;
   term.start = worst / 0.1;
-  term.soft = worst / 4.0;
+  term.lower = worst / 4.0;
+  return term;
 }
 
-// Modes and static responses with the support on springs.
-MatrixXd BaseBuilder::Impl::softened(const std::vector<int>& active,
-                                     const SparseMatrix& spring,
+// Modes and static responses with the change made.
+MatrixXd BaseBuilder::Impl::softened(const ReleasedSystem& released,
+                                     const SparseMatrix& change,
                                      const std::vector<int>& points) const {
-  const SparseMatrix sprung = system.K + spring;
-  const SparseMatrix K = structure::extract(sprung, active);
-  const SparseMatrix M = structure::extract(system.M, active);
+  const SparseMatrix sprung = released.K + change;
+  const SparseMatrix K = structure::extract(sprung, released.active);
+  const SparseMatrix M = structure::extract(released.M, released.active);
   const structure::Eigenmodes soft =
       structure::eigenmodes_up_to(K, M, 2.0 * options.high_hz);
   const SparseMatrix A = K + shift * M;
   const structure::Factor solver(A);
-  MatrixXd result(system.dofs(), soft.phi.cols());
-  result = expand(soft.phi, active, system.dofs());
-  const MatrixXd residual = static_responses(solver, active, points);
-  MatrixXd both(system.dofs(), result.cols() + residual.cols());
-  both << result, residual;
-  return both;
+  return join({expand(soft.phi, released.active, released.dofs()),
+               static_responses(
+                   solver, released.active, released.dofs(), points)});
 }
 
 // All matrices seen through a basis that is orthonormal in M.
-ReducedBase BaseBuilder::Impl::project(const MatrixXd& V) const {
+ReducedBase BaseBuilder::Impl::project(const MatrixXd& V,
+                                       const ReleasedSystem& of) const {
   ReducedBase base;
   base.rows = V.topRows(6 * original_grids);
-  base.K = V.transpose() * (system.K * V);
-  for (const UncertainPart& part : parts) {
+  base.K = V.transpose() * (of.K * V);
+  for (const UncertainPart& part : of.parts) {
     base.K_part.emplace_back(V.transpose() * (part.K * V));
     base.M_part.emplace_back(V.transpose() * (part.M * V));
   }
@@ -329,8 +295,9 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
   return base;
 }
 
-ReducedBase BaseBuilder::build(const std::vector<int>& points,
-                               const std::vector<Where>& released) const {
+ReducedBase BaseBuilder::build(
+    const std::vector<int>& points,
+    const std::vector<StiffnessChange>& changes) const {
   const Impl& m = *impl_;
   std::vector<int> fresh;
   std::set_difference(points.begin(),
@@ -338,36 +305,38 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
                       m.options.points.begin(),
                       m.options.points.end(),
                       std::back_inserter(fresh));
-  if (released.empty()) {
+  if (changes.empty()) {
     if (fresh.empty()) return m.fixed;
-    return m.extend(m.static_responses(*m.factor, m.free, fresh));
+    return m.extend(
+        m.static_responses(*m.factor, m.free, m.system.dofs(), fresh));
   }
   std::vector<int> all = m.options.points;
   all.insert(all.end(), fresh.begin(), fresh.end());
-  std::vector<SparseMatrix> springs;
-  std::vector<SupportTerm> supports;
-  for (const Where& where : released) {
-    SupportTerm term;
-    term.where = where;
-    springs.push_back(m.support_matrix(where));
-    m.scale_support(term, springs.back());
-    supports.push_back(term);
+  const ReleasedSystem released = release(m.mesh, m.system, m.parts, changes);
+  std::vector<StiffnessTerm> terms;
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    terms.push_back(changes[k].kind == ChangeKind::Elements
+                        ? loss_term()
+                        : m.spring_term(released, released.S[k]));
+    terms.back().of = changes[k].of;
   }
-  std::vector<MatrixXd> blocks = {m.V0};
-  const std::vector<int> active = m.released_free(released);
+  MatrixXd rigid = MatrixXd::Zero(released.dofs(), m.V0.cols());
+  rigid.topRows(m.V0.rows()) = m.V0;
+  std::vector<MatrixXd> blocks = {rigid};
   for (const bool soft : {false, true}) {
-    SparseMatrix spring(m.system.dofs(), m.system.dofs());
-    for (std::size_t k = 0; k < springs.size(); ++k) {
-      spring += (soft ? supports[k].soft : supports[k].start) * springs[k];
+    SparseMatrix change(released.dofs(), released.dofs());
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+      const double p = soft ? terms[k].lower : terms[k].start;
+      change += (p - terms[k].included) * released.S[k];
     }
-    blocks.push_back(m.softened(active, spring, all));
+    blocks.push_back(m.softened(released, change, all));
   }
-  const MatrixXd V = orthonormalise(m.system.M, join(blocks), 1e-9);
-  ReducedBase base = m.project(V);
-  base.supports = supports;
-  for (std::size_t k = 0; k < springs.size(); ++k) {
-    base.supports[k].S = V.transpose() * (springs[k] * V);
+  const MatrixXd V = orthonormalise(released.M, join(blocks), 1e-9);
+  ReducedBase base = m.project(V, released);
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    terms[k].S = V.transpose() * (released.S[k] * V);
   }
+  base.terms = std::move(terms);
   return base;
 }
 

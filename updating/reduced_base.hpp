@@ -3,8 +3,8 @@
 //   K_r = V' K V,  M_r = V' M V = I
 //
 // V holds the modes to well above the band and the static response to a unit
-// force at every point that is measured, hit or acted on. Where a support may
-// give way, V also holds modes with the support at two finite stiffnesses, so
+// force at every point that is measured, hit or acted on. Where a support, a
+// joint or an element may give way, V also holds modes at two states of it, so
 // that everything between rigid and very soft lies in its span.
 // Source: R. R. Craig, A. J. Kurdila, "Fundamentals of Structural Dynamics",
 // 2006, ch. 17 (residual flexibility); basis of two
@@ -13,7 +13,7 @@
 
 #include "acquisition/progress.hpp"
 #include "acquisition/test_bundle.hpp"
-#include "updating/diagnosis.hpp"
+#include "updating/stiffness_change.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <Eigen/Core>
@@ -23,21 +23,12 @@
 
 namespace tapfit::updating {
 
-/// A support's stiffness matrix in the base, per unit stiffness per metre.
-struct SupportTerm {
-  Where where;
-  Eigen::MatrixXd S;   ///< r x r [per N/m/m or per N m/rad/m]
-  double stiff = 0.0;  ///< practically rigid [unit of S^-1]
-  double start = 0.0;  ///< lowers the most affected mode a few percent
-  double soft = 0.0;   ///< softest the basis is good for
-};
-
 struct ReducedBase {
   Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
-  Eigen::MatrixXd K;     ///< r x r at nominal properties, supports released
+  Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
   std::vector<Eigen::MatrixXd> K_part;  ///< per uncertain property: d K / d f
   std::vector<Eigen::MatrixXd> M_part;  ///< the same for M, f the factor
-  std::vector<SupportTerm> supports;
+  std::vector<StiffnessTerm> terms;      ///< one per change asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
 };
@@ -45,7 +36,7 @@ struct ReducedBase {
 struct BaseOptions {
   double high_hz = 100.0;  ///< top of the band
   double reach = 3.0;      ///< modes up to reach * high_hz
-  int refinements = 1;     ///< times the mesh is split
+  bool split = true;       ///< every element once more
   /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
   std::vector<int> points = {};
 };
@@ -65,15 +56,15 @@ class BaseBuilder {
   BaseBuilder& operator=(BaseBuilder&&) noexcept;
 
   /// @param points further degrees of freedom that are acted on, ascending
-  /// @param released soft-support places whose compliance the base must hold
-  [[nodiscard]] ReducedBase build(const std::vector<int>& points,
-                                  const std::vector<Where>& released) const;
+  /// @param changes of the stiffness that the base must hold
+  [[nodiscard]] ReducedBase build(
+      const std::vector<int>& points,
+      const std::vector<StiffnessChange>& changes) const;
 
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;
   [[nodiscard]] double mass_kg() const;
   [[nodiscard]] Eigen::Index dofs() const;
-  [[nodiscard]] int refinements() const;
 
  private:
   struct Impl;

@@ -58,13 +58,6 @@ struct ModalState {
 [[nodiscard]] Eigen::VectorXcd flexibility(const ModalState& shared,
                                            std::complex<double> s);
 
-/// A pair of the FRF set and its columns among the points walked.
-struct WalkedPair {
-  Eigen::Index frf = 0;
-  Eigen::Index response = 0;
-  Eigen::Index reference = 0;
-};
-
 struct RunLines {
   const ModalState* shared = nullptr;
   std::vector<Actor> actors;

@@ -2,11 +2,13 @@
 
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/misfit_scan.hpp"
 #include "updating/parallel.hpp"
-
-#include <Eigen/QR>
+#include "updating/place_patterns.hpp"
+#include "updating/place_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -16,198 +18,238 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
 constexpr int sizes_scanned = 13;
+// Grids at which effects of several parameters are scanned: those where a
+// point effect of any law would explain most.
+constexpr std::size_t grids_in_detail = 12;
 
-MatrixXd rows_of(const FrfModel& model,
-                 const std::vector<int>& nodes,
-                 int component) {
-  MatrixXd rows(model.base().size(), static_cast<Index>(nodes.size()));
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    rows.col(static_cast<Index>(k)) =
-        model.row(nodes[k], component).transpose();
-  }
-  return rows;
-}
-
-// The misfit and patterns with the tangent space of what readjusts taken out.
-class Projector {
- public:
-  explicit Projector(const MatrixXd& J) {
-    if (J.cols() == 0) return;
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(J);
-    qr.setThreshold(1e-8);
-    Q_ = qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());
-  }
-  [[nodiscard]] VectorXd operator()(const VectorXd& v) const {
-    if (Q_.size() == 0) return v;
-    return v - Q_ * (Q_.transpose() * v);
-  }
-
- private:
-  MatrixXd Q_;
+// What is looked at: places and the rows that they are felt by.
+struct Places {
+  std::vector<int> nodes;  // come first
+  std::vector<const effects::Effect*> point_kinds;
+  std::vector<const effects::Effect*> detailed_kinds;  // several parameters
+  struct Wide {
+    const effects::Effect* effect = nullptr;
+    Where where;
+    std::vector<std::size_t> rows;  // of which its pattern is the sum
+  };
+  std::vector<Wide> wide;
+  std::vector<MatrixXd> rows;
 };
 
-// Sizes to try: those between which the effect goes from hardly visible to
-// dominating, found from the place's own flexibility.
-std::vector<double> sizes(const effects::ParameterSpec& spec) {
+void add_losses(const effects::Effect& effect,
+                const effects::Setting& setting,
+                const PlaceRows& source,
+                Places& places) {
+  std::map<int, std::size_t> at;  // element -> its rows
+  for (const Where& where : effect.places(setting)) {
+    Places::Wide wide{&effect, where, {}};
+    for (const int id : where.elements) {
+      const auto [it, fresh] = at.try_emplace(id, places.rows.size());
+      if (fresh) places.rows.push_back(source.element(id));
+      wide.rows.push_back(it->second);
+    }
+    places.wide.push_back(std::move(wide));
+  }
+}
+
+Places all_places(const FrfModel& model) {
+  const effects::Setting& setting = model.setting();
+  const PlaceRows source(model);
+  Places places;
+  for (const auto& effect : effects::catalogue()) {
+    const auto* point =
+        dynamic_cast<const effects::PointEffect*>(effect.get());
+    if (point == nullptr) continue;
+    const std::vector<Where> at = point->places(setting);
+    if (places.nodes.empty()) {
+      for (const Where& where : at) {
+        places.nodes.push_back(where.node);
+        places.rows.push_back(source.grid(where.node));
+      }
+    }
+    if (at.empty()) continue;
+    const bool single = point->parameters(at.front(), setting).size() == 1;
+    (single ? places.point_kinds : places.detailed_kinds).push_back(point);
+  }
+  for (const auto& effect : effects::catalogue()) {
+    const auto change = effect->changes_stiffness();
+    if (change == ChangeKind::Elements) {
+      add_losses(*effect, setting, source, places);
+    }
+    if (change != ChangeKind::Joint) continue;
+    for (const Where& where : effect->places(setting)) {
+      MatrixXd rows = source.joint(where);
+      if (rows.rows() == 0) continue;
+      places.wide.push_back({effect.get(), where, {places.rows.size()}});
+      places.rows.push_back(std::move(rows));
+    }
+  }
+  return places;
+}
+
+// Sizes between the bounds of a parameter, evenly in the logarithm.
+std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
   std::vector<double> result;
   const double low = std::log(spec.lower);
   const double high = std::log(spec.upper);
-  for (int k = 0; k < sizes_scanned; ++k) {
-    result.push_back(std::exp(low + (high - low) * (k + 0.5) / sizes_scanned));
+  for (int k = 0; k < count; ++k) {
+    result.push_back(std::exp(low + (high - low) * (k + 0.5) / count));
   }
   return result;
 }
 
-struct Scan {
-  const PlacePatterns* patterns;
-  const Target* target;
-  const Projector* project;
-  VectorXd misfit;  // projected
-
-  [[nodiscard]] double error(std::size_t node,
-                             const effects::Effect& effect,
-                             double size) const {
-    const MatrixXcd& P = patterns->pattern[node];
-    const MatrixXcd& own = patterns->own[node];
-    MatrixXcd change(P.rows(), P.cols());
-    for (Index l = 0; l < P.rows(); ++l) {
-      const std::complex<double> s = patterns->s(l);
-      const std::complex<double> z = effect.law(s, {size}, 0);
-      for (Index f = 0; f < P.cols(); ++f) {
-        change(l, f) = -s * s * P(l, f) * z / (1.0 + own(l, f) * z);
+// Every combination of a few sizes of each parameter.
+std::vector<std::vector<double>> combinations(
+    const std::vector<effects::ParameterSpec>& specs) {
+  constexpr std::array<int, 3> counts = {7, 24, 3};
+  std::vector<std::vector<double>> result = {{}};
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& start : result) {
+      for (const double size : sizes(specs[k], counts.at(k))) {
+        longer.push_back(start);
+        longer.back().push_back(size);
       }
     }
-    return (misfit + (*project)(stack(*target, change))).norm();
+    result = std::move(longer);
+  }
+  return result;
+}
+
+class Screening {
+ public:
+  Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
+      : setting_(fitter.setting().setting),
+        places_(all_places(*current.model)),
+        // The widest line: the most forgiving about shifts.
+        scan_(current, fitter.setting().targets.front()),
+        patterns_(place_patterns(current,
+                                 fitter.setting().targets.front(),
+                                 places_.rows,
+                                 progress)) {}
+
+  [[nodiscard]] std::vector<Screened> points() const {
+    const std::size_t kinds = places_.point_kinds.size();
+    std::vector<Screened> result(places_.nodes.size() * kinds);
+    for_each_parallel(places_.nodes.size(), [&](std::size_t b) {
+      for (std::size_t k = 0; k < kinds; ++k) {
+        result[b * kinds + k] = best_size(b, *places_.point_kinds[k]);
+      }
+    });
+    return result;
   }
 
-  // Best size: a scan, then a golden section between its neighbours.
-  [[nodiscard]] std::pair<double, double> best(
-      std::size_t node,
-      const effects::Effect& effect,
-      const effects::ParameterSpec& spec) const {
-    const std::vector<double> tried = sizes(spec);
-    double least = 1e300;
-    double at = tried.front();
-    for (const double size : tried) {
-      const double e = error(node, effect, size);
-      if (e < least) {
-        least = e;
-        at = size;
-      }
+  // Effects of several parameters, at the most promising grids.
+  [[nodiscard]] std::vector<Screened> detailed() const {
+    std::vector<std::pair<double, std::size_t>> promise;
+    for (std::size_t b = 0; b < places_.nodes.size(); ++b) {
+      promise.emplace_back(scan_.any_law(patterns_.pattern[b]), b);
     }
-    double ratio =
-        std::exp(0.5 * std::log(spec.upper / spec.lower) / sizes_scanned);
-    for (int k = 0; k < 4; ++k) {
-      for (const double size : {at / ratio, at * ratio}) {
-        const double e = error(node, effect, size);
-        if (e < least) {
-          least = e;
-          at = size;
+    const std::size_t count = std::min(grids_in_detail, promise.size());
+    std::partial_sort(promise.begin(),
+                      promise.begin() + static_cast<std::ptrdiff_t>(count),
+                      promise.end());
+    const std::size_t kinds = places_.detailed_kinds.size();
+    std::vector<Screened> result(count * kinds);
+    for_each_parallel(count * kinds, [&](std::size_t at) {
+      const effects::Effect& effect = *places_.detailed_kinds[at % kinds];
+      const std::size_t b = promise[at / kinds].second;
+      result[at] = best_of(
+          b, effect, combinations(effect.parameters(where(b), setting_)));
+    });
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Screened> wide() const {
+    std::vector<Screened> result(places_.wide.size());
+    for_each_parallel(places_.wide.size(), [&](std::size_t k) {
+      const Places::Wide& place = places_.wide[k];
+      MatrixXcd sum = patterns_.pattern[place.rows.front()];
+      for (std::size_t e = 1; e < place.rows.size(); ++e) {
+        sum += patterns_.pattern[place.rows[e]];
+      }
+      const MisfitScan::Scaled best = scan_.scaled(scan_.change(
+          patterns_.s.cwiseProduct(patterns_.s).asDiagonal() * sum));
+      const double factor = std::max(best.factor, 1e-12);
+      // A joint's stiffness is the inverse of its compliance; elements in a
+      // row add compliance, 1 / factor - 1.
+      const bool loss =
+          place.effect->changes_stiffness() == ChangeKind::Elements;
+      const double p = loss ? 1.0 / (1.0 + factor) : 1.0 / factor;
+      result[k] = {PlacedEffect{place.effect, place.where, {p}}, best.error};
+    });
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Where where(std::size_t b) const {
+    Where result;
+    result.node = places_.nodes[b];
+    return result;
+  }
+
+  // The best of several sizes of an effect at a grid.
+  [[nodiscard]] Screened best_of(
+      std::size_t b,
+      const effects::Effect& effect,
+      const std::vector<std::vector<double>>& tried) const {
+    const MatrixXcd& P = patterns_.pattern[b];
+    const MatrixXcd& own = patterns_.own[b];
+    MatrixXd changes(2 * P.size(), static_cast<Index>(tried.size()));
+    MatrixXcd dH(P.rows(), P.cols());
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      for (Index l = 0; l < P.rows(); ++l) {
+        const std::complex<double> s = patterns_.s(l);
+        const std::complex<double> z = effect.law(s, tried[k], 0);
+        for (Index f = 0; f < P.cols(); ++f) {
+          dH(l, f) = -s * s * P(l, f) * z / (1.0 + own(l, f) * z);
         }
       }
-      ratio = std::sqrt(ratio);
+      changes.col(static_cast<Index>(k)) = scan_.change(dH);
     }
-    return {at, least};
+    const VectorXd errors = scan_.errors(changes);
+    Index at = 0;
+    const double least = errors.minCoeff(&at);
+    return {PlacedEffect{&effect, where(b), tried[static_cast<std::size_t>(at)]},
+            least};
   }
+
+  // A scan over all sizes, then closer around the best.
+  [[nodiscard]] Screened best_size(std::size_t b,
+                                   const effects::Effect& effect) const {
+    const effects::ParameterSpec spec =
+        effect.parameters(where(b), setting_).front();
+    std::vector<std::vector<double>> tried;
+    for (const double size : sizes(spec, sizes_scanned)) tried.push_back({size});
+    const Screened coarse = best_of(b, effect, tried);
+    const double step = std::log(spec.upper / spec.lower) / sizes_scanned;
+    tried.clear();
+    for (const double part : {-0.7, -0.45, -0.2, 0.0, 0.2, 0.45, 0.7}) {
+      tried.push_back({coarse.placed.p[0] * std::exp(part * step)});
+    }
+    return best_of(b, effect, tried);
+  }
+
+  const effects::Setting& setting_;
+  Places places_;
+  MisfitScan scan_;
+  PlacePatterns patterns_;
 };
 
 }  // namespace
 
-PlacePatterns place_patterns(const Fit& current,
-                             const Target& target,
-                             const std::vector<int>& nodes,
-                             int component,
-                             const Progress& progress) {
-  const FrfModel& model = *current.model;
-  PlacePatterns result;
-  result.nodes = nodes;
-  result.s = target.s;
-  const MatrixXd candidates = rows_of(model, nodes, component);
-  const Index lines = target.s.size();
-  const Index frfs = target.H.cols();
-  result.pattern.assign(nodes.size(), MatrixXcd(lines, frfs));
-  result.own.assign(nodes.size(), MatrixXcd(lines, frfs));
-  std::map<std::size_t, std::vector<Index>> runs;
-  for (Index f = 0; f < frfs; ++f) {
-    runs[target.run[static_cast<std::size_t>(f)]].push_back(f);
-  }
-  double done = 0.0;
-  for (const auto& [run, members] : runs) {
-    progress("diagnosis: patterns", done++ / static_cast<double>(runs.size()));
-    const auto n = static_cast<Index>(members.size());
-    MatrixXd points(model.base().size(), 2 * n);
-    for (Index k = 0; k < n; ++k) {
-      points.col(k) = model.response_row(members[static_cast<std::size_t>(k)]);
-      points.col(n + k) =
-          model.reference_row(members[static_cast<std::size_t>(k)]);
-    }
-    const std::vector<FrfModel::Columns> columns =
-        model.columns(current.result.state, target.s, run, points, candidates);
-    for (Index l = 0; l < lines; ++l) {
-      const FrfModel::Columns& c = columns[static_cast<std::size_t>(l)];
-      const MatrixXcd at = candidates.transpose() * c.X;  // nodes x 2n
-      for (std::size_t b = 0; b < nodes.size(); ++b) {
-        const auto row = static_cast<Index>(b);
-        for (Index k = 0; k < n; ++k) {
-          const Index f = members[static_cast<std::size_t>(k)];
-          result.pattern[b](l, f) = at(row, k) * at(row, n + k);
-          result.own[b](l, f) = c.own(row);
-        }
-      }
-    }
-  }
-  return result;
-}
-
 std::vector<Screened> screen(const Fit& current,
                              const Fitter& fitter,
                              const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
-  // The widest line: the most forgiving about shifts.
-  const Target& target = fitter.setting().targets.front();
-  const ModelResponse response =
-      current.model->respond(current.result.state, target.s, true);
-  MatrixXd J(2 * target.H.size(), static_cast<Index>(response.dH.size()));
-  for (std::size_t k = 0; k < response.dH.size(); ++k) {
-    J.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
-  }
-  const Projector project(J);
-
-  std::vector<Screened> result;
-  std::vector<const effects::Effect*> kinds;
-  for (const auto& effect : effects::catalogue()) {
-    if (dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
-      kinds.push_back(effect.get());
-    }
-  }
-  if (kinds.empty()) return result;
-  std::vector<int> nodes;
-  for (const Where& where : kinds.front()->places(setting)) {
-    nodes.push_back(where.node);
-  }
-  const PlacePatterns patterns =
-      place_patterns(current, target, nodes, setting.component, progress);
-  const Scan scan{&patterns,
-                  &target,
-                  &project,
-                  project(stack(target, response.H - target.H))};
+  const Screening screening(current, fitter, progress);
   progress("diagnosis: screening", 0.5);
-  result.resize(nodes.size() * kinds.size());
-  for_each_parallel(nodes.size(), [&](std::size_t b) {
-    Where where;
-    where.node = nodes[b];
-    for (std::size_t k = 0; k < kinds.size(); ++k) {
-      const effects::ParameterSpec spec =
-          kinds[k]->parameters(where, setting).front();
-      const auto [size, error] = scan.best(b, *kinds[k], spec);
-      result[b * kinds.size() + k] = {PlacedEffect{kinds[k], where, {size}},
-                                      error};
-    }
-  });
+  std::vector<Screened> result = screening.points();
+  for (const auto& more : {screening.detailed(), screening.wide()}) {
+    result.insert(result.end(), more.begin(), more.end());
+  }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
     return a.error < b.error;
   });

@@ -231,11 +231,10 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
     BaseOptions options;
     options.high_hz = lines[1];
     options.points = measured_points(the_deck, bundle);
-    options.refinements =
-        4 * the_deck.grids.size() <= refined_grid_limit ? 1 : 0;
+    options.split = 4 * the_deck.grids.size() <= refined_grid_limit;
     builder.emplace(the_deck, bundle.uncertain, options, progress);
-    if (options.refinements > 0) {
-      options.refinements = 0;
+    if (options.split) {
+      options.split = false;
       coarse_builder.emplace(the_deck, bundle.uncertain, options, progress);
     }
   }

@@ -1,6 +1,6 @@
 #include "updating/signature.hpp"
 
-#include "updating/screening.hpp"
+#include "updating/place_patterns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +45,10 @@ Signature signature_at(const Fit& current,
                        int node,
                        const Progress& progress) {
   const PlacePatterns patterns = place_patterns(
-      current, target, {node}, current.model->setting().component, progress);
+      current,
+      target,
+      {current.model->row(node, current.model->setting().component)},
+      progress);
   const Eigen::MatrixXcd model =
       current.model->respond(current.result.state, target.s, false).H;
   const Index lines = target.s.size();

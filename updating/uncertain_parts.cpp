@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace tapfit::updating {
 
 std::vector<UncertainPart> uncertain_parts(
@@ -29,10 +27,9 @@ std::vector<UncertainPart> uncertain_parts(
           "use \"E\" or \"rho\"");
     }
     const std::vector<int> ids = structure::elements_of_material(deck, u.id);
-    const auto wanted = [&ids](int id) {
-      return std::find(ids.begin(), ids.end(), id) != ids.end();
-    };
     UncertainPart part;
+    part.elements = {ids.begin(), ids.end()};
+    const auto wanted = [&part](int id) { return part.elements.contains(id); };
     part.name = fmt::format("{}:{}", u.property, u.id);
     part.unit = stiffness ? "Pa" : "kg/m^3";
     part.nominal = stiffness ? material->second.E : material->second.rho;

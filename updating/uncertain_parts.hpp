@@ -4,6 +4,7 @@
 #include "acquisition/test_bundle.hpp"
 #include "updating/structure/system.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct UncertainPart {
   std::string unit;      ///< "Pa", "kg/m^3"
   double nominal = 0.0;  ///< the deck's value
   double sd = 0.0;       ///< prior standard deviation of ln f
+  std::set<int> elements;
   structure::SparseMatrix K;
   structure::SparseMatrix M;
 };

@@ -29,7 +29,7 @@ class FrfModelTest : public ::testing::Test {
         pairs_(support::plate_pairs(bundle_, s_)) {
     BaseOptions options;
     options.high_hz = 400.0;
-    options.refinements = 0;
+    options.split = false;
     options.points = measured_points(deck_, bundle_);
     builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
     FitSetting fit;
@@ -171,7 +171,7 @@ TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
 
 TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
   const auto model = fitter_->model_for({clamp(1.0)});
-  const SupportTerm& term = model->base().supports.front();
+  const StiffnessTerm& term = model->base().terms.front();
   std::vector<int> rotations;
   for (int j = 0; j < 5; ++j) rotations.push_back(6 * 11 * j + 4);
   for (const double k : {term.soft, 3.0 * term.start, 0.1 * term.stiff}) {

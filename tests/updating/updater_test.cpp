@@ -29,7 +29,7 @@ class PlateExperiment {
         setting_(support::plate_setting(bundle_, deck_)) {
     BaseOptions options;
     options.high_hz = 400.0;
-    options.refinements = 0;
+    options.split = false;
     options.points = measured_points(deck_, bundle_);
     builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
     FitSetting fit;

@@ -26,13 +26,18 @@ ordered_json candidate_json(const updating::Candidate& candidate) {
     others.push_back({{"effect", other.effect},
                       {"where", where_json(other.effect, other.where)}});
   }
-  return {{"effect", candidate.effect},
-          {"where", where_json(candidate.effect, candidate.where)},
-          {"probability", candidate.probability},
-          {"parameters", parameters_json(candidate.parameters)},
-          {"error", candidate.error},
-          {"held_out_error", candidate.held_out_error},
-          {"indistinguishable_from", std::move(others)}};
+  ordered_json json = {
+      {"effect", candidate.effect},
+      {"where", where_json(candidate.effect, candidate.where)},
+      {"probability", candidate.probability},
+      {"parameters", parameters_json(candidate.parameters)},
+      {"error", candidate.error},
+      {"indistinguishable_from", std::move(others)}};
+  // Only those that came first were tried on runs left out.
+  if (candidate.held_out_error > 0.0) {
+    json["held_out_error"] = candidate.held_out_error;
+  }
+  return json;
 }
 
 ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {

@@ -53,7 +53,7 @@ updating::Diagnosis diagnosis_of_named(
                                     .parameters = rung.parameters,
                                     .probability = 1.0,
                                     .error = rung.error,
-                                    .held_out_error = rung.error,
+                                    .held_out_error = 0.0,
                                     .indistinguishable_from = {}});
   }
   take_final_values(diagnosis);

@@ -1,13 +1,18 @@
 #include "updating/effects/catalogue.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/effects/absorber.hpp"
 #include "updating/effects/added_mass.hpp"
+#include "updating/effects/channel_delay.hpp"
 #include "updating/effects/channel_gain.hpp"
+#include "updating/effects/channel_polarity.hpp"
 #include "updating/effects/dashpot.hpp"
 #include "updating/effects/ground_spring.hpp"
+#include "updating/effects/joint.hpp"
 #include "updating/effects/sensor_cable.hpp"
 #include "updating/effects/sensor_mass.hpp"
 #include "updating/effects/soft_support.hpp"
+#include "updating/effects/stiffness_loss.hpp"
 
 #include <fmt/format.h>
 
@@ -16,14 +21,19 @@
 namespace tapfit::effects {
 
 std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 7> effects = {
+  static const std::array<std::unique_ptr<const Effect>, 12> effects = {
       std::make_unique<const SensorMass>(),
       std::make_unique<const SoftSupport>(),
       std::make_unique<const AddedMass>(),
       std::make_unique<const GroundSpring>(),
       std::make_unique<const Dashpot>(),
       std::make_unique<const SensorCable>(),
+      std::make_unique<const StiffnessLoss>(),
+      std::make_unique<const Joint>(),
+      std::make_unique<const Absorber>(),
       std::make_unique<const ChannelGain>(),
+      std::make_unique<const ChannelDelay>(),
+      std::make_unique<const ChannelPolarity>(),
   };
   return effects;
 }

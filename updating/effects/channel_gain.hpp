@@ -2,26 +2,19 @@
 // every frequency, and no pole moves.
 #pragma once
 
-#include "updating/effects/effect.hpp"
+#include "updating/effects/channel_effect.hpp"
 
 namespace tapfit::effects {
 
-class ChannelGain final : public Effect {
+class ChannelGain final : public ChannelEffect {
  public:
   [[nodiscard]] std::string name() const override { return "channel-gain"; }
   [[nodiscard]] std::string physics() const override {
     return "a wrong sensitivity; one factor at every frequency, no frequency "
            "moves";
   }
-  [[nodiscard]] Entry entry() const override { return Entry::Measurement; }
-  /// Each sensor channel.
-  [[nodiscard]] std::vector<Where> places(
-      const Setting& setting) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,
                                          std::size_t group) const override;

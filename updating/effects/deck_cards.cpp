@@ -59,4 +59,37 @@ std::string ground_damper_card(const structure::Deck& deck,
                      component);
 }
 
+std::vector<std::string> absorber_cards(const structure::Deck& deck,
+                                        int node,
+                                        int component,
+                                        double mass_kg,
+                                        double stiffness,
+                                        double damping) {
+  int own = 0;
+  for (const structure::Grid& grid : deck.grids) own = std::max(own, grid.id);
+  ++own;
+  const Eigen::Vector3d& at = deck.grids[deck.grid_index(node)].position;
+  std::string held = "123456";
+  held.erase(static_cast<std::size_t>(component - 1), 1);
+  const auto link = [&](const char* card, int offset, double size) {
+    return fmt::format("{},{},{},{},{},{},{}",
+                       card,
+                       free_id(deck, offset),
+                       real(size),
+                       node,
+                       component,
+                       own,
+                       component);
+  };
+  return {fmt::format("GRID,{},,{},{},{},,{}",
+                      own,
+                      real(at.x()),
+                      real(at.y()),
+                      real(at.z()),
+                      held),
+          point_mass_card(deck, 0, own, mass_kg),
+          link("CELAS2", 1, stiffness),
+          link("CDAMP2", 2, damping)};
+}
+
 }  // namespace tapfit::effects

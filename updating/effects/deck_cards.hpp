@@ -4,6 +4,7 @@
 #include "updating/structure/deck.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tapfit::effects {
 
@@ -26,5 +27,14 @@ namespace tapfit::effects {
                                              int node,
                                              int component,
                                              double damping);
+
+/// A grid of its own with a mass, on a spring and damper to a grid.
+[[nodiscard]] std::vector<std::string> absorber_cards(
+    const structure::Deck& deck,
+    int node,
+    int component,
+    double mass_kg,
+    double stiffness,
+    double damping);
 
 }  // namespace tapfit::effects

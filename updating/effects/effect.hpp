@@ -8,10 +8,12 @@
 
 #include "acquisition/test_bundle.hpp"
 #include "updating/diagnosis.hpp"
+#include "updating/stiffness_change.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <complex>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +50,7 @@ struct ActedDof {
 /// How an effect enters the model.
 enum class Entry {
   LowRank,      ///< through Woodbury, on free degrees of freedom
-  Support,      ///< compliance of a constrained degree of freedom
+  Stiffness,    ///< a change of the base's stiffness matrix
   Measurement,  ///< in the channel, not in the structure
 };
 
@@ -60,6 +62,12 @@ class Effect {
   /// One line for the screens: what it is and how it shows.
   [[nodiscard]] virtual std::string physics() const = 0;
   [[nodiscard]] virtual Entry entry() const { return Entry::LowRank; }
+
+  /// Which, for Entry::Stiffness; its one parameter scales that change.
+  [[nodiscard]] virtual std::optional<updating::ChangeKind> changes_stiffness()
+      const {
+    return std::nullopt;
+  }
 
   /// Every place where it may sit.
   [[nodiscard]] virtual std::vector<Where> places(

@@ -60,25 +60,6 @@ std::vector<ParameterSpec> SoftSupport::parameters(
       {base_name(where) + "_per_m", std::sqrt(lower * upper), lower, upper}};
 }
 
-std::vector<ActedDof> SoftSupport::acts_on(const Where&,
-                                           const Setting&,
-                                           std::size_t) const {
-  return {};
-}
-
-std::complex<double> SoftSupport::law(std::complex<double>,
-                                      const std::vector<double>& p,
-                                      std::size_t) const {
-  return p[0];
-}
-
-std::complex<double> SoftSupport::law_derivative(std::complex<double>,
-                                                 const std::vector<double>&,
-                                                 std::size_t,
-                                                 std::size_t) const {
-  return 1.0;
-}
-
 std::vector<Effect::Derived> SoftSupport::derived(
     const Where& where, const Setting& setting) const {
   return {{base_name(where), line_of(where, setting).length}};

@@ -2,36 +2,27 @@
 // or translation is released and held by springs, k per metre of clamp.
 #pragma once
 
-#include "updating/effects/effect.hpp"
+#include "updating/effects/stiffness_effect.hpp"
 
 namespace tapfit::effects {
 
-class SoftSupport final : public Effect {
+class SoftSupport final : public StiffnessEffect {
  public:
   [[nodiscard]] std::string name() const override { return "soft-support"; }
   [[nodiscard]] std::string physics() const override {
     return "a support that gives; lowers the first modes most, where the "
            "support carries them";
   }
-  [[nodiscard]] Entry entry() const override { return Entry::Support; }
+  [[nodiscard]] std::optional<updating::ChangeKind> changes_stiffness()
+      const override {
+    return updating::ChangeKind::Support;
+  }
   /// Each connected group of constrained grids, and all of them together; the
   /// rotation and the translation of each that is held.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
-  /// Not used: the base model carries the support's matrix (see Entry).
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
-  [[nodiscard]] std::complex<double> law(std::complex<double> s,
-                                         const std::vector<double>& p,
-                                         std::size_t group) const override;
-  [[nodiscard]] std::complex<double> law_derivative(
-      std::complex<double> s,
-      const std::vector<double>& p,
-      std::size_t group,
-      std::size_t k) const override;
   [[nodiscard]] std::vector<Derived> derived(
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<std::string> bulk_data(

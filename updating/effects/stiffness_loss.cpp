@@ -1,0 +1,34 @@
+#include "updating/effects/stiffness_loss.hpp"
+
+#include "updating/element_patches.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tapfit::effects {
+
+std::vector<Where> StiffnessLoss::places(const Setting& setting) const {
+  std::vector<Where> result;
+  if (setting.deck == nullptr) return result;
+  for (std::vector<int>& patch : updating::element_patches(*setting.deck)) {
+    Where where;
+    where.elements = std::move(patch);
+    result.push_back(std::move(where));
+  }
+  return result;
+}
+
+std::vector<ParameterSpec> StiffnessLoss::parameters(const Where&,
+                                                     const Setting&) const {
+  return {{"factor", 0.5, 0.04, 1.0}};
+}
+
+std::vector<std::string> StiffnessLoss::bulk_data(
+    const Where& where, const Setting&, const std::vector<double>& p) const {
+  return {fmt::format("$ Stiffness of elements {} times {:.4g}: give them a "
+                      "property and material of their own",
+                      fmt::join(where.elements, ", "),
+                      p[0])};
+}
+
+}  // namespace tapfit::effects

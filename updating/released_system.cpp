@@ -1,0 +1,176 @@
+#include "updating/released_system.hpp"
+
+#include "updating/joint_line.hpp"
+#include "updating/support_line.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using structure::Deck;
+using structure::RefinedDeck;
+using structure::SparseMatrix;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+int dof_index(const Deck& deck, int node, int component) {
+  return 6 * static_cast<int>(deck.grid_index(node)) + component - 1;
+}
+
+std::vector<int> children_of(const RefinedDeck& mesh,
+                             const std::vector<int>& elements) {
+  if (mesh.children.empty()) return elements;
+  std::vector<int> result;
+  for (const int id : elements) {
+    const auto it = mesh.children.find(id);
+    if (it == mesh.children.end()) continue;
+    result.insert(result.end(), it->second.begin(), it->second.end());
+  }
+  return result;
+}
+
+// Springs of unit stiffness per metre on the released degrees of freedom: on
+// the support's own grids and those between them.
+Triplets support_springs(const Deck& deck, const StiffnessChange& change) {
+  const Where& where = change.of.where;
+  const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
+  std::vector<int> nodes;
+  for (const std::vector<int>& group : support_groups(deck)) {
+    const bool inside = std::any_of(
+        group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
+    if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
+  }
+  const SupportLine line = support_line(
+      deck, nodes, where.variant == "rotation", change.component);
+  Triplets springs;
+  for (const SupportDof& dof : line.dofs) {
+    const int index = dof_index(deck, dof.node, dof.component);
+    springs.emplace_back(index, index, dof.length);
+  }
+  return springs;
+}
+
+// Appends the columns of a joint to a matrix: [A, A_B T; sym, T' A_B T].
+void append_joint(SparseMatrix& A, const SparseMatrix& side, SparseMatrix T) {
+  const Index n = A.rows();
+  const Index m = T.cols();
+  T.conservativeResize(n, m);
+  SparseMatrix A_side = side;
+  A_side.conservativeResize(n, n);
+  const SparseMatrix AT = A_side * T;
+  const SparseMatrix TAT = T.transpose() * AT;
+  Triplets all;
+  const auto put = [&all](const SparseMatrix& B, Index row, Index column) {
+    for (Index c = 0; c < B.outerSize(); ++c) {
+      for (SparseMatrix::InnerIterator it(B, c); it; ++it) {
+        all.emplace_back(static_cast<int>(row + it.row()),
+                         static_cast<int>(column + it.col()),
+                         it.value());
+      }
+    }
+  };
+  put(A, 0, 0);
+  put(AT, 0, n);
+  put(SparseMatrix(AT.transpose()), n, 0);
+  put(TAT, n, n);
+  A.resize(n + m, n + m);
+  A.setFromTriplets(all.begin(), all.end());
+}
+
+JointLine joint_of(const RefinedDeck& mesh, const StiffnessChange& change) {
+  const Where& where = change.of.where;
+  if (where.nodes.size() > 1) return shell_joint(mesh.deck, where.nodes);
+  return bar_joint(mesh.deck,
+                   where.nodes.front(),
+                   children_of(mesh, where.elements),
+                   change.component);
+}
+
+// Cuts a joint open and returns the springs that hold it.
+Triplets cut_joint(const RefinedDeck& mesh,
+                   const StiffnessChange& change,
+                   ReleasedSystem& released) {
+  const JointLine joint = joint_of(mesh, change);
+  const Index n = released.dofs();
+  Triplets directions;
+  Triplets springs;
+  for (std::size_t k = 0; k < joint.grids.size(); ++k) {
+    const JointGrid& grid = joint.grids[k];
+    const auto column = static_cast<int>(k);
+    for (int c = 0; c < 3; ++c) {
+      directions.emplace_back(
+          dof_index(mesh.deck, grid.node, 4 + c), column, grid.axis(c));
+    }
+    const int q = static_cast<int>(n) + column;
+    springs.emplace_back(q, q, grid.length);
+    released.active.push_back(q);
+  }
+  SparseMatrix T(n, static_cast<Index>(joint.grids.size()));
+  T.setFromTriplets(directions.begin(), directions.end());
+  const std::set<int> side(joint.side.begin(), joint.side.end());
+  const auto wanted = [&side](int id) { return side.contains(id); };
+  append_joint(
+      released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
+  append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
+  for (UncertainPart& part : released.parts) {
+    const auto own = [&](int id) {
+      return side.contains(id) && part.elements.contains(id);
+    };
+    const bool stiffness = part.M.nonZeros() == 0;
+    const SparseMatrix none(n, n);
+    append_joint(part.K,
+                 stiffness ? structure::assemble_stiffness(mesh.deck, own)
+                           : none,
+                 T);
+    append_joint(
+        part.M, stiffness ? none : structure::assemble_mass(mesh.deck, own), T);
+  }
+  return springs;
+}
+
+}  // namespace
+
+ReleasedSystem release(const RefinedDeck& mesh,
+                       const structure::System& system,
+                       const std::vector<UncertainPart>& parts,
+                       const std::vector<StiffnessChange>& changes) {
+  ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
+  std::vector<Triplets> springs;
+  for (const StiffnessChange& change : changes) {
+    springs.emplace_back();
+    if (change.kind == ChangeKind::Support) {
+      springs.back() = support_springs(mesh.deck, change);
+      for (const auto& spring : springs.back()) {
+        const bool inactive =
+            system.inactive[static_cast<std::size_t>(spring.row())];
+        if (!inactive) released.active.push_back(spring.row());
+      }
+    }
+    if (change.kind == ChangeKind::Joint) {
+      springs.back() = cut_joint(mesh, change, released);
+    }
+  }
+  std::sort(released.active.begin(), released.active.end());
+  released.active.erase(
+      std::unique(released.active.begin(), released.active.end()),
+      released.active.end());
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    SparseMatrix S(released.dofs(), released.dofs());
+    if (changes[k].kind == ChangeKind::Elements) {
+      const std::vector<int> ids =
+          children_of(mesh, changes[k].of.where.elements);
+      const std::set<int> wanted(ids.begin(), ids.end());
+      S = structure::assemble_stiffness(
+          mesh.deck, [&wanted](int id) { return wanted.contains(id); });
+      S.conservativeResize(released.dofs(), released.dofs());
+    } else {
+      S.setFromTriplets(springs[k].begin(), springs[k].end());
+    }
+    released.S.push_back(std::move(S));
+  }
+  return released;
+}
+
+}  // namespace tapfit::updating

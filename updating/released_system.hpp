@@ -1,0 +1,42 @@
+// The base model's matrices with degrees of freedom more than it has: supports
+// released, joints cut. What holds them are springs, one matrix per change.
+//
+// A joint adds one rotation q_n per grid of its line, by which the elements on
+// one side turn against the grid. With T (dofs x line grids) the directions of
+// those rotations and K_B the stiffness of the elements on that side,
+//
+//   K = [ K    K_B T       ]
+//       [ sym  T' K_B T    ]        (M alike)
+//
+// q = 0 is the structure without the joint.
+#pragma once
+
+#include "updating/stiffness_change.hpp"
+#include "updating/structure/refine_mesh.hpp"
+#include "updating/structure/system.hpp"
+#include "updating/uncertain_parts.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+struct ReleasedSystem {
+  structure::SparseMatrix K;
+  structure::SparseMatrix M;
+  std::vector<UncertainPart> parts;
+  std::vector<structure::SparseMatrix> S;  ///< d K / d p of each change
+  std::vector<int> active;                 ///< degrees of freedom that can move
+
+  [[nodiscard]] Eigen::Index dofs() const { return K.rows(); }
+};
+
+/// @param mesh the deck that is solved, with what its elements were split into
+/// @param system its matrices
+/// @param parts its uncertain parts
+[[nodiscard]] ReleasedSystem release(
+    const structure::RefinedDeck& mesh,
+    const structure::System& system,
+    const std::vector<UncertainPart>& parts,
+    const std::vector<StiffnessChange>& changes);
+
+}  // namespace tapfit::updating
