@@ -1,10 +1,9 @@
 #include "updating/element_patches.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -12,72 +11,93 @@ namespace {
 using Eigen::Vector3d;
 using structure::Deck;
 
-// In sizes of the element in the middle. Half steps of an area: what lies
-// between two of them is told apart by the fit no better.
-constexpr std::array<double, 7> reach = {0.0, 1.1, 1.6, 2.3, 3.3, 4.7, 6.6};
+// A box counts as another one when it holds an eighth more elements: less
+// than that no measurement tells.
+constexpr double growth = 1.125;
+// Beyond this a loss is not local.
+constexpr std::size_t largest_patch = 100;
 
-template <typename Grids>
-ElementCentre centre_of(const Deck& deck,
-                        int id,
-                        int property,
-                        const Grids& grids) {
-  ElementCentre centre{id, property, Vector3d::Zero(), 0.0};
-  for (const int grid : grids) {
-    centre.position += deck.grids[deck.grid_index(grid)].position;
+struct Middle {
+  int id = 0;
+  int property = 0;
+  Vector3d position;
+};
+
+template <typename Elements>
+void add_middles(const Deck& deck,
+                 const Elements& elements,
+                 std::vector<Middle>& middles) {
+  for (const auto& e : elements) {
+    Middle middle{e.id, e.property, Vector3d::Zero()};
+    for (const int grid : e.grids) {
+      middle.position += deck.grids[deck.grid_index(grid)].position;
+    }
+    middle.position /= static_cast<double>(e.grids.size());
+    middles.push_back(middle);
   }
-  centre.position /= static_cast<double>(grids.size());
-  double around = 0.0;
-  for (std::size_t k = 0; k < grids.size(); ++k) {
-    around += (deck.grids[deck.grid_index(grids[k])].position -
-               deck.grids[deck.grid_index(grids[(k + 1) % grids.size()])]
-                   .position)
-                  .norm();
-  }
-  centre.size = around / static_cast<double>(grids.size());
-  return centre;
 }
+
+class Patches {
+ public:
+  explicit Patches(const Deck& deck) {
+    add_middles(deck, deck.shells, middles_);
+    add_middles(deck, deck.bars, middles_);
+    limit_ = std::min(largest_patch, middles_.size() / 4);
+    for (const Middle& middle : middles_) take({middle.id});
+    for (const Middle& middle : middles_) boxes_around(middle.position);
+    for (const structure::Grid& grid : deck.grids) boxes_around(grid.position);
+    std::map<int, std::vector<int>> of_property;
+    for (const Middle& e : middles_) of_property[e.property].push_back(e.id);
+    for (auto& [property, ids] : of_property) {
+      if (2 * ids.size() <= middles_.size()) take(std::move(ids));
+    }
+  }
+
+  [[nodiscard]] std::vector<std::vector<int>> result() && {
+    return std::move(result_);
+  }
+
+ private:
+  void take(std::vector<int> ids) {
+    std::sort(ids.begin(), ids.end());
+    if (seen_.insert(ids).second) result_.push_back(std::move(ids));
+  }
+
+  void boxes_around(const Vector3d& at) {
+    std::vector<std::pair<double, int>> order;
+    for (const Middle& e : middles_) {
+      order.emplace_back((e.position - at).cwiseAbs().maxCoeff(), e.id);
+    }
+    const std::size_t count = std::min(order.size(), limit_ + 1);
+    std::partial_sort(order.begin(),
+                      order.begin() + static_cast<std::ptrdiff_t>(count),
+                      order.end());
+    std::vector<int> ids;
+    std::size_t last = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      ids.push_back(order[k].second);
+      // Elements at one distance come together.
+      const bool full =
+          k + 1 == count ||
+          order[k + 1].first > order[k].first * (1.0 + 1e-6) + 1e-12;
+      const auto size = static_cast<double>(ids.size());
+      if (!full || ids.size() > limit_) continue;
+      if (size < growth * static_cast<double>(last)) continue;
+      last = ids.size();
+      take(ids);
+    }
+  }
+
+  std::vector<Middle> middles_;
+  std::size_t limit_ = 0;
+  std::set<std::vector<int>> seen_;
+  std::vector<std::vector<int>> result_;
+};
 
 }  // namespace
 
-std::vector<ElementCentre> element_centres(const Deck& deck) {
-  std::vector<ElementCentre> result;
-  for (const structure::Shell& e : deck.shells) {
-    result.push_back(centre_of(deck, e.id, e.property, e.grids));
-  }
-  for (const structure::Bar& e : deck.bars) {
-    result.push_back(centre_of(deck, e.id, e.property, e.grids));
-  }
-  return result;
-}
-
 std::vector<std::vector<int>> element_patches(const Deck& deck) {
-  const std::vector<ElementCentre> centres = element_centres(deck);
-  std::set<std::vector<int>> seen;
-  std::vector<std::vector<int>> patches;
-  const auto take = [&](std::vector<int> ids) {
-    // Most of the structure is not a local loss but another modulus.
-    if (2 * ids.size() > centres.size() && ids.size() > 1) return;
-    std::sort(ids.begin(), ids.end());
-    if (seen.insert(ids).second) patches.push_back(std::move(ids));
-  };
-  for (const double sizes : reach) {
-    for (const ElementCentre& middle : centres) {
-      std::vector<int> ids;
-      for (const ElementCentre& e : centres) {
-        if ((e.position - middle.position).norm() <=
-            sizes * middle.size * (1.0 + 1e-9)) {
-          ids.push_back(e.id);
-        }
-      }
-      take(std::move(ids));
-    }
-  }
-  std::map<int, std::vector<int>> of_property;
-  for (const ElementCentre& e : centres) {
-    of_property[e.property].push_back(e.id);
-  }
-  for (auto& [property, ids] : of_property) take(std::move(ids));
-  return patches;
+  return Patches(deck).result();
 }
 
 }  // namespace tapfit::updating

@@ -7,19 +7,10 @@
 
 namespace tapfit::updating {
 
-/// Each shell and bar alone, with all within growing distances around it, and
-/// all of a property. Every set once, ids ascending.
+/// Each shell and bar alone; growing boxes of them around the middle of each
+/// and around each grid, up to a quarter of all; all of a property where that
+/// is not most of the structure. Every set once, ids ascending.
 [[nodiscard]] std::vector<std::vector<int>> element_patches(
-    const structure::Deck& deck);
-
-/// Middle of each shell and bar, by element id.
-struct ElementCentre {
-  int id = 0;
-  int property = 0;
-  Eigen::Vector3d position;
-  double size = 0.0;  ///< [m] side of a shell, length of a bar
-};
-[[nodiscard]] std::vector<ElementCentre> element_centres(
     const structure::Deck& deck);
 
 }  // namespace tapfit::updating

@@ -104,10 +104,16 @@ void RunLines::derive_terms(complex<double> s,
                             const MatrixXcd& Xo,
                             const MatrixXcd& Xi,
                             ModelResponse& out) const {
+  // d Z is symmetric: it is multiplied to the side with fewer points.
+  const bool few_responses = Xo.cols() < Xi.cols();
+  const MatrixXcd& few = few_responses ? Xo : Xi;
   for (const ScaledTerm& scaled : shared->terms) {
     const MatrixXcd ZX =
-        scaled.term.times(s, shared->modes.omega, shared->zeta, Xi);
-    const MatrixXcd change = -scaled.scale * s * s * (Xo.transpose() * ZX);
+        scaled.term.times(s, shared->modes.omega, shared->zeta, few);
+    const complex<double> factor = -scaled.scale * s * s;
+    const MatrixXcd change = few_responses
+                                 ? MatrixXcd(factor * (ZX.transpose() * Xi))
+                                 : MatrixXcd(factor * (Xo.transpose() * ZX));
     MatrixXcd& d = out.dH[scaled.column];
     for (const WalkedPair& p : pairs) {
       d(line, p.frf) = change(p.response, p.reference);
