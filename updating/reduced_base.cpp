@@ -75,6 +75,9 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   base.K = (Q.transpose() * base.K * Q).eval();
   for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
   for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
+  for (StiffnessTerm& term : base.terms) {
+    term.S = (Q.transpose() * term.S * Q).eval();
+  }
 }
 
 // Stiffness that elements keep, from all of it to next to none.
@@ -101,22 +104,18 @@ struct BaseBuilder::Impl {
   MatrixXd modes;      // n x count, supports rigid
   VectorXd modes_hz;
   std::unique_ptr<structure::Factor> factor;
-  std::vector<UncertainPart> parts;
-  MatrixXd V0;        // modes and static responses at options.points
-  ReducedBase fixed;  // seen through V0, K diagonal
+  ReleasedSystem plain;  // the model with nothing released
+  MatrixXd V0;           // modes and static responses at options.points
+  ReducedBase fixed;     // seen through V0, K diagonal
 
-  [[nodiscard]] ReducedBase project(const MatrixXd& V,
-                                    const ReleasedSystem& of) const;
-  [[nodiscard]] ReducedBase extend(const MatrixXd& extra) const;
-  [[nodiscard]] MatrixXd static_responses(const structure::Factor& solver,
-                                          const std::vector<int>& active,
-                                          Index dofs,
-                                          const std::vector<int>& points) const;
+  [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
+                                   const ReleasedSystem& released) const;
+  [[nodiscard]] MatrixXd backsolve(const MatrixXd& forces) const;
+  [[nodiscard]] MatrixXd static_responses(const std::vector<int>& points) const;
+  [[nodiscard]] MatrixXd constraint_modes(const ReleasedSystem& released) const;
+  [[nodiscard]] MatrixXd loss_modes(const SparseMatrix& S) const;
   [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
                                           const SparseMatrix& S) const;
-  [[nodiscard]] MatrixXd softened(const ReleasedSystem& released,
-                                  const SparseMatrix& change,
-                                  const std::vector<int>& points) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -151,17 +150,23 @@ BaseBuilder::BaseBuilder(
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   const SparseMatrix A = K + m.shift * M;
   m.factor = std::make_unique<structure::Factor>(A);
-  m.parts = uncertain_parts(m.mesh.deck, uncertain);
+  m.plain = {m.system.K,
+             m.system.M,
+             uncertain_parts(m.mesh.deck, uncertain),
+             {},
+             m.free};
   m.V0 = orthonormalise(
-      m.system.M,
-      join({m.modes, m.static_responses(
-                *m.factor, m.free, m.system.dofs(), m.options.points)}),
-      1e-9);
+      m.system.M, join({m.modes, m.static_responses(options.points)}), 1e-9);
   const MatrixXd projected = m.V0.transpose() * (m.system.K * m.V0);
   m.V0 =
       (m.V0 * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
           .eval();
-  m.fixed = m.project(m.V0, {m.system.K, m.system.M, m.parts, {}, m.free});
+  m.fixed.rows = m.V0.topRows(6 * m.original_grids);
+  m.fixed.K = m.V0.transpose() * (m.system.K * m.V0);
+  for (const UncertainPart& part : m.plain.parts) {
+    m.fixed.K_part.emplace_back(m.V0.transpose() * (part.K * m.V0));
+    m.fixed.M_part.emplace_back(m.V0.transpose() * (part.M * m.V0));
+  }
 }
 
 BaseBuilder::~BaseBuilder() = default;
@@ -177,28 +182,66 @@ Index BaseBuilder::dofs() const {
   return static_cast<Index>(impl_->free.size());
 }
 
-// (K + shift M)^-1 for unit forces at the points.
+// (K + shift M)^-1 f over the free degrees of freedom.
+MatrixXd BaseBuilder::Impl::backsolve(const MatrixXd& forces) const {
+  if (forces.cols() == 0) return MatrixXd::Zero(system.dofs(), 0);
+  return expand(
+      factor->solve(MatrixXd(forces(free, Eigen::all))), free, system.dofs());
+}
+
+// For unit forces at the points.
 MatrixXd BaseBuilder::Impl::static_responses(
-    const structure::Factor& solver,
-    const std::vector<int>& active,
-    Index dofs,
     const std::vector<int>& points) const {
-  std::vector<int> position(static_cast<std::size_t>(dofs), -1);
-  for (std::size_t k = 0; k < active.size(); ++k) {
-    position[static_cast<std::size_t>(active[k])] = static_cast<int>(k);
+  MatrixXd forces =
+      MatrixXd::Zero(system.dofs(), static_cast<Index>(points.size()));
+  std::vector<Index> moving;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    forces(points[k], static_cast<Index>(k)) = 1.0;
+    if (std::binary_search(free.begin(), free.end(), points[k])) {
+      moving.push_back(static_cast<Index>(k));
+    }
   }
-  std::vector<int> rows;
-  for (const int point : points) {
-    const int row = position.at(static_cast<std::size_t>(point));
-    if (row >= 0) rows.push_back(row);
+  return backsolve(MatrixXd(forces(Eigen::all, moving)));
+}
+
+// The structure's answer to a unit of each released degree of freedom, the
+// others at zero. With the modes of the structure held (which V0 has) they
+// span every stiffness of the springs, from rigid to none (Craig and Bampton).
+MatrixXd BaseBuilder::Impl::constraint_modes(
+    const ReleasedSystem& released) const {
+  std::vector<int> loose;
+  std::set_difference(released.active.begin(),
+                      released.active.end(),
+                      free.begin(),
+                      free.end(),
+                      std::back_inserter(loose));
+  MatrixXd unit = MatrixXd::Zero(released.dofs(),
+                                 static_cast<Index>(loose.size()));
+  for (std::size_t k = 0; k < loose.size(); ++k) {
+    unit(loose[k], static_cast<Index>(k)) = 1.0;
   }
-  MatrixXd force = MatrixXd::Zero(static_cast<Index>(active.size()),
-                                  static_cast<Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    force(rows[k], static_cast<Index>(k)) = 1.0;
+  const MatrixXd forces = released.K * unit + shift * (released.M * unit);
+  unit.topRows(system.dofs()) -= backsolve(forces.topRows(system.dofs()));
+  return unit;
+}
+
+// What the modes become when elements soften: (A^-1 S)^k phi, the vectors of
+// combined approximations (U. Kirsch), without a factorisation of their own.
+MatrixXd BaseBuilder::Impl::loss_modes(const SparseMatrix& S) const {
+  constexpr int orders = 4;
+  const Index count = std::count_if(
+      modes_hz.begin(), modes_hz.end(), [this](double f) {
+        return f < 1.5 * options.high_hz;
+      });
+  std::vector<MatrixXd> terms;
+  MatrixXd last = modes.leftCols(count);
+  for (int k = 0; k < orders; ++k) {
+    last = backsolve(S * last);
+    terms.push_back(last);
+    // Alone they would all turn to the softest motion of the patch.
+    last = orthonormalise(system.M, last, 1e-10);
   }
-  if (rows.empty()) return MatrixXd::Zero(dofs, 0);
-  return expand(solver.solve(force), active, dofs);
+  return orthonormalise(system.M, join(terms), 1e-10);
 }
 
 // How stiff is stiff: to first order springs of stiffness k per metre lower
@@ -229,41 +272,15 @@ StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
   return term;
 }
 
-// Modes and static responses with the change made.
-MatrixXd BaseBuilder::Impl::softened(const ReleasedSystem& released,
-                                     const SparseMatrix& change,
-                                     const std::vector<int>& points) const {
-  const SparseMatrix sprung = released.K + change;
-  const SparseMatrix K = structure::extract(sprung, released.active);
-  const SparseMatrix M = structure::extract(released.M, released.active);
-  const structure::Eigenmodes soft =
-      structure::eigenmodes_up_to(K, M, 2.0 * options.high_hz);
-  const SparseMatrix A = K + shift * M;
-  const structure::Factor solver(A);
-  return join({expand(soft.phi, released.active, released.dofs()),
-               static_responses(
-                   solver, released.active, released.dofs(), points)});
-}
-
-// All matrices seen through a basis that is orthonormal in M.
-ReducedBase BaseBuilder::Impl::project(const MatrixXd& V,
-                                       const ReleasedSystem& of) const {
-  ReducedBase base;
-  base.rows = V.topRows(6 * original_grids);
-  base.K = V.transpose() * (of.K * V);
-  for (const UncertainPart& part : of.parts) {
-    base.K_part.emplace_back(V.transpose() * (part.K * V));
-    base.M_part.emplace_back(V.transpose() * (part.M * V));
-  }
-  return base;
-}
-
 // The fixed basis and a few vectors more. Only products with the new vectors
 // are taken in the large space; what is known of the fixed ones is kept.
-ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
+ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
+                                      const ReleasedSystem& released) const {
+  const Index n = system.dofs();
   MatrixXd R = extra;
   for (int pass = 0; pass < 2; ++pass) {
-    R -= V0 * (V0.transpose() * (system.M * R));
+    const MatrixXd MR = (released.M * R).topRows(n);
+    R.topRows(n) -= V0 * (V0.transpose() * MR);
   }
   // What is left of a vector that the fixed basis holds already is rounding.
   std::vector<Index> kept;
@@ -271,14 +288,14 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
     if (R.col(k).norm() > 1e-8 * extra.col(k).norm()) kept.push_back(k);
   }
   if (kept.empty()) return fixed;
-  R = orthonormalise(system.M, MatrixXd(R(Eigen::all, kept)), 1e-12);
+  R = orthonormalise(released.M, MatrixXd(R(Eigen::all, kept)), 1e-12);
   const Index a = V0.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
     const MatrixXd AR = A * R;
     MatrixXd whole(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
-    whole.topRightCorner(a, b) = V0.transpose() * AR;
+    whole.topRightCorner(a, b) = V0.transpose() * AR.topRows(n);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     whole.bottomRightCorner(b, b) = R.transpose() * AR;
     return whole;
@@ -286,10 +303,15 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra) const {
   ReducedBase base;
   base.rows.resize(6 * original_grids, a + b);
   base.rows << fixed.rows, R.topRows(6 * original_grids);
-  base.K = grow(fixed.K, system.K);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
-    base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
+  base.K = grow(fixed.K, released.K);
+  for (std::size_t k = 0; k < released.parts.size(); ++k) {
+    base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
+    base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
+  }
+  for (const SparseMatrix& S : released.S) {
+    const SparseMatrix known = S.topLeftCorner(n, n);
+    base.terms.emplace_back();
+    base.terms.back().S = grow(V0.transpose() * (known * V0), S);
   }
   turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
   return base;
@@ -305,38 +327,34 @@ ReducedBase BaseBuilder::build(
                       m.options.points.begin(),
                       m.options.points.end(),
                       std::back_inserter(fresh));
+  const MatrixXd points_moved = m.static_responses(fresh);
   if (changes.empty()) {
-    if (fresh.empty()) return m.fixed;
-    return m.extend(
-        m.static_responses(*m.factor, m.free, m.system.dofs(), fresh));
+    return fresh.empty() ? m.fixed : m.extend(points_moved, m.plain);
   }
-  std::vector<int> all = m.options.points;
-  all.insert(all.end(), fresh.begin(), fresh.end());
-  const ReleasedSystem released = release(m.mesh, m.system, m.parts, changes);
-  std::vector<StiffnessTerm> terms;
+  const ReleasedSystem released =
+      release(m.mesh, m.system, m.plain.parts, changes);
+  const auto padded = [&released](const MatrixXd& block) {
+    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
+    whole.topRows(block.rows()) = block;
+    return whole;
+  };
+  std::vector<MatrixXd> blocks = {padded(points_moved),
+                                  m.constraint_modes(released)};
   for (std::size_t k = 0; k < changes.size(); ++k) {
-    terms.push_back(changes[k].kind == ChangeKind::Elements
-                        ? loss_term()
-                        : m.spring_term(released, released.S[k]));
-    terms.back().of = changes[k].of;
+    if (changes[k].kind != ChangeKind::Elements) continue;
+    const Index n = m.system.dofs();
+    blocks.push_back(
+        padded(m.loss_modes(SparseMatrix(released.S[k].topLeftCorner(n, n)))));
   }
-  MatrixXd rigid = MatrixXd::Zero(released.dofs(), m.V0.cols());
-  rigid.topRows(m.V0.rows()) = m.V0;
-  std::vector<MatrixXd> blocks = {rigid};
-  for (const bool soft : {false, true}) {
-    SparseMatrix change(released.dofs(), released.dofs());
-    for (std::size_t k = 0; k < terms.size(); ++k) {
-      const double p = soft ? terms[k].lower : terms[k].start;
-      change += (p - terms[k].included) * released.S[k];
-    }
-    blocks.push_back(m.softened(released, change, all));
+  ReducedBase base = m.extend(join(blocks), released);
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    StiffnessTerm term = changes[k].kind == ChangeKind::Elements
+                             ? loss_term()
+                             : m.spring_term(released, released.S[k]);
+    term.of = changes[k].of;
+    term.S = std::move(base.terms[k].S);
+    base.terms[k] = std::move(term);
   }
-  const MatrixXd V = orthonormalise(released.M, join(blocks), 1e-9);
-  ReducedBase base = m.project(V, released);
-  for (std::size_t k = 0; k < terms.size(); ++k) {
-    terms[k].S = V.transpose() * (released.S[k] * V);
-  }
-  base.terms = std::move(terms);
   return base;
 }
 
