@@ -1,24 +1,17 @@
 #include "updating/diagnose.hpp"
 
-#include "updating/evidence.hpp"
-#include "updating/hypotheses.hpp"
+#include "updating/rung_search.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace tapfit::updating {
 namespace {
 
 constexpr int folds = 4;
-// "Positive" evidence on Kass and Raftery's scale ends at 20 : 1; explanations
-// closer than that are not told apart.
-const double look_alike = std::log(20.0);
-// "Very strong" evidence, 150 : 1, before a rung is believed.
-const double very_strong = std::log(150.0);
 // A fit within this factor of the floor leaves nothing to explain.
 constexpr double at_floor = 1.3;
 // What an effect must lower the error on left-out runs to. Mesh and model form
@@ -26,8 +19,6 @@ constexpr double at_floor = 1.3;
 constexpr double worth_it = 0.85;
 // Beyond this there is surely more than one rung can explain.
 constexpr double clear_of_floor = 3.0;
-// First rungs from which a second one is tried.
-constexpr int kinds_tried_first = 4;
 
 Candidate candidate_of(const Hypothesis& h,
                        const effects::Setting& setting,
@@ -39,65 +30,6 @@ Candidate candidate_of(const Hypothesis& h,
   c.probability = probability;
   c.error = h.fit.result.error;
   return c;
-}
-
-// An effect that is in the model, as the round that chose it saw it.
-struct Chosen {
-  std::string name;  // its kind, or the group of kinds not told apart
-  double probability = 0.0;
-};
-
-// What was found on one rung.
-struct Round {
-  std::vector<Hypothesis> hypotheses;
-  std::vector<double> probability;
-  double none_evidence = 0.0;
-};
-
-Round look(const Fit& current,
-           const Fitter& fitter,
-           const HypothesisOptions& options,
-           const Progress& progress) {
-  Round round;
-  round.hypotheses = fit_hypotheses(current, fitter, options, progress);
-  round.none_evidence =
-      log_evidence(current.result.error, 0.0, 1.0, options.data);
-  std::vector<double> evidence = {round.none_evidence};
-  for (const Hypothesis& h : round.hypotheses) {
-    evidence.push_back(h.log_evidence);
-  }
-  round.probability = probabilities(evidence);
-  return round;
-}
-
-// Probability of an effect among all that was tried with it, none included.
-double probability_of(const Round& round, const PlacedEffect& effect) {
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const PlacedEffect& own = round.hypotheses[k].own();
-    if (own.effect == effect.effect && own.where == effect.where) {
-      return round.probability[k + 1];
-    }
-  }
-  return 0.0;
-}
-
-// Kinds whose best hypothesis is not told apart from the best of all.
-std::string group_name(const Round& round) {
-  std::vector<std::string> kinds;
-  for (const Hypothesis& h : round.hypotheses) {
-    if (round.hypotheses.front().log_evidence - h.log_evidence > look_alike) {
-      break;
-    }
-    const std::string kind = h.own().effect->name();
-    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-      kinds.push_back(kind);
-    }
-  }
-  std::string name;
-  for (std::size_t k = 0; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
-    name += (k == 0 ? "" : "|") + kinds[k];
-  }
-  return name;
 }
 
 std::vector<Candidate> candidates_of(const Round& round,
@@ -125,99 +57,21 @@ std::vector<Candidate> candidates_of(const Round& round,
 
 // A rung must lower the error on runs that it was not fitted to, to a share of
 // what it was, and do so with very strong evidence.
-bool earns_its_place(const Hypothesis& best,
-                     const Round& round,
-                     double held_out_before,
-                     double held_out_after,
-                     double share) {
-  return best.log_evidence - round.none_evidence > very_strong &&
-         held_out_after < share * held_out_before;
-}
+struct Worth {
+  double gain = 0.0;      // log evidence over leaving it out
+  double share = 1.0;     // error on left-out runs must fall below this
+  double held_out = 0.0;  // before
+  double with_it = 0.0;   // and after
 
-// A first rung that leaves much may be a stand-in for two effects. Each other
-// kind's best is given the chance of a second rung; the pair that leaves least
-// names the first rung.
-std::size_t first_of_best_pair(const Round& round,
-                               const Fitter& fitter,
-                               HypothesisOptions options,
-                               const Progress& progress) {
-  options.neighbours = 0;
-  options.places_per_kind = 1;
-  std::size_t best = 0;
-  double least = 1e300;
-  std::set<const effects::Effect*> kinds;
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const Hypothesis& h = round.hypotheses[k];
-    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
-    if (!kinds.insert(h.own().effect).second) continue;
-    const Round next = look(h.fit, fitter, options, progress);
-    if (next.hypotheses.empty()) continue;
-    const double error = next.hypotheses.front().fit.result.error;
-    if (error < least) {
-      least = error;
-      best = k;
-    }
+  [[nodiscard]] bool earned() const {
+    return gain > very_strong && with_it < share * held_out;
   }
-  return best;
-}
-
-// Takes effects off that the others have made superfluous; the first `already`
-// stay.
-Fit prune(Fit fit,
-          std::size_t already,
-          const Fitter& fitter,
-          double data,
-          std::vector<Chosen>& chosen,
-          const Progress& progress) {
-  for (std::size_t k = already; k + 1 < fit.effects.size();) {
-    std::vector<PlacedEffect> fewer = fit.effects;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
-    Fit without = fitter.fit(fewer, fitter.model_for(fewer), progress);
-    const double own = static_cast<double>(fit.effects[k].p.size());
-    const double gain = log_evidence(fit.result.error, own, 1.0, data) -
-                        log_evidence(without.result.error, 0.0, 1.0, data);
-    if (gain < very_strong) {
-      fit = std::move(without);
-      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
-    } else {
-      ++k;
-    }
-  }
-  return fit;
-}
-
-// With several effects in, each is looked for again while the others stay: the
-// first was found before the others were known.
-Fit relocate(Fit fit,
-             std::size_t already,
-             const Fitter& fitter,
-             const HypothesisOptions& options,
-             std::vector<Chosen>& chosen,
-             const Progress& progress) {
-  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
-    std::vector<PlacedEffect> others = fit.effects;
-    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
-    const Fit without = fitter.fit(others, fitter.model_for(others), progress);
-    const Round round = look(without, fitter, options, progress);
-    if (round.hypotheses.empty()) continue;
-    const Hypothesis& best = round.hypotheses.front();
-    if (best.fit.result.error >= 0.98 * fit.result.error) {
-      // Now that the others are known, so is how sure this one is.
-      chosen[k - already].probability =
-          probability_of(round, fit.effects[k]);
-      continue;
-    }
-    fit = best.fit;
-    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
-    chosen.push_back({group_name(round), round.probability[1]});
-  }
-  return fit;
-}
+};
 
 // Error after each rung, in the order of the largest drop: refits with ever
 // more of the effects.
 std::vector<Rung> ladder_of(const Fit& fit,
-                            const std::vector<Chosen>& names,
+                            const std::vector<Chosen>& all,
                             std::size_t already,
                             const Fitter& fitter,
                             const Progress& progress) {
@@ -230,7 +84,7 @@ std::vector<Rung> ladder_of(const Fit& fit,
   std::vector<Rung> ladder;
   while (!left.empty()) {
     double least = 1e300;
-    std::size_t chosen = left.front();
+    std::size_t next = left.front();
     for (const std::size_t k : left) {
       if (left.size() == 1) {
         least = fit.result.error;
@@ -241,18 +95,18 @@ std::vector<Rung> ladder_of(const Fit& fit,
       const Fit with = fitter.fit(tried, fitter.model_for(tried), progress);
       if (with.result.error < least) {
         least = with.result.error;
-        chosen = k;
+        next = k;
       }
     }
     Rung rung;
-    rung.added = names[chosen - already].name;
-    rung.probability = names[chosen - already].probability;
-    rung.where = fit.effects[chosen].where;
+    rung.added = all[next - already].name;
+    rung.probability = all[next - already].probability;
+    rung.where = fit.effects[next].where;
     rung.error = least;
-    rung.parameters = effect_estimates(fit, chosen, setting);
+    rung.parameters = effect_estimates(fit, next, setting);
     ladder.push_back(std::move(rung));
-    so_far.push_back(fit.effects[chosen]);
-    left.erase(std::find(left.begin(), left.end(), chosen));
+    so_far.push_back(fit.effects[next]);
+    left.erase(std::find(left.begin(), left.end(), next));
   }
   return ladder;
 }
@@ -294,54 +148,47 @@ Diagnosis diagnose(const Fitter& fitter,
   result.contour = options.contour;
   Fit current = fitter.fit(present, fitter.model_for(present), progress);
   result.error_base = current.result.error;
-  HypothesisOptions search;
-  search.places_per_kind = options.places_per_kind;
-  search.neighbours = options.neighbours;
-  search.data = evidence_data(fitter.target(), options.modes_in_band);
+  const RungSearch search(fitter, options, progress);
 
-  std::vector<Chosen> names;
+  std::vector<Chosen> chosen;
   double held_out = fitter.held_out_error(current, folds, progress);
   for (int rung = 0; rung < options.max_rungs; ++rung) {
     if (rung > 0 && current.result.error <= at_floor * options.floor) break;
-    const Round round = look(current, fitter, search, progress);
+    const Round round = search.look(current, rung == 0);
     if (rung == 0) result.candidates = candidates_of(round, setting);
     if (round.hypotheses.empty()) break;
-    std::size_t chosen = 0;
-    double share = worth_it;
+    std::size_t best = 0;
+    Worth worth;
+    worth.held_out = held_out;
+    worth.share = worth_it;
+    worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
     if (rung == 0 && round.hypotheses.front().fit.result.error >
                          clear_of_floor * options.floor) {
-      chosen = first_of_best_pair(round, fitter, search, progress);
       // What it is worth shows on the next rung.
-      share = 1.0;
+      const RungSearch::Pair pair = search.best_pair(current, round);
+      best = pair.first;
+      worth.share = 1.0;
+      worth.gain = std::max(worth.gain, pair.gain);
     }
-    const Hypothesis& best = round.hypotheses[chosen];
-    const double after = fitter.held_out_error(best.fit, folds, progress);
-    if (rung == 0 && chosen == 0) {
-      result.candidates.front().held_out_error = after;
+    const Hypothesis& added = round.hypotheses[best];
+    worth.with_it = fitter.held_out_error(added.fit, folds, progress);
+    if (rung == 0 && best == 0) {
+      result.candidates.front().held_out_error = worth.with_it;
     }
-    if (!earns_its_place(best, round, held_out, after, share)) break;
-    names.push_back(
-        {chosen == 0 ? group_name(round) : best.own().effect->name(),
-         round.probability[chosen + 1]});
-    current = best.fit;
+    if (!worth.earned()) break;
+    chosen.push_back(
+        {best == 0 ? group_name(round) : added.own().effect->name(),
+         round.probability[best + 1]});
+    current = added.fit;
     if (rung > 0) {
-      current = relocate(std::move(current),
-                         present.size(),
-                         fitter,
-                         search,
-                         names,
-                         progress);
-      current = prune(std::move(current),
-                      present.size(),
-                      fitter,
-                      search.data,
-                      names,
-                      progress);
+      const std::size_t already = present.size();
+      current = search.relocate(std::move(current), already, chosen);
+      current = search.prune(std::move(current), already, round.data, chosen);
     }
     held_out = fitter.held_out_error(current, folds, progress);
   }
   result.error_best = current.result.error;
-  result.ladder = ladder_of(current, names, present.size(), fitter, progress);
+  result.ladder = ladder_of(current, chosen, present.size(), fitter, progress);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(current, options.properties);
   for (const Rung& rung : result.ladder) {

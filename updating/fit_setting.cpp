@@ -69,6 +69,8 @@ FitSetting fit_setting(const MeasuredTest& test,
     const double first = test.modes.modes.front().frequency_hz;
     band[0] = std::max(band[0], std::min(0.8 * first, 0.5 * band[1]));
   }
+  // What effects may be is scaled by the lines that they are seen on.
+  fit.setting.low_hz = band[0];
   const double block_s =
       static_cast<double>(test.hits.block - test.hits.pre_trigger) /
       test.hits.sample_rate_hz;

@@ -1,7 +1,6 @@
 #include "updating/hypotheses.hpp"
 
 #include "updating/effects/catalogue.hpp"
-#include "updating/evidence.hpp"
 #include "updating/parallel.hpp"
 #include "updating/screening.hpp"
 
@@ -11,6 +10,8 @@
 
 namespace tapfit::updating {
 namespace {
+
+constexpr std::size_t few_places = 8;
 
 bool share(const std::vector<int>& a, const std::vector<int>& b) {
   return std::any_of(a.begin(), a.end(), [&b](int id) {
@@ -67,18 +68,6 @@ std::vector<Hypothesis> fit_each(const Fit& current,
   return result;
 }
 
-// The first few screened places of one kind.
-std::vector<PlacedEffect> best_places(const std::vector<Screened>& screened,
-                                      const effects::Effect* kind,
-                                      int count) {
-  std::vector<PlacedEffect> result;
-  for (const Screened& s : screened) {
-    if (static_cast<int>(result.size()) == count) break;
-    if (s.placed.effect == kind) result.push_back(s.placed);
-  }
-  return result;
-}
-
 // Around the best place of a kind, step to a better neighbour until there is
 // none. Each step fits all neighbours in one base.
 void climb(std::vector<Hypothesis>& found,
@@ -116,6 +105,33 @@ void climb(std::vector<Hypothesis>& found,
   }
 }
 
+// What is worth a full fit of one kind: its best screened places, or all where
+// it is not screened.
+std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
+                                        const Fit& current,
+                                        const std::vector<Screened>& screened,
+                                        const effects::Setting& setting,
+                                        const HypothesisOptions& options) {
+  std::vector<PlacedEffect> tries;
+  // Sensors and channels are few and each differs from the others.
+  const bool few = effect.places(setting).size() <= few_places;
+  bool seen = false;
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    seen = true;
+    const auto count = static_cast<int>(tries.size());
+    if (!few && count == options.places_per_kind) break;
+    if (s.error > options.promising * screened.front().error) break;
+    if (!present(current, s.placed)) tries.push_back(s.placed);
+  }
+  if (seen) return tries;
+  for (const Where& where : effect.places(setting)) {
+    const PlacedEffect p = placed(effect, where, setting);
+    if (!present(current, p)) tries.push_back(p);
+  }
+  return tries;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> fit_hypotheses(const Fit& current,
@@ -124,52 +140,38 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
                                        const Progress& progress) {
   const effects::Setting& setting = fitter.setting().setting;
   const std::vector<Screened> screened = screen(current, fitter, progress);
-  std::set<const effects::Effect*> screened_kinds;
-  for (const Screened& s : screened) screened_kinds.insert(s.placed.effect);
-
+  std::map<const effects::Effect*, double> places;
+  for (const Screened& s : screened) places[s.placed.effect] += 1.0;
   std::vector<Hypothesis> all;
   double done = 0.0;
   for (const auto& effect : effects::catalogue()) {
     progress("diagnosis: fitting " + effect->name(),
              done++ / static_cast<double>(effects::catalogue().size()));
-    const std::vector<Where> places = effect->places(setting);
-    std::vector<Hypothesis> found;
-    std::vector<PlacedEffect> tries;
-    if (screened_kinds.contains(effect.get())) {
-      tries = best_places(screened, effect.get(), options.places_per_kind);
-    } else {
-      for (const Where& where : places) {
-        tries.push_back(placed(*effect, where, setting));
-      }
-    }
-    std::erase_if(tries, [&](const PlacedEffect& p) {
-      return present(current, p);
-    });
+    const std::vector<PlacedEffect> tries =
+        worth_fitting(*effect, current, screened, setting, options);
     if (tries.empty()) continue;
-    // Points share a base; what changes the stiffness needs one of its own.
+    // A change of the stiffness needs a base of its own; others share one.
     const bool points = tries.front().where.node != 0;
     std::shared_ptr<const FrfModel> shared;
-    if (points) {
+    if (!effect->changes_stiffness()) {
       std::vector<PlacedEffect> together = current.effects;
       together.insert(together.end(), tries.begin(), tries.end());
       shared = fitter.model_for(together);
     }
-    found = fit_each(current, tries, fitter, shared, progress);
+    std::vector<Hypothesis> found =
+        fit_each(current, tries, fitter, shared, progress);
     if (points && options.neighbours > 0) {
       climb(found, current, fitter, options.neighbours, progress);
     }
     for (Hypothesis& h : found) {
-      h.places = static_cast<double>(places.size());
-      h.log_evidence = log_evidence(h.fit.result.error,
-                                    static_cast<double>(h.own().p.size()),
-                                    h.places,
-                                    options.data);
+      // A grid that the screening passed over was still a place to look at.
+      h.places = std::max(
+          {places[effect.get()],
+           static_cast<double>(tries.size()),
+           points ? static_cast<double>(setting.deck->grids.size()) : 1.0});
       all.push_back(std::move(h));
     }
   }
-  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
-    return a.log_evidence > b.log_evidence;
-  });
   return all;
 }
 

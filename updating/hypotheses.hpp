@@ -20,10 +20,11 @@ struct Hypothesis {
 struct HypothesisOptions {
   int places_per_kind = 3;
   int neighbours = 8;
-  double data = 100.0;  ///< evidence_data()
+  /// Only places whose screened error is within this factor of the least.
+  double promising = 1e300;
 };
 
-/// @return fitted hypotheses, strongest evidence first
+/// @return fitted hypotheses, kind after kind; their evidence is not set
 [[nodiscard]] std::vector<Hypothesis> fit_hypotheses(
     const Fit& current,
     const Fitter& fitter,

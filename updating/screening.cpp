@@ -20,7 +20,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int sizes_scanned = 13;
 // Grids at which effects of several parameters are scanned: those where a
 // point effect of any law would explain most.
 constexpr std::size_t grids_in_detail = 12;
@@ -60,8 +59,7 @@ Places all_places(const FrfModel& model) {
   const PlaceRows source(model);
   Places places;
   for (const auto& effect : effects::catalogue()) {
-    const auto* point =
-        dynamic_cast<const effects::PointEffect*>(effect.get());
+    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
     if (point == nullptr) continue;
     const std::vector<Where> at = point->places(setting);
     if (places.nodes.empty()) {
@@ -104,7 +102,11 @@ std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
 // Every combination of a few sizes of each parameter.
 std::vector<std::vector<double>> combinations(
     const std::vector<effects::ParameterSpec>& specs) {
-  constexpr std::array<int, 3> counts = {7, 24, 3};
+  // A resonance is narrow: its frequency, the second of three, is scanned
+  // more closely than sizes and damping.
+  const std::array<int, 3> counts = specs.size() == 1   ? std::array{13, 0, 0}
+                                    : specs.size() == 2 ? std::array{8, 4, 0}
+                                                        : std::array{7, 24, 3};
   std::vector<std::vector<double>> result = {{}};
   for (std::size_t k = 0; k < specs.size(); ++k) {
     std::vector<std::vector<double>> longer;
@@ -119,24 +121,48 @@ std::vector<std::vector<double>> combinations(
   return result;
 }
 
+// A scan over all sizes, then closer around the best, one parameter after the
+// other.
+template <typename Best>
+Screened scanned(const std::vector<effects::ParameterSpec>& specs,
+                 const Best& best) {
+  Screened found = best(combinations(specs));
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    const double step = std::log(specs[k].upper / specs[k].lower) / 13.0;
+    std::vector<std::vector<double>> tried;
+    for (const double part :
+         {-0.9, -0.6, -0.35, -0.15, 0.0, 0.15, 0.35, 0.6, 0.9}) {
+      tried.push_back(found.placed.p);
+      tried.back()[k] *= std::exp(part * step);
+    }
+    found = best(tried);
+  }
+  return found;
+}
+
 class Screening {
  public:
   Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
       : setting_(fitter.setting().setting),
-        places_(all_places(*current.model)),
+        current_(&current),
         // The widest line: the most forgiving about shifts.
-        scan_(current, fitter.setting().targets.front()),
-        patterns_(place_patterns(current,
-                                 fitter.setting().targets.front(),
-                                 places_.rows,
-                                 progress)) {}
+        target_(&fitter.setting().targets.front()),
+        places_(all_places(*current.model)),
+        scan_(current, *target_),
+        patterns_(place_patterns(current, *target_, places_.rows, progress)),
+        now_(
+            current.model->respond(current.result.state, target_->s, false).H) {
+  }
 
   [[nodiscard]] std::vector<Screened> points() const {
     const std::size_t kinds = places_.point_kinds.size();
     std::vector<Screened> result(places_.nodes.size() * kinds);
     for_each_parallel(places_.nodes.size(), [&](std::size_t b) {
       for (std::size_t k = 0; k < kinds; ++k) {
-        result[b * kinds + k] = best_size(b, *places_.point_kinds[k]);
+        const effects::Effect& effect = *places_.point_kinds[k];
+        result[b * kinds + k] = scanned(
+            effect.parameters(where(b), setting_),
+            [&](const auto& tried) { return best_at_grid(b, effect, tried); });
       }
     });
     return result;
@@ -157,8 +183,9 @@ class Screening {
     for_each_parallel(count * kinds, [&](std::size_t at) {
       const effects::Effect& effect = *places_.detailed_kinds[at % kinds];
       const std::size_t b = promise[at / kinds].second;
-      result[at] = best_of(
-          b, effect, combinations(effect.parameters(where(b), setting_)));
+      result[at] =
+          scanned(effect.parameters(where(b), setting_),
+                  [&](const auto& tried) { return best_at_grid(b, effect, tried); });
     });
     return result;
   }
@@ -184,6 +211,29 @@ class Screening {
     return result;
   }
 
+  // Effects at few places, which the model as it is can respond to: those of
+  // sensors and channels. Every size is worked out, none estimated.
+  [[nodiscard]] std::vector<Screened> few() const {
+    std::vector<PlacedEffect> candidates;
+    for (const auto& effect : effects::catalogue()) {
+      if (effect->changes_stiffness() ||
+          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
+        continue;
+      }
+      for (const Where& place : effect->places(setting_)) {
+        candidates.push_back({effect.get(), place, {}});
+      }
+    }
+    std::vector<Screened> result(candidates.size());
+    for_each_parallel(candidates.size(), [&](std::size_t k) {
+      const PlacedEffect& candidate = candidates[k];
+      result[k] =
+          scanned(candidate.effect->parameters(candidate.where, setting_),
+                  [&](const auto& tried) { return best_response(candidate, tried); });
+    });
+    return result;
+  }
+
  private:
   [[nodiscard]] Where where(std::size_t b) const {
     Where result;
@@ -192,7 +242,7 @@ class Screening {
   }
 
   // The best of several sizes of an effect at a grid.
-  [[nodiscard]] Screened best_of(
+  [[nodiscard]] Screened best_at_grid(
       std::size_t b,
       const effects::Effect& effect,
       const std::vector<std::vector<double>>& tried) const {
@@ -210,33 +260,41 @@ class Screening {
       }
       changes.col(static_cast<Index>(k)) = scan_.change(dH);
     }
+    return best_of({&effect, where(b), {}}, tried, changes);
+  }
+
+  // The same for an effect that the model itself can respond to.
+  [[nodiscard]] Screened best_response(
+      const PlacedEffect& candidate,
+      const std::vector<std::vector<double>>& tried) const {
+    ModelState state = current_->result.state;
+    state.effects.push_back(candidate);
+    MatrixXd changes(2 * target_->H.size(), static_cast<Index>(tried.size()));
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      state.effects.back().p = tried[k];
+      const MatrixXcd H = current_->model->respond(state, target_->s, false).H;
+      changes.col(static_cast<Index>(k)) = scan_.change(H - now_);
+    }
+    return best_of(candidate, tried, changes);
+  }
+
+  [[nodiscard]] Screened best_of(PlacedEffect candidate,
+                                 const std::vector<std::vector<double>>& tried,
+                                 const MatrixXd& changes) const {
     const VectorXd errors = scan_.errors(changes);
     Index at = 0;
     const double least = errors.minCoeff(&at);
-    return {PlacedEffect{&effect, where(b), tried[static_cast<std::size_t>(at)]},
-            least};
-  }
-
-  // A scan over all sizes, then closer around the best.
-  [[nodiscard]] Screened best_size(std::size_t b,
-                                   const effects::Effect& effect) const {
-    const effects::ParameterSpec spec =
-        effect.parameters(where(b), setting_).front();
-    std::vector<std::vector<double>> tried;
-    for (const double size : sizes(spec, sizes_scanned)) tried.push_back({size});
-    const Screened coarse = best_of(b, effect, tried);
-    const double step = std::log(spec.upper / spec.lower) / sizes_scanned;
-    tried.clear();
-    for (const double part : {-0.7, -0.45, -0.2, 0.0, 0.2, 0.45, 0.7}) {
-      tried.push_back({coarse.placed.p[0] * std::exp(part * step)});
-    }
-    return best_of(b, effect, tried);
+    candidate.p = tried[static_cast<std::size_t>(at)];
+    return {std::move(candidate), least};
   }
 
   const effects::Setting& setting_;
+  const Fit* current_;
+  const Target* target_;
   Places places_;
   MisfitScan scan_;
   PlacePatterns patterns_;
+  MatrixXcd now_;  // the model's FRFs as it is
 };
 
 }  // namespace
@@ -247,7 +305,8 @@ std::vector<Screened> screen(const Fit& current,
   const Screening screening(current, fitter, progress);
   progress("diagnosis: screening", 0.5);
   std::vector<Screened> result = screening.points();
-  for (const auto& more : {screening.detailed(), screening.wide()}) {
+  for (const auto& more :
+       {screening.detailed(), screening.wide(), screening.few()}) {
     result.insert(result.end(), more.begin(), more.end());
   }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {

@@ -1,0 +1,182 @@
+#include "updating/rung_search.hpp"
+
+#include "updating/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tapfit::updating {
+
+const double look_alike = std::log(20.0);
+const double very_strong = std::log(150.0);
+
+namespace {
+
+// First rungs from which a second one is tried.
+constexpr int kinds_tried_first = 4;
+// A screened error beyond this times the least is not worth a full fit once
+// the list is no longer for show: the screening is good to a few tens of
+// percent.
+constexpr double promising = 2.0;
+// An effect found again must be this much better to take the place.
+constexpr double better = 0.98;
+
+// Probability of an effect among all that was tried with it, none included.
+double probability_of(const Round& round, const PlacedEffect& effect) {
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& own = round.hypotheses[k].own();
+    if (own.effect == effect.effect && own.where == effect.where) {
+      return round.probability[k + 1];
+    }
+  }
+  return 0.0;
+}
+
+std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
+  std::vector<PlacedEffect> rest = fit.effects;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+  return rest;
+}
+
+}  // namespace
+
+// A kind is as probable as all its places together. A law with more parameters
+// at the same place contains the simpler one and is no rival of it unless its
+// evidence is better.
+std::string group_name(const Round& round) {
+  const Hypothesis& best = round.hypotheses.front();
+  std::vector<std::pair<std::string, double>> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const bool contains = h.own().where == best.own().where &&
+                          h.own().p.size() > best.own().p.size();
+    if (contains) continue;
+    const std::string name = h.own().effect->name();
+    const auto it =
+        std::find_if(kinds.begin(), kinds.end(), [&name](const auto& kind) {
+          return kind.first == name;
+        });
+    if (it == kinds.end()) {
+      kinds.emplace_back(name, round.probability[k + 1]);
+    } else {
+      it->second += round.probability[k + 1];
+    }
+  }
+  std::string group = kinds.front().first;
+  const double least = kinds.front().second * std::exp(-look_alike);
+  std::stable_sort(kinds.begin() + 1, kinds.end(), [](auto& a, auto& b) {
+    return a.second > b.second;
+  });
+  for (std::size_t k = 1; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
+    if (kinds[k].second > least) group += "|" + kinds[k].first;
+  }
+  return group;
+}
+
+RungSearch::RungSearch(const Fitter& fitter,
+                       const DiagnoseOptions& options,
+                       const Progress& progress)
+    : fitter_(&fitter), options_(options), progress_(progress) {}
+
+Fit RungSearch::refit(const std::vector<PlacedEffect>& effects) const {
+  return fitter_->fit(effects, fitter_->model_for(effects), progress_);
+}
+
+Round RungSearch::look(const Fit& current, bool thorough) const {
+  HypothesisOptions options;
+  options.places_per_kind = thorough ? options_.places_per_kind : 1;
+  options.neighbours = thorough ? options_.neighbours : 0;
+  options.promising = thorough ? 1e300 : promising;
+  Round round;
+  round.hypotheses = fit_hypotheses(current, *fitter_, options, progress_);
+  const Target& target = fitter_->target();
+  const Fit* best = &current;
+  for (const Hypothesis& h : round.hypotheses) {
+    if (h.fit.result.error < best->result.error) best = &h.fit;
+  }
+  round.data =
+      evidence_data(target, best->result.residual, options_.modes_in_band);
+  for (Hypothesis& h : round.hypotheses) {
+    h.log_evidence = log_evidence(h.fit.result.error,
+                                  static_cast<double>(h.own().p.size()),
+                                  h.places,
+                                  round.data);
+  }
+  std::stable_sort(round.hypotheses.begin(),
+                   round.hypotheses.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) {
+                     return a.log_evidence > b.log_evidence;
+                   });
+  round.none_evidence =
+      log_evidence(current.result.error, 0.0, 1.0, round.data);
+  std::vector<double> evidence = {round.none_evidence};
+  for (const Hypothesis& h : round.hypotheses) {
+    evidence.push_back(h.log_evidence);
+  }
+  round.probability = probabilities(evidence);
+  return round;
+}
+
+RungSearch::Pair RungSearch::best_pair(const Fit& current,
+                                       const Round& round) const {
+  Pair pair;
+  double least = 1e300;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    if (!kinds.insert(h.own().effect).second) continue;
+    const Round next = look(h.fit, false);
+    if (next.hypotheses.empty()) continue;
+    const Hypothesis& second = next.hypotheses.front();
+    if (second.fit.result.error >= least) continue;
+    least = second.fit.result.error;
+    const auto own =
+        static_cast<double>(h.own().p.size() + second.own().p.size());
+    pair.first = k;
+    pair.gain = log_evidence(least, own, h.places * second.places, next.data) -
+                log_evidence(current.result.error, 0.0, 1.0, next.data);
+  }
+  return pair;
+}
+
+Fit RungSearch::relocate(Fit fit,
+                         std::size_t already,
+                         std::vector<Chosen>& chosen) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    const Round round = look(refit(without(fit, k)), false);
+    if (round.hypotheses.empty()) continue;
+    const Hypothesis& best = round.hypotheses.front();
+    if (best.fit.result.error >= better * fit.result.error) {
+      // Now that the others are known, so is how sure this one is.
+      chosen[k - already].probability = probability_of(round, fit.effects[k]);
+      continue;
+    }
+    fit = best.fit;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    chosen.push_back({group_name(round), round.probability[1]});
+  }
+  return fit;
+}
+
+Fit RungSearch::prune(Fit fit,
+                      std::size_t already,
+                      double data,
+                      std::vector<Chosen>& chosen) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size();) {
+    Fit rest = refit(without(fit, k));
+    const double own = static_cast<double>(fit.effects[k].p.size());
+    const double gain = log_evidence(fit.result.error, own, 1.0, data) -
+                        log_evidence(rest.result.error, 0.0, 1.0, data);
+    if (gain < very_strong) {
+      fit = std::move(rest);
+      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    } else {
+      ++k;
+    }
+  }
+  return fit;
+}
+
+}  // namespace tapfit::updating

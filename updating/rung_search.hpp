@@ -1,0 +1,78 @@
+// Looks for the next effect of the error ladder: all hypotheses on top of what
+// is in the model, their evidence, and second thoughts about earlier rungs.
+#pragma once
+
+#include "updating/diagnose.hpp"
+#include "updating/hypotheses.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// What was found on one rung.
+struct Round {
+  std::vector<Hypothesis> hypotheses;  ///< strongest evidence first
+  std::vector<double> probability;     ///< of none, then of each hypothesis
+  double none_evidence = 0.0;
+  double data = 1.0;  ///< independent data that the evidence counts
+};
+
+/// An effect that is in the model, as the round that chose it saw it.
+struct Chosen {
+  std::string name;  ///< its kind, or the group of kinds not told apart
+  double probability = 0.0;
+};
+
+/// Explanations closer than this in log evidence are not told apart: 20 : 1,
+/// where "positive" evidence ends on Kass and Raftery's scale.
+extern const double look_alike;
+/// "Very strong" evidence on that scale, 150 : 1.
+extern const double very_strong;
+
+/// Kinds whose best hypothesis is not told apart from the best of all, joined
+/// with "|"; at most three.
+[[nodiscard]] std::string group_name(const Round& round);
+
+class RungSearch {
+ public:
+  RungSearch(const Fitter& fitter,
+             const DiagnoseOptions& options,
+             const Progress& progress);
+
+  /// Everything that could be added to the model as it is.
+  ///
+  /// @param thorough false: only what the screening finds promising, no
+  ///   neighbours
+  [[nodiscard]] Round look(const Fit& current, bool thorough) const;
+
+  /// A first rung that leaves much may be a stand-in for two effects. Each
+  /// other kind's best is given the chance of a second rung; the pair that
+  /// leaves least names the first rung.
+  struct Pair {
+    std::size_t first = 0;  ///< in the round
+    double gain = 0.0;      ///< log evidence of both over none
+  };
+  [[nodiscard]] Pair best_pair(const Fit& current, const Round& round) const;
+
+  /// With several effects in, each but the last is looked for again while the
+  /// others stay: it was found before the others were known.
+  [[nodiscard]] Fit relocate(Fit fit,
+                             std::size_t already,
+                             std::vector<Chosen>& chosen) const;
+
+  /// Takes effects off that the others have made superfluous.
+  [[nodiscard]] Fit prune(Fit fit,
+                          std::size_t already,
+                          double data,
+                          std::vector<Chosen>& chosen) const;
+
+ private:
+  [[nodiscard]] Fit refit(const std::vector<PlacedEffect>& effects) const;
+
+  const Fitter* fitter_;
+  DiagnoseOptions options_;
+  Progress progress_;
+};
+
+}  // namespace tapfit::updating
