@@ -15,7 +15,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION
                                             VERSION_LESS 13)
   target_compile_options(tapfit_flags INTERFACE
     -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
-    -Wno-array-bounds)
+    -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()
 target_link_libraries(tapfit_flags INTERFACE Eigen3::Eigen fmt::fmt)
 

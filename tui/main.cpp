@@ -4,6 +4,7 @@
 #include "tui/app.hpp"
 #include "tui/commands/command_line.hpp"
 #include "tui/commands/progress_line.hpp"
+#include "tui/commands/score_command.hpp"
 #include "tui/commands/simulate_command.hpp"
 
 #include <fmt/format.h>
@@ -53,14 +54,19 @@ int run_command(const Invocation& invocation) {
   return Done;
 }
 
-int run_simulate(const Invocation& invocation) {
+// Commands that read their own command line.
+int run_own(const Invocation& invocation) {
   std::vector<const char*> argv{invocation.name.c_str()};
   for (const std::string& argument : invocation.passed_on) {
     argv.push_back(argument.c_str());
   }
   argv.push_back(nullptr);
-  return tapfit::tui::simulate_command(static_cast<int>(argv.size()) - 1,
-                                       argv.data());
+  const int argc = static_cast<int>(argv.size()) - 1;
+  if (invocation.name == "simulate") {
+    return tapfit::tui::simulate_command(argc, argv.data());
+  }
+  tapfit::tui::ProgressLine line(false);
+  return tapfit::tui::score_command(argc, argv.data(), line.progress());
 }
 
 int tapfit_main(int argc, const char* const* argv) {
@@ -71,7 +77,8 @@ int tapfit_main(int argc, const char* const* argv) {
     return answer->exit_status;
   }
   const auto& invocation = std::get<Invocation>(parsed);
-  if (invocation.name == "simulate") return run_simulate(invocation);
+  const bool own = invocation.name == "simulate" || invocation.name == "score";
+  if (own) return run_own(invocation);
   return invocation.command != nullptr ? run_command(invocation)
                                        : open_terminal(invocation);
 }

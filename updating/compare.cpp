@@ -163,7 +163,7 @@ double mesh_error(const FrfModel& finer,
     J.col(static_cast<Index>(k)) = stack(target, fine.dH[k]);
   }
   if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
-  return d.norm() / 3.0;
+  return d.norm();
 }
 
 }  // namespace tapfit::updating

@@ -14,7 +14,7 @@
 namespace tapfit::updating {
 namespace {
 
-enum class Place { None, Node, Channel, Channels, Elements };
+enum class Place { None, Node, Nodes, Channel, Channels, Elements };
 
 struct Kind {
   const char* name;
@@ -35,6 +35,8 @@ const std::vector<Kind>& kinds() {
       {"ground-spring", Place::Node, {"stiffness_n_per_m"}, 1},
       {"dashpot", Place::Node, {"damping_ns_per_m"}, 1},
       {"stiffness-loss", Place::Elements, {"factor"}, 1},
+      {"joint", Place::Nodes, {"rotational_stiffness_per_m"}, 1},
+      {"strut", Place::Nodes, {"stiffness_n_per_m"}, 1},
       {"absorber",
        Place::Node,
        {"mass_kg", "frequency_hz", "damping_ratio"},
@@ -78,9 +80,12 @@ void check_places(const Kind& kind,
   const bool right = kind.place == Place::None       ? count == 0
                      : kind.place == Place::Channels ? true
                      : kind.place == Place::Elements ? count > 0
+                     : kind.place == Place::Nodes    ? count > 1
                                                      : count == 1;
   if (!right) refuse("wrong number of places", text);
-  if (kind.place != Place::Node && kind.place != Place::Elements) return;
+  const bool ids = kind.place == Place::Node || kind.place == Place::Nodes ||
+                   kind.place == Place::Elements;
+  if (!ids) return;
   for (const std::string& place : effect.places) {
     if (!number<int>(place)) refuse(place + " is no id", text);
   }
@@ -128,8 +133,12 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
 }
 
 std::string virtual_effect_help() {
-  static constexpr std::array<const char*, 5> places{
-      "", "@NODE", "@CHANNEL", "[@CHANNEL:...]", "@ELEMENT:..."};
+  static constexpr std::array<const char*, 6> places{"",
+                                                     "@NODE",
+                                                     "@NODE:...",
+                                                     "@CHANNEL",
+                                                     "[@CHANNEL:...]",
+                                                     "@ELEMENT:..."};
   std::string help;
   for (const Kind& kind : kinds()) {
     help += fmt::format("  {}{}{}{}\n",
@@ -150,6 +159,9 @@ nlohmann::ordered_json truth_entry(const VirtualEffect& effect,
       break;
     case Place::Node:
       entry["node"] = effect.numbers().front();
+      break;
+    case Place::Nodes:
+      entry["nodes"] = effect.numbers();
       break;
     case Place::Channel:
       entry["channel"] = effect.places.front();

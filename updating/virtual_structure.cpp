@@ -1,6 +1,7 @@
 #include "updating/virtual_structure.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/released_system.hpp"
 #include "updating/virtual_support.hpp"
 
 #include <fmt/format.h>
@@ -78,6 +79,36 @@ void add_absorber(const VirtualEffect& effect,
   add_diagonal(structure.M, {{own, own, m}});
   structure.dashpots.push_back({dof, own, 2.0 * zeta * w * m});
   structure.free.push_back(own);
+}
+
+// The elements on one side of a line turn against the rest on springs.
+void cut_joint(const VirtualModel& model,
+               const structure::Deck& fine,
+               const VirtualEffect& effect,
+               structure::System& system,
+               VirtualStructure& structure) {
+  StiffnessChange change;
+  change.kind = ChangeKind::Joint;
+  change.of.where.nodes = effect.numbers();
+  system.K = structure.K;
+  system.M = structure.M;
+  const ReleasedSystem cut = release({fine, model.children, {}}, system, {}, {change});
+  structure.K = cut.K + effect.values[0] * cut.S.front();
+  structure.M = cut.M;
+  for (const int dof : cut.active) {
+    if (dof >= static_cast<int>(system.dofs())) structure.free.push_back(dof);
+  }
+}
+
+// A spring between two grids: no effect of the catalogue.
+void add_strut(const VirtualEffect& effect,
+               int component,
+               VirtualStructure& structure) {
+  const std::vector<int> ends = effect.numbers();
+  const int a = structure.dof_index({ends[0], component, 1});
+  const int b = structure.dof_index({ends[1], component, 1});
+  const double k = effect.values[0];
+  add_diagonal(structure.K, {{a, a, k}, {b, b, k}, {a, b, -k}, {b, a, -k}});
 }
 
 bool acts_at_node(const VirtualEffect& effect) {
@@ -160,6 +191,8 @@ VirtualStructure build_virtual_structure(
   result.free = system.free_dofs();
   for (const VirtualEffect& effect : effects) {
     if (acts_at_node(effect)) add_at_node(effect, component, result);
+    if (effect.name == "strut") add_strut(effect, component, result);
+    if (effect.name == "joint") cut_joint(model, fine, effect, system, result);
   }
   return result;
 }

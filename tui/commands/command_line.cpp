@@ -23,6 +23,7 @@ namespace tapfit::tui {
 namespace {
 
 constexpr const char* simulate_name = "simulate";
+constexpr const char* score_name = "score";
 
 /// Options a command has besides --json.
 enum Extra : unsigned {
@@ -130,14 +131,16 @@ void add_import(CLI::App& app, Invocation& invocation) {
   });
 }
 
-/// The virtual test reads its own command line.
-void add_simulate(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand(simulate_name, "Make a bundle by a virtual test");
+/// A command that reads its own command line.
+void add_own(CLI::App& app,
+             const char* name,
+             const char* does,
+             Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(name, does);
   command->set_help_flag();
   command->prefix_command();
-  command->callback([&invocation, command] {
-    invocation.name = simulate_name;
+  command->callback([&invocation, name, command] {
+    invocation.name = name;
     invocation.passed_on = command->remaining();
   });
 }
@@ -165,6 +168,7 @@ std::vector<std::string> command_names() {
   for (const Entry& entry : entries) names.emplace_back(entry.name);
   names.emplace_back("import");
   names.emplace_back(simulate_name);
+  names.emplace_back(score_name);
   return names;
 }
 
@@ -180,7 +184,8 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   add_terminal_options(app, invocation);
   for (const Entry& entry : entries) add_command(app, entry, invocation);
   add_import(app, invocation);
-  add_simulate(app, invocation);
+  add_own(app, simulate_name, "Make a bundle by a virtual test", invocation);
+  add_own(app, score_name, "Diagnose practice cases and count", invocation);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

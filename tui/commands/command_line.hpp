@@ -13,10 +13,10 @@ namespace tapfit::tui {
 /// What the user asked for.
 struct Invocation {
   std::string name;           ///< "hits" and so on; empty: open the terminal
-  Command command = nullptr;  ///< null for the terminal and for "simulate"
+  Command command = nullptr;  ///< null for the terminal, "simulate", "score"
   CommandOptions options;
   AppOptions app;
-  std::vector<std::string> passed_on;  ///< arguments of "simulate"
+  std::vector<std::string> passed_on;  ///< arguments of "simulate", "score"
 };
 
 /// Nothing to be done but to print: help and version were asked for, or the

@@ -1,0 +1,216 @@
+#include "tui/commands/score_command.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tui/commands/text_table.hpp"
+#include "updating/hidden_case.hpp"
+#include "updating/session.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace tapfit::tui {
+namespace {
+
+using nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Words {
+  std::size_t cases = 16;
+  std::uint64_t seed = 1;
+  std::string shard = "1/1";
+  std::vector<std::string> merge;
+  std::vector<std::string> kinds;
+  bool json = false;
+};
+
+// A folder that is gone when the case is done.
+class ScratchFolder {
+ public:
+  explicit ScratchFolder(const std::string& name)
+      : path_(fs::temp_directory_path() /
+              fmt::format("tapfit-score-{}-{}", ::getpid(), name)) {}
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder(ScratchFolder&&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+ordered_json scored(const std::string& kind,
+                    std::uint64_t seed,
+                    const Progress& progress) {
+  const updating::VirtualBundleSpec spec =
+      updating::draw_hidden_case(kind, seed);
+  const ScratchFolder folder(fmt::format("{}", seed));
+  updating::make_virtual_bundle(spec, folder.path(), progress);
+  updating::Session session(folder.path());
+  const updating::Diagnosis& diagnosis = session.diagnosis(progress);
+  const updating::Verdict v =
+      updating::judge(spec, diagnosis, session.deck(progress));
+  return {{"seed", seed},
+          {"structure", spec.structure},
+          {"hidden", v.hidden},
+          {"found", v.found},
+          {"right_kind", v.right_kind},
+          {"right_place", v.right_place},
+          {"size_error", v.size_error},
+          {"error", v.error},
+          {"floor", v.floor},
+          {"intervals", v.intervals},
+          {"intervals_hold", v.intervals_hold}};
+}
+
+std::pair<std::size_t, std::size_t> shard_of(const std::string& text) {
+  std::size_t k = 0;
+  std::size_t m = 0;
+  const int read = std::sscanf(text.c_str(), "%zu/%zu", &k, &m);
+  if (read != 2 || k < 1 || m < 1 || k > m) {
+    throw InputError(fmt::format("\"{}\" is no shard", text),
+                     "--shard",
+                     "write for example 2/8: the second of eight");
+  }
+  return {k, m};
+}
+
+ordered_json read_parts(const std::vector<std::string>& files) {
+  ordered_json all = ordered_json::array();
+  for (const std::string& file : files) {
+    std::ifstream in(file);
+    const ordered_json part = ordered_json::parse(in, nullptr, false);
+    if (!in || part.is_discarded() || !part.contains("cases")) {
+      throw InputError("cannot be read as a score",
+                       file,
+                       "give files that tapfit score --json printed");
+    }
+    for (const ordered_json& c : part.at("cases")) all.push_back(c);
+  }
+  return all;
+}
+
+std::string percent_of(std::size_t part, std::size_t whole) {
+  if (whole == 0) return "-";
+  return fmt::format("{}/{} ({:.0f} %)", part, whole, 100.0 * part / whole);
+}
+
+// Rows: what was hidden; columns: how it came out.
+std::string matrix_text(const ordered_json& cases) {
+  std::map<std::string, std::map<std::string, int>> counts;
+  for (const ordered_json& c : cases) ++counts[c["hidden"]][c["found"]];
+  TextTable table({"<hidden", "<found", "cases"});
+  for (const auto& [hidden, found] : counts) {
+    for (const auto& [name, count] : found) {
+      table.add({hidden, name, fmt::format("{}", count)});
+    }
+  }
+  return table.text();
+}
+
+std::string summary_text(const ordered_json& cases) {
+  std::size_t kind = 0;
+  std::size_t place = 0;
+  std::size_t intervals = 0;
+  std::size_t hold = 0;
+  std::size_t near_floor = 0;
+  std::size_t explained = 0;
+  std::vector<double> sizes;
+  for (const ordered_json& c : cases) {
+    const bool right = c["right_kind"];
+    kind += right ? 1 : 0;
+    if (!right || c["found"] == "unexplained") continue;
+    ++explained;
+    place += c["right_place"].get<bool>() ? 1 : 0;
+    intervals += c["intervals"].get<std::size_t>();
+    hold += c["intervals_hold"].get<std::size_t>();
+    if (c["intervals"] > 0) sizes.push_back(c["size_error"]);
+    const double ratio = c["error"].get<double>() / c["floor"].get<double>();
+    near_floor += ratio <= 1.3 ? 1 : 0;
+  }
+  std::sort(sizes.begin(), sizes.end());
+  const auto within = std::count_if(
+      sizes.begin(), sizes.end(), [](double e) { return e <= 0.05; });
+  return fmt::format(
+      "right effect      {}\n"
+      "right place       {} of those\n"
+      "size within 5 %   {}, median error {:.1f} %\n"
+      "error at floor    {} (within 1.3 times)\n"
+      "95 % intervals    {} hold\n",
+      percent_of(kind, cases.size()),
+      percent_of(place, explained),
+      percent_of(static_cast<std::size_t>(within), sizes.size()),
+      sizes.empty() ? 0.0 : 100.0 * sizes[sizes.size() / 2],
+      percent_of(near_floor, explained),
+      percent_of(hold, intervals));
+}
+
+ordered_json run_cases(const Words& words, const Progress& progress) {
+  const auto [k, m] = shard_of(words.shard);
+  const std::vector<std::string>& kinds =
+      words.kinds.empty() ? updating::hidden_kinds() : words.kinds;
+  ordered_json cases = ordered_json::array();
+  for (std::size_t at = k - 1; at < words.cases; at += m) {
+    const ordered_json c = scored(
+        kinds[at % kinds.size()], 1000 * words.seed + at, progress);
+    fmt::print(stderr,
+               "{:>4} {:<8} {:<26} {:<30} {} {:.1f} %\n",
+               at,
+               c["structure"].get<std::string>(),
+               c["hidden"].get<std::string>(),
+               c["found"].get<std::string>(),
+               c["right_kind"].get<bool>()
+                   ? (c["right_place"].get<bool>() ? "right" : "elsewhere")
+                   : "WRONG",
+               100.0 * c["size_error"].get<double>());
+    cases.push_back(c);
+  }
+  return cases;
+}
+
+}  // namespace
+
+int score_command(int argc, const char* const* argv, const Progress& progress) {
+  CLI::App app("Diagnoses practice cases and counts how often it was right",
+               "tapfit score");
+  Words words;
+  app.add_option("--cases", words.cases, "how many cases")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--seed", words.seed, "same seed, same cases");
+  app.add_option("--shard", words.shard, "K/M: only part K of M");
+  app.add_option("--kind", words.kinds, "hide only this (again for more)")
+      ->check(CLI::IsMember(updating::hidden_kinds()))
+      ->take_all();
+  app.add_option("--merge", words.merge, "files printed with --json");
+  app.add_flag("--json", words.json, "print one JSON object");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  const ordered_json cases = words.merge.empty() ? run_cases(words, progress)
+                                                 : read_parts(words.merge);
+  if (words.json) {
+    fmt::print("{}\n", ordered_json{{"cases", cases}}.dump(2));
+  } else {
+    fmt::print("{}{}", matrix_text(cases), summary_text(cases));
+  }
+  return 0;
+}
+
+}  // namespace tapfit::tui
