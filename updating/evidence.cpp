@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numeric>
 
 namespace tapfit::updating {
@@ -14,25 +13,8 @@ double evidence_data(const Target& target,
       std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double modes = std::max(1, modes_in_band);
   const double most = std::min(effective_data(target), 2.0 * frfs * modes);
-  const Eigen::Index lines = target.s.size();
-  if (residual.size() != 2 * lines * target.H.cols()) return most;
-  // Column after column: real parts of an FRF, then its imaginary parts.
-  const Eigen::Map<const Eigen::MatrixXd> r(
-      residual.data(), 2 * lines, target.H.cols());
-  const Eigen::MatrixXcd R =
-      r.topRows(lines) +
-      std::complex<double>(0.0, 1.0) *
-          r.bottomRows(lines).cast<std::complex<double>>();
-  const Eigen::MatrixXcd gram = R.adjoint() * R;
-  const double trace = gram.trace().real();
-  if (trace <= 0.0) return most;
-  const double concentration =
-      gram.squaredNorm() / (trace * trace) -
-      1.0 / static_cast<double>(lines) - 1.0 / std::max(frfs, 1.0);
-  if (concentration <= 0.0) return most;
-  return std::clamp(2.0 / (concentration * concentration),
-                    std::min(4.0 * modes, most),
-                    most);
+  return std::clamp(
+      residual_data(target, residual), std::min(4.0 * modes, most), most);
 }
 
 double log_evidence(double error,

@@ -18,12 +18,8 @@ namespace tapfit::updating {
 /// Independent real data for choosing between models.
 ///
 /// FRFs of a structure with m modes in the band are fixed by m residues each,
-/// so that more lines do not make more evidence, whatever their number. What
-/// mesh and model form leave is no noise either, but a few patterns over lines
-/// and FRFs that belong together: with the singular values s_k of the residual
-/// (lines x FRFs), P = (sum s^2)^2 / sum s^4 of them count, and the residual
-/// is worth 2 P^2 data, after the 1 / lines + 1 / FRFs that noise alone adds
-/// to 1 / P.
+/// so that more lines do not make more evidence, whatever their number. Nor is
+/// the residual more than residual_data() says.
 ///
 /// @param residual of the best explanation, as from stack()
 [[nodiscard]] double evidence_data(const Target& target,

@@ -19,7 +19,8 @@ MatrixXd parameter_covariance(const Target& target,
   const Index n = J.cols();
   if (n == 0) return MatrixXd(0, 0);
   const double data = effective_data(target);
-  const double freedom = std::max(1.0, data - static_cast<double>(n));
+  const double freedom = std::min(std::max(1.0, data - static_cast<double>(n)),
+                                  residual_data(target, r));
   const double variance = std::max(r.squaredNorm() / freedom, 1e-300);
   MatrixXd A = J.transpose() * J / variance;
   for (Index k = 0; k < n; ++k) {

@@ -9,9 +9,9 @@ namespace tapfit::updating {
 
 /// Covariance of theta from the final Jacobian.
 ///
-/// Two estimates: with the residual's own variance, and robust against errors
-/// that all lines of a run share (sandwich over runs); of each parameter the
-/// wider one counts.
+/// Two estimates: with the residual's own variance and the independent data
+/// that it holds (residual_data()), and robust against errors that all lines of
+/// a run share (sandwich over runs); of each parameter the wider one counts.
 /// Source: A. C. Cameron, D. L. Miller, "A practitioner's guide to
 /// cluster-robust inference", J. Human Resources 50, 2015.
 ///

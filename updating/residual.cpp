@@ -106,4 +106,25 @@ double effective_data(const Target& target) {
          std::accumulate(target.use.begin(), target.use.end(), 0.0);
 }
 
+double residual_data(const Target& target, const Eigen::VectorXd& residual) {
+  const double most = effective_data(target);
+  const Index lines = target.s.size();
+  if (residual.size() != 2 * lines * target.H.cols()) return most;
+  // Column after column: real parts of an FRF, then its imaginary parts.
+  const Eigen::Map<const Eigen::MatrixXd> r(
+      residual.data(), 2 * lines, target.H.cols());
+  Eigen::MatrixXcd R(lines, target.H.cols());
+  R.real() = r.topRows(lines);
+  R.imag() = r.bottomRows(lines);
+  const Eigen::MatrixXcd gram = R.adjoint() * R;
+  const double trace = gram.trace().real();
+  if (trace <= 0.0) return most;
+  const double frfs = std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  const double concentration = gram.squaredNorm() / (trace * trace) -
+                               1.0 / static_cast<double>(lines) -
+                               1.0 / std::max(frfs, 1.0);
+  if (concentration <= 0.0) return most;
+  return std::min(2.0 / (concentration * concentration), most);
+}
+
 }  // namespace tapfit::updating

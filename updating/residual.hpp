@@ -53,4 +53,13 @@ struct Target {
 /// Independent real data in the target: lines on a damped line overlap.
 [[nodiscard]] double effective_data(const Target& target);
 
+/// Independent data in what a fit leaves. What mesh and model form leave is no
+/// noise, but a few patterns over lines and FRFs that belong together: with
+/// the singular values s_k of the residual (lines x FRFs),
+/// P = (sum s^2)^2 / sum s^4 of them count, and the residual is worth 2 P^2
+/// data, after the 1 / lines + 1 / FRFs that noise alone adds to 1 / P. At
+/// most effective_data().
+[[nodiscard]] double residual_data(const Target& target,
+                                   const Eigen::VectorXd& residual);
+
 }  // namespace tapfit::updating
