@@ -278,6 +278,13 @@ void read_options(const json& document, TestBundle& bundle) {
   bundle.trigger_percent = number("trigger_percent");
   bundle.pre_trigger_s = number("pre_trigger_s");
   bundle.block_s = number("block_s");
+  constexpr double longest_block_s = 3600.0;
+  if (bundle.block_s && *bundle.block_s > longest_block_s) {
+    throw InputError(
+        fmt::format("a block of {} s is too long", *bundle.block_s),
+        "test.json: block_s",
+        "give at most an hour");
+  }
 }
 
 }  // namespace

@@ -148,6 +148,7 @@ Diagnosis diagnose(const Fitter& fitter,
   result.contour = options.contour;
   Fit current = fitter.fit(present, fitter.model_for(present), progress);
   result.error_base = current.result.error;
+  result.error_fitted = current.result.error;
   const RungSearch search(fitter, options, progress);
 
   std::vector<Chosen> chosen;

@@ -66,13 +66,16 @@ struct Rung {
   std::string added;  ///< effect, or "base" for the first
   Where where;
   double error = 0.0;
-  double probability = 1.0;  ///< among all tried with the same other effects
   std::vector<Estimate> parameters;
+  double probability = 1.0;  ///< among all tried with the same other effects
 };
 
 struct Diagnosis {
   std::string verdict;  ///< "none", "unexplained", "added-mass", "a+b", "a|b"
   double error_base = 0.0;
+  /// With what is uncertain in the model fitted and no effect added; what an
+  /// effect is worth counts from here.
+  double error_fitted = 0.0;
   double error_best = 0.0;
   double floor = 0.0;
   std::string contour;

@@ -11,20 +11,61 @@
 
 namespace tapfit::updating {
 
+namespace {
+
+// The numbers of "60:56", or nothing where it is no such list.
+std::vector<int> numbers_in(const std::string& text) {
+  std::vector<int> numbers;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(':', begin), text.size());
+    const std::string part = text.substr(begin, end - begin);
+    const bool digits =
+        !part.empty() && part.size() < 10 &&
+        std::all_of(part.begin(), part.end(), [](unsigned char c) {
+          return std::isdigit(c) != 0;
+        });
+    if (!digits) return {};
+    numbers.push_back(std::stoi(part));
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
+  return std::all_of(some.begin(), some.end(), [&all](int id) {
+    return std::find(all.begin(), all.end(), id) != all.end();
+  });
+}
+
+// Any elements of the deck may have lost stiffness, not only the patches that
+// the diagnosis tries.
+bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
+  const auto known = [&deck](int id) {
+    const auto is = [id](const auto& e) { return e.id == id; };
+    return std::any_of(deck.shells.begin(), deck.shells.end(), is) ||
+           std::any_of(deck.bars.begin(), deck.bars.end(), is);
+  };
+  return std::all_of(ids.begin(), ids.end(), known);
+}
+
+}  // namespace
+
 EffectRef parse_effect(const std::string& text) {
   const std::size_t at = text.find('@');
   EffectRef ref;
   ref.effect = text.substr(0, at);
-  static_cast<void>(effects::find(ref.effect));
+  const auto kind = effects::find(ref.effect).changes_stiffness();
   if (at == std::string::npos) return ref;
   const std::string place = text.substr(at + 1);
-  const bool number =
-      !place.empty() &&
-      std::all_of(place.begin(), place.end(), [](unsigned char c) {
-        return std::isdigit(c) != 0;
-      });
-  if (number && place.size() < 10) {
-    ref.where.node = std::stoi(place);
+  const std::vector<int> numbers = numbers_in(place);
+  if (!numbers.empty() && kind == ChangeKind::Elements) {
+    ref.where.elements = numbers;
+    std::sort(ref.where.elements.begin(), ref.where.elements.end());
+  } else if (!numbers.empty() && kind) {
+    ref.where.nodes = numbers;
+  } else if (numbers.size() == 1) {
+    ref.where.node = numbers.front();
   } else if (place == "rotation" || place == "translation" || place == "each") {
     ref.where.variant = place;
   } else if (!place.empty()) {
@@ -39,17 +80,46 @@ EffectRef parse_effect(const std::string& text) {
 
 PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const effects::Effect& effect = effects::find(ref.effect);
-  for (Where where : effect.places(s)) {
-    const Where& want = ref.where;
+  const auto kind = effect.changes_stiffness();
+  const Where& want = ref.where;
+  const std::vector<Where> places = effect.places(s);
+  if (kind == ChangeKind::Elements && !want.elements.empty() &&
+      are_elements(*s.deck, want.elements)) {
+    return placed(effect, want, s);
+  }
+  // Of the lines that hold the grids named, the shortest.
+  const Where* line = nullptr;
+  for (const Where& where : places) {
+    if (!kind || want.nodes.empty()) break;
+    if (!holds_all(where.nodes, want.nodes)) continue;
+    if (!want.variant.empty() && want.variant != where.variant) continue;
+    if (line == nullptr || where.nodes.size() < line->nodes.size()) {
+      line = &where;
+    }
+  }
+  if (line != nullptr) return placed(effect, *line, s);
+  // An effect that may sit at many places has to be told which.
+  const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
+  const bool named = want != Where{};
+  for (Where where : places) {
+    if (local) break;
     if (want.variant == "each") where.variant = "each";
     const bool agrees =
         (want.node == 0 || want.node == where.node) &&
         (want.nodes.empty() || want.nodes == where.nodes) &&
-        (want.elements.empty() || want.elements == where.elements) &&
         (want.channels.empty() || want.channels == where.channels) &&
         (want.variant.empty() || want.variant == where.variant);
     const bool open = want.node == 0 && where.node != 0;
     if (agrees && !open) return placed(effect, where, s);
+  }
+  if (!named) {
+    throw InputError(fmt::format("{} needs a place", ref.effect),
+                     fmt::format("effect \"{}\"", ref.effect),
+                     fmt::format("write for example {}@{}",
+                                 ref.effect,
+                                 kind == ChangeKind::Elements ? "60:61"
+                                 : kind == ChangeKind::Joint  ? "34:35"
+                                                              : "201"));
   }
   throw InputError(
       fmt::format("{} cannot sit there", ref.effect),
@@ -58,8 +128,8 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
                   ref.where.node != 0 ? "@" : " at ",
                   ref.where.node != 0 ? fmt::format("{}", ref.where.node)
                                       : describe(ref.where)),
-      "give a grid of the model that can move, a sensor channel, "
-      "or a support of the model");
+      "give a grid of the model that can move, elements or grids of a line "
+      "joined with \":\", a channel, or a support of the model");
 }
 
 }  // namespace tapfit::updating

@@ -145,7 +145,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   std::vector<Hypothesis> all;
   double done = 0.0;
   for (const auto& effect : effects::catalogue()) {
-    progress("diagnosis: fitting " + effect->name(),
+    progress("fitting " + effect->name(),
              done++ / static_cast<double>(effects::catalogue().size()));
     const std::vector<PlacedEffect> tries =
         worth_fitting(*effect, current, screened, setting, options);

@@ -58,7 +58,7 @@ PlacePatterns place_patterns(const Fit& current,
     result.pattern[k].resize(lines, frfs);
     if (rows[k].rows() == 1) result.own[k].resize(lines, frfs);
   }
-  progress("diagnosis: patterns", 0.0);
+  progress("patterns of places", 0.0);
   const Stacked all = stacked(rows, size);
   const std::vector<FrfModel::Walk> walks = model.walk_columns(
       current.result.state, target.s, single_rows(rows, size));

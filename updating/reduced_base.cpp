@@ -139,6 +139,11 @@ BaseBuilder::BaseBuilder(
                      "check the elements and the SPC cards");
   }
   m.mass = structure::total_mass(m.mesh.deck, m.system);
+  if (!(m.mass > 0.0)) {
+    throw InputError("the model has no mass",
+                     deck.path.string(),
+                     "give the materials a density (RHO)");
+  }
   const SparseMatrix K = structure::extract(m.system.K, m.free);
   const SparseMatrix M = structure::extract(m.system.M, m.free);
   progress("model: eigenmodes", 0.2);
@@ -215,8 +220,8 @@ MatrixXd BaseBuilder::Impl::constraint_modes(
                       free.begin(),
                       free.end(),
                       std::back_inserter(loose));
-  MatrixXd unit = MatrixXd::Zero(released.dofs(),
-                                 static_cast<Index>(loose.size()));
+  MatrixXd unit =
+      MatrixXd::Zero(released.dofs(), static_cast<Index>(loose.size()));
   for (std::size_t k = 0; k < loose.size(); ++k) {
     unit(loose[k], static_cast<Index>(k)) = 1.0;
   }
@@ -229,8 +234,8 @@ MatrixXd BaseBuilder::Impl::constraint_modes(
 // combined approximations (U. Kirsch), without a factorisation of their own.
 MatrixXd BaseBuilder::Impl::loss_modes(const SparseMatrix& S) const {
   constexpr int orders = 4;
-  const Index count = std::count_if(
-      modes_hz.begin(), modes_hz.end(), [this](double f) {
+  const Index count =
+      std::count_if(modes_hz.begin(), modes_hz.end(), [this](double f) {
         return f < 1.5 * options.high_hz;
       });
   std::vector<MatrixXd> terms;

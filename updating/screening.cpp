@@ -183,9 +183,9 @@ class Screening {
     for_each_parallel(count * kinds, [&](std::size_t at) {
       const effects::Effect& effect = *places_.detailed_kinds[at % kinds];
       const std::size_t b = promise[at / kinds].second;
-      result[at] =
-          scanned(effect.parameters(where(b), setting_),
-                  [&](const auto& tried) { return best_at_grid(b, effect, tried); });
+      result[at] = scanned(
+          effect.parameters(where(b), setting_),
+          [&](const auto& tried) { return best_at_grid(b, effect, tried); });
     });
     return result;
   }
@@ -227,9 +227,9 @@ class Screening {
     std::vector<Screened> result(candidates.size());
     for_each_parallel(candidates.size(), [&](std::size_t k) {
       const PlacedEffect& candidate = candidates[k];
-      result[k] =
-          scanned(candidate.effect->parameters(candidate.where, setting_),
-                  [&](const auto& tried) { return best_response(candidate, tried); });
+      result[k] = scanned(
+          candidate.effect->parameters(candidate.where, setting_),
+          [&](const auto& tried) { return best_response(candidate, tried); });
     });
     return result;
   }
@@ -303,7 +303,7 @@ std::vector<Screened> screen(const Fit& current,
                              const Fitter& fitter,
                              const Progress& progress) {
   const Screening screening(current, fitter, progress);
-  progress("diagnosis: screening", 0.5);
+  progress("screening", 0.5);
   std::vector<Screened> result = screening.points();
   for (const auto& more :
        {screening.detailed(), screening.wide(), screening.few()}) {

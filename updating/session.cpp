@@ -363,8 +363,18 @@ void Session::add(const EffectRef& effect, const Progress& progress) {
   impl_->drop_current();
 }
 
+void Session::fit_uncertain(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  if (impl_->fits.size() > 1) return;
+  const Fitter& fitter = *impl_->fitter;
+  impl_->fits.push_back(fitter.fit({}, fitter.model_for({}), progress));
+  impl_->drop_current();
+}
+
 bool Session::undo() {
-  if (impl_->fits.size() < 2) return false;
+  if (impl_->fits.size() < 2 || impl_->fits.back().effects.empty()) {
+    return false;
+  }
   const PlacedEffect& last = impl_->fits.back().effects.back();
   impl_->undone.push_back({last.effect->name(), last.where});
   impl_->fits.pop_back();
@@ -389,7 +399,8 @@ void Session::Impl::describe_ladder() {
     Rung rung;
     rung.added = "base";
     rung.error = fits[k].result.error;
-    if (k > 0) {
+    if (k > 0 && fits[k].effects.empty()) rung.added = "uncertain properties";
+    if (!fits[k].effects.empty()) {
       const std::size_t last = fits[k].effects.size() - 1;
       rung.added = fits[k].effects[last].effect->name();
       rung.where = fits[k].effects[last].where;

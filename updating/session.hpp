@@ -51,6 +51,9 @@ class Session {
 
   /// Adds an effect to the current model and identifies all parameters anew.
   void add(const EffectRef& effect, const Progress& progress = {});
+  /// Identifies what is uncertain in the model with no effect added; to be
+  /// called before any is. A rung of its own, "uncertain properties".
+  void fit_uncertain(const Progress& progress = {});
   /// Takes the last added effect off; false when there is none.
   bool undo();
   /// Puts the last effect taken off back on; false when there is none.

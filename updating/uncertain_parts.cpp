@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tapfit::updating {
 
 std::vector<UncertainPart> uncertain_parts(
@@ -18,6 +20,19 @@ std::vector<UncertainPart> uncertain_parts(
       throw InputError(fmt::format("the deck has no {} {}", u.card, u.id),
                        place,
                        "name a MAT1 or MAT8 of the deck");
+    }
+    const bool twice =
+        std::any_of(uncertain.begin(),
+                    uncertain.begin() + static_cast<std::ptrdiff_t>(k),
+                    [&u](const auto& other) {
+                      return other.id == u.id && other.property == u.property &&
+                             other.card == u.card;
+                    });
+    if (twice) {
+      throw InputError(
+          fmt::format("{} of {} {} is listed twice", u.property, u.card, u.id),
+          place,
+          "keep one of the two");
     }
     const bool stiffness = u.property == "E";
     if (!stiffness && u.property != "rho") {

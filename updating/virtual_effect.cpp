@@ -121,6 +121,7 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
       if (!value || !std::isfinite(*value)) {
         refuse("'" + part + "' is no number", text);
       }
+      if (*value < 0.0) refuse("'" + part + "' is negative", text);
       effect.values.push_back(*value);
     }
   }
@@ -133,12 +134,8 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
 }
 
 std::string virtual_effect_help() {
-  static constexpr std::array<const char*, 6> places{"",
-                                                     "@NODE",
-                                                     "@NODE:...",
-                                                     "@CHANNEL",
-                                                     "[@CHANNEL:...]",
-                                                     "@ELEMENT:..."};
+  static constexpr std::array<const char*, 6> places{
+      "", "@NODE", "@NODE:...", "@CHANNEL", "[@CHANNEL:...]", "@ELEMENT:..."};
   std::string help;
   for (const Kind& kind : kinds()) {
     help += fmt::format("  {}{}{}{}\n",

@@ -163,6 +163,18 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
   }
   VirtualSetup setup;
   setup.band_hz = spec.band_hz ? *spec.band_hz : habit->band_hz;
+  if (!(setup.band_hz[0] > 0.0) || !(setup.band_hz[1] > setup.band_hz[0])) {
+    throw InputError(
+        "the band is no band",
+        fmt::format("--band {} {}", setup.band_hz[0], setup.band_hz[1]),
+        "Give the lower frequency first, above 0 Hz.");
+  }
+  if (setup.band_hz[1] > 1000.0 * setup.band_hz[0]) {
+    throw InputError(
+        "the band is too wide to be simulated",
+        fmt::format("--band {} {}", setup.band_hz[0], setup.band_hz[1]),
+        "Keep its ends within a factor of 1000.");
+  }
   if (habit) {
     setup.model = model_of_panel(habit->panel, habit->split);
     setup.model_cards = panel_cards(habit->panel, mesh_panel(habit->panel, 1));

@@ -1,5 +1,6 @@
 #include "tui/commands/command_line.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
@@ -12,6 +13,7 @@
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/signature_command.hpp"
 #include "tui/commands/update_command.hpp"
+#include "updating/effect_place.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -32,6 +34,8 @@ enum Extra : unsigned {
   DeckFile = 2,
   Output = 4,
   Effects = 8,
+  NeedsEffect = 64,
+  TextOnly = 128,
   Modes = 16,
   Node = 32,
 };
@@ -59,22 +63,34 @@ constexpr std::array<Entry, 11> entries{{
     {"update",
      "Add the effects named and identify them",
      update_command,
-     Effects},
+     Effects | NeedsEffect},
     {"report",
      "A Markdown report of the finished work",
      report_command,
-     Output},
+     Output | TextOnly},
     {"export",
      "Write FRFs, modes and the updated deck",
      export_command,
      Uff | DeckFile | Effects},
 }};
 
+/// What is wrong with an effect as written; empty where nothing is.
+std::string effect_fault(const std::string& text) {
+  try {
+    static_cast<void>(updating::parse_effect(text));
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   CommandOptions& options = invocation.options;
   command->add_option(entry.input, options.input)->required();
-  command->add_flag("--json", options.json, "Print one JSON object");
+  if ((entry.extras & TextOnly) == 0) {
+    command->add_flag("--json", options.json, "Print one JSON object");
+  }
   if ((entry.extras & Uff) != 0) {
     command->add_option("--uff", options.uff, "Universal file to write");
   }
@@ -89,6 +105,8 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
         ->add_option("--effect",
                      options.effects,
                      "Effect to add, for example added-mass@201")
+        ->required((entry.extras & NeedsEffect) != 0)
+        ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
         ->allow_extra_args(false);
   }
   if ((entry.extras & Modes) != 0) {

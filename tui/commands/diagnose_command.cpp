@@ -2,6 +2,7 @@
 
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/ladder_text.hpp"
+#include "tui/commands/open_session.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -26,13 +27,12 @@ ordered_json candidate_json(const updating::Candidate& candidate) {
     others.push_back({{"effect", other.effect},
                       {"where", where_json(other.effect, other.where)}});
   }
-  ordered_json json = {
-      {"effect", candidate.effect},
-      {"where", where_json(candidate.effect, candidate.where)},
-      {"probability", candidate.probability},
-      {"parameters", parameters_json(candidate.parameters)},
-      {"error", candidate.error},
-      {"indistinguishable_from", std::move(others)}};
+  ordered_json json = {{"effect", candidate.effect},
+                       {"where", where_json(candidate.effect, candidate.where)},
+                       {"probability", candidate.probability},
+                       {"parameters", parameters_json(candidate.parameters)},
+                       {"error", candidate.error},
+                       {"indistinguishable_from", std::move(others)}};
   // Only those that came first were tried on runs left out.
   if (candidate.held_out_error > 0.0) {
     json["held_out_error"] = candidate.held_out_error;
@@ -117,6 +117,7 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
       {"verdict", diagnosis.verdict},
       {"error",
        {{"base", diagnosis.error_base},
+        {"fitted", diagnosis.error_fitted},
         {"best", diagnosis.error_best},
         {"floor", diagnosis.floor},
         {"contour", diagnosis.contour}}},
@@ -142,16 +143,17 @@ std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
   for (const auto& warning : diagnosis.warnings) {
     text += "  note: " + warning + "\n";
   }
-  return text + "\n" +
-         ladder_text(diagnosis.error_base, diagnosis.ladder, diagnosis.floor);
+  return text + "\n" + ladder_text(diagnosis);
 }
 
 std::string diagnose_command(const CommandOptions& options,
                              const Progress& progress) {
-  updating::Session session(options.input);
+  updating::Session session = open_session(options.input);
   const updating::Diagnosis& diagnosis = session.diagnosis(progress);
-  return options.json ? diagnosis_json(options.input, diagnosis).dump(2) + "\n"
-                      : diagnosis_text(diagnosis);
+  if (!options.json) return diagnosis_text(diagnosis);
+  return diagnosis_json(options.input, with_input_warnings(diagnosis, session))
+             .dump(2) +
+         "\n";
 }
 
 }  // namespace tapfit::tui

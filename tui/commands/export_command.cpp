@@ -4,6 +4,7 @@
 #include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/effect_output.hpp"
+#include "tui/commands/open_session.hpp"
 #include "tui/commands/updated_deck.hpp"
 #include "updating/session.hpp"
 
@@ -27,9 +28,22 @@ void add_effects(updating::Session& session,
   if (!options.effects.empty()) return;
   // Copied: adding its rungs to the session drops the session's own.
   const updating::Diagnosis diagnosis = session.diagnosis(progress);
+  session.fit_uncertain(progress);
   for (const auto& rung : diagnosis.ladder) {
     const std::string effect = rung.added.substr(0, rung.added.find('|'));
     session.add({effect, rung.where}, progress);
+  }
+}
+
+// The deck that was read is the engineer's own: it is never written over.
+void refuse_own_deck(updating::Session& session,
+                     const std::filesystem::path& path) {
+  std::error_code missing;
+  const auto& own = session.bundle().deck;
+  if (own && std::filesystem::equivalent(*own, path, missing)) {
+    throw InputError("is the model of the test itself",
+                     path.string(),
+                     "give the updated deck another name");
   }
 }
 
@@ -57,13 +71,14 @@ std::string export_command(const CommandOptions& options,
                      "tapfit export",
                      "name a file with --uff, --deck or both");
   }
-  updating::Session session(options.input);
+  updating::Session session = open_session(options.input);
   std::vector<std::string> written;
   if (options.uff) {
     write_uff(session, *options.uff, progress);
     written.push_back(options.uff->string());
   }
   if (options.deck) {
+    refuse_own_deck(session, *options.deck);
     add_effects(session, options, progress);
     write_updated_deck(session, *options.deck, progress);
     written.push_back(options.deck->string());

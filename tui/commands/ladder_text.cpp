@@ -20,20 +20,21 @@ std::string bar(double error, double longest) {
 
 }  // namespace
 
-std::string ladder_text(double base,
-                        const std::vector<updating::Rung>& rungs,
-                        double floor) {
-  double longest = std::max(base, floor);
-  for (const auto& rung : rungs) longest = std::max(longest, rung.error);
+std::string ladder_text(const updating::Diagnosis& d) {
+  double longest = std::max(d.error_base, d.floor);
+  for (const auto& rung : d.ladder) longest = std::max(longest, rung.error);
 
   TextTable table({"<error ladder", "error", "<"});
-  table.add({"base model", percent(base), bar(base, longest)});
-  for (const auto& rung : rungs) {
-    table.add({"+ " + effect_text(rung.added, rung.where),
-               percent(rung.error),
-               bar(rung.error, longest)});
+  const auto add = [&](const std::string& name, double error) {
+    table.add({name, percent(error), bar(error, longest)});
+  };
+  add("base model", d.error_base);
+  const bool any = !d.model_parameters.empty();
+  if (any) add("uncertain properties fitted", d.error_fitted);
+  for (const auto& rung : d.ladder) {
+    add("+ " + effect_text(rung.added, rung.where), rung.error);
   }
-  table.add({"floor", percent(floor), bar(floor, longest)});
+  add("floor", d.floor);
   return table.text();
 }
 

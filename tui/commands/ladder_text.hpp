@@ -10,13 +10,10 @@ namespace tapfit::tui {
 
 /// One rung per line with a bar, the base first and the floor last:
 ///
-///   base                            38.8 %  ##############################
+///   base model                      38.8 %  ##############################
+///   uncertain properties fitted     30.1 %  #######################
 ///   + added-mass at node 201         3.8 %  ###
 ///   floor                            3.1 %  ##
-///
-/// @param rungs added effects in order, without the base
-[[nodiscard]] std::string ladder_text(double base,
-                                      const std::vector<updating::Rung>& rungs,
-                                      double floor);
+[[nodiscard]] std::string ladder_text(const updating::Diagnosis& diagnosis);
 
 }  // namespace tapfit::tui

@@ -5,6 +5,7 @@
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
+#include "tui/commands/open_session.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -54,10 +55,10 @@ std::string model_sections(updating::Session& session,
   // Copied: adding its rungs to the session drops the session's own.
   const updating::Diagnosis diagnosis = session.diagnosis(progress);
   const updating::Comparison before = session.base_comparison(progress);
+  session.fit_uncertain(progress);
   for (const auto& rung : diagnosis.ladder) {
-    if (rung.added.find('|') == std::string::npos) {
-      session.add({rung.added, rung.where}, progress);
-    }
+    const std::string effect = rung.added.substr(0, rung.added.find('|'));
+    session.add({effect, rung.where}, progress);
   }
   return section("Diagnosis and error ladder", diagnosis_text(diagnosis)) +
          "\n## Modes before and after\n\n" +
@@ -95,7 +96,7 @@ std::string before_after_table(const updating::Comparison& before,
 
 std::string report_command(const CommandOptions& options,
                            const Progress& progress) {
-  updating::Session session(options.input);
+  updating::Session session = open_session(options.input);
   std::string text = fmt::format("# {}\n", session.bundle().title) +
                      measurement_sections(session, progress);
   text += session.has_model()

@@ -5,6 +5,7 @@
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
+#include "tui/commands/open_session.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -35,17 +36,15 @@ std::string run_json(updating::Session& session,
   if (session.has_model()) {
     json["compare"] =
         compare_json(session.base_comparison(progress), session.frfs());
-    json["diagnose"] =
-        diagnosis_json(options.input, session.diagnosis(progress));
+    json["diagnose"] = diagnosis_json(
+        options.input,
+        with_input_warnings(session.diagnosis(progress), session));
   }
   return json.dump(2) + "\n";
 }
 
 std::string run_text(updating::Session& session, const Progress& progress) {
   std::string text = session.bundle().title + "\n";
-  for (const auto& warning : session.bundle().warnings) {
-    text += "  note: " + warning + "\n";
-  }
   if (!session.bundle().runs.empty()) {
     text += "\n" + hits_text(session.bundle(), session.hits(progress));
   }
@@ -64,7 +63,7 @@ std::string run_text(updating::Session& session, const Progress& progress) {
 
 std::string run_command(const CommandOptions& options,
                         const Progress& progress) {
-  updating::Session session(options.input);
+  updating::Session session = open_session(options.input);
   return options.json ? run_json(session, options, progress)
                       : run_text(session, progress);
 }

@@ -2,6 +2,7 @@
 
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/open_session.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -39,7 +40,14 @@ updating::Diagnosis diagnosis_of_named(
     const std::vector<updating::Estimate>& model_parameters) {
   assert(!ladder.empty());
   updating::Diagnosis diagnosis;
-  diagnosis.ladder.assign(ladder.begin() + 1, ladder.end());
+  // The base, what is uncertain in it, then the effects.
+  for (const updating::Rung& rung : ladder) {
+    if (!rung.parameters.empty() || rung.where != updating::Where{}) {
+      diagnosis.ladder.push_back(rung);
+    } else {
+      diagnosis.error_fitted = rung.error;
+    }
+  }
   diagnosis.error_base = ladder.front().error;
   diagnosis.error_best = ladder.back().error;
   diagnosis.floor = comparison.floor;
@@ -61,6 +69,13 @@ updating::Diagnosis diagnosis_of_named(
   diagnosis.warnings.push_back(
       "the effects were named by the user and taken as given: the "
       "probabilities compare them with nothing");
+  if (diagnosis.error_best > 3.0 * diagnosis.floor) {
+    diagnosis.warnings.push_back(fmt::format(
+        "an error of {:.3g} is left where the measurement supports {:.3g}: "
+        "something else is missing",
+        diagnosis.error_best,
+        diagnosis.floor));
+  }
   return diagnosis;
 }
 
@@ -70,7 +85,8 @@ std::string update_command(const CommandOptions& options,
   for (const auto& text : options.effects) {
     effects.push_back(updating::parse_effect(text));
   }
-  updating::Session session(options.input);
+  updating::Session session = open_session(options.input);
+  session.fit_uncertain(progress);
   for (const auto& effect : effects) session.add(effect, progress);
   const updating::Diagnosis diagnosis =
       diagnosis_of_named(session.ladder(progress),

@@ -174,6 +174,10 @@ void read_conm2(DeckBuilder& builder, const CardReader& card) {
   builder.claim(card, mass.id);
   mass.grid = existing_grid(builder, card, 2);
   mass.mass = card.real_or(4, 0.0, "M");
+  if (!(mass.mass >= 0.0)) {
+    card.fail(fmt::format("M = {} is no mass", mass.mass),
+              "Give a mass of zero or more.");
+  }
   const int cid = card.integer_or(3, 0, "CID");
   const CoordinateSystem& system = builder.system(card, std::max(cid, 0));
   const Eigen::Vector3d x = card.vector(5, "X");

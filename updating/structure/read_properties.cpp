@@ -9,6 +9,13 @@
 namespace tapfit::structure {
 namespace {
 
+void refuse_negative_density(const CardReader& card, double rho) {
+  if (!(rho >= 0.0)) {
+    card.fail(fmt::format("RHO = {} is no density", rho),
+              "Give a mass per volume of zero or more.");
+  }
+}
+
 void read_mat1(DeckBuilder& builder, const CardReader& card) {
   Material m;
   m.id = card.id(1, "MID");
@@ -24,15 +31,16 @@ void read_mat1(DeckBuilder& builder, const CardReader& card) {
   if (card.blank(4) && (card.blank(2) || card.blank(3))) {
     builder.warn(card, "only one of E, G, NU is given; NU = 0 is used");
   }
-  if (!(m.E >= 0.0) || m.G < 0.0 || m.nu <= -1.0 || m.nu >= 1.0) {
+  if (!(m.E >= 0.0) || m.G < 0.0 || m.nu <= -1.0 || m.nu > 0.5) {
     card.fail(
         fmt::format(
             "E = {}, G = {}, NU = {} is no elastic material", m.E, m.G, m.nu),
         "Give two of E, G and NU, positive, NU below 0.5.");
   }
-  if (m.nu > 0.5 || m.nu < 0.0) {
+  if (m.nu < 0.0) {
     builder.warn(card, fmt::format("NU = {:.4g} is unusual", m.nu));
   }
+  refuse_negative_density(card, m.rho);
   builder.deck.materials[m.id] = m;
 }
 
@@ -51,6 +59,7 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
     card.fail("E1, E2, G12 and NU12 are no elastic material",
               "They must be above zero, and NU12^2 below E1/E2.");
   }
+  refuse_negative_density(card, m.rho);
   builder.deck.materials[m.id] = m;
 }
 

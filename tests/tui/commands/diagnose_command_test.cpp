@@ -92,8 +92,12 @@ TEST(DiagnoseCommand, TextEndsWithTheLadder) {
 }
 
 TEST(LadderText, BarsAreInProportion) {
-  const std::string text = ladder_text(
-      0.3, {{.added = "x", .where = {}, .error = 0.1, .parameters = {}}}, 0.02);
+  updating::Diagnosis diagnosis;
+  diagnosis.error_base = 0.3;
+  diagnosis.floor = 0.02;
+  diagnosis.ladder = {
+      {.added = "x", .where = {}, .error = 0.1, .parameters = {}}};
+  const std::string text = ladder_text(diagnosis);
   EXPECT_NE(text.find("30.0 %  " + std::string(30, '#') + "\n"),
             std::string::npos)
       << text;
