@@ -19,9 +19,10 @@ namespace tapfit::updating {
                                  const modal::ModeSet& modes);
 
 /// The share of the error that the mesh causes, from the same model on a mesh
-/// that is one step coarser. At clamped edges and inner corners a mesh converges
-/// as h, not h^2: the finer one is still off by as much as it differs from the
-/// coarser. What uncertain properties and damping can take up is not counted.
+/// that is one step coarser. At clamped edges and inner corners a mesh
+/// converges as h, not h^2: the finer one is still off by as much as it differs
+/// from the coarser. What uncertain properties and damping can take up is not
+/// counted.
 [[nodiscard]] double mesh_error(const FrfModel& finer,
                                 const FrfModel& coarser,
                                 const ModelState& state,

@@ -62,8 +62,12 @@ struct Signature {
   double dashpot_unexplained = 1.0, dashpot_ns_per_m = 0.0;
 };
 
+/// Names of the rungs that are no effects.
+inline constexpr const char* base_rung = "base";
+inline constexpr const char* uncertain_rung = "uncertain properties";
+
 struct Rung {
-  std::string added;  ///< effect, or "base" for the first
+  std::string added;  ///< effect, or one of the names above
   Where where;
   double error = 0.0;
   std::vector<Estimate> parameters;

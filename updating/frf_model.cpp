@@ -93,9 +93,9 @@ FrfModel::FrfModel(ReducedBase base,
     Pair pair;
     pair.run = frf.run;
     pair.channel = setting.bundle->channels.at(frf.channel).name;
-    pair.hammer =
-        setting.bundle->channels.at(setting.bundle->runs.at(frf.run).hammer.channel)
-            .name;
+    pair.hammer = setting.bundle->channels
+                      .at(setting.bundle->runs.at(frf.run).hammer.channel)
+                      .name;
     pair.response = column_of(frf.response);
     pair.reference = column_of(frf.reference);
     runs.insert(frf.run);

@@ -91,7 +91,7 @@ class FrfModel {
     std::vector<WalkedPair> pairs;
     std::vector<Eigen::MatrixXcd> Xo;  ///< per line: r x response points
     std::vector<Eigen::MatrixXcd> Xi;  ///< per line: r x reference points
-    Eigen::MatrixXcd own;  ///< lines x candidates: b H* b'
+    Eigen::MatrixXcd own;              ///< lines x candidates: b H* b'
   };
   /// @param candidates r x c, rows b of V as columns
   [[nodiscard]] std::vector<Walk> walk_columns(

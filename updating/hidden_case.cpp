@@ -30,8 +30,10 @@ class Draw {
     BaseOptions options;
     options.high_hz = setup_.band_hz[1];
     options.split = false;
-    builder_.emplace(deck(), std::vector<acquisition::UncertainProperty>{},
-                     options, Progress{});
+    builder_.emplace(deck(),
+                     std::vector<acquisition::UncertainProperty>{},
+                     options,
+                     Progress{});
     base_ = builder_->build({}, {});
     std::copy_if(setup_.model_hz.begin(),
                  setup_.model_hz.end(),
@@ -83,13 +85,13 @@ class Draw {
         setup_.sensor_channels[pick(setup_.sensor_channels.size())];
     if (name == "channel-gain") {
       const double off = random_.uniform(0.08, 0.25);
-      return {name, {channel}, {random_.uniform(0, 1) < 0.5 ? 1.0 - off
-                                                            : 1.0 + off}};
-    }
-    if (name == "channel-delay") {
       return {name,
               {channel},
-              {random_.uniform(0.02, 0.08) / setup_.band_hz[1]}};
+              {random_.uniform(0, 1) < 0.5 ? 1.0 - off : 1.0 + off}};
+    }
+    if (name == "channel-delay") {
+      return {
+          name, {channel}, {random_.uniform(0.02, 0.08) / setup_.band_hz[1]}};
     }
     if (name == "channel-polarity") return {name, {channel}, {}};
     throw InputError("no such effect to hide: " + name,
@@ -218,11 +220,10 @@ bool same_place(const VirtualEffect& hidden,
                 const Where& found,
                 const Deck& deck) {
   if (!found.channels.empty()) {
-    return hidden.places.empty() ||
-           std::is_permutation(hidden.places.begin(),
-                               hidden.places.end(),
-                               found.channels.begin(),
-                               found.channels.end());
+    return hidden.places.empty() || std::is_permutation(hidden.places.begin(),
+                                                        hidden.places.end(),
+                                                        found.channels.begin(),
+                                                        found.channels.end());
   }
   if (hidden.places.empty()) return true;
   std::vector<int> there = found.nodes;
@@ -232,8 +233,7 @@ bool same_place(const VirtualEffect& hidden,
     there = grids_of(deck, found.elements);
     here = grids_of(deck, here);
   }
-  const double apart =
-      (middle_of(deck, here) - middle_of(deck, there)).norm();
+  const double apart = (middle_of(deck, here) - middle_of(deck, there)).norm();
   return apart <= 1.01 * longest_side(deck);
 }
 
@@ -253,13 +253,22 @@ const Estimate* counterpart(const VirtualEffect& hidden, const Rung& rung) {
 }  // namespace
 
 const std::vector<std::string>& hidden_kinds() {
-  static const std::vector<std::string> kinds = {
-      "none",          "sensor-mass",   "soft-support",
-      "added-mass",    "ground-spring", "dashpot",
-      "stiffness-loss", "joint",        "absorber",
-      "channel-gain",  "channel-delay", "channel-polarity",
-      "added-mass+soft-support", "added-mass+channel-gain",
-      "sensor-mass+soft-support", "strut"};
+  static const std::vector<std::string> kinds = {"none",
+                                                 "sensor-mass",
+                                                 "soft-support",
+                                                 "added-mass",
+                                                 "ground-spring",
+                                                 "dashpot",
+                                                 "stiffness-loss",
+                                                 "joint",
+                                                 "absorber",
+                                                 "channel-gain",
+                                                 "channel-delay",
+                                                 "channel-polarity",
+                                                 "added-mass+soft-support",
+                                                 "added-mass+channel-gain",
+                                                 "sensor-mass+soft-support",
+                                                 "strut"};
   return kinds;
 }
 

@@ -23,8 +23,8 @@ namespace tapfit::updating {
 
 /// How a diagnosis compares with what was hidden.
 struct Verdict {
-  std::string hidden;     ///< "none", "a", "a+b"; "strut" should be unexplained
-  std::string found;      ///< the diagnosis's verdict
+  std::string hidden;  ///< "none", "a", "a+b"; "strut" should be unexplained
+  std::string found;   ///< the diagnosis's verdict
   bool right_kind = false;
   bool right_place = false;  ///< of every hidden effect, within one element
   double size_error = 0.0;   ///< largest relative error of a first parameter

@@ -192,9 +192,8 @@ std::vector<JointPlace> joint_places(const Deck& deck) {
     for (std::size_t b = a + 1; b < single; ++b) {
       if (taken[b] || !in_line(deck, together.nodes, places[b].nodes)) continue;
       taken[b] = true;
-      together.nodes.insert(together.nodes.end(),
-                            places[b].nodes.begin(),
-                            places[b].nodes.end());
+      together.nodes.insert(
+          together.nodes.end(), places[b].nodes.begin(), places[b].nodes.end());
     }
     if (together.nodes.size() > places[a].nodes.size()) {
       places.push_back(together);

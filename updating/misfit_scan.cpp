@@ -53,8 +53,7 @@ MisfitScan::Scaled MisfitScan::scaled(const VectorXd& change) const {
   if (Q_.size() > 0) power -= (Q_.transpose() * change).squaredNorm();
   const double along = -misfit_.dot(change);
   if (along <= 0.0 || power <= least) return {0.0, std::sqrt(all)};
-  return {along / power,
-          std::sqrt(std::max(all - along * along / power, 0.0))};
+  return {along / power, std::sqrt(std::max(all - along * along / power, 0.0))};
 }
 
 double MisfitScan::any_law(const MatrixXcd& pattern) const {

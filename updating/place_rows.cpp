@@ -69,13 +69,12 @@ const MatrixXd& PlaceRows::element(int id) const {
 
 MatrixXd PlaceRows::joint(const Where& where) const {
   const effects::Setting& setting = model_->setting();
-  const JointLine line =
-      where.nodes.size() > 1
-          ? shell_joint(*setting.deck, where.nodes)
-          : bar_joint(*setting.deck,
-                      where.nodes.front(),
-                      where.elements,
-                      setting.component);
+  const JointLine line = where.nodes.size() > 1
+                             ? shell_joint(*setting.deck, where.nodes)
+                             : bar_joint(*setting.deck,
+                                         where.nodes.front(),
+                                         where.elements,
+                                         setting.component);
   MatrixXd rows = MatrixXd::Zero(static_cast<Index>(line.grids.size()),
                                  model_->base().size());
   for (std::size_t k = 0; k < line.grids.size(); ++k) {

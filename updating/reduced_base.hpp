@@ -29,7 +29,7 @@ struct ReducedBase {
   Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
   std::vector<Eigen::MatrixXd> K_part;  ///< per uncertain property: d K / d f
   std::vector<Eigen::MatrixXd> M_part;  ///< the same for M, f the factor
-  std::vector<StiffnessTerm> terms;      ///< one per change asked for
+  std::vector<StiffnessTerm> terms;     ///< one per change asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
 };

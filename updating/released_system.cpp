@@ -42,8 +42,8 @@ Triplets support_springs(const Deck& deck, const StiffnessChange& change) {
         group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
     if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
   }
-  const SupportLine line = support_line(
-      deck, nodes, where.variant == "rotation", change.component);
+  const SupportLine line =
+      support_line(deck, nodes, where.variant == "rotation", change.component);
   Triplets springs;
   for (const SupportDof& dof : line.dofs) {
     const int index = dof_index(deck, dof.node, dof.component);
@@ -111,8 +111,7 @@ Triplets cut_joint(const RefinedDeck& mesh,
   T.setFromTriplets(directions.begin(), directions.end());
   const std::set<int> side(joint.side.begin(), joint.side.end());
   const auto wanted = [&side](int id) { return side.contains(id); };
-  append_joint(
-      released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
+  append_joint(released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
   append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
   for (UncertainPart& part : released.parts) {
     const auto own = [&](int id) {
@@ -120,10 +119,10 @@ Triplets cut_joint(const RefinedDeck& mesh,
     };
     const bool stiffness = part.M.nonZeros() == 0;
     const SparseMatrix none(n, n);
-    append_joint(part.K,
-                 stiffness ? structure::assemble_stiffness(mesh.deck, own)
-                           : none,
-                 T);
+    append_joint(
+        part.K,
+        stiffness ? structure::assemble_stiffness(mesh.deck, own) : none,
+        T);
     append_joint(
         part.M, stiffness ? none : structure::assemble_mass(mesh.deck, own), T);
   }

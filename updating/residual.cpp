@@ -119,7 +119,8 @@ double residual_data(const Target& target, const Eigen::VectorXd& residual) {
   const Eigen::MatrixXcd gram = R.adjoint() * R;
   const double trace = gram.trace().real();
   if (trace <= 0.0) return most;
-  const double frfs = std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  const double frfs =
+      std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double concentration = gram.squaredNorm() / (trace * trace) -
                                1.0 / static_cast<double>(lines) -
                                1.0 / std::max(frfs, 1.0);

@@ -397,9 +397,9 @@ void Session::Impl::describe_ladder() {
   const effects::Setting s = setting();
   for (std::size_t k = 0; k < fits.size(); ++k) {
     Rung rung;
-    rung.added = "base";
+    rung.added = base_rung;
     rung.error = fits[k].result.error;
-    if (k > 0 && fits[k].effects.empty()) rung.added = "uncertain properties";
+    if (k > 0 && fits[k].effects.empty()) rung.added = uncertain_rung;
     if (!fits[k].effects.empty()) {
       const std::size_t last = fits[k].effects.size() - 1;
       rung.added = fits[k].effects[last].effect->name();

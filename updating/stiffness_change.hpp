@@ -18,7 +18,7 @@ enum class ChangeKind {
 
 struct StiffnessChange {
   ChangeKind kind = ChangeKind::Elements;
-  EffectRef of;        ///< whose it is
+  EffectRef of;       ///< whose it is
   int component = 3;  ///< 1..3, the direction measured
 };
 

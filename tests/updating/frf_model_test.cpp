@@ -225,8 +225,7 @@ structure::Deck jointed_plate(const structure::Deck& plate, double k_per_m) {
   for (int j = 0; j < 5; ++j) {
     const int id = 6 + 11 * j;
     twin[id] = 100 + id;
-    deck.grids.push_back(
-        {100 + id, deck.grids[deck.grid_index(id)].position});
+    deck.grids.push_back({100 + id, deck.grids[deck.grid_index(id)].position});
     const double length = j == 0 || j == 4 ? 0.015 : 0.03;
     for (int c = 1; c <= 6; ++c) {
       structure::ScalarElement e;

@@ -15,9 +15,8 @@
 #include <fstream>
 #include <map>
 #include <string>
-#include <vector>
-
 #include <unistd.h>
+#include <vector>
 
 namespace tapfit::tui {
 namespace {
@@ -166,8 +165,8 @@ ordered_json run_cases(const Words& words, const Progress& progress) {
       words.kinds.empty() ? updating::hidden_kinds() : words.kinds;
   ordered_json cases = ordered_json::array();
   for (std::size_t at = k - 1; at < words.cases; at += m) {
-    const ordered_json c = scored(
-        kinds[at % kinds.size()], 1000 * words.seed + at, progress);
+    const ordered_json c =
+        scored(kinds[at % kinds.size()], 1000 * words.seed + at, progress);
     fmt::print(stderr,
                "{:>4} {:<8} {:<26} {:<30} {} {:.1f} %\n",
                at,

@@ -31,7 +31,6 @@ class TextTable {
 /// Characters shown by UTF-8 text (combining marks are not looked for).
 [[nodiscard]] std::size_t shown_width(std::string_view text);
 
-
 /// Four significant digits, for example "71.02e9" as "7.102e+10".
 [[nodiscard]] std::string short_number(double value);
 

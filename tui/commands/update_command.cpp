@@ -42,7 +42,9 @@ updating::Diagnosis diagnosis_of_named(
   updating::Diagnosis diagnosis;
   // The base, what is uncertain in it, then the effects.
   for (const updating::Rung& rung : ladder) {
-    if (!rung.parameters.empty() || rung.where != updating::Where{}) {
+    const bool effect = rung.added != updating::base_rung &&
+                        rung.added != updating::uncertain_rung;
+    if (effect) {
       diagnosis.ladder.push_back(rung);
     } else {
       diagnosis.error_fitted = rung.error;

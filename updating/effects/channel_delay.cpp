@@ -28,9 +28,10 @@ std::complex<double> ChannelDelay::law_derivative(std::complex<double> s,
 
 std::vector<std::string> ChannelDelay::bulk_data(
     const Where& where, const Setting&, const std::vector<double>& p) const {
-  return {fmt::format("$ Channel {} is {:.4g} s late; the model is not at fault",
-                      where.channels.front(),
-                      p[0])};
+  return {
+      fmt::format("$ Channel {} is {:.4g} s late; the model is not at fault",
+                  where.channels.front(),
+                  p[0])};
 }
 
 }  // namespace tapfit::effects

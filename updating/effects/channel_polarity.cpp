@@ -24,9 +24,10 @@ std::complex<double> ChannelPolarity::law_derivative(std::complex<double>,
 
 std::vector<std::string> ChannelPolarity::bulk_data(
     const Where& where, const Setting&, const std::vector<double>&) const {
-  return {fmt::format("$ Channel {} has the wrong sign; the model is not at "
-                      "fault",
-                      where.channels.front())};
+  return {
+      fmt::format("$ Channel {} has the wrong sign; the model is not at "
+                  "fault",
+                  where.channels.front())};
 }
 
 }  // namespace tapfit::effects

@@ -52,13 +52,14 @@ std::vector<Effect::Derived> Joint::derived(const Where& where,
 std::vector<std::string> Joint::bulk_data(const Where& where,
                                           const Setting&,
                                           const std::vector<double>& p) const {
-  return {fmt::format(
-      "$ Joint along {} grids from {} to {}: double the grids, CELAS2 of {:.4g} "
-      "N m/rad per metre between the rotations",
-      where.nodes.size(),
-      where.nodes.front(),
-      where.nodes.back(),
-      p[0])};
+  return {
+      fmt::format("$ Joint along {} grids from {} to {}: double the grids, "
+                  "CELAS2 of {:.4g} "
+                  "N m/rad per metre between the rotations",
+                  where.nodes.size(),
+                  where.nodes.front(),
+                  where.nodes.back(),
+                  p[0])};
 }
 
 }  // namespace tapfit::effects

@@ -1,0 +1,112 @@
+#include "updating/effects/catalogue.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace tapfit::effects {
+namespace {
+
+class EveryEffect : public ::testing::Test {
+ protected:
+  EveryEffect()
+      : deck_(support::plate_deck(true)),
+        bundle_(support::plate_bundle()),
+        setting_(support::plate_setting(bundle_, deck_)) {}
+
+  structure::Deck deck_;
+  acquisition::TestBundle bundle_;
+  Setting setting_;
+};
+
+TEST_F(EveryEffect, HasANameOfItsOwn) {
+  std::set<std::string> names;
+  for (const auto& effect : catalogue()) names.insert(effect->name());
+  EXPECT_EQ(names.size(), catalogue().size());
+}
+
+TEST_F(EveryEffect, HasAPlaceOnAClampedPlate) {
+  for (const auto& effect : catalogue()) {
+    EXPECT_FALSE(effect->places(setting_).empty()) << effect->name();
+  }
+}
+
+TEST_F(EveryEffect, StartsWithinItsBounds) {
+  for (const auto& effect : catalogue()) {
+    const Where where = effect->places(setting_).front();
+    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+      EXPECT_GT(spec.lower, 0.0) << effect->name() << ' ' << spec.name;
+      EXPECT_GE(spec.start, spec.lower) << effect->name() << ' ' << spec.name;
+      EXPECT_LE(spec.start, spec.upper) << effect->name() << ' ' << spec.name;
+    }
+  }
+}
+
+TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
+  const std::complex<double> s(40.0, 900.0);
+  for (const auto& effect : catalogue()) {
+    const Where where = effect->places(setting_).front();
+    std::vector<double> p;
+    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+      p.push_back(spec.start);
+    }
+    for (std::size_t group = 0; group < 2; ++group) {
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        const double h = 1e-6 * p[k];
+        std::vector<double> up = p;
+        std::vector<double> down = p;
+        up[k] += h;
+        down[k] -= h;
+        const std::complex<double> numeric =
+            (effect->law(s, up, group) - effect->law(s, down, group)) /
+            (2.0 * h);
+        const std::complex<double> analytic =
+            effect->law_derivative(s, p, group, k);
+        // Central differences of relative step 1e-6 are good to about 1e-9.
+        EXPECT_LE(std::abs(numeric - analytic), 1e-7 * std::abs(analytic))
+            << effect->name() << " group " << group << " parameter " << k;
+      }
+    }
+  }
+}
+
+TEST_F(EveryEffect, HasCardsOrAComment) {
+  for (const auto& effect : catalogue()) {
+    const Where where = effect->places(setting_).back();
+    std::vector<double> p;
+    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+      p.push_back(spec.start);
+    }
+    EXPECT_FALSE(effect->bulk_data(where, setting_, p).empty())
+        << effect->name();
+  }
+}
+
+// Well below its own frequency an absorber is its mass, well above it a spring
+// (to ground, because its mass stands still).
+TEST_F(EveryEffect, AbsorberIsAMassBelowAndASpringAbove) {
+  const Effect& absorber = find("absorber");
+  const std::vector<double> p = {0.05, 100.0, 0.001};
+  const double w = 2.0 * M_PI * 100.0;
+  const std::complex<double> low(0.0, 0.01 * w);
+  EXPECT_NEAR((absorber.law(low, p, 0) / (low * low)).real(), 0.05, 1e-5);
+  const std::complex<double> high(0.0, 100.0 * w);
+  const double k = 0.05 * w * w;
+  EXPECT_NEAR(absorber.law(high, p, 0).real(), k, 1e-3 * k);
+}
+
+TEST_F(EveryEffect, HammerFaultsAreTheInverseOfSensorFaults) {
+  const std::complex<double> s(1.0, 300.0);
+  for (const char* name : {"channel-gain", "channel-delay"}) {
+    const Effect& effect = find(name);
+    const std::complex<double> both =
+        effect.law(s, {0.002}, 0) * effect.law(s, {0.002}, 1);
+    EXPECT_NEAR(std::abs(both - 1.0), 0.0, 1e-12) << name;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::effects
