@@ -132,6 +132,24 @@ TEST(CompareView, ShowsErrorFloorPairsAndMap) {
   }
 }
 
+TEST(CompareView, ShowsEveryBand) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.bands = {{1, 1.98, 0.1},
+             {1.98, 3.91, 0.1},
+             {3.91, 7.75, 0.1},
+             {7.75, 15.3, 0.1},
+             {15.3, 30.3, 0.1},
+             {30.3, 60, 0.1}};
+  c.frf_band_error = Eigen::MatrixXd::Constant(4, 6, 0.1);
+  c.frf_band_error.col(5).setConstant(0.77);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Screen narrow = compare_view({c, frfs, nullptr}, {}, sizes[0]);
+  EXPECT_TRUE(holds(narrow, "2.0 3.9 7.8  15  30  60")) << narrow.to_text();
+  EXPECT_TRUE(holds(narrow, "10  77")) << narrow.to_text();
+  const Screen wide = compare_view({c, frfs, nullptr}, {}, {160, 40, false});
+  EXPECT_TRUE(holds(wide, "1.98 3.91 7.75 15.3 30.3   60")) << wide.to_text();
+}
+
 TEST(CompareView, KeepsNumbersThatAreNoneAway) {
   updating::Comparison c = testing::fake_comparison(0.05);
   const double nan = std::nan("");
