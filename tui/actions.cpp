@@ -12,7 +12,6 @@ std::string last_step(Workbench& bench,
                       Snapshot& known,
                       const Progress& progress,
                       const std::string& done) {
-  known.forget_model_results();
   const std::vector<updating::Rung> ladder = bench.ladder(progress);
   known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
   known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
@@ -33,6 +32,7 @@ std::string add_now(Workbench& bench,
                     const Progress& progress,
                     const updating::EffectRef& effect) {
   bench.add(effect, progress);
+  known.change_effects(known.effects + 1, false);
   return last_step(bench, known, progress, "added " + effect.effect);
 }
 
@@ -70,6 +70,7 @@ Job undo() {
   return {"undo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
             if (!bench.undo()) return std::string("nothing to undo");
+            known.change_effects(known.effects - 1, true);
             return last_step(bench, known, p, "undone");
           },
           std::nullopt};
@@ -79,6 +80,7 @@ Job redo() {
   return {"redo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
             if (!bench.redo()) return std::string("nothing to redo");
+            known.change_effects(known.effects + 1, true);
             return last_step(bench, known, p, "redone");
           },
           std::nullopt};

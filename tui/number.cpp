@@ -28,6 +28,10 @@ std::string percent(double fraction) {
   return fixed(value, std::abs(value) < 0.95 ? 2 : 1) + " %";
 }
 
+std::string effects_text(std::size_t count) {
+  return fmt::format("{} effect{}", count, count == 1 ? "" : "s");
+}
+
 std::string with_sd(double value, double sd, int digits) {
   if (!std::isfinite(value)) return "–";
   if (!std::isfinite(sd) || sd <= 0.0) return number(value, 5);

@@ -18,6 +18,9 @@ namespace tapfit::tui {
 /// 0.388 to "38.8 %"; below 0.95 % with two decimals.
 [[nodiscard]] std::string percent(double fraction);
 
+/// "1 effect", "2 effects".
+[[nodiscard]] std::string effects_text(std::size_t count);
+
 /// "2.27100 ± 0.00040": the deviation with two digits (or one), the value to
 /// match. A deviation that is zero or not finite is left away.
 [[nodiscard]] std::string with_sd(double value, double sd, int digits = 2);

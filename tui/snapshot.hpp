@@ -56,6 +56,9 @@ struct Snapshot {
   Shared<std::vector<updating::Rung>> ladder;
   Shared<std::vector<updating::Estimate>> parameters;
   Shared<updating::Diagnosis> diagnosis;
+  std::size_t effects = 0;  ///< added to the base model
+  /// What was found on the way, by how many effects were in the model then.
+  std::map<std::size_t, Shared<updating::Diagnosis>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
 
   [[nodiscard]] bool has(const Need& need) const;
@@ -63,6 +66,10 @@ struct Snapshot {
   void forget_from_hits();
   /// Drops what depends on the current model.
   void forget_model_results();
+  /// Takes over that the model now has so many effects. Diagnoses stay known:
+  /// those of models with fewer effects, and after undo and redo, which lead to
+  /// models seen before, all.
+  void change_effects(std::size_t count, bool seen_before);
 };
 
 }  // namespace tapfit::tui

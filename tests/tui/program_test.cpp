@@ -70,16 +70,31 @@ TEST(Program, HoldsOnlyAsciiInAsciiMode) {
 TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
   const std::string added = played("5\nwait\na\nwait");
   EXPECT_TRUE(holds(added, "added added-mass: error 38.8 % → 0.01 %")) << added;
-  EXPECT_TRUE(holds(added, "1 effect(s) added")) << added;
+  EXPECT_TRUE(holds(added, "1 effect added: error")) << added;
   const std::string undone = played("5\nwait\na\nwait\nu\nwait");
   EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
   const std::string redone = played("5\nwait\na\nwait\nu\nwait\n<C-r>\nwait");
-  EXPECT_TRUE(holds(redone, "1 effect(s) added")) << redone;
+  EXPECT_TRUE(holds(redone, "1 effect added: error")) << redone;
+}
+
+TEST(Program, ReportsWhatWasFoundBeforeAndAfterAdding) {
+  const std::string before = "missing from the base model: added-mass";
+  const std::string after = "missing from the model with 1 effect: added-mass";
+  const std::string added = played("5\nwait\na\nwait\n7\nwait");
+  EXPECT_TRUE(holds(added, before)) << added;
+  EXPECT_FALSE(holds(added, after)) << added;
+  const std::string again = played("5\nwait\na\nwait\n5\nwait\n7\nwait");
+  EXPECT_TRUE(holds(again, before)) << again;
+  EXPECT_TRUE(holds(again, after)) << again;
+  const std::string undone =
+      played("5\nwait\na\nwait\n5\nwait\nu\nwait\n7\nwait");
+  EXPECT_TRUE(holds(undone, before)) << undone;
+  EXPECT_FALSE(holds(undone, after)) << undone;
 }
 
 TEST(Program, AddsByName) {
   EXPECT_TRUE(holds(played("6\nwait\n:add added-mass@5<Enter>\nwait"),
-                    "1 effect(s) added"));
+                    "1 effect added: error"));
   EXPECT_TRUE(
       holds(played("6\nwait\n:add what@5<Enter>\nwait"), "no such effect"));
 }

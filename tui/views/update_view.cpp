@@ -120,8 +120,8 @@ Screen update_view(const UpdateInput& input,
   Screen screen(canvas);
   std::string headline = "nothing added yet: 5 ranks what may be missing";
   if (input.ladder.size() > 1) {
-    headline = fmt::format("{} effect(s) added: error {} → {}",
-                           input.ladder.size() - 1,
+    headline = fmt::format("{} added: error {} → {}",
+                           effects_text(input.ladder.size() - 1),
                            percent(input.ladder.front().error),
                            percent(input.ladder.back().error));
   }

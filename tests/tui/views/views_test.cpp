@@ -227,7 +227,7 @@ TEST(ReportView, ShowsBeforeAndAfter) {
        1.0,
        {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
   const ReportInput input{
-      before, after, ladder, {}, nullptr, {"the mesh is coarse"}};
+      before, after, ladder, {}, {}, {"the mesh is coarse"}};
   for (const int width : {80, 120}) {
     const Screen s = report_sheet(input, width, false);
     EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg")) << s.to_text();
