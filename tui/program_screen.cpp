@@ -87,7 +87,7 @@ Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
   if (message_open_) {
     draw_box(screen,
-             "message",
+             "message (any key closes)",
              wrapped(message_, std::min(canvas.width - 8, 72)),
              {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
@@ -160,7 +160,10 @@ Screen Program::help(const Canvas& canvas) const {
   }
   lines.emplace_back();
   lines.emplace_back(":q :help :add EFFECT@PLACE :undo :redo :screen N :stop");
-  draw_box(screen, page().title(), lines, {.colour = Colour::Sky});
+  draw_box(screen,
+           page().title() + " (any key closes)",
+           lines,
+           {.colour = Colour::Sky});
   return screen;
 }
 

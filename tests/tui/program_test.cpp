@@ -106,6 +106,24 @@ TEST(Program, OverrulesAHit) {
   EXPECT_TRUE(holds(text, "by hand")) << text;
 }
 
+TEST(Program, ClearsWhatWasToldAtTheNextKey) {
+  EXPECT_TRUE(holds(played("6\nwait\nu\nwait"), "nothing to undo"));
+  EXPECT_FALSE(holds(played("6\nwait\nu\nwait\nj"), "nothing to undo"));
+  EXPECT_FALSE(holds(played("6\nwait\nu\nwait\n2"), "nothing to undo"));
+}
+
+TEST(Program, TakesTheKeyThatClosesAMessage) {
+  const std::string wrong =
+      "6\nwait\n:add an-effect-with-a-name-too-long-for-the-line<Enter>\nwait";
+  EXPECT_TRUE(holds(played(wrong), "any key closes")) << played(wrong);
+  const std::string typed = played(wrong + "\n:redo");
+  EXPECT_FALSE(holds(typed, "any key closes")) << typed;
+  EXPECT_TRUE(holds(typed, "\n:redo")) << typed;
+  // What people press to be rid of a box does not leave the program.
+  EXPECT_TRUE(holds(played(wrong + "\nq"), "ladder"));
+  EXPECT_TRUE(holds(played("5\nwait\n?:redo"), "\n:redo"));
+}
+
 TEST(Program, ShowsErrorsWithoutLeaving) {
   FakeOptions options;
   options.hits_fail = true;
