@@ -36,16 +36,45 @@ std::string add_now(Workbench& bench,
   return last_step(bench, known, progress, "added " + effect.effect);
 }
 
+/// Overruling is its own inverse. False when the hit's judgement stood firm.
+bool toggle_hit(Workbench& bench,
+                Snapshot& known,
+                const Progress& progress,
+                std::size_t run,
+                std::size_t hit) {
+  const bool before = bench.hits(progress).runs.at(run).at(hit).accepted;
+  bench.overrule_hit(run, hit);
+  known.forget_from_hits();
+  known.hits =
+      std::make_shared<const acquisition::HitSet>(bench.hits(progress));
+  return known.hits->runs[run][hit].accepted != before;
+}
+
 }  // namespace
 
 Job overrule_hit(std::size_t run, std::size_t hit) {
   return {"overruling the hit",
           [run, hit](Workbench& bench, Snapshot& known, const Progress& p) {
-            bench.overrule_hit(run, hit);
-            known.forget_from_hits();
-            known.hits =
-                std::make_shared<const acquisition::HitSet>(bench.hits(p));
+            if (!toggle_hit(bench, known, p, run, hit)) {
+              return std::string("a truncated hit stays rejected");
+            }
+            known.overruled.emplace_back(run, hit);
             return std::string();
+          },
+          std::nullopt};
+}
+
+Job restore_hit() {
+  return {"taking the overruling back",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            if (known.overruled.empty()) {
+              return std::string("no hit was overruled");
+            }
+            const auto [run, hit] = known.overruled.back();
+            toggle_hit(bench, known, p, run, hit);
+            known.overruled.pop_back();
+            return fmt::format(
+                "run {}, hit {}: judged as before", run + 1, hit + 1);
           },
           std::nullopt};
 }

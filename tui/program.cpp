@@ -285,6 +285,8 @@ void Program::carry_out(const Command& command) {
       return;
     case Command::Kind::OverruleHit:
       return act(overrule_hit(command.run, command.hit));
+    case Command::Kind::RestoreHit:
+      return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effect(command.effect));
     case Command::Kind::ShowFrf:

@@ -76,6 +76,7 @@ void Snapshot::change_effects(std::size_t count, bool seen_before) {
 void Snapshot::forget_from_hits() {
   forget_model_results();
   diagnoses.clear();
+  effects = 0;  // the session starts from the base model again
   hits.reset();
   frfs.reset();
   modes.reset();

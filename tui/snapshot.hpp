@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -48,6 +49,8 @@ struct Snapshot {
   Shared<Wireframe> wire;
   Shared<std::vector<Trace>> traces;
   Shared<acquisition::HitSet> hits;
+  /// Run and hit of each judgement that was overruled, the last one last.
+  std::vector<std::pair<std::size_t, std::size_t>> overruled;
   Shared<signal::FrfSet> frfs;
   Shared<modal::ModeSet> modes;
   Shared<updating::Comparison> base_comparison;

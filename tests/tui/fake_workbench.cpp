@@ -286,9 +286,7 @@ class FakeWorkbench final : public Workbench {
     return {{"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
   }
   void overrule_hit(std::size_t run, std::size_t hit) override {
-    acquisition::Hit& it = hits_.runs.at(run).at(hit);
-    it.accepted = !it.accepted;
-    it.reasons = {acquisition::HitFault::ByHand};
+    acquisition::overrule(hits_.runs.at(run).at(hit));
   }
   updating::EffectRef parse_effect(const std::string& text) override {
     if (text != "added-mass@5") {

@@ -106,6 +106,16 @@ TEST(Program, OverrulesAHit) {
   EXPECT_TRUE(holds(text, "by hand")) << text;
 }
 
+TEST(Program, TakesTheLastOverrulingBack) {
+  const std::string text = played("wait\nj \nwait\nk \nwait\nu\nwait");
+  EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
+  EXPECT_TRUE(holds(text, "run 1, hit 1: judged as before")) << text;
+  const std::string all = played("wait\nj \nwait\nk \nwait\nuu\nwait");
+  EXPECT_TRUE(holds(all, "3 hits, 2 accepted")) << all;
+  EXPECT_FALSE(holds(all, "by hand")) << all;
+  EXPECT_TRUE(holds(played("wait\nu\nwait"), "no hit was overruled"));
+}
+
 TEST(Program, ClearsWhatWasToldAtTheNextKey) {
   EXPECT_TRUE(holds(played("6\nwait\nu\nwait"), "nothing to undo"));
   EXPECT_FALSE(holds(played("6\nwait\nu\nwait\nj"), "nothing to undo"));

@@ -21,8 +21,11 @@ std::size_t run_count(const RecordingInput& input) {
 std::string verdict(const Hit& hit) {
   std::string reasons;
   for (const acquisition::HitFault fault : hit.reasons) {
-    if (!reasons.empty()) reasons += ", ";
-    reasons += acquisition::name(fault);
+    // The user's own word counts, and stands where it is not cut off.
+    const bool first = fault == acquisition::HitFault::ByHand;
+    const std::string gap = reasons.empty() ? "" : ", ";
+    const std::string its(acquisition::name(fault));
+    reasons = first ? its + gap + reasons : reasons + gap + its;
   }
   return fmt::format("{} {}", hit.accepted ? "✓" : "✗", reasons);
 }
@@ -220,6 +223,10 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
     command.hit = settled(table, state_.list);
     return true;
   }
+  if (key == U'u') {
+    command.kind = Command::Kind::RestoreHit;
+    return true;
+  }
   if (key == keys::enter && !hits.empty()) {
     const Hit& hit = hits[settled(table, state_.list)];
     state_.range = {hit.time_s - 2.0 * std::max(hit.pulse_s, 1e-3),
@@ -235,6 +242,7 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
 
 std::vector<KeyHelp> RecordingPage::keys() const {
   return {{"Space", "accept/reject"},
+          {"u", "undo that"},
           {"n p", "run"},
           {"Tab", "sensor"},
           {"Enter", "zoom on hit"},
@@ -250,8 +258,10 @@ std::string RecordingPage::help() const {
   return "The hammer's force above, one response below. ▼ is an accepted hit, "
          "✗ one that was judged out; the list says why: double (the hammer "
          "struck twice), overload (clipped samples), weak, soft (no force at "
-         "the band's end), truncated, outlier. Space overrules the judgement; "
-         "FRFs and all that follows are then computed anew. The grey stretch "
+         "the band's end), truncated, outlier. Space overrules the judgement, "
+         "u "
+         "takes the last overruling back; FRFs and all that follows are then "
+         "computed anew. The grey stretch "
          "is the block that is cut out for the selected hit.";
 }
 
