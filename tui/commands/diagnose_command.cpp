@@ -26,13 +26,12 @@ ordered_json candidate_json(const updating::Candidate& candidate) {
     others.push_back({{"effect", other.effect},
                       {"where", where_json(other.effect, other.where)}});
   }
-  ordered_json json = {
-      {"effect", candidate.effect},
-      {"where", where_json(candidate.effect, candidate.where)},
-      {"probability", candidate.probability},
-      {"parameters", parameters_json(candidate.parameters)},
-      {"error", candidate.error},
-      {"indistinguishable_from", std::move(others)}};
+  ordered_json json = {{"effect", candidate.effect},
+                       {"where", where_json(candidate.effect, candidate.where)},
+                       {"probability", candidate.probability},
+                       {"parameters", parameters_json(candidate.parameters)},
+                       {"error", candidate.error},
+                       {"indistinguishable_from", std::move(others)}};
   // Only those that came first were tried on runs left out.
   if (candidate.held_out_error > 0.0) {
     json["held_out_error"] = candidate.held_out_error;
@@ -73,6 +72,11 @@ std::string look_alikes(const updating::Candidate& candidate) {
   return text;
 }
 
+/// Three decimals, but never "0.000": what is small is not impossible.
+std::string probability_text(double probability) {
+  return probability < 0.0005 ? "<0.001" : fmt::format("{:.3f}", probability);
+}
+
 /// A table with one line per candidate, its size on the line below.
 std::string candidates_text(const std::vector<updating::Candidate>& list) {
   if (list.empty()) return {};
@@ -80,7 +84,7 @@ std::string candidates_text(const std::vector<updating::Candidate>& list) {
   TextTable table({"<candidate", "probability", "error", "<"});
   for (std::size_t k = 0; k < shown; ++k) {
     table.add({effect_text(list[k].effect, list[k].where),
-               fmt::format("{:.3f}", list[k].probability),
+               probability_text(list[k].probability),
                percent(list[k].error),
                look_alikes(list[k])});
   }
