@@ -92,8 +92,7 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
     const bool base = rung.added == "base";
     const std::string what =
         base ? std::string("base model")
-             : fmt::format(
-                   "+ {} {}", rung.added, updating::describe(rung.where));
+             : fmt::format("+ {} {}", rung.added, place(rung.where));
     sheet.screen.text(1, sheet.y, what, {}, names - 2);
     sheet.screen.text_right(names + 8, sheet.y, percent(rung.error));
     draw_error_bar(sheet.screen,
