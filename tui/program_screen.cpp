@@ -62,7 +62,8 @@ void draw_box(Screen& screen,
 
 std::string work_text(const WorkerStatus& status) {
   std::string text = status.title;
-  if (!status.stage.empty() && status.stage != status.title) {
+  if (status.stage.starts_with(status.title)) return status.stage;
+  if (!status.stage.empty()) {
     text += ": " + status.stage;
   }
   return text;
@@ -117,8 +118,9 @@ Screen Program::waiting(const Canvas& canvas) const {
     }
     const int width = std::min(canvas.width - 8, 60);
     const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
+    const bool other = shown_.busy && shown_.title != name(need.stage);
     draw_box(screen,
-             name(need.stage),
+             name(need.stage) + (other ? ": waiting for other work" : ""),
              {fmt::format("{} … {} %", work_text(shown_), percents),
               bar(shown_.fraction, width - 4, canvas.ascii),
               "",

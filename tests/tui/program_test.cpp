@@ -167,6 +167,11 @@ TEST(Program, StopsWorkOnEscape) {
   // Screens whose results are there stay usable meanwhile.
   program.press(Key(U'2'));
   EXPECT_TRUE(holds(program.draw().to_text(), "measured"));
+  // One whose result has to wait says for what.
+  program.press(Key(U'4'));
+  const std::string waits = program.draw().to_text();
+  EXPECT_TRUE(holds(waits, "comparison: waiting for other work")) << waits;
+  EXPECT_TRUE(holds(waits, "modes: fitting … 43 %")) << waits;
   program.press(Key(U'3'));
   program.press(Key(keys::escape));
   wait_until_idle(program);
