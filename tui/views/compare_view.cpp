@@ -5,6 +5,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>
@@ -136,15 +137,20 @@ void draw_overlay(Screen& screen,
                         input.comparison.model_frfs[selected],
                         {Colour::Orange, Pattern::Dashed, 'o'}));
   }
-  const auto [body, line] = split_top(rect, rect.height - 1);
+  const std::vector<std::string> lines = wrapped(
+      plot.cursor ? read_out(plot, *plot.cursor) : input.comparison.contour,
+      rect.width - 2,
+      2);
+  const int rows = static_cast<int>(lines.size());
+  const auto [body, below] = split_top(rect, rect.height - rows);
   draw_plot(screen, body, plot);
-  const std::string values =
-      plot.cursor ? read_out(plot, *plot.cursor) : input.comparison.contour;
-  screen.text(line.x + 1,
-              line.y,
-              values,
-              {.colour = plot.cursor ? Colour::Yellow : Colour::Grey},
-              line.width - 2);
+  for (int i = 0; i < rows; ++i) {
+    screen.text(below.x + 1,
+                below.y + i,
+                lines[static_cast<std::size_t>(i)],
+                {.colour = plot.cursor ? Colour::Yellow : Colour::Grey},
+                below.width - 2);
+  }
 }
 
 }  // namespace

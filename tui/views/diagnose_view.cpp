@@ -238,6 +238,31 @@ void draw_place(Screen& screen,
   draw_wireframe(screen, rect, *input.wire, scene, state.pose);
 }
 
+/// Lines below each other from row y; returns the row after them.
+int write(Screen& screen,
+          int y,
+          const std::vector<std::string>& lines,
+          Colour colour) {
+  for (const std::string& line : lines) {
+    screen.text(1, y++, line, {.colour = colour}, screen.width() - 2);
+  }
+  return y;
+}
+
+/// How large the chosen one is, and what else it could be.
+int write_chosen(Screen& screen, int y, const Candidate& chosen) {
+  const int width = screen.width() - 2;
+  y = write(screen, y, wrapped(all_sizes(chosen), width, 2), Colour::Default);
+  // The narrow table has no column for it.
+  const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
+  const std::string others = tried
+                                 ? fmt::format("error on data left out {}; {}",
+                                               left_out(chosen),
+                                               look_alikes(chosen))
+                                 : look_alikes(chosen);
+  return write(screen, y, wrapped(others, width, 2), Colour::Yellow);
+}
+
 std::string verdict_line(const updating::Diagnosis& d) {
   return fmt::format("verdict: {}   error {} → {}, floor {}",
                      d.verdict,
@@ -281,31 +306,22 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::string note =
       d.warnings.empty() ? d.contour : fmt::format("! {}", d.warnings[0]);
   const Colour note_colour = d.warnings.empty() ? Colour::Grey : Colour::Yellow;
-  screen.text(1, 1, note, {.colour = note_colour}, canvas.width - 2);
+  const int top =
+      write(screen, 1, wrapped(note, canvas.width - 2, 2), note_colour);
   if (d.candidates.empty()) {
-    screen.text(1, 3, "No candidate: nothing in the catalogue fits.");
+    screen.text(1, top + 1, "No candidate: nothing in the catalogue fits.");
     return screen;
   }
   const Table table = candidate_table(d, canvas.width, canvas.ascii);
   const Candidate& chosen = d.candidates[settled(table, state.list)];
-  const Rect body{0, 2, canvas.width, canvas.height - 2};
+  const Rect body{0, top, canvas.width, canvas.height - top};
   const int rows = std::clamp(static_cast<int>(d.candidates.size()) + 1,
                               4,
                               std::max(body.height / 3, 4));
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
-  const auto [words, lower] = split_top(rest, 2);
-  screen.text(1, words.y, all_sizes(chosen), {}, canvas.width - 2);
-  // The narrow table has no column for it.
-  const bool tried = chosen.held_out_error > 0.0 && !is_wide(canvas.width);
-  screen.text(1,
-              words.y + 1,
-              tried ? fmt::format("error on data left out {}; {}",
-                                  left_out(chosen),
-                                  look_alikes(chosen))
-                    : look_alikes(chosen),
-              {.colour = Colour::Yellow},
-              canvas.width - 2);
+  const int below = write_chosen(screen, rest.y, chosen);
+  const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
   draw_signature(screen, left, input, state, grids);

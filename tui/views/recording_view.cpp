@@ -3,6 +3,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 
 #include <fmt/format.h>
 
@@ -120,6 +121,23 @@ std::string run_line(const RecordingInput& input, const RecordingState& state) {
   return text;
 }
 
+/// What was decided about the recordings, on lines that fit beside the plots
+/// and leave half of the height to the hits.
+std::vector<std::string> statement_lines(const RecordingInput& input,
+                                         const Rect& side) {
+  std::vector<std::string> lines;
+  for (const std::string& statement : input.hits.statements) {
+    const std::vector<std::string> its = wrapped(statement, side.width - 1);
+    lines.insert(lines.end(), its.begin(), its.end());
+  }
+  const auto room = static_cast<std::size_t>(std::max(side.height / 2, 0));
+  if (lines.size() > room) {
+    lines.resize(room);
+    if (room > 0) lines.back() = clipped(lines.back(), side.width - 3) + " …";
+  }
+  return lines;
+}
+
 void draw_plots(Screen& screen,
                 const Rect& area,
                 const RecordingInput& input,
@@ -176,15 +194,14 @@ Screen recording_view(const RecordingInput& input,
   const Rect body{0, 2, canvas.width, canvas.height - 2};
   const auto [plots, side] = split_left(body, canvas.width - list_width);
   draw_plots(screen, plots, input, at, hits, selected);
-  const int statements =
-      std::min(static_cast<int>(input.hits.statements.size()),
-               std::max(side.height / 3, 0));
-  const auto [list, notes] = split_top(side, side.height - statements);
+  const std::vector<std::string> statements = statement_lines(input, side);
+  const auto [list, notes] =
+      split_top(side, side.height - static_cast<int>(statements.size()));
   draw_table(screen, list, table, at.list, true);
   for (int i = 0; i < notes.height; ++i) {
     screen.text(notes.x + 1,
                 notes.y + i,
-                input.hits.statements[static_cast<std::size_t>(i)],
+                statements[static_cast<std::size_t>(i)],
                 {.colour = Colour::Grey},
                 notes.width - 1);
   }

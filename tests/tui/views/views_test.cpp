@@ -150,6 +150,14 @@ TEST(CompareView, ShowsEveryBand) {
   EXPECT_TRUE(holds(wide, "1.98 3.91 7.75 15.3 30.3   60")) << wide.to_text();
 }
 
+TEST(CompareView, WrapsALongContour) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.contour = std::string(60, 'x') + " on a line of its own";
+  const signal::FrfSet frfs = testing::fake_frfs();
+  EXPECT_TRUE(holds(compare_view({c, frfs, nullptr}, {}, sizes[0]), "\n own\n"))
+      << compare_view({c, frfs, nullptr}, {}, sizes[0]).to_text();
+}
+
 TEST(CompareView, KeepsNumbersThatAreNoneAway) {
   updating::Comparison c = testing::fake_comparison(0.05);
   const double nan = std::nan("");
