@@ -12,7 +12,6 @@ std::string last_step(Workbench& bench,
                       Snapshot& known,
                       const Progress& progress,
                       const std::string& done) {
-  known.forget_model_results();
   const std::vector<updating::Rung> ladder = bench.ladder(progress);
   known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
   known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
@@ -33,7 +32,22 @@ std::string add_now(Workbench& bench,
                     const Progress& progress,
                     const updating::EffectRef& effect) {
   bench.add(effect, progress);
+  known.change_effects(known.effects + 1, false);
   return last_step(bench, known, progress, "added " + effect.effect);
+}
+
+/// Overruling is its own inverse. False when the hit's judgement stood firm.
+bool toggle_hit(Workbench& bench,
+                Snapshot& known,
+                const Progress& progress,
+                std::size_t run,
+                std::size_t hit) {
+  const bool before = bench.hits(progress).runs.at(run).at(hit).accepted;
+  bench.overrule_hit(run, hit);
+  known.forget_from_hits();
+  known.hits =
+      std::make_shared<const acquisition::HitSet>(bench.hits(progress));
+  return known.hits->runs[run][hit].accepted != before;
 }
 
 }  // namespace
@@ -41,11 +55,26 @@ std::string add_now(Workbench& bench,
 Job overrule_hit(std::size_t run, std::size_t hit) {
   return {"overruling the hit",
           [run, hit](Workbench& bench, Snapshot& known, const Progress& p) {
-            bench.overrule_hit(run, hit);
-            known.forget_from_hits();
-            known.hits =
-                std::make_shared<const acquisition::HitSet>(bench.hits(p));
+            if (!toggle_hit(bench, known, p, run, hit)) {
+              return std::string("a truncated hit stays rejected");
+            }
+            known.overruled.emplace_back(run, hit);
             return std::string();
+          },
+          std::nullopt};
+}
+
+Job restore_hit() {
+  return {"taking the overruling back",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            if (known.overruled.empty()) {
+              return std::string("no hit was overruled");
+            }
+            const auto [run, hit] = known.overruled.back();
+            toggle_hit(bench, known, p, run, hit);
+            known.overruled.pop_back();
+            return fmt::format(
+                "run {}, hit {}: judged as before", run + 1, hit + 1);
           },
           std::nullopt};
 }
@@ -70,6 +99,7 @@ Job undo() {
   return {"undo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
             if (!bench.undo()) return std::string("nothing to undo");
+            known.change_effects(known.effects - 1, true);
             return last_step(bench, known, p, "undone");
           },
           std::nullopt};
@@ -79,6 +109,7 @@ Job redo() {
   return {"redo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
             if (!bench.redo()) return std::string("nothing to redo");
+            known.change_effects(known.effects + 1, true);
             return last_step(bench, known, p, "redone");
           },
           std::nullopt};

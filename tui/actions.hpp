@@ -8,6 +8,8 @@
 namespace tapfit::tui {
 
 [[nodiscard]] Job overrule_hit(std::size_t run, std::size_t hit);
+/// Takes the last overruling back.
+[[nodiscard]] Job restore_hit();
 [[nodiscard]] Job add_effect(const updating::EffectRef& effect);
 /// As typed: "added-mass@201".
 [[nodiscard]] Job add_effect(const std::string& effect);

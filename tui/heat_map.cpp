@@ -10,8 +10,6 @@
 namespace tapfit::tui {
 namespace {
 
-constexpr int entry_width = 5;
-
 std::string entry(double value) {
   if (!std::isfinite(value)) return "–";
   const double hundredths = std::round(100.0 * value);
@@ -25,6 +23,11 @@ int name_width(const HeatMap& map) {
     width = std::max(width, text_width(name));
   }
   return width;
+}
+
+/// Cells that the names on the left may take.
+int name_room(const Rect& rect, const HeatMap& map) {
+  return std::min(name_width(map), std::max(rect.width / 3, 8));
 }
 
 const std::string& at_or_empty(const std::vector<std::string>& names,
@@ -42,10 +45,16 @@ int heat_of(double value, double scale) {
   return static_cast<int>(std::clamp(level, 0.0, double{heat_levels}));
 }
 
+int fitting_columns(const Rect& rect, const HeatMap& map) {
+  const int room = rect.width - name_room(rect, map) - 2;
+  return std::max(room / map.entry_width, 0);
+}
+
 void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
   if (rect.empty()) return;
-  const int names = std::min(name_width(map), std::max(rect.width / 3, 8));
-  const int columns = (rect.width - names - 2) / entry_width;
+  const int names = name_room(rect, map);
+  const int entry_width = map.entry_width;
+  const int columns = fitting_columns(rect, map);
   const auto shown_columns =
       std::min<Eigen::Index>(map.values.cols() - map.left, columns);
   for (Eigen::Index c = 0; c < shown_columns; ++c) {
@@ -55,6 +64,9 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
                       at_or_empty(map.column_names, map.left + c),
                       {.colour = Colour::Grey},
                       entry_width - 1);
+  }
+  if (map.left + shown_columns < map.values.cols()) {
+    screen.put(rect.x + rect.width - 1, rect.y, U'→');
   }
   const auto shown_rows =
       std::min<Eigen::Index>(map.values.rows() - map.top, rect.height - 1);
@@ -75,7 +87,8 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
       style.heat = static_cast<std::uint8_t>(heat_of(value, map.scale));
       style.bold = style.heat >= 5;
       screen.fill({x, y, entry_width, 1}, U' ', style);
-      screen.text_right(x + entry_width - 1, y, entry(value), style, 4);
+      screen.text_right(
+          x + entry_width - 1, y, entry(value), style, entry_width - 1);
     }
   }
 }

@@ -22,10 +22,19 @@ std::string fixed(double value, int decimals) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
+std::string probability(double share) {
+  if (share >= 0.0 && share < 0.0005) return "<0.1 %";
+  return fixed(100.0 * share, 1) + " %";
+}
+
 std::string percent(double fraction) {
   if (!std::isfinite(fraction)) return "–";
   const double value = 100.0 * fraction;
   return fixed(value, std::abs(value) < 0.95 ? 2 : 1) + " %";
+}
+
+std::string effects_text(std::size_t count) {
+  return fmt::format("{} effect{}", count, count == 1 ? "" : "s");
 }
 
 std::string with_sd(double value, double sd, int digits) {
@@ -68,6 +77,10 @@ NameAndUnit split_unit(std::string_view name) {
     if (!stem.ends_with(ending) || stem.size() == ending.size()) continue;
     std::string plain(stem.substr(0, stem.size() - ending.size()));
     std::replace(plain.begin(), plain.end(), '_', ' ');
+    // Else a total and its value per metre would have one name.
+    if (ending.ends_with("_per_m_per_m") || ending.ends_with("_rad_per_m")) {
+      plain += " per m";
+    }
     return {plain + member, std::string(unit)};
   }
   if (name.starts_with("E:") || name.starts_with("E1:") ||
@@ -78,6 +91,13 @@ NameAndUnit split_unit(std::string_view name) {
   std::string plain(name);
   std::replace(plain.begin(), plain.end(), '_', ' ');
   return {plain, ""};
+}
+
+std::string place(const updating::Where& where) {
+  if (where.variant.empty()) return updating::describe(where);
+  updating::Where plain = where;
+  plain.variant.clear();
+  return where.variant + ", " + updating::describe(plain);
 }
 
 std::string describe(const updating::Estimate& estimate) {

@@ -18,6 +18,12 @@ namespace tapfit::tui {
 /// 0.388 to "38.8 %"; below 0.95 % with two decimals.
 [[nodiscard]] std::string percent(double fraction);
 
+/// 0.983 to "98.3 %"; "<0.1 %" for what is small but not impossible.
+[[nodiscard]] std::string probability(double share);
+
+/// "1 effect", "2 effects".
+[[nodiscard]] std::string effects_text(std::size_t count);
+
 /// "2.27100 ± 0.00040": the deviation with two digits (or one), the value to
 /// match. A deviation that is zero or not finite is left away.
 [[nodiscard]] std::string with_sd(double value, double sd, int digits = 2);
@@ -28,6 +34,10 @@ struct NameAndUnit {
   std::string unit;
 };
 [[nodiscard]] NameAndUnit split_unit(std::string_view name);
+
+/// As updating::describe, the variant first, where a narrow column does not
+/// cut it off: "rotation, 19 nodes (1 ... 38)".
+[[nodiscard]] std::string place(const updating::Where& where);
 
 /// "mass 0.0785 ± 0.0006 kg".
 [[nodiscard]] std::string describe(const updating::Estimate& estimate);

@@ -21,6 +21,12 @@ namespace {
 
 constexpr std::size_t update_screen = 5;
 
+/// Keys that people press to be rid of a box; the others also do their work.
+bool only_closes(Key key) {
+  return key == keys::escape || key == keys::enter || key == U' ' ||
+         key == U'q' || key == U'?' || key == keys::click;
+}
+
 }  // namespace
 
 Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
@@ -151,11 +157,11 @@ void Program::show_screen(std::size_t index) {
 void Program::press(Key key) {
   changed_ = true;
   if (key == keys::resize) return;
-  if (help_open_ || message_open_) {
-    help_open_ = false;
-    message_open_ = false;
-    return;
-  }
+  const bool boxed = help_open_ || message_open_;
+  help_open_ = false;
+  message_open_ = false;
+  tell("");  // what was told has been read
+  if (boxed && only_closes(key)) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
   if (mode_ == Mode::Colon) return press_colon(key);
@@ -279,6 +285,8 @@ void Program::carry_out(const Command& command) {
       return;
     case Command::Kind::OverruleHit:
       return act(overrule_hit(command.run, command.hit));
+    case Command::Kind::RestoreHit:
+      return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effect(command.effect));
     case Command::Kind::ShowFrf:

@@ -62,7 +62,8 @@ void draw_box(Screen& screen,
 
 std::string work_text(const WorkerStatus& status) {
   std::string text = status.title;
-  if (!status.stage.empty() && status.stage != status.title) {
+  if (status.stage.starts_with(status.title)) return status.stage;
+  if (!status.stage.empty()) {
     text += ": " + status.stage;
   }
   return text;
@@ -87,7 +88,7 @@ Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
   if (message_open_) {
     draw_box(screen,
-             "message",
+             "message (any key closes)",
              wrapped(message_, std::min(canvas.width - 8, 72)),
              {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
@@ -117,8 +118,9 @@ Screen Program::waiting(const Canvas& canvas) const {
     }
     const int width = std::min(canvas.width - 8, 60);
     const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
+    const bool other = shown_.busy && shown_.title != name(need.stage);
     draw_box(screen,
-             name(need.stage),
+             name(need.stage) + (other ? ": waiting for other work" : ""),
              {fmt::format("{} … {} %", work_text(shown_), percents),
               bar(shown_.fraction, width - 4, canvas.ascii),
               "",
@@ -160,7 +162,10 @@ Screen Program::help(const Canvas& canvas) const {
   }
   lines.emplace_back();
   lines.emplace_back(":q :help :add EFFECT@PLACE :undo :redo :screen N :stop");
-  draw_box(screen, page().title(), lines, {.colour = Colour::Sky});
+  draw_box(screen,
+           page().title() + " (any key closes)",
+           lines,
+           {.colour = Colour::Sky});
   return screen;
 }
 

@@ -63,8 +63,20 @@ void Snapshot::forget_model_results() {
   signatures.clear();
 }
 
+void Snapshot::change_effects(std::size_t count, bool seen_before) {
+  if (diagnosis) diagnoses[effects] = diagnosis;
+  forget_model_results();
+  effects = count;
+  if (!seen_before)
+    diagnoses.erase(diagnoses.lower_bound(count), diagnoses.end());
+  const auto known = diagnoses.find(count);
+  if (known != diagnoses.end()) diagnosis = known->second;
+}
+
 void Snapshot::forget_from_hits() {
   forget_model_results();
+  diagnoses.clear();
+  effects = 0;  // the session starts from the base model again
   hits.reset();
   frfs.reset();
   modes.reset();

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -48,6 +49,8 @@ struct Snapshot {
   Shared<Wireframe> wire;
   Shared<std::vector<Trace>> traces;
   Shared<acquisition::HitSet> hits;
+  /// Run and hit of each judgement that was overruled, the last one last.
+  std::vector<std::pair<std::size_t, std::size_t>> overruled;
   Shared<signal::FrfSet> frfs;
   Shared<modal::ModeSet> modes;
   Shared<updating::Comparison> base_comparison;
@@ -56,6 +59,9 @@ struct Snapshot {
   Shared<std::vector<updating::Rung>> ladder;
   Shared<std::vector<updating::Estimate>> parameters;
   Shared<updating::Diagnosis> diagnosis;
+  std::size_t effects = 0;  ///< added to the base model
+  /// What was found on the way, by how many effects were in the model then.
+  std::map<std::size_t, Shared<updating::Diagnosis>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
 
   [[nodiscard]] bool has(const Need& need) const;
@@ -63,6 +69,10 @@ struct Snapshot {
   void forget_from_hits();
   /// Drops what depends on the current model.
   void forget_model_results();
+  /// Takes over that the model now has so many effects. Diagnoses stay known:
+  /// those of models with fewer effects, and after undo and redo, which lead to
+  /// models seen before, all.
+  void change_effects(std::size_t count, bool seen_before);
 };
 
 }  // namespace tapfit::tui

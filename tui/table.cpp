@@ -37,6 +37,23 @@ std::vector<int> column_widths(const Screen& screen, const Table& table) {
   return widths;
 }
 
+/// Cuts the widths to the room: a text may be cut short, a number not, as "2.…"
+/// would read as two; its column and those after it are left out.
+std::vector<int> fitted(std::vector<int> widths, const Table& table, int room) {
+  int used = 0;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    const int left = room - used;
+    if (widths[c] > left) {
+      const bool dropped = left <= 0 || (c > 0 && table.columns[c].right);
+      widths[c] = std::max(left, 0);
+      widths.resize(dropped ? c : c + 1);
+      break;
+    }
+    used += widths[c] + 2;
+  }
+  return widths;
+}
+
 void draw_cells(Screen& screen,
                 const Rect& line,
                 const std::vector<int>& widths,
@@ -45,13 +62,10 @@ void draw_cells(Screen& screen,
                 Style style) {
   int x = line.x;
   for (std::size_t c = 0; c < cells.size() && c < widths.size(); ++c) {
-    const int room = std::min(widths[c], line.x + line.width - x);
-    if (room <= 0) return;
-    const bool whole = room == widths[c];
-    if (table.columns[c].right && whole) {
-      screen.text_right(x + room, line.y, cells[c], style, room);
+    if (table.columns[c].right) {
+      screen.text_right(x + widths[c], line.y, cells[c], style, widths[c]);
     } else {
-      screen.text(x, line.y, cells[c], style, room);
+      screen.text(x, line.y, cells[c], style, widths[c]);
     }
     x += widths[c] + 2;
   }
@@ -118,10 +132,12 @@ void draw_table(Screen& screen,
                 const ListState& state,
                 bool active) {
   if (rect.empty()) return;
-  const std::vector<int> widths = column_widths(screen, table);
+  // The last cell is a gap before what stands beside, and the arrows' place.
+  const std::vector<int> widths =
+      fitted(column_widths(screen, table), table, rect.width - 2);
   std::vector<std::string> titles;
   for (const Column& column : table.columns) titles.push_back(column.title);
-  const Rect indented{rect.x + 1, rect.y, rect.width - 1, 1};
+  const Rect indented{rect.x + 1, rect.y, rect.width - 2, 1};
   draw_cells(screen, indented, widths, table, titles, {.colour = Colour::Grey});
   const std::vector<std::size_t> rows = visible_rows(table, state.filter);
   const int room = rect.height - 1;
@@ -132,7 +148,7 @@ void draw_table(Screen& screen,
   const int top = std::clamp(at - room / 2, 0, std::max(count - room, 0));
   for (int i = 0; i < std::min(room, count - top); ++i) {
     const std::size_t r = rows[static_cast<std::size_t>(top + i)];
-    const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 1, 1};
+    const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 2, 1};
     Style style = table.rows[r].style;
     if (active && r == selected) {
       style.reverse = true;

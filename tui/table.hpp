@@ -42,7 +42,8 @@ struct ListState {
 bool list_key(ListState& state, const Table& table, Key key, int page = 10);
 
 /// Heading, then as many rows as fit, the selected one among them. Columns
-/// that do not fit are cut from the right.
+/// that do not fit are left out from the right, but the first of them is cut
+/// short where it holds text. The last cell of each row stays free.
 ///
 /// @param active whether a row is selected; else the list is only read
 void draw_table(Screen& screen,

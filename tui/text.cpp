@@ -171,4 +171,17 @@ std::vector<std::string> wrapped(std::string_view utf8, int width) {
   return lines;
 }
 
+std::vector<std::string> wrapped(std::string_view utf8, int width, int rows) {
+  std::vector<std::string> lines = wrapped(utf8, width);
+  const auto room = static_cast<std::size_t>(std::max(rows, 1));
+  if (lines.size() <= room) return lines;
+  std::string rest;
+  for (std::size_t i = room - 1; i < lines.size(); ++i) {
+    rest += (rest.empty() ? "" : " ") + lines[i];
+  }
+  lines.resize(room);
+  lines.back() = clipped(rest, width);
+  return lines;
+}
+
 }  // namespace tapfit::tui

@@ -31,4 +31,9 @@ void append_utf8(std::string& text, char32_t glyph);
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view utf8,
                                                int width);
 
+/// As wrapped(), at most `rows` lines, the last one "…" where it was cut.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view utf8,
+                                               int width,
+                                               int rows);
+
 }  // namespace tapfit::tui

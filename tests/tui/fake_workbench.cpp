@@ -272,11 +272,12 @@ class FakeWorkbench final : public Workbench {
     return fake_signature(node);
   }
   std::vector<updating::Rung> ladder(const Progress&) override {
-    std::vector<updating::Rung> rungs{{"base", {}, base_.error, {}}};
+    std::vector<updating::Rung> rungs{{"base", {}, base_.error, 1.0, {}}};
     for (const updating::EffectRef& e : added_) {
       rungs.push_back({e.effect,
                        e.where,
                        better_.error,
+                       1.0,
                        {{"mass_kg", 0.0785, 0.0006, 0.0773, 0.0797}}});
     }
     return rungs;
@@ -285,9 +286,7 @@ class FakeWorkbench final : public Workbench {
     return {{"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
   }
   void overrule_hit(std::size_t run, std::size_t hit) override {
-    acquisition::Hit& it = hits_.runs.at(run).at(hit);
-    it.accepted = !it.accepted;
-    it.reasons = {acquisition::HitFault::ByHand};
+    acquisition::overrule(hits_.runs.at(run).at(hit));
   }
   updating::EffectRef parse_effect(const std::string& text) override {
     if (text != "added-mass@5") {

@@ -47,5 +47,25 @@ TEST(Number, WritesPercentWithSenseBelowOne) {
   EXPECT_EQ(percent(0.0042), "0.42 %");
 }
 
+TEST(Number, TellsSmallProbabilitiesFromNone) {
+  EXPECT_EQ(probability(0.983), "98.3 %");
+  EXPECT_EQ(probability(0.0006), "0.1 %");
+  EXPECT_EQ(probability(0.0004), "<0.1 %");
+}
+
+TEST(Number, TellsATotalFromItsValuePerMetre) {
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad").name,
+            "rotational stiffness");
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad_per_m").name,
+            "rotational stiffness per m");
+}
+
+TEST(Number, PutsThePlacesVariantFirst) {
+  updating::Where where;
+  where.nodes = {1, 3, 38};
+  where.variant = "rotation";
+  EXPECT_EQ(place(where), "rotation, 3 nodes (1 ... 38)");
+}
+
 }  // namespace
 }  // namespace tapfit::tui

@@ -70,16 +70,31 @@ TEST(Program, HoldsOnlyAsciiInAsciiMode) {
 TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
   const std::string added = played("5\nwait\na\nwait");
   EXPECT_TRUE(holds(added, "added added-mass: error 38.8 % → 0.01 %")) << added;
-  EXPECT_TRUE(holds(added, "1 effect(s) added")) << added;
+  EXPECT_TRUE(holds(added, "1 effect added: error")) << added;
   const std::string undone = played("5\nwait\na\nwait\nu\nwait");
   EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
   const std::string redone = played("5\nwait\na\nwait\nu\nwait\n<C-r>\nwait");
-  EXPECT_TRUE(holds(redone, "1 effect(s) added")) << redone;
+  EXPECT_TRUE(holds(redone, "1 effect added: error")) << redone;
+}
+
+TEST(Program, ReportsWhatWasFoundBeforeAndAfterAdding) {
+  const std::string before = "missing from the base model: added-mass";
+  const std::string after = "missing from the model with 1 effect: added-mass";
+  const std::string added = played("5\nwait\na\nwait\n7\nwait");
+  EXPECT_TRUE(holds(added, before)) << added;
+  EXPECT_FALSE(holds(added, after)) << added;
+  const std::string again = played("5\nwait\na\nwait\n5\nwait\n7\nwait");
+  EXPECT_TRUE(holds(again, before)) << again;
+  EXPECT_TRUE(holds(again, after)) << again;
+  const std::string undone =
+      played("5\nwait\na\nwait\n5\nwait\nu\nwait\n7\nwait");
+  EXPECT_TRUE(holds(undone, before)) << undone;
+  EXPECT_FALSE(holds(undone, after)) << undone;
 }
 
 TEST(Program, AddsByName) {
   EXPECT_TRUE(holds(played("6\nwait\n:add added-mass@5<Enter>\nwait"),
-                    "1 effect(s) added"));
+                    "1 effect added: error"));
   EXPECT_TRUE(
       holds(played("6\nwait\n:add what@5<Enter>\nwait"), "no such effect"));
 }
@@ -89,6 +104,34 @@ TEST(Program, OverrulesAHit) {
   const std::string text = played("wait\nj \nwait");
   EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
   EXPECT_TRUE(holds(text, "by hand")) << text;
+}
+
+TEST(Program, TakesTheLastOverrulingBack) {
+  const std::string text = played("wait\nj \nwait\nk \nwait\nu\nwait");
+  EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
+  EXPECT_TRUE(holds(text, "run 1, hit 1: judged as before")) << text;
+  const std::string all = played("wait\nj \nwait\nk \nwait\nuu\nwait");
+  EXPECT_TRUE(holds(all, "3 hits, 2 accepted")) << all;
+  EXPECT_FALSE(holds(all, "by hand")) << all;
+  EXPECT_TRUE(holds(played("wait\nu\nwait"), "no hit was overruled"));
+}
+
+TEST(Program, ClearsWhatWasToldAtTheNextKey) {
+  EXPECT_TRUE(holds(played("6\nwait\nu\nwait"), "nothing to undo"));
+  EXPECT_FALSE(holds(played("6\nwait\nu\nwait\nj"), "nothing to undo"));
+  EXPECT_FALSE(holds(played("6\nwait\nu\nwait\n2"), "nothing to undo"));
+}
+
+TEST(Program, TakesTheKeyThatClosesAMessage) {
+  const std::string wrong =
+      "6\nwait\n:add an-effect-with-a-name-too-long-for-the-line<Enter>\nwait";
+  EXPECT_TRUE(holds(played(wrong), "any key closes")) << played(wrong);
+  const std::string typed = played(wrong + "\n:redo");
+  EXPECT_FALSE(holds(typed, "any key closes")) << typed;
+  EXPECT_TRUE(holds(typed, "\n:redo")) << typed;
+  // What people press to be rid of a box does not leave the program.
+  EXPECT_TRUE(holds(played(wrong + "\nq"), "ladder"));
+  EXPECT_TRUE(holds(played("5\nwait\n?:redo"), "\n:redo"));
 }
 
 TEST(Program, ShowsErrorsWithoutLeaving) {
@@ -124,6 +167,11 @@ TEST(Program, StopsWorkOnEscape) {
   // Screens whose results are there stay usable meanwhile.
   program.press(Key(U'2'));
   EXPECT_TRUE(holds(program.draw().to_text(), "measured"));
+  // One whose result has to wait says for what.
+  program.press(Key(U'4'));
+  const std::string waits = program.draw().to_text();
+  EXPECT_TRUE(holds(waits, "comparison: waiting for other work")) << waits;
+  EXPECT_TRUE(holds(waits, "modes: fitting … 43 %")) << waits;
   program.press(Key(U'3'));
   program.press(Key(keys::escape));
   wait_until_idle(program);

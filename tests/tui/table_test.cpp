@@ -27,6 +27,18 @@ TEST(Table, RightColumnsEndTogether) {
   EXPECT_EQ(screen.to_text(), " a  bbb\n x    1\n y   22\n\n");
 }
 
+TEST(Table, LeavesOutNumbersThatDoNotFitAndCutsTexts) {
+  const Table table{{{"a"}, {"b", true}, {"c", true}},
+                    {{{"x", "1.25", "2.75"}, {}}}};
+  Screen numbers_cut(12, 2);  // "x  1.25  2.75" takes 13 cells and the edges
+  draw_table(numbers_cut, numbers_cut.area(), table, {}, false);
+  EXPECT_EQ(numbers_cut.to_text(), " a     b\n x  1.25\n");
+  const Table words{{{"a"}, {"b"}}, {{{"x", "in words"}, {}}}};
+  Screen words_cut(10, 2);
+  draw_table(words_cut, words_cut.area(), words, {}, false);
+  EXPECT_EQ(words_cut.to_text(), " a  b\n x  in w…\n");
+}
+
 TEST(Table, FilterHidesRowsAndMovesTheSelection) {
   const Table table = numbers(20);
   ListState state{0, "ROW 1"};  // 1 and 10..19

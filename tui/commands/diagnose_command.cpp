@@ -73,6 +73,11 @@ std::string look_alikes(const updating::Candidate& candidate) {
   return text;
 }
 
+/// Three decimals, but never "0.000": what is small is not impossible.
+std::string probability_text(double probability) {
+  return probability < 0.0005 ? "<0.001" : fmt::format("{:.3f}", probability);
+}
+
 /// A table with one line per candidate, its size on the line below.
 std::string candidates_text(const std::vector<updating::Candidate>& list) {
   if (list.empty()) return {};
@@ -80,7 +85,7 @@ std::string candidates_text(const std::vector<updating::Candidate>& list) {
   TextTable table({"<candidate", "probability", "error", "<"});
   for (std::size_t k = 0; k < shown; ++k) {
     table.add({effect_text(list[k].effect, list[k].where),
-               fmt::format("{:.3f}", list[k].probability),
+               probability_text(list[k].probability),
                percent(list[k].error),
                look_alikes(list[k])});
   }

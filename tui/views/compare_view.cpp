@@ -5,6 +5,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>
@@ -50,6 +51,25 @@ Table pair_table(const updating::Comparison& c) {
   return table;
 }
 
+/// At most three cells, to stand above a narrow column.
+std::string short_hz(double hz) {
+  if (hz >= 999.5) return fixed(hz / 1000.0, 0) + "k";
+  return fixed(hz, hz < 9.95 ? 1 : 0);
+}
+
+/// Names the bands by their upper end, as precisely as the columns have room:
+/// a band left out could be the one that fails.
+void name_bands(HeatMap& map,
+                const Rect& rect,
+                const std::vector<updating::BandError>& bands) {
+  const bool wide = fitting_columns(rect, map) >= map.values.cols();
+  if (!wide) map.entry_width = 4;
+  for (const updating::BandError& band : bands) {
+    map.column_names.push_back(wide ? number(band.high_hz, 3)
+                                    : short_hz(band.high_hz));
+  }
+}
+
 void draw_error_map(Screen& screen,
                     const Rect& rect,
                     const CompareInput& input,
@@ -61,9 +81,7 @@ void draw_error_map(Screen& screen,
   for (const signal::Frf& frf : input.frfs.frfs) {
     map.row_names.push_back(signal::name(frf));
   }
-  for (const updating::BandError& band : c.bands) {
-    map.column_names.push_back(number(band.high_hz, 3));
-  }
+  name_bands(map, rect, c.bands);
   double largest = 0.0;
   for (const double v : map.values.reshaped()) {
     if (std::isfinite(v)) largest = std::max(largest, v);
@@ -119,15 +137,20 @@ void draw_overlay(Screen& screen,
                         input.comparison.model_frfs[selected],
                         {Colour::Orange, Pattern::Dashed, 'o'}));
   }
-  const auto [body, line] = split_top(rect, rect.height - 1);
+  const std::vector<std::string> lines = wrapped(
+      plot.cursor ? read_out(plot, *plot.cursor) : input.comparison.contour,
+      rect.width - 2,
+      2);
+  const int rows = static_cast<int>(lines.size());
+  const auto [body, below] = split_top(rect, rect.height - rows);
   draw_plot(screen, body, plot);
-  const std::string values =
-      plot.cursor ? read_out(plot, *plot.cursor) : input.comparison.contour;
-  screen.text(line.x + 1,
-              line.y,
-              values,
-              {.colour = plot.cursor ? Colour::Yellow : Colour::Grey},
-              line.width - 2);
+  for (int i = 0; i < rows; ++i) {
+    screen.text(below.x + 1,
+                below.y + i,
+                lines[static_cast<std::size_t>(i)],
+                {.colour = plot.cursor ? Colour::Yellow : Colour::Grey},
+                below.width - 2);
+  }
 }
 
 }  // namespace

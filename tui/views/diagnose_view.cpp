@@ -18,34 +18,66 @@ namespace {
 using updating::Candidate;
 using updating::Signature;
 
-std::string first_size(const Candidate& candidate) {
-  return candidate.parameters.empty() ? "–" : describe(candidate.parameters[0]);
+/// The first parameter as fully as the room allows; a number is never cut.
+std::string first_size(const Candidate& candidate, bool named, int room) {
+  if (candidate.parameters.empty()) return "–";
+  const updating::Estimate& p = candidate.parameters[0];
+  if (named && text_width(describe(p)) <= room) return describe(p);
+  const std::string unit = " " + split_unit(p.name).unit;
+  const std::string with_scatter = with_sd(p.value, p.sd) + unit;
+  return text_width(with_scatter) <= room ? with_scatter
+                                          : number(p.value, 3) + unit;
 }
 
-Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
-  const bool wide = width >= 110;
+/// Only the best few are tried on data that were left out.
+std::string left_out(const Candidate& c) {
+  return c.held_out_error > 0.0 ? percent(c.held_out_error) : "–";
+}
+
+Table wide_table(const updating::Diagnosis& d, int width, bool ascii) {
   Table table{{{"prob", true},
                {""},
                {"effect"},
                {"where"},
                {"error", true},
-               {"size"},
-               {"left out", true}},
+               {"left out", true},
+               {"size"}},
               {}};
   for (const Candidate& c : d.candidates) {
-    Style style;
-    if (!c.indistinguishable_from.empty()) style.colour = Colour::Yellow;
-    // Only the best few are tried on data that were left out.
-    const bool tried = c.held_out_error > 0.0;
-    table.rows.push_back(
-        {{percent(c.probability),
-          bar(c.probability, wide ? 16 : 4, ascii),
-          c.effect,
-          clipped(updating::describe(c.where), wide ? 26 : 16),
-          percent(c.error),
-          first_size(c),
-          tried ? percent(c.held_out_error) : std::string("–")},
-         style});
+    table.rows.push_back({{probability(c.probability),
+                           bar(c.probability, 8, ascii),
+                           c.effect,
+                           clipped(place(c.where), 26),
+                           percent(c.error),
+                           left_out(c),
+                           first_size(c, true, width - 86)},
+                          {}});
+  }
+  return table;
+}
+
+Table narrow_table(const updating::Diagnosis& d) {
+  Table table{
+      {{"prob", true}, {"effect"}, {"where"}, {"error", true}, {"size"}}, {}};
+  for (const Candidate& c : d.candidates) {
+    table.rows.push_back({{probability(c.probability),
+                           c.effect,
+                           clipped(place(c.where), 18),
+                           percent(c.error),
+                           first_size(c, false, 22)},
+                          {}});
+  }
+  return table;
+}
+
+bool is_wide(int width) { return width >= 110; }
+
+Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
+  Table table = is_wide(width) ? wide_table(d, width, ascii) : narrow_table(d);
+  for (std::size_t i = 0; i < d.candidates.size(); ++i) {
+    if (!d.candidates[i].indistinguishable_from.empty()) {
+      table.rows[i].style.colour = Colour::Yellow;
+    }
   }
   return table;
 }
@@ -54,8 +86,7 @@ std::string look_alikes(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return "told apart from all others";
   std::string text = "can't be told from:";
   for (const updating::EffectRef& other : c.indistinguishable_from) {
-    text +=
-        fmt::format(" {} {};", other.effect, updating::describe(other.where));
+    text += fmt::format(" {} {};", other.effect, place(other.where));
   }
   text.pop_back();
   return text;
@@ -207,6 +238,31 @@ void draw_place(Screen& screen,
   draw_wireframe(screen, rect, *input.wire, scene, state.pose);
 }
 
+/// Lines below each other from row y; returns the row after them.
+int write(Screen& screen,
+          int y,
+          const std::vector<std::string>& lines,
+          Colour colour) {
+  for (const std::string& line : lines) {
+    screen.text(1, y++, line, {.colour = colour}, screen.width() - 2);
+  }
+  return y;
+}
+
+/// How large the chosen one is, and what else it could be.
+int write_chosen(Screen& screen, int y, const Candidate& chosen) {
+  const int width = screen.width() - 2;
+  y = write(screen, y, wrapped(all_sizes(chosen), width, 2), Colour::Default);
+  // The narrow table has no column for it.
+  const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
+  const std::string others = tried
+                                 ? fmt::format("error on data left out {}; {}",
+                                               left_out(chosen),
+                                               look_alikes(chosen))
+                                 : look_alikes(chosen);
+  return write(screen, y, wrapped(others, width, 2), Colour::Yellow);
+}
+
 std::string verdict_line(const updating::Diagnosis& d) {
   return fmt::format("verdict: {}   error {} → {}, floor {}",
                      d.verdict,
@@ -250,26 +306,22 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::string note =
       d.warnings.empty() ? d.contour : fmt::format("! {}", d.warnings[0]);
   const Colour note_colour = d.warnings.empty() ? Colour::Grey : Colour::Yellow;
-  screen.text(1, 1, note, {.colour = note_colour}, canvas.width - 2);
+  const int top =
+      write(screen, 1, wrapped(note, canvas.width - 2, 2), note_colour);
   if (d.candidates.empty()) {
-    screen.text(1, 3, "No candidate: nothing in the catalogue fits.");
+    screen.text(1, top + 1, "No candidate: nothing in the catalogue fits.");
     return screen;
   }
   const Table table = candidate_table(d, canvas.width, canvas.ascii);
   const Candidate& chosen = d.candidates[settled(table, state.list)];
-  const Rect body{0, 2, canvas.width, canvas.height - 2};
+  const Rect body{0, top, canvas.width, canvas.height - top};
   const int rows = std::clamp(static_cast<int>(d.candidates.size()) + 1,
                               4,
                               std::max(body.height / 3, 4));
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
-  const auto [words, lower] = split_top(rest, 2);
-  screen.text(1, words.y, all_sizes(chosen), {}, canvas.width - 2);
-  screen.text(1,
-              words.y + 1,
-              look_alikes(chosen),
-              {.colour = Colour::Yellow},
-              canvas.width - 2);
+  const int below = write_chosen(screen, rest.y, chosen);
+  const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
   draw_signature(screen, left, input, state, grids);
@@ -331,8 +383,9 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
 std::string DiagnosePage::help() const {
   return "Physical effects that may be missing from the model, most probable "
          "first: where, how large (± one standard deviation), the error left "
-         "after adding it, and the error on data it was not fitted to. Yellow "
-         "ones can't be told apart from others with these points. The plot is "
+         "after adding it, and, for the best, the error on data left out of "
+         "the fit. Yellow ones can't be told apart from others with these "
+         "points. The plot is "
          "the missing dynamic stiffness at the place: a mass falls with the "
          "square of frequency, a spring is constant, a dashpot is imaginary "
          "and rises. The dashed curve is the law that fits best. a adds the "

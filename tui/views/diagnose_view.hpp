@@ -34,7 +34,18 @@ class DiagnosePage final : public Page {
  public:
   std::string title() const override { return "Diagnose"; }
   bool wants_model() const override { return true; }
-  std::vector<Need> essential() const override { return {{Stage::Diagnosis}}; }
+  /// What the diagnosis makes on its way is asked for first, so that the other
+  /// screens have it while the diagnosis runs.
+  std::vector<Need> essential() const override {
+    return {{Stage::Traces},
+            {Stage::Hits},
+            {Stage::Frfs},
+            {Stage::Modes},
+            {Stage::BaseComparison},
+            {Stage::Comparison},
+            {Stage::Ladder},
+            {Stage::Diagnosis}};
+  }
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;

@@ -70,8 +70,7 @@ std::string cursor_line(const signal::FrfSet& frfs,
   if (f.size() == 0 || frf.H.size() != f.size()) return "no lines";
   if (!range.cursor_set) {
     return fmt::format(
-        "{} lines, {} to {} Hz, exponential window sigma {} 1/s"
-        "   h l move the cursor",
+        "{} lines, {} to {} Hz, exponential window sigma {} 1/s",
         f.size(),
         number(f[0]),
         number(f[f.size() - 1]),
@@ -107,7 +106,7 @@ Screen frf_view(const signal::FrfSet& frfs,
   }
   const Table table = frf_table(frfs);
   const signal::Frf& frf = frfs.frfs[settled(table, state.list)];
-  const int list_width = std::min(canvas.width / 3, 36);
+  const int list_width = std::min(canvas.width * 3 / 8, 36);
   const auto [side, body] =
       split_left({0, 0, canvas.width, canvas.height - 1}, list_width);
   draw_table(screen, side, table, state.list, true);

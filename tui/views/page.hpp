@@ -13,7 +13,7 @@ namespace tapfit::tui {
 
 /// What a key asks for beyond the screen itself.
 struct Command {
-  enum class Kind { None, OverruleHit, Add, ShowFrf };
+  enum class Kind { None, OverruleHit, RestoreHit, Add, ShowFrf };
   Kind kind = Kind::None;
   std::size_t run = 0;
   std::size_t hit = 0;

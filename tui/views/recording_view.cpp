@@ -3,6 +3,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 
 #include <fmt/format.h>
 
@@ -21,8 +22,11 @@ std::size_t run_count(const RecordingInput& input) {
 std::string verdict(const Hit& hit) {
   std::string reasons;
   for (const acquisition::HitFault fault : hit.reasons) {
-    if (!reasons.empty()) reasons += ", ";
-    reasons += acquisition::name(fault);
+    // The user's own word counts, and stands where it is not cut off.
+    const bool first = fault == acquisition::HitFault::ByHand;
+    const std::string gap = reasons.empty() ? "" : ", ";
+    const std::string its(acquisition::name(fault));
+    reasons = first ? its + gap + reasons : reasons + gap + its;
   }
   return fmt::format("{} {}", hit.accepted ? "✓" : "✗", reasons);
 }
@@ -117,6 +121,23 @@ std::string run_line(const RecordingInput& input, const RecordingState& state) {
   return text;
 }
 
+/// What was decided about the recordings, on lines that fit beside the plots
+/// and leave half of the height to the hits.
+std::vector<std::string> statement_lines(const RecordingInput& input,
+                                         const Rect& side) {
+  std::vector<std::string> lines;
+  for (const std::string& statement : input.hits.statements) {
+    const std::vector<std::string> its = wrapped(statement, side.width - 1);
+    lines.insert(lines.end(), its.begin(), its.end());
+  }
+  const auto room = static_cast<std::size_t>(std::max(side.height / 2, 0));
+  if (lines.size() > room) {
+    lines.resize(room);
+    if (room > 0) lines.back() = clipped(lines.back(), side.width - 3) + " …";
+  }
+  return lines;
+}
+
 void draw_plots(Screen& screen,
                 const Rect& area,
                 const RecordingInput& input,
@@ -173,15 +194,14 @@ Screen recording_view(const RecordingInput& input,
   const Rect body{0, 2, canvas.width, canvas.height - 2};
   const auto [plots, side] = split_left(body, canvas.width - list_width);
   draw_plots(screen, plots, input, at, hits, selected);
-  const int statements =
-      std::min(static_cast<int>(input.hits.statements.size()),
-               std::max(side.height / 3, 0));
-  const auto [list, notes] = split_top(side, side.height - statements);
+  const std::vector<std::string> statements = statement_lines(input, side);
+  const auto [list, notes] =
+      split_top(side, side.height - static_cast<int>(statements.size()));
   draw_table(screen, list, table, at.list, true);
   for (int i = 0; i < notes.height; ++i) {
     screen.text(notes.x + 1,
                 notes.y + i,
-                input.hits.statements[static_cast<std::size_t>(i)],
+                statements[static_cast<std::size_t>(i)],
                 {.colour = Colour::Grey},
                 notes.width - 1);
   }
@@ -220,6 +240,10 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
     command.hit = settled(table, state_.list);
     return true;
   }
+  if (key == U'u') {
+    command.kind = Command::Kind::RestoreHit;
+    return true;
+  }
   if (key == keys::enter && !hits.empty()) {
     const Hit& hit = hits[settled(table, state_.list)];
     state_.range = {hit.time_s - 2.0 * std::max(hit.pulse_s, 1e-3),
@@ -235,6 +259,7 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
 
 std::vector<KeyHelp> RecordingPage::keys() const {
   return {{"Space", "accept/reject"},
+          {"u", "undo that"},
           {"n p", "run"},
           {"Tab", "sensor"},
           {"Enter", "zoom on hit"},
@@ -250,8 +275,10 @@ std::string RecordingPage::help() const {
   return "The hammer's force above, one response below. ▼ is an accepted hit, "
          "✗ one that was judged out; the list says why: double (the hammer "
          "struck twice), overload (clipped samples), weak, soft (no force at "
-         "the band's end), truncated, outlier. Space overrules the judgement; "
-         "FRFs and all that follows are then computed anew. The grey stretch "
+         "the band's end), truncated, outlier. Space overrules the judgement, "
+         "u "
+         "takes the last overruling back; FRFs and all that follows are then "
+         "computed anew. The grey stretch "
          "is the block that is cut out for the selected hit.";
 }
 

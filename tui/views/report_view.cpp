@@ -1,6 +1,7 @@
 #include "tui/views/report_view.hpp"
 
 #include "tui/bars.hpp"
+#include "tui/commands/effect_output.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/number.hpp"
 #include "tui/text.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
@@ -38,19 +40,44 @@ struct Sheet {
   }
 };
 
+std::string found_text(const updating::Diagnosis& d) {
+  if (d.ladder.empty()) return d.verdict;
+  std::string text = d.verdict == "unexplained" ? "unexplained; best " : "";
+  for (const updating::Rung& rung : d.ladder) {
+    if (&rung != &d.ladder.front()) text += " + ";
+    text += effect_text(rung.added, rung.where);
+  }
+  return text;
+}
+
+void write_diagnoses(Sheet& sheet, const ReportInput& input) {
+  if (input.diagnoses.empty()) {
+    sheet.line("not diagnosed yet: 5 finds what may be missing");
+  }
+  for (const auto& [effects, diagnosis] : input.diagnoses) {
+    const std::string model =
+        effects == 0 ? "the base model"
+                     : fmt::format("the model with {}", effects_text(effects));
+    sheet.paragraph(fmt::format("missing from {}: {}; error {} → {}, floor {}",
+                                model,
+                                found_text(*diagnosis),
+                                percent(diagnosis->error_base),
+                                percent(diagnosis->error_best),
+                                percent(diagnosis->floor)));
+  }
+}
+
 void write_verdict(Sheet& sheet, const ReportInput& input) {
   sheet.heading("Verdict");
-  sheet.line(fmt::format("error {} → {}, floor {} (noise {}, mesh {})",
-                         percent(input.base.error),
-                         percent(input.current.error),
-                         percent(input.current.floor),
-                         percent(input.current.floor_noise),
-                         percent(input.current.floor_mesh)),
-             {.bold = true});
-  if (input.diagnosis != nullptr) {
-    sheet.line(fmt::format("diagnosis of the current model: {}",
-                           input.diagnosis->verdict));
-  }
+  sheet.line(
+      fmt::format("model now: error {} → {}, floor {} (noise {}, mesh {})",
+                  percent(input.base.error),
+                  percent(input.current.error),
+                  percent(input.current.floor),
+                  percent(input.current.floor_noise),
+                  percent(input.current.floor_mesh)),
+      {.bold = true});
+  write_diagnoses(sheet, input);
   sheet.paragraph(input.current.contour, {.colour = Colour::Grey});
 }
 
@@ -65,8 +92,7 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
     const bool base = rung.added == "base";
     const std::string what =
         base ? std::string("base model")
-             : fmt::format(
-                   "+ {} {}", rung.added, updating::describe(rung.where));
+             : fmt::format("+ {} {}", rung.added, place(rung.where));
     sheet.screen.text(1, sheet.y, what, {}, names - 2);
     sheet.screen.text_right(names + 8, sheet.y, percent(rung.error));
     draw_error_bar(sheet.screen,
@@ -186,11 +212,15 @@ std::vector<std::string> all_warnings(const Snapshot& known) {
 }
 
 ReportInput input_of(const Snapshot& known) {
+  auto diagnoses = known.diagnoses;
+  if (known.diagnosis) diagnoses[known.effects] = known.diagnosis;
+  // Those of models that undo has left are not about this report's model.
+  diagnoses.erase(diagnoses.upper_bound(known.effects), diagnoses.end());
   return {*known.base_comparison,
           *known.comparison,
           *known.ladder,
           *known.parameters,
-          known.diagnosis.get(),
+          std::move(diagnoses),
           all_warnings(known)};
 }
 

@@ -10,7 +10,8 @@ struct ReportInput {
   const updating::Comparison& current;
   const std::vector<updating::Rung>& ladder;
   const std::vector<updating::Estimate>& parameters;
-  const updating::Diagnosis* diagnosis = nullptr;  ///< if one was made
+  /// Those that were made, by how many effects were in the model then.
+  std::map<std::size_t, std::shared_ptr<const updating::Diagnosis>> diagnoses;
   std::vector<std::string> warnings;
 };
 

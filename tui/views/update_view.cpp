@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
@@ -31,13 +32,39 @@ Eigen::VectorXcd between(const Eigen::VectorXcd& from,
   return mixed;
 }
 
+/// The part of a parameter's name before its effect's own name for it.
+std::string effect_of(const std::string& name, const UpdateInput& input) {
+  for (const updating::Rung& rung : input.ladder) {
+    if (name.starts_with(rung.added + " ")) return rung.added;
+  }
+  return {};
+}
+
+/// Short enough for its column; what tells two parameters of an effect apart
+/// stands at the end and is kept.
+std::string parameter_name(const std::string& name, const UpdateInput& input) {
+  constexpr int room = 26;
+  std::string plain = split_unit(name).name;
+  const std::string effect = effect_of(name, input);
+  if (effect.empty()) return clipped(plain, room);
+  plain.erase(0, effect.size() + 1);
+  for (const auto& [word, brief] :
+       {std::pair{"rotational", "rot."}, {"translational", "transl."}}) {
+    const std::string whole = word;
+    if (plain.starts_with(whole)) plain.replace(0, whole.size(), brief);
+  }
+  if (input.ladder.size() <= 2) return clipped(plain, room);
+  const int left = std::max(room - text_width(plain) - 1, 4);
+  return clipped(effect, left) + " " + plain;
+}
+
 Table parameter_table(const UpdateInput& input) {
   Table table{{{"parameter"}, {"value"}}, {}};
   for (const updating::Estimate& p : input.parameters) {
-    const NameAndUnit split = split_unit(p.name);
     table.rows.push_back(
-        {{clipped(split.name, 26),
-          fmt::format("{} {}", with_sd(p.value, p.sd), split.unit)},
+        {{parameter_name(p.name, input),
+          fmt::format(
+              "{} {}", with_sd(p.value, p.sd), split_unit(p.name).unit)},
          {}});
   }
   return table;
@@ -60,11 +87,10 @@ void draw_ladder(Screen& screen, const Rect& rect, const UpdateInput& input) {
     const updating::Rung& rung =
         input.ladder[first + static_cast<std::size_t>(i)];
     const int y = rect.y + 1 + i;
-    const std::string place =
-        rung.added == "base"
-            ? std::string()
-            : fmt::format(" {}", updating::describe(rung.where));
-    screen.text(rect.x, y, rung.added + place, {}, names - 1);
+    const std::string where = rung.added == "base"
+                                  ? std::string()
+                                  : fmt::format(" {}", place(rung.where));
+    screen.text(rect.x, y, rung.added + where, {}, names - 1);
     screen.text_right(rect.x + names + 7, y, percent(rung.error));
     draw_error_bar(screen,
                    {rect.x + names + 8, y, rect.width - names - 9, 1},
@@ -120,8 +146,8 @@ Screen update_view(const UpdateInput& input,
   Screen screen(canvas);
   std::string headline = "nothing added yet: 5 ranks what may be missing";
   if (input.ladder.size() > 1) {
-    headline = fmt::format("{} effect(s) added: error {} → {}",
-                           input.ladder.size() - 1,
+    headline = fmt::format("{} added: error {} → {}",
+                           effects_text(input.ladder.size() - 1),
                            percent(input.ladder.front().error),
                            percent(input.ladder.back().error));
   }
@@ -137,7 +163,7 @@ Screen update_view(const UpdateInput& input,
                      1;
   const auto [upper, lower] =
       split_top(body, std::min(wanted, body.height * 2 / 5));
-  const auto [left, right] = split_left(upper, canvas.width / 2);
+  const auto [left, right] = split_left(upper, canvas.width * 7 / 12);
   draw_table(screen, left, parameters, {}, false);
   draw_ladder(screen, right, input);
   if (input.frfs.frfs.empty()) return screen;

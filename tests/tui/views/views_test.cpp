@@ -132,6 +132,32 @@ TEST(CompareView, ShowsErrorFloorPairsAndMap) {
   }
 }
 
+TEST(CompareView, ShowsEveryBand) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.bands = {{1, 1.98, 0.1},
+             {1.98, 3.91, 0.1},
+             {3.91, 7.75, 0.1},
+             {7.75, 15.3, 0.1},
+             {15.3, 30.3, 0.1},
+             {30.3, 60, 0.1}};
+  c.frf_band_error = Eigen::MatrixXd::Constant(4, 6, 0.1);
+  c.frf_band_error.col(5).setConstant(0.77);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Screen narrow = compare_view({c, frfs, nullptr}, {}, sizes[0]);
+  EXPECT_TRUE(holds(narrow, "2.0 3.9 7.8  15  30  60")) << narrow.to_text();
+  EXPECT_TRUE(holds(narrow, "10  77")) << narrow.to_text();
+  const Screen wide = compare_view({c, frfs, nullptr}, {}, {160, 40, false});
+  EXPECT_TRUE(holds(wide, "1.98 3.91 7.75 15.3 30.3   60")) << wide.to_text();
+}
+
+TEST(CompareView, WrapsALongContour) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.contour = std::string(60, 'x') + " on a line of its own";
+  const signal::FrfSet frfs = testing::fake_frfs();
+  EXPECT_TRUE(holds(compare_view({c, frfs, nullptr}, {}, sizes[0]), "\n own\n"))
+      << compare_view({c, frfs, nullptr}, {}, sizes[0]).to_text();
+}
+
 TEST(CompareView, KeepsNumbersThatAreNoneAway) {
   updating::Comparison c = testing::fake_comparison(0.05);
   const double nan = std::nan("");
@@ -185,8 +211,8 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   const signal::FrfSet frfs = testing::fake_frfs();
   const updating::Comparison before = testing::fake_comparison(0.05);
   const updating::Comparison after = testing::fake_comparison(0.0);
-  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
-                                           {"added-mass", {}, 0.038, {}}};
+  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, 1.0, {}},
+                                           {"added-mass", {}, 0.038, 1.0, {}}};
   const std::vector<updating::Estimate> parameters{
       {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
   const UpdateInput input{frfs, ladder, parameters, &before, &after, &before};
@@ -202,10 +228,14 @@ TEST(ReportView, ShowsBeforeAndAfter) {
   const updating::Comparison before = testing::fake_comparison(0.05);
   const updating::Comparison after = testing::fake_comparison(0.01);
   const std::vector<updating::Rung> ladder{
-      {"base", {}, 0.388, {}},
-      {"added-mass", {}, 0.038, {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
+      {"base", {}, 0.388, 1.0, {}},
+      {"added-mass",
+       {},
+       0.038,
+       1.0,
+       {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
   const ReportInput input{
-      before, after, ladder, {}, nullptr, {"the mesh is coarse"}};
+      before, after, ladder, {}, {}, {"the mesh is coarse"}};
   for (const int width : {80, 120}) {
     const Screen s = report_sheet(input, width, false);
     EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg")) << s.to_text();
