@@ -272,12 +272,11 @@ class FakeWorkbench final : public Workbench {
     return fake_signature(node);
   }
   std::vector<updating::Rung> ladder(const Progress&) override {
-    std::vector<updating::Rung> rungs{{"base", {}, base_.error, 1.0, {}}};
+    std::vector<updating::Rung> rungs{{"base", {}, base_.error, {}}};
     for (const updating::EffectRef& e : added_) {
       rungs.push_back({e.effect,
                        e.where,
                        better_.error,
-                       1.0,
                        {{"mass_kg", 0.0785, 0.0006, 0.0773, 0.0797}}});
     }
     return rungs;

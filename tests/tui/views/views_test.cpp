@@ -211,8 +211,8 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   const signal::FrfSet frfs = testing::fake_frfs();
   const updating::Comparison before = testing::fake_comparison(0.05);
   const updating::Comparison after = testing::fake_comparison(0.0);
-  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, 1.0, {}},
-                                           {"added-mass", {}, 0.038, 1.0, {}}};
+  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
+                                           {"added-mass", {}, 0.038, {}}};
   const std::vector<updating::Estimate> parameters{
       {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
   const UpdateInput input{frfs, ladder, parameters, &before, &after, &before};
@@ -228,12 +228,8 @@ TEST(ReportView, ShowsBeforeAndAfter) {
   const updating::Comparison before = testing::fake_comparison(0.05);
   const updating::Comparison after = testing::fake_comparison(0.01);
   const std::vector<updating::Rung> ladder{
-      {"base", {}, 0.388, 1.0, {}},
-      {"added-mass",
-       {},
-       0.038,
-       1.0,
-       {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
+      {"base", {}, 0.388, {}},
+      {"added-mass", {}, 0.038, {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
   const ReportInput input{
       before, after, ladder, {}, {}, {"the mesh is coarse"}};
   for (const int width : {80, 120}) {
