@@ -69,12 +69,11 @@ std::string cursor_line(const signal::FrfSet& frfs,
   const Eigen::VectorXd f = frfs.frequency_hz();
   if (f.size() == 0 || frf.H.size() != f.size()) return "no lines";
   if (!range.cursor_set) {
-    return fmt::format(
-        "{} lines, {} to {} Hz, exponential window sigma {} 1/s",
-        f.size(),
-        number(f[0]),
-        number(f[f.size() - 1]),
-        number(frfs.s[0].real(), 3));
+    return fmt::format("{} lines, {} to {} Hz, exponential window sigma {} 1/s",
+                       f.size(),
+                       number(f[0]),
+                       number(f[f.size() - 1]),
+                       number(frfs.s[0].real(), 3));
   }
   Eigen::Index at = 0;
   (f.array() - range.cursor).abs().minCoeff(&at);

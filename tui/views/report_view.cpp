@@ -58,12 +58,17 @@ void write_diagnoses(Sheet& sheet, const ReportInput& input) {
     const std::string model =
         effects == 0 ? "the base model"
                      : fmt::format("the model with {}", effects_text(effects));
-    sheet.paragraph(fmt::format("missing from {}: {}; error {} → {}, floor {}",
-                                model,
-                                found_text(*diagnosis),
-                                percent(diagnosis->error_base),
-                                percent(diagnosis->error_best),
-                                percent(diagnosis->floor)));
+    sheet.paragraph(
+        fmt::format("missing from {}: {}", model, found_text(*diagnosis)));
+    // A diagnosis tells its error from the base model's, the rung its own.
+    const double before = effects < input.ladder.size()
+                              ? input.ladder[effects].error
+                              : diagnosis->error_base;
+    sheet.line(fmt::format(
+        "    error {} → {}, floor {}",
+        percent(before),
+        percent(diagnosis->ladder.empty() ? before : diagnosis->error_best),
+        percent(diagnosis->floor)));
   }
 }
 
