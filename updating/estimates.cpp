@@ -1,5 +1,6 @@
 #include "updating/estimates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tapfit::updating {
@@ -13,6 +14,18 @@ Estimate from_log(const std::string& name, double value, double variance) {
           value * sd,
           value * std::exp(-1.96 * sd),
           value * std::exp(1.96 * sd)};
+}
+
+// Data that say nothing of a parameter leave it anywhere in its bounds, not
+// beyond.
+void within_bounds(Estimate& e,
+                   const effects::ParameterSpec& spec,
+                   double factor) {
+  const double lower = std::min(spec.lower * factor, e.value);
+  const double upper = std::max(spec.upper * factor, e.value);
+  e.lo95 = std::max(e.lo95, lower);
+  e.hi95 = std::min(e.hi95, upper);
+  e.sd = std::min(e.sd, 0.5 * (upper - lower));
 }
 
 double variance_at(const Fit& fit, std::size_t k) {
@@ -42,6 +55,11 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
   for (std::size_t k = 0; k < specs.size(); ++k) {
     result.push_back(
         from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));
+    within_bounds(result.back(), specs[k], 1.0);
+    // Derived values stand before the parameter that they come from.
+    for (std::size_t d = 0; k == 0 && d + 1 < result.size(); ++d) {
+      within_bounds(result[d], specs[0], result[d].value / placed.p[0]);
+    }
   }
   return result;
 }

@@ -300,7 +300,8 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
     options.modes_in_band = std::max(1, static_cast<int>(found.size()));
     Diagnosis d =
         diagnose(*impl_->fitter, impl_->fits.back().effects, options, progress);
-    d.error_base = base.error;
+    // Nothing fitted yet: the base is the deck as it is.
+    if (impl_->fits.size() == 1) d.error_base = base.error;
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;

@@ -106,7 +106,9 @@ ordered_json read_parts(const std::vector<std::string>& files) {
 
 std::string percent_of(std::size_t part, std::size_t whole) {
   if (whole == 0) return "-";
-  return fmt::format("{}/{} ({:.0f} %)", part, whole, 100.0 * part / whole);
+  const double percent =
+      100.0 * static_cast<double>(part) / static_cast<double>(whole);
+  return fmt::format("{}/{} ({:.0f} %)", part, whole, percent);
 }
 
 // Rows: what was hidden; columns: how it came out.
