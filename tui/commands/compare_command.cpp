@@ -1,6 +1,6 @@
 #include "tui/commands/compare_command.hpp"
 
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -114,7 +114,7 @@ std::string compare_text(const updating::Comparison& comparison,
 
 std::string compare_command(const CommandOptions& options,
                             const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   const updating::Comparison& comparison = session.base_comparison(progress);
   const signal::FrfSet& frfs = session.frfs(progress);
   return options.json ? compare_json(comparison, frfs).dump(2) + "\n"

@@ -2,7 +2,7 @@
 
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/ladder_text.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -153,7 +153,7 @@ std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
 
 std::string diagnose_command(const CommandOptions& options,
                              const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   const updating::Diagnosis& diagnosis = session.diagnosis(progress);
   if (!options.json) return diagnosis_text(diagnosis);
   return diagnosis_json(options.input, with_input_warnings(diagnosis, session))

@@ -4,7 +4,7 @@
 #include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/effect_output.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/updated_deck.hpp"
 #include "updating/session.hpp"
 
@@ -71,7 +71,7 @@ std::string export_command(const CommandOptions& options,
                      "tapfit export",
                      "name a file with --uff, --deck or both");
   }
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   std::vector<std::string> written;
   if (options.uff) {
     write_uff(session, *options.uff, progress);

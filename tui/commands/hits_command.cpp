@@ -1,6 +1,6 @@
 #include "tui/commands/hits_command.hpp"
 
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -106,7 +106,7 @@ std::string hits_text(const acquisition::TestBundle& bundle,
 
 std::string hits_command(const CommandOptions& options,
                          const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   const acquisition::HitSet& hits = session.hits(progress);
   return options.json ? hits_json(session.bundle(), hits).dump(2) + "\n"
                       : hits_text(session.bundle(), hits);

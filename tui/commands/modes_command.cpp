@@ -1,7 +1,7 @@
 #include "tui/commands/modes_command.hpp"
 
 #include "modal/uff55.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -64,7 +64,7 @@ std::string modes_text(const modal::ModeSet& modes) {
 
 std::string modes_command(const CommandOptions& options,
                           const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   const modal::ModeSet& modes = session.modes(progress);
   if (options.uff) {
     modal::write_modes_uff(modes, session.bundle().title, *options.uff);

@@ -5,7 +5,7 @@
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +96,7 @@ std::string before_after_table(const updating::Comparison& before,
 
 std::string report_command(const CommandOptions& options,
                            const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   std::string text = fmt::format("# {}\n", session.bundle().title) +
                      measurement_sections(session, progress);
   text += session.has_model()

@@ -5,7 +5,7 @@
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -63,7 +63,7 @@ std::string run_text(updating::Session& session, const Progress& progress) {
 
 std::string run_command(const CommandOptions& options,
                         const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   return options.json ? run_json(session, options, progress)
                       : run_text(session, progress);
 }

@@ -1,6 +1,6 @@
 #include "tui/commands/signature_command.hpp"
 
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -57,7 +57,7 @@ std::string signature_text(const updating::Signature& signature) {
 
 std::string signature_command(const CommandOptions& options,
                               const Progress& progress) {
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   const updating::Signature signature =
       session.signature(options.node, progress);
   return options.json ? signature_json(signature).dump(2) + "\n"

@@ -2,7 +2,7 @@
 
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -87,7 +87,7 @@ std::string update_command(const CommandOptions& options,
   for (const auto& text : options.effects) {
     effects.push_back(updating::parse_effect(text));
   }
-  updating::Session session = open_session(options.input);
+  updating::Session session = open_bundle(options.input);
   session.fit_uncertain(progress);
   for (const auto& effect : effects) session.add(effect, progress);
   const updating::Diagnosis diagnosis =

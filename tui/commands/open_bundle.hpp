@@ -11,7 +11,7 @@
 namespace tapfit::tui {
 
 /// @throws InputError
-[[nodiscard]] updating::Session open_session(
+[[nodiscard]] updating::Session open_bundle(
     const std::filesystem::path& bundle);
 
 /// What was odd in the bundle and, where it names one, in the deck.

@@ -1,4 +1,4 @@
-#include "tui/commands/open_session.hpp"
+#include "tui/commands/open_bundle.hpp"
 
 #include <fmt/format.h>
 
@@ -22,7 +22,7 @@ updating::Diagnosis with_input_warnings(updating::Diagnosis diagnosis,
   return diagnosis;
 }
 
-updating::Session open_session(const std::filesystem::path& bundle) {
+updating::Session open_bundle(const std::filesystem::path& bundle) {
   updating::Session session(bundle);
   for (const std::string& warning : input_warnings(session)) {
     fmt::print(stderr, "note: {}\n", warning);
