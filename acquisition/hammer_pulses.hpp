@@ -26,7 +26,7 @@ struct Pulse {
   Eigen::Index peak = 0;   ///< sample of the largest value
   double centre = 0.0;     ///< of the interpolated peak [samples]
   double height = 0.0;     ///< of the interpolated peak [N]
-  double width = 0.0;   ///< between the 10 % points [samples]
+  double width = 0.0;      ///< between the 10 % points [samples]
 };
 
 /// All pulses over the level, in time order.

@@ -20,11 +20,11 @@ enum class Quantity { Force, Acceleration, Velocity, Displacement };
 struct Channel {
   std::string name;
   Quantity quantity = Quantity::Acceleration;
-  std::string unit;              ///< as written, for example "g" or "m/s^2"
-  double unit_to_si = 1.0;       ///< SI value of one `unit`
-  double sensitivity = 1.0;      ///< volts per `unit`
-  double full_scale_volts = 1.0; ///< volts at a sample of 1.0
-  std::optional<double> mass_kg; ///< maker's sheet; not in the base model
+  std::string unit;               ///< as written, for example "g" or "m/s^2"
+  double unit_to_si = 1.0;        ///< SI value of one `unit`
+  double sensitivity = 1.0;       ///< volts per `unit`
+  double full_scale_volts = 1.0;  ///< volts at a sample of 1.0
+  std::optional<double> mass_kg;  ///< maker's sheet; not in the base model
 
   /// SI value of digital full scale (a sample of 1.0).
   [[nodiscard]] double full_scale_si() const {
@@ -63,12 +63,12 @@ struct MatrixModel {
 struct TestBundle {
   std::filesystem::path folder;
   std::string title;
-  std::string units = "SI";                    ///< "SI" or "mm-t-s"
-  std::optional<std::filesystem::path> deck;   ///< Nastran bulk data
+  std::string units = "SI";                   ///< "SI" or "mm-t-s"
+  std::optional<std::filesystem::path> deck;  ///< Nastran bulk data
   std::optional<MatrixModel> matrices;
   std::vector<Channel> channels;
   std::vector<Run> runs;
-  std::optional<std::filesystem::path> frfs;   ///< ready FRFs (UFF 58)
+  std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
   std::optional<std::array<double, 2>> band_hz;
   std::vector<UncertainProperty> uncertain;
   std::optional<double> trigger_percent;  ///< of the hammer's largest peak

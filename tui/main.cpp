@@ -13,9 +13,9 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <unistd.h>
 #include <variant>
 #include <vector>
-#include <unistd.h>
 
 namespace {
 
