@@ -151,10 +151,10 @@ Comparison compare(const Fit& fit,
   return c;
 }
 
-double mesh_error(const FrfModel& finer,
-                  const FrfModel& coarser,
-                  const ModelState& state,
-                  const Target& target) {
+Eigen::VectorXd mesh_error(const FrfModel& finer,
+                           const FrfModel& coarser,
+                           const ModelState& state,
+                           const Target& target) {
   const ModelResponse fine = finer.respond(state, target.s, true);
   const ModelResponse coarse = coarser.respond(state, target.s, false);
   Eigen::VectorXd d = stack(target, fine.H - coarse.H);
@@ -163,7 +163,7 @@ double mesh_error(const FrfModel& finer,
     J.col(static_cast<Index>(k)) = stack(target, fine.dH[k]);
   }
   if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
-  return d.norm();
+  return d;
 }
 
 }  // namespace tapfit::updating

@@ -23,9 +23,11 @@ namespace tapfit::updating {
 /// converges as h, not h^2: the finer one is still off by as much as it differs
 /// from the coarser. What uncertain properties and damping can take up is not
 /// counted.
-[[nodiscard]] double mesh_error(const FrfModel& finer,
-                                const FrfModel& coarser,
-                                const ModelState& state,
-                                const Target& target);
+///
+/// @return the difference as a residual of stack(); its norm is the error
+[[nodiscard]] Eigen::VectorXd mesh_error(const FrfModel& finer,
+                                         const FrfModel& coarser,
+                                         const ModelState& state,
+                                         const Target& target);
 
 }  // namespace tapfit::updating

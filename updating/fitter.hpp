@@ -69,6 +69,11 @@ class Fitter {
   [[nodiscard]] ModelState first_state(
       const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
 
+  /// @param bias what the mesh may be off by, see Target::mesh_bias
+  void set_mesh_bias(const Eigen::VectorXd& bias) {
+    setting_.targets.back().mesh_bias = bias;
+  }
+
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 

@@ -39,9 +39,14 @@ MatrixXd parameter_covariance(const Target& target,
     if (!fresh) it->second += g;
   }
   const auto groups = static_cast<double>(score.size());
-  MatrixXd covariance = bread;
+  MatrixXd of_mesh = MatrixXd::Zero(n, n);
+  if (target.mesh_bias.size() == r.size()) {
+    // Where the mesh's error would drive the parameters.
+    const VectorXd bias = bread * (J.transpose() * target.mesh_bias) / variance;
+    of_mesh = bias * bias.transpose();
+  }
   // A handful of runs cannot carry a covariance of their own.
-  if (groups < 5.0) return covariance;
+  if (groups < 5.0) return bread + of_mesh;
   MatrixXd meat = MatrixXd::Zero(n, n);
   for (const auto& [run, g] : score) meat += g * g.transpose();
   const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
@@ -50,7 +55,7 @@ MatrixXd parameter_covariance(const Target& target,
     widen(k) =
         std::sqrt(std::max(1.0, robust(k, k) / std::max(bread(k, k), 1e-300)));
   }
-  return widen.asDiagonal() * covariance * widen.asDiagonal();
+  return widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh;
 }
 
 }  // namespace tapfit::updating

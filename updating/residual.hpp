@@ -24,6 +24,8 @@ struct Target {
   Eigen::VectorXd weight;        ///< w_l
   std::vector<std::size_t> run;  ///< of each FRF
   std::vector<double> use;       ///< 1, or 0 for an FRF that is left out
+  /// What the mesh may be off by, as a residual of stack(); empty: not known.
+  Eigen::VectorXd mesh_bias = {};
 
   [[nodiscard]] double count() const;
 };

@@ -257,10 +257,12 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   floor_noise = noise_error(fitter->target());
   if (coarse_builder) {
     const Fitter coarse(*coarse_builder, fitter->setting());
-    floor_mesh = mesh_error(*base.model,
-                            *coarse.model_for({}),
-                            base.result.state,
-                            fitter->target());
+    const Eigen::VectorXd bias = mesh_error(*base.model,
+                                            *coarse.model_for({}),
+                                            base.result.state,
+                                            fitter->target());
+    floor_mesh = bias.norm();
+    fitter->set_mesh_bias(bias);
   }
 }
 
