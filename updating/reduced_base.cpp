@@ -36,10 +36,16 @@ MatrixXd expand(const MatrixXd& part, const std::vector<int>& at, Index n) {
 
 // Basis of the columns' span, orthonormal in M.
 MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
+  // A vector that is nothing (a patch that no mode strains) has no direction.
+  std::vector<Index> moving;
   for (Index k = 0; k < V.cols(); ++k) {
     const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
-    V.col(k) /= norm > 0.0 ? norm : 1.0;
+    if (!(norm > 0.0)) continue;
+    V.col(k) /= norm;
+    moving.push_back(k);
   }
+  V = MatrixXd(V(Eigen::all, moving));
+  if (moving.empty()) return V;
   // Twice, because a residual vector nearly inside the modes' span loses
   // digits the first time.
   for (int pass = 0; pass < 2; ++pass) {
@@ -292,7 +298,6 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
   for (Index k = 0; k < R.cols(); ++k) {
     if (R.col(k).norm() > 1e-8 * extra.col(k).norm()) kept.push_back(k);
   }
-  if (kept.empty()) return fixed;
   R = orthonormalise(released.M, MatrixXd(R(Eigen::all, kept)), 1e-12);
   const Index a = V0.cols();
   const Index b = R.cols();

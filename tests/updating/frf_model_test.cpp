@@ -216,6 +216,24 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   }
 }
 
+// Elements between held grids alone: no mode strains them.
+TEST_F(FrfModelTest, LossThatNothingFeelsLeavesTheFrfsAlone) {
+  structure::Deck pad = deck_;
+  for (const int id : {2, 13}) pad.constraints.push_back({id, "123456"});
+  BaseOptions options;
+  options.high_hz = 400.0;
+  options.split = false;
+  options.points = measured_points(pad, bundle_);
+  const BaseBuilder builder(pad, {}, options, Progress{});
+  StiffnessChange change;
+  change.of = {"stiffness-loss", {}};
+  change.of.where.elements = {1};
+  const ReducedBase base = builder.build({}, {change});
+  ASSERT_EQ(base.terms.size(), 1U);
+  EXPECT_TRUE(base.K.allFinite());
+  EXPECT_LT(base.terms[0].S.norm(), 1e-9 * base.K.norm());
+}
+
 // The plate cut along x = 0.15 m, its halves held together by springs: stiff
 // ones, but for the rotation about the cut.
 structure::Deck jointed_plate(const structure::Deck& plate, double k_per_m) {

@@ -36,8 +36,7 @@ TEST(JointPlaces, LinesInLineAreAlsoOne) {
     return row == 1 && column >= 1 && column < 9;
   });
   const auto places = joint_places(deck);
-  // At x = 0.15 m: one grid row below the slot has no inner line (one shell
-  // between two free edges has), so the line is met in two pieces.
+  // At x = 0.15 m: one edge below the slot, two above it, and both together.
   std::vector<std::size_t> sizes;
   for (const JointPlace& place : places) {
     const bool here =
