@@ -9,45 +9,18 @@
 #include "updating/fitter.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/signature.hpp"
-#include "updating/structure/scale_units.hpp"
+#include "updating/test_model.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace tapfit::updating {
 namespace {
 
-using Eigen::Index;
-
 // Largest refined model that is solved without being asked for.
 constexpr std::size_t refined_grid_limit = 12000;
-void check_grid(const structure::Deck& deck,
-                const Dof& dof,
-                const std::string& place) {
-  if (!deck.has_grid(dof.node)) {
-    throw InputError(
-        fmt::format("the model has no grid {}", dof.node),
-        place,
-        fmt::format("use a grid id of {}", deck.path.filename().string()));
-  }
-}
-
-void check_grids(const acquisition::TestBundle& bundle,
-                 const structure::Deck& deck) {
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    const acquisition::Run& run = bundle.runs[r];
-    check_grid(
-        deck, run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r));
-    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
-      check_grid(deck,
-                 run.sensors[k].dof,
-                 fmt::format("test.json: runs[{}].sensors[{}]", r, k));
-    }
-  }
-}
 
 bool several_hits(const acquisition::HitSet& hits) {
   return std::any_of(hits.runs.begin(), hits.runs.end(), [](const auto& run) {
@@ -66,7 +39,7 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
     }
   }
   return Eigen::Map<Eigen::VectorXcd>(poles.data(),
-                                      static_cast<Index>(poles.size()));
+                                      static_cast<Eigen::Index>(poles.size()));
 }
 
 }  // namespace
@@ -125,18 +98,8 @@ bool Session::has_diagnosis() const { return impl_->diagnosis.has_value(); }
 
 const structure::Deck& Session::deck(const Progress& progress) {
   if (impl_->deck) return *impl_->deck;
-  if (!impl_->bundle.deck) {
-    throw InputError(impl_->bundle.matrices
-                         ? "a model given as matrices cannot be compared yet"
-                         : "the test has no model",
-                     (impl_->bundle.folder / "test.json").string(),
-                     "name a Nastran deck in the field \"model\"");
-  }
   progress("model: reading", 0.0);
-  structure::Deck deck = structure::read_deck(*impl_->bundle.deck);
-  structure::scale_to_si(deck, impl_->bundle.units);
-  check_grids(impl_->bundle, deck);
-  impl_->deck = std::move(deck);
+  impl_->deck = read_test_model(impl_->bundle);
   return *impl_->deck;
 }
 
