@@ -27,6 +27,26 @@ void check_finite(const Audio& audio,
   }
 }
 
+// A cable that is off: the converter delivers one value, and an FRF of nothing
+// would count as a measurement of nothing.
+void check_alive(const Audio& audio,
+                 const TestBundle& bundle,
+                 const Run& run,
+                 const std::string& file) {
+  std::vector<std::size_t> used = {run.hammer.channel};
+  for (const Placement& sensor : run.sensors) used.push_back(sensor.channel);
+  for (const std::size_t c : used) {
+    const auto samples = audio.samples.col(static_cast<Eigen::Index>(c));
+    if (samples.maxCoeff() > samples.minCoeff()) continue;
+    throw InputError(
+        fmt::format("channel \"{}\" is dead: every sample is {:g}",
+                    bundle.channels[c].name,
+                    samples(0)),
+        file,
+        "record the run again, or take the channel (or the run) out of `runs`");
+  }
+}
+
 void check_band(const TestBundle& bundle,
                 double rate,
                 const std::string& file) {
@@ -56,6 +76,7 @@ Recording read_recording(const TestBundle& bundle, const Run& run) {
                      "list in `channels` every channel of the file, in order");
   }
   check_finite(audio, bundle, file);
+  check_alive(audio, bundle, run, file);
   check_band(bundle, audio.sample_rate_hz, file);
   Recording recording;
   recording.sample_rate_hz = audio.sample_rate_hz;

@@ -33,6 +33,10 @@ struct Plan {
   std::function<Spectra(const HitBlocks&)> transform;
 };
 
+// Mean coherence below which a sensor hears little of the hits: more than half
+// of its power comes from elsewhere.
+constexpr double mostly_noise = 0.5;
+
 // Factor that makes an accelerance of what was measured.
 Eigen::VectorXcd to_acceleration(const Eigen::VectorXcd& s, Quantity q) {
   if (q == Quantity::Velocity) return s;
@@ -66,6 +70,14 @@ void add_run(const TestBundle& bundle,
                        .cwiseProduct(factor.cwiseAbs2());
     frf.H = result.H.cwiseProduct(factor);
     frf.coherence = std::move(result.coherence);
+    if (frf.coherence.mean() < mostly_noise) {
+      set.statements.push_back(
+          fmt::format("{} (run {}): mean coherence {:.2f}, the sensor hears "
+                      "little of the hits; look at its cable and range",
+                      name(frf),
+                      run_index + 1,
+                      frf.coherence.mean()));
+    }
     set.frfs.push_back(std::move(frf));
   }
 }

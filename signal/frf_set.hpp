@@ -28,7 +28,7 @@ struct Frf {
 struct FrfSet {
   Eigen::VectorXcd s;  ///< complex angular frequency of each line [rad/s]
   std::vector<Frf> frfs;
-  std::vector<std::string> statements;  ///< runs left out, and the like
+  std::vector<std::string> statements;  ///< runs left out, poor FRFs
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }
   [[nodiscard]] Eigen::VectorXd frequency_hz() const;

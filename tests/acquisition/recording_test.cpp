@@ -90,6 +90,18 @@ TEST_F(Recordings, RefuseWhatIsNotFinite) {
   EXPECT_NE(what.find("run.wav"), std::string::npos) << what;
 }
 
+TEST_F(Recordings, RefuseADeadChannel) {
+  Eigen::MatrixXd samples = ramp(200, 2);
+  samples.col(1).setConstant(0.25);
+  write_audio(bundle_.runs[0].file, samples, 256, AudioFormat::WavFloat64);
+  const std::string what = refusal();
+  EXPECT_NE(what.find("\"acc1\" is dead"), std::string::npos) << what;
+  EXPECT_NE(what.find("0.25"), std::string::npos) << what;
+  // A channel that the run does not use may be dead.
+  bundle_.runs[0].sensors.clear();
+  EXPECT_EQ(refusal(), "accepted");
+}
+
 TEST_F(Recordings, RefuseAWrongNumberOfChannels) {
   write_audio(bundle_.runs[0].file, ramp(9, 3), 256, AudioFormat::Wav24);
   EXPECT_NE(refusal().find("3 channels"), std::string::npos);

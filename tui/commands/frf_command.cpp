@@ -50,7 +50,7 @@ ordered_json frf_json(const signal::FrfSet& frfs) {
                     {"run", frf.run + 1},
                     {"hits", frf.hits}});
   }
-  return {{"frfs", std::move(list)}};
+  return {{"frfs", std::move(list)}, {"statements", frfs.statements}};
 }
 
 std::string frf_text(const signal::FrfSet& frfs) {
@@ -74,7 +74,11 @@ std::string frf_text(const signal::FrfSet& frfs) {
                fmt::format("{:.4f}", mean_coherence(frf)),
                percent(median_sd_percent(frf) / 100.0)});
   }
-  return text + "\n" + table.text();
+  text += "\n" + table.text();
+  for (const auto& statement : frfs.statements) {
+    text += "  note: " + statement + "\n";
+  }
+  return text;
 }
 
 std::string frf_command(const CommandOptions& options,
