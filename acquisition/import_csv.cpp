@@ -139,6 +139,11 @@ void check_options(const ImportCsvOptions& options) {
                      options.folder.string(),
                      "choose another folder, or ask to overwrite it");
   }
+  if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
+    throw InputError("no such file",
+                     options.deck->string(),
+                     "name the Nastran deck, or import without one");
+  }
 }
 
 // "run-01.csv" becomes "run-01.wav"; a name used before gets a number.

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tapfit::updating {
 namespace {
 
@@ -19,16 +21,39 @@ void check_grid(const structure::Deck& deck,
   }
 }
 
-void check_grids(const acquisition::TestBundle& bundle,
-                 const structure::Deck& deck) {
+bool is_held(const structure::Deck& deck, const Dof& dof) {
+  const char component = static_cast<char>('0' + dof.component);
+  return std::any_of(deck.constraints.begin(),
+                     deck.constraints.end(),
+                     [&](const structure::Constraint& c) {
+                       return c.grid == dof.node &&
+                              c.components.find(component) != std::string::npos;
+                     });
+}
+
+void check_point(structure::Deck& deck,
+                 const Dof& dof,
+                 const std::string& place) {
+  check_grid(deck, dof, place);
+  if (!is_held(deck, dof)) return;
+  deck.warnings.push_back(
+      fmt::format("{}: the model holds {} at zero, so that its FRFs there are "
+                  "zero whatever was measured; move the point, or free the "
+                  "grid",
+                  place,
+                  name(dof)));
+}
+
+void check_points(const acquisition::TestBundle& bundle,
+                  structure::Deck& deck) {
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     const acquisition::Run& run = bundle.runs[r];
-    check_grid(
+    check_point(
         deck, run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r));
     for (std::size_t k = 0; k < run.sensors.size(); ++k) {
-      check_grid(deck,
-                 run.sensors[k].dof,
-                 fmt::format("test.json: runs[{}].sensors[{}]", r, k));
+      check_point(deck,
+                  run.sensors[k].dof,
+                  fmt::format("test.json: runs[{}].sensors[{}]", r, k));
     }
   }
 }
@@ -45,7 +70,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   }
   structure::Deck deck = structure::read_deck(*bundle.deck);
   structure::scale_to_si(deck, bundle.units);
-  check_grids(bundle, deck);
+  check_points(bundle, deck);
   return deck;
 }
 

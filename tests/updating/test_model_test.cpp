@@ -1,0 +1,53 @@
+#include "updating/test_model.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+// A bar of two grids, clamped at grid 1.
+constexpr const char* bar =
+    "MAT1,1,7.0+10,,0.3,2700.\n"
+    "PBAR,1,1,1.-4,1.-8,1.-8,1.-8\n"
+    "GRID,1,,0.,0.,0.,,123456\n"
+    "GRID,2,,1.,0.,0.\n"
+    "CBAR,1,1,1,2,0.,0.,1.\n";
+
+class TestModel : public ::testing::Test {
+ protected:
+  structure::Deck read(const Dof& hammer, const Dof& sensor) {
+    folder_.write("model.bdf", bar);
+    acquisition::TestBundle bundle;
+    bundle.folder = folder_.path();
+    bundle.deck = folder_.path() / "model.bdf";
+    acquisition::Run run;
+    run.hammer = {0, hammer};
+    run.sensors = {{1, sensor}};
+    bundle.runs = {run};
+    return read_test_model(bundle);
+  }
+  tapfit::testing::TemporaryFolder folder_;
+};
+
+TEST_F(TestModel, WarnsOfAPointThatTheModelHolds) {
+  EXPECT_TRUE(read({2, 3, 1}, {2, 2, 1}).warnings.empty());
+  const structure::Deck deck = read({2, 3, 1}, {1, 3, -1});
+  ASSERT_EQ(deck.warnings.size(), 1U);
+  EXPECT_NE(deck.warnings[0].find("runs[0].sensors[0]"), std::string::npos);
+  EXPECT_NE(deck.warnings[0].find("1Z-"), std::string::npos);
+}
+
+TEST_F(TestModel, RefusesAGridThatTheModelLacks) {
+  try {
+    static_cast<void>(read({7, 3, 1}, {2, 3, 1}));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "test.json: runs[0].hammer");
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::updating
