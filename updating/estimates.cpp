@@ -77,4 +77,22 @@ std::vector<Estimate> property_estimates(
   return result;
 }
 
+std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
+                           const effects::Setting& setting) {
+  std::vector<Rung> ladder;
+  for (const Fit& fit : fits) {
+    Rung rung;
+    rung.added = ladder.empty() ? base_rung : uncertain_rung;
+    rung.error = fit.result.error;
+    if (!fit.effects.empty()) {
+      const std::size_t last = fit.effects.size() - 1;
+      rung.added = fit.effects[last].effect->name();
+      rung.where = fit.effects[last].where;
+      rung.parameters = effect_estimates(fit, last, setting);
+    }
+    ladder.push_back(std::move(rung));
+  }
+  return ladder;
+}
+
 }  // namespace tapfit::updating

@@ -26,4 +26,9 @@ struct PropertyName {
 [[nodiscard]] std::vector<Estimate> property_estimates(
     const Fit& fit, const std::vector<PropertyName>& names);
 
+/// The error ladder of successive fits: base, what is uncertain in it (a fit
+/// without effects), then one rung per effect.
+[[nodiscard]] std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
+                                         const effects::Setting& setting);
+
 }  // namespace tapfit::updating

@@ -5,6 +5,7 @@
 #include "updating/compare.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/estimates.hpp"
 #include "updating/fit_setting.hpp"
 #include "updating/fitter.hpp"
 #include "updating/reduced_base.hpp"
@@ -72,7 +73,6 @@ struct Session::Impl {
   void drop_current();
   void prepare_fit(Session& session, const Progress& progress);
   [[nodiscard]] Comparison compare_now(const Fit& fit) const;
-  void describe_ladder();
   [[nodiscard]] effects::Setting setting() const;
   [[nodiscard]] std::array<double, 2> band() const;
 };
@@ -311,6 +311,8 @@ void Session::overrule_hit(std::size_t run, std::size_t hit) {
 
 void Session::add(const EffectRef& effect, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
+  // What the properties alone can do is no merit of the first effect.
+  if (!impl_->bundle.uncertain.empty()) fit_uncertain(progress);
   std::vector<PlacedEffect> effects = impl_->fits.back().effects;
   const PlacedEffect extra = place_effect(effect, impl_->setting());
   for (const PlacedEffect& e : effects) {
@@ -344,6 +346,7 @@ bool Session::undo() {
   const PlacedEffect& last = impl_->fits.back().effects.back();
   impl_->undone.push_back({last.effect->name(), last.where});
   impl_->fits.pop_back();
+  if (impl_->fits.back().effects.empty()) impl_->fits.resize(1);
   impl_->drop_current();
   return true;
 }
@@ -358,27 +361,11 @@ bool Session::redo() {
   return true;
 }
 
-void Session::Impl::describe_ladder() {
-  ladder.clear();
-  const effects::Setting s = setting();
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    Rung rung;
-    rung.added = base_rung;
-    rung.error = fits[k].result.error;
-    if (k > 0 && fits[k].effects.empty()) rung.added = uncertain_rung;
-    if (!fits[k].effects.empty()) {
-      const std::size_t last = fits[k].effects.size() - 1;
-      rung.added = fits[k].effects[last].effect->name();
-      rung.where = fits[k].effects[last].where;
-      rung.parameters = effect_estimates(fits[k], last, s);
-    }
-    ladder.push_back(std::move(rung));
-  }
-}
-
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  if (impl_->ladder.empty()) impl_->describe_ladder();
+  if (impl_->ladder.empty()) {
+    impl_->ladder = rungs_of(impl_->fits, impl_->setting());
+  }
   return impl_->ladder;
 }
 

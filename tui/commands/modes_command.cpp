@@ -53,7 +53,7 @@ std::string modes_text(const modal::ModeSet& modes) {
                fmt::format("{:.3f}", mode.frequency_hz),
                fmt::format("{:.2g}", mode.frequency_sd_hz),
                percent(mode.damping_ratio),
-               percent(mode.damping_sd),
+               fmt::format("{:.2g} %", 100.0 * mode.damping_sd),
                fmt::format("{:.3f}", mode.mpc)});
   }
   text += table.text();

@@ -6,6 +6,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>
@@ -186,11 +187,25 @@ void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
 }
 
 std::string summary(const modal::ModeSet& modes) {
-  return fmt::format("{} modes, {}, synthesis error {}{}",
+  return fmt::format("{} modes, {}, synthesis error {}",
                      modes.modes.size(),
                      modes.scaled ? "unit modal mass" : "not scaled",
-                     percent(modes.synthesis_error),
-                     modes.warnings.empty() ? "" : "   ! " + modes.warnings[0]);
+                     percent(modes.synthesis_error));
+}
+
+// The first warning below the summary, in at most two rows.
+int draw_warning(Screen& screen, const modal::ModeSet& modes) {
+  if (modes.warnings.empty()) return 0;
+  std::string text = "! " + modes.warnings.front();
+  if (modes.warnings.size() > 1) {
+    text +=
+        fmt::format(" (and {} more in the report)", modes.warnings.size() - 1);
+  }
+  int rows = 0;
+  for (const std::string& line : wrapped(text, screen.width() - 2, 2)) {
+    screen.text(1, 1 + rows++, line, {.colour = Colour::Yellow});
+  }
+  return rows;
 }
 
 }  // namespace
@@ -217,9 +232,11 @@ Screen modes_view(const ModesInput& input,
   Screen screen(canvas);
   const Table table = mode_table(input.modes);
   screen.text(1, 0, summary(input.modes), {}, canvas.width - 2);
-  const Rect body{0, 1, canvas.width, canvas.height - 1};
+  const int top = 1 + draw_warning(screen, input.modes);
+  const Rect body{0, top, canvas.width, canvas.height - top};
   if (input.modes.modes.empty()) {
-    screen.text(1, 2, "No mode was found; the diagram shows what was tried.");
+    screen.text(
+        1, top + 1, "No mode was found; the diagram shows what was tried.");
     draw_diagram(screen, split_top(body, 3).second, input, state, 0);
     return screen;
   }
