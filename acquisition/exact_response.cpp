@@ -90,23 +90,60 @@ std::optional<ComplexModes> complex_modes(const SecondOrderSystem& system,
   return modes;
 }
 
+ComplexModes chosen(const ComplexModes& all,
+                    const std::vector<Eigen::Index>& which) {
+  return {all.lambda(which), all.input(which), all.output(Eigen::all, which)};
+}
+
+// l g / (s - lambda) = -l g (1 / lambda + s / lambda^2 + s^2 / lambda^3 ...):
+// the first term takes the modes' share off what follows the force at once,
+// the others act on its slope and curvature.
+Eigen::MatrixXd static_part(const ComplexModes& stiff,
+                            const Eigen::VectorXd& force,
+                            double rate_hz,
+                            Eigen::VectorXd& direct) {
+  const auto order = [&](int power) -> Eigen::VectorXd {
+    const Eigen::ArrayXcd share = stiff.input / stiff.lambda.pow(power);
+    return -(stiff.output * share.matrix()).real();
+  };
+  direct += order(1);
+  const Eigen::Index n = force.size();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, direct.size());
+  const Eigen::RowVectorXd slope = 0.5 * rate_hz * order(2).transpose();
+  const Eigen::RowVectorXd curve = rate_hz * rate_hz * order(3).transpose();
+  for (Eigen::Index k = 1; k + 1 < n; ++k) {
+    result.row(k) = (force(k + 1) - force(k - 1)) * slope +
+                    (force(k + 1) - 2.0 * force(k) + force(k - 1)) * curve;
+  }
+  return result;
+}
+
 }  // namespace
 
-std::optional<Eigen::MatrixXd> exact_response(const SecondOrderSystem& system,
-                                              const Eigen::VectorXd& force,
-                                              double rate_hz) {
+std::optional<ExactResponse> exact_response(const SecondOrderSystem& system,
+                                            const Eigen::VectorXd& force,
+                                            double rate_hz,
+                                            double static_hz) {
   const StateMatrix state = state_matrix(system.M, system.C, system.K);
-  const std::optional<ComplexModes> modes = complex_modes(system, state);
-  if (!modes) return std::nullopt;
+  const std::optional<ComplexModes> all = complex_modes(system, state);
+  if (!all) return std::nullopt;
+  ExactResponse result;
+  result.direct = system.output * state.mass.solve(system.input);
+  std::vector<Eigen::Index> moving;
+  std::vector<Eigen::Index> stiff;
+  for (Eigen::Index k = 0; k < all->lambda.size(); ++k) {
+    const double hz = std::abs(all->lambda(k)) / (2.0 * std::numbers::pi);
+    (static_hz > 0.0 && hz > static_hz ? stiff : moving).push_back(k);
+  }
+  const ComplexModes modes = chosen(*all, moving);
+  result.acceleration =
+      static_part(chosen(*all, stiff), force, rate_hz, result.direct);
 
   const double h = 1.0 / rate_hz;
-  const Eigen::ArrayXcd x = modes->lambda * h;
+  const Eigen::ArrayXcd x = modes.lambda * h;
   const Eigen::ArrayXcd decay = x.exp();
-  const Eigen::ArrayXcd next = h * x.unaryExpr(&phi2) * modes->input;
-  const Eigen::ArrayXcd now = h * x.unaryExpr(&phi1) * modes->input - next;
-  const Eigen::VectorXd direct = system.output * state.mass.solve(system.input);
-
-  Eigen::MatrixXd result(force.size(), system.output.rows());
+  const Eigen::ArrayXcd next = h * x.unaryExpr(&phi2) * modes.input;
+  const Eigen::ArrayXcd now = h * x.unaryExpr(&phi1) * modes.input - next;
   Eigen::ArrayXcd z = Eigen::ArrayXcd::Zero(x.size());
   for (Eigen::Index n = 0; n < force.size(); ++n) {
     if (n > 0) {
@@ -115,7 +152,8 @@ std::optional<Eigen::MatrixXd> exact_response(const SecondOrderSystem& system,
         z += now * force(n - 1) + next * force(n);
       }
     }
-    result.row(n) = (modes->output * z.matrix()).real() + direct * force(n);
+    result.acceleration.row(n) +=
+        (modes.output * z.matrix()).real() + result.direct * force(n);
   }
   return result;
 }

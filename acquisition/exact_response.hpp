@@ -27,16 +27,29 @@ struct SecondOrderSystem {
   Eigen::MatrixXd output;  ///< n x r, acceleration per q''
 };
 
+struct ExactResponse {
+  Eigen::MatrixXd acceleration;  ///< n_samples x n [m/s^2]
+  /// Its part that follows the force at once, per force [1/kg].
+  Eigen::VectorXd direct;
+};
+
 /// Accelerations at the sensors, from rest.
+///
+/// The corners of a force in straight lines hold frequencies around the rate
+/// that no smooth force has, and modes up there would answer them. Modes above
+/// a limit can be taken as static instead: their pole's share of the answer,
+/// l g / (s - lambda), to second order in s / lambda.
 ///
 /// @param force samples of the force [N], linear in between
 /// @param rate_hz of the samples of force and result
-/// @return n_samples x n [m/s^2]; empty when the structure has no full set of
-///   complex modes (critical damping, a free undamped rigid-body mode)
-[[nodiscard]] std::optional<Eigen::MatrixXd> exact_response(
+/// @param static_hz modes above are static; 0: none
+/// @return empty when the structure has no full set of complex modes (critical
+///   damping, a free undamped rigid-body mode)
+[[nodiscard]] std::optional<ExactResponse> exact_response(
     const SecondOrderSystem& system,
     const Eigen::VectorXd& force,
-    double rate_hz);
+    double rate_hz,
+    double static_hz = 0.0);
 
 /// Undamped natural frequency and damping ratio of each complex mode.
 struct DampedPoles {

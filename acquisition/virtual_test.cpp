@@ -3,13 +3,15 @@
 #include "acquisition/anti_alias.hpp"
 #include "acquisition/input_error.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <cmath>
 #include <optional>
 
 namespace tapfit::acquisition {
 namespace {
+
+// Modes above this part of the fast rate are static: far above what the
+// recorder's filter lets through, far below the images of the force.
+constexpr double static_fraction = 1.0 / 8.0;
 
 // Mean of the piecewise linear force over a hat, see the header.
 Eigen::VectorXd acting_force(const Eigen::VectorXd& force) {
@@ -41,8 +43,8 @@ Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
       static_cast<Eigen::Index>(std::llround(seconds * recorder.rate_hz)) *
       recorder.oversampling;
   const Eigen::VectorXd force = force_of(pulses, samples, fast_hz);
-  const std::optional<Eigen::MatrixXd> response =
-      exact_response(system, force, fast_hz);
+  const std::optional<ExactResponse> response =
+      exact_response(system, force, fast_hz, static_fraction * fast_hz);
   if (!response) {
     throw InputError("the structure has no full set of complex modes",
                      "virtual test",
@@ -50,14 +52,12 @@ Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
                      "than critical damping");
   }
   const Eigen::VectorXd acting = acting_force(force);
-  const Eigen::VectorXd direct =
-      system.output * system.M.llt().solve(system.input);
-  Eigen::MatrixXd fast(samples, 1 + response->cols());
+  Eigen::MatrixXd fast(samples, 1 + response->acceleration.cols());
   fast.col(0) = acting;
   // The part of the acceleration that follows the force at once has no spring
   // to smooth the corners of a force in straight lines: take its mean too.
-  fast.rightCols(response->cols()) =
-      *response + (acting - force) * direct.transpose();
+  fast.rightCols(response->acceleration.cols()) =
+      response->acceleration + (acting - force) * response->direct.transpose();
   for (std::size_t c = 0; c < delay_s.size(); ++c) {
     const auto column = static_cast<Eigen::Index>(c);
     const auto shift =
