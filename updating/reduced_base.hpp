@@ -2,11 +2,12 @@
 //
 //   K_r = V' K V,  M_r = V' M V = I
 //
-// V holds the modes to well above the band and the static response to a unit
-// force at every point that is measured, hit or acted on. Where a support or a
-// joint may give way, V also holds the answer to each degree of freedom that is
-// released (constraint modes); where elements may soften, what that makes of
-// the modes. Everything between rigid and very soft then lies in its span.
+// V holds the modes to well above the band and, for every point that is
+// measured, hit or acted on, the static response to a unit force with its first
+// dynamic corrections. Where a support or a joint may give way, V also holds
+// the answer to each degree of freedom that is released (constraint modes);
+// where elements may soften, what that makes of the modes. Everything between
+// rigid and very soft then lies in its span.
 // Source: R. R. Craig, A. J. Kurdila, "Fundamentals of Structural Dynamics",
 // 2006, ch. 17 (residual flexibility, constraint modes);
 // U. Kirsch, "Reanalysis of Structures", 2008 (combined approximations).
