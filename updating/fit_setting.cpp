@@ -1,6 +1,7 @@
 #include "updating/fit_setting.hpp"
 
 #include "updating/damped_line.hpp"
+#include "updating/uncertain_property.hpp"
 
 #include <fmt/format.h>
 
@@ -45,11 +46,10 @@ int measured_component(const acquisition::TestBundle& bundle) {
 std::vector<PropertyName> property_names(const acquisition::TestBundle& bundle,
                                          const structure::Deck& deck) {
   std::vector<PropertyName> names;
-  for (const acquisition::UncertainProperty& u : bundle.uncertain) {
-    const structure::Material& material = deck.materials.at(u.id);
-    names.push_back({fmt::format("{}:{}", u.property, u.id),
-                     u.property == "E" ? "Pa" : "kg/m^3",
-                     u.property == "E" ? material.E : material.rho});
+  for (std::size_t k = 0; k < bundle.uncertain.size(); ++k) {
+    const PropertyLaw law = property_law(
+        deck, bundle.uncertain[k], fmt::format("test.json: uncertain[{}]", k));
+    names.push_back({law.name, law.unit, law.nominal});
   }
   return names;
 }

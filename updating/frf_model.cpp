@@ -1,6 +1,7 @@
 #include "updating/frf_model.hpp"
 
 #include "updating/run_lines.hpp"
+#include "updating/uncertain_parts.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -116,9 +117,10 @@ Eigen::RowVectorXd FrfModel::row(int node, int component) const {
 BaseModes FrfModel::base_modes(const ModelState& state) const {
   MatrixXd K = base_.K;
   MatrixXd M = MatrixXd::Identity(base_.size(), base_.size());
-  for (std::size_t j = 0; j < state.factor.size(); ++j) {
-    K += (state.factor[j] - 1.0) * base_.K_part[j];
-    M += (state.factor[j] - 1.0) * base_.M_part[j];
+  for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+    const double c = part_coefficient(base_.part_power[t], state.factor);
+    K += c * base_.K_part[t];
+    M += c * base_.M_part[t];
   }
   for (const StiffnessTerm& term : base_.terms) {
     double p = term.absent;
@@ -202,9 +204,17 @@ ModalState FrfModel::modal_state(const ModelState& state,
   if (!derivatives) return shared;
   const MatrixXd& phi = shared.modes.phi;
   for (std::size_t j = 0; j < state.factor.size(); ++j) {
-    shared.terms.push_back({ModalTerm(phi, base_.K_part[j], &base_.M_part[j]),
-                            j,
-                            state.factor[j]});
+    MatrixXd dK = MatrixXd::Zero(phi.rows(), phi.rows());
+    MatrixXd dM = dK;
+    for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+      const double c = part_slope(base_.part_power[t], state.factor, j);
+      if (c == 0.0) continue;
+      dK += c * base_.K_part[t];
+      dM += c * base_.M_part[t];
+    }
+    ModalTerm term(phi, dK, &dM);
+    term.turn_damping(shared.modes.omega, shared.zeta);
+    shared.terms.push_back({std::move(term), j, state.factor[j]});
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];

@@ -128,6 +128,7 @@ struct BaseBuilder::Impl {
   structure::RefinedDeck mesh;  // the deck, split
   Index original_grids = 0;
   BaseOptions options;
+  std::vector<acquisition::UncertainProperty> uncertain;
   structure::System system;
   std::vector<int> free;
   double mass = 0.0;
@@ -157,6 +158,7 @@ BaseBuilder::BaseBuilder(
     : impl_(std::make_unique<Impl>()) {
   Impl& m = *impl_;
   m.options = options;
+  m.uncertain = uncertain;
   std::sort(m.options.points.begin(), m.options.points.end());
   m.original_grids = static_cast<Index>(deck.grids.size());
   m.mesh.deck = deck;
@@ -200,6 +202,7 @@ BaseBuilder::BaseBuilder(
   m.fixed.rows = m.V0.topRows(6 * m.original_grids);
   m.fixed.K = m.V0.transpose() * (m.system.K * m.V0);
   for (const UncertainPart& part : m.plain.parts) {
+    m.fixed.part_power.push_back(part.power);
     m.fixed.K_part.emplace_back(m.V0.transpose() * (part.K * m.V0));
     m.fixed.M_part.emplace_back(m.V0.transpose() * (part.M * m.V0));
   }
@@ -333,6 +336,7 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
   base.rows.resize(6 * original_grids, a + b);
   base.rows << fixed.rows, R.topRows(6 * original_grids);
   base.K = grow(fixed.K, released.K);
+  base.part_power = fixed.part_power;
   for (std::size_t k = 0; k < released.parts.size(); ++k) {
     base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
@@ -361,7 +365,7 @@ ReducedBase BaseBuilder::build(
     return fresh.empty() ? m.fixed : m.extend(points_moved, m.plain);
   }
   const ReleasedSystem released =
-      release(m.mesh, m.system, m.plain.parts, changes);
+      release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
   const auto padded = [&released](const MatrixXd& block) {
     MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
     whole.topRows(block.rows()) = block;

@@ -28,9 +28,11 @@ namespace tapfit::updating {
 struct ReducedBase {
   Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
   Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
-  std::vector<Eigen::MatrixXd> K_part;  ///< per uncertain property: d K / d f
-  std::vector<Eigen::MatrixXd> M_part;  ///< the same for M, f the factor
-  std::vector<StiffnessTerm> terms;     ///< one per change asked for
+  /// Of the uncertain properties, see uncertain_parts.hpp.
+  std::vector<std::vector<int>> part_power;
+  std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
+  std::vector<Eigen::MatrixXd> M_part;
+  std::vector<StiffnessTerm> terms;  ///< one per change asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
 };

@@ -9,6 +9,7 @@
 namespace tapfit::updating {
 namespace {
 
+using acquisition::UncertainProperty;
 using Eigen::Index;
 using structure::Deck;
 using structure::RefinedDeck;
@@ -88,9 +89,23 @@ JointLine joint_of(const RefinedDeck& mesh, const StiffnessChange& change) {
                    change.component);
 }
 
+// A part that the side has not is nothing there.
+void append_joint_parts(const std::vector<UncertainPart>& side,
+                        const SparseMatrix& T,
+                        std::vector<UncertainPart>& parts) {
+  const SparseMatrix none(T.rows(), T.rows());
+  for (UncertainPart& part : parts) {
+    const auto own = std::ranges::find(side, part.power, &UncertainPart::power);
+    const bool found = own != side.end();
+    append_joint(part.K, found ? own->K : none, T);
+    append_joint(part.M, found ? own->M : none, T);
+  }
+}
+
 // Cuts a joint open and returns the springs that hold it.
 Triplets cut_joint(const RefinedDeck& mesh,
                    const StiffnessChange& change,
+                   const std::vector<UncertainProperty>& uncertain,
                    ReleasedSystem& released) {
   const JointLine joint = joint_of(mesh, change);
   const Index n = released.dofs();
@@ -113,19 +128,8 @@ Triplets cut_joint(const RefinedDeck& mesh,
   const auto wanted = [&side](int id) { return side.contains(id); };
   append_joint(released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
   append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
-  for (UncertainPart& part : released.parts) {
-    const auto own = [&](int id) {
-      return side.contains(id) && part.elements.contains(id);
-    };
-    const bool stiffness = part.M.nonZeros() == 0;
-    const SparseMatrix none(n, n);
-    append_joint(
-        part.K,
-        stiffness ? structure::assemble_stiffness(mesh.deck, own) : none,
-        T);
-    append_joint(
-        part.M, stiffness ? none : structure::assemble_mass(mesh.deck, own), T);
-  }
+  append_joint_parts(
+      uncertain_parts(mesh.deck, uncertain, wanted), T, released.parts);
   return springs;
 }
 
@@ -134,6 +138,7 @@ Triplets cut_joint(const RefinedDeck& mesh,
 ReleasedSystem release(const RefinedDeck& mesh,
                        const structure::System& system,
                        const std::vector<UncertainPart>& parts,
+                       const std::vector<UncertainProperty>& uncertain,
                        const std::vector<StiffnessChange>& changes) {
   ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
   std::vector<Triplets> springs;
@@ -148,7 +153,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       }
     }
     if (change.kind == ChangeKind::Joint) {
-      springs.back() = cut_joint(mesh, change, released);
+      springs.back() = cut_joint(mesh, change, uncertain, released);
     }
   }
   std::sort(released.active.begin(), released.active.end());

@@ -32,11 +32,12 @@ struct ReleasedSystem {
 
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices
-/// @param parts its uncertain parts
+/// @param parts its uncertain parts, as from uncertain_parts()
 [[nodiscard]] ReleasedSystem release(
     const structure::RefinedDeck& mesh,
     const structure::System& system,
     const std::vector<UncertainPart>& parts,
+    const std::vector<acquisition::UncertainProperty>& uncertain,
     const std::vector<StiffnessChange>& changes);
 
 }  // namespace tapfit::updating

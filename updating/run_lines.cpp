@@ -2,6 +2,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tapfit::updating {
 
 using Eigen::Index;
@@ -31,6 +34,23 @@ ModalTerm::ModalTerm(const MatrixXd& phi, const MatrixXd& K, const MatrixXd* M)
   if (is_diagonal(M_)) M_.resize(0, 0);
 }
 
+void ModalTerm::turn_damping(const VectorXd& omega, const VectorXd& zeta) {
+  if (K_.size() == 0 && M_.size() == 0) return;
+  const VectorXd l = omega.cwiseAbs2();
+  const VectorXd d = 2.0 * zeta.cwiseProduct(omega);
+  C_ = MatrixXd::Zero(l.size(), l.size());
+  for (Index j = 0; j < l.size(); ++j) {
+    for (Index i = 0; i < l.size(); ++i) {
+      // Modes of one frequency have no direction of their own to turn to.
+      if (std::abs(l(j) - l(i)) <= 1e-9 * std::max(l(i), l(j))) continue;
+      const double k = K_.size() > 0 ? K_(i, j) : 0.0;
+      const double m = M_.size() > 0 ? M_(i, j) : 0.0;
+      C_(i, j) =
+          (k * (d(j) - d(i)) + m * (l(j) * d(i) - l(i) * d(j))) / (l(j) - l(i));
+    }
+  }
+}
+
 MatrixXcd ModalTerm::times(complex<double> s,
                            const VectorXd& omega,
                            const VectorXd& zeta,
@@ -46,6 +66,7 @@ MatrixXcd ModalTerm::times(complex<double> s,
   MatrixXcd result = d.asDiagonal() * X;
   if (K_.size() > 0) result += K_ * X;
   if (M_.size() > 0) result += s * s * (M_ * X);
+  if (C_.size() > 0) result += s * (C_ * X);
   return result;
 }
 

@@ -25,6 +25,13 @@ class ModalTerm {
             const Eigen::MatrixXd& K,
             const Eigen::MatrixXd* M);
 
+  /// Lets modal damping turn with the modes. With Phi' = Phi A the matrix
+  /// C = Phi^-T D Phi^-1, D = diag(2 zeta omega), changes off the diagonal by
+  ///   -(A' D + D A)_ij = (k_ij (d_j - d_i) + m_ij (l_j d_i - l_i d_j))
+  ///                      / (l_j - l_i),   l = omega^2;
+  /// A after R. L. Fox, M. P. Kapoor, AIAA Journal 6(12), 1968, p. 2426.
+  void turn_damping(const Eigen::VectorXd& omega, const Eigen::VectorXd& zeta);
+
   /// d Z / d f times X at s; damping follows the frequencies.
   [[nodiscard]] Eigen::MatrixXcd times(std::complex<double> s,
                                        const Eigen::VectorXd& omega,
@@ -34,6 +41,7 @@ class ModalTerm {
  private:
   Eigen::VectorXd k_, m_;  // diagonals
   Eigen::MatrixXd K_, M_;  // full; empty where diagonal
+  Eigen::MatrixXd C_;      // off the diagonal; empty where it does not turn
 };
 
 /// A matrix term and the parameter (position in pack()) that scales it.

@@ -1,65 +1,192 @@
 #include "updating/uncertain_parts.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/uncertain_property.hpp"
 
+#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
 
 namespace tapfit::updating {
+namespace {
 
-std::vector<UncertainPart> uncertain_parts(
-    const structure::Deck& deck,
-    const std::vector<acquisition::UncertainProperty>& uncertain) {
-  std::vector<UncertainPart> parts;
-  for (std::size_t k = 0; k < uncertain.size(); ++k) {
-    const acquisition::UncertainProperty& u = uncertain[k];
-    const std::string place = fmt::format("test.json: uncertain[{}]", k);
-    const auto material = deck.materials.find(u.id);
-    if (u.card != "material" || material == deck.materials.end()) {
-      throw InputError(fmt::format("the deck has no {} {}", u.card, u.id),
-                       place,
-                       "name a MAT1 or MAT8 of the deck");
+using acquisition::UncertainProperty;
+using structure::Deck;
+using structure::SparseMatrix;
+
+using Powers = std::vector<int>;
+using Expansion = std::map<Powers, SparseMatrix>;
+using Assemble = SparseMatrix (*)(const Deck&, const std::function<bool(int)>&);
+
+// f - 1 where the matrices are taken; halves and doubles are exact in binary.
+constexpr std::array<double, 5> nodes = {0.0, 1.0, -0.5, 0.5, -0.25};
+
+// Coefficients from values at the first degree + 1 nodes.
+Eigen::MatrixXd interpolation(int degree) {
+  Eigen::MatrixXd V(degree + 1, degree + 1);
+  for (int n = 0; n <= degree; ++n) {
+    for (int a = 0; a <= degree; ++a) {
+      V(n, a) = std::pow(nodes.at(static_cast<std::size_t>(n)), a);
     }
-    const bool twice =
-        std::any_of(uncertain.begin(),
-                    uncertain.begin() + static_cast<std::ptrdiff_t>(k),
-                    [&u](const auto& other) {
-                      return other.id == u.id && other.property == u.property &&
-                             other.card == u.card;
-                    });
-    if (twice) {
+  }
+  return V.inverse();
+}
+
+// Properties that share elements, and therefore multiply.
+struct Group {
+  std::vector<std::size_t> properties;
+  std::set<int> elements;
+};
+
+std::vector<Group> grouped(const std::vector<PropertyLaw>& laws,
+                           const std::vector<int>& degree) {
+  std::vector<Group> groups;
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    if (degree[j] == 0) continue;
+    Group joined{{j}, laws[j].elements};
+    const auto meets = [&laws, j](const Group& group) {
+      return std::any_of(group.elements.begin(),
+                         group.elements.end(),
+                         [&](int id) { return laws[j].elements.contains(id); });
+    };
+    for (const Group& group : groups) {
+      if (!meets(group)) continue;
+      joined.properties.insert(joined.properties.end(),
+                               group.properties.begin(),
+                               group.properties.end());
+      joined.elements.insert(group.elements.begin(), group.elements.end());
+    }
+    std::erase_if(groups, meets);
+    groups.push_back(std::move(joined));
+  }
+  return groups;
+}
+
+/// Takes matrices of a group at all combinations of its properties' nodes.
+struct Expander {
+  const std::vector<UncertainProperty>& uncertain;
+  const std::vector<int>& degree;
+  const Group& group;
+  const std::function<bool(int)>& wanted;
+  Assemble assemble;
+
+  [[nodiscard]] Expansion expand(const Deck& deck, std::size_t k) const {
+    if (k == group.properties.size()) {
+      const auto own = [this](int id) {
+        return group.elements.contains(id) && wanted(id);
+      };
+      return {{Powers(uncertain.size(), 0), assemble(deck, own)}};
+    }
+    const std::size_t j = group.properties[k];
+    const Eigen::MatrixXd weights = interpolation(degree[j]);
+    Expansion result;
+    for (int n = 0; n <= degree[j]; ++n) {
+      Deck scaled = deck;
+      scale_property(
+          scaled, uncertain[j], 1.0 + nodes.at(static_cast<std::size_t>(n)));
+      for (const auto& [power, A] : expand(scaled, k + 1)) {
+        for (int a = 0; a <= degree[j]; ++a) {
+          Powers higher = power;
+          higher[j] = a;
+          auto [it, fresh] = result.try_emplace(higher, A.rows(), A.cols());
+          it->second += weights(a, n) * A;
+        }
+      }
+    }
+    return result;
+  }
+};
+
+// Without the nominal matrix, and without what is rounding beside it.
+Expansion expansion(const Deck& deck,
+                    const std::vector<UncertainProperty>& uncertain,
+                    const std::vector<PropertyLaw>& laws,
+                    const std::vector<int>& degree,
+                    const std::function<bool(int)>& wanted,
+                    Assemble assemble) {
+  Expansion all;
+  for (const Group& group : grouped(laws, degree)) {
+    const Expander expander{uncertain, degree, group, wanted, assemble};
+    Expansion own = expander.expand(deck, 0);
+    const Powers nominal(uncertain.size(), 0);
+    const double size = own.at(nominal).norm();
+    own.erase(nominal);
+    std::erase_if(own, [size](const auto& entry) {
+      return entry.second.norm() <= 1e-12 * size;
+    });
+    all.merge(own);
+  }
+  return all;
+}
+
+std::vector<PropertyLaw> laws_of(
+    const Deck& deck, const std::vector<UncertainProperty>& uncertain) {
+  std::vector<PropertyLaw> laws;
+  for (std::size_t k = 0; k < uncertain.size(); ++k) {
+    const UncertainProperty& u = uncertain[k];
+    const std::string place = fmt::format("test.json: uncertain[{}]", k);
+    laws.push_back(property_law(deck, u, place));
+    for (std::size_t i = 0; i < k; ++i) {
+      if (laws[i].name != laws[k].name || uncertain[i].card != u.card) continue;
       throw InputError(
           fmt::format("{} of {} {} is listed twice", u.property, u.card, u.id),
           place,
           "keep one of the two");
     }
-    const bool stiffness = u.property == "E";
-    if (!stiffness && u.property != "rho") {
-      throw InputError(
-          fmt::format("property \"{}\" cannot be fitted", u.property),
-          place,
-          "use \"E\" or \"rho\"");
-    }
-    const std::vector<int> ids = structure::elements_of_material(deck, u.id);
-    UncertainPart part;
-    part.elements = {ids.begin(), ids.end()};
-    const auto wanted = [&part](int id) { return part.elements.contains(id); };
-    part.name = fmt::format("{}:{}", u.property, u.id);
-    part.unit = stiffness ? "Pa" : "kg/m^3";
-    part.nominal = stiffness ? material->second.E : material->second.rho;
-    part.sd = u.sd_percent / 100.0;
-    const auto n = static_cast<Eigen::Index>(6 * deck.grids.size());
-    part.K.resize(n, n);
-    part.M.resize(n, n);
-    if (stiffness) {
-      part.K = structure::assemble_stiffness(deck, wanted);
-    } else {
-      part.M = structure::assemble_mass(deck, wanted);
-    }
-    parts.push_back(std::move(part));
   }
-  return parts;
+  return laws;
+}
+
+}  // namespace
+
+double part_coefficient(const std::vector<int>& power,
+                        const std::vector<double>& factor) {
+  double c = 1.0;
+  for (std::size_t j = 0; j < power.size(); ++j) {
+    for (int a = 0; a < power[j]; ++a) c *= factor[j] - 1.0;
+  }
+  return c;
+}
+
+double part_slope(const std::vector<int>& power,
+                  const std::vector<double>& factor,
+                  std::size_t j) {
+  if (power[j] == 0) return 0.0;
+  std::vector<int> lower = power;
+  --lower[j];
+  return power[j] * part_coefficient(lower, factor);
+}
+
+std::vector<UncertainPart> uncertain_parts(
+    const Deck& deck,
+    const std::vector<UncertainProperty>& uncertain,
+    const std::function<bool(int)>& wanted) {
+  const std::vector<PropertyLaw> laws = laws_of(deck, uncertain);
+  std::vector<int> of_K;
+  std::vector<int> of_M;
+  for (const PropertyLaw& law : laws) {
+    of_K.push_back(law.stiffness_degree);
+    of_M.push_back(law.mass_degree);
+  }
+  const Expansion K = expansion(
+      deck, uncertain, laws, of_K, wanted, &structure::assemble_stiffness);
+  const Expansion M =
+      expansion(deck, uncertain, laws, of_M, wanted, &structure::assemble_mass);
+  std::map<Powers, UncertainPart> parts;
+  const auto n = static_cast<Eigen::Index>(6 * deck.grids.size());
+  const auto part_of = [&](const Powers& power) -> UncertainPart& {
+    UncertainPart empty{power, SparseMatrix(n, n), SparseMatrix(n, n)};
+    return parts.try_emplace(power, std::move(empty)).first->second;
+  };
+  for (const auto& [power, A] : K) part_of(power).K = A;
+  for (const auto& [power, A] : M) part_of(power).M = A;
+  std::vector<UncertainPart> result;
+  for (auto& [power, part] : parts) result.push_back(std::move(part));
+  return result;
 }
 
 }  // namespace tapfit::updating

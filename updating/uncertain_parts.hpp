@@ -1,31 +1,41 @@
-// The part of K and M that scales with an uncertain property of the deck.
+// How K and M depend on the uncertain properties of the deck:
+//
+//   K(f) = K + sum_t c_t(f) K_t,   c_t(f) = prod_j (f_j - 1)^(power_tj)
+//
+// and M alike, f_j property j over its nominal value. Properties of the same
+// elements multiply (E and the area of a beam), hence the mixed powers. The
+// matrices are those of the polynomial through the deck's own at scaled
+// properties: exact where K and M are polynomials, see PropertyLaw.
 #pragma once
 
 #include "acquisition/test_bundle.hpp"
 #include "updating/structure/system.hpp"
 
-#include <set>
-#include <string>
+#include <functional>
 #include <vector>
 
 namespace tapfit::updating {
 
-/// K(f) = K + (f - 1) K_part, M(f) = M + (f - 1) M_part, where f is the
-/// property over its nominal value. Exact for E, G and rho.
 struct UncertainPart {
-  std::string name;      ///< "E:1": property and id, as in results
-  std::string unit;      ///< "Pa", "kg/m^3"
-  double nominal = 0.0;  ///< the deck's value
-  double sd = 0.0;       ///< prior standard deviation of ln f
-  std::set<int> elements;
+  std::vector<int> power;  ///< per uncertain property; not all 0
   structure::SparseMatrix K;
   structure::SparseMatrix M;
 };
 
-/// @throws InputError for a material or property that the deck does not have,
-///   or one that cannot be fitted
+/// c_t(f).
+[[nodiscard]] double part_coefficient(const std::vector<int>& power,
+                                      const std::vector<double>& factor);
+/// d c_t / d f_j.
+[[nodiscard]] double part_slope(const std::vector<int>& power,
+                                const std::vector<double>& factor,
+                                std::size_t j);
+
+/// @param wanted elements that count; for what stands on one side of a joint
+/// @throws InputError for a card or property that the deck does not have, or
+///   one that is listed twice
 [[nodiscard]] std::vector<UncertainPart> uncertain_parts(
     const structure::Deck& deck,
-    const std::vector<acquisition::UncertainProperty>& uncertain);
+    const std::vector<acquisition::UncertainProperty>& uncertain,
+    const std::function<bool(int element)>& wanted = [](int) { return true; });
 
 }  // namespace tapfit::updating

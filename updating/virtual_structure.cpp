@@ -93,7 +93,7 @@ void cut_joint(const VirtualModel& model,
   system.K = structure.K;
   system.M = structure.M;
   const ReleasedSystem cut =
-      release({fine, model.children, {}}, system, {}, {change});
+      release({fine, model.children, {}}, system, {}, {}, {change});
   structure.K = cut.K + effect.values[0] * cut.S.front();
   structure.M = cut.M;
   for (const int dof : cut.active) {
