@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::structure {
 namespace {
@@ -17,6 +18,9 @@ void add(const Deck& deck,
          const std::vector<int>& grids,
          const Eigen::MatrixXd& part,
          Triplets& triplets) {
+  // What turning the element's axes leaves of a zero is no entry.
+  constexpr double kRounding = 1e-15;
+  const Eigen::VectorXd scale = part.diagonal().cwiseAbs().cwiseSqrt();
   std::vector<int> index;
   for (const int grid : grids) {
     const int first = 6 * static_cast<int>(deck.grid_index(grid));
@@ -24,7 +28,8 @@ void add(const Deck& deck,
   }
   for (Eigen::Index j = 0; j < part.cols(); ++j) {
     for (Eigen::Index i = 0; i < part.rows(); ++i) {
-      if (part(i, j) == 0.0) continue;
+      const double limit = kRounding * scale(i) * scale(j);
+      if (!(std::abs(part(i, j)) > limit)) continue;
       triplets.emplace_back(index[static_cast<std::size_t>(i)],
                             index[static_cast<std::size_t>(j)],
                             part(i, j));

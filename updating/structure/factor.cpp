@@ -143,9 +143,32 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
   return result;
 }
 
-Eigen::Index Factor::negative_pivots() const {
-  if (impl_->L == nullptr) return 0;
-  return (impl_->pivots().array() < 0.0).count();
+Supernodes supernodes(const SparseMatrix& A) {
+  cholmod_common common{};
+  cholmod_start(&common);
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  cholmod_sparse a = view(A);
+  cholmod_factor* L = cholmod_analyze(&a, &common);
+  Supernodes result;
+  if (L != nullptr) {
+    const auto copy = [](const void* from, std::size_t size) {
+      const int* begin = static_cast<const int*>(from);
+      return std::vector<int>(begin, begin + size);
+    };
+    result.order = copy(L->Perm, L->n);
+    result.first = copy(L->super, L->nsuper + 1);
+    result.rows_begin = copy(L->pi, L->nsuper + 1);
+    result.rows = copy(L->s, L->ssize);
+  }
+  cholmod_free_factor(&L, &common);
+  cholmod_finish(&common);
+  if (result.first.empty()) cannot_factor();
+  for (std::size_t s = 0; s < result.count(); ++s) {
+    result.owner.insert(result.owner.end(),
+                        static_cast<std::size_t>(result.columns(s)),
+                        static_cast<int>(s));
+  }
+  return result;
 }
 
 }  // namespace tapfit::structure

@@ -4,6 +4,7 @@
 #include "updating/structure/system.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace tapfit::structure {
 
@@ -20,12 +21,27 @@ class Factor {
   /// A^-1 B for dense B, n x k.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
-  /// Number of negative pivots: eigenvalues below the shift (Sturm count).
-  [[nodiscard]] Eigen::Index negative_pivots() const;
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Where L has entries, for an ordering that keeps them few: neighbouring
+/// columns with the same rows below are one supernode.
+struct Supernodes {
+  std::vector<int> order;       ///< order[k]: the row of A eliminated as k-th
+  std::vector<int> first;       ///< per supernode its first column, then n
+  std::vector<int> rows_begin;  ///< per supernode its start in `rows`, then end
+  std::vector<int> rows;        ///< ascending; begins with its own columns
+  std::vector<int> owner;       ///< supernode of a column
+
+  [[nodiscard]] std::size_t count() const { return first.size() - 1; }
+  [[nodiscard]] int columns(std::size_t supernode) const {
+    return first[supernode + 1] - first[supernode];
+  }
+};
+
+/// @param A symmetric, full storage; only the pattern counts
+[[nodiscard]] Supernodes supernodes(const SparseMatrix& A);
 
 }  // namespace tapfit::structure

@@ -53,6 +53,8 @@ Frame make_frame(const Deck& deck, const Shell& shell) {
   frame.axes << x, z.cross(x), z;
   frame.xy = X * frame.axes.leftCols<2>();
   frame.height = X * z;
+  // Rounding is no warp: it would give rotations a mass of its own size.
+  if (frame.height.norm() < 1e-12 * d1.norm()) frame.height.setZero();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::RowVector2d a = frame.xy.row((i + 1) % n) - frame.xy.row(i);
     const Eigen::RowVector2d b =

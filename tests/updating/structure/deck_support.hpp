@@ -92,6 +92,8 @@ void hold(Deck& deck, const std::string& components, const Where& where) {
   }
 }
 
+inline SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
+
 inline Eigenmodes modes_of(const Deck& deck, Eigen::Index count) {
   const System system = assemble(deck);
   const std::vector<int> free = system.free_dofs();

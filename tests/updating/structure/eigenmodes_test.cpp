@@ -10,8 +10,6 @@
 namespace tapfit::structure {
 namespace {
 
-SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
-
 TEST(Factor, SolvesDefiniteAndIndefiniteSystems) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
@@ -20,17 +18,11 @@ TEST(Factor, SolvesDefiniteAndIndefiniteSystems) {
   A = (A + A.transpose()).eval();
   const Eigen::MatrixXd B =
       Eigen::MatrixXd::NullaryExpr(30, 4, [&] { return normal(random); });
-  const Eigen::Index below =
-      (Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().array() <
-       0.0)
-          .count();
   const Factor indefinite(sparse(A));
-  EXPECT_EQ(indefinite.negative_pivots(), below);
   // No pivoting: a few digits are lost on a random matrix.
   EXPECT_LT((A * indefinite.solve(B) - B).norm(), 1e-8 * B.norm());
   const Eigen::MatrixXd P = A * A.transpose();
   const Factor definite(sparse(P));
-  EXPECT_EQ(definite.negative_pivots(), 0);
   EXPECT_LT((P * definite.solve(B) - B).norm(), 1e-8 * B.norm());
 }
 
