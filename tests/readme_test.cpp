@@ -65,8 +65,8 @@ TEST_P(Page, LinkedFilesExist) {
 INSTANTIATE_TEST_SUITE_P(Pages,
                          Page,
                          testing::Values("README.md", "docs/commands.md"),
-                         [](const auto& info) {
-                           return std::string(info.param) == "README.md"
+                         [](const auto& page) {
+                           return std::string(page.param) == "README.md"
                                       ? "Readme"
                                       : "Commands";
                          });

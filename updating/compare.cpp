@@ -155,12 +155,14 @@ Eigen::VectorXd mesh_error(const FrfModel& finer,
                            const FrfModel& coarser,
                            const ModelState& state,
                            const Target& target) {
-  const ModelResponse fine = finer.respond(state, target.s, true);
-  const ModelResponse coarse = coarser.respond(state, target.s, false);
+  const ModelResponse fine = finer.respond(state, target.s, false);
+  // The coarser model's derivatives: it knows nothing of a factor for the
+  // mesh, which would take the whole difference up.
+  const ModelResponse coarse = coarser.respond(state, target.s, true);
   Eigen::VectorXd d = stack(target, fine.H - coarse.H);
-  MatrixXd J(d.size(), static_cast<Index>(fine.dH.size()));
-  for (std::size_t k = 0; k < fine.dH.size(); ++k) {
-    J.col(static_cast<Index>(k)) = stack(target, fine.dH[k]);
+  MatrixXd J(d.size(), static_cast<Index>(coarse.dH.size()));
+  for (std::size_t k = 0; k < coarse.dH.size(); ++k) {
+    J.col(static_cast<Index>(k)) = stack(target, coarse.dH[k]);
   }
   if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
   return d;

@@ -154,9 +154,13 @@ Diagnosis diagnose(const Fitter& fitter,
   std::vector<Chosen> chosen;
   double held_out = fitter.held_out_error(current, folds, progress);
   for (int rung = 0; rung < options.max_rungs; ++rung) {
-    if (rung > 0 && current.result.error <= at_floor * options.floor) break;
+    // At the floor there is nothing to explain; on the first rung the
+    // candidates are still worked out for show.
+    const bool explained = current.result.error <= at_floor * options.floor;
+    if (rung > 0 && explained) break;
     const Round round = search.look(current, rung == 0);
     if (rung == 0) result.candidates = candidates_of(round, setting);
+    if (explained) break;
     if (round.hypotheses.empty()) break;
     std::size_t best = 0;
     Worth worth;
@@ -197,12 +201,12 @@ Diagnosis diagnose(const Fitter& fitter,
   }
   // Three times the floor, or a tenth of the base error where the floor is far
   // below what any model reaches.
-  const bool explained = result.error_best <=
-                         std::max(3.0 * options.floor, 0.1 * result.error_base);
+  const bool enough = result.error_best <=
+                      std::max(3.0 * options.floor, 0.1 * result.error_base);
   if (result.ladder.empty()) {
     result.verdict =
         result.error_base <= 3.0 * options.floor ? "none" : "unexplained";
-  } else if (!explained) {
+  } else if (!enough) {
     result.warnings.push_back(fmt::format(
         "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
         "of {:.3g}: something else is missing",

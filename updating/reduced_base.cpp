@@ -6,6 +6,7 @@
 #include "updating/structure/factor.hpp"
 #include "updating/structure/refine_mesh.hpp"
 #include "updating/structure/system.hpp"
+#include "updating/subspace.hpp"
 #include "updating/uncertain_parts.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -30,76 +31,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 // to three times the band) about a hundred times smaller.
 constexpr std::size_t response_orders = 3;
 
-// Columns of full length from columns over some of the indices.
-MatrixXd expand(const MatrixXd& part, const std::vector<int>& at, Index n) {
-  MatrixXd full = MatrixXd::Zero(n, part.cols());
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    full.row(at[k]) = part.row(static_cast<Index>(k));
-  }
-  return full;
-}
-
-// Basis of the columns' span, orthonormal in M.
-MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
-  // A vector that is nothing (a patch that no mode strains) has no direction.
-  std::vector<Index> moving;
-  for (Index k = 0; k < V.cols(); ++k) {
-    const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
-    if (!(norm > 0.0)) continue;
-    V.col(k) /= norm;
-    moving.push_back(k);
-  }
-  V = MatrixXd(V(Eigen::all, moving));
-  if (moving.empty()) return V;
-  // Twice, because a residual vector nearly inside the modes' span loses
-  // digits the first time.
-  for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd gram = V.transpose() * (M * V);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
-    const VectorXd& d = solver.eigenvalues();
-    const double limit = least * d.maxCoeff();
-    Index first = 0;
-    while (d(first) < limit) ++first;
-    const Index kept = d.size() - first;
-    const MatrixXd Q = solver.eigenvectors().rightCols(kept);
-    const VectorXd scale = d.tail(kept).cwiseSqrt().cwiseInverse();
-    V = (V * Q * scale.asDiagonal()).eval();
-  }
-  return V;
-}
-
-MatrixXd join(const std::vector<MatrixXd>& blocks) {
-  Index columns = 0;
-  for (const MatrixXd& block : blocks) columns += block.cols();
-  MatrixXd V(blocks.front().rows(), columns);
-  Index at = 0;
-  for (const MatrixXd& block : blocks) {
-    V.middleCols(at, block.cols()) = block;
-    at += block.cols();
-  }
-  return V;
-}
-
-// What of the columns lies outside the span of V (orthonormal in M), itself
-// orthonormal. V stays as it is: mixed with vectors that nearly repeat them,
-// modes would take up what little, but stiff, those have of their own.
-MatrixXd beyond(const SparseMatrix& M,
-                const MatrixXd& V,
-                const MatrixXd& columns) {
-  MatrixXd R = columns;
-  const Index n = V.rows();  // the released degrees of freedom follow
-  for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd MR = (M * R).topRows(n);
-    R.topRows(n) -= V * (V.transpose() * MR);
-  }
-  // What is left of a vector that V holds already is rounding.
-  std::vector<Index> kept;
-  for (Index k = 0; k < R.cols(); ++k) {
-    if (R.col(k).norm() > 1e-8 * columns.col(k).norm()) kept.push_back(k);
-  }
-  return orthonormalise(M, MatrixXd(R(Eigen::all, kept)), 1e-12);
-}
-
 // Other coordinates of the same span: V Q.
 void turn(ReducedBase& base, const MatrixXd& Q) {
   base.rows = (base.rows * Q).eval();
@@ -109,6 +40,18 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   for (StiffnessTerm& term : base.terms) {
     term.S = (Q.transpose() * term.S * Q).eval();
   }
+}
+
+// MAC from which modes of two meshes are the same one.
+constexpr double same_mode = 0.5;
+
+// Translations of every grid, columns of unit length.
+MatrixXd translations(const MatrixXd& rows) {
+  MatrixXd result(rows.rows() / 2, rows.cols());
+  for (Index g = 0; 6 * g < rows.rows(); ++g) {
+    result.middleRows(3 * g, 3) = rows.middleRows(6 * g, 3);
+  }
+  return result.colwise().normalized();
 }
 
 // Stiffness that elements keep, from all of it to next to none.
@@ -211,6 +154,31 @@ BaseBuilder::BaseBuilder(
 BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
+
+void BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
+  Impl& m = *impl_;
+  const Impl& c = *coarser.impl_;
+  const MatrixXd fine = translations(m.modes.topRows(6 * m.original_grids));
+  const MatrixXd coarse = translations(c.modes.topRows(6 * m.original_grids));
+  const MatrixXd mac =
+      (fine.transpose() * coarse).cwiseAbs2();  // columns of unit length
+  VectorXd share = VectorXd::Zero(m.V0.cols());
+  for (Index r = 0; r < mac.rows(); ++r) {
+    Index like = 0;
+    if (mac.cols() == 0 || mac.row(r).maxCoeff(&like) < same_mode) continue;
+    share(r) = std::pow(two_pi, 2) *
+               (std::pow(m.modes_hz(r), 2) - std::pow(c.modes_hz(like), 2));
+  }
+  std::size_t factors = 0;
+  for (std::vector<int>& power : m.fixed.part_power) {
+    factors = power.size();
+    power.push_back(0);
+  }
+  m.fixed.part_power.emplace_back(factors, 0);
+  m.fixed.part_power.back().push_back(1);
+  m.fixed.K_part.emplace_back(share.asDiagonal());
+  m.fixed.M_part.emplace_back(MatrixXd::Zero(share.size(), share.size()));
+}
 
 bool BaseBuilder::is_free() const {
   const VectorXd& f = impl_->modes_hz;
@@ -340,6 +308,13 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
   for (std::size_t k = 0; k < released.parts.size(); ++k) {
     base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
+  }
+  // The mesh's share is one of the modes alone.
+  for (std::size_t k = released.parts.size(); k < fixed.K_part.size(); ++k) {
+    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
+    base.M_part.push_back(whole);
+    whole.topLeftCorner(a, a) = fixed.K_part[k];
+    base.K_part.push_back(std::move(whole));
   }
   for (const SparseMatrix& S : released.S) {
     const SparseMatrix known = S.topLeftCorner(n, n);

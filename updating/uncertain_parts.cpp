@@ -155,7 +155,7 @@ double part_coefficient(const std::vector<int>& power,
 double part_slope(const std::vector<int>& power,
                   const std::vector<double>& factor,
                   std::size_t j) {
-  if (power[j] == 0) return 0.0;
+  if (j >= power.size() || power[j] == 0) return 0.0;
   std::vector<int> lower = power;
   --lower[j];
   return power[j] * part_coefficient(lower, factor);
