@@ -34,7 +34,7 @@ struct Bar {
   std::array<Eigen::Vector3d, 2> offsets{Eigen::Vector3d::Zero(),
                                          Eigen::Vector3d::Zero()};
   std::array<std::string, 2> released;  ///< component digits at each end
-  bool torsional_inertia = false;  ///< CBEAM has it, Nastran's CBAR has not
+  bool rotary_inertia = false;  ///< of cross sections: CBEAM has it, CBAR not
 };
 
 /// CROD and CONROD (the latter gets a property of its own, id < 0).

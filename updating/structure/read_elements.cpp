@@ -131,7 +131,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
   if (!option.empty() && option != "GGG" && option != "1") {
     builder.warn(card, fmt::format("field 9 \"{}\" is taken as GGG", option));
   }
-  bar.torsional_inertia = card.card().name() == "CBEAM";
+  bar.rotary_inertia = card.card().name() == "CBEAM";
   bar.orientation = bar_orientation(builder, card, bar);
   builder.deck.bars.push_back(bar);
 }

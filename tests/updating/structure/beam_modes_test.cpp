@@ -59,7 +59,7 @@ TEST(BeamModes, TipDeflectsByBendingAndShear) {
 
 TEST(BeamModes, TorsionOfACbeam) {
   Deck deck = cantilever(20, kSection, true);
-  for (Bar& bar : deck.bars) bar.torsional_inertia = true;
+  for (Bar& bar : deck.bars) bar.rotary_inertia = true;
   hold(deck, "123", [](const Eigen::Vector3d&) { return true; });
   deck.constraints.push_back({2, "123"});
   const Eigen::VectorXd f = modes_of(deck, 1).frequency_hz;
