@@ -109,6 +109,7 @@ System assemble(const Deck& deck) {
       deck, [](int) { return true; }, take);
   for (const PointMass& mass : deck.masses) take(mass_matrices(mass));
   for (const ScalarElement& e : deck.scalars) take(scalar_matrices(e));
+  for (const Bush& e : deck.bushes) take(bush_matrices(e));
   System system;
   system.K = gather(deck, K);
   system.M = gather(deck, M) * deck.weight_to_mass;

@@ -158,7 +158,7 @@ Axes bar_axes(const Deck& deck, const Bar& bar) {
   if (!(axes.length > 0.0) || !(z.norm() > 1e-8 * bar.orientation.norm())) {
     throw InputError(
         "the bar has no length, or its orientation vector lies along it",
-        fmt::format("{}: bar {}", deck.path.filename().string(), bar.id),
+        card_place(deck, bar.where, fmt::format("bar {}", bar.id)),
         "Correct the grids, offsets or orientation.");
   }
   axes.local << x, z.normalized().cross(x), z.normalized();
