@@ -4,7 +4,7 @@
 #include "acquisition/test_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/structure/deck.hpp"
-#include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/deck_modes.hpp"
 #include "updating/structure/system.hpp"
 
 #include <fmt/format.h>
@@ -29,16 +29,17 @@ std::filesystem::path deck_path(const std::filesystem::path& input) {
 
 ModelSummary summarise(const structure::Deck& deck, int count) {
   const structure::System system = structure::assemble(deck);
-  const std::vector<int> free = system.free_dofs();
-  const auto modes = structure::eigenmodes(structure::extract(system.K, free),
-                                           structure::extract(system.M, free),
-                                           count);
-  return {.grids = deck.grids.size(),
-          .elements = deck.element_count(),
-          .dofs = free.size(),
-          .mass_kg = structure::total_mass(deck, system),
-          .frequency_hz = modes.frequency_hz,
-          .warnings = deck.warnings};
+  const structure::DeckModes solved =
+      structure::deck_modes(deck, system, count);
+  ModelSummary summary{.grids = deck.grids.size(),
+                       .elements = deck.element_count(),
+                       .dofs = system.free_dofs().size(),
+                       .mass_kg = structure::total_mass(deck, system),
+                       .frequency_hz = solved.modes.frequency_hz,
+                       .warnings = deck.warnings};
+  summary.warnings.insert(
+      summary.warnings.end(), solved.warnings.begin(), solved.warnings.end());
+  return summary;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ int free_id(const structure::Deck& deck, int offset) {
   scan(deck.rods);
   scan(deck.masses);
   scan(deck.scalars);
+  scan(deck.bushes);
   return highest + 1 + offset;
 }
 

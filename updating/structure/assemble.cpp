@@ -1,4 +1,5 @@
 #include "acquisition/input_error.hpp"
+#include "updating/parallel.hpp"
 #include "updating/structure/element_matrices.hpp"
 #include "updating/structure/system.hpp"
 
@@ -12,7 +13,6 @@ namespace {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 using Wanted = std::function<bool(int)>;
-using Take = std::function<void(const ElementMatrices&)>;
 
 void add(const Deck& deck,
          const std::vector<int>& grids,
@@ -37,16 +37,59 @@ void add(const Deck& deck,
   }
 }
 
-void each_structural(const Deck& deck, const Wanted& wanted, const Take& take) {
-  for (const Shell& e : deck.shells) {
-    if (wanted(e.id)) take(shell_matrices(deck, e));
+struct Entries {
+  Triplets K;
+  Triplets M;
+};
+
+void take(const Deck& deck, const ElementMatrices& e, Entries& entries) {
+  add(deck, e.grids, e.K, entries.K);
+  add(deck, e.grids, e.M, entries.M);
+}
+
+// The k-th of the shells, bars and rods, in this order.
+void take_structural(const Deck& deck,
+                     std::size_t k,
+                     const Wanted& wanted,
+                     Entries& entries) {
+  const std::size_t bars = deck.shells.size();
+  const std::size_t rods = bars + deck.bars.size();
+  if (k < bars) {
+    const Shell& e = deck.shells[k];
+    if (wanted(e.id)) take(deck, shell_matrices(deck, e), entries);
+  } else if (k < rods) {
+    const Bar& e = deck.bars[k - bars];
+    if (wanted(e.id)) take(deck, bar_matrices(deck, e), entries);
+  } else {
+    const Rod& e = deck.rods[k - rods];
+    if (wanted(e.id)) take(deck, rod_matrices(deck, e), entries);
   }
-  for (const Bar& e : deck.bars) {
-    if (wanted(e.id)) take(bar_matrices(deck, e));
+}
+
+void append(Triplets& part, Triplets& whole) {
+  whole.insert(whole.end(), part.begin(), part.end());
+  part = {};
+}
+
+// Pieces on all cores, put together in the deck's order: sums do not depend on
+// the number of cores.
+Entries structural(const Deck& deck, const Wanted& wanted) {
+  constexpr std::size_t kPiece = 512;
+  const std::size_t count =
+      deck.shells.size() + deck.bars.size() + deck.rods.size();
+  std::vector<Entries> pieces((count + kPiece - 1) / kPiece);
+  updating::for_each_parallel(pieces.size(), [&](std::size_t piece) {
+    const std::size_t end = std::min(count, (piece + 1) * kPiece);
+    for (std::size_t k = piece * kPiece; k < end; ++k) {
+      take_structural(deck, k, wanted, pieces[piece]);
+    }
+  });
+  Entries whole;
+  for (Entries& piece : pieces) {
+    append(piece.K, whole.K);
+    append(piece.M, whole.M);
   }
-  for (const Rod& e : deck.rods) {
-    if (wanted(e.id)) take(rod_matrices(deck, e));
-  }
+  return whole;
 }
 
 SparseMatrix gather(const Deck& deck, const Triplets& triplets) {
@@ -99,38 +142,28 @@ std::vector<int> System::free_dofs() const {
 
 System assemble(const Deck& deck) {
   check_references(deck);
-  Triplets K;
-  Triplets M;
-  const Take take = [&](const ElementMatrices& e) {
-    add(deck, e.grids, e.K, K);
-    add(deck, e.grids, e.M, M);
-  };
-  each_structural(
-      deck, [](int) { return true; }, take);
-  for (const PointMass& mass : deck.masses) take(mass_matrices(mass));
-  for (const ScalarElement& e : deck.scalars) take(scalar_matrices(e));
+  Entries entries = structural(deck, [](int) { return true; });
+  for (const PointMass& e : deck.masses) {
+    take(deck, mass_matrices(e), entries);
+  }
+  for (const ScalarElement& e : deck.scalars) {
+    take(deck, scalar_matrices(e), entries);
+  }
+  for (const Bush& e : deck.bushes) take(deck, bush_matrices(e), entries);
   System system;
-  system.K = gather(deck, K);
-  system.M = gather(deck, M) * deck.weight_to_mass;
+  system.K = gather(deck, entries.K);
+  system.M = gather(deck, entries.M) * deck.weight_to_mass;
   system.fixed = fixed_dofs(deck);
   system.inactive = inactive_dofs(system.K);
   return system;
 }
 
 SparseMatrix assemble_stiffness(const Deck& deck, const Wanted& wanted) {
-  Triplets K;
-  each_structural(deck, wanted, [&](const ElementMatrices& e) {
-    add(deck, e.grids, e.K, K);
-  });
-  return gather(deck, K);
+  return gather(deck, structural(deck, wanted).K);
 }
 
 SparseMatrix assemble_mass(const Deck& deck, const Wanted& wanted) {
-  Triplets M;
-  each_structural(deck, wanted, [&](const ElementMatrices& e) {
-    add(deck, e.grids, e.M, M);
-  });
-  return gather(deck, M) * deck.weight_to_mass;
+  return gather(deck, structural(deck, wanted).M) * deck.weight_to_mass;
 }
 
 std::vector<int> elements_of_material(const Deck& deck, int id) {

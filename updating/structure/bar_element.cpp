@@ -1,5 +1,7 @@
 // CBAR and CBEAM of constant section: Timoshenko beam (Euler-Bernoulli where
-// no shear factor is given) with offsets and released components.
+// no shear factor is given) with offsets and released components. The
+// consistent mass of a CBEAM holds the inertia of its cross sections' rotation;
+// that of a CBAR does not, as in Nastran.
 //
 // Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968,
 // sections 5.6 and 11.4.
@@ -37,8 +39,13 @@ void add_plane(const Plane& plane,
   }
 }
 
+// How much softer shear makes the deflection than bending alone.
+double shear_ratio(double EI, double GAs, double L) {
+  return GAs > 0.0 ? 12.0 * EI / (GAs * L * L) : 0.0;
+}
+
 Eigen::Matrix4d plane_stiffness(double EI, double GAs, double L) {
-  const double phi = GAs > 0.0 ? 12.0 * EI / (GAs * L * L) : 0.0;
+  const double phi = shear_ratio(EI, GAs, L);
   Eigen::Matrix4d K;
   K << 12, 6 * L, -12, 6 * L,                               //
       6 * L, (4 + phi) * L * L, -6 * L, (2 - phi) * L * L,  //
@@ -47,13 +54,29 @@ Eigen::Matrix4d plane_stiffness(double EI, double GAs, double L) {
   return K * EI / (L * L * L * (1.0 + phi));
 }
 
-Eigen::Matrix4d plane_mass(double m, double L) {
+// Consistent with the deflection of plane_stiffness; `rotary` is rho I L.
+Eigen::Matrix4d plane_mass(double m, double rotary, double phi, double L) {
+  const double p2 = phi * phi;
+  const double a = 13.0 / 35.0 + 0.7 * phi + p2 / 3.0;
+  const double b = 9.0 / 70.0 + 0.3 * phi + p2 / 6.0;
+  const double c = (11.0 / 210.0 + 11.0 / 120.0 * phi + p2 / 24.0) * L;
+  const double d = (13.0 / 420.0 + 3.0 / 40.0 * phi + p2 / 24.0) * L;
+  const double e = (1.0 / 105.0 + phi / 60.0 + p2 / 120.0) * L * L;
+  const double f = (1.0 / 140.0 + phi / 60.0 + p2 / 120.0) * L * L;
   Eigen::Matrix4d M;
-  M << 156, 22 * L, 54, -13 * L,              //
-      22 * L, 4 * L * L, 13 * L, -3 * L * L,  //
-      54, 13 * L, 156, -22 * L,               //
-      -13 * L, -3 * L * L, -22 * L, 4 * L * L;
-  return M * m / 420.0;
+  M << a, c, b, -d,  //
+      c, e, d, -f,   //
+      b, d, a, -c,   //
+      -d, -f, -c, e;
+  const double g = (0.1 - 0.5 * phi) * L;
+  const double h = (2.0 / 15.0 + phi / 6.0 + p2 / 3.0) * L * L;
+  const double k = (1.0 / 30.0 + phi / 6.0 - p2 / 6.0) * L * L;
+  Eigen::Matrix4d R;
+  R << 1.2, g, -1.2, g,   //
+      g, h, -g, -k,       //
+      -1.2, -g, 1.2, -g,  //
+      g, -k, -g, h;
+  return (m * M + rotary / (L * L) * R) / ((1.0 + phi) * (1.0 + phi));
 }
 
 void add_pair(Eigen::Index dof, double same, double other, Matrix12& A) {
@@ -78,7 +101,7 @@ Matrix12 local_mass(const Bar& bar,
                     double L,
                     bool coupled) {
   const double mass = (m.rho * p.area + p.nonstructural) * L;
-  const double polar = bar.torsional_inertia ? m.rho * (p.I1 + p.I2) * L : 0.0;
+  const double polar = bar.rotary_inertia ? m.rho * (p.I1 + p.I2) * L : 0.0;
   Matrix12 M = Matrix12::Zero();
   if (!coupled) {
     for (Eigen::Index c = 0; c < 3; ++c) add_pair(c, mass / 2.0, 0.0, M);
@@ -87,8 +110,15 @@ Matrix12 local_mass(const Bar& bar,
   }
   add_pair(0, mass / 3.0, mass / 6.0, M);
   add_pair(3, polar / 3.0, polar / 6.0, M);
-  add_plane(kPlane1, plane_mass(mass, L), M);
-  add_plane(kPlane2, plane_mass(mass, L), M);
+  if (!bar.rotary_inertia) {
+    add_plane(kPlane1, plane_mass(mass, 0.0, 0.0, L), M);
+    add_plane(kPlane2, plane_mass(mass, 0.0, 0.0, L), M);
+    return M;
+  }
+  const double phi1 = shear_ratio(m.E * p.I1, p.K1 * m.G * p.area, L);
+  const double phi2 = shear_ratio(m.E * p.I2, p.K2 * m.G * p.area, L);
+  add_plane(kPlane1, plane_mass(mass, m.rho * p.I1 * L, phi1, L), M);
+  add_plane(kPlane2, plane_mass(mass, m.rho * p.I2 * L, phi2, L), M);
   return M;
 }
 
@@ -128,7 +158,7 @@ Axes bar_axes(const Deck& deck, const Bar& bar) {
   if (!(axes.length > 0.0) || !(z.norm() > 1e-8 * bar.orientation.norm())) {
     throw InputError(
         "the bar has no length, or its orientation vector lies along it",
-        fmt::format("{}: bar {}", deck.path.filename().string(), bar.id),
+        card_place(deck, bar.where, fmt::format("bar {}", bar.id)),
         "Correct the grids, offsets or orientation.");
   }
   axes.local << x, z.normalized().cross(x), z.normalized();

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <initializer_list>
 #include <optional>
-#include <unordered_set>
 
 namespace tapfit::structure {
 namespace {
@@ -28,37 +29,54 @@ std::optional<std::size_t> find_grid(const std::vector<Grid>& grids, int id) {
   return static_cast<std::size_t>(found - grids.begin());
 }
 
-[[noreturn]] void missing(const Deck& deck,
-                          const std::string& what,
-                          const std::string& element) {
-  throw InputError(
-      what + " does not exist",
-      fmt::format("{}: {}", deck.path.filename().string(), element),
-      "Add it to the model or correct the entry.");
+[[noreturn]] void missing(const std::string& what, const std::string& where) {
+  throw InputError(what + " does not exist",
+                   where,
+                   "Add it to the model or correct the entry.");
 }
 
-void check_material(const Deck& deck, int id, const std::string& property) {
-  if (!deck.materials.contains(id)) {
-    missing(deck, fmt::format("material {}", id), property);
+// The materials that a property names, 0 for none.
+template <typename Property>
+void check_materials(const Deck& deck,
+                     const Property& property,
+                     std::initializer_list<int> materials,
+                     const char* kind) {
+  for (const int material : materials) {
+    if (material == 0 || deck.materials.contains(material)) continue;
+    missing(fmt::format("material {}", material),
+            card_place(deck,
+                       property.where,
+                       fmt::format("{} {}", kind, std::abs(property.id))));
   }
 }
 
 void check_properties(const Deck& deck) {
   for (const auto& [id, p] : deck.shell_properties) {
-    for (const int material : {p.membrane, p.bending, p.shear}) {
-      if (material != 0) {
-        check_material(deck, material, fmt::format("PSHELL {}", id));
-      }
-    }
+    check_materials(deck, p, {p.membrane, p.bending, p.shear}, "PSHELL");
   }
   for (const auto& [id, p] : deck.bar_properties) {
-    check_material(deck, p.material, fmt::format("PBAR {}", id));
+    check_materials(deck, p, {p.material}, "PBAR");
   }
   for (const auto& [id, p] : deck.rod_properties) {
-    check_material(
-        deck,
-        p.material,
-        id < 0 ? fmt::format("CONROD {}", -id) : fmt::format("PROD {}", id));
+    check_materials(deck, p, {p.material}, id < 0 ? "CONROD" : "PROD");
+  }
+}
+
+template <typename Element, typename Properties>
+void check_element(const Deck& deck,
+                   const Element& element,
+                   const Properties& properties,
+                   const char* kind,
+                   const char* property) {
+  const auto place = [&] {
+    return card_place(
+        deck, element.where, fmt::format("{} {}", kind, element.id));
+  };
+  for (const int grid : element.grids) {
+    if (!deck.has_grid(grid)) missing(fmt::format("grid {}", grid), place());
+  }
+  if (!properties.contains(element.property)) {
+    missing(fmt::format("{} {}", property, element.property), place());
   }
 }
 
@@ -66,7 +84,7 @@ void check_properties(const Deck& deck) {
 
 std::size_t Deck::element_count() const {
   return shells.size() + bars.size() + rods.size() + masses.size() +
-         scalars.size();
+         scalars.size() + bushes.size();
 }
 
 std::size_t Deck::grid_index(int id) const {
@@ -81,43 +99,33 @@ std::size_t Deck::grid_index(int id) const {
 
 bool Deck::has_grid(int id) const { return find_grid(grids, id).has_value(); }
 
+std::string card_place(const Deck& deck,
+                       const std::string& where,
+                       const std::string& name) {
+  if (!where.empty()) return where;
+  return fmt::format("{}: {}", deck.path.filename().string(), name);
+}
+
 void check_references(const Deck& deck) {
   check_properties(deck);
-  std::unordered_set<int> ids;
-  for (const Grid& grid : deck.grids) ids.insert(grid.id);
-  const auto need = [&](int grid, const char* kind, int element) {
-    if (!ids.contains(grid)) {
-      missing(deck,
-              fmt::format("grid {}", grid),
-              fmt::format("{} {}", kind, element));
-    }
-  };
   for (const Shell& e : deck.shells) {
-    for (const int grid : e.grids) need(grid, "shell", e.id);
-    if (!deck.shell_properties.contains(e.property)) {
-      missing(deck,
-              fmt::format("PSHELL {}", e.property),
-              fmt::format("shell {}", e.id));
-    }
+    check_element(deck, e, deck.shell_properties, "shell", "PSHELL");
   }
   for (const Bar& e : deck.bars) {
-    for (const int grid : e.grids) need(grid, "bar", e.id);
-    if (!deck.bar_properties.contains(e.property)) {
-      missing(deck,
-              fmt::format("PBAR {}", e.property),
-              fmt::format("bar {}", e.id));
-    }
+    check_element(deck, e, deck.bar_properties, "bar", "PBAR");
   }
   for (const Rod& e : deck.rods) {
-    for (const int grid : e.grids) need(grid, "rod", e.id);
-    if (!deck.rod_properties.contains(e.property)) {
-      missing(deck,
-              fmt::format("PROD {}", e.property),
-              fmt::format("rod {}", e.id));
-    }
+    check_element(deck, e, deck.rod_properties, "rod", "PROD");
   }
-  for (const PointMass& e : deck.masses) need(e.grid, "mass", e.id);
-  for (const Constraint& held : deck.constraints) need(held.grid, "SPC", 0);
+  const auto need = [&](int grid, const std::string& name) {
+    if (!deck.has_grid(grid)) {
+      missing(fmt::format("grid {}", grid), card_place(deck, {}, name));
+    }
+  };
+  for (const PointMass& e : deck.masses) {
+    need(e.grid, fmt::format("mass {}", e.id));
+  }
+  for (const Constraint& held : deck.constraints) need(held.grid, "SPC");
 }
 
 }  // namespace tapfit::structure

@@ -23,6 +23,7 @@ struct Shell {
   int property = 0;
   std::vector<int> grids;
   double theta_deg = 0.0;  ///< material axis from side 1-2
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// CBAR (and CBEAM of constant section).
@@ -34,7 +35,8 @@ struct Bar {
   std::array<Eigen::Vector3d, 2> offsets{Eigen::Vector3d::Zero(),
                                          Eigen::Vector3d::Zero()};
   std::array<std::string, 2> released;  ///< component digits at each end
-  bool torsional_inertia = false;  ///< CBEAM has it, Nastran's CBAR has not
+  bool rotary_inertia = false;  ///< of cross sections: CBEAM has it, CBAR not
+  std::string where = {};       ///< "file:line CARD id"; empty: not from a file
 };
 
 /// CROD and CONROD (the latter gets a property of its own, id < 0).
@@ -42,6 +44,7 @@ struct Rod {
   int id = 0;
   int property = 0;
   std::array<int, 2> grids{};
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// CONM2.
@@ -67,6 +70,17 @@ struct ScalarElement {
                                       Eigen::Vector3d::Zero()};
 };
 
+/// CBUSH: springs along and about three axes between two grids (grid 0 is
+/// ground), joined to them by rigid arms.
+struct Bush {
+  int id = 0;
+  std::array<int, 2> grids{};
+  std::array<Eigen::Vector3d, 2> arms{Eigen::Vector3d::Zero(),
+                                      Eigen::Vector3d::Zero()};  ///< [m]
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x, y, z
+  std::array<double, 6> stiffness{};  ///< [N/m] three times, [N m/rad]
+};
+
 /// MAT1, or MAT8 (orthotropic) when `orthotropic` is set.
 struct Material {
   int id = 0;
@@ -90,6 +104,7 @@ struct ShellProperty {
   double bending_ratio = 1.0;      ///< 12 I / t^3
   double shear_ratio = 5.0 / 6.0;  ///< ts / t
   double nonstructural = 0.0;      ///< [kg/m^2]
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// PBAR, PBARL, PBEAM of constant section.
@@ -104,6 +119,7 @@ struct BarProperty {
   double nonstructural = 0.0;  ///< [kg/m]
   double K1 = 0.0;             ///< shear factors; 0: no shear deformation
   double K2 = 0.0;
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// PROD, or a CONROD's own section.
@@ -113,6 +129,7 @@ struct RodProperty {
   double area = 0.0;
   double J = 0.0;
   double nonstructural = 0.0;
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// SPC, SPC1 and a grid's permanent constraints: components held at zero.
@@ -129,6 +146,7 @@ struct Deck {
   std::vector<Rod> rods;
   std::vector<PointMass> masses;
   std::vector<ScalarElement> scalars;
+  std::vector<Bush> bushes;
   std::map<int, Material> materials;
   std::map<int, ShellProperty> shell_properties;
   std::map<int, BarProperty> bar_properties;
@@ -156,6 +174,13 @@ struct Deck {
 /// @throws InputError with file and line for a card that cannot be read, a
 ///   reference to a grid, property or material that does not exist
 [[nodiscard]] Deck read_deck(const std::filesystem::path& path);
+
+/// Where an error says that an element or property is.
+/// @param where its `where`
+/// @param name for one that is from no file, for example "shell 3"
+[[nodiscard]] std::string card_place(const Deck& deck,
+                                     const std::string& where,
+                                     const std::string& name);
 
 /// Throws InputError for every reference to a grid, property or material that
 /// does not exist; for decks that were put together by a program.

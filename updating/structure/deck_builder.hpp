@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -29,6 +30,7 @@ struct DeckBuilder {
   std::unordered_map<int, std::size_t> grid_index;
   std::unordered_map<int, int> displacement_system;        ///< CD where not 0
   std::map<int, std::array<double, 2>> spring_properties;  ///< PELAS: k, g
+  std::map<int, std::array<double, 6>> bush_properties;    ///< PBUSH: K
   std::map<int, std::vector<Constraint>> constraint_sets;
   std::map<int, std::vector<int>> added_sets;  ///< SPCADD
   std::vector<Constraint> permanent;           ///< GRID field 8
@@ -61,6 +63,9 @@ using CardTable = std::map<std::string, ReadCard>;
 [[nodiscard]] CardTable property_cards();
 [[nodiscard]] CardTable element_cards();
 [[nodiscard]] CardTable constraint_cards();
+
+void read_pbush(DeckBuilder& builder, const CardReader& card);
+void read_cbush(DeckBuilder& builder, const CardReader& card);
 
 /// Puts the constraints of the chosen set (all sets when none is chosen) into
 /// the deck, in basic axes.

@@ -137,11 +137,11 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   if (n == 0 || count <= 0) return {{}, Eigen::MatrixXd(n, 0)};
   const double sigma = shift_below_zero(K, M);
   const SparseMatrix A = K - sigma * M;
+  const Factor factor(A);  // throws for a mechanism without mass
   Eigen::Index asked = count + 2;
   if (n <= kDense || 2 * asked + 20 > n) {
     return to_modes(solve_dense(A, M, sigma, count), count);
   }
-  const Factor factor(A);
   Eigen::Index basis = std::min(n, 2 * asked + 10);
   for (int attempt = 0; attempt < 4; ++attempt) {
     const std::optional<Pairs> raw =

@@ -1,11 +1,10 @@
 #include "updating/structure/factor.hpp"
 
-#include "acquisition/input_error.hpp"
-
 #include <cholmod.h>
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <vector>
 
 namespace tapfit::structure {
@@ -29,15 +28,17 @@ cholmod_sparse view(const SparseMatrix& A) {
   return result;
 }
 
-[[noreturn]] void cannot_factor() {
-  throw InputError(
-      "the matrix cannot be factored: part of the structure is a mechanism",
-      "stiffness matrix",
-      "Look for parts that are not held or not joined, elements without "
-      "stiffness, and springs that are missing.");
-}
+[[noreturn]] void out_of_memory() { throw std::bad_alloc(); }
 
 }  // namespace
+
+SingularMatrix::SingularMatrix(Eigen::Index row)
+    : InputError(
+          "the matrix cannot be factored: part of the structure is a mechanism",
+          "stiffness matrix",
+          "Look for parts that are not held or not joined, elements without "
+          "stiffness, and springs that are missing."),
+      row_(row) {}
 
 struct Factor::Impl {
   cholmod_common common{};
@@ -57,7 +58,7 @@ struct Factor::Impl {
   void factor(const SparseMatrix& A) {
     cholmod_sparse a = view(A);
     L = cholmod_analyze(&a, &common);
-    if (L == nullptr) cannot_factor();
+    if (L == nullptr) out_of_memory();
     cholmod_factorize(&a, L, &common);
     if (common.status == CHOLMOD_OK && L->minor == L->n) return;
     // Not positive definite: L D L' without pivoting, on the same ordering.
@@ -66,9 +67,12 @@ struct Factor::Impl {
     common.supernodal = CHOLMOD_SIMPLICIAL;
     common.final_ll = 0;
     L = cholmod_analyze(&a, &common);
-    if (L == nullptr) cannot_factor();
+    if (L == nullptr) out_of_memory();
     cholmod_factorize(&a, L, &common);
-    if (common.status != CHOLMOD_OK || L->minor != L->n) cannot_factor();
+    if (L->minor != L->n) {
+      throw SingularMatrix(static_cast<const int*>(L->Perm)[L->minor]);
+    }
+    if (common.status != CHOLMOD_OK) out_of_memory();
   }
 
   // Pivots of L D L' in the permuted order.
@@ -104,7 +108,7 @@ struct Factor::Impl {
     const int* order = static_cast<const int*>(L->Perm);
     for (Eigen::Index j = 0; j < d.size(); ++j) {
       const double scale = std::abs(a(order[j]));
-      if (!(std::abs(d(j)) > kRounding * scale)) cannot_factor();
+      if (!(std::abs(d(j)) > kRounding * scale)) throw SingularMatrix(order[j]);
     }
   }
 };
@@ -136,7 +140,7 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->L, &b, &impl_->common);
-  if (x == nullptr) cannot_factor();
+  if (x == nullptr) out_of_memory();
   const Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
       static_cast<double*>(x->x), B.rows(), B.cols());
   cholmod_free_dense(&x, &impl_->common);
@@ -162,7 +166,7 @@ Supernodes supernodes(const SparseMatrix& A) {
   }
   cholmod_free_factor(&L, &common);
   cholmod_finish(&common);
-  if (result.first.empty()) cannot_factor();
+  if (result.first.empty()) out_of_memory();
   for (std::size_t s = 0; s < result.count(); ++s) {
     result.owner.insert(result.owner.end(),
                         static_cast<std::size_t>(result.columns(s)),

@@ -1,6 +1,7 @@
 // A factored sparse symmetric matrix (CHOLMOD), kept for many solves.
 #pragma once
 
+#include "acquisition/input_error.hpp"
 #include "updating/structure/system.hpp"
 
 #include <memory>
@@ -8,11 +9,24 @@
 
 namespace tapfit::structure {
 
+/// Thrown by Factor: elimination came to nothing.
+class SingularMatrix : public InputError {
+ public:
+  explicit SingularMatrix(Eigen::Index row);
+
+  /// The row that was eliminated last; a mechanism moves it.
+  [[nodiscard]] Eigen::Index row() const { return row_; }
+
+ private:
+  Eigen::Index row_;
+};
+
 /// A = L L' or L D L', factored once. Movable, not copyable.
 class Factor {
  public:
   /// @param A symmetric, full storage, not singular to working precision
-  /// @throws InputError when A cannot be factored (a mechanism, a loose part)
+  /// @throws SingularMatrix when A cannot be factored (a mechanism, a loose
+  ///   part)
   explicit Factor(const SparseMatrix& A);
   ~Factor();
   Factor(Factor&&) noexcept;

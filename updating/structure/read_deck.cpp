@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
 
 namespace tapfit::structure {
@@ -48,7 +50,7 @@ std::string consequence(const std::string& name) {
 }
 
 struct Unknown {
-  int line = 0;
+  int line = 0;  // of the first
   int count = 0;
 };
 
@@ -73,6 +75,58 @@ void warn_unknown(const BulkData& bulk,
                     seen.count,
                     consequence(name)));
   }
+}
+
+std::set<int> attached_grids(const Deck& deck) {
+  std::set<int> grids;
+  const auto take = [&grids](const auto& elements) {
+    for (const auto& e : elements) {
+      grids.insert(e.grids.begin(), e.grids.end());
+    }
+  };
+  take(deck.shells);
+  take(deck.bars);
+  take(deck.rods);
+  take(deck.scalars);
+  take(deck.bushes);
+  for (const PointMass& e : deck.masses) grids.insert(e.grid);
+  for (const std::array<int, 2>& ends : deck.plot_lines) {
+    grids.insert(ends.begin(), ends.end());
+  }
+  return grids;
+}
+
+// The grid that orients a bar need not be part of the model.
+std::optional<int> orienting_grid(const Card& card) {
+  const std::string& name = card.name();
+  if (name != "CBAR" && name != "CBEAM" && name != "CBUSH") return {};
+  return parse_integer(CardReader(card).text(5));
+}
+
+void warn_unattached(const BulkData& bulk, Deck& deck) {
+  std::set<int> attached = attached_grids(deck);
+  for (const Card& card : bulk.cards) {
+    const std::optional<int> grid = orienting_grid(card);
+    if (grid) attached.insert(*grid);
+  }
+  int first = 0;
+  Unknown loose;
+  for (const Card& card : bulk.cards) {
+    if (card.name() != "GRID") continue;
+    const int id = CardReader(card).id(1, "ID");
+    if (attached.contains(id)) continue;
+    if (loose.count++ == 0) {
+      first = id;
+      loose.line = card.line;
+    }
+  }
+  if (loose.count == 0) return;
+  deck.warnings.push_back(fmt::format(
+      "GRID {} (line {}, {} in all) is attached to no element: it is left out "
+      "of the modes; attach or remove it",
+      first,
+      loose.line,
+      loose.count));
 }
 
 }  // namespace
@@ -101,6 +155,7 @@ Deck read_deck(const std::filesystem::path& path) {
                      "Check that this is Nastran bulk data.");
   }
   check_references(builder.deck);
+  warn_unattached(bulk, builder.deck);
   return builder.deck;
 }
 

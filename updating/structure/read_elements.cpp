@@ -1,5 +1,5 @@
 // CQUAD4, CTRIA3, CBAR, CBEAM, CROD, CONROD, CONM2, CELAS1, CELAS2, CDAMP2,
-// CMASS2, PLOTEL.
+// CMASS2, PLOTEL. CBUSH has a file of its own.
 #include "updating/structure/bulk_lines.hpp"
 #include "updating/structure/deck_builder.hpp"
 
@@ -65,6 +65,7 @@ void read_shell(DeckBuilder& builder,
                 std::size_t corners) {
   Shell shell;
   shell.id = card.id(1, "EID");
+  shell.where = card.where();
   builder.claim(card, shell.id);
   shell.property = property_of(card,
                                builder.deck.shell_properties,
@@ -115,6 +116,7 @@ Eigen::Vector3d bar_orientation(const DeckBuilder& builder,
 void read_bar(DeckBuilder& builder, const CardReader& card) {
   Bar bar;
   bar.id = card.id(1, "EID");
+  bar.where = card.where();
   builder.claim(card, bar.id);
   bar.property = property_of(card,
                              builder.deck.bar_properties,
@@ -131,7 +133,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
   if (!option.empty() && option != "GGG" && option != "1") {
     builder.warn(card, fmt::format("field 9 \"{}\" is taken as GGG", option));
   }
-  bar.torsional_inertia = card.card().name() == "CBEAM";
+  bar.rotary_inertia = card.card().name() == "CBEAM";
   bar.orientation = bar_orientation(builder, card, bar);
   builder.deck.bars.push_back(bar);
 }
@@ -139,6 +141,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
 void read_crod(DeckBuilder& builder, const CardReader& card) {
   Rod rod;
   rod.id = card.id(1, "EID");
+  rod.where = card.where();
   builder.claim(card, rod.id);
   rod.property = property_of(card,
                              builder.deck.rod_properties,
@@ -153,6 +156,7 @@ void read_crod(DeckBuilder& builder, const CardReader& card) {
 void read_conrod(DeckBuilder& builder, const CardReader& card) {
   Rod rod;
   rod.id = card.id(1, "EID");
+  rod.where = card.where();
   builder.claim(card, rod.id);
   rod.property = -rod.id;
   rod.grids = {existing_grid(builder, card, 2),
@@ -160,6 +164,7 @@ void read_conrod(DeckBuilder& builder, const CardReader& card) {
   refuse_repeated(card, {rod.grids[0], rod.grids[1]});
   RodProperty p;
   p.id = rod.property;
+  p.where = rod.where;
   p.material = card.id(4, "MID");
   p.area = card.real(5, "A");
   p.J = card.real_or(6, 0.0, "J");
@@ -273,6 +278,7 @@ CardTable element_cards() {
           {"CELAS2", read_celas2},
           {"CDAMP2", read_cdamp2},
           {"CMASS2", read_cmass2},
+          {"CBUSH", read_cbush},
           {"PLOTEL", read_plotel}};
 }
 

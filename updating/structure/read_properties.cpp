@@ -66,6 +66,7 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
 void read_pshell(DeckBuilder& builder, const CardReader& card) {
   ShellProperty p;
   p.id = card.id(1, "PID");
+  p.where = card.where();
   p.membrane = card.integer_or(2, 0, "MID1");
   p.thickness = card.real(3, "T");
   p.bending = card.integer_or(4, 0, "MID2");
@@ -90,6 +91,7 @@ void read_pshell(DeckBuilder& builder, const CardReader& card) {
 void read_pbar(DeckBuilder& builder, const CardReader& card) {
   BarProperty p;
   p.id = card.id(1, "PID");
+  p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real_or(3, 0.0, "A");
   p.I1 = card.real_or(4, 0.0, "I1");
@@ -119,6 +121,7 @@ void read_pbarl(DeckBuilder& builder, const CardReader& card) {
               "They must be above zero and walls must fit inside.");
   }
   p->id = card.id(1, "PID");
+  p->where = card.where();
   p->material = card.id(2, "MID");
   p->nonstructural = card.real_or(9 + count, 0.0, "NSM");
   builder.deck.bar_properties[p->id] = *p;
@@ -149,6 +152,7 @@ std::size_t skip_stations(const CardReader& card) {
 void read_pbeam(DeckBuilder& builder, const CardReader& card) {
   BarProperty p;
   p.id = card.id(1, "PID");
+  p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real(3, "A(A)");
   p.I1 = card.real(4, "I1(A)");
@@ -165,6 +169,7 @@ void read_pbeam(DeckBuilder& builder, const CardReader& card) {
 void read_prod(DeckBuilder& builder, const CardReader& card) {
   RodProperty p;
   p.id = card.id(1, "PID");
+  p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real_or(3, 0.0, "A");
   p.J = card.real_or(4, 0.0, "J");
@@ -205,6 +210,7 @@ CardTable property_cards() {
           {"PBEAM", read_pbeam},
           {"PROD", read_prod},
           {"PELAS", read_pelas},
+          {"PBUSH", read_pbush},
           {"PARAM", read_param}};
 }
 

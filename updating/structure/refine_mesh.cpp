@@ -38,6 +38,7 @@ class Refiner {
     for (const Rod& e : deck.rods) keep(e.id);
     for (const PointMass& e : deck.masses) keep(e.id);
     for (const ScalarElement& e : deck.scalars) keep(e.id);
+    for (const Bush& e : deck.bushes) keep(e.id);
     for (const Shell& e : deck.shells) split(e);
     for (const Bar& e : deck.bars) split(e);
   }

@@ -17,10 +17,9 @@ ElementMatrices rod_matrices(const Deck& deck, const Rod& rod) {
       deck.grids[deck.grid_index(rod.grids[0])].position;
   const double L = side.norm();
   if (!(L > 0.0)) {
-    throw InputError(
-        "the rod has no length",
-        fmt::format("{}: rod {}", deck.path.filename().string(), rod.id),
-        "Give two grids at different places.");
+    throw InputError("the rod has no length",
+                     card_place(deck, rod.where, fmt::format("rod {}", rod.id)),
+                     "Give two grids at different places.");
   }
   const Eigen::Matrix3d along = side * side.transpose() / (L * L);
   const double mass = (m.rho * p.area + p.nonstructural) * L;

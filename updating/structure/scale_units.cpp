@@ -46,6 +46,12 @@ void scale_elements(Deck& deck, const Units& to) {
     e.damping *= factor;
     e.mass *= factor;
   }
+  for (Bush& e : deck.bushes) {
+    for (Eigen::Vector3d& arm : e.arms) arm *= to.length;
+    for (std::size_t c = 0; c < 6; ++c) {
+      e.stiffness[c] *= c < 3 ? to.mass : to.mass * to.length * to.length;
+    }
+  }
 }
 
 void scale_properties(Deck& deck, const Units& to) {

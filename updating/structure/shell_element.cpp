@@ -25,7 +25,7 @@ struct Frame {
                             const std::string& what) {
   throw InputError(
       what,
-      fmt::format("{}: shell {}", deck.path.filename().string(), shell.id),
+      card_place(deck, shell.where, fmt::format("shell {}", shell.id)),
       "Check the element's grids: they must go round it in order and enclose "
       "an area, with no corner beyond 180 degrees.");
 }

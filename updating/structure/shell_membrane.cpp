@@ -5,7 +5,10 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kDrilling = 1e-4;
+// gamma for the mean over the element, which in-plane bending does not turn,
+// and for the rest: Nastran's K6ROT = 100.
+constexpr double kDrillingCentre = 1.0;
+constexpr double kDrillingSpread = 1e-4;
 
 // Strains (exx, eyy, 2 exy) of one function's u and v from its slopes.
 Eigen::Matrix<double, 3, 2> strain_of(double dx, double dy) {
@@ -30,6 +33,20 @@ Eigen::Matrix<double, 3, 4> incompatible(const Corners& xy,
   return B;
 }
 
+// theta_z - (v,x - u,y) / 2 over the corners' u, v, theta_z.
+Eigen::RowVectorXd drilling(const Corners& dN, const Eigen::VectorXd& N) {
+  Eigen::RowVectorXd row(3 * N.size());
+  for (Eigen::Index i = 0; i < N.size(); ++i) {
+    row.segment<3>(3 * i) << 0.5 * dN(i, 1), -0.5 * dN(i, 0), N(i);
+  }
+  return row;
+}
+
+// Derivatives of the corners' functions to x and y.
+Corners slopes(const Corners& xy, const Eigen::Vector2d& at) {
+  return corner_slopes(xy.rows(), at) * jacobian(xy, at).inverse().transpose();
+}
+
 }  // namespace
 
 Eigen::MatrixXd membrane_stiffness(const Corners& xy,
@@ -39,24 +56,30 @@ Eigen::MatrixXd membrane_stiffness(const Corners& xy,
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * n, 3 * n);
   Eigen::MatrixXd Kab = Eigen::MatrixXd::Zero(3 * n, inner);
   Eigen::MatrixXd Kaa = Eigen::MatrixXd::Zero(inner, inner);
+  const double G = section.membrane(2, 2);
+  double area = 0.0;
   for (const GaussPoint& point : gauss_points(n, 2)) {
     const Eigen::Matrix2d J = jacobian(xy, point.at);
     const double dA = point.weight * J.determinant();
-    const Corners dN = corner_slopes(n, point.at) * J.inverse().transpose();
-    const Eigen::VectorXd N = corner_values(n, point.at);
+    area += dA;
+    const Corners dN = slopes(xy, point.at);
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 3 * n);
-    Eigen::RowVectorXd drill = Eigen::RowVectorXd::Zero(3 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
       B.middleCols<2>(3 * i) = strain_of(dN(i, 0), dN(i, 1));
-      drill.segment<3>(3 * i) << 0.5 * dN(i, 1), -0.5 * dN(i, 0), N(i);
     }
     K += dA * B.transpose() * section.membrane * B;
-    K += dA * kDrilling * section.membrane(2, 2) * drill.transpose() * drill;
+    const Eigen::RowVectorXd drill = drilling(dN, corner_values(n, point.at));
+    K += dA * kDrillingSpread * G * drill.transpose() * drill;
     if (inner == 0) continue;
-    const Eigen::MatrixXd G = incompatible(xy, point.at, J.determinant());
-    Kab += dA * B.transpose() * section.membrane * G;
-    Kaa += dA * G.transpose() * section.membrane * G;
+    const Eigen::MatrixXd I = incompatible(xy, point.at, J.determinant());
+    Kab += dA * B.transpose() * section.membrane * I;
+    Kaa += dA * I.transpose() * section.membrane * I;
   }
+  const Eigen::Vector2d centre =
+      Eigen::Vector2d::Constant(n == 3 ? 1.0 / 3.0 : 0.0);
+  const Eigen::RowVectorXd drill =
+      drilling(slopes(xy, centre), corner_values(n, centre));
+  K += area * kDrillingCentre * G * drill.transpose() * drill;
   if (inner > 0) K -= Kab * Kaa.ldlt().solve(Kab.transpose());
   return K;
 }

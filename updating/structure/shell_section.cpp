@@ -53,7 +53,7 @@ const Material& stiff_material(const Deck& deck, int id, const Shell& shell) {
   if (!(m.E > 0.0)) {
     throw InputError(
         fmt::format("material {} has no stiffness", id),
-        fmt::format("{}: shell {}", deck.path.filename().string(), shell.id),
+        card_place(deck, shell.where, fmt::format("shell {}", shell.id)),
         "Give E and NU (or G) above zero.");
   }
   return m;

@@ -33,7 +33,7 @@ struct System {
 [[nodiscard]] System assemble(const Deck& deck);
 
 /// Stiffness (or mass) of only the shells, bars and rods that `wanted` accepts
-/// by element id; for properties of groups and for local losses.
+/// by element id (asked on several threads); for groups and local losses.
 [[nodiscard]] SparseMatrix assemble_stiffness(
     const Deck& deck, const std::function<bool(int element_id)>& wanted);
 [[nodiscard]] SparseMatrix assemble_mass(

@@ -59,7 +59,7 @@ TEST(BeamModes, TipDeflectsByBendingAndShear) {
 
 TEST(BeamModes, TorsionOfACbeam) {
   Deck deck = cantilever(20, kSection, true);
-  for (Bar& bar : deck.bars) bar.torsional_inertia = true;
+  for (Bar& bar : deck.bars) bar.rotary_inertia = true;
   hold(deck, "123", [](const Eigen::Vector3d&) { return true; });
   deck.constraints.push_back({2, "123"});
   const Eigen::VectorXd f = modes_of(deck, 1).frequency_hz;
@@ -169,6 +169,9 @@ TEST(BeamModes, MeetsPublishedNastranResults) {
       {"satk_CBAR_CONM2/pn_mwe_s-solution_1.dat",
        {89.56075, 89.56075, 1044.760},
        5e-5},
+      {"good_sine_CBAR_CBUSH_CONM2/good_sine.dat",
+       {0, 0, 0, 0, 0, 0, 10.41889, 20.83568, 63.25364, 126.4067, 176.3268},
+       1e-5},
       {"goland_CQUAD4_CROD_CONM2_SOL200/goland_final_test.bdf",
        {1.981382},
        1e-5}};
@@ -176,6 +179,7 @@ TEST(BeamModes, MeetsPublishedNastranResults) {
     const Eigenmodes modes = modes_of(read_deck(folder / c.file),
                                       static_cast<Eigen::Index>(c.hz.size()));
     for (std::size_t i = 0; i < c.hz.size(); ++i) {
+      if (c.hz[i] == 0.0) continue;  // rigid: rounding there and here
       EXPECT_NEAR(modes.frequency_hz(static_cast<Eigen::Index>(i)) / c.hz[i],
                   1.0,
                   c.tolerance)

@@ -1,0 +1,114 @@
+// What a changed model costs: solved anew, by Woodbury, with derivatives; and
+// what the base costs, once. `line` is the time for one spectral line.
+#include "tests/benchmarks/plate_case.hpp"
+#include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/factor.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::benchmarks {
+namespace {
+
+constexpr Eigen::Index kLines = 300;
+
+// 24, 264, 10,086 and 99,072 degrees of freedom.
+void sizes(benchmark::internal::Benchmark* b) {
+  b->Args({2, 1})->Args({4, 10})->Args({41, 40})->Args({128, 128});
+}
+
+void count_lines(benchmark::State& state,
+                 const PlateCase& plate,
+                 Eigen::Index lines) {
+  state.counters["dofs"] = static_cast<double>(plate.free.size());
+  state.counters["base"] = static_cast<double>(plate.base.size());
+  state.counters["line"] =
+      benchmark::Counter(static_cast<double>(lines),
+                         benchmark::Counter::kIsIterationInvariantRate |
+                             benchmark::Counter::kInvert);
+}
+
+// A mass is added and one line solved again. Without damping the matrix is real
+// and, below the first mode, definite: the cheapest case there is.
+void solve_anew(benchmark::State& state) {
+  const PlateCase& plate = plate_case(static_cast<int>(state.range(0)),
+                                      static_cast<int>(state.range(1)));
+  const double s = 2.0 * std::numbers::pi * 10.0;
+  structure::SparseMatrix Z = plate.K + s * s * plate.M;
+  Z.coeffRef(Z.rows() - 4, Z.rows() - 4) += s * s * 0.01;
+  Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(Z.rows(), 6);
+  for (Eigen::Index k = 0; k < 6; ++k) forces(Z.rows() - 1 - k, k) = 1.0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(structure::Factor(Z).solve(forces));
+  }
+  count_lines(state, plate, 1);
+}
+BENCHMARK(solve_anew)->Apply(sizes)->Unit(benchmark::kMillisecond);
+
+void respond(benchmark::State& state,
+             const PlateCase& plate,
+             std::size_t masses,
+             Eigen::Index lines,
+             bool derivatives) {
+  const Eigen::VectorXcd s = band_lines(lines);
+  const updating::FrfModel model = frf_model(plate, s);
+  double mass = 0.01;
+  for (auto _ : state) {
+    mass *= 1.0001;  // another state each time: nothing can be kept
+    benchmark::DoNotOptimize(
+        model.respond(with_masses(plate, masses, mass), s, derivatives));
+  }
+  count_lines(state, plate, lines);
+}
+
+// (H* - H) / dP needs one of these per parameter.
+void woodbury(benchmark::State& state) {
+  respond(state,
+          plate_case(static_cast<int>(state.range(0)),
+                     static_cast<int>(state.range(1))),
+          1,
+          kLines,
+          false);
+}
+BENCHMARK(woodbury)->Apply(sizes)->Unit(benchmark::kMillisecond);
+
+// -H dZ/dP H for every parameter at once: the mass and five damping ratios.
+void analytic(benchmark::State& state) {
+  respond(state,
+          plate_case(static_cast<int>(state.range(0)),
+                     static_cast<int>(state.range(1))),
+          1,
+          kLines,
+          true);
+}
+BENCHMARK(analytic)->Apply(sizes)->Unit(benchmark::kMillisecond);
+
+void parameters(benchmark::State& state) {
+  respond(state,
+          plate_case(41, 40),
+          static_cast<std::size_t>(state.range(0)),
+          kLines,
+          true);
+}
+BENCHMARK(parameters)->DenseRange(0, 6, 2)->Unit(benchmark::kMillisecond);
+
+void lines(benchmark::State& state) {
+  respond(state, plate_case(41, 40), 1, state.range(0), true);
+}
+BENCHMARK(lines)->RangeMultiplier(4)->Range(16, 4096)->Unit(
+    benchmark::kMillisecond);
+
+void eigenmodes(benchmark::State& state) {
+  const PlateCase& plate = plate_case(static_cast<int>(state.range(0)),
+                                      static_cast<int>(state.range(1)));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(structure::eigenmodes(plate.K, plate.M, 20));
+  }
+  count_lines(state, plate, 1);
+}
+BENCHMARK(eigenmodes)->Apply(sizes)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace tapfit::benchmarks

@@ -1,0 +1,144 @@
+// Decks with a fault: the error or warning names the card, its line, the
+// remedy.
+#include "acquisition/input_error.hpp"
+#include "tests/updating/structure/deck_support.hpp"
+#include "updating/structure/deck_modes.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tapfit::structure {
+namespace {
+
+using testing::HasSubstr;
+
+// Lines 1 to 6; elements follow from line 7.
+const std::string kGrids = R"(GRID,1,,0.,0.,0.
+GRID,2,,1.,0.,0.
+GRID,3,,1.,1.,0.
+GRID,4,,0.,1.,0.
+PSHELL,1,1,0.01,1,,1
+MAT1,1,7.+10,,.3,2700.
+)";
+
+InputError error_of(const std::string& text) {
+  try {
+    const Deck deck = deck_of(text);
+    static_cast<void>(deck_modes(deck, assemble(deck), 10));
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"no error", "", ""};
+}
+
+void expect_error(const std::string& cards,
+                  const std::string& where,
+                  const std::string& what) {
+  const InputError error = error_of(kGrids + cards);
+  EXPECT_THAT(error.where(), HasSubstr(where)) << cards << error.what();
+  EXPECT_THAT(error.what(), HasSubstr(what)) << cards;
+  EXPECT_FALSE(error.remedy().empty()) << cards;
+}
+
+TEST(BadDeck, PropertyOrMaterialIsMissing) {
+  expect_error("CQUAD4,5,9,1,2,3,4\n",
+               "model.bdf:7 CQUAD4 5",
+               "PSHELL 9 does not exist");
+  expect_error("CROD,5,9,1,2\n", "model.bdf:7 CROD 5", "PROD 9");
+  expect_error("CBAR,5,9,1,2,0.,0.,1.\n", "model.bdf:7 CBAR 5", "PBAR");
+  expect_error("CBUSH,5,9,1,2,,,,0\n", "model.bdf:7 CBUSH 5", "PBUSH 9");
+  expect_error("PSHELL,2,8,.01\n", "model.bdf:7 PSHELL 2", "material 8");
+  expect_error("PBAR,2,8,1.-4\n", "model.bdf:7 PBAR 2", "material 8");
+  expect_error("CONROD,5,1,2,8,1.-4\n", "model.bdf:7 CONROD 5", "material 8");
+}
+
+TEST(BadDeck, ThicknessIsZero) {
+  expect_error("PSHELL,2,1,0.\n", "model.bdf:7 PSHELL 2", "thickness is 0");
+}
+
+TEST(BadDeck, ElementIsCollapsed) {
+  expect_error(
+      "CQUAD4,5,1,1,2,3,3\n", "model.bdf:7 CQUAD4 5", "names a grid twice");
+  expect_error("GRID,5,,1.,1.,0.\nCQUAD4,5,1,1,2,3,5\n",
+               "model.bdf:8 CQUAD4 5",
+               "turned in on itself");  // two grids at one place
+  expect_error("CQUAD4,5,1,1,3,2,4\n",
+               "model.bdf:7 CQUAD4 5",
+               "no area");  // crossed sides
+  expect_error("GRID,5,,.1,.1,0.\nCQUAD4,5,1,1,2,5,4\n",
+               "model.bdf:8 CQUAD4 5",
+               "turned in on itself");  // a corner beyond 180 degrees
+  expect_error("GRID,5,,2.,0.,0.\nCTRIA3,5,1,1,2,5\n",
+               "model.bdf:8 CTRIA3 5",
+               "no area");
+  expect_error("GRID,5,,0.,0.,0.\nPROD,2,1,1.-4\nCROD,5,2,1,5\n",
+               "model.bdf:9 CROD 5",
+               "no length");
+  expect_error("GRID,5,,0.,0.,0.\nPBAR,2,1,1.-4\nCBAR,5,2,1,5,0.,0.,1.\n",
+               "model.bdf:9 CBAR 5",
+               "no length");
+}
+
+TEST(BadDeck, GridIsAttachedToNothing) {
+  const Deck deck = deck_of(kGrids +
+                            "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n"
+                            "GRID,8,,6.,0.,0.\nGRID,9,,0.,0.,1.\n"
+                            "PBAR,2,1,1.-4\nCBAR,6,2,1,2,9\n");
+  ASSERT_EQ(deck.warnings.size(), 1U);  // 9 only orients the bar
+  EXPECT_THAT(deck.warnings[0], HasSubstr("GRID 7 (line 8, 2 in all)"));
+  EXPECT_THAT(deck.warnings[0], HasSubstr("attached to no element"));
+}
+
+TEST(BadDeck, CardIsUnknown) {
+  const Deck deck = deck_of(kGrids + "CQUAD4,5,1,1,2,3,4\nCHEXA,6,1,1,2,3\n");
+  ASSERT_EQ(deck.warnings.size(), 1U);
+  EXPECT_THAT(deck.warnings[0], HasSubstr("CHEXA (line 8"));
+  EXPECT_THAT(deck.warnings[0], HasSubstr("missing from the model"));
+}
+
+std::vector<std::string> warnings_of(const std::string& text) {
+  const Deck deck = deck_of(text);
+  return deck_modes(deck, assemble(deck), 20).warnings;
+}
+
+// A chain of two bars along x with a pin between them, on top of kGrids.
+const std::string kChain =
+    "GRID,11,,0.,0.,3.\nGRID,12,,1.,0.,3.\nGRID,13,,2.,0.,3.\n"
+    "PBAR,2,1,1.-4,1.-9,1.-9,2.-9\nCBAR,21,2,11,12,0.,0.,1.\n"
+    "CONM2,31,11,,1.\n,1.\nCONM2,32,13,,1.\n,1.\n";
+
+TEST(BadDeck, MechanismIsNamedWhereItMoves) {
+  const std::string held = "SPC1,1,123456,11\n";
+  const std::string whole = "CBAR,22,2,12,13,0.,0.,1.\n";
+  const std::string pinned = "CBAR,22,2,12,13,0.,0.,1.\n,56\n";
+  EXPECT_TRUE(warnings_of(kGrids + kChain + held + whole).empty());
+  const std::vector<std::string> found =
+      warnings_of(kGrids + kChain + held + pinned);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0], HasSubstr("2 motions without stiffness"));
+  EXPECT_THAT(found[0], HasSubstr("GRID 13, component"));
+  EXPECT_THAT(found[0], HasSubstr("SPC1"));
+}
+
+TEST(BadDeck, FreeStructureIsNoMechanismButTwoPartsAre) {
+  const std::string plate = "CQUAD4,5,1,1,2,3,4\nPARAM,COUPMASS,1\n";
+  EXPECT_TRUE(warnings_of(kGrids + plate).empty());
+  // Held in its plane: three rigid motions are left, and are allowed.
+  EXPECT_TRUE(warnings_of(kGrids + plate + "SPC1,1,126,1,THRU,4\n").empty());
+  const std::vector<std::string> found =
+      warnings_of(kGrids + plate + kChain + "CBAR,22,2,12,13,0.,0.,1.\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0], HasSubstr("6 motions without stiffness"));
+}
+
+TEST(BadDeck, MechanismWithoutMassNamesAGrid) {
+  // Two springs in a row with nothing between them and ground.
+  const InputError error = error_of(
+      "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,2.,0.,0.\nCONM2,9,3,,1.\n"
+      "CELAS2,1,100.,1,1,2,1\nCELAS2,2,100.,3,1\n");
+  EXPECT_THAT(error.what(), HasSubstr("moves without stiffness or mass"));
+  EXPECT_THAT(error.what(), HasSubstr("component 1"));
+  EXPECT_THAT(error.where(), HasSubstr("model.bdf"));
+}
+
+}  // namespace
+}  // namespace tapfit::structure

@@ -1,0 +1,33 @@
+// Modes of a deck, with what a mechanism is told by: where it moves.
+//
+// Motions without stiffness beyond those of a rigid body on its supports,
+//
+//   phi' K phi = 0,  phi not in span(R),  R the rigid motions that the
+//   constraints allow,
+//
+// come from grids or parts that are not joined.
+#pragma once
+
+#include "updating/structure/deck.hpp"
+#include "updating/structure/eigenmodes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct DeckModes {
+  Eigenmodes modes;                   ///< over the free degrees of freedom
+  std::vector<std::string> warnings;  ///< of mechanisms
+};
+
+/// The lowest modes of a deck.
+///
+/// @param system assembled from the deck
+/// @throws InputError naming a grid that moves without stiffness or mass, or
+///   when the solver does not converge
+[[nodiscard]] DeckModes deck_modes(const Deck& deck,
+                                   const System& system,
+                                   Eigen::Index count);
+
+}  // namespace tapfit::structure
