@@ -36,7 +36,13 @@ Eigen::MatrixXd interpolation(int degree) {
   return V.inverse();
 }
 
-// Properties that share elements, and therefore multiply.
+// How a kind of matrix is had, and the degree of each property in it.
+struct Kind {
+  std::vector<int> degree;
+  Assemble assemble;
+};
+
+// Elements on which the same properties act; these multiply there.
 struct Group {
   std::vector<std::size_t> properties;
   std::set<int> elements;
@@ -44,52 +50,45 @@ struct Group {
 
 std::vector<Group> grouped(const std::vector<PropertyLaw>& laws,
                            const std::vector<int>& degree) {
-  std::vector<Group> groups;
+  std::map<int, std::vector<std::size_t>> of_element;
   for (std::size_t j = 0; j < laws.size(); ++j) {
     if (degree[j] == 0) continue;
-    Group joined{{j}, laws[j].elements};
-    const auto meets = [&laws, j](const Group& group) {
-      return std::any_of(group.elements.begin(),
-                         group.elements.end(),
-                         [&](int id) { return laws[j].elements.contains(id); });
-    };
-    for (const Group& group : groups) {
-      if (!meets(group)) continue;
-      joined.properties.insert(joined.properties.end(),
-                               group.properties.begin(),
-                               group.properties.end());
-      joined.elements.insert(group.elements.begin(), group.elements.end());
-    }
-    std::erase_if(groups, meets);
-    groups.push_back(std::move(joined));
+    for (const int id : laws[j].elements) of_element[id].push_back(j);
   }
+  std::map<std::vector<std::size_t>, std::set<int>> alike;
+  for (const auto& [id, properties] : of_element) {
+    alike[properties].insert(id);
+  }
+  std::vector<Group> groups;
+  groups.reserve(alike.size());
+  for (const auto& [properties, ids] : alike)
+    groups.push_back({properties, ids});
   return groups;
 }
 
 /// Takes matrices of a group at all combinations of its properties' nodes.
 struct Expander {
   const std::vector<UncertainProperty>& uncertain;
-  const std::vector<int>& degree;
+  const Kind& kind;
   const Group& group;
   const std::function<bool(int)>& wanted;
-  Assemble assemble;
 
   [[nodiscard]] Expansion expand(const Deck& deck, std::size_t k) const {
     if (k == group.properties.size()) {
       const auto own = [this](int id) {
         return group.elements.contains(id) && wanted(id);
       };
-      return {{Powers(uncertain.size(), 0), assemble(deck, own)}};
+      return {{Powers(uncertain.size(), 0), kind.assemble(deck, own)}};
     }
     const std::size_t j = group.properties[k];
-    const Eigen::MatrixXd weights = interpolation(degree[j]);
+    const Eigen::MatrixXd weights = interpolation(kind.degree[j]);
     Expansion result;
-    for (int n = 0; n <= degree[j]; ++n) {
+    for (int n = 0; n <= kind.degree[j]; ++n) {
       Deck scaled = deck;
       scale_property(
           scaled, uncertain[j], 1.0 + nodes.at(static_cast<std::size_t>(n)));
       for (const auto& [power, A] : expand(scaled, k + 1)) {
-        for (int a = 0; a <= degree[j]; ++a) {
+        for (int a = 0; a <= kind.degree[j]; ++a) {
           Powers higher = power;
           higher[j] = a;
           auto [it, fresh] = result.try_emplace(higher, A.rows(), A.cols());
@@ -105,12 +104,11 @@ struct Expander {
 Expansion expansion(const Deck& deck,
                     const std::vector<UncertainProperty>& uncertain,
                     const std::vector<PropertyLaw>& laws,
-                    const std::vector<int>& degree,
-                    const std::function<bool(int)>& wanted,
-                    Assemble assemble) {
+                    const Kind& kind,
+                    const std::function<bool(int)>& wanted) {
   Expansion all;
-  for (const Group& group : grouped(laws, degree)) {
-    const Expander expander{uncertain, degree, group, wanted, assemble};
+  for (const Group& group : grouped(laws, kind.degree)) {
+    const Expander expander{uncertain, kind, group, wanted};
     Expansion own = expander.expand(deck, 0);
     const Powers nominal(uncertain.size(), 0);
     const double size = own.at(nominal).norm();
@@ -118,7 +116,10 @@ Expansion expansion(const Deck& deck,
     std::erase_if(own, [size](const auto& entry) {
       return entry.second.norm() <= 1e-12 * size;
     });
-    all.merge(own);
+    for (const auto& [power, A] : own) {
+      auto [it, fresh] = all.try_emplace(power, A.rows(), A.cols());
+      it->second += A;
+    }
   }
   return all;
 }
@@ -166,26 +167,30 @@ std::vector<UncertainPart> uncertain_parts(
     const std::vector<UncertainProperty>& uncertain,
     const std::function<bool(int)>& wanted) {
   const std::vector<PropertyLaw> laws = laws_of(deck, uncertain);
-  std::vector<int> of_K;
-  std::vector<int> of_M;
+  Kind stiffness{{}, &structure::assemble_stiffness};
+  Kind mass{{}, &structure::assemble_mass};
   for (const PropertyLaw& law : laws) {
-    of_K.push_back(law.stiffness_degree);
-    of_M.push_back(law.mass_degree);
+    stiffness.degree.push_back(law.stiffness_degree);
+    mass.degree.push_back(law.mass_degree);
   }
-  const Expansion K = expansion(
-      deck, uncertain, laws, of_K, wanted, &structure::assemble_stiffness);
-  const Expansion M =
-      expansion(deck, uncertain, laws, of_M, wanted, &structure::assemble_mass);
   std::map<Powers, UncertainPart> parts;
+  for (const auto& [power, A] :
+       expansion(deck, uncertain, laws, stiffness, wanted)) {
+    parts[power].K = A;
+  }
+  for (const auto& [power, A] :
+       expansion(deck, uncertain, laws, mass, wanted)) {
+    parts[power].M = A;
+  }
   const auto n = static_cast<Eigen::Index>(6 * deck.grids.size());
-  const auto part_of = [&](const Powers& power) -> UncertainPart& {
-    UncertainPart empty{power, SparseMatrix(n, n), SparseMatrix(n, n)};
-    return parts.try_emplace(power, std::move(empty)).first->second;
-  };
-  for (const auto& [power, A] : K) part_of(power).K = A;
-  for (const auto& [power, A] : M) part_of(power).M = A;
   std::vector<UncertainPart> result;
-  for (auto& [power, part] : parts) result.push_back(std::move(part));
+  result.reserve(parts.size());
+  for (auto& [power, part] : parts) {
+    part.power = power;
+    if (part.K.rows() == 0) part.K.resize(n, n);
+    if (part.M.rows() == 0) part.M.resize(n, n);
+    result.push_back(std::move(part));
+  }
   return result;
 }
 

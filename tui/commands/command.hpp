@@ -23,9 +23,15 @@ struct ImportArguments {
   bool overwrite = false;
 };
 
+/// What `tapfit paper` is told.
+struct PaperArguments {
+  std::vector<std::string> structures;  ///< "truss", "wing", "frame"; none: all
+  bool write = false;                   ///< make the bundles' FRFs again
+};
+
 /// The command line of one command; each command reads what it knows of.
 struct CommandOptions {
-  std::filesystem::path input;  ///< bundle or deck
+  std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
   std::optional<std::filesystem::path> uff;     ///< universal file to write
   std::optional<std::filesystem::path> deck;    ///< bulk data to write
@@ -34,6 +40,7 @@ struct CommandOptions {
   int modes = 10;                               ///< of the model
   int node = 0;                                 ///< grid id
   ImportArguments csv;
+  PaperArguments paper;
 };
 
 /// A command returns all of its standard output at once, so that a fault on

@@ -9,6 +9,7 @@
 #include "tui/commands/import_command.hpp"
 #include "tui/commands/model_command.hpp"
 #include "tui/commands/modes_command.hpp"
+#include "tui/commands/paper_command.hpp"
 #include "tui/commands/report_command.hpp"
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/signature_command.hpp"
@@ -149,6 +150,30 @@ void add_import(CLI::App& app, Invocation& invocation) {
   });
 }
 
+void add_paper(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(
+      "paper", "The published tables beside the program's own");
+  CommandOptions& options = invocation.options;
+  command
+      ->add_option("STRUCTURE",
+                   options.paper.structures,
+                   "truss, wing, frame; all where none is named")
+      ->check(CLI::IsMember({"truss", "wing", "frame"}));
+  command->add_option(
+      "--recordings", options.input, "Folder of the bundles (recordings)");
+  command->add_flag("--write",
+                    options.paper.write,
+                    "Make the simulated FRFs of truss and wing again");
+  command->add_flag("--json", options.json, "Print one JSON object");
+  command->callback([&invocation] {
+    invocation.name = "paper";
+    invocation.command = paper_command;
+    if (invocation.options.input.empty()) {
+      invocation.options.input = "recordings";
+    }
+  });
+}
+
 /// A command that reads its own command line.
 void add_own(CLI::App& app,
              const char* name,
@@ -185,6 +210,7 @@ std::vector<std::string> command_names() {
   std::vector<std::string> names;
   for (const Entry& entry : entries) names.emplace_back(entry.name);
   names.emplace_back("import");
+  names.emplace_back("paper");
   names.emplace_back(simulate_name);
   names.emplace_back(score_name);
   return names;
@@ -202,6 +228,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   add_terminal_options(app, invocation);
   for (const Entry& entry : entries) add_command(app, entry, invocation);
   add_import(app, invocation);
+  add_paper(app, invocation);
   add_own(app, simulate_name, "Make a bundle by a virtual test", invocation);
   add_own(app, score_name, "Diagnose practice cases and count", invocation);
   try {

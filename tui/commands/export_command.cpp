@@ -3,6 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
+#include "tui/commands/add_diagnosed.hpp"
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/updated_deck.hpp"
@@ -25,14 +26,7 @@ void add_effects(updating::Session& session,
   for (const auto& text : options.effects) {
     session.add(updating::parse_effect(text), progress);
   }
-  if (!options.effects.empty()) return;
-  // Copied: adding its rungs to the session drops the session's own.
-  const updating::Diagnosis diagnosis = session.diagnosis(progress);
-  session.fit_uncertain(progress);
-  for (const auto& rung : diagnosis.ladder) {
-    const std::string effect = rung.added.substr(0, rung.added.find('|'));
-    session.add({effect, rung.where}, progress);
-  }
+  if (options.effects.empty()) add_diagnosed(session, progress);
 }
 
 // The deck that was read is the engineer's own: it is never written over.

@@ -1,6 +1,7 @@
 #include "tui/commands/report_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/commands/add_diagnosed.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
@@ -52,14 +53,8 @@ std::string measurement_sections(updating::Session& session,
 
 std::string model_sections(updating::Session& session,
                            const Progress& progress) {
-  // Copied: adding its rungs to the session drops the session's own.
-  const updating::Diagnosis diagnosis = session.diagnosis(progress);
   const updating::Comparison before = session.base_comparison(progress);
-  session.fit_uncertain(progress);
-  for (const auto& rung : diagnosis.ladder) {
-    const std::string effect = rung.added.substr(0, rung.added.find('|'));
-    session.add({effect, rung.where}, progress);
-  }
+  const updating::Diagnosis diagnosis = add_diagnosed(session, progress);
   return section("Diagnosis and error ladder", diagnosis_text(diagnosis)) +
          "\n## Modes before and after\n\n" +
          before_after_table(before, session.comparison(progress));

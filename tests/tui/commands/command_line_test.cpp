@@ -1,5 +1,6 @@
 #include "tui/commands/command_line.hpp"
 
+#include "tui/commands/paper_command.hpp"
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/update_command.hpp"
 
@@ -62,6 +63,19 @@ TEST(CommandLine, EffectsKeepTheirOrder) {
   EXPECT_EQ(invocation.options.input, "some/bundle");
   EXPECT_EQ(invocation.options.effects,
             (std::vector<std::string>{"added-mass@201", "sensor-mass"}));
+}
+
+TEST(CommandLine, PaperTakesStructuresAndAFolder) {
+  const Invocation all = parsed({"paper"});
+  EXPECT_EQ(all.command, &paper_command);
+  EXPECT_EQ(all.options.input, "recordings");
+  EXPECT_TRUE(all.options.paper.structures.empty());
+  const Invocation two =
+      parsed({"paper", "truss", "wing", "--recordings", "elsewhere"});
+  EXPECT_EQ(two.options.input, "elsewhere");
+  EXPECT_EQ(two.options.paper.structures,
+            (std::vector<std::string>{"truss", "wing"}));
+  EXPECT_EQ(answered({"paper", "bridge"}).exit_status, 2);
 }
 
 TEST(CommandLine, SimulateGetsItsArgumentsUntouched) {

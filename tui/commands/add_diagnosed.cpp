@@ -1,0 +1,16 @@
+#include "tui/commands/add_diagnosed.hpp"
+
+namespace tapfit::tui {
+
+updating::Diagnosis add_diagnosed(updating::Session& session,
+                                  const Progress& progress) {
+  updating::Diagnosis diagnosis = session.diagnosis(progress);
+  session.fit_uncertain(progress);
+  for (const auto& rung : diagnosis.ladder) {
+    const std::string effect = rung.added.substr(0, rung.added.find('|'));
+    session.add({effect, rung.where}, progress);
+  }
+  return diagnosis;
+}
+
+}  // namespace tapfit::tui
