@@ -62,7 +62,7 @@ struct HitOptions {
 /// @throws InputError when a run holds no hit at all
 [[nodiscard]] HitSet find_hits(const TestBundle& bundle,
                                const std::vector<Recording>& recordings,
-                               const HitOptions& options);
+                               const HitOptions& given);
 
 /// Judges a hit out for a reason, which is noted once.
 void note(Hit& hit, HitFault fault);
