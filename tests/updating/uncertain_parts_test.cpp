@@ -36,7 +36,7 @@ Deck stiffened_plate() {
     bar.property = 2;
     bar.grids = {1 + i, 2 + i};
     bar.orientation = Eigen::Vector3d::UnitZ();
-    bar.torsional_inertia = true;
+    bar.rotary_inertia = true;
     deck.bars.push_back(bar);
   }
   deck.rods.push_back({201, 3, {11, 55}});
