@@ -42,14 +42,7 @@ std::vector<Candidate> candidates_of(const Round& round,
     // A long list of neighbours says nothing new.
     if (++shown[kind] > 3) continue;
     Candidate c = candidate_of(h, setting, round.probability[k + 1]);
-    for (const Hypothesis& other : round.hypotheses) {
-      const bool close =
-          std::abs(other.log_evidence - h.log_evidence) <= look_alike;
-      if (close && &other != &h) {
-        c.indistinguishable_from.push_back(
-            {other.own().effect->name(), other.own().where});
-      }
-    }
+    c.indistinguishable_from = look_alikes(round, k);
     result.push_back(std::move(c));
   }
   return result;
@@ -101,6 +94,7 @@ std::vector<Rung> ladder_of(const Fit& fit,
     Rung rung;
     rung.added = all[next - already].name;
     rung.probability = all[next - already].probability;
+    rung.alike = all[next - already].alike;
     rung.where = fit.effects[next].where;
     rung.error = least;
     rung.parameters = effect_estimates(fit, next, setting);
@@ -117,7 +111,7 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
                       const std::vector<Rung>& ladder,
                       double error) {
   for (auto rung = ladder.rbegin(); rung != ladder.rend(); ++rung) {
-    const std::string kind = rung->added.substr(0, rung->added.find('|'));
+    const std::string kind = leading_kind(*rung);
     Candidate lead;
     const auto it = std::find_if(
         candidates.begin(), candidates.end(), [&](const Candidate& c) {
@@ -130,6 +124,7 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
     lead.effect = kind;
     lead.probability = rung->probability;
     lead.where = rung->where;
+    lead.indistinguishable_from = rung->alike;
     lead.parameters = rung->parameters;
     lead.error = error;
     candidates.insert(candidates.begin(), lead);
@@ -183,7 +178,8 @@ Diagnosis diagnose(const Fitter& fitter,
     if (!worth.earned()) break;
     chosen.push_back(
         {best == 0 ? group_name(round) : added.own().effect->name(),
-         round.probability[best + 1]});
+         round.probability[best + 1],
+         best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
     current = added.fit;
     if (rung > 0) {
       const std::size_t already = present.size();

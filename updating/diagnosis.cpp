@@ -29,4 +29,8 @@ std::string describe(const Where& where) {
   return "everywhere" + variant;
 }
 
+std::string leading_kind(const Rung& rung) {
+  return rung.added.substr(0, rung.added.find('|'));
+}
+
 }  // namespace tapfit::updating

@@ -72,7 +72,11 @@ struct Rung {
   double error = 0.0;
   std::vector<Estimate> parameters;
   double probability = 1.0;  ///< among all tried with the same other effects
+  std::vector<EffectRef> alike = {};  ///< what explains the data as well
 };
+
+/// The most probable kind of a rung that may name a group: "a" of "a|b".
+[[nodiscard]] std::string leading_kind(const Rung& rung);
 
 struct Diagnosis {
   std::string verdict;  ///< "none", "unexplained", "added-mass", "a+b", "a|b"

@@ -22,15 +22,17 @@ constexpr double promising = 2.0;
 // An effect found again must be this much better to take the place.
 constexpr double better = 0.98;
 
-// Probability of an effect among all that was tried with it, none included.
-double probability_of(const Round& round, const PlacedEffect& effect) {
+// How sure an effect is among all that was tried with it, none included.
+void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
+  it.probability = 0.0;
+  it.alike.clear();
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const PlacedEffect& own = round.hypotheses[k].own();
-    if (own.effect == effect.effect && own.where == effect.where) {
-      return round.probability[k + 1];
-    }
+    if (own.effect != effect.effect || own.where != effect.where) continue;
+    it.probability = round.probability[k + 1];
+    it.alike = look_alikes(round, k);
+    return;
   }
-  return 0.0;
 }
 
 std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
@@ -72,6 +74,18 @@ std::string group_name(const Round& round) {
     if (kinds[k].second > least) group += "|" + kinds[k].first;
   }
   return group;
+}
+
+std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
+  std::vector<EffectRef> alike;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& other = round.hypotheses[k];
+    const double apart =
+        std::abs(other.log_evidence - round.hypotheses[of].log_evidence);
+    if (k == of || apart > look_alike) continue;
+    alike.push_back({other.own().effect->name(), other.own().where});
+  }
+  return alike;
 }
 
 RungSearch::RungSearch(const Fitter& fitter,
@@ -150,12 +164,13 @@ Fit RungSearch::relocate(Fit fit,
     const Hypothesis& best = round.hypotheses.front();
     if (best.fit.result.error >= better * fit.result.error) {
       // Now that the others are known, so is how sure this one is.
-      chosen[k - already].probability = probability_of(round, fit.effects[k]);
+      judge_anew(round, fit.effects[k], chosen[k - already]);
       continue;
     }
     fit = best.fit;
     chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
-    chosen.push_back({group_name(round), round.probability[1]});
+    chosen.push_back(
+        {group_name(round), round.probability[1], look_alikes(round, 0)});
   }
   return fit;
 }

@@ -22,6 +22,7 @@ struct Round {
 struct Chosen {
   std::string name;  ///< its kind, or the group of kinds not told apart
   double probability = 0.0;
+  std::vector<EffectRef> alike = {};  ///< what was not told apart from it
 };
 
 /// Explanations closer than this in log evidence are not told apart: 20 : 1,
@@ -33,6 +34,10 @@ extern const double very_strong;
 /// Kinds whose best hypothesis is not told apart from the best of all, joined
 /// with "|"; at most three.
 [[nodiscard]] std::string group_name(const Round& round);
+
+/// The other hypotheses that are not told apart from one.
+[[nodiscard]] std::vector<EffectRef> look_alikes(const Round& round,
+                                                 std::size_t of);
 
 class RungSearch {
  public:

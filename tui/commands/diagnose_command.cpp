@@ -103,9 +103,10 @@ std::string candidates_text(const std::vector<updating::Candidate>& list) {
 
 bool is_candidate(const updating::Diagnosis& diagnosis,
                   const updating::Rung& rung) {
+  const std::string kind = leading_kind(rung);
   return std::ranges::any_of(
-      diagnosis.candidates, [&rung](const updating::Candidate& candidate) {
-        return candidate.effect == rung.added && candidate.where == rung.where;
+      diagnosis.candidates, [&](const updating::Candidate& candidate) {
+        return candidate.effect == kind && candidate.where == rung.where;
       });
 }
 
