@@ -35,7 +35,6 @@ enum Extra : unsigned {
   DeckFile = 2,
   Output = 4,
   Effects = 8,
-  NeedsEffect = 64,
   TextOnly = 128,
   Modes = 16,
   Node = 32,
@@ -62,9 +61,9 @@ constexpr std::array<Entry, 11> entries{{
      signature_command,
      Node},
     {"update",
-     "Add the effects named and identify them",
+     "Identify uncertain properties and the effects named",
      update_command,
-     Effects | NeedsEffect},
+     Effects},
     {"report",
      "A Markdown report of the finished work",
      report_command,
@@ -106,7 +105,6 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
         ->add_option("--effect",
                      options.effects,
                      "Effect to add, for example added-mass@201")
-        ->required((entry.extras & NeedsEffect) != 0)
         ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
         ->allow_extra_args(false);
   }

@@ -1,5 +1,6 @@
 #include "tui/commands/update_command.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/open_bundle.hpp"
@@ -68,9 +69,11 @@ updating::Diagnosis diagnosis_of_named(
   }
   take_final_values(diagnosis);
   if (diagnosis.verdict.empty()) diagnosis.verdict = "none";
-  diagnosis.warnings.push_back(
-      "the effects were named by the user and taken as given: the "
-      "probabilities compare them with nothing");
+  if (!diagnosis.ladder.empty()) {
+    diagnosis.warnings.push_back(
+        "the effects were named by the user and taken as given: the "
+        "probabilities compare them with nothing");
+  }
   if (diagnosis.error_best > 3.0 * diagnosis.floor) {
     diagnosis.warnings.push_back(fmt::format(
         "an error of {:.3g} is left where the measurement supports {:.3g}: "
@@ -88,6 +91,12 @@ std::string update_command(const CommandOptions& options,
     effects.push_back(updating::parse_effect(text));
   }
   updating::Session session = open_bundle(options.input);
+  if (effects.empty() && session.bundle().uncertain.empty()) {
+    throw InputError("there is nothing to identify",
+                     options.input,
+                     "name an --effect, or list in test.json what is "
+                     "`uncertain` in the model");
+  }
   session.fit_uncertain(progress);
   for (const auto& effect : effects) session.add(effect, progress);
   const updating::Diagnosis diagnosis =
