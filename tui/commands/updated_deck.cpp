@@ -3,7 +3,9 @@
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/property_cards.hpp"
 #include "updating/structure/system.hpp"
+#include "updating/uncertain_property.hpp"
 
 #include <fmt/format.h>
 
@@ -53,6 +55,36 @@ void take_id(const std::string& card, structure::Deck& deck) {
   if (id > 0) deck.masses.push_back({.id = id});
 }
 
+/// The deck's lines with what was identified in its cards; what has no field
+/// of its own is added to the comments.
+std::vector<std::string> identified_lines(
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck,
+    const std::vector<updating::Estimate>& identified,
+    std::vector<std::string>& comments) {
+  std::vector<structure::CardScale> scales;
+  std::vector<updating::Estimate> estimates;
+  for (const auto& uncertain : bundle.uncertain) {
+    const updating::PropertyLaw law =
+        updating::property_law(deck, uncertain, "test.json: uncertain");
+    const auto found =
+        std::ranges::find(identified, law.name, &updating::Estimate::name);
+    if (found == identified.end()) continue;
+    scales.push_back(
+        updating::property_card(deck, uncertain, found->value / law.nominal));
+    estimates.push_back(*found);
+  }
+  structure::RescaledDeck result = structure::rescale_cards(deck.path, scales);
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    if (result.done[k]) continue;
+    comments.push_back(
+        fmt::format("$ identified, not written to its card: {} {}",
+                    parameters_text({estimates[k]}),
+                    model_parameter_unit(estimates[k].name)));
+  }
+  return std::move(result.lines);
+}
+
 }  // namespace
 
 std::vector<std::string> effect_cards(
@@ -88,12 +120,10 @@ void write_updated_deck(updating::Session& session,
                          session.model_parameters(progress));
   std::vector<std::string> cards =
       effect_cards(named.candidates, session.bundle(), deck);
-  for (const auto& estimate : named.model_parameters) {
-    cards.push_back(fmt::format("$ identified, not written to its card: {} {}",
-                                parameters_text({estimate}),
-                                model_parameter_unit(estimate.name)));
-  }
-  structure::write_deck(deck, cards, path);
+  structure::Deck changed = deck;
+  changed.cards =
+      identified_lines(session.bundle(), deck, named.model_parameters, cards);
+  structure::write_deck(changed, cards, path);
 }
 
 }  // namespace tapfit::tui

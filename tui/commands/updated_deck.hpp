@@ -1,5 +1,5 @@
-// The deck of a session's model: the original lines, the cards of the effects
-// added, and the identified base parameters as comments.
+// The deck of a session's model: the original lines with the identified base
+// properties in their cards, and the cards of the effects added.
 #pragma once
 
 #include "updating/session.hpp"

@@ -93,8 +93,10 @@ void append_line(const SourceLine& line,
     card.fields.push_back(trimmed(name));
     card.where = line.where;
     card.line = line.number;
+    card.first = line.index;
     cards.push_back(card);
   }
+  cards.back().last = line.index;
   std::vector<std::string>& all = cards.back().fields;
   all.insert(all.end(), fields.data.begin(), fields.data.end());
   marker = fields.marker;

@@ -19,6 +19,8 @@ struct Card {
   std::vector<std::string> fields;
   std::string where;  ///< "file:line" of its first line
   int line = 0;
+  std::size_t first = 0;  ///< its lines, in BulkData::lines
+  std::size_t last = 0;
 
   [[nodiscard]] const std::string& name() const { return fields.front(); }
 };

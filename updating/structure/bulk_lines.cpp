@@ -140,7 +140,8 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
     } else if (is_end(text)) {
       ended = true;
     } else {
-      result.bulk.push_back({text, line.where, line.number});
+      result.bulk.push_back(
+          {text, line.where, line.number, result.all.size() - 1});
     }
   }
   return result;

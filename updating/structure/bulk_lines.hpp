@@ -13,6 +13,7 @@ struct SourceLine {
   std::string text;   ///< comment removed, tabs expanded, not blank
   std::string where;  ///< "file:line"
   int number = 0;
+  std::size_t index = 0;  ///< in DeckLines::all
 };
 
 struct DeckLines {
