@@ -58,6 +58,18 @@ void check_points(const acquisition::TestBundle& bundle,
   }
 }
 
+void warn_of_dampers(structure::Deck& deck) {
+  const auto dampers = std::count_if(
+      deck.scalars.begin(), deck.scalars.end(), [](const auto& s) {
+        return s.damping != 0.0;
+      });
+  if (dampers == 0) return;
+  deck.warnings.push_back(fmt::format(
+      "{} CDAMP of the deck are left out: damping is identified mode by mode; "
+      "add a strong damper as the effect dashpot@GRID",
+      dampers));
+}
+
 }  // namespace
 
 structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
@@ -71,6 +83,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   structure::Deck deck = structure::read_deck(*bundle.deck);
   structure::scale_to_si(deck, bundle.units);
   check_points(bundle, deck);
+  warn_of_dampers(deck);
   return deck;
 }
 

@@ -18,8 +18,10 @@ constexpr const char* bar =
 
 class TestModel : public ::testing::Test {
  protected:
-  structure::Deck read(const Dof& hammer, const Dof& sensor) {
-    folder_.write("model.bdf", bar);
+  structure::Deck read(const Dof& hammer,
+                       const Dof& sensor,
+                       const std::string& more = {}) {
+    folder_.write("model.bdf", bar + more);
     acquisition::TestBundle bundle;
     bundle.folder = folder_.path();
     bundle.deck = folder_.path() / "model.bdf";
@@ -38,6 +40,12 @@ TEST_F(TestModel, WarnsOfAPointThatTheModelHolds) {
   ASSERT_EQ(deck.warnings.size(), 1U);
   EXPECT_NE(deck.warnings[0].find("runs[0].sensors[0]"), std::string::npos);
   EXPECT_NE(deck.warnings[0].find("1Z-"), std::string::npos);
+}
+
+TEST_F(TestModel, WarnsOfDampersThatTheComparisonLeavesOut) {
+  const structure::Deck deck = read({2, 3, 1}, {2, 2, 1}, "CDAMP2,7,3.5,2,3\n");
+  ASSERT_EQ(deck.warnings.size(), 1U);
+  EXPECT_NE(deck.warnings[0].find("1 CDAMP"), std::string::npos);
 }
 
 TEST_F(TestModel, RefusesAGridThatTheModelLacks) {
