@@ -12,8 +12,6 @@ namespace tapfit::updating {
 namespace {
 
 constexpr int folds = 4;
-// A fit within this factor of the floor leaves nothing to explain.
-constexpr double at_floor = 1.3;
 // What an effect must lower the error on left-out runs to. Mesh and model form
 // leave errors of a few percent that some effect can always shave a little.
 constexpr double worth_it = 0.85;
@@ -153,7 +151,9 @@ Diagnosis diagnose(const Fitter& fitter,
     // candidates are still worked out for show.
     const bool explained = current.result.error <= at_floor * options.floor;
     if (rung > 0 && explained) break;
-    const Round round = search.look(current, rung == 0);
+    const Round round = search.look(
+        current,
+        rung == 0 ? RungSearch::Depth::Thorough : RungSearch::Depth::Nearby);
     if (rung == 0) result.candidates = candidates_of(round, setting);
     if (explained) break;
     if (round.hypotheses.empty()) break;

@@ -10,6 +10,7 @@ namespace tapfit::updating {
 
 const double look_alike = std::log(20.0);
 const double very_strong = std::log(150.0);
+const double at_floor = 1.3;
 
 namespace {
 
@@ -91,16 +92,20 @@ std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
 RungSearch::RungSearch(const Fitter& fitter,
                        const DiagnoseOptions& options,
                        const Progress& progress)
-    : fitter_(&fitter), options_(options), progress_(progress) {}
+    : fitter_(&fitter),
+      options_(options),
+      explained_(at_floor * options.floor),
+      progress_(progress) {}
 
 Fit RungSearch::refit(const std::vector<PlacedEffect>& effects) const {
   return fitter_->fit(effects, fitter_->model_for(effects), progress_);
 }
 
-Round RungSearch::look(const Fit& current, bool thorough) const {
+Round RungSearch::look(const Fit& current, Depth depth) const {
+  const bool thorough = depth == Depth::Thorough;
   HypothesisOptions options;
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
-  options.neighbours = thorough ? options_.neighbours : 0;
+  options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
   options.promising = thorough ? 1e300 : promising;
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress_);
@@ -141,7 +146,7 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
     const Hypothesis& h = round.hypotheses[k];
     if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
     if (!kinds.insert(h.own().effect).second) continue;
-    const Round next = look(h.fit, false);
+    const Round next = look(h.fit, Depth::Quick);
     if (next.hypotheses.empty()) continue;
     const Hypothesis& second = next.hypotheses.front();
     if (second.fit.result.error >= least) continue;
@@ -159,7 +164,7 @@ Fit RungSearch::relocate(Fit fit,
                          std::size_t already,
                          std::vector<Chosen>& chosen) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
-    const Round round = look(refit(without(fit, k)), false);
+    const Round round = look(refit(without(fit, k)), Depth::Nearby);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
     if (best.fit.result.error >= better * fit.result.error) {
@@ -179,12 +184,15 @@ Fit RungSearch::prune(Fit fit,
                       std::size_t already,
                       double data,
                       std::vector<Chosen>& chosen) const {
-  for (std::size_t k = already; k + 1 < fit.effects.size();) {
+  for (std::size_t k = already;
+       k < fit.effects.size() && fit.effects.size() > already + 1;) {
     Fit rest = refit(without(fit, k));
     const double own = static_cast<double>(fit.effects[k].p.size());
     const double gain = log_evidence(fit.result.error, own, 1.0, data) -
                         log_evidence(rest.result.error, 0.0, 1.0, data);
-    if (gain < very_strong) {
+    // Once an effect has moved to its right place, it may explain alone what
+    // another was added for.
+    if (gain < very_strong || rest.result.error <= explained_) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -30,6 +30,8 @@ struct Chosen {
 extern const double look_alike;
 /// "Very strong" evidence on that scale, 150 : 1.
 extern const double very_strong;
+/// A fit within this factor of the floor leaves nothing to explain.
+extern const double at_floor;
 
 /// Kinds whose best hypothesis is not told apart from the best of all, joined
 /// with "|"; at most three.
@@ -45,11 +47,14 @@ class RungSearch {
              const DiagnoseOptions& options,
              const Progress& progress);
 
+  enum class Depth {
+    Quick,    ///< only what the screening finds promising, at its best place
+    Nearby,   ///< the same, and better places around
+    Thorough  ///< several places of every kind, and better ones around
+  };
+
   /// Everything that could be added to the model as it is.
-  ///
-  /// @param thorough false: only what the screening finds promising, no
-  ///   neighbours
-  [[nodiscard]] Round look(const Fit& current, bool thorough) const;
+  [[nodiscard]] Round look(const Fit& current, Depth depth) const;
 
   /// A first rung that leaves much may be a stand-in for two effects. Each
   /// other kind's best is given the chance of a second rung; the pair that
@@ -77,6 +82,7 @@ class RungSearch {
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
+  double explained_;  // an error at which nothing is left to explain
   Progress progress_;
 };
 
