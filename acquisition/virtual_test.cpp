@@ -2,6 +2,7 @@
 
 #include "acquisition/anti_alias.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/sinc_interpolation.hpp"
 
 #include <cmath>
 #include <optional>
@@ -22,11 +23,10 @@ Eigen::VectorXd acting_force(const Eigen::VectorXd& force) {
   return mean;
 }
 
-Eigen::VectorXd delayed(const Eigen::VectorXd& signal, Eigen::Index samples) {
-  Eigen::VectorXd late = Eigen::VectorXd::Zero(signal.size());
+Eigen::VectorXd delayed(const Eigen::VectorXd& signal, double samples) {
+  Eigen::VectorXd late(signal.size());
   for (Eigen::Index n = 0; n < signal.size(); ++n) {
-    const Eigen::Index from = n - samples;
-    if (from >= 0 && from < signal.size()) late(n) = signal(from);
+    late(n) = interpolate(signal, static_cast<double>(n) - samples);
   }
   return late;
 }
@@ -60,9 +60,8 @@ Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
       response->acceleration + (acting - force) * response->direct.transpose();
   for (std::size_t c = 0; c < delay_s.size(); ++c) {
     const auto column = static_cast<Eigen::Index>(c);
-    const auto shift =
-        static_cast<Eigen::Index>(std::llround(delay_s[c] * fast_hz));
-    if (shift != 0) fast.col(column) = delayed(fast.col(column), shift);
+    if (delay_s[c] == 0.0) continue;
+    fast.col(column) = delayed(fast.col(column), delay_s[c] * fast_hz);
   }
   return decimate(fast, recorder.oversampling);
 }

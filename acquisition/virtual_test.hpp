@@ -27,8 +27,7 @@ struct VirtualRecorder {
 /// recorder's rate, still without noise or overload.
 ///
 /// @param seconds length of the recording
-/// @param delay_s per channel (hammer first), to the nearest fast sample;
-///   empty: none
+/// @param delay_s per channel (hammer first); empty: none
 /// @return n_samples x (1 + sensors), hammer first [N, m/s^2]
 /// @throws InputError when the structure has no full set of complex modes
 [[nodiscard]] Eigen::MatrixXd feel_run(const SecondOrderSystem& system,

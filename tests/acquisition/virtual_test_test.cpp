@@ -197,7 +197,7 @@ TEST(VirtualTest, StiffModesDoNotAnswerTheCornersOfTheForce) {
 
 TEST(VirtualTest, DelayMovesAChannel) {
   const VirtualRecorder recorder{256.0, 16};
-  const double delay = 3.0 / (256.0 * 16.0);
+  const double delay = 0.37 / (256.0 * 16.0);
   const std::vector<HammerPulse> pulses{{0.2, 0.008, 12.0, 1.0}};
   const Eigen::MatrixXd none = feel_run(pair(), pulses, 8.0, recorder, {});
   const Eigen::MatrixXd late =
