@@ -153,7 +153,7 @@ Diagnosis diagnose(const Fitter& fitter,
     if (rung > 0 && explained) break;
     const Round round = search.look(
         current,
-        rung == 0 ? RungSearch::Depth::Thorough : RungSearch::Depth::Nearby);
+        rung == 0 ? RungSearch::Depth::Thorough : RungSearch::Depth::Quick);
     if (rung == 0) result.candidates = candidates_of(round, setting);
     if (explained) break;
     if (round.hypotheses.empty()) break;
