@@ -34,9 +34,15 @@ BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M) {
     modes.phi = MatrixXd::Identity(K.rows(), K.cols());
     return modes;
   }
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(K, M);
-  modes.omega = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  modes.phi = solver.eigenvectors();
+  const auto take = [&modes](const auto& solver) {
+    modes.omega = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    modes.phi = solver.eigenvectors();
+  };
+  if (M.isIdentity(1e-14)) {
+    take(Eigen::SelfAdjointEigenSolver<MatrixXd>(K));
+  } else {
+    take(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M));
+  }
   return modes;
 }
 
@@ -305,13 +311,14 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   const bool same = phi.isIdentity(0.0);
   const MatrixXd of = phi.transpose() * candidates;
   const MatrixXd squares = of.cwiseAbs2().transpose();
+  const MatrixXcd flexible = flexibility(shared, s);
   std::vector<Walk> result;
   for (const RunLines& lines : walks(shared)) {
     Walk walk;
     walk.pairs = lines.pairs;
     walk.own.resize(s.size(), candidates.cols());
     for (Index line = 0; line < s.size(); ++line) {
-      const VectorXcd g = flexibility(shared, s(line));
+      const VectorXcd g = flexible.col(line);
       VectorXcd own = squares * g;
       MatrixXcd coupled;
       if (lines.B.cols() > 0) {
@@ -376,10 +383,8 @@ ModelResponse FrfModel::respond(const ModelState& state,
                   MatrixXcd::Zero(s.size(), n));
   }
   const std::vector<RunLines> all = walks(shared);
-  for (Index line = 0; line < s.size(); ++line) {
-    const VectorXcd g = flexibility(shared, s(line));
-    for (const RunLines& lines : all) lines.respond(s(line), g, line, out);
-  }
+  const MatrixXcd flexible = flexibility(shared, s);
+  for (const RunLines& lines : all) lines.respond(s, flexible, out);
   measure(shared, s, out);
   return out;
 }

@@ -39,7 +39,7 @@ struct ReducedBase {
 
 struct BaseOptions {
   double high_hz = 100.0;  ///< top of the band
-  double reach = 3.0;      ///< modes up to reach * high_hz
+  double reach = 4.0;      ///< modes up to reach * high_hz
   bool split = true;       ///< every element once more
   /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
   std::vector<int> points = {};

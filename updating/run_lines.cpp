@@ -51,30 +51,52 @@ void ModalTerm::turn_damping(const VectorXd& omega, const VectorXd& zeta) {
   }
 }
 
-MatrixXcd ModalTerm::times(complex<double> s,
+// The real matrices multiply all lines at once, real and imaginary parts side
+// by side.
+MatrixXcd ModalTerm::times(const VectorXcd& s,
                            const VectorXd& omega,
                            const VectorXd& zeta,
                            const MatrixXcd& X) const {
-  VectorXcd d(omega.size());
-  for (Index m = 0; m < d.size(); ++m) {
-    // c = 2 zeta sqrt(k m) grows with half of either.
-    d(m) = s * zeta(m) * omega(m) * m_(m);
-    if (omega(m) > 0.0) d(m) += s * zeta(m) / omega(m) * k_(m);
-    if (K_.size() == 0) d(m) += k_(m);
-    if (M_.size() == 0) d(m) += s * s * m_(m);
+  const Index n = X.cols();
+  // c = 2 zeta sqrt(k m) grows with half of either.
+  VectorXd damping = zeta.cwiseProduct(omega).cwiseProduct(m_);
+  for (Index m = 0; m < damping.size(); ++m) {
+    if (omega(m) > 0.0) damping(m) += zeta(m) / omega(m) * k_(m);
   }
-  MatrixXcd result = d.asDiagonal() * X;
-  if (K_.size() > 0) result += K_ * X;
-  if (M_.size() > 0) result += s * s * (M_ * X);
-  if (C_.size() > 0) result += s * (C_ * X);
+  MatrixXcd result(X.rows(), n);
+  for (Index c = 0; c < n; ++c) {
+    VectorXcd d = s(c) * damping;
+    if (K_.size() == 0) d += k_;
+    if (M_.size() == 0) d += s(c) * s(c) * m_;
+    result.col(c) = d.cwiseProduct(X.col(c));
+  }
+  MatrixXd parts(X.rows(), 2 * n);
+  parts << X.real(), X.imag();
+  const auto add = [&](const MatrixXd& A, int power) {
+    if (A.size() == 0) return;
+    const MatrixXd AX = A * parts;
+    for (Index c = 0; c < n; ++c) {
+      const complex<double> factor = std::pow(s(c), power);
+      result.col(c).real() += factor.real() * AX.col(c);
+      result.col(c).real() -= factor.imag() * AX.col(n + c);
+      result.col(c).imag() += factor.imag() * AX.col(c);
+      result.col(c).imag() += factor.real() * AX.col(n + c);
+    }
+  };
+  add(K_, 0);
+  add(C_, 1);
+  add(M_, 2);
   return result;
 }
 
-VectorXcd flexibility(const ModalState& shared, complex<double> s) {
+MatrixXcd flexibility(const ModalState& shared, const VectorXcd& s) {
   const VectorXd& w = shared.modes.omega;
-  VectorXcd g(w.size());
-  for (Index m = 0; m < w.size(); ++m) {
-    g(m) = 1.0 / (s * s + 2.0 * shared.zeta(m) * w(m) * s + w(m) * w(m));
+  MatrixXcd g(w.size(), s.size());
+  for (Index l = 0; l < s.size(); ++l) {
+    for (Index m = 0; m < w.size(); ++m) {
+      g(m, l) =
+          1.0 / (s(l) * s(l) + 2.0 * shared.zeta(m) * w(m) * s(l) + w(m) * w(m));
+    }
   }
   return g;
 }
@@ -103,49 +125,66 @@ MatrixXcd RunLines::columns(const VectorXcd& g,
   return X;
 }
 
-void RunLines::respond(complex<double> s,
-                       const VectorXcd& g,
-                       Index line,
+void RunLines::respond(const VectorXcd& s,
+                       const MatrixXcd& flexible,
                        ModelResponse& out) const {
-  const MatrixXcd coupled = B.cols() > 0 ? coupling(s, g) : MatrixXcd();
-  const MatrixXcd Xi = columns(g, coupled, references);
-  const MatrixXcd H = s * s * (responses.transpose() * Xi);
-  for (const WalkedPair& p : pairs) {
-    out.H(line, p.frf) = H(p.response, p.reference);
+  std::vector<Columns> X;
+  for (Index line = 0; line < s.size(); ++line) {
+    const VectorXcd g = flexible.col(line);
+    const MatrixXcd coupled = B.cols() > 0 ? coupling(s(line), g) : MatrixXcd();
+    Columns at;
+    at.i = columns(g, coupled, references);
+    const MatrixXcd H = responses.transpose() * at.i;
+    for (const WalkedPair& p : pairs) {
+      out.H(line, p.frf) = s(line) * s(line) * H(p.response, p.reference);
+    }
+    if (out.dH.empty()) continue;
+    at.o = columns(g, coupled, responses);
+    derive_damping(s(line), line, at, out);
+    derive_effects(s(line), line, at, out);
+    X.push_back(std::move(at));
   }
-  if (out.dH.empty()) return;
-  const MatrixXcd Xo = columns(g, coupled, responses);
-  derive_terms(s, line, Xo, Xi, out);
-  derive_damping(s, line, Xo, Xi, out);
-  derive_effects(s, line, Xo, Xi, out);
+  if (!out.dH.empty()) derive_terms(s, X, out);
 }
 
-void RunLines::derive_terms(complex<double> s,
-                            Index line,
-                            const MatrixXcd& Xo,
-                            const MatrixXcd& Xi,
+void RunLines::derive_terms(const VectorXcd& s,
+                            const std::vector<Columns>& X,
                             ModelResponse& out) const {
+  if (shared->terms.empty()) return;
   // d Z is symmetric: it is multiplied to the side with fewer points.
-  const bool few_responses = Xo.cols() < Xi.cols();
-  const MatrixXcd& few = few_responses ? Xo : Xi;
+  const bool few_responses = responses.cols() < references.cols();
+  const Index n = few_responses ? responses.cols() : references.cols();
+  MatrixXcd few(responses.rows(), n * s.size());
+  VectorXcd line_of(few.cols());
+  for (Index line = 0; line < s.size(); ++line) {
+    const Columns& at = X[static_cast<std::size_t>(line)];
+    few.middleCols(n * line, n) = few_responses ? at.o : at.i;
+    line_of.segment(n * line, n).setConstant(s(line));
+  }
   for (const ScaledTerm& scaled : shared->terms) {
-    const MatrixXcd ZX =
-        scaled.term.times(s, shared->modes.omega, shared->zeta, few);
-    const complex<double> factor = -scaled.scale * s * s;
-    const MatrixXcd change = few_responses
-                                 ? MatrixXcd(factor * (ZX.transpose() * Xi))
-                                 : MatrixXcd(factor * (Xo.transpose() * ZX));
+    const MatrixXcd ZX = scaled.term.times(
+        line_of, shared->modes.omega, shared->zeta, few);
     MatrixXcd& d = out.dH[scaled.column];
-    for (const WalkedPair& p : pairs) {
-      d(line, p.frf) = change(p.response, p.reference);
+    for (Index line = 0; line < s.size(); ++line) {
+      const Columns& at = X[static_cast<std::size_t>(line)];
+      const auto of = ZX.middleCols(n * line, n);
+      MatrixXcd change;
+      if (few_responses) {
+        change.noalias() = of.transpose() * at.i;
+      } else {
+        change.noalias() = at.o.transpose() * of;
+      }
+      const complex<double> factor = -scaled.scale * s(line) * s(line);
+      for (const WalkedPair& p : pairs) {
+        d(line, p.frf) = factor * change(p.response, p.reference);
+      }
     }
   }
 }
 
 void RunLines::derive_damping(complex<double> s,
                               Index line,
-                              const MatrixXcd& Xo,
-                              const MatrixXcd& Xi,
+                              const Columns& X,
                               ModelResponse& out) const {
   const VectorXd& w = shared->modes.omega;
   for (Index m = 0; m < w.size(); ++m) {
@@ -154,18 +193,17 @@ void RunLines::derive_damping(complex<double> s,
     const complex<double> dz = 2.0 * shared->zeta(m) * w(m) * s;
     MatrixXcd& d = out.dH[shared->first_zeta + static_cast<std::size_t>(q)];
     for (const WalkedPair& p : pairs) {
-      d(line, p.frf) = -s * s * dz * Xo(m, p.response) * Xi(m, p.reference);
+      d(line, p.frf) = -s * s * dz * X.o(m, p.response) * X.i(m, p.reference);
     }
   }
 }
 
 void RunLines::derive_effects(complex<double> s,
                               Index line,
-                              const MatrixXcd& Xo,
-                              const MatrixXcd& Xi,
+                              const Columns& X,
                               ModelResponse& out) const {
-  const MatrixXcd BXo = B.transpose() * Xo;
-  const MatrixXcd BXi = B.transpose() * Xi;
+  const MatrixXcd BXo = B.transpose() * X.o;
+  const MatrixXcd BXi = B.transpose() * X.i;
   for (std::size_t a = 0; a < actors.size(); ++a) {
     const PlacedEffect& placed = shared->state->effects[actors[a].effect];
     for (std::size_t p = 0; p < placed.p.size(); ++p) {

@@ -32,8 +32,9 @@ class ModalTerm {
   /// A after R. L. Fox, M. P. Kapoor, AIAA Journal 6(12), 1968, p. 2426.
   void turn_damping(const Eigen::VectorXd& omega, const Eigen::VectorXd& zeta);
 
-  /// d Z / d f times X at s; damping follows the frequencies.
-  [[nodiscard]] Eigen::MatrixXcd times(std::complex<double> s,
+  /// d Z / d f times X; damping follows the frequencies.
+  /// @param s the line of each column of X [rad/s]
+  [[nodiscard]] Eigen::MatrixXcd times(const Eigen::VectorXcd& s,
                                        const Eigen::VectorXd& omega,
                                        const Eigen::VectorXd& zeta,
                                        const Eigen::MatrixXcd& X) const;
@@ -62,9 +63,9 @@ struct ModalState {
   std::size_t first_zeta = 0;
 };
 
-/// Diagonal of H, the base's receptance in its modes.
-[[nodiscard]] Eigen::VectorXcd flexibility(const ModalState& shared,
-                                           std::complex<double> s);
+/// Diagonal of H, the base's receptance in its modes; a column per line.
+[[nodiscard]] Eigen::MatrixXcd flexibility(const ModalState& shared,
+                                           const Eigen::VectorXcd& s);
 
 struct RunLines {
   const ModalState* shared = nullptr;
@@ -81,27 +82,28 @@ struct RunLines {
   [[nodiscard]] Eigen::MatrixXcd columns(const Eigen::VectorXcd& g,
                                          const Eigen::MatrixXcd& coupled,
                                          const Eigen::MatrixXd& points) const;
-  /// Fills one line of the response, with derivatives where out.dH is made.
-  void respond(std::complex<double> s,
-               const Eigen::VectorXcd& g,
-               Eigen::Index line,
+  /// Fills the response of these pairs, with derivatives where out.dH is made.
+  /// @param flexible modes x lines, see flexibility()
+  void respond(const Eigen::VectorXcd& s,
+               const Eigen::MatrixXcd& flexible,
                ModelResponse& out) const;
 
  private:
-  void derive_terms(std::complex<double> s,
-                    Eigen::Index line,
-                    const Eigen::MatrixXcd& Xo,
-                    const Eigen::MatrixXcd& Xi,
+  // X of the response and of the reference points on one line.
+  struct Columns {
+    Eigen::MatrixXcd o;
+    Eigen::MatrixXcd i;
+  };
+  void derive_terms(const Eigen::VectorXcd& s,
+                    const std::vector<Columns>& X,
                     ModelResponse& out) const;
   void derive_damping(std::complex<double> s,
                       Eigen::Index line,
-                      const Eigen::MatrixXcd& Xo,
-                      const Eigen::MatrixXcd& Xi,
+                      const Columns& X,
                       ModelResponse& out) const;
   void derive_effects(std::complex<double> s,
                       Eigen::Index line,
-                      const Eigen::MatrixXcd& Xo,
-                      const Eigen::MatrixXcd& Xi,
+                      const Columns& X,
                       ModelResponse& out) const;
 };
 
