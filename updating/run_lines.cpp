@@ -94,8 +94,8 @@ MatrixXcd flexibility(const ModalState& shared, const VectorXcd& s) {
   MatrixXcd g(w.size(), s.size());
   for (Index l = 0; l < s.size(); ++l) {
     for (Index m = 0; m < w.size(); ++m) {
-      g(m, l) =
-          1.0 / (s(l) * s(l) + 2.0 * shared.zeta(m) * w(m) * s(l) + w(m) * w(m));
+      g(m, l) = 1.0 / (s(l) * s(l) + 2.0 * shared.zeta(m) * w(m) * s(l) +
+                       w(m) * w(m));
     }
   }
   return g;
@@ -162,8 +162,8 @@ void RunLines::derive_terms(const VectorXcd& s,
     line_of.segment(n * line, n).setConstant(s(line));
   }
   for (const ScaledTerm& scaled : shared->terms) {
-    const MatrixXcd ZX = scaled.term.times(
-        line_of, shared->modes.omega, shared->zeta, few);
+    const MatrixXcd ZX =
+        scaled.term.times(line_of, shared->modes.omega, shared->zeta, few);
     MatrixXcd& d = out.dH[scaled.column];
     for (Index line = 0; line < s.size(); ++line) {
       const Columns& at = X[static_cast<std::size_t>(line)];

@@ -106,6 +106,7 @@ UpdateResult update(const FrfModel& model,
     progress("updating", static_cast<double>(k) / options.max_iterations);
     bool improved = false;
     double moved = 0.0;
+    double gained = 0.0;
     while (!improved && damping < 1e8) {
       const VectorXd next = (at->theta + step(*at, prior, data, damping))
                                 .cwiseMax(prior.lower)
@@ -114,6 +115,7 @@ UpdateResult update(const FrfModel& model,
       std::optional<Point> trial = look(model, target, start, prior, next);
       improved = trial && trial->objective < at->objective;
       if (improved) {
+        gained = at->objective - trial->objective;
         at = std::move(trial);
         damping = std::max(damping * 0.2, 1e-9);
       } else {
@@ -122,7 +124,10 @@ UpdateResult update(const FrfModel& model,
       }
     }
     result.history.push_back(at->r.norm());
-    result.converged = moved <= options.tolerance;
+    // A short step under heavy damping gains little wherever it is.
+    result.converged =
+        moved <= options.tolerance ||
+        (improved && damping < 1e-2 && gained <= options.objective_tolerance);
     if (result.converged || !improved) break;
   }
   result.state = unpack(start, at->theta);

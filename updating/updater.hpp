@@ -30,6 +30,9 @@ struct Prior {
 struct UpdateOptions {
   int max_iterations = 30;
   double tolerance = 1e-6;  ///< on the relative change of the parameters
+  /// On the decrease of J in one step; d standard errors away from its minimum
+  /// J is d^2 above it.
+  double objective_tolerance = 0.0;
 };
 
 struct UpdateResult {
