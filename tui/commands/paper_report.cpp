@@ -54,6 +54,19 @@ std::string history_text(const PaperReport& report) {
 
 }  // namespace
 
+PaperTable frequency_table(const std::string& name,
+                           const std::vector<double>& paper,
+                           const Eigen::VectorXd& hz) {
+  PaperTable table{name, {}, {}};
+  for (std::size_t k = 0; k < paper.size(); ++k) {
+    table.rows.push_back({fmt::format("mode {}", k + 1),
+                          paper[k],
+                          hz(static_cast<Eigen::Index>(k)),
+                          ""});
+  }
+  return table;
+}
+
 ordered_json paper_json(const PaperReport& report) {
   ordered_json tables = ordered_json::array();
   for (const PaperTable& table : report.tables) {

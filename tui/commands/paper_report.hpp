@@ -24,6 +24,12 @@ struct PaperTable {
   std::vector<std::string> notes;
 };
 
+/// Natural frequencies beside the paper's [Hz].
+/// @param hz at least as many as of the paper
+[[nodiscard]] PaperTable frequency_table(const std::string& name,
+                                         const std::vector<double>& paper,
+                                         const Eigen::VectorXd& hz);
+
 /// One of the paper's three structures.
 struct PaperReport {
   std::string structure;  ///< "truss", "wing", "frame"

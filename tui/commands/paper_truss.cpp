@@ -47,19 +47,6 @@ PaperTable table_2(const updating::SensitivityTime& time) {
       {"Of one modulus over the lines off the resonances, on this machine."}};
 }
 
-PaperTable frequency_table(const std::string& name,
-                           const std::array<double, 7>& paper,
-                           const Eigen::VectorXd& hz) {
-  PaperTable table{"Table 3, " + name + ", Hz", {}, {}};
-  for (std::size_t k = 0; k < paper.size(); ++k) {
-    table.rows.push_back({fmt::format("mode {}", k + 1),
-                          paper.at(k),
-                          hz(static_cast<Eigen::Index>(k)),
-                          ""});
-  }
-  return table;
-}
-
 PaperTable table_4(const updating::PlainResult& result) {
   constexpr std::array<double, 5> paper = {0.85, 0.74, -0.47, -0.85, -0.47};
   const std::vector<double> truth = TrussStudy::truth();
@@ -128,13 +115,13 @@ PaperReport paper_truss(const std::filesystem::path& folder,
   report.tables = {
       table_1(sensitivity),
       table_2(sensitivity.time()),
-      frequency_table("before updating",
+      frequency_table("Table 3, before updating, Hz",
                       {75.68, 140.11, 211.18, 296.74, 353.91, 422.08, 445.16},
                       study.frequencies_hz(study.nominal(), 7)),
-      frequency_table("target",
+      frequency_table("Table 3, target, Hz",
                       {76.58, 140.88, 214.29, 301.78, 361.41, 430.42, 460.18},
                       study.frequencies_hz(TrussStudy::truth(), 7)),
-      frequency_table("after updating",
+      frequency_table("Table 3, after updating, Hz",
                       {76.20, 141.25, 214.13, 300.44, 359.87, 429.76, 462.16},
                       study.frequencies_hz(plain.state.factor, 7)),
       table_4(plain),

@@ -12,19 +12,6 @@ using updating::WingStudy;
 
 constexpr std::uint64_t seed = 1;
 
-PaperTable frequency_table(const std::string& name,
-                           const std::array<double, 7>& paper,
-                           const Eigen::VectorXd& hz) {
-  PaperTable table{"Table 5, " + name + ", Hz", {}, {}};
-  for (std::size_t k = 0; k < paper.size(); ++k) {
-    table.rows.push_back({fmt::format("mode {}", k + 1),
-                          paper.at(k),
-                          hz(static_cast<Eigen::Index>(k)),
-                          ""});
-  }
-  return table;
-}
-
 PaperTable table_6(const updating::WingResult& result) {
   constexpr std::array<const char*, 4> names = {"E1", "E2", "rho1", "A1"};
   constexpr std::array<double, 4> nominal = {210e9, 70e9, 7850.0, 4e-4};
@@ -63,13 +50,13 @@ PaperReport paper_wing(const std::filesystem::path& folder,
   const updating::WingResult result = wing.identify(seed);
   PaperReport report;
   report.structure = "wing";
-  report.tables = {frequency_table("before updating",
+  report.tables = {frequency_table("Table 5, before updating, Hz",
                                    {0.24, 0.86, 1.99, 4.24, 5.43, 8.23, 8.93},
                                    study.frequencies_hz(study.nominal(), 7)),
-                   frequency_table("target",
+                   frequency_table("Table 5, target, Hz",
                                    {0.25, 0.91, 2.09, 4.44, 5.69, 8.63, 9.35},
                                    study.frequencies_hz(WingStudy::truth(), 7)),
-                   frequency_table("after updating",
+                   frequency_table("Table 5, after updating, Hz",
                                    {0.25, 0.90, 2.08, 4.38, 5.68, 8.59, 9.29},
                                    study.frequencies_hz(result.factor, 7)),
                    table_6(result)};
