@@ -1,5 +1,7 @@
 #include "updating/diagnose.hpp"
 
+#include "updating/effects/catalogue.hpp"
+#include "updating/next_measurement.hpp"
 #include "updating/rung_search.hpp"
 
 #include <fmt/format.h>
@@ -103,6 +105,47 @@ std::vector<Rung> ladder_of(const Fit& fit,
   return ladder;
 }
 
+// The strongest look-alike of another kind, or of the same kind elsewhere.
+const EffectRef& rival_of(const Rung& rung) {
+  const auto other = std::find_if(
+      rung.alike.begin(), rung.alike.end(), [&rung](const EffectRef& ref) {
+        return ref.effect != leading_kind(rung);
+      });
+  return other == rung.alike.end() ? rung.alike.front() : *other;
+}
+
+// What would tell each rung from its strongest look-alike, everything else
+// being in the model.
+std::vector<NextMeasurement> next_measurements(const Fit& fit,
+                                               const std::vector<Rung>& ladder,
+                                               const Fitter& fitter,
+                                               const Progress& progress) {
+  std::vector<NextMeasurement> result;
+  for (const Rung& rung : ladder) {
+    if (rung.alike.empty()) continue;
+    std::vector<PlacedEffect> effects = fit.effects;
+    const auto own = std::find_if(
+        effects.begin(), effects.end(), [&rung](const PlacedEffect& e) {
+          return e.effect->name() == leading_kind(rung) &&
+                 e.where == rung.where;
+        });
+    if (own == effects.end()) continue;
+    std::rotate(own, own + 1, effects.end());
+    const auto fit_last = [&](const PlacedEffect& last) {
+      effects.back() = last;
+      return fitter.fit(effects, fitter.model_for(effects), progress);
+    };
+    const Fit one = fit_last(effects.back());
+    const EffectRef& rival = rival_of(rung);
+    const Fit other = fit_last(placed(
+        effects::find(rival.effect), rival.where, fitter.setting().setting));
+    if (const auto next = next_measurement(one, other, fitter)) {
+      result.push_back(*next);
+    }
+  }
+  return result;
+}
+
 // Candidates that made it into the model are reported as fitted with all
 // others, first and in the ladder's order.
 void lead_with_ladder(std::vector<Candidate>& candidates,
@@ -190,6 +233,7 @@ Diagnosis diagnose(const Fitter& fitter,
   }
   result.error_best = current.result.error;
   result.ladder = ladder_of(current, chosen, present.size(), fitter, progress);
+  result.next = next_measurements(current, result.ladder, fitter, progress);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(current, options.properties);
   for (const Rung& rung : result.ladder) {

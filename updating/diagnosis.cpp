@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace tapfit::updating {
 
 std::string describe(const Where& where) {
@@ -31,6 +33,29 @@ std::string describe(const Where& where) {
 
 std::string leading_kind(const Rung& rung) {
   return rung.added.substr(0, rung.added.find('|'));
+}
+
+bool is_telling(const NextMeasurement& next, double floor) {
+  return next.difference > std::max(floor, 2.0 * next.difference_now);
+}
+
+std::string advice(const NextMeasurement& next, double floor) {
+  if (!is_telling(next, floor)) {
+    return fmt::format(
+        "no hit or sensor point would tell them apart (at best {:.2g} % "
+        "between their predictions, the floor is {:.2g} %)",
+        100.0 * next.difference,
+        100.0 * floor);
+  }
+  return fmt::format(
+      "hit {}, {} {} {}: predictions differ by {:.2g} % there, "
+      "so far by {:.2g} %",
+      name(next.hit),
+      next.moves_sensor ? "move" : "with",
+      next.channel,
+      (next.moves_sensor ? "to " : "at ") + name(next.sensor),
+      100.0 * next.difference,
+      100.0 * next.difference_now);
 }
 
 }  // namespace tapfit::updating

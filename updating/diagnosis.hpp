@@ -1,6 +1,8 @@
 // What may be missing from the model, ranked, and how sure one can be.
 #pragma once
 
+#include "acquisition/dof.hpp"
+
 #include <Eigen/Core>
 
 #include <complex>
@@ -37,6 +39,19 @@ struct Estimate {
 struct EffectRef {
   std::string effect;
   Where where;
+};
+
+/// What would tell two explanations apart that fit the data alike.
+struct NextMeasurement {
+  EffectRef one;
+  EffectRef other;
+  Dof hit;
+  Dof sensor;
+  std::string channel;        ///< the sensor's
+  bool moves_sensor = false;  ///< it does not stand there yet
+  /// Between the two predictions of that FRF, in units of the relative error.
+  double difference = 0.0;
+  double difference_now = 0.0;  ///< the largest of any FRF measured so far
 };
 
 struct Candidate {
@@ -90,7 +105,17 @@ struct Diagnosis {
   std::vector<Candidate> candidates;       ///< most probable first
   std::vector<Rung> ladder;                ///< without the base
   std::vector<Estimate> model_parameters;  ///< "E:1" and so on
+  /// One for each rung that something else explains as well.
+  std::vector<NextMeasurement> next;
   std::vector<std::string> warnings;
 };
+
+/// Whether that measurement would show which of the two it is: they differ by
+/// more than the floor there, and by twice what they do so far.
+[[nodiscard]] bool is_telling(const NextMeasurement& next, double floor);
+
+/// "hit 12Z+, move acc2 to 40Z+: predictions differ by 8 % (0.4 % so far)", or
+/// that no point tells the two apart.
+[[nodiscard]] std::string advice(const NextMeasurement& next, double floor);
 
 }  // namespace tapfit::updating

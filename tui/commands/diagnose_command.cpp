@@ -51,6 +51,35 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
   return rungs;
 }
 
+ordered_json next_json(const updating::Diagnosis& diagnosis) {
+  const auto effect = [](const updating::EffectRef& ref) {
+    return ordered_json{{"effect", ref.effect},
+                        {"where", where_json(ref.effect, ref.where)}};
+  };
+  ordered_json list = ordered_json::array();
+  for (const auto& next : diagnosis.next) {
+    list.push_back({{"between", {effect(next.one), effect(next.other)}},
+                    {"hit", name(next.hit)},
+                    {"channel", next.channel},
+                    {"sensor", name(next.sensor)},
+                    {"difference", next.difference},
+                    {"difference_now", next.difference_now},
+                    {"telling", is_telling(next, diagnosis.floor)}});
+  }
+  return list;
+}
+
+std::string next_text(const updating::Diagnosis& diagnosis) {
+  std::string text;
+  for (const auto& next : diagnosis.next) {
+    text += fmt::format("  {} or {}? {}\n",
+                        effect_text(next.one.effect, next.one.where),
+                        effect_text(next.other.effect, next.other.where),
+                        advice(next, diagnosis.floor));
+  }
+  return text;
+}
+
 std::string indented_parameters(
     const std::vector<updating::Estimate>& parameters) {
   std::string text;
@@ -130,6 +159,7 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
       {"candidates", std::move(candidates)},
       {"ladder", ladder_json(diagnosis.ladder)},
       {"model_parameters", model_parameters_json(diagnosis.model_parameters)},
+      {"next_measurements", next_json(diagnosis)},
       {"warnings", diagnosis.warnings}};
 }
 
@@ -146,6 +176,7 @@ std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
                         parameters_text({estimate}),
                         model_parameter_unit(estimate.name));
   }
+  text += next_text(diagnosis);
   for (const auto& warning : diagnosis.warnings) {
     text += "  note: " + warning + "\n";
   }

@@ -5,12 +5,12 @@
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
+#include "tui/views/signature_plot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tapfit::tui {
 namespace {
@@ -92,6 +92,16 @@ std::string look_alikes(const Candidate& c) {
   return text;
 }
 
+/// What to measure to know, where the candidate is in the verdict.
+std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
+  for (const updating::NextMeasurement& next : d.next) {
+    if (next.one.effect != c.effect || next.one.where != c.where) continue;
+    return fmt::format(
+        "; from {}: {}", next.other.effect, advice(next, d.floor));
+  }
+  return {};
+}
+
 std::string all_sizes(const Candidate& c) {
   std::string text;
   for (const updating::Estimate& p : c.parameters) {
@@ -105,76 +115,6 @@ std::string all_sizes(const Candidate& c) {
                         number(p.hi95));
   }
   return text.empty() ? "no parameters" : text;
-}
-
-/// Re z of the three laws at s = j w: mass -w^2 m, spring k; dashpot Im w c.
-Curve law_curve(const std::string& label,
-                const Eigen::VectorXd& frequency_hz,
-                const Pen& pen,
-                double m,
-                double k,
-                double c) {
-  const Eigen::ArrayXd w = 2.0 * std::numbers::pi * frequency_hz.array();
-  Curve curve{label, frequency_hz, {}, {}, {}, pen};
-  const Eigen::ArrayXd re = k - m * w.square();
-  const Eigen::ArrayXd im = c * w;
-  curve.y = c != 0.0 ? im.matrix() : re.matrix();
-  return curve;
-}
-
-/// The parts of z; stretches whose deviation is beyond the plot's sense are
-/// left in, since the eye weighs them by their scatter.
-Plot signature_plot(const Signature& s, const DiagnoseState& state) {
-  Plot plot;
-  const Eigen::Index n = s.frequency_hz.size();
-  const double lo = n > 1 ? s.frequency_hz[0] : 0.0;
-  const double hi = n > 1 ? s.frequency_hz[n - 1] : 1.0;
-  const PlotRange shown = resolved(state.range, lo, hi);
-  plot.x = {"f", "Hz", shown.lo, shown.hi, false};
-  plot.y = {"missing z", "N/m", 0.0, 0.0, false};
-  if (shown.cursor_set) plot.cursor = shown.cursor;
-  if (s.z.size() != n || n == 0) return plot;
-  Curve real{"Re z", s.frequency_hz, s.z.real(), {}, {}, {Colour::Sky}};
-  Curve imaginary{"Im z",
-                  s.frequency_hz,
-                  s.z.imag(),
-                  {},
-                  {},
-                  {Colour::Purple, Pattern::Dotted, '+'}};
-  plot.curves = {real, imaginary};
-  const double best = std::min(
-      {s.mass_unexplained, s.spring_unexplained, s.dashpot_unexplained});
-  const Pen pen{Colour::Orange, Pattern::Dashed, 'o'};
-  if (best == s.mass_unexplained) {
-    plot.curves.push_back(
-        law_curve("mass law", s.frequency_hz, pen, s.mass_kg, 0.0, 0.0));
-  } else if (best == s.spring_unexplained) {
-    plot.curves.push_back(law_curve(
-        "spring law", s.frequency_hz, pen, 0.0, s.spring_n_per_m, 0.0));
-  } else {
-    plot.curves.push_back(law_curve(
-        "dashpot law", s.frequency_hz, pen, 0.0, 0.0, s.dashpot_ns_per_m));
-  }
-  return plot;
-}
-
-/// A few wild lines (no response there) must not flatten the rest: the y
-/// range holds the inner 90 % of the values.
-void hold_inner_range(Plot& plot) {
-  std::vector<double> values;
-  for (const Curve& curve : plot.curves) {
-    for (Eigen::Index i = 0; i < curve.y.size(); ++i) {
-      const bool shown = curve.x[i] >= plot.x.lo && curve.x[i] <= plot.x.hi;
-      if (shown && std::isfinite(curve.y[i])) values.push_back(curve.y[i]);
-    }
-  }
-  if (values.size() < 20) return;
-  std::sort(values.begin(), values.end());
-  const double low = values[values.size() / 20];
-  const double high = values[values.size() - 1 - values.size() / 20];
-  if (!(low < high)) return;
-  plot.y.lo = low - 0.25 * (high - low);
-  plot.y.hi = high + 0.25 * (high - low);
 }
 
 void draw_signature(Screen& screen,
@@ -195,8 +135,7 @@ void draw_signature(Screen& screen,
     return;
   }
   const Signature& s = *found->second;
-  Plot plot = signature_plot(s, state);
-  hold_inner_range(plot);
+  const Plot plot = signature_plot(s, state.range);
   const auto [body, text] = split_top(rect, rect.height - 3);
   draw_plot(screen, body, plot);
   const auto line = [&](int row, const std::string& words) {
@@ -250,17 +189,18 @@ int write(Screen& screen,
 }
 
 /// How large the chosen one is, and what else it could be.
-int write_chosen(Screen& screen, int y, const Candidate& chosen) {
+int write_chosen(Screen& screen,
+                 int y,
+                 const updating::Diagnosis& d,
+                 const Candidate& chosen) {
   const int width = screen.width() - 2;
   y = write(screen, y, wrapped(all_sizes(chosen), width, 2), Colour::Default);
   // The narrow table has no column for it.
   const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
-  const std::string others = tried
-                                 ? fmt::format("error on data left out {}; {}",
-                                               left_out(chosen),
-                                               look_alikes(chosen))
-                                 : look_alikes(chosen);
-  return write(screen, y, wrapped(others, width, 2), Colour::Yellow);
+  const std::string error =
+      tried ? fmt::format("error on data left out {}; ", left_out(chosen)) : "";
+  const std::string others = look_alikes(chosen) + next_step(d, chosen);
+  return write(screen, y, wrapped(error + others, width, 3), Colour::Yellow);
 }
 
 std::string verdict_line(const updating::Diagnosis& d) {
@@ -320,7 +260,7 @@ Screen diagnose_view(const DiagnoseInput& input,
                               std::max(body.height / 3, 4));
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
-  const int below = write_chosen(screen, rest.y, chosen);
+  const int below = write_chosen(screen, rest.y, d, chosen);
   const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);

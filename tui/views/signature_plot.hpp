@@ -1,0 +1,14 @@
+// The missing dynamic stiffness at a place against frequency, with the law
+// that fits it best.
+#pragma once
+
+#include "tui/plot.hpp"
+#include "tui/plot_range.hpp"
+#include "updating/diagnosis.hpp"
+
+namespace tapfit::tui {
+
+[[nodiscard]] Plot signature_plot(const updating::Signature& signature,
+                                  const PlotRange& range);
+
+}  // namespace tapfit::tui
