@@ -116,8 +116,8 @@ INSTANTIATE_TEST_SUITE_P(
             "ground-spring",
             {{"ground-spring", "stiffness_n_per_m", "stiffness_n_per_m"}}},
         KnownCase{"plate-sensor-mass-roving-sensor", "sensor-mass", {sensor}}),
-    [](const testing::TestParamInfo<KnownCase>& info) {
-      std::string name = info.param.folder;
+    [](const testing::TestParamInfo<KnownCase>& known) {
+      std::string name = known.param.folder;
       for (char& c : name) c = std::isalnum(c) != 0 ? c : '_';
       return name;
     });
