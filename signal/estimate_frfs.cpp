@@ -4,6 +4,7 @@
 #include "signal/estimator.hpp"
 #include "signal/frf_variance.hpp"
 #include "signal/hit_blocks.hpp"
+#include "signal/level_dependence.hpp"
 #include "signal/line_noise.hpp"
 #include "signal/spectra.hpp"
 #include "signal/window.hpp"
@@ -36,6 +37,7 @@ struct Plan {
 // Mean coherence below which a sensor hears little of the hits: more than half
 // of its power comes from elsewhere.
 constexpr double mostly_noise = 0.5;
+constexpr std::uint64_t level_seed = 1;
 
 // Factor that makes an accelerance of what was measured.
 Eigen::VectorXcd to_acceleration(const Eigen::VectorXcd& s, Quantity q) {
@@ -48,9 +50,11 @@ void add_run(const TestBundle& bundle,
              std::size_t run_index,
              const HitBlocks& blocks,
              const Plan& plan,
+             LevelDependence& levels,
              FrfSet& set) {
   const Run& run = bundle.runs[run_index];
   const Spectra spectra = plan.transform(blocks);
+  levels.add(spectra);
   for (std::size_t c = 0; c < run.sensors.size(); ++c) {
     Estimate result =
         estimate(spectra.force, spectra.responses[c], plan.estimator);
@@ -89,6 +93,7 @@ FrfSet estimate_all(const TestBundle& bundle,
                     const Progress& progress) {
   FrfSet set;
   set.s = plan.s;
+  LevelDependence levels;
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     progress("FRFs",
              static_cast<double>(r) / static_cast<double>(bundle.runs.size()));
@@ -101,13 +106,15 @@ FrfSet estimate_all(const TestBundle& bundle,
                       bundle.runs[r].file.filename().string()));
       continue;
     }
-    add_run(bundle, r, blocks, plan, set);
+    add_run(bundle, r, blocks, plan, levels, set);
   }
   progress("FRFs", 1.0);
   if (set.frfs.empty())
     throw InputError("no run has an accepted hit",
                      bundle.folder.string(),
                      "accept at least one hit by hand");
+  const std::string dependence = statement(levels.finding(level_seed));
+  if (!dependence.empty()) set.statements.push_back(dependence);
   return set;
 }
 

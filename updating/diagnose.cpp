@@ -182,6 +182,7 @@ Diagnosis diagnose(const Fitter& fitter,
   Diagnosis result;
   result.floor = options.floor;
   result.contour = options.contour;
+  result.warnings = fitter.setting().measured.statements;
   Fit current = fitter.fit(present, fitter.model_for(present), progress);
   result.error_base = current.result.error;
   result.error_fitted = current.result.error;

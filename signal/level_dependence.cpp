@@ -1,0 +1,143 @@
+#include "signal/level_dependence.hpp"
+
+#include "acquisition/seeded_random.hpp"
+#include "signal/estimator.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::signal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index fewest_hits = 3;
+constexpr int permutations = 499;
+// Hits as even as these say nothing about other levels.
+constexpr double least_spread = 0.05;
+// Of 500 tests of a linear structure one is suspected.
+constexpr double sure = 1.0 / (permutations + 1);
+constexpr double worth_saying = 0.01;
+
+// Sum over hits of (a - mean a)^2 |F|^2, the mean weighted by |F|^2; per line.
+VectorXd spread_of(const MatrixXd& power, const VectorXd& level) {
+  const VectorXd total = power.rowwise().sum();
+  const VectorXd mean = (power * level).cwiseQuotient(total);
+  return power * level.cwiseAbs2() - mean.cwiseAbs2().cwiseProduct(total);
+}
+
+VectorXd shuffled(VectorXd level, acquisition::SeededRandom& random) {
+  for (Index k = level.size() - 1; k > 0; --k) {
+    const auto other =
+        static_cast<Index>(random.uniform(0.0, static_cast<double>(k + 1)));
+    std::swap(level(k), level(std::min(other, k)));
+  }
+  return level;
+}
+
+}  // namespace
+
+void LevelDependence::add(const Spectra& spectra) {
+  const Index hits = spectra.force.cols();
+  if (hits < fewest_hits || spectra.responses.empty()) return;
+  Run run;
+  run.power = spectra.force.cwiseAbs2();
+  run.level = run.power.colwise().mean().cwiseSqrt().transpose();
+  const double low = run.level.minCoeff();
+  if (!(low > 0.0) || run.level.maxCoeff() < (1.0 + least_spread) * low) return;
+  if (run.power.rowwise().sum().minCoeff() <= 0.0) return;
+  for (const MatrixXcd& response : spectra.responses) {
+    const Eigen::VectorXcd H =
+        estimate(spectra.force, response, Estimator::H1).H;
+    const MatrixXcd e = response - H.asDiagonal() * spectra.force;
+    run.q.emplace_back(spectra.force.conjugate().cwiseProduct(e));
+    run.unexplained.emplace_back(e.cwiseAbs2().rowwise().sum());
+    run.size += H.cwiseAbs2().sum();
+  }
+  runs_.push_back(std::move(run));
+}
+
+// |e|^2 that follows the levels, per line.
+VectorXd LevelDependence::explained(const Run& run,
+                                    std::size_t sensor,
+                                    const VectorXd& level) {
+  return (run.q[sensor] * level)
+      .cwiseAbs2()
+      .cwiseQuotient(spread_of(run.power, level).cwiseMax(1e-300));
+}
+
+// Sum over lines and sensors of the share of each.
+double LevelDependence::shares(const Run& run, const VectorXd& level) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < run.q.size(); ++c) {
+    sum += explained(run, c, level)
+               .cwiseQuotient(run.unexplained[c].cwiseMax(1e-300))
+               .sum();
+  }
+  return sum;
+}
+
+// |dH|^2 from the weakest hit to the strongest, summed over lines and sensors.
+double LevelDependence::change_squared(const Run& run) {
+  const VectorXd spread = spread_of(run.power, run.level);
+  const double range = run.level.maxCoeff() - run.level.minCoeff();
+  // What does not follow the level is in it as well, a hit's worth.
+  const auto free = static_cast<double>(run.level.size() - 2);
+  double sum = 0.0;
+  for (std::size_t c = 0; c < run.q.size(); ++c) {
+    const VectorXd follows = explained(run, c, run.level);
+    const VectorXd noise = (run.unexplained[c] - follows) / free;
+    sum += (follows - noise).cwiseQuotient(spread.cwiseMax(1e-300)).sum();
+  }
+  return range * range * sum;
+}
+
+LevelFinding LevelDependence::finding(std::uint64_t seed) const {
+  LevelFinding result;
+  result.runs = static_cast<int>(runs_.size());
+  if (runs_.empty()) return result;
+  double lines = 0.0;
+  double own = 0.0;
+  double square = 0.0;
+  double size = 0.0;
+  for (const Run& run : runs_) {
+    own += shares(run, run.level);
+    lines += static_cast<double>(run.power.rows()) *
+             static_cast<double>(run.q.size());
+    square += change_squared(run);
+    size += run.size;
+    result.level_ratio += (run.level.maxCoeff() / run.level.minCoeff() - 1.0) /
+                          static_cast<double>(runs_.size());
+  }
+  result.share = own / lines;
+  result.change = std::sqrt(std::max(square, 0.0) / size);
+  acquisition::SeededRandom random(seed, "levels");
+  int as_large = 0;
+  for (int k = 0; k < permutations; ++k) {
+    double sum = 0.0;
+    for (const Run& run : runs_) {
+      sum += shares(run, shuffled(run.level, random));
+    }
+    result.share_by_chance += sum / lines / permutations;
+    if (sum >= own) ++as_large;
+  }
+  result.p_value = (as_large + 1.0) / (permutations + 1.0);
+  return result;
+}
+
+std::string statement(const LevelFinding& finding) {
+  if (finding.p_value > sure || finding.change < worth_saying) return {};
+  return fmt::format(
+      "the FRFs change with the force of the hits: by about {:.2g} % from the "
+      "weakest to the strongest of a run (1 to {:.2g}). A linear model does "
+      "not; look for play, friction or large motions, and hit evenly",
+      100.0 * finding.change,
+      finding.level_ratio);
+}
+
+}  // namespace tapfit::signal

@@ -1,0 +1,65 @@
+// Whether FRFs change with the force of the hits: a structure with play, with
+// friction or with large motions does, and no linear model explains it.
+//
+// The response that the FRF does not explain, e_k = X_k - H F_k, has no
+// reason to follow the level a_k of the hit. Where H is H0 + (a - mean a) G,
+//
+//   e_k = (a_k - mean a) G F_k
+//
+// and least squares over the hits gives G and the share of |e|^2 that it
+// explains on each line. The same with the levels of each run's hits in another
+// order tells what share chance gives (permutation test; P. Good, "Permutation,
+// Parametric and Bootstrap Tests of Hypotheses", 2005).
+#pragma once
+
+#include "signal/spectra.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace tapfit::signal {
+
+struct LevelFinding {
+  int runs = 0;        ///< with three hits or more, whose levels differ
+  double share = 0.0;  ///< of |e|^2 that follows the level, mean over lines
+  double share_by_chance = 0.0;  ///< mean over the permutations
+  double p_value = 1.0;  ///< of a share this large, were there no dependence
+  /// Root mean square change of the FRFs from the weakest hit to the strongest
+  /// over that of the FRFs, noise taken off.
+  double change = 0.0;
+  double level_ratio = 1.0;  ///< strongest over weakest, mean over the runs
+};
+
+/// Collects runs; each is a structure of its own (sensors may have moved).
+class LevelDependence {
+ public:
+  void add(const Spectra& spectra);
+
+  /// @param seed of the permutations
+  [[nodiscard]] LevelFinding finding(std::uint64_t seed) const;
+
+ private:
+  /// One run in terms of which any order of its levels is quickly tried.
+  struct Run {
+    Eigen::VectorXd level;            ///< per hit [as the force, rms]
+    Eigen::MatrixXd power;            ///< lines x hits, |F|^2
+    std::vector<Eigen::MatrixXcd> q;  ///< per sensor, conj(F) e, lines x hits
+    std::vector<Eigen::VectorXd> unexplained;  ///< per sensor and line, |e|^2
+    double size = 0.0;  ///< sum of |H|^2 over lines and sensors
+  };
+  static Eigen::VectorXd explained(const Run& run,
+                                   std::size_t sensor,
+                                   const Eigen::VectorXd& level);
+  static double shares(const Run& run, const Eigen::VectorXd& level);
+  static double change_squared(const Run& run);
+
+  std::vector<Run> runs_;
+};
+
+/// What to tell the user; empty where there is no sign of it.
+[[nodiscard]] std::string statement(const LevelFinding& finding);
+
+}  // namespace tapfit::signal
