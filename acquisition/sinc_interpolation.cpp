@@ -29,9 +29,9 @@ Peak interpolated_peak(const Eigen::VectorXd& signal, Eigen::Index sample) {
   constexpr double step = 1.0 / steps;
   std::array<double, 2 * steps + 1> values{};
   const auto centre = static_cast<double>(sample);
-  for (int i = -steps; i <= steps; ++i) {
-    values[static_cast<std::size_t>(i + steps)] =
-        interpolate(signal, centre + i * step);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const double offset = static_cast<double>(k) - steps;
+    values[k] = interpolate(signal, centre + offset * step);
   }
   const auto best = std::max_element(values.begin() + 1, values.end() - 1);
   const double left = *(best - 1);

@@ -174,7 +174,7 @@ Placement read_placement(const json& entry,
 fs::path existing_file(const json& entry,
                        const std::string& place,
                        const Source& source) {
-  const fs::path file = source.folder / entry.get<std::string>();
+  fs::path file = source.folder / entry.get<std::string>();
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
     throw InputError(fmt::format("there is no file {}", file.string()),

@@ -189,7 +189,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
     set.synthesis_error = 1.0;
   }
   if (set.modes.empty()) {
-    set.warnings.push_back(
+    set.warnings.emplace_back(
         "no mode found: no pole returns over the model orders; look at the "
         "FRFs and the band");
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 namespace tapfit::modal {
 namespace {
@@ -349,19 +350,18 @@ ModalFit refine_poles(const Curves& curves,
       const bool admissible = next.allFinite() &&
                               next.real().maxCoeff() < curves.sigma &&
                               next.imag().minCoeff() > 0.0;
-      if (admissible) {
-        Linear trial = solve_linear(curves, next, fit, columns);
-        if (trial.cost < linear.cost) {
-          relative =
-              ((next - poles).array().abs() / poles.array().abs()).maxCoeff();
-          poles = next;
-          linear = std::move(trial);
-          mu = std::max(0.1 * mu, 1e-9);
-          moved_on = true;
-          continue;
-        }
+      std::optional<Linear> trial;
+      if (admissible) trial = solve_linear(curves, next, fit, columns);
+      if (!trial || trial->cost >= linear.cost) {
+        mu *= 10.0;
+        continue;
       }
-      mu *= 10.0;
+      relative =
+          ((next - poles).array().abs() / poles.array().abs()).maxCoeff();
+      poles = next;
+      linear = std::move(*trial);
+      mu = std::max(0.1 * mu, 1e-9);
+      moved_on = true;
     }
     if (!moved_on || relative < 1e-9) break;
   }

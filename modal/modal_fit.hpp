@@ -49,7 +49,7 @@ struct ModalFit {
 ///
 /// @param iterations most Gauss-Newton steps; ends early when poles rest
 [[nodiscard]] ModalFit refine_poles(const Curves& curves,
-                                    const Eigen::VectorXcd& poles,
+                                    const Eigen::VectorXcd& start,
                                     int iterations);
 
 /// Covariance of the poles of a refined fit, from the FRFs' variance or from

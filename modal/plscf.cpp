@@ -83,7 +83,7 @@ Sums make_sums(const Curves& curves,
     sums.R.col(o) = (basis.powers.transpose() * power).real();
     const Eigen::MatrixXcd H = curves.H(Eigen::all, row);
     const Eigen::MatrixXcd weighted = power.asDiagonal() * H;
-    sums.S.push_back(-lag_sums(basis, weighted));
+    sums.S.emplace_back(-lag_sums(basis, weighted));
     for (Index j = 0; j < refs; ++j) {
       for (Index i = 0; i < refs; ++i) {
         G.col(i + j * refs).array() +=

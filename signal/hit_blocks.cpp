@@ -78,18 +78,24 @@ struct CutChannel {
   std::vector<Eigen::VectorXd> quiet;
 };
 
+// Length of the blocks, and of the quiet that gives the offset [samples].
+struct Lengths {
+  Index block = 0;
+  Index pre_trigger = 0;
+  Index wanted = 0;
+};
+
 CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
                        const std::vector<Place>& places,
-                       Index block,
-                       Index pre_trigger,
-                       Index wanted,
+                       const Lengths& lengths,
                        const Eigen::VectorXcd& ringing_poles,
                        double fs) {
+  const Index block = lengths.block;
   CutChannel result;
   result.blocks.resize(block, static_cast<Index>(places.size()));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Place& p = places[k];
-    const Index begin = p.trigger - pre_trigger;
+    const Index begin = p.trigger - lengths.pre_trigger;
     Eigen::VectorXd channel = recorded;
     if (p.rings.length() > 0) {
       const Index from = std::max<Index>(0, std::min(p.before.begin, begin));
@@ -97,7 +103,8 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
       channel.segment(from, to - from) -=
           ringing(recorded, p.rings, ringing_poles, fs, from, to - from);
     }
-    const double level = offset_at_hit(channel, p.before, p.after, wanted);
+    const double level =
+        offset_at_hit(channel, p.before, p.after, lengths.wanted);
     Eigen::VectorXd x = cut(channel, begin, block);
     for (Index i = 0; i < block; ++i)
       if (begin + i >= 0 && begin + i < channel.size()) x(i) -= level;
@@ -174,9 +181,7 @@ HitBlocks cut_hits(const acquisition::Run& run,
                               const Eigen::VectorXcd& poles) {
     return cut_channel(recording.samples.col(static_cast<Index>(at.channel)),
                        places,
-                       hits.block,
-                       hits.pre_trigger,
-                       wanted,
+                       {hits.block, hits.pre_trigger, wanted},
                        poles,
                        fs);
   };

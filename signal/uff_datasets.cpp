@@ -70,46 +70,47 @@ void read_binary(Lines& lines, std::string_view header, UffDataset& dataset) {
   lines.at += bytes;
 }
 
-// Number at the start of a text and how many characters it takes.
-std::size_t scan_number(std::string_view text, double& value) {
-  std::string plain;
-  std::size_t i = 0;
-  bool exponent = false;
-  bool digits = false;
-  for (; i < text.size(); ++i) {
-    const char c = text[i];
-    const bool sign = c == '+' || c == '-';
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
-      digits = true;
-      plain += c;
-    } else if (c == '.' && !exponent) {
-      plain += c;
-    } else if (sign && i == 0) {
-      if (c == '-') plain += c;
-    } else if (digits && !exponent &&
-               (sign ||
-                std::string_view("EeDd").find(c) != std::string::npos)) {
-      exponent = true;
-      plain += 'e';
-      if (sign) plain += c;
-    } else if (sign && exponent && plain.back() == 'e') {
-      plain += c;
-    } else {
-      break;
-    }
-  }
-  const auto result =
-      std::from_chars(plain.data(), plain.data() + plain.size(), value);
+bool is_sign(char c) { return c == '+' || c == '-'; }
+
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+// What from_chars() makes of a whole text. Too small for a double is nothing;
+// too large is no measurement.
+bool to_value(const std::string& plain, double& value) {
+  const char* end = plain.data() + plain.size();
+  const auto result = std::from_chars(plain.data(), end, value);
   if (result.ec == std::errc::result_out_of_range) {
-    // Too small for a double is nothing; too large is no measurement.
     const std::size_t e = plain.find('e');
     const bool tiny = e != std::string::npos && plain[e + 1] == '-';
     value = tiny ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    return i;
+    return true;
   }
-  const bool whole =
-      result.ec == std::errc() && result.ptr == plain.data() + plain.size();
-  return whole ? i : 0;
+  return result.ec == std::errc() && result.ptr == end;
+}
+
+// Number at the start of a text and how many characters it takes, 0 for none.
+// An exponent may follow E, D or its sign alone.
+std::size_t scan_number(std::string_view text, double& value) {
+  std::size_t i = 0;
+  const auto more = [&] { return i < text.size(); };
+  std::string plain;
+  if (more() && is_sign(text[0])) {
+    if (text[0] == '-') plain += '-';
+    ++i;
+  }
+  while (more() && (is_digit(text[i]) || text[i] == '.')) plain += text[i++];
+  const bool letter =
+      more() && std::string_view("EeDd").find(text[i]) != std::string::npos;
+  const bool digits = std::any_of(plain.begin(), plain.end(), is_digit);
+  if (digits && more() && (letter || is_sign(text[i]))) {
+    plain += 'e';
+    if (letter) ++i;
+    if (more() && is_sign(text[i])) plain += text[i++];
+    while (more() && is_digit(text[i])) plain += text[i++];
+  }
+  return to_value(plain, value) ? i : 0;
 }
 
 bool by_blanks(std::string_view line, std::vector<double>& values) {

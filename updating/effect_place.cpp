@@ -13,13 +13,21 @@ namespace tapfit::updating {
 
 namespace {
 
-// The numbers of "60:56", or nothing where it is no such list.
-std::vector<int> numbers_in(const std::string& text) {
-  std::vector<int> numbers;
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(':', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// The numbers of "60:56", or nothing where it is no such list.
+std::vector<int> numbers_in(const std::string& text) {
+  std::vector<int> numbers;
+  for (const std::string& part : parts_of(text)) {
     const bool digits =
         !part.empty() && part.size() < 10 &&
         std::all_of(part.begin(), part.end(), [](unsigned char c) {
@@ -27,7 +35,6 @@ std::vector<int> numbers_in(const std::string& text) {
         });
     if (!digits) return {};
     numbers.push_back(std::stoi(part));
-    begin = end + 1;
   }
   return numbers;
 }
@@ -69,7 +76,7 @@ EffectRef parse_effect(const std::string& text) {
   } else if (place == "rotation" || place == "translation" || place == "each") {
     ref.where.variant = place;
   } else if (!place.empty()) {
-    ref.where.channels = {place};
+    ref.where.channels = parts_of(place);
   } else {
     throw InputError("no place after the @",
                      fmt::format("effect \"{}\"", text),
@@ -107,7 +114,10 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
     const bool agrees =
         (want.node == 0 || want.node == where.node) &&
         (want.nodes.empty() || want.nodes == where.nodes) &&
-        (want.channels.empty() || want.channels == where.channels) &&
+        (want.channels.empty() || std::is_permutation(want.channels.begin(),
+                                                      want.channels.end(),
+                                                      where.channels.begin(),
+                                                      where.channels.end())) &&
         (want.variant.empty() || want.variant == where.variant);
     const bool open = want.node == 0 && where.node != 0;
     if (agrees && !open) return placed(effect, where, s);
@@ -129,7 +139,8 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
                   ref.where.node != 0 ? fmt::format("{}", ref.where.node)
                                       : describe(ref.where)),
       "give a grid of the model that can move, elements or grids of a line "
-      "joined with \":\", a channel, or a support of the model");
+      "joined with \":\", a channel (two of them joined with \":\"), or a "
+      "support of the model");
 }
 
 }  // namespace tapfit::updating

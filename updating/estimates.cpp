@@ -50,8 +50,13 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
     result.push_back(
         from_log(d.name, placed.p[0] * d.factor, variance_at(fit, at)));
   }
-  const std::vector<effects::ParameterSpec> specs =
+  std::vector<effects::ParameterSpec> specs =
       placed.effect->parameters(placed.where, setting);
+  for (const StiffnessTerm& term : fit.model->base().terms) {
+    if (!is_of(term, placed)) continue;
+    specs.front().lower = term.lower;
+    specs.front().upper = term.upper;
+  }
   for (std::size_t k = 0; k < specs.size(); ++k) {
     result.push_back(
         from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));

@@ -1,5 +1,6 @@
 #include "updating/frf_model.hpp"
 
+#include "updating/recording_chain.hpp"
 #include "updating/run_lines.hpp"
 #include "updating/uncertain_parts.hpp"
 
@@ -97,7 +98,7 @@ FrfModel::FrfModel(ReducedBase base,
     return it->second;
   };
   for (const signal::Frf& frf : measured.frfs) {
-    Pair pair;
+    MeasuredPair pair;
     pair.run = frf.run;
     pair.channel = setting.bundle->channels.at(frf.channel).name;
     pair.hammer = setting.bundle->channels
@@ -151,9 +152,11 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
          e.effect->acts_on(e.where, setting_, 0)) {
       const VectorXd b =
           base.phi.transpose() * row(dof.node, dof.component).transpose();
-      const double k = e.effect->law(0.0, e.p, dof.group).real() * dof.weight;
       const double z =
           e.effect->law({0.0, omega}, e.p, dof.group).real() * dof.weight;
+      // An absorber tuned below acts as a spring, which has no negative mass.
+      const double k =
+          std::max(z, e.effect->law(0.0, e.p, dof.group).real() * dof.weight);
       K += k * b * b.transpose();
       M += (k - z) / (omega * omega) * b * b.transpose();
     }
@@ -276,17 +279,18 @@ std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
     members[k].push_back(run);
   }
   const MatrixXd points = shared.modes.phi.transpose() * points_;
+  const std::vector<Index> felt = felt_responses(pairs_, *shared.state);
   for (std::size_t k = 0; k < result.size(); ++k) {
     std::map<Index, Index> response;
     std::map<Index, Index> reference;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
-      const Pair& pair = pairs_[p];
+      const MeasuredPair& pair = pairs_[p];
       if (std::find(members[k].begin(), members[k].end(), pair.run) ==
           members[k].end()) {
         continue;
       }
       const Index o =
-          response.try_emplace(pair.response, response.size()).first->second;
+          response.try_emplace(felt[p], response.size()).first->second;
       const Index i =
           reference.try_emplace(pair.reference, reference.size()).first->second;
       result[k].pairs.push_back({static_cast<Index>(p), o, i});
@@ -338,39 +342,6 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
-// Effects of the measuring chain multiply the FRFs of their channels.
-void FrfModel::measure(const ModalState& shared,
-                       const VectorXcd& s,
-                       ModelResponse& out) const {
-  const ModelState& state = *shared.state;
-  for (std::size_t e = 0; e < state.effects.size(); ++e) {
-    const PlacedEffect& placed = state.effects[e];
-    if (placed.effect->entry() != effects::Entry::Measurement) continue;
-    const std::vector<std::string>& channels = placed.where.channels;
-    const auto faulty = [&channels](const std::string& name) {
-      return std::find(channels.begin(), channels.end(), name) !=
-             channels.end();
-    };
-    for (std::size_t k = 0; k < pairs_.size(); ++k) {
-      const bool response = faulty(pairs_[k].channel);
-      if (!response && !faulty(pairs_[k].hammer)) continue;
-      const std::size_t group = response ? 0 : 1;
-      const auto c = static_cast<Index>(k);
-      for (Index l = 0; l < s.size(); ++l) {
-        const complex<double> gain = placed.effect->law(s(l), placed.p, group);
-        for (MatrixXcd& d : out.dH) d(l, c) *= gain;
-        for (std::size_t p = 0; !out.dH.empty() && p < placed.p.size(); ++p) {
-          out.dH[shared.first[e] + p](l, c) =
-              placed.p[p] *
-              placed.effect->law_derivative(s(l), placed.p, group, p) *
-              out.H(l, c);
-        }
-        out.H(l, c) *= gain;
-      }
-    }
-  }
-}
-
 ModelResponse FrfModel::respond(const ModelState& state,
                                 const VectorXcd& s,
                                 bool derivatives) const {
@@ -385,7 +356,7 @@ ModelResponse FrfModel::respond(const ModelState& state,
   const std::vector<RunLines> all = walks(shared);
   const MatrixXcd flexible = flexibility(shared, s);
   for (const RunLines& lines : all) lines.respond(s, flexible, out);
-  measure(shared, s, out);
+  record(pairs_, shared, s, out);
   return out;
 }
 

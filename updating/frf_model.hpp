@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -53,6 +54,15 @@ struct BaseModes {
 struct ModelResponse {
   Eigen::MatrixXcd H;                ///< lines x pairs, accelerance
   std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
+};
+
+/// What was measured between two points, and under which names.
+struct MeasuredPair {
+  std::size_t run = 0;
+  std::string channel;
+  std::string hammer;
+  Eigen::Index response = 0;  ///< column of the points
+  Eigen::Index reference = 0;
 };
 
 /// A pair of the FRF set and its columns among the points walked.
@@ -109,28 +119,18 @@ class FrfModel {
   void set_reference(const ModelState& state);
 
  private:
-  struct Pair {
-    std::size_t run = 0;
-    std::string channel;
-    std::string hammer;
-    Eigen::Index response = 0;  // column of points_
-    Eigen::Index reference = 0;
-  };
   [[nodiscard]] ModalState modal_state(const ModelState& state,
                                        bool derivatives) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
   [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
-  void measure(const ModalState& shared,
-               const Eigen::VectorXcd& s,
-               ModelResponse& out) const;
   [[nodiscard]] Eigen::VectorXd damping(const ModelState& state,
                                         const BaseModes& modes,
                                         std::vector<int>& owner) const;
 
   ReducedBase base_;
   effects::Setting setting_;
-  std::vector<Pair> pairs_;
+  std::vector<MeasuredPair> pairs_;
   Eigen::MatrixXd points_;  // r x points: signed rows of V, each once
   std::vector<std::size_t> runs_;
   Eigen::MatrixXd reference_phi_;

@@ -94,6 +94,11 @@ class Draw {
           name, {channel}, {random_.uniform(0.02, 0.08) / setup_.band_hz[1]}};
     }
     if (name == "channel-polarity") return {name, {channel}, {}};
+    if (name == "channel-swap") {
+      return {name,
+              {setup_.sensor_channels.at(0), setup_.sensor_channels.at(1)},
+              {}};
+    }
     throw InputError("no such effect to hide: " + name,
                      "hidden case",
                      "take one of hidden_kinds()");
@@ -268,7 +273,8 @@ const std::vector<std::string>& hidden_kinds() {
                                                  "added-mass+soft-support",
                                                  "added-mass+channel-gain",
                                                  "sensor-mass+soft-support",
-                                                 "strut"};
+                                                 "strut",
+                                                 "channel-swap"};
   return kinds;
 }
 

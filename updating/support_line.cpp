@@ -59,16 +59,26 @@ int line_axis(const Deck& deck, const std::vector<int>& nodes) {
   return longest > 0.0 && rest <= 0.01 * longest ? static_cast<int>(axis) : -1;
 }
 
-// Length that each node carries: half the gap on either side.
-std::vector<double> tributary_lengths(const std::vector<double>& x) {
+// Length that each node carries: half the gap on either side. Between two
+// separate edges on one line there is a gap, but nothing held. Where grids
+// stand alone, each stands for the gaps beside it.
+std::vector<double> tributary_lengths(const std::vector<double>& x,
+                                      const std::vector<bool>& connected) {
   const std::size_t n = x.size();
-  std::vector<double> lengths(n, 0.0);
-  for (std::size_t k = 0; k + 1 < n; ++k) {
-    const double half = 0.5 * (x[k + 1] - x[k]);
-    lengths[k] += half;
-    lengths[k + 1] += half;
-  }
-  return lengths;
+  const auto lengths_over = [&](bool all) {
+    std::vector<double> lengths(n, 0.0);
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      if (!all && !connected[k]) continue;
+      const double half = 0.5 * (x[k + 1] - x[k]);
+      lengths[k] += half;
+      lengths[k + 1] += half;
+    }
+    return lengths;
+  };
+  std::vector<double> lengths = lengths_over(false);
+  const bool alone = std::any_of(
+      lengths.begin(), lengths.end(), [](double l) { return l == 0.0; });
+  return alone ? lengths_over(true) : lengths;
 }
 
 }  // namespace
@@ -118,7 +128,14 @@ SupportLine support_line(const Deck& deck,
     });
     std::vector<double> x(order.size());
     std::transform(order.begin(), order.end(), x.begin(), along);
-    lengths = tributary_lengths(x);
+    const std::map<int, std::set<int>> near = neighbours(deck);
+    std::vector<bool> connected;
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      const auto it = near.find(order[k]);
+      connected.push_back(it != near.end() &&
+                          it->second.contains(order[k + 1]));
+    }
+    lengths = tributary_lengths(x, connected);
   }
   line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<int> components = {component};

@@ -203,7 +203,24 @@ fs::path recording_file(const fs::path& folder, int run) {
   return folder / fmt::format("run-{:02}.flac", run);
 }
 
-acquisition::TestBundle describe(const VirtualSetup& setup,
+// What was written down of two swapped channels: each at the other's place.
+void swap_channels(const VirtualEffect& effect,
+                   acquisition::TestBundle& bundle) {
+  for (acquisition::Run& run : bundle.runs) {
+    std::vector<Dof*> places;
+    for (acquisition::Placement& sensor : run.sensors) {
+      const std::string& name = bundle.channels[sensor.channel].name;
+      if (std::find(effect.places.begin(), effect.places.end(), name) !=
+          effect.places.end()) {
+        places.push_back(&sensor.dof);
+      }
+    }
+    if (places.size() == 2) std::swap(*places[0], *places[1]);
+  }
+}
+
+acquisition::TestBundle describe(const VirtualBundleSpec& spec,
+                                 const VirtualSetup& setup,
                                  std::vector<acquisition::Channel> channels,
                                  const fs::path& folder) {
   acquisition::TestBundle bundle;
@@ -225,6 +242,9 @@ acquisition::TestBundle describe(const VirtualSetup& setup,
       run.sensors.push_back({++channel, sensor.dof});
     }
     bundle.runs.push_back(run);
+  }
+  for (const VirtualEffect& effect : spec.effects) {
+    if (effect.name == "channel-swap") swap_channels(effect, bundle);
   }
   return bundle;
 }
@@ -303,7 +323,8 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
     spoil_hits(spec, setup, channels, records);
   }
 
-  const acquisition::TestBundle bundle = describe(setup, channels, folder);
+  const acquisition::TestBundle bundle =
+      describe(spec, setup, channels, folder);
   const std::vector<acquisition::AnalogueChannel> chains =
       make_chains(spec, setup, channels);
   for (std::size_t k = 0; k < bundle.runs.size(); ++k) {

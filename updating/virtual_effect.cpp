@@ -14,7 +14,7 @@
 namespace tapfit::updating {
 namespace {
 
-enum class Place { None, Node, Nodes, Channel, Channels, Elements };
+enum class Place { None, Node, Nodes, Channel, Channels, Elements, Pair };
 
 struct Kind {
   const char* name;
@@ -44,6 +44,7 @@ const std::vector<Kind>& kinds() {
       {"channel-gain", Place::Channel, {"gain"}, 1},
       {"channel-delay", Place::Channel, {"delay_s"}, 1},
       {"channel-polarity", Place::Channel, {}, 0},
+      {"channel-swap", Place::Pair, {}, 0},
   };
   return all;
 }
@@ -81,6 +82,7 @@ void check_places(const Kind& kind,
                      : kind.place == Place::Channels ? true
                      : kind.place == Place::Elements ? count > 0
                      : kind.place == Place::Nodes    ? count > 1
+                     : kind.place == Place::Pair     ? count == 2
                                                      : count == 1;
   if (!right) refuse("wrong number of places", text);
   const bool ids = kind.place == Place::Node || kind.place == Place::Nodes ||
@@ -134,8 +136,13 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
 }
 
 std::string virtual_effect_help() {
-  static constexpr std::array<const char*, 6> places{
-      "", "@NODE", "@NODE:...", "@CHANNEL", "[@CHANNEL:...]", "@ELEMENT:..."};
+  static constexpr std::array<const char*, 7> places{"",
+                                                     "@NODE",
+                                                     "@NODE:...",
+                                                     "@CHANNEL",
+                                                     "[@CHANNEL:...]",
+                                                     "@ELEMENT:...",
+                                                     "@CHANNEL:CHANNEL"};
   std::string help;
   for (const Kind& kind : kinds()) {
     help += fmt::format("  {}{}{}{}\n",
@@ -166,6 +173,7 @@ nlohmann::ordered_json truth_entry(const VirtualEffect& effect,
     case Place::Elements:
       entry["elements"] = effect.numbers();
       break;
+    case Place::Pair:
     case Place::Channels:
       entry["channels"] = effect.places.empty() ? channels : effect.places;
       break;

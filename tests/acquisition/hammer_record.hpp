@@ -61,8 +61,8 @@ inline void add_pulse(Eigen::VectorXd& force,
 inline void add_noise(Eigen::VectorXd& channel,
                       double sd,
                       std::mt19937_64& random) {
-  std::normal_distribution<double> normal(0.0, sd);
-  for (double& value : channel) value += normal(random);
+  std::normal_distribution<double> normal;
+  for (double& value : channel) value += sd * normal(random);
 }
 
 /// Adds amplitude * exp(-decay (t - t0)) sin(2 pi f (t - t0)) from t0 on.

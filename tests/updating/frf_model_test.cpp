@@ -304,6 +304,21 @@ double derivative_error(const FrfModel& model,
   return worst;
 }
 
+TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {
+  Where both;
+  both.channels = {"acc1", "acc2"};
+  const auto model = fitter_->model_for({});
+  ModelState state = undamped(*fitter_, *model, {});
+  const MatrixXcd H = model->respond(state, s_, false).H;
+  state.effects = {{&effects::find("channel-swap"), both, {}}};
+  const MatrixXcd swapped = model->respond(state, s_, false).H;
+  // The bundle has acc1 and acc2 in turn, run after run.
+  for (Eigen::Index f = 0; f < H.cols(); f += 2) {
+    EXPECT_EQ(swapped.col(f), H.col(f + 1));
+    EXPECT_EQ(swapped.col(f + 1), H.col(f));
+  }
+}
+
 TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
   const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
                                              at_node("ground-spring", 50, 3e4),

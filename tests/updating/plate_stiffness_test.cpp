@@ -73,10 +73,10 @@ std::map<std::string, Estimate> identified(
   folder.write("test/model.bdf", plate(deck));
   std::ifstream in(folder.path() / "test" / "test.json");
   json test = json::parse(in);
-  json& sensors = test["runs"][0]["sensors"];
+  const json sensors = test["runs"][0]["sensors"];
   const int hit = test["runs"][0]["hammer"]["node"];
   test["runs"] = json::array({test["runs"][0]});
-  for (const json& sensor : json(sensors)) {
+  for (const json& sensor : sensors) {
     if (sensor["node"] != hit) test["runs"][0]["sensors"] = {sensor};
   }
   test["uncertain"] = json::array();

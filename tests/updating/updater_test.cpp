@@ -145,6 +145,17 @@ TEST(DiagnoseTest, FindsTheSensorsMass) {
   EXPECT_NEAR(d.candidates[0].parameters[0].value, 0.008, 0.0004);
 }
 
+TEST(DiagnoseTest, FindsSwappedChannels) {
+  Where both;
+  both.channels = {"acc1", "acc2"};
+  const PlateExperiment test(
+      {{&effects::find("channel-swap"), both, {}}}, 0.02, 7);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "channel-swap");
+  // Noise of 2 % in both parts.
+  EXPECT_LT(d.error_best, 1.1 * d.floor);
+}
+
 TEST(DiagnoseTest, SaysNoneWhenNothingIsMissing) {
   const PlateExperiment test({}, 0.02, 4);
   const Diagnosis d = test.diagnose_it();

@@ -14,8 +14,7 @@ using nlohmann::ordered_json;
 ordered_json where_json(const std::string& effect,
                         const updating::Where& where) {
   ordered_json json = ordered_json::object();
-  const bool one_channel = effect.starts_with("channel-");
-  if (one_channel && !where.channels.empty()) {
+  if (effect.starts_with("channel-") && where.channels.size() == 1) {
     json["channel"] = where.channels.front();
     return json;
   }

@@ -3,6 +3,7 @@
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/fit_setting.hpp"
 #include "updating/property_cards.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/uncertain_property.hpp"
@@ -26,9 +27,7 @@ effects::Setting setting_of(const acquisition::TestBundle& bundle,
     setting.low_hz = bundle.band_hz->front();
     setting.high_hz = bundle.band_hz->back();
   }
-  if (!bundle.runs.empty() && !bundle.runs.front().sensors.empty()) {
-    setting.component = bundle.runs.front().sensors.front().dof.component;
-  }
+  setting.component = updating::measured_component(bundle);
   return setting;
 }
 
@@ -45,14 +44,21 @@ std::vector<double> values(const std::vector<updating::Estimate>& identified,
   return p;
 }
 
-/// Marks the element id of a card, "CONM2,305,...", as taken.
+/// Marks the id of a card, "CONM2,305,..." or "GRID,400,...", as taken.
 void take_id(const std::string& card, structure::Deck& deck) {
   const std::size_t comma = card.find(',');
   if (card.starts_with('$') || comma == std::string::npos) return;
   int id = 0;
   const char* first = card.data() + comma + 1;
   std::from_chars(first, card.data() + card.size(), id);
-  if (id > 0) deck.masses.push_back({.id = id});
+  if (id <= 0) return;
+  if (card.starts_with("GRID")) {
+    structure::Grid grid;
+    grid.id = id;
+    deck.grids.push_back(grid);
+  } else {
+    deck.masses.push_back({.id = id});
+  }
 }
 
 /// The deck's lines with what was identified in its cards; what has no field

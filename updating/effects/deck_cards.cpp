@@ -23,6 +23,13 @@ int free_id(const structure::Deck& deck, int offset) {
   return highest + 1 + offset;
 }
 
+// Force by length is mass by time squared; a rotation has a length at either
+// end.
+double file_stiffness(const structure::Deck& deck, int component, double si) {
+  const double length = component > 3 ? deck.file_length_m : 1.0;
+  return si / (deck.file_mass_kg * length * length);
+}
+
 // A real in bulk data needs a point or an exponent with one.
 std::string real(double value) { return fmt::format("{:#.7g}", value); }
 
@@ -32,8 +39,10 @@ std::string point_mass_card(const structure::Deck& deck,
                             int offset,
                             int node,
                             double mass_kg) {
-  return fmt::format(
-      "CONM2,{},{},,{}", free_id(deck, offset), node, real(mass_kg));
+  return fmt::format("CONM2,{},{},,{}",
+                     free_id(deck, offset),
+                     node,
+                     real(mass_kg / (deck.file_mass_kg * deck.weight_to_mass)));
 }
 
 std::string ground_spring_card(const structure::Deck& deck,
@@ -43,7 +52,7 @@ std::string ground_spring_card(const structure::Deck& deck,
                                double stiffness) {
   return fmt::format("CELAS2,{},{},{},{}",
                      free_id(deck, offset),
-                     real(stiffness),
+                     real(file_stiffness(deck, component, stiffness)),
                      node,
                      component);
 }
@@ -55,7 +64,7 @@ std::string ground_damper_card(const structure::Deck& deck,
                                double damping) {
   return fmt::format("CDAMP2,{},{},{},{}",
                      free_id(deck, offset),
-                     real(damping),
+                     real(file_stiffness(deck, component, damping)),
                      node,
                      component);
 }
@@ -69,14 +78,15 @@ std::vector<std::string> absorber_cards(const structure::Deck& deck,
   int own = 0;
   for (const structure::Grid& grid : deck.grids) own = std::max(own, grid.id);
   ++own;
-  const Eigen::Vector3d& at = deck.grids[deck.grid_index(node)].position;
+  const Eigen::Vector3d at =
+      deck.grids[deck.grid_index(node)].position / deck.file_length_m;
   std::string held = "123456";
   held.erase(static_cast<std::size_t>(component - 1), 1);
   const auto link = [&](const char* card, int offset, double size) {
     return fmt::format("{},{},{},{},{},{},{}",
                        card,
                        free_id(deck, offset),
-                       real(size),
+                       real(file_stiffness(deck, component, size)),
                        node,
                        component,
                        own,

@@ -1,4 +1,5 @@
-// Bulk data cards for identified effects, with element ids that are free.
+// Bulk data cards for identified effects, with element ids that are free and in
+// the units of the deck's own file. Sizes are given in SI.
 #pragma once
 
 #include "updating/structure/deck.hpp"

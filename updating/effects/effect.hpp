@@ -80,6 +80,13 @@ class Effect {
   [[nodiscard]] virtual std::vector<ActedDof> acts_on(
       const Where& where, const Setting& setting, std::size_t run) const = 0;
 
+  /// For Entry::Measurement: the sensor channel whose signal was recorded under
+  /// a channel's name; another one where cables were swapped.
+  [[nodiscard]] virtual std::string recorded_as(const std::string& channel,
+                                                const Where&) const {
+    return channel;
+  }
+
   /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for
   /// Entry::Measurement the factor on the channel's FRFs.
   [[nodiscard]] virtual std::complex<double> law(std::complex<double> s,

@@ -5,6 +5,7 @@
 #include "updating/effects/sensor_channels.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace tapfit::effects {
@@ -38,7 +39,11 @@ std::vector<ActedDof> SensorMass::acts_on(const Where& where,
                                           const Setting& setting,
                                           std::size_t run) const {
   std::vector<ActedDof> result;
+  const bool shared = where.variant != "each";
+  std::set<int> done;
   for (const PlacedSensor& sensor : placed_sensors(where, setting, run)) {
+    // A triaxial sensor is one mass under three names.
+    if (!done.insert(sensor.dof.node).second && shared) continue;
     for (ActedDof dof : translations(sensor.dof.node)) {
       dof.group = group_of(where, sensor.position);
       result.push_back(dof);
@@ -66,12 +71,13 @@ std::vector<std::string> SensorMass::bulk_data(
     const std::vector<double>& p) const {
   std::vector<std::string> cards = {
       "$ The sensors' mass, where they sat in the first run"};
-  int offset = 0;
-  std::set<int> done;
+  std::map<int, double> mass_at;
   for (const ActedDof& dof : acts_on(where, setting, 0)) {
-    if (!done.insert(dof.node).second) continue;
-    cards.push_back(
-        point_mass_card(*setting.deck, offset++, dof.node, p[dof.group]));
+    if (dof.component == 1) mass_at[dof.node] += p[dof.group];
+  }
+  int offset = 0;
+  for (const auto& [node, mass] : mass_at) {
+    cards.push_back(point_mass_card(*setting.deck, offset++, node, mass));
   }
   return cards;
 }

@@ -156,6 +156,10 @@ struct Deck {
   bool coupled_mass = false;          ///< PARAM,COUPMASS: consistent mass
   double weight_to_mass = 1.0;        ///< PARAM,WTMASS
   double structural_damping = 0.0;    ///< PARAM,G
+  /// What the file's own units are in SI; the numbers here are, once
+  /// scale_to_si() has been.
+  double file_length_m = 1.0;
+  double file_mass_kg = 1.0;
   std::vector<std::string> cards;     ///< the file as read, line by line, with
                                       ///< INCLUDE files inlined
   std::vector<std::string> warnings;  ///< unknown cards: line, consequence

@@ -87,6 +87,8 @@ void scale_to_si(Deck& deck, const std::string& units) {
   const Units to{1e-3, 1e3};
   scale_elements(deck, to);
   scale_properties(deck, to);
+  deck.file_length_m = to.length;
+  deck.file_mass_kg = to.mass;
 }
 
 }  // namespace tapfit::structure

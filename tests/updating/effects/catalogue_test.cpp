@@ -1,10 +1,13 @@
 #include "updating/effects/catalogue.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/effects/deck_cards.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 namespace tapfit::effects {
@@ -26,6 +29,15 @@ TEST_F(EveryEffect, HasANameOfItsOwn) {
   std::set<std::string> names;
   for (const auto& effect : catalogue()) names.insert(effect->name());
   EXPECT_EQ(names.size(), catalogue().size());
+}
+
+TEST_F(EveryEffect, HasItsPage) {
+  const std::filesystem::path pages =
+      std::filesystem::path(TAPFIT_SOURCE_DIR) / "docs" / "effects";
+  for (const auto& effect : catalogue()) {
+    EXPECT_TRUE(std::filesystem::exists(pages / (effect->name() + ".md")))
+        << effect->name();
+  }
 }
 
 TEST_F(EveryEffect, HasAPlaceOnAClampedPlate) {
@@ -108,6 +120,42 @@ TEST_F(EveryEffect, HammerFaultsAreTheInverseOfSensorFaults) {
         effect.law(s, {0.002}, 0) * effect.law(s, {0.002}, 1);
     EXPECT_NEAR(std::abs(both - 1.0), 0.0, 1e-12) << name;
   }
+}
+
+// Cards go into the engineer's file: in millimetres and tonnes a stiffness is
+// in N/mm, one of a rotation in N mm.
+TEST_F(EveryEffect, CardsAreInTheUnitsOfTheFile) {
+  structure::Deck deck = deck_;
+  deck.file_length_m = 1e-3;
+  deck.file_mass_kg = 1e3;
+  EXPECT_TRUE(point_mass_card(deck, 0, 30, 0.02).ends_with(",2.000000e-05"));
+  EXPECT_NE(ground_spring_card(deck, 0, 30, 3, 5e3).find(",5.000000,"),
+            std::string::npos);
+  EXPECT_NE(ground_spring_card(deck, 0, 30, 5, 5.0).find(",5000.000,"),
+            std::string::npos);
+  // Grid 11 is the corner at x = 0.3 m.
+  EXPECT_NE(absorber_cards(deck, 11, 3, 0.1, 1e4, 1.0).front().find("300.0000"),
+            std::string::npos);
+  deck.weight_to_mass = 0.5;
+  EXPECT_TRUE(point_mass_card(deck, 0, 30, 0.02).ends_with(",4.000000e-05"));
+}
+
+// Three channels of one sensor carry one mass.
+TEST_F(EveryEffect, TriaxialSensorIsOneMass) {
+  acquisition::Channel side;
+  side.name = "acc1y";
+  bundle_.channels.push_back(side);
+  for (acquisition::Run& run : bundle_.runs) {
+    run.sensors.push_back({3, {11, 2, 1}});
+  }
+  const Effect& effect = find("sensor-mass");
+  const Where all = effect.places(setting_).front();
+  ASSERT_EQ(all.channels.size(), 3U);
+  const std::vector<ActedDof> acted = effect.acts_on(all, setting_, 0);
+  const auto at = std::count_if(acted.begin(),
+                                acted.end(),
+                                [](const auto& dof) { return dof.node == 11; });
+  EXPECT_EQ(at, 3);  // x, y and z, once each
 }
 
 }  // namespace

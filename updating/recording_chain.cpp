@@ -1,0 +1,75 @@
+#include "updating/recording_chain.hpp"
+
+#include <algorithm>
+#include <complex>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using std::complex;
+
+bool is_fault(const PlacedEffect& placed) {
+  return placed.effect->entry() == effects::Entry::Measurement;
+}
+
+}  // namespace
+
+std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
+                                  const ModelState& state) {
+  std::vector<Index> result;
+  for (const MeasuredPair& pair : pairs) {
+    std::string channel = pair.channel;
+    for (const PlacedEffect& placed : state.effects) {
+      if (is_fault(placed)) {
+        channel = placed.effect->recorded_as(channel, placed.where);
+      }
+    }
+    Index response = pair.response;
+    if (channel != pair.channel) {
+      for (const MeasuredPair& other : pairs) {
+        if (other.run == pair.run && other.channel == channel) {
+          response = other.response;
+        }
+      }
+    }
+    result.push_back(response);
+  }
+  return result;
+}
+
+void record(const std::vector<MeasuredPair>& pairs,
+            const ModalState& shared,
+            const Eigen::VectorXcd& s,
+            ModelResponse& out) {
+  const ModelState& state = *shared.state;
+  for (std::size_t e = 0; e < state.effects.size(); ++e) {
+    const PlacedEffect& placed = state.effects[e];
+    if (!is_fault(placed)) continue;
+    const std::vector<std::string>& channels = placed.where.channels;
+    const auto faulty = [&channels](const std::string& name) {
+      return std::find(channels.begin(), channels.end(), name) !=
+             channels.end();
+    };
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const bool response = faulty(pairs[k].channel);
+      if (!response && !faulty(pairs[k].hammer)) continue;
+      const std::size_t group = response ? 0 : 1;
+      const auto c = static_cast<Index>(k);
+      for (Index l = 0; l < s.size(); ++l) {
+        const complex<double> gain = placed.effect->law(s(l), placed.p, group);
+        for (MatrixXcd& d : out.dH) d(l, c) *= gain;
+        for (std::size_t p = 0; !out.dH.empty() && p < placed.p.size(); ++p) {
+          out.dH[shared.first[e] + p](l, c) =
+              placed.p[p] *
+              placed.effect->law_derivative(s(l), placed.p, group, p) *
+              out.H(l, c);
+        }
+        out.H(l, c) *= gain;
+      }
+    }
+  }
+}
+
+}  // namespace tapfit::updating
