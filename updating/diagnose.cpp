@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -151,25 +153,140 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
 void lead_with_ladder(std::vector<Candidate>& candidates,
                       const std::vector<Rung>& ladder,
                       double error) {
-  for (auto rung = ladder.rbegin(); rung != ladder.rend(); ++rung) {
-    const std::string kind = leading_kind(*rung);
+  for (const Rung& rung : ladder | std::views::reverse) {
+    const std::string kind = leading_kind(rung);
     Candidate lead;
     const auto it = std::find_if(
         candidates.begin(), candidates.end(), [&](const Candidate& c) {
-          return c.effect == kind && c.where == rung->where;
+          return c.effect == kind && c.where == rung.where;
         });
     if (it != candidates.end()) {
       lead = *it;
       candidates.erase(it);
     }
     lead.effect = kind;
-    lead.probability = rung->probability;
-    lead.where = rung->where;
-    lead.indistinguishable_from = rung->alike;
-    lead.parameters = rung->parameters;
+    lead.probability = rung.probability;
+    lead.where = rung.where;
+    lead.indistinguishable_from = rung.alike;
+    lead.parameters = rung.parameters;
     lead.error = error;
     candidates.insert(candidates.begin(), lead);
   }
+}
+
+// The climb of the error ladder: what is in the model so far, and why.
+class Climb {
+ public:
+  Climb(const Fitter& fitter,
+        const std::vector<PlacedEffect>& present,
+        const DiagnoseOptions& options,
+        const Progress& progress)
+      : fitter_(&fitter),
+        options_(options),
+        progress_(progress),
+        search_(fitter, options, progress),
+        already_(present.size()),
+        current_(fitter.fit(present, fitter.model_for(present), progress)),
+        held_out_(fitter.held_out_error(current_, folds, progress)) {}
+
+  /// Adds the best effect that earns its place; false where none does.
+  bool step(bool first);
+
+  [[nodiscard]] const Fit& current() const { return current_; }
+  [[nodiscard]] std::vector<Rung> ladder() const {
+    return ladder_of(current_, chosen_, already_, *fitter_, progress_);
+  }
+  /// Everything tried on the first step.
+  [[nodiscard]] std::vector<Candidate> candidates() const {
+    return candidates_;
+  }
+
+ private:
+  [[nodiscard]] bool is_explained() const {
+    return current_.result.error <= at_floor * options_.floor;
+  }
+  // Which of the round to add, and what it must be worth.
+  [[nodiscard]] std::pair<std::size_t, Worth> choose(const Round& round,
+                                                     bool first) const;
+
+  const Fitter* fitter_;
+  DiagnoseOptions options_;
+  Progress progress_;
+  RungSearch search_;
+  std::size_t already_;
+  Fit current_;
+  double held_out_;
+  std::vector<Chosen> chosen_;
+  std::vector<Candidate> candidates_;
+};
+
+std::pair<std::size_t, Worth> Climb::choose(const Round& round,
+                                            bool first) const {
+  Worth worth;
+  worth.held_out = held_out_;
+  worth.share = worth_it;
+  worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
+  const double left = round.hypotheses.front().fit.result.error;
+  if (!first || left <= clear_of_floor * options_.floor) return {0, worth};
+  // What it is worth shows on the next rung.
+  const RungSearch::Pair pair = search_.best_pair(current_, round);
+  worth.share = 1.0;
+  worth.gain = std::max(worth.gain, pair.gain);
+  return {pair.first, worth};
+}
+
+bool Climb::step(bool first) {
+  // At the floor there is nothing to explain; on the first rung the candidates
+  // are still worked out for show.
+  if (!first && is_explained()) return false;
+  using Depth = RungSearch::Depth;
+  const Round round =
+      search_.look(current_, first ? Depth::Thorough : Depth::Quick);
+  if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
+  if (is_explained() || round.hypotheses.empty()) return false;
+  auto [best, worth] = choose(round, first);
+  const Hypothesis& added = round.hypotheses[best];
+  worth.with_it = fitter_->held_out_error(added.fit, folds, progress_);
+  if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
+  if (!worth.earned()) return false;
+  chosen_.push_back(
+      {best == 0 ? group_name(round) : added.own().effect->name(),
+       round.probability[best + 1],
+       best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
+  current_ = added.fit;
+  if (!first) {
+    current_ = search_.relocate(std::move(current_), already_, chosen_);
+    current_ =
+        search_.prune(std::move(current_), already_, round.data, chosen_);
+  }
+  held_out_ = fitter_->held_out_error(current_, folds, progress_);
+  return true;
+}
+
+// Names what the ladder holds, "none" or "unexplained".
+void set_verdict(Diagnosis& result) {
+  for (const Rung& rung : result.ladder) {
+    result.verdict += (result.verdict.empty() ? "" : "+") + rung.added;
+  }
+  if (result.ladder.empty()) {
+    result.verdict =
+        result.error_base <= 3.0 * result.floor ? "none" : "unexplained";
+    return;
+  }
+  // Three times the floor, or a tenth of the base error where the floor is far
+  // below what any model reaches.
+  if (result.error_best <=
+      std::max(3.0 * result.floor, 0.1 * result.error_base)) {
+    return;
+  }
+  result.warnings.push_back(fmt::format(
+      "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
+      "of {:.3g}: something else is missing",
+      result.verdict,
+      result.error_base,
+      result.error_best,
+      result.floor));
+  result.verdict = "unexplained";
 }
 
 }  // namespace
@@ -178,85 +295,24 @@ Diagnosis diagnose(const Fitter& fitter,
                    const std::vector<PlacedEffect>& present,
                    const DiagnoseOptions& options,
                    const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
+  Climb climb(fitter, present, options, progress);
   Diagnosis result;
   result.floor = options.floor;
   result.contour = options.contour;
   result.warnings = fitter.setting().measured.statements;
-  Fit current = fitter.fit(present, fitter.model_for(present), progress);
-  result.error_base = current.result.error;
-  result.error_fitted = current.result.error;
-  const RungSearch search(fitter, options, progress);
-
-  std::vector<Chosen> chosen;
-  double held_out = fitter.held_out_error(current, folds, progress);
+  result.error_base = climb.current().result.error;
+  result.error_fitted = result.error_base;
   for (int rung = 0; rung < options.max_rungs; ++rung) {
-    // At the floor there is nothing to explain; on the first rung the
-    // candidates are still worked out for show.
-    const bool explained = current.result.error <= at_floor * options.floor;
-    if (rung > 0 && explained) break;
-    const Round round = search.look(
-        current,
-        rung == 0 ? RungSearch::Depth::Thorough : RungSearch::Depth::Quick);
-    if (rung == 0) result.candidates = candidates_of(round, setting);
-    if (explained) break;
-    if (round.hypotheses.empty()) break;
-    std::size_t best = 0;
-    Worth worth;
-    worth.held_out = held_out;
-    worth.share = worth_it;
-    worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
-    if (rung == 0 && round.hypotheses.front().fit.result.error >
-                         clear_of_floor * options.floor) {
-      // What it is worth shows on the next rung.
-      const RungSearch::Pair pair = search.best_pair(current, round);
-      best = pair.first;
-      worth.share = 1.0;
-      worth.gain = std::max(worth.gain, pair.gain);
-    }
-    const Hypothesis& added = round.hypotheses[best];
-    worth.with_it = fitter.held_out_error(added.fit, folds, progress);
-    if (rung == 0 && best == 0) {
-      result.candidates.front().held_out_error = worth.with_it;
-    }
-    if (!worth.earned()) break;
-    chosen.push_back(
-        {best == 0 ? group_name(round) : added.own().effect->name(),
-         round.probability[best + 1],
-         best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
-    current = added.fit;
-    if (rung > 0) {
-      const std::size_t already = present.size();
-      current = search.relocate(std::move(current), already, chosen);
-      current = search.prune(std::move(current), already, round.data, chosen);
-    }
-    held_out = fitter.held_out_error(current, folds, progress);
+    if (!climb.step(rung == 0)) break;
   }
-  result.error_best = current.result.error;
-  result.ladder = ladder_of(current, chosen, present.size(), fitter, progress);
-  result.next = next_measurements(current, result.ladder, fitter, progress);
+  const Fit& found = climb.current();
+  result.error_best = found.result.error;
+  result.ladder = climb.ladder();
+  result.candidates = climb.candidates();
+  result.next = next_measurements(found, result.ladder, fitter, progress);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
-  result.model_parameters = property_estimates(current, options.properties);
-  for (const Rung& rung : result.ladder) {
-    result.verdict += (result.verdict.empty() ? "" : "+") + rung.added;
-  }
-  // Three times the floor, or a tenth of the base error where the floor is far
-  // below what any model reaches.
-  const bool enough = result.error_best <=
-                      std::max(3.0 * options.floor, 0.1 * result.error_base);
-  if (result.ladder.empty()) {
-    result.verdict =
-        result.error_base <= 3.0 * options.floor ? "none" : "unexplained";
-  } else if (!enough) {
-    result.warnings.push_back(fmt::format(
-        "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
-        "of {:.3g}: something else is missing",
-        result.verdict,
-        result.error_base,
-        result.error_best,
-        options.floor));
-    result.verdict = "unexplained";
-  }
+  result.model_parameters = property_estimates(found, options.properties);
+  set_verdict(result);
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 namespace tapfit::updating {
 
@@ -56,6 +57,58 @@ bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
   return std::all_of(ids.begin(), ids.end(), known);
 }
 
+// Of the lines that hold the grids named, the shortest; empty where no grid is
+// named or no line holds them.
+std::optional<Where> line_through(const std::vector<Where>& places,
+                                  const Where& want) {
+  std::optional<Where> line;
+  if (want.nodes.empty()) return line;
+  for (const Where& where : places) {
+    if (!holds_all(where.nodes, want.nodes)) continue;
+    if (!want.variant.empty() && want.variant != where.variant) continue;
+    if (!line || where.nodes.size() < line->nodes.size()) line = where;
+  }
+  return line;
+}
+
+bool same_channels(const Where& want, const Where& where) {
+  return std::is_permutation(want.channels.begin(),
+                             want.channels.end(),
+                             where.channels.begin(),
+                             where.channels.end());
+}
+
+// A place that is what was asked for, or that needs no asking. An effect that
+// may sit at many grids has to be told which.
+bool is_meant(const Where& want, const Where& where) {
+  if (want.node != where.node) return false;
+  if (!want.nodes.empty() && want.nodes != where.nodes) return false;
+  if (!want.channels.empty() && !same_channels(want, where)) return false;
+  return want.variant.empty() || want.variant == where.variant;
+}
+
+[[noreturn]] void refuse(const EffectRef& ref, std::optional<ChangeKind> kind) {
+  if (ref.where == Where{}) {
+    throw InputError(fmt::format("{} needs a place", ref.effect),
+                     fmt::format("effect \"{}\"", ref.effect),
+                     fmt::format("write for example {}@{}",
+                                 ref.effect,
+                                 kind == ChangeKind::Elements ? "60:61"
+                                 : kind == ChangeKind::Joint  ? "34:35"
+                                                              : "201"));
+  }
+  throw InputError(
+      fmt::format("{} cannot sit there", ref.effect),
+      fmt::format("effect \"{}{}{}\"",
+                  ref.effect,
+                  ref.where.node != 0 ? "@" : " at ",
+                  ref.where.node != 0 ? fmt::format("{}", ref.where.node)
+                                      : describe(ref.where)),
+      "give a grid of the model that can move, elements or grids of a line "
+      "joined with \":\", a channel (two of them joined with \":\"), or a "
+      "support of the model");
+}
+
 }  // namespace
 
 EffectRef parse_effect(const std::string& text) {
@@ -94,53 +147,18 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
       are_elements(*s.deck, want.elements)) {
     return placed(effect, want, s);
   }
-  // Of the lines that hold the grids named, the shortest.
-  const Where* line = nullptr;
-  for (const Where& where : places) {
-    if (!kind || want.nodes.empty()) break;
-    if (!holds_all(where.nodes, want.nodes)) continue;
-    if (!want.variant.empty() && want.variant != where.variant) continue;
-    if (line == nullptr || where.nodes.size() < line->nodes.size()) {
-      line = &where;
+  if (kind) {
+    if (const auto line = line_through(places, want)) {
+      return placed(effect, *line, s);
     }
   }
-  if (line != nullptr) return placed(effect, *line, s);
-  // An effect that may sit at many places has to be told which.
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
-  const bool named = want != Where{};
   for (Where where : places) {
     if (local) break;
     if (want.variant == "each") where.variant = "each";
-    const bool agrees =
-        (want.node == 0 || want.node == where.node) &&
-        (want.nodes.empty() || want.nodes == where.nodes) &&
-        (want.channels.empty() || std::is_permutation(want.channels.begin(),
-                                                      want.channels.end(),
-                                                      where.channels.begin(),
-                                                      where.channels.end())) &&
-        (want.variant.empty() || want.variant == where.variant);
-    const bool open = want.node == 0 && where.node != 0;
-    if (agrees && !open) return placed(effect, where, s);
+    if (is_meant(want, where)) return placed(effect, where, s);
   }
-  if (!named) {
-    throw InputError(fmt::format("{} needs a place", ref.effect),
-                     fmt::format("effect \"{}\"", ref.effect),
-                     fmt::format("write for example {}@{}",
-                                 ref.effect,
-                                 kind == ChangeKind::Elements ? "60:61"
-                                 : kind == ChangeKind::Joint  ? "34:35"
-                                                              : "201"));
-  }
-  throw InputError(
-      fmt::format("{} cannot sit there", ref.effect),
-      fmt::format("effect \"{}{}{}\"",
-                  ref.effect,
-                  ref.where.node != 0 ? "@" : " at ",
-                  ref.where.node != 0 ? fmt::format("{}", ref.where.node)
-                                      : describe(ref.where)),
-      "give a grid of the model that can move, elements or grids of a line "
-      "joined with \":\", a channel (two of them joined with \":\"), or a "
-      "support of the model");
+  refuse(ref, kind);
 }
 
 }  // namespace tapfit::updating
