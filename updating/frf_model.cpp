@@ -93,7 +93,7 @@ FrfModel::FrfModel(ReducedBase base,
     const auto [it, fresh] =
         column.try_emplace(dof, static_cast<Index>(points.size()));
     if (fresh) {
-      points.push_back(dof.sign * row(dof.node, dof.component).transpose());
+      points.emplace_back(dof.sign * row(dof.node, dof.component).transpose());
     }
     return it->second;
   };

@@ -40,6 +40,18 @@ MatrixXd single_rows(const std::vector<MatrixXd>& places, Index columns) {
   return candidates;
 }
 
+// Sum over a place's rows of what response and reference feel there.
+std::complex<double> felt_by_both(const MatrixXcd& felt_o,
+                                  const MatrixXcd& felt_i,
+                                  const WalkedPair& pair,
+                                  Index first,
+                                  Index count) {
+  return felt_o.col(pair.response)
+      .segment(first, count)
+      .cwiseProduct(felt_i.col(pair.reference).segment(first, count))
+      .sum();
+}
+
 }  // namespace
 
 PlacePatterns place_patterns(const Fit& current,
@@ -72,15 +84,9 @@ PlacePatterns place_patterns(const Fit& current,
         const Index count = rows[k].rows();
         for (const WalkedPair& pair : walk.pairs) {
           result.pattern[k](line, pair.frf) =
-              felt_o.col(pair.response)
-                  .segment(first, count)
-                  .cwiseProduct(
-                      felt_i.col(pair.reference).segment(first, count))
-                  .sum();
-          if (count == 1) {
-            result.own[k](line, pair.frf) =
-                walk.own(line, static_cast<Index>(k));
-          }
+              felt_by_both(felt_o, felt_i, pair, first, count);
+          if (count != 1) continue;
+          result.own[k](line, pair.frf) = walk.own(line, static_cast<Index>(k));
         }
       }
     }

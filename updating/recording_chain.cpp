@@ -14,6 +14,29 @@ bool is_fault(const PlacedEffect& placed) {
   return placed.effect->entry() == effects::Entry::Measurement;
 }
 
+// One FRF through a channel at fault.
+//
+// @param first column of the effect's parameters in dH
+// @param group 0: the channel is the response, 1: the hammer
+void pass(const PlacedEffect& placed,
+          std::size_t first,
+          std::size_t group,
+          Index frf,
+          const Eigen::VectorXcd& s,
+          ModelResponse& out) {
+  for (Index l = 0; l < s.size(); ++l) {
+    const complex<double> gain = placed.effect->law(s(l), placed.p, group);
+    for (MatrixXcd& d : out.dH) d(l, frf) *= gain;
+    for (std::size_t p = 0; !out.dH.empty() && p < placed.p.size(); ++p) {
+      out.dH[first + p](l, frf) =
+          placed.p[p] *
+          placed.effect->law_derivative(s(l), placed.p, group, p) *
+          out.H(l, frf);
+    }
+    out.H(l, frf) *= gain;
+  }
+}
+
 }  // namespace
 
 std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
@@ -55,19 +78,12 @@ void record(const std::vector<MeasuredPair>& pairs,
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const bool response = faulty(pairs[k].channel);
       if (!response && !faulty(pairs[k].hammer)) continue;
-      const std::size_t group = response ? 0 : 1;
-      const auto c = static_cast<Index>(k);
-      for (Index l = 0; l < s.size(); ++l) {
-        const complex<double> gain = placed.effect->law(s(l), placed.p, group);
-        for (MatrixXcd& d : out.dH) d(l, c) *= gain;
-        for (std::size_t p = 0; !out.dH.empty() && p < placed.p.size(); ++p) {
-          out.dH[shared.first[e] + p](l, c) =
-              placed.p[p] *
-              placed.effect->law_derivative(s(l), placed.p, group, p) *
-              out.H(l, c);
-        }
-        out.H(l, c) *= gain;
-      }
+      pass(placed,
+           shared.first[e],
+           response ? 0 : 1,
+           static_cast<Index>(k),
+           s,
+           out);
     }
   }
 }
