@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 #include <utility>
 
 namespace tapfit::updating {
@@ -153,7 +152,8 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
 void lead_with_ladder(std::vector<Candidate>& candidates,
                       const std::vector<Rung>& ladder,
                       double error) {
-  for (const Rung& rung : ladder | std::views::reverse) {
+  const std::vector<Rung> last_first(ladder.rbegin(), ladder.rend());
+  for (const Rung& rung : last_first) {
     const std::string kind = leading_kind(rung);
     Candidate lead;
     const auto it = std::find_if(

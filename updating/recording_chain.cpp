@@ -49,15 +49,16 @@ std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
         channel = placed.effect->recorded_as(channel, placed.where);
       }
     }
-    Index response = pair.response;
-    if (channel != pair.channel) {
-      for (const MeasuredPair& other : pairs) {
-        if (other.run == pair.run && other.channel == channel) {
-          response = other.response;
-        }
-      }
+    if (channel == pair.channel) {
+      result.push_back(pair.response);
+      continue;
     }
-    result.push_back(response);
+    const auto felt =
+        std::find_if(pairs.begin(), pairs.end(), [&](const MeasuredPair& p) {
+          return p.run == pair.run && p.channel == channel;
+        });
+    // Its own where the other one's FRF of that run was left out.
+    result.push_back(felt == pairs.end() ? pair.response : felt->response);
   }
   return result;
 }
