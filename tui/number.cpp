@@ -47,7 +47,7 @@ std::string with_sd(double value, double sd, int digits) {
   const double place = std::floor(std::log10(sd / scale));
   const int decimals =
       static_cast<int>(std::clamp(digits - 1.0 - place, 0.0, 9.0));
-  const std::string body = fmt::format(
+  std::string body = fmt::format(
       "{:.{}f} ± {:.{}f}", value / scale, decimals, sd / scale, decimals);
   if (!scientific) return body;
   return fmt::format("({})e{}", body, static_cast<int>(exponent));

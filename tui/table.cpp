@@ -147,7 +147,8 @@ void draw_table(Screen& screen,
   const int count = static_cast<int>(rows.size());
   const int top = std::clamp(at - room / 2, 0, std::max(count - room, 0));
   for (int i = 0; i < std::min(room, count - top); ++i) {
-    const std::size_t r = rows[static_cast<std::size_t>(top + i)];
+    const int shown = top + i;
+    const std::size_t r = rows[static_cast<std::size_t>(shown)];
     const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 2, 1};
     Style style = table.rows[r].style;
     if (active && r == selected) {

@@ -5,6 +5,7 @@
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/open_bundle.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ updating::Diagnosis diagnosis_of_named(
   take_final_values(diagnosis);
   if (diagnosis.verdict.empty()) diagnosis.verdict = "none";
   if (!diagnosis.ladder.empty()) {
-    diagnosis.warnings.push_back(
+    diagnosis.warnings.emplace_back(
         "the effects were named by the user and taken as given: the "
         "probabilities compare them with nothing");
   }
