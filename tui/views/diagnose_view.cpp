@@ -136,7 +136,9 @@ void draw_signature(Screen& screen,
   }
   const Signature& s = *found->second;
   const Plot plot = signature_plot(s, state.range);
-  const auto [body, text] = split_top(rect, rect.height - 3);
+  const auto parts = split_top(rect, rect.height - 3);
+  const Rect& body = parts.first;
+  const Rect& text = parts.second;
   draw_plot(screen, body, plot);
   const auto line = [&](int row, const std::string& words) {
     screen.text(text.x + 1, text.y + row, words, {}, text.width - 1);
@@ -215,23 +217,24 @@ std::string verdict_line(const updating::Diagnosis& d) {
 
 std::vector<int> grids_of(const acquisition::TestBundle& bundle,
                           const updating::Where& where) {
-  std::vector<int> grids;
-  if (where.node != 0) grids.push_back(where.node);
-  grids.insert(grids.end(), where.nodes.begin(), where.nodes.end());
-  for (const std::string& channel : where.channels) {
-    for (const acquisition::Run& run : bundle.runs) {
-      for (const acquisition::Placement& sensor : run.sensors) {
-        if (sensor.channel < bundle.channels.size() &&
-            bundle.channels[sensor.channel].name == channel) {
-          grids.push_back(sensor.dof.node);
-        }
-      }
-    }
-  }
   std::vector<int> once;
-  for (const int grid : grids) {
+  const auto add = [&once](int grid) {
     if (std::find(once.begin(), once.end(), grid) == once.end()) {
       once.push_back(grid);
+    }
+  };
+  const auto is_meant = [&](const acquisition::Placement& sensor) {
+    return sensor.channel < bundle.channels.size() &&
+           std::find(where.channels.begin(),
+                     where.channels.end(),
+                     bundle.channels[sensor.channel].name) !=
+               where.channels.end();
+  };
+  if (where.node != 0) add(where.node);
+  for (const int node : where.nodes) add(node);
+  for (const acquisition::Run& run : bundle.runs) {
+    for (const acquisition::Placement& sensor : run.sensors) {
+      if (is_meant(sensor)) add(sensor.dof.node);
     }
   }
   return once;
