@@ -6,6 +6,7 @@
 #include "tui/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -20,15 +21,15 @@ std::size_t run_count(const RecordingInput& input) {
 }
 
 std::string verdict(const Hit& hit) {
-  std::string reasons;
+  std::vector<std::string> reasons;
   for (const acquisition::HitFault fault : hit.reasons) {
     // The user's own word counts, and stands where it is not cut off.
     const bool first = fault == acquisition::HitFault::ByHand;
-    const std::string gap = reasons.empty() ? "" : ", ";
-    const std::string its(acquisition::name(fault));
-    reasons = first ? its + gap + reasons : reasons + gap + its;
+    reasons.insert(first ? reasons.begin() : reasons.end(),
+                   acquisition::name(fault));
   }
-  return fmt::format("{} {}", hit.accepted ? "✓" : "✗", reasons);
+  return fmt::format(
+      "{} {}", hit.accepted ? "✓" : "✗", fmt::join(reasons, ", "));
 }
 
 Table hit_table(const std::vector<Hit>& hits) {
