@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -37,11 +38,11 @@ void scale_modulus(structure::Deck& deck, double factor) {
 
 bool hangs_free(const structure::Deck& deck) {
   if (!deck.constraints.empty()) return false;
-  for (const structure::ScalarElement& spring : deck.scalars) {
-    const bool grounded = spring.grids[0] == 0 || spring.grids[1] == 0;
-    if (grounded && spring.stiffness > 0.0) return false;
-  }
-  return true;
+  return std::all_of(
+      deck.scalars.begin(), deck.scalars.end(), [](const auto& spring) {
+        const bool grounded = spring.grids[0] == 0 || spring.grids[1] == 0;
+        return !grounded || spring.stiffness <= 0.0;
+      });
 }
 
 void lose_stiffness(const VirtualModel& model,
