@@ -46,14 +46,14 @@ Loaded put_on(const VirtualStructure& structure,
     const int at = structure.dof_index(sensor.dof);
     for (const VirtualEffect& effect : structure.effects) {
       if (!on_sensor(effect, sensor.channel)) continue;
-      if (effect.name == "sensor-mass") {
-        const int first = at - (sensor.dof.component - 1);
-        for (int c = 0; c < 3; ++c) {
-          mass.emplace_back(first + c, first + c, effect.values[0]);
-        }
-      } else if (effect.name == "sensor-cable") {
+      if (effect.name == "sensor-cable") {
         stiffness.emplace_back(at, at, effect.values[0]);
         loaded.dashpots.push_back({at, -1, effect.values[1]});
+      }
+      if (effect.name != "sensor-mass") continue;
+      const int first = at - (sensor.dof.component - 1);
+      for (int c = 0; c < 3; ++c) {
+        mass.emplace_back(first + c, first + c, effect.values[0]);
       }
     }
   }
