@@ -176,6 +176,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     const bool last = k + 1 == setting_.targets.size();
     options.max_iterations = last ? 30 : 10;
     options.tolerance = last ? 1e-6 : 1e-3;
+    // Within a few hundredths of a standard error of the best.
     options.objective_tolerance = last ? 1e-3 : 1e-1;
     fit.result =
         update(*model, setting_.targets[k], state, prior, options, progress);

@@ -362,5 +362,21 @@ TEST_F(FrfModelTest, FullModesFallWithAddedMass) {
   EXPECT_LT(loaded(0), 0.95 * base(0));
 }
 
+// Tuned just below the middle of the band (63 Hz), where its law at the middle
+// is a large spring: modes stay modes.
+TEST_F(FrfModelTest, FullModesStayFiniteWithAnAbsorberBelowMidBand) {
+  Where where;
+  where.node = 33;
+  for (const double hz : {5.0, 20.0, 60.0, 63.0, 64.0, 120.0}) {
+    const std::vector<PlacedEffect> effects = {
+        {&effects::find("absorber"), where, {0.1, hz, 0.01}}};
+    const auto model = fitter_->model_for(effects);
+    const Eigen::VectorXd omega =
+        model->full_modes(fitter_->first_state(*model, effects)).omega;
+    EXPECT_TRUE(omega.allFinite()) << hz;
+    EXPECT_GT(omega(0), 0.0) << hz;
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::updating

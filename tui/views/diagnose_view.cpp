@@ -97,7 +97,7 @@ std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
   for (const updating::NextMeasurement& next : d.next) {
     if (next.one.effect != c.effect || next.one.where != c.where) continue;
     return fmt::format(
-        "; from {}: {}", next.other.effect, advice(next, d.floor));
+        "{} or {}? {}; ", c.effect, next.other.effect, advice(next, d.floor));
   }
   return {};
 }
@@ -201,8 +201,9 @@ int write_chosen(Screen& screen,
   const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
   const std::string error =
       tried ? fmt::format("error on data left out {}; ", left_out(chosen)) : "";
-  const std::string others = look_alikes(chosen) + next_step(d, chosen);
-  return write(screen, y, wrapped(error + others, width, 3), Colour::Yellow);
+  // A long list of look-alikes may be cut off, what to do about it not.
+  const std::string words = next_step(d, chosen) + error + look_alikes(chosen);
+  return write(screen, y, wrapped(words, width, 3), Colour::Yellow);
 }
 
 std::string verdict_line(const updating::Diagnosis& d) {
