@@ -151,30 +151,54 @@ void check_channels(const VirtualBundleSpec& spec,
   }
 }
 
-}  // namespace
-
-VirtualSetup set_up(const VirtualBundleSpec& spec) {
-  const std::optional<Habit> habit = habit_of(spec.structure);
+/// The band asked for, else the structure's own; checked, in Hz.
+std::array<double, 2> band_of(const VirtualBundleSpec& spec,
+                              const std::optional<Habit>& habit) {
   if (!habit && !spec.band_hz) {
     throw InputError("a deck needs a band",
                      spec.structure,
                      "Give --band LOW HIGH in Hz, or one of frame, ladder, "
                      "plate.");
   }
+  const std::array<double, 2> band =
+      spec.band_hz ? *spec.band_hz : habit->band_hz;
+  const std::string asked = fmt::format("--band {} {}", band[0], band[1]);
+  if (!(band[0] > 0.0) || !(band[1] > band[0])) {
+    throw InputError("the band is no band",
+                     asked,
+                     "Give the lower frequency first, above 0 Hz.");
+  }
+  if (band[1] > 1000.0 * band[0]) {
+    throw InputError("the band is too wide to be simulated",
+                     asked,
+                     "Keep its ends within a factor of 1000.");
+  }
+  return band;
+}
+
+/// Frequencies of the model's modes in the band, in Hz; throws when there are
+/// none.
+std::vector<double> modes_in_band(const VirtualBundleSpec& spec,
+                                  const ModelShapes& shapes,
+                                  double low_hz) {
+  std::vector<double> hz;
+  for (const double mode_hz : shapes.frequency_hz) {
+    if (mode_hz >= low_hz) hz.push_back(mode_hz);
+  }
+  if (hz.empty()) {
+    throw InputError("the model has no mode in the band",
+                     spec.structure,
+                     "Choose the band so that some modes lie in it.");
+  }
+  return hz;
+}
+
+}  // namespace
+
+VirtualSetup set_up(const VirtualBundleSpec& spec) {
   VirtualSetup setup;
-  setup.band_hz = spec.band_hz ? *spec.band_hz : habit->band_hz;
-  if (!(setup.band_hz[0] > 0.0) || !(setup.band_hz[1] > setup.band_hz[0])) {
-    throw InputError(
-        "the band is no band",
-        fmt::format("--band {} {}", setup.band_hz[0], setup.band_hz[1]),
-        "Give the lower frequency first, above 0 Hz.");
-  }
-  if (setup.band_hz[1] > 1000.0 * setup.band_hz[0]) {
-    throw InputError(
-        "the band is too wide to be simulated",
-        fmt::format("--band {} {}", setup.band_hz[0], setup.band_hz[1]),
-        "Keep its ends within a factor of 1000.");
-  }
+  const std::optional<Habit> habit = habit_of(spec.structure);
+  setup.band_hz = band_of(spec, habit);
   if (habit) {
     setup.model = model_of_panel(habit->panel, habit->split);
     setup.model_cards = panel_cards(habit->panel, mesh_panel(habit->panel, 1));
@@ -191,14 +215,7 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
 
   const ModelShapes shapes =
       model_shapes(deck, setup.component, setup.band_hz[1]);
-  for (const double hz : shapes.frequency_hz) {
-    if (hz >= setup.band_hz[0]) setup.model_hz.push_back(hz);
-  }
-  if (setup.model_hz.empty()) {
-    throw InputError("the model has no mode in the band",
-                     spec.structure,
-                     "Choose the band so that some modes lie in it.");
-  }
+  setup.model_hz = modes_in_band(spec, shapes, setup.band_hz[0]);
   TestPoints points = choose_points(
       deck,
       shapes.shapes,

@@ -29,11 +29,10 @@ class FrfModelTest : public ::testing::Test {
         setting_(support::plate_setting(bundle_, deck_)),
         s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
         pairs_(support::plate_pairs(bundle_, s_)) {
-    BaseOptions options;
-    options.high_hz = 400.0;
-    options.split = false;
-    options.points = measured_points(deck_, bundle_);
-    builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
+    builder_.emplace(deck_,
+                     bundle_.uncertain,
+                     support::plate_base(bundle_, deck_),
+                     Progress{});
     FitSetting fit;
     fit.setting = setting_;
     fit.measured = pairs_;
@@ -218,11 +217,8 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
 TEST_F(FrfModelTest, LossThatNothingFeelsLeavesTheFrfsAlone) {
   structure::Deck pad = deck_;
   for (const int id : {2, 13}) pad.constraints.push_back({id, "123456"});
-  BaseOptions options;
-  options.high_hz = 400.0;
-  options.split = false;
-  options.points = measured_points(pad, bundle_);
-  const BaseBuilder builder(pad, {}, options, Progress{});
+  const BaseBuilder builder(
+      pad, {}, support::plate_base(bundle_, pad), Progress{});
   StiffnessChange change;
   change.of = {"stiffness-loss", {}};
   change.of.where.elements = {1};

@@ -26,11 +26,10 @@ class NextMeasurementTest : public testing::Test {
       run.sensors[0].dof.node = 33;
       run.sensors[1].dof.node = 29;
     }
-    BaseOptions options;
-    options.high_hz = 400.0;
-    options.split = false;
-    options.points = measured_points(deck_, bundle_);
-    builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
+    builder_.emplace(deck_,
+                     bundle_.uncertain,
+                     support::plate_base(bundle_, deck_),
+                     Progress{});
     FitSetting fit;
     fit.setting = support::plate_setting(bundle_, deck_);
     fit.uncertain_sd = {0.03};

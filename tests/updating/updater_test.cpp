@@ -27,11 +27,10 @@ class PlateExperiment {
       : deck_(support::plate_deck(true)),
         bundle_(support::plate_bundle()),
         setting_(support::plate_setting(bundle_, deck_)) {
-    BaseOptions options;
-    options.high_hz = 400.0;
-    options.split = false;
-    options.points = measured_points(deck_, bundle_);
-    builder_.emplace(deck_, bundle_.uncertain, options, Progress{});
+    builder_.emplace(deck_,
+                     bundle_.uncertain,
+                     support::plate_base(bundle_, deck_),
+                     Progress{});
     FitSetting fit;
     fit.setting = setting_;
     fit.uncertain_sd = {0.03};

@@ -1,5 +1,7 @@
 #include "tests/updating/support/sample_plate.hpp"
 
+#include "updating/fitter.hpp"
+
 #include <fmt/format.h>
 
 namespace tapfit::support {
@@ -73,6 +75,15 @@ effects::Setting plate_setting(const acquisition::TestBundle& bundle,
   setting.high_hz = 400.0;
   setting.component = 3;
   return setting;
+}
+
+updating::BaseOptions plate_base(const acquisition::TestBundle& bundle,
+                                 const structure::Deck& deck) {
+  updating::BaseOptions options;
+  options.high_hz = 400.0;
+  options.split = false;
+  options.points = updating::measured_points(deck, bundle);
+  return options;
 }
 
 signal::FrfSet plate_pairs(const acquisition::TestBundle& bundle,

@@ -5,6 +5,7 @@
 #include "acquisition/test_bundle.hpp"
 #include "signal/frf_set.hpp"
 #include "updating/effects/effect.hpp"
+#include "updating/reduced_base.hpp"
 #include "updating/structure/deck.hpp"
 
 namespace tapfit::support {
@@ -17,6 +18,10 @@ namespace tapfit::support {
 [[nodiscard]] acquisition::TestBundle plate_bundle();
 
 [[nodiscard]] effects::Setting plate_setting(
+    const acquisition::TestBundle& bundle, const structure::Deck& deck);
+
+/// A base of the plate's own mesh to 400 Hz, at the points of the bundle.
+[[nodiscard]] updating::BaseOptions plate_base(
     const acquisition::TestBundle& bundle, const structure::Deck& deck);
 
 /// The pairs of the bundle on the lines given, FRFs still zero.
