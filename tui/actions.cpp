@@ -27,13 +27,29 @@ std::string last_step(Workbench& bench,
                      percent(ladder.back().error));
 }
 
+/// What was done is kept for the next time.
+std::string saved(Workbench& bench,
+                  const Progress& progress,
+                  const std::string& done) {
+  const std::string failure = bench.save(progress);
+  return failure.empty() ? done : done + "; " + failure;
+}
+
+std::string effects_changed(Workbench& bench,
+                            Snapshot& known,
+                            const Progress& progress,
+                            const std::string& done) {
+  known.change_effects(bench.effects());
+  const std::string told = last_step(bench, known, progress, done);
+  return saved(bench, progress, told);
+}
+
 std::string add_now(Workbench& bench,
                     Snapshot& known,
                     const Progress& progress,
                     const updating::EffectRef& effect) {
   bench.add(effect, progress);
-  known.change_effects(known.effects + 1, false);
-  return last_step(bench, known, progress, "added " + effect.effect);
+  return effects_changed(bench, known, progress, "added " + effect.effect);
 }
 
 /// Overruling is its own inverse. False when the hit's judgement stood firm.
@@ -47,6 +63,7 @@ bool toggle_hit(Workbench& bench,
   known.forget_from_hits();
   known.hits =
       std::make_shared<const acquisition::HitSet>(bench.hits(progress));
+  known.overruled = bench.overruled();
   return known.hits->runs[run][hit].accepted != before;
 }
 
@@ -58,25 +75,26 @@ Job overrule_hit(std::size_t run, std::size_t hit) {
             if (!toggle_hit(bench, known, p, run, hit)) {
               return std::string("a truncated hit stays rejected");
             }
-            known.overruled.emplace_back(run, hit);
-            return std::string();
+            return saved(bench, p, "");
           },
           std::nullopt};
 }
 
 Job restore_hit() {
-  return {"taking the overruling back",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (known.overruled.empty()) {
-              return std::string("no hit was overruled");
-            }
-            const auto [run, hit] = known.overruled.back();
-            toggle_hit(bench, known, p, run, hit);
-            known.overruled.pop_back();
-            return fmt::format(
-                "run {}, hit {}: judged as before", run + 1, hit + 1);
-          },
-          std::nullopt};
+  return {
+      "taking the overruling back",
+      [](Workbench& bench, Snapshot& known, const Progress& p) {
+        if (known.overruled.empty()) {
+          return std::string("no hit was overruled");
+        }
+        const auto [run, hit] = known.overruled.back();
+        toggle_hit(bench, known, p, run, hit);
+        return saved(
+            bench,
+            p,
+            fmt::format("run {}, hit {}: judged as before", run + 1, hit + 1));
+      },
+      std::nullopt};
 }
 
 Job add_effect(const updating::EffectRef& effect) {
@@ -95,12 +113,27 @@ Job add_effect(const std::string& effect) {
           std::nullopt};
 }
 
+Job toggle_effect(std::size_t effect) {
+  return {"switching an effect",
+          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
+            bench.toggle(effect, p);
+            const updating::AddedEffect switched = bench.effects().at(effect);
+            return effects_changed(
+                bench,
+                known,
+                p,
+                fmt::format("{} {}",
+                            switched.ref.effect,
+                            switched.on ? "switched on" : "switched off"));
+          },
+          std::nullopt};
+}
+
 Job undo() {
   return {"undo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.undo()) return std::string("nothing to undo");
-            known.change_effects(known.effects - 1, true);
-            return last_step(bench, known, p, "undone");
+            if (!bench.undo(p)) return std::string("nothing to undo");
+            return effects_changed(bench, known, p, "undone");
           },
           std::nullopt};
 }
@@ -108,9 +141,8 @@ Job undo() {
 Job redo() {
   return {"redo",
           [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.redo()) return std::string("nothing to redo");
-            known.change_effects(known.effects + 1, true);
-            return last_step(bench, known, p, "redone");
+            if (!bench.redo(p)) return std::string("nothing to redo");
+            return effects_changed(bench, known, p, "redone");
           },
           std::nullopt};
 }

@@ -13,6 +13,8 @@ namespace tapfit::tui {
 [[nodiscard]] Job add_effect(const updating::EffectRef& effect);
 /// As typed: "added-mass@201".
 [[nodiscard]] Job add_effect(const std::string& effect);
+/// Switches an added effect off or on, counted from 0.
+[[nodiscard]] Job toggle_effect(std::size_t effect);
 [[nodiscard]] Job undo();
 [[nodiscard]] Job redo();
 

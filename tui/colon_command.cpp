@@ -12,10 +12,11 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 9> commands{{
+constexpr std::array<std::pair<std::string_view, Kind>, 10> commands{{
     {"quit", Kind::Quit},
     {"help", Kind::Help},
     {"add", Kind::Add},
+    {"toggle", Kind::Toggle},
     {"undo", Kind::Undo},
     {"redo", Kind::Redo},
     {"screen", Kind::Screen},
@@ -37,6 +38,8 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+std::size_t digit(char c) { return static_cast<std::size_t>(c - '0'); }
+
 Kind kind_of(std::string_view word, std::string_view text) {
   if (word.empty()) refuse(text);
   int found = 0;
@@ -56,7 +59,7 @@ Kind kind_of(std::string_view word, std::string_view text) {
 ColonCommand parse_colon_command(std::string_view text) {
   const std::string_view line = trimmed(text);
   if (line.size() == 1 && line[0] >= '1' && line[0] <= '7') {
-    return {Kind::Screen, "", line[0] - '0'};
+    return {Kind::Screen, "", digit(line[0])};
   }
   const std::size_t space = line.find(' ');
   const std::string_view word = line.substr(0, space);
@@ -71,7 +74,14 @@ ColonCommand parse_colon_command(std::string_view text) {
     if (rest.size() != 1 || rest[0] < '1' || rest[0] > '7') {
       throw InputError("which screen?", ":screen", "write 1 to 7");
     }
-    command.screen = rest[0] - '0';
+    command.number = digit(rest[0]);
+  }
+  if (command.kind == Kind::Toggle) {
+    if (rest.size() != 1 || rest[0] < '1' || rest[0] > '9') {
+      throw InputError(
+          "which effect?", ":toggle", "write the number of an added one");
+    }
+    command.number = digit(rest[0]);
   }
   return command;
 }

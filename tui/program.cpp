@@ -265,6 +265,8 @@ void Program::run_colon(const std::string& text) {
       return;
     case Kind::Add:
       return act(add_effect(command.argument));
+    case Kind::Toggle:
+      return act(toggle_effect(command.number - 1));
     case Kind::Undo:
       return act(undo());
     case Kind::Redo:
@@ -274,7 +276,7 @@ void Program::run_colon(const std::string& text) {
     case Kind::Retry:
       return retry();
     case Kind::Screen:
-      return show_screen(static_cast<std::size_t>(command.screen - 1));
+      return show_screen(command.number - 1);
   }
 }
 
@@ -289,6 +291,8 @@ void Program::carry_out(const Command& command) {
       return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effect(command.effect));
+    case Command::Kind::Toggle:
+      return act(toggle_effect(command.added));
     case Command::Kind::ShowFrf:
       frf_page_->select(command.frf);
       return show_screen(1);

@@ -1,12 +1,22 @@
 #include "tui/session_workbench.hpp"
 
+#include "acquisition/input_error.hpp"
+#include "updating/saved_session.hpp"
+
+#include <system_error>
+
 namespace tapfit::tui {
 namespace {
 
 class SessionWorkbench final : public Workbench {
  public:
   explicit SessionWorkbench(const std::filesystem::path& bundle)
-      : session_(bundle) {}
+      : session_(bundle), file_(bundle / "session.json") {
+    std::error_code ignored;
+    if (std::filesystem::exists(file_, ignored)) {
+      session_.take_up(updating::read_saved_session(file_));
+    }
+  }
 
   const acquisition::TestBundle& bundle() override { return session_.bundle(); }
   bool has_model() override { return session_.has_model(); }
@@ -53,12 +63,38 @@ class SessionWorkbench final : public Workbench {
   void add(const updating::EffectRef& effect, const Progress& p) override {
     session_.add(effect, p);
   }
-  bool undo() override { return session_.undo(); }
-  bool redo() override { return session_.redo(); }
+  void toggle(std::size_t effect, const Progress& p) override {
+    session_.toggle(effect, p);
+  }
+  bool undo(const Progress& p) override { return session_.undo(p); }
+  bool redo(const Progress& p) override { return session_.redo(p); }
+  std::vector<updating::AddedEffect> effects() override {
+    return session_.effects();
+  }
+  std::vector<updating::OverruledHit> overruled() override {
+    return session_.overruled();
+  }
+  std::string save(const Progress& p) override;
 
  private:
   updating::Session session_;
+  std::filesystem::path file_;
 };
+
+std::string SessionWorkbench::save(const Progress& p) {
+  try {
+    const updating::SavedSession saved = session_.saved(p);
+    std::error_code ignored;
+    if (!saved.empty()) {
+      write_saved_session(file_, saved);
+    } else {
+      std::filesystem::remove(file_, ignored);
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
 
 }  // namespace
 

@@ -1,5 +1,8 @@
 #include "tui/snapshot.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace tapfit::tui {
 
 std::string name(Stage stage) {
@@ -63,20 +66,37 @@ void Snapshot::forget_model_results() {
   signatures.clear();
 }
 
-void Snapshot::change_effects(std::size_t count, bool seen_before) {
-  if (diagnosis) diagnoses[effects] = diagnosis;
+Snapshot::Effects Snapshot::effects_on() const {
+  Effects on;
+  for (const updating::AddedEffect& added : effects) {
+    if (added.on) on.push_back(added.ref);
+  }
+  return on;
+}
+
+Snapshot::Shared<updating::Diagnosis> Snapshot::diagnosis_of(
+    const Effects& wanted) const {
+  if (diagnosis && wanted == effects_on()) return diagnosis;
+  const auto known = std::find_if(
+      diagnoses.begin(), diagnoses.end(), [&wanted](const auto& entry) {
+        return entry.first == wanted;
+      });
+  return known == diagnoses.end() ? nullptr : known->second;
+}
+
+void Snapshot::change_effects(std::vector<updating::AddedEffect> now) {
+  const Effects before = effects_on();
+  const auto found = diagnosis;
+  diagnosis.reset();
+  if (found && !diagnosis_of(before)) diagnoses.emplace_back(before, found);
   forget_model_results();
-  effects = count;
-  if (!seen_before)
-    diagnoses.erase(diagnoses.lower_bound(count), diagnoses.end());
-  const auto known = diagnoses.find(count);
-  if (known != diagnoses.end()) diagnosis = known->second;
+  effects = std::move(now);
+  diagnosis = diagnosis_of(effects_on());
 }
 
 void Snapshot::forget_from_hits() {
   forget_model_results();
   diagnoses.clear();
-  effects = 0;  // the session starts from the base model again
   hits.reset();
   frfs.reset();
   modes.reset();

@@ -42,6 +42,7 @@ struct Need {
 struct Snapshot {
   template <class T>
   using Shared = std::shared_ptr<const T>;
+  using Effects = std::vector<updating::EffectRef>;
 
   Shared<acquisition::TestBundle> bundle;
   bool has_model = false;
@@ -49,8 +50,8 @@ struct Snapshot {
   Shared<Wireframe> wire;
   Shared<std::vector<Trace>> traces;
   Shared<acquisition::HitSet> hits;
-  /// Run and hit of each judgement that was overruled, the last one last.
-  std::vector<std::pair<std::size_t, std::size_t>> overruled;
+  /// Judgements that were overruled, the last one last.
+  std::vector<updating::OverruledHit> overruled;
   Shared<signal::FrfSet> frfs;
   Shared<modal::ModeSet> modes;
   Shared<updating::Comparison> base_comparison;
@@ -59,9 +60,9 @@ struct Snapshot {
   Shared<std::vector<updating::Rung>> ladder;
   Shared<std::vector<updating::Estimate>> parameters;
   Shared<updating::Diagnosis> diagnosis;
-  std::size_t effects = 0;  ///< added to the base model
-  /// What was found on the way, by how many effects were in the model then.
-  std::map<std::size_t, Shared<updating::Diagnosis>> diagnoses;
+  std::vector<updating::AddedEffect> effects;
+  /// What was found on the way, with the effects that were in the model then.
+  std::vector<std::pair<Effects, Shared<updating::Diagnosis>>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
 
   [[nodiscard]] bool has(const Need& need) const;
@@ -69,10 +70,14 @@ struct Snapshot {
   void forget_from_hits();
   /// Drops what depends on the current model.
   void forget_model_results();
-  /// Takes over that the model now has so many effects. Diagnoses stay known:
-  /// those of models with fewer effects, and after undo and redo, which lead to
-  /// models seen before, all.
-  void change_effects(std::size_t count, bool seen_before);
+  /// The effects that are in the model.
+  [[nodiscard]] Effects effects_on() const;
+  /// What was found missing from the base model with these effects, if it was
+  /// looked for.
+  [[nodiscard]] Shared<updating::Diagnosis> diagnosis_of(
+      const Effects& effects) const;
+  /// Takes over the effects that the model now has.
+  void change_effects(std::vector<updating::AddedEffect> now);
 };
 
 }  // namespace tapfit::tui

@@ -12,7 +12,7 @@
 namespace tapfit::tui {
 
 /// As updating::Session; every call may take long and is made on the worker's
-/// thread only, but for bundle() and has_model(), which are called before.
+/// thread only, but for those without Progress, which are quick.
 class Workbench {
  public:
   Workbench() = default;
@@ -38,8 +38,14 @@ class Workbench {
   virtual void overrule_hit(std::size_t run, std::size_t hit) = 0;
   virtual updating::EffectRef parse_effect(const std::string& text) = 0;
   virtual void add(const updating::EffectRef&, const Progress&) = 0;
-  virtual bool undo() = 0;
-  virtual bool redo() = 0;
+  virtual void toggle(std::size_t effect, const Progress&) = 0;
+  virtual bool undo(const Progress&) = 0;
+  virtual bool redo(const Progress&) = 0;
+  virtual std::vector<updating::AddedEffect> effects() = 0;
+  virtual std::vector<updating::OverruledHit> overruled() = 0;
+
+  /// Writes down what was done so far; returns what went wrong, if anything.
+  virtual std::string save(const Progress&) = 0;
 };
 
 }  // namespace tapfit::tui

@@ -1,5 +1,9 @@
 #include "tui/worker.hpp"
 
+#include "tui/number.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -12,6 +16,14 @@ namespace {
 template <class T>
 std::shared_ptr<const T> shared(T value) {
   return std::make_shared<const T>(std::move(value));
+}
+
+std::string taken_up(const Snapshot& known) {
+  if (known.effects.empty() && known.overruled.empty()) return {};
+  return fmt::format("as left last time: {} added, {} hit{} judged by hand",
+                     effects_text(known.effects.size()),
+                     known.overruled.size(),
+                     known.overruled.size() == 1 ? "" : "s");
 }
 
 void make_model(Workbench& bench, Snapshot& known, const Progress& progress) {
@@ -79,7 +91,10 @@ Job make(const Need& need) {
 Worker::Worker(std::unique_ptr<Workbench> bench) : bench_(std::move(bench)) {
   known_.bundle = shared(bench_->bundle());
   known_.has_model = bench_->has_model();
-  finished_ = Finished{Finished::How::Done, "", "", std::nullopt, known_};
+  known_.effects = bench_->effects();
+  known_.overruled = bench_->overruled();
+  finished_ = Finished{
+      Finished::How::Done, "opening", taken_up(known_), std::nullopt, known_};
   thread_ = std::jthread([this](const std::stop_token& leave) { loop(leave); });
 }
 

@@ -39,6 +39,16 @@ struct Estimate {
 struct EffectRef {
   std::string effect;
   Where where;
+
+  bool operator==(const EffectRef&) const = default;
+};
+
+/// An effect that was added to the model; one that is off stays in the list.
+struct AddedEffect {
+  EffectRef ref;
+  bool on = true;
+
+  bool operator==(const AddedEffect&) const = default;
 };
 
 /// What would tell two explanations apart that fit the data alike.

@@ -4,6 +4,7 @@
 #include "signal/uff58.hpp"
 #include "updating/compare.hpp"
 #include "updating/diagnose.hpp"
+#include "updating/effect_stack.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/estimates.hpp"
 #include "updating/fit_setting.hpp"
@@ -66,8 +67,9 @@ struct Session::Impl {
   double floor_noise = 0.0;
   double floor_mesh = 0.0;
 
-  std::vector<Fit> fits;  // base, then with one more effect each
-  std::vector<EffectRef> undone;
+  std::vector<OverruledHit> overruled;
+  std::optional<EffectStack> stack;
+  std::vector<AddedEffect> waiting;  // to be in the stack, once there is one
   std::optional<Comparison> base_comparison;
   std::optional<Comparison> comparison;
   std::optional<Diagnosis> diagnosis;
@@ -75,8 +77,12 @@ struct Session::Impl {
 
   void drop_from_frfs();
   void drop_current();
+  void overrule_hits();
+  void stack_waiting(const Progress& progress);
   void prepare_fit(Session& session, const Progress& progress);
   [[nodiscard]] Comparison compare_now(const Fit& fit) const;
+  [[nodiscard]] StackFit stack_fit() const;
+  [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
   [[nodiscard]] effects::Setting setting() const;
   [[nodiscard]] std::array<double, 2> band() const;
 };
@@ -131,6 +137,7 @@ const acquisition::HitSet& Session::hits(const Progress& progress) {
     options.pre_trigger_s = impl_->bundle.pre_trigger_s;
     options.block_s = impl_->bundle.block_s;
     impl_->hits = acquisition::find_hits(impl_->bundle, all, options);
+    impl_->overrule_hits();
   }
   return *impl_->hits;
 }
@@ -222,7 +229,7 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   base.result.error = relative_error(
       fitter->target(),
       base.model->respond(base.result.state, fitter->target().s, false).H);
-  fits = {base};
+  stack.emplace(base, !bundle.uncertain.empty());
   floor_noise = noise_error(fitter->target());
   if (coarse_builder) {
     const Fitter coarse(*coarse_builder, fitter->setting());
@@ -233,6 +240,15 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
     floor_mesh = bias.norm();
     fitter->set_mesh_bias(bias);
   }
+  stack_waiting(progress);
+}
+
+StackFit Session::Impl::stack_fit() const {
+  return {setting(),
+          [this](const std::vector<PlacedEffect>& effects,
+                 const Progress& progress) {
+            return fitter->fit(effects, fitter->model_for(effects), progress);
+          }};
 }
 
 Comparison Session::Impl::compare_now(const Fit& fit) const {
@@ -247,7 +263,7 @@ Comparison Session::Impl::compare_now(const Fit& fit) const {
 const Comparison& Session::base_comparison(const Progress& progress) {
   if (!impl_->base_comparison) {
     impl_->prepare_fit(*this, progress);
-    impl_->base_comparison = impl_->compare_now(impl_->fits.front());
+    impl_->base_comparison = impl_->compare_now(impl_->stack->fits().front());
   }
   return *impl_->base_comparison;
 }
@@ -255,7 +271,7 @@ const Comparison& Session::base_comparison(const Progress& progress) {
 const Comparison& Session::comparison(const Progress& progress) {
   if (!impl_->comparison) {
     impl_->prepare_fit(*this, progress);
-    impl_->comparison = impl_->compare_now(impl_->fits.back());
+    impl_->comparison = impl_->compare_now(impl_->current());
   }
   return *impl_->comparison;
 }
@@ -270,9 +286,9 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
     const auto& found = modes(progress).modes;
     options.modes_in_band = std::max(1, static_cast<int>(found.size()));
     Diagnosis d =
-        diagnose(*impl_->fitter, impl_->fits.back().effects, options, progress);
+        diagnose(*impl_->fitter, impl_->current().effects, options, progress);
     // Nothing fitted yet: the base is the deck as it is.
-    if (impl_->fits.size() == 1) d.error_base = base.error;
+    if (impl_->stack->fits().size() == 1) d.error_base = base.error;
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;
@@ -283,7 +299,7 @@ Signature Session::signature(int node, const Progress& progress) {
   static_cast<void>(impl_->deck->grid_index(node));
   // The base gains the static response at the grid looked at: without it the
   // grid's own flexibility would be taken for something missing.
-  Fit current = impl_->fits.back();
+  Fit current = impl_->current();
   std::vector<PlacedEffect> with_node = current.effects;
   Where where;
   where.node = node;
@@ -299,85 +315,131 @@ void Session::Impl::drop_current() {
 }
 
 void Session::Impl::drop_from_frfs() {
+  if (fitter) waiting = stack->effects();
   frfs.reset();
   ringing_poles.resize(0);
   modes.reset();
   fitter.reset();
-  fits.clear();
-  undone.clear();
+  stack.reset();
   base_comparison.reset();
   drop_current();
 }
 
+// What was overruled before the hits were found.
+void Session::Impl::overrule_hits() {
+  for (const OverruledHit& overruled_hit : overruled) {
+    const auto [run, hit] = overruled_hit;
+    if (run < hits->runs.size() && hit < hits->runs[run].size()) {
+      acquisition::overrule(hits->runs[run][hit]);
+      continue;
+    }
+    hits.reset();
+    throw InputError(
+        "the saved session overrules a hit that is not there",
+        fmt::format("run {}, hit {}", run + 1, hit + 1),
+        "recordings or trigger have changed since: take the hit out of the "
+        "session's file");
+  }
+}
+
+void Session::Impl::stack_waiting(const Progress& progress) {
+  try {
+    for (std::size_t k = 0; k < waiting.size(); ++k) {
+      stack->add(waiting[k].ref, stack_fit(), progress);
+      if (!waiting[k].on) stack->toggle(k, stack_fit(), progress);
+    }
+  } catch (...) {
+    // As if nothing had been prepared: the next call tries again.
+    fitter.reset();
+    stack.reset();
+    throw;
+  }
+}
+
 void Session::overrule_hit(std::size_t run, std::size_t hit) {
   static_cast<void>(hits());
-  acquisition::overrule(impl_->hits->runs.at(run).at(hit));
+  acquisition::Hit& judged = impl_->hits->runs.at(run).at(hit);
+  const bool before = judged.accepted;
+  acquisition::overrule(judged);
+  if (judged.accepted == before) return;
+  // Overruled twice, it is judged as before.
+  if (std::erase(impl_->overruled, OverruledHit{run, hit}) == 0) {
+    impl_->overruled.push_back({run, hit});
+  }
   impl_->drop_from_frfs();
 }
 
 void Session::add(const EffectRef& effect, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  // What the properties alone can do is no merit of the first effect.
-  if (!impl_->bundle.uncertain.empty()) fit_uncertain(progress);
-  std::vector<PlacedEffect> effects = impl_->fits.back().effects;
-  const PlacedEffect extra = place_effect(effect, impl_->setting());
-  for (const PlacedEffect& e : effects) {
-    if (e.effect == extra.effect && e.where == extra.where) {
-      throw InputError(
-          "the effect is in the model already",
-          fmt::format("{} at {}", effect.effect, describe(extra.where)),
-          "undo it first, or add another");
-    }
-  }
-  effects.push_back(extra);
-  const Fitter& fitter = *impl_->fitter;
-  impl_->fits.push_back(
-      fitter.fit(effects, fitter.model_for(effects), progress));
-  impl_->undone.clear();
+  impl_->stack->add(effect, impl_->stack_fit(), progress);
+  impl_->drop_current();
+}
+
+void Session::toggle(std::size_t effect, const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  impl_->stack->toggle(effect, impl_->stack_fit(), progress);
   impl_->drop_current();
 }
 
 void Session::fit_uncertain(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  if (impl_->fits.size() > 1) return;
-  const Fitter& fitter = *impl_->fitter;
-  impl_->fits.push_back(fitter.fit({}, fitter.model_for({}), progress));
+  impl_->stack->fit_uncertain(impl_->stack_fit(), progress);
   impl_->drop_current();
 }
 
-bool Session::undo() {
-  if (impl_->fits.size() < 2 || impl_->fits.back().effects.empty()) {
+bool Session::undo(const Progress& progress) {
+  if (!impl_->fitter && impl_->waiting.empty()) return false;
+  impl_->prepare_fit(*this, progress);
+  if (!impl_->stack->undo(impl_->stack_fit(), progress)) return false;
+  impl_->drop_current();
+  return true;
+}
+
+bool Session::redo(const Progress& progress) {
+  if (!impl_->fitter || !impl_->stack->redo(impl_->stack_fit(), progress)) {
     return false;
   }
-  const PlacedEffect& last = impl_->fits.back().effects.back();
-  impl_->undone.push_back({last.effect->name(), last.where});
-  impl_->fits.pop_back();
-  if (impl_->fits.back().effects.empty()) impl_->fits.resize(1);
   impl_->drop_current();
   return true;
 }
 
-bool Session::redo() {
-  if (impl_->undone.empty()) return false;
-  std::vector<EffectRef> rest = impl_->undone;
-  const EffectRef effect = rest.back();
-  rest.pop_back();
-  add(effect);
-  impl_->undone = rest;
-  return true;
+std::vector<AddedEffect> Session::effects() const {
+  return impl_->fitter ? impl_->stack->effects() : impl_->waiting;
+}
+
+const std::vector<OverruledHit>& Session::overruled() const {
+  return impl_->overruled;
+}
+
+SavedSession Session::saved(const Progress& progress) {
+  SavedSession result;
+  result.title = impl_->bundle.title;
+  result.overruled = impl_->overruled;
+  result.effects = effects();
+  if (!impl_->fitter) return result;
+  for (const Rung& rung : ladder(progress)) {
+    const Fit& fit = impl_->stack->fits()[result.ladder.size()];
+    result.ladder.push_back({rung, impl_->compare_now(fit).pairs});
+  }
+  return result;
+}
+
+void Session::take_up(const SavedSession& saved) {
+  impl_->overruled = saved.overruled;
+  impl_->waiting = saved.effects;
 }
 
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   if (impl_->ladder.empty()) {
-    impl_->ladder = rungs_of(impl_->fits, impl_->setting());
+    impl_->ladder = rungs_of(impl_->stack->fits(), impl_->setting());
   }
   return impl_->ladder;
 }
 
 std::vector<Estimate> Session::model_parameters(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  const Fit& fit = impl_->fits.back();
+  const Fit& fit = impl_->current();
   std::vector<Estimate> result = property_estimates(fit, impl_->properties);
   const effects::Setting s = impl_->setting();
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {

@@ -10,6 +10,7 @@
 #include "updating/comparison.hpp"
 #include "updating/diagnosis.hpp"
 #include "updating/effect_place.hpp"
+#include "updating/saved_session.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <filesystem>
@@ -46,20 +47,34 @@ class Session {
   /// Missing dynamic stiffness at a grid, for the current model.
   Signature signature(int node, const Progress& progress = {});
 
-  /// Accept or reject a hit by hand; FRFs and all after are dropped.
+  /// Accept or reject a hit by hand; FRFs and all after are made anew, with
+  /// the same effects.
   void overrule_hit(std::size_t run, std::size_t hit);
 
   /// Adds an effect to the current model and identifies all parameters anew.
   void add(const EffectRef& effect, const Progress& progress = {});
+  /// Switches an added effect off or on, counted from 0.
+  void toggle(std::size_t effect, const Progress& progress = {});
   /// Identifies what is uncertain in the model with no effect added; to be
   /// called before any is. A rung of its own, "uncertain properties".
   void fit_uncertain(const Progress& progress = {});
-  /// Takes the last added effect off; false when there is none.
-  bool undo();
-  /// Puts the last effect taken off back on; false when there is none.
-  bool redo();
+  /// Takes the last add() or toggle() back; false when there is none.
+  bool undo(const Progress& progress = {});
+  /// Does again what was undone last; false when there is none.
+  bool redo(const Progress& progress = {});
+  /// All that were added, also those switched off.
+  std::vector<AddedEffect> effects() const;
+  const std::vector<OverruledHit>& overruled() const;
 
-  /// Base rung first, then one per added effect.
+  /// What was done by hand so far, for write_saved_session(); with the ladder
+  /// where it is known.
+  SavedSession saved(const Progress& progress = {});
+  /// Does all of it again as soon as the stages are there, on a session where
+  /// nothing was done yet. They throw InputError for a hit or a place that is
+  /// no more.
+  void take_up(const SavedSession& saved);
+
+  /// Base rung first, then one per effect that is on.
   const std::vector<Rung>& ladder(const Progress& progress = {});
   /// Parameters of the current model, uncertain base ones included.
   std::vector<Estimate> model_parameters(const Progress& progress = {});

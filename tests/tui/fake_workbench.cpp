@@ -231,7 +231,8 @@ namespace {
 
 class FakeWorkbench final : public Workbench {
  public:
-  explicit FakeWorkbench(const FakeOptions& options) : options_(options) {}
+  explicit FakeWorkbench(const FakeOptions& options)
+      : options_(options), added_(options.left_with) {}
 
   const acquisition::TestBundle& bundle() override { return bundle_; }
   bool has_model() override { return options_.model; }
@@ -259,7 +260,9 @@ class FakeWorkbench final : public Workbench {
     return modes_;
   }
   const updating::Comparison& comparison(const Progress&) override {
-    return added_.empty() ? base_ : better_;
+    const bool any = std::any_of(
+        added_.begin(), added_.end(), [](const auto& e) { return e.on; });
+    return any ? better_ : base_;
   }
   const updating::Comparison& base_comparison(const Progress&) override {
     return base_;
@@ -273,9 +276,10 @@ class FakeWorkbench final : public Workbench {
   }
   std::vector<updating::Rung> ladder(const Progress&) override {
     std::vector<updating::Rung> rungs{{"base", {}, base_.error, {}}};
-    for (const updating::EffectRef& e : added_) {
-      rungs.push_back({e.effect,
-                       e.where,
+    for (const updating::AddedEffect& e : added_) {
+      if (!e.on) continue;
+      rungs.push_back({e.ref.effect,
+                       e.ref.where,
                        better_.error,
                        {{"mass_kg", 0.0785, 0.0006, 0.0773, 0.0797}}});
     }
@@ -286,6 +290,9 @@ class FakeWorkbench final : public Workbench {
   }
   void overrule_hit(std::size_t run, std::size_t hit) override {
     acquisition::overrule(hits_.runs.at(run).at(hit));
+    if (std::erase(overruled_, updating::OverruledHit{run, hit}) == 0) {
+      overruled_.push_back({run, hit});
+    }
   }
   updating::EffectRef parse_effect(const std::string& text) override {
     if (text != "added-mass@5") {
@@ -294,21 +301,21 @@ class FakeWorkbench final : public Workbench {
     return {"added-mass", diagnosis_.candidates[0].where};
   }
   void add(const updating::EffectRef& effect, const Progress&) override {
-    added_.push_back(effect);
-    taken_off_.clear();
+    past_.push_back(added_);
+    added_.push_back({effect, true});
+    future_.clear();
   }
-  bool undo() override {
-    if (added_.empty()) return false;
-    taken_off_.push_back(added_.back());
-    added_.pop_back();
-    return true;
+  void toggle(std::size_t effect, const Progress&) override {
+    past_.push_back(added_);
+    added_.at(effect).on = !added_.at(effect).on;
   }
-  bool redo() override {
-    if (taken_off_.empty()) return false;
-    added_.push_back(taken_off_.back());
-    taken_off_.pop_back();
-    return true;
+  bool undo(const Progress&) override { return move(past_, future_); }
+  bool redo(const Progress&) override { return move(future_, past_); }
+  std::vector<updating::AddedEffect> effects() override { return added_; }
+  std::vector<updating::OverruledHit> overruled() override {
+    return overruled_;
   }
+  std::string save(const Progress&) override { return options_.unsaved; }
 
  private:
   FakeOptions options_;
@@ -321,8 +328,20 @@ class FakeWorkbench final : public Workbench {
   updating::Comparison base_ = fake_comparison(0.05);
   updating::Comparison better_ = fake_comparison(0.0);
   updating::Diagnosis diagnosis_ = fake_diagnosis();
-  std::vector<updating::EffectRef> added_;
-  std::vector<updating::EffectRef> taken_off_;
+  using Effects = std::vector<updating::AddedEffect>;
+
+  bool move(std::vector<Effects>& from, std::vector<Effects>& to) {
+    if (from.empty()) return false;
+    to.push_back(added_);
+    added_ = from.back();
+    from.pop_back();
+    return true;
+  }
+
+  Effects added_;
+  std::vector<Effects> past_;
+  std::vector<Effects> future_;
+  std::vector<updating::OverruledHit> overruled_;
 };
 
 }  // namespace

@@ -12,8 +12,10 @@
 namespace tapfit::tui::testing {
 
 struct FakeOptions {
+  std::vector<updating::AddedEffect> left_with = {};  ///< effects from before
   bool model = true;
   bool hits_fail = false;      ///< hits() throws InputError
+  std::string unsaved = {};    ///< what save() answers
   bool endless_modes = false;  ///< modes() runs until it is stopped
 };
 

@@ -59,14 +59,24 @@ TEST(ColonCommand, ReadsNamesAndTheirBeginnings) {
   using Kind = ColonCommand::Kind;
   EXPECT_EQ(parse_colon_command("q").kind, Kind::Quit);
   EXPECT_EQ(parse_colon_command("undo").kind, Kind::Undo);
-  EXPECT_EQ(parse_colon_command(" screen 5 ").screen, 5);
-  EXPECT_EQ(parse_colon_command("3").screen, 3);
+  EXPECT_EQ(parse_colon_command(" screen 5 ").number, 5U);
+  EXPECT_EQ(parse_colon_command("3").number, 3U);
+  EXPECT_EQ(parse_colon_command("toggle 2").kind, Kind::Toggle);
+  EXPECT_EQ(parse_colon_command("toggle 2").number, 2U);
   EXPECT_EQ(parse_colon_command("add added-mass@201").argument,
             "added-mass@201");
 }
 
 TEST(ColonCommand, RefusesTheRest) {
-  for (const char* bad : {"", "nonsense", "re", "add", "screen", "screen 9"}) {
+  for (const char* bad : {"",
+                          "nonsense",
+                          "re",
+                          "add",
+                          "screen",
+                          "screen 9",
+                          "toggle",
+                          "toggle 0",
+                          "toggle 12"}) {
     EXPECT_THROW((void)parse_colon_command(bad), InputError) << bad;
   }
 }

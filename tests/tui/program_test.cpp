@@ -77,6 +77,39 @@ TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
   EXPECT_TRUE(holds(redone, "1 effect added: error")) << redone;
 }
 
+TEST(Program, SwitchesAnEffectOffAndOn) {
+  const std::string off = played("5\nwait\na\nwait\nt\nwait");
+  EXPECT_TRUE(holds(off, "added-mass switched off")) << off;
+  EXPECT_TRUE(holds(off,
+                    "nothing added yet: 5 ranks what may be missing, "
+                    "1 off"))
+      << off;
+  const std::string on = played(
+      "5\nwait\na\nwait\nt\nwait\n:toggle 1<Enter>\n"
+      "wait");
+  EXPECT_TRUE(holds(on, "added-mass switched on: error 38.8 % → 0.01 %")) << on;
+  EXPECT_TRUE(holds(on, "1 effect added: error")) << on;
+  const std::string undone = played("5\nwait\na\nwait\nt\nwait\nu\nwait");
+  EXPECT_TRUE(holds(undone, "1 effect added: error")) << undone;
+}
+
+TEST(Program, TellsWhenTheSessionCannotBeSaved) {
+  testing::FakeOptions options;
+  options.unsaved = "no space is left";
+  EXPECT_TRUE(holds(played("5\nwait\na\nwait", {100, 30, false}, options),
+                    "no space is left"));
+}
+
+TEST(Program, TakesUpWhatWasLeftLastTime) {
+  testing::FakeOptions options;
+  options.left_with = {{{"added-mass", {}}, true}, {{"joint", {}}, false}};
+  EXPECT_TRUE(holds(played("wait", {100, 30, false}, options),
+                    "as left last time: 2 effects added, 0 hits judged"));
+  const std::string update = played("6\nwait", {100, 30, false}, options);
+  EXPECT_TRUE(holds(update, "1 effect added: error")) << update;
+  EXPECT_TRUE(holds(update, "1 off")) << update;
+}
+
 TEST(Program, ReportsWhatWasFoundBeforeAndAfterAdding) {
   const std::string before = "missing from the base model: added-mass";
   const std::string after = "missing from the model with 1 effect: added-mass";

@@ -36,6 +36,7 @@ struct CommandOptions {
   std::optional<std::filesystem::path> uff;     ///< universal file to write
   std::optional<std::filesystem::path> deck;    ///< bulk data to write
   std::optional<std::filesystem::path> output;  ///< file or folder to write
+  std::optional<std::filesystem::path> saved;   ///< session to do again
   std::vector<std::string> effects;             ///< "added-mass@201", in order
   int modes = 10;                               ///< of the model
   int node = 0;                                 ///< grid id

@@ -12,6 +12,7 @@
 #include "tui/commands/paper_command.hpp"
 #include "tui/commands/report_command.hpp"
 #include "tui/commands/run_command.hpp"
+#include "tui/commands/session_command.hpp"
 #include "tui/commands/signature_command.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effect_place.hpp"
@@ -38,6 +39,7 @@ enum Extra : unsigned {
   TextOnly = 128,
   Modes = 16,
   Node = 32,
+  SavedFile = 64,
 };
 
 struct Entry {
@@ -48,7 +50,7 @@ struct Entry {
   const char* input = "BUNDLE";
 };
 
-constexpr std::array<Entry, 11> entries{{
+constexpr std::array<Entry, 12> entries{{
     {"run", "The whole chain, recording to error ladder", run_command, None},
     {"hits", "Hits found and judged", hits_command, None},
     {"frf", "Frequency response functions and their quality", frf_command, Uff},
@@ -64,6 +66,10 @@ constexpr std::array<Entry, 11> entries{{
      "Identify uncertain properties and the effects named",
      update_command,
      Effects},
+    {"session",
+     "Do again what was saved in the terminal",
+     session_command,
+     SavedFile},
     {"report",
      "A Markdown report of the finished work",
      report_command,
@@ -99,6 +105,10 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   }
   if ((entry.extras & Output) != 0) {
     command->add_option("-o,--output", options.output, "Where to write");
+  }
+  if ((entry.extras & SavedFile) != 0) {
+    command->add_option(
+        "--file", options.saved, "Saved session (BUNDLE/session.json)");
   }
   if ((entry.extras & Effects) != 0) {
     command

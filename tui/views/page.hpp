@@ -13,13 +13,14 @@ namespace tapfit::tui {
 
 /// What a key asks for beyond the screen itself.
 struct Command {
-  enum class Kind { None, OverruleHit, RestoreHit, Add, ShowFrf };
+  enum class Kind { None, OverruleHit, RestoreHit, Add, Toggle, ShowFrf };
   Kind kind = Kind::None;
   std::size_t run = 0;
   std::size_t hit = 0;
   std::size_t frf = 0;
   updating::EffectRef effect;
-  std::string message;  ///< for the message line, if not empty
+  std::size_t added = 0;  ///< of Toggle: which of those added
+  std::string message;    ///< for the message line, if not empty
 };
 
 struct KeyHelp {

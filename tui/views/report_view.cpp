@@ -217,10 +217,16 @@ std::vector<std::string> all_warnings(const Snapshot& known) {
 }
 
 ReportInput input_of(const Snapshot& known) {
-  auto diagnoses = known.diagnoses;
-  if (known.diagnosis) diagnoses[known.effects] = known.diagnosis;
-  // Those of models that undo has left are not about this report's model.
-  diagnoses.erase(diagnoses.upper_bound(known.effects), diagnoses.end());
+  // On the way to this report's model, and no other.
+  std::map<std::size_t, Snapshot::Shared<updating::Diagnosis>> diagnoses;
+  Snapshot::Effects effects = known.effects_on();
+  while (true) {
+    if (auto found = known.diagnosis_of(effects)) {
+      diagnoses[effects.size()] = std::move(found);
+    }
+    if (effects.empty()) break;
+    effects.pop_back();
+  }
   return {*known.base_comparison,
           *known.comparison,
           *known.ladder,

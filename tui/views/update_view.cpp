@@ -70,7 +70,45 @@ Table parameter_table(const UpdateInput& input) {
   return table;
 }
 
-void draw_ladder(Screen& screen, const Rect& rect, const UpdateInput& input) {
+std::size_t selected_effect(const std::vector<updating::AddedEffect>& effects,
+                            const UpdateState& state) {
+  return effects.empty() ? 0 : std::min(state.effect, effects.size() - 1);
+}
+
+struct LadderRow {
+  std::string name;
+  const updating::Rung* rung = nullptr;  // none for an effect that is off
+  bool selected = false;
+};
+
+/// Rungs in their order, with the effects that are off where they were added.
+std::vector<LadderRow> ladder_rows(const UpdateInput& input,
+                                   std::size_t selected) {
+  std::vector<LadderRow> rows;
+  std::size_t next = 0;
+  const auto is_effect = [&input](std::size_t k) {
+    const std::string& added = input.ladder[k].added;
+    return added != updating::base_rung && added != updating::uncertain_rung;
+  };
+  while (next < input.ladder.size() && !is_effect(next)) {
+    const updating::Rung& rung = input.ladder[next++];
+    rows.push_back({rung.added, &rung, false});
+  }
+  for (std::size_t k = 0; k < input.effects.size(); ++k) {
+    const updating::AddedEffect& added = input.effects[k];
+    const bool has_rung = added.on && next < input.ladder.size();
+    rows.push_back(
+        {fmt::format("{} {}", added.ref.effect, place(added.ref.where)),
+         has_rung ? &input.ladder[next++] : nullptr,
+         k == selected});
+  }
+  return rows;
+}
+
+void draw_ladder(Screen& screen,
+                 const Rect& rect,
+                 const UpdateInput& input,
+                 std::size_t selected) {
   double largest = 1e-9;
   for (const updating::Rung& rung : input.ladder) {
     if (std::isfinite(rung.error)) largest = std::max(largest, rung.error);
@@ -78,26 +116,50 @@ void draw_ladder(Screen& screen, const Rect& rect, const UpdateInput& input) {
   const double floor = input.current != nullptr ? input.current->floor : 0.0;
   screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
   const int names = std::min(rect.width / 2, 30);
-  const int rows =
-      std::min(static_cast<int>(input.ladder.size()), rect.height - 1);
+  const std::vector<LadderRow> all = ladder_rows(input, selected);
+  const int rows = std::min(static_cast<int>(all.size()), rect.height - 1);
   // The newest rungs, when not all fit.
   const std::size_t first =
-      input.ladder.size() - static_cast<std::size_t>(std::max(rows, 0));
+      all.size() - static_cast<std::size_t>(std::max(rows, 0));
   for (int i = 0; i < rows; ++i) {
-    const updating::Rung& rung =
-        input.ladder[first + static_cast<std::size_t>(i)];
+    const LadderRow& row = all[first + static_cast<std::size_t>(i)];
     const int y = rect.y + 1 + i;
-    const std::string where = rung.added == "base"
-                                  ? std::string()
-                                  : fmt::format(" {}", place(rung.where));
-    screen.text(rect.x, y, rung.added + where, {}, names - 1);
-    screen.text_right(rect.x + names + 7, y, percent(rung.error));
+    if (row.selected && rect.x > 0) {
+      screen.text(rect.x - 1, y, screen.ascii() ? ">" : "▸", {});
+    }
+    if (row.rung == nullptr) {
+      screen.text(rect.x, y, row.name, {.colour = Colour::Grey}, names - 1);
+      screen.text_right(rect.x + names + 7, y, "off", {.colour = Colour::Grey});
+      continue;
+    }
+    screen.text(rect.x, y, row.name, {}, names - 1);
+    screen.text_right(rect.x + names + 7, y, percent(row.rung->error));
     draw_error_bar(screen,
                    {rect.x + names + 8, y, rect.width - names - 9, 1},
-                   rung.error,
+                   row.rung->error,
                    floor,
                    largest);
   }
+}
+
+std::string headline_of(const UpdateInput& input) {
+  std::string text = "nothing added yet: 5 ranks what may be missing";
+  const auto on = static_cast<std::size_t>(std::count_if(
+      input.effects.begin(), input.effects.end(), [](const auto& added) {
+        return added.on;
+      }));
+  const std::size_t off = input.effects.size() - on;
+  if (input.ladder.size() > 1) {
+    text = fmt::format("{} added: error {} → {}",
+                       effects_text(on),
+                       percent(input.ladder.front().error),
+                       percent(input.ladder.back().error));
+  }
+  if (off > 0) text += fmt::format(", {} off", off);
+  if (input.current != nullptr) {
+    text += fmt::format(", floor {}", percent(input.current->floor));
+  }
+  return text;
 }
 
 Plot overlay(const UpdateInput& input,
@@ -144,28 +206,18 @@ Screen update_view(const UpdateInput& input,
                    const UpdateState& state,
                    const Canvas& canvas) {
   Screen screen(canvas);
-  std::string headline = "nothing added yet: 5 ranks what may be missing";
-  if (input.ladder.size() > 1) {
-    headline = fmt::format("{} added: error {} → {}",
-                           effects_text(input.ladder.size() - 1),
-                           percent(input.ladder.front().error),
-                           percent(input.ladder.back().error));
-  }
-  if (input.current != nullptr) {
-    headline += fmt::format(", floor {}", percent(input.current->floor));
-  }
-  screen.text(1, 0, headline, {.bold = true}, canvas.width - 2);
+  screen.text(1, 0, headline_of(input), {.bold = true}, canvas.width - 2);
   const Rect body{0, 1, canvas.width, canvas.height - 1};
   const Table parameters = parameter_table(input);
   const int wanted = std::max({static_cast<int>(parameters.rows.size()),
-                               static_cast<int>(input.ladder.size()),
+                               static_cast<int>(ladder_rows(input, 0).size()),
                                2}) +
                      1;
   const auto [upper, lower] =
       split_top(body, std::min(wanted, body.height * 2 / 5));
   const auto [left, right] = split_left(upper, canvas.width * 7 / 12);
   draw_table(screen, left, parameters, {}, false);
-  draw_ladder(screen, right, input);
+  draw_ladder(screen, right, input, selected_effect(input.effects, state));
   if (input.frfs.frfs.empty()) return screen;
   const std::size_t selected = settled(frf_names(input.frfs), state.list);
   const Plot plot = overlay(input, state, selected);
@@ -191,6 +243,7 @@ Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
   return update_view({*known.frfs,
                       *known.ladder,
                       *known.parameters,
+                      known.effects,
                       known.base_comparison.get(),
                       known.comparison.get(),
                       known.previous.get()},
@@ -198,11 +251,19 @@ Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
                      canvas);
 }
 
-bool UpdatePage::press(const Snapshot& known, Key key, Command&) {
+bool UpdatePage::press(const Snapshot& known, Key key, Command& command) {
+  const std::size_t effect = selected_effect(known.effects, state_);
   if (key == U'x') {
     state_.log = !state_.log;
   } else if (key == U' ') {
     state_.slide = 0.0;
+  } else if (key == U'n') {
+    state_.effect = effect + 1;
+  } else if (key == U'p') {
+    state_.effect = effect == 0 ? 0 : effect - 1;
+  } else if (key == U't') {
+    command.kind = Command::Kind::Toggle;
+    command.added = effect;
   } else if (!list_key(state_.list, frf_names(*known.frfs), key)) {
     const FrequencySpan span = frequency_span(*known.frfs);
     return range_key(
@@ -226,6 +287,8 @@ std::vector<KeyHelp> UpdatePage::keys() const {
   return {{"j k", "FRF"},
           {"u", "undo"},
           {"^R", "redo"},
+          {"t", "effect off/on"},
+          {"n p", "which"},
           {"Space", "slide again"},
           {"h l", "cursor"},
           {"x", "log/linear"},
@@ -240,7 +303,8 @@ std::string UpdatePage::help() const {
          "what was added, ± one standard deviation, and how the error fell "
          "with each effect (the mark on a bar is the floor). Below, the "
          "updated model over the measurement, with the base model for "
-         "comparison. u takes the last effect off, Ctrl-R puts it back.";
+         "comparison. u takes the last change back, Ctrl-R does it again. t "
+         "switches the marked effect off or on, n and p mark another.";
 }
 
 }  // namespace tapfit::tui

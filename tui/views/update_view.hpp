@@ -11,14 +11,16 @@ struct UpdateInput {
   const signal::FrfSet& frfs;
   const std::vector<updating::Rung>& ladder;
   const std::vector<updating::Estimate>& parameters;
+  const std::vector<updating::AddedEffect>& effects;  ///< also those off
   const updating::Comparison* base = nullptr;
   const updating::Comparison* current = nullptr;
   const updating::Comparison* previous = nullptr;  ///< where to slide from
 };
 
 struct UpdateState {
-  ListState list;   ///< FRFs
-  PlotRange range;  ///< [Hz]
+  ListState list;          ///< FRFs
+  std::size_t effect = 0;  ///< of those added: the one that t switches
+  PlotRange range;         ///< [Hz]
   bool log = true;
   double slide = 1.0;  ///< 0: the previous model's curve, 1: the current one
 };

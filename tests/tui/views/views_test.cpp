@@ -215,11 +215,15 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
                                            {"added-mass", {}, 0.038, {}}};
   const std::vector<updating::Estimate> parameters{
       {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
-  const UpdateInput input{frfs, ladder, parameters, &before, &after, &before};
+  const std::vector<updating::AddedEffect> effects{{{"added-mass", {}}, true},
+                                                   {{"joint", {}}, false}};
+  const UpdateInput input{
+      frfs, ladder, parameters, effects, &before, &after, &before};
   UpdateState state;
   const Screen there = update_view(input, state, {});
   EXPECT_TRUE(holds(there, "error 38.8 % → 3.8 %")) << there.to_text();
   EXPECT_TRUE(holds(there, "(7.070 ± 0.020)e10"));
+  EXPECT_TRUE(holds(there, "1 effect added")) << "the joint is off";
   state.slide = 0.0;
   EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
 }

@@ -1,0 +1,139 @@
+#include "updating/effect_stack.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/effects/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace tapfit::updating {
+namespace {
+
+EffectRef mass_at(int node) {
+  EffectRef ref{"added-mass", {}};
+  ref.where.node = node;
+  return ref;
+}
+
+// The sample plate with 30 g on grid 9 and 20 g on grid 53, "measured" without
+// noise: with both the error is nothing, with one of them it is large.
+class EffectStackTest : public testing::Test {
+ protected:
+  EffectStackTest()
+      : deck_(support::plate_deck(true)), bundle_(support::plate_bundle()) {
+    builder_.emplace(deck_,
+                     bundle_.uncertain,
+                     support::plate_base(bundle_, deck_),
+                     Progress{});
+    FitSetting fit;
+    fit.setting = support::plate_setting(bundle_, deck_);
+    fit.uncertain_sd = {0.03};
+    fit.measured = support::plate_pairs(
+        bundle_, damped_line({10.0, 400.0}, 3.0, {0.03, 120}));
+    fit.targets = {make_target(fit.measured)};
+    const Fitter bare(*builder_, fit);
+    const std::vector<PlacedEffect> hidden = {
+        {&effects::find("added-mass"), mass_at(9).where, {0.030}},
+        {&effects::find("added-mass"), mass_at(53).where, {0.020}}};
+    const auto model = bare.model_for(hidden);
+    const Eigen::MatrixXcd H =
+        model->respond(bare.first_state(*model, hidden), fit.measured.s, false)
+            .H;
+    for (Eigen::Index f = 0; f < H.cols(); ++f) {
+      fit.measured.frfs[static_cast<std::size_t>(f)].H = H.col(f);
+    }
+    fit.targets = {make_target(fit.measured)};
+    fitter_.emplace(*builder_, fit);
+    Fit base;
+    base.model = fitter_->model_for({});
+    base.result.state = fitter_->first_state(*base.model, {});
+    stack_.emplace(base, true);
+  }
+
+  [[nodiscard]] StackFit how() const {
+    return {fitter_->setting().setting,
+            [this](const std::vector<PlacedEffect>& effects,
+                   const Progress& progress) {
+              return fitter_->fit(
+                  effects, fitter_->model_for(effects), progress);
+            }};
+  }
+  [[nodiscard]] double error() const {
+    return stack_->fits().back().result.error;
+  }
+
+  Progress none_;
+  structure::Deck deck_;
+  acquisition::TestBundle bundle_;
+  std::optional<BaseBuilder> builder_;
+  std::optional<Fitter> fitter_;
+  std::optional<EffectStack> stack_;
+};
+
+TEST_F(EffectStackTest, SwitchingOffIsAsIfItHadNeverBeenAdded) {
+  stack_->add(mass_at(53), how(), none_);
+  const double second_alone = error();
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  stack_->add(mass_at(9), how(), none_);
+  stack_->add(mass_at(53), how(), none_);
+  EXPECT_LT(error(), 1e-4);  // the data are the model's own
+  // Base, what is uncertain, two effects.
+  EXPECT_EQ(stack_->fits().size(), 4U);
+
+  stack_->toggle(0, how(), none_);
+  EXPECT_EQ(stack_->fits().size(), 3U);
+  EXPECT_FALSE(stack_->effects()[0].on);
+  EXPECT_TRUE(stack_->effects()[1].on);
+  // The same fit, from the same start.
+  EXPECT_NEAR(error(), second_alone, 1e-9 * second_alone);
+  EXPECT_GT(error(), 0.01);
+
+  stack_->toggle(0, how(), none_);
+  EXPECT_LT(error(), 1e-4);
+}
+
+TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
+  EXPECT_FALSE(stack_->undo(how(), none_));
+  stack_->add(mass_at(9), how(), none_);
+  stack_->add(mass_at(53), how(), none_);
+  stack_->toggle(1, how(), none_);
+  const double off = error();
+
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  EXPECT_TRUE(stack_->effects()[1].on);
+  EXPECT_LT(error(), 1e-4);
+  ASSERT_TRUE(stack_->redo(how(), none_));
+  EXPECT_FALSE(stack_->effects()[1].on);
+  EXPECT_DOUBLE_EQ(error(), off);  // its fit was kept
+  EXPECT_FALSE(stack_->redo(how(), none_));
+
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(stack_->undo(how(), none_));
+  EXPECT_TRUE(stack_->effects().empty());
+  EXPECT_EQ(stack_->fits().size(), 1U);  // the base model as the deck has it
+  ASSERT_TRUE(stack_->redo(how(), none_));
+  stack_->add(mass_at(20), how(), none_);
+  EXPECT_FALSE(stack_->redo(how(), none_)) << "a new branch was begun";
+}
+
+TEST_F(EffectStackTest, AChangeThatFailsLeavesEverythingAsItWas) {
+  stack_->add(mass_at(9), how(), none_);
+  const double before = error();
+  EXPECT_THROW(stack_->add(mass_at(9), how(), none_), InputError);
+  EXPECT_THROW(stack_->add(mass_at(999), how(), none_), InputError);
+  EXPECT_THROW(stack_->toggle(1, how(), none_), InputError);
+  std::stop_source stopped;
+  stopped.request_stop();
+  Progress stop;
+  stop.stop = stopped.get_token();
+  EXPECT_THROW(stack_->add(mass_at(53), how(), stop), Stopped);
+  EXPECT_EQ(stack_->effects().size(), 1U);
+  EXPECT_DOUBLE_EQ(error(), before);
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  EXPECT_FALSE(stack_->undo(how(), none_)) << "failures are no changes";
+}
+
+}  // namespace
+}  // namespace tapfit::updating

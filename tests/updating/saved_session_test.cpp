@@ -1,0 +1,113 @@
+#include "updating/saved_session.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace tapfit::updating {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SavedSessionTest : public testing::Test {
+ protected:
+  SavedSessionTest() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  ~SavedSessionTest() override {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  SavedSessionTest(const SavedSessionTest&) = delete;
+  SavedSessionTest& operator=(const SavedSessionTest&) = delete;
+
+  [[nodiscard]] fs::path holding(const std::string& text) const {
+    std::ofstream(folder_ / "session.json") << text;
+    return folder_ / "session.json";
+  }
+
+  fs::path folder_ =
+      fs::path(testing::TempDir()) /
+      testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+SavedSession sample() {
+  SavedSession session;
+  session.title = "Träger";
+  session.overruled = {{2, 0}, {0, 4}};
+  EffectRef support{"soft-support", {}};
+  support.where.nodes = {1, 2, 3};
+  support.where.variant = "rotation";
+  EffectRef sensors{"sensor-mass", {}};
+  sensors.where.channels = {"acc1", "acc2"};
+  EffectRef loss{"stiffness-loss", {}};
+  loss.where.elements = {60, 61};
+  session.effects = {{support, true}, {sensors, false}, {loss, true}};
+  SavedRung rung;
+  rung.rung.added = "soft-support";
+  rung.rung.where = support.where;
+  rung.rung.error = 0.1 + 0.2;  // no short decimal fraction
+  rung.rung.parameters = {{"stiffness_nm_per_rad", 1650.0, 20.0, 1610, 1690}};
+  ModePair pair;
+  pair.measured = 1;
+  pair.model = 2;
+  pair.measured_hz = 7.232;
+  pair.model_hz = 7.3;
+  pair.error_percent = 0.94;
+  pair.mac = 0.998;
+  rung.modes = {pair};
+  session.ladder = {rung};
+  return session;
+}
+
+TEST_F(SavedSessionTest, IsReadAsItWasWritten) {
+  const fs::path file = folder_ / "session.json";
+  const SavedSession session = sample();
+  write_saved_session(file, session);
+  write_saved_session(file, session);  // over one that is there
+  const SavedSession read = read_saved_session(file);
+  EXPECT_EQ(read.title, session.title);
+  EXPECT_EQ(read.overruled, session.overruled);
+  EXPECT_EQ(read.effects, session.effects);
+  // Numbers to the last bit, the text says so.
+  EXPECT_EQ(as_text(read), as_text(session));
+  EXPECT_EQ(read.ladder.at(0).rung.error, session.ladder[0].rung.error);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1)
+      << "nothing else is left behind";
+}
+
+TEST_F(SavedSessionTest, CountsRunsAndHitsFromOneInTheFile) {
+  EXPECT_NE(as_text(sample()).find("\"run\": 3,\n      \"hit\": 1"),
+            std::string::npos);
+}
+
+TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
+  for (const char* text :
+       {"",
+        "{",
+        "[]",
+        "{}",
+        R"({"tapfit_session": 2, "overruled_hits": [], "effects": []})",
+        R"({"tapfit_session": 1, "effects": []})",
+        R"({"tapfit_session": 1, "overruled_hits": [{"run": 0, "hit": 1}],
+            "effects": []})",
+        R"({"tapfit_session": 1, "overruled_hits": [],
+            "effects": [{"where": {}}]})",
+        R"({"tapfit_session": 1, "overruled_hits": [],
+            "effects": [{"effect": "added-mass", "where": {"node": "x"}}]})"}) {
+    EXPECT_THROW((void)read_saved_session(holding(text)), InputError) << text;
+  }
+  EXPECT_THROW((void)read_saved_session(folder_ / "none.json"), InputError);
+}
+
+TEST_F(SavedSessionTest, SaysWhereItCannotBeWritten) {
+  EXPECT_THROW(write_saved_session(folder_ / "no" / "session.json", sample()),
+               InputError);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,84 @@
+#include "tui/commands/session_command.hpp"
+
+#include "tui/commands/effect_output.hpp"
+#include "tui/commands/open_bundle.hpp"
+#include "tui/commands/text_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+// Fits of the same data by the same program end within rounding.
+constexpr double same = 1e-6;
+
+}  // namespace
+
+std::string session_text(const updating::SavedSession& session) {
+  std::string text;
+  for (const updating::OverruledHit& hit : session.overruled) {
+    text += fmt::format(
+        "run {}, hit {}: judged by hand\n", hit.run + 1, hit.hit + 1);
+  }
+  TextTable table({"<rung", "error", "frequencies", "MAC", "<parameters"});
+  for (const updating::SavedRung& saved : session.ladder) {
+    double hz_error = 0.0;
+    double mac = 0.0;
+    for (const updating::ModePair& pair : saved.modes) {
+      const auto count = static_cast<double>(saved.modes.size());
+      hz_error += std::abs(pair.error_percent) / 100.0 / count;
+      mac += pair.mac / count;
+    }
+    const bool paired = !saved.modes.empty();
+    table.add({effect_text(saved.rung.added, saved.rung.where),
+               percent(saved.rung.error),
+               paired ? percent(hz_error) : "-",
+               paired ? fmt::format("{:.3f}", mac) : "-",
+               parameters_text(saved.rung.parameters)});
+  }
+  text += table.text();
+  for (const updating::AddedEffect& added : session.effects) {
+    if (added.on) continue;
+    text += "off: " + effect_text(added.ref.effect, added.ref.where) + "\n";
+  }
+  return text;
+}
+
+std::string differences(const updating::SavedSession& then,
+                        const updating::SavedSession& now) {
+  if (then.ladder.empty()) return {};
+  if (then.ladder.size() != now.ladder.size()) {
+    return fmt::format("{} rungs were saved, {} came out\n",
+                       then.ladder.size(),
+                       now.ladder.size());
+  }
+  std::string text;
+  for (std::size_t k = 0; k < now.ladder.size(); ++k) {
+    const double saved = then.ladder[k].rung.error;
+    const double found = now.ladder[k].rung.error;
+    if (std::abs(found - saved) <= same * std::abs(saved)) continue;
+    text += fmt::format("{}: error {:.6g} was saved, {:.6g} came out\n",
+                        now.ladder[k].rung.added,
+                        saved,
+                        found);
+  }
+  return text;
+}
+
+std::string session_command(const CommandOptions& options,
+                            const Progress& progress) {
+  const updating::SavedSession then = updating::read_saved_session(
+      options.saved.value_or(options.input / "session.json"));
+  updating::Session session = open_bundle(options.input);
+  session.take_up(then);
+  static_cast<void>(session.ladder(progress));
+  const updating::SavedSession now = session.saved(progress);
+  if (options.json) return updating::as_text(now);
+  const std::string other = differences(then, now);
+  return session_text(now) +
+         (other.empty() ? "as saved\n" : "not as saved:\n" + other);
+}
+
+}  // namespace tapfit::tui

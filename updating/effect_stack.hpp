@@ -1,0 +1,70 @@
+// The effects that were added to the base model, one after the other: each can
+// be switched off and on, and every change undone and done again.
+#pragma once
+
+#include "updating/fitter.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// How the effects of a stack are placed and fitted.
+struct StackFit {
+  effects::Setting setting;
+  /// Fit of these effects with everything else that is uncertain.
+  std::function<Fit(const std::vector<PlacedEffect>&, const Progress&)> fit;
+};
+
+/// Fits of the base model with ever more of the effects. A change that fails
+/// or is stopped leaves everything as it was.
+class EffectStack {
+ public:
+  /// @param base the deck as it is, nothing fitted
+  /// @param uncertain whether the model has properties to be fitted: they are
+  ///   a rung of their own, since what they alone can do is no merit of the
+  ///   first effect
+  EffectStack(Fit base, bool uncertain);
+
+  /// Fits what is uncertain in the model with no effect added.
+  void fit_uncertain(const StackFit& how, const Progress& progress);
+  /// @throws InputError for an effect that is in the list already or has no
+  ///   such place
+  void add(const EffectRef& effect,
+           const StackFit& how,
+           const Progress& progress);
+  /// Switches an effect off or on; those after it are fitted anew.
+  /// @throws InputError where there is no such effect
+  void toggle(std::size_t effect,
+              const StackFit& how,
+              const Progress& progress);
+  /// Takes the last change back; false when there is none.
+  bool undo(const StackFit& how, const Progress& progress);
+  /// Does what was undone last again; false when there is none.
+  bool redo(const StackFit& how, const Progress& progress);
+
+  [[nodiscard]] const std::vector<AddedEffect>& effects() const {
+    return effects_;
+  }
+  /// Base first, then what is uncertain, then one per effect that is on.
+  [[nodiscard]] const std::vector<Fit>& fits() const { return fits_; }
+
+ private:
+  using Effects = std::vector<AddedEffect>;
+
+  void change_to(const Effects& effects,
+                 const StackFit& how,
+                 const Progress& progress);
+  [[nodiscard]] std::vector<Fit> fits_for(
+      const std::vector<PlacedEffect>& wanted,
+      const StackFit& how,
+      const Progress& progress) const;
+
+  bool uncertain_;
+  Effects effects_;
+  std::vector<Fit> fits_;
+  std::vector<Effects> past_;
+  std::vector<Effects> future_;
+};
+
+}  // namespace tapfit::updating

@@ -1,0 +1,175 @@
+#include "updating/saved_session.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace tapfit::updating {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+
+json to_json(const Where& where) {
+  json result = json::object();
+  if (where.node != 0) result["node"] = where.node;
+  if (!where.nodes.empty()) result["nodes"] = where.nodes;
+  if (!where.elements.empty()) result["elements"] = where.elements;
+  if (!where.channels.empty()) result["channels"] = where.channels;
+  if (!where.variant.empty()) result["variant"] = where.variant;
+  return result;
+}
+
+Where where_from(const json& value) {
+  Where where;
+  where.node = value.value("node", 0);
+  where.nodes = value.value("nodes", std::vector<int>{});
+  where.elements = value.value("elements", std::vector<int>{});
+  where.channels = value.value("channels", std::vector<std::string>{});
+  where.variant = value.value("variant", "");
+  return where;
+}
+
+json to_json(const SavedRung& saved) {
+  json parameters = json::object();
+  for (const Estimate& e : saved.rung.parameters) {
+    parameters[e.name] = {
+        {"value", e.value}, {"sd", e.sd}, {"lo95", e.lo95}, {"hi95", e.hi95}};
+  }
+  json modes = json::array();
+  for (const ModePair& pair : saved.modes) {
+    modes.push_back({{"measured", pair.measured + 1},
+                     {"model", pair.model + 1},
+                     {"measured_hz", pair.measured_hz},
+                     {"model_hz", pair.model_hz},
+                     {"error_percent", pair.error_percent},
+                     {"mac", pair.mac}});
+  }
+  return {{"added", saved.rung.added},
+          {"where", to_json(saved.rung.where)},
+          {"error", saved.rung.error},
+          {"parameters", parameters},
+          {"modes", modes}};
+}
+
+SavedRung rung_from(const json& value) {
+  SavedRung saved;
+  saved.rung.added = value.at("added");
+  saved.rung.where = where_from(value.at("where"));
+  saved.rung.error = value.at("error");
+  for (const auto& [name, e] : value.at("parameters").items()) {
+    saved.rung.parameters.push_back(
+        {name, e.at("value"), e.at("sd"), e.at("lo95"), e.at("hi95")});
+  }
+  for (const json& m : value.at("modes")) {
+    ModePair pair;
+    pair.measured = m.at("measured").get<int>() - 1;
+    pair.model = m.at("model").get<int>() - 1;
+    pair.measured_hz = m.at("measured_hz");
+    pair.model_hz = m.at("model_hz");
+    pair.error_percent = m.at("error_percent");
+    pair.mac = m.at("mac");
+    saved.modes.push_back(pair);
+  }
+  return saved;
+}
+
+// From 1 in the file to 0 here.
+std::size_t index_from(const json& value) {
+  const auto number = value.get<long long>();
+  if (number < 1) throw std::out_of_range("runs and hits are counted from 1");
+  return static_cast<std::size_t>(number - 1);
+}
+
+SavedSession session_from(const json& value) {
+  if (value.at("tapfit_session").get<int>() != version) {
+    throw std::out_of_range(
+        fmt::format("\"tapfit_session\" is not {}", version));
+  }
+  SavedSession session;
+  session.title = value.value("title", "");
+  for (const json& hit : value.at("overruled_hits")) {
+    session.overruled.push_back(
+        {index_from(hit.at("run")), index_from(hit.at("hit"))});
+  }
+  for (const json& effect : value.at("effects")) {
+    session.effects.push_back(
+        {{effect.at("effect"), where_from(effect.value("where", json{}))},
+         effect.value("on", true)});
+  }
+  for (const json& rung : value.value("ladder", json::array())) {
+    session.ladder.push_back(rung_from(rung));
+  }
+  return session;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+  throw InputError(
+      "no saved session: " + what,
+      file.string(),
+      "correct the file by hand, or move it away to start from the base model");
+}
+
+}  // namespace
+
+std::string as_text(const SavedSession& session) {
+  json value{{"tapfit_session", version},
+             {"title", session.title},
+             {"overruled_hits", json::array()},
+             {"effects", json::array()},
+             {"ladder", json::array()}};
+  for (const OverruledHit& hit : session.overruled) {
+    value["overruled_hits"].push_back(
+        {{"run", hit.run + 1}, {"hit", hit.hit + 1}});
+  }
+  for (const AddedEffect& added : session.effects) {
+    value["effects"].push_back({{"effect", added.ref.effect},
+                                {"where", to_json(added.ref.where)},
+                                {"on", added.on}});
+  }
+  for (const SavedRung& rung : session.ladder) {
+    value["ladder"].push_back(to_json(rung));
+  }
+  return value.dump(2) + "\n";
+}
+
+void write_saved_session(const fs::path& file, const SavedSession& session) {
+  const fs::path fresh = fs::path(file).concat(".new");
+  std::ofstream stream(fresh, std::ios::binary);
+  stream << as_text(session);
+  stream.close();
+  std::error_code failed;
+  if (stream) fs::rename(fresh, file, failed);
+  if (stream && !failed) return;
+  std::error_code ignored;
+  fs::remove(fresh, ignored);
+  throw InputError("the session cannot be saved",
+                   file.string(),
+                   "make the folder writable, or free some space");
+}
+
+SavedSession read_saved_session(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError("cannot be opened",
+                     file.string(),
+                     "give a session that tapfit saved, BUNDLE/session.json");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return session_from(json::parse(text));
+  } catch (const json::exception& error) {
+    refuse(file, error.what());
+  } catch (const std::out_of_range& error) {
+    refuse(file, error.what());
+  }
+}
+
+}  // namespace tapfit::updating

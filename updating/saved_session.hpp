@@ -1,0 +1,53 @@
+// What was done to a test by hand, as a file that people can read: hits that
+// were overruled, effects that were added, and the error ladder they gave.
+#pragma once
+
+#include "updating/comparison.hpp"
+#include "updating/diagnosis.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Counted from 0; in the file, as on the screens, from 1.
+struct OverruledHit {
+  std::size_t run = 0;
+  std::size_t hit = 0;
+
+  bool operator==(const OverruledHit&) const = default;
+};
+
+/// A rung and the model's modes with it.
+struct SavedRung {
+  Rung rung;
+  std::vector<ModePair> modes;
+};
+
+struct SavedSession {
+  std::string title;  ///< of the bundle
+  std::vector<OverruledHit> overruled;
+  std::vector<AddedEffect> effects;
+  std::vector<SavedRung> ladder;  ///< what came out when it was saved
+
+  /// Whether nothing was done that could be lost.
+  [[nodiscard]] bool empty() const {
+    return overruled.empty() && effects.empty();
+  }
+};
+
+/// The file's text: JSON.
+[[nodiscard]] std::string as_text(const SavedSession& session);
+
+/// Replaces the file as a whole or not at all.
+/// @throws InputError where it cannot be written
+void write_saved_session(const std::filesystem::path& file,
+                         const SavedSession& session);
+
+/// @throws InputError for a file that is missing or no such session; says
+///   where in it
+[[nodiscard]] SavedSession read_saved_session(
+    const std::filesystem::path& file);
+
+}  // namespace tapfit::updating
