@@ -183,6 +183,11 @@ Wireframe wireframe(const structure::Deck& deck) {
   for (const auto& rod : deck.rods) {
     edges.add(rod.grids[0], rod.grids[1], line_element);
   }
+  for (const auto& rigid : deck.rigids) {
+    for (const auto& follower : rigid.dependents) {
+      edges.add(rigid.independent, follower.grid, line_element);
+    }
+  }
   for (const auto& line : deck.plot_lines) {
     edges.add(line[0], line[1], line_element);
   }

@@ -2,6 +2,7 @@
 
 #include "updating/recording_chain.hpp"
 #include "updating/run_lines.hpp"
+#include "updating/structure/dashpots.hpp"
 #include "updating/uncertain_parts.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -47,6 +48,25 @@ BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M) {
   return modes;
 }
 
+// Of the deck's own dashpots: a factor F of C = sum of c b b' = F F'. As wide
+// as the dashpots are independent in the base, however many there are.
+MatrixXd damping_factor(const structure::Deck& deck, const MatrixXd& rows) {
+  MatrixXd C = MatrixXd::Zero(rows.cols(), rows.cols());
+  for (const structure::Dashpot& dashpot : structure::dashpots(deck)) {
+    VectorXd b = VectorXd::Zero(rows.cols());
+    for (const auto& [dof, part] : dashpot.direction) {
+      b += part * rows.row(dof).transpose();
+    }
+    C += dashpot.damping * b * b.transpose();
+  }
+  if (C.isZero(0.0)) return MatrixXd(rows.cols(), 0);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(C);
+  const VectorXd& c = solver.eigenvalues();
+  const Index rank = (c.array() > 1e-13 * c(c.size() - 1)).count();
+  return solver.eigenvectors().rightCols(rank) *
+         c.tail(rank).cwiseSqrt().asDiagonal();
+}
+
 }  // namespace
 
 bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
@@ -85,7 +105,9 @@ ModelState unpack(const ModelState& like, const VectorXd& theta) {
 FrfModel::FrfModel(ReducedBase base,
                    const effects::Setting& setting,
                    const signal::FrfSet& measured)
-    : base_(std::move(base)), setting_(setting) {
+    : base_(std::move(base)),
+      setting_(setting),
+      dashpots_(damping_factor(*setting.deck, base_.rows)) {
   std::map<Dof, Index> column;
   std::set<std::size_t> runs;
   std::vector<VectorXd> points;
@@ -241,6 +263,10 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
   lines.shared = &shared;
   const MatrixXd& phi = shared.modes.phi;
   std::vector<VectorXd> rows;
+  for (Index k = 0; k < dashpots_.cols(); ++k) {
+    lines.actors.push_back({});
+    rows.emplace_back(phi.transpose() * dashpots_.col(k));
+  }
   for (std::size_t e = 0; e < shared.state->effects.size(); ++e) {
     const PlacedEffect& placed = shared.state->effects[e];
     if (placed.effect->entry() != effects::Entry::LowRank) continue;

@@ -5,8 +5,9 @@
 //   d H*_oi / d theta = -X_o' (d Z / d theta) X_i   (eq. 4),  X_q = H* e_q
 //
 // H is diagonal in the base's modes; B holds the rows of the degrees of freedom
-// acted on. Properties that scale whole matrices, and supports, change the
-// base's modes instead, which are then taken anew (a small dense problem).
+// acted on, the deck's own dashpots (D = s c) among them. Properties that scale
+// whole matrices, and supports, change the base's modes instead, which are then
+// taken anew (a small dense problem).
 #pragma once
 
 #include "signal/frf_set.hpp"
@@ -131,7 +132,8 @@ class FrfModel {
   ReducedBase base_;
   effects::Setting setting_;
   std::vector<MeasuredPair> pairs_;
-  Eigen::MatrixXd points_;  // r x points: signed rows of V, each once
+  Eigen::MatrixXd points_;    // r x points: signed rows of V, each once
+  Eigen::MatrixXd dashpots_;  // r x rank, C = dashpots_ dashpots_' of the deck
   std::vector<std::size_t> runs_;
   Eigen::MatrixXd reference_phi_;
 };

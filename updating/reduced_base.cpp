@@ -2,8 +2,10 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/released_system.hpp"
+#include "updating/structure/dashpots.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
+#include "updating/structure/free_motions.hpp"
 #include "updating/structure/refine_mesh.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/subspace.hpp"
@@ -66,6 +68,17 @@ StiffnessTerm loss_term() {
   return term;
 }
 
+// With those that the deck's own dashpots act on; ascending.
+std::vector<int> with_damped(std::vector<int> points,
+                             const structure::Deck& deck) {
+  for (const structure::Dashpot& dashpot : structure::dashpots(deck)) {
+    for (const auto& [dof, part] : dashpot.direction) points.push_back(dof);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
 }  // namespace
 
 struct BaseBuilder::Impl {
@@ -74,10 +87,10 @@ struct BaseBuilder::Impl {
   BaseOptions options;
   std::vector<acquisition::UncertainProperty> uncertain;
   structure::System system;
-  std::vector<int> free;
+  structure::FreeMotions motions;  // u = T q
   double mass = 0.0;
   double shift = 0.0;  // K + shift M is factored [rad^2/s^2]
-  MatrixXd modes;      // n x count, supports rigid
+  MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
   std::unique_ptr<structure::Factor> factor;
   ReleasedSystem plain;  // the model with nothing released
@@ -103,14 +116,14 @@ BaseBuilder::BaseBuilder(
   Impl& m = *impl_;
   m.options = options;
   m.uncertain = uncertain;
-  std::sort(m.options.points.begin(), m.options.points.end());
+  m.options.points = with_damped(std::move(m.options.points), deck);
   m.original_grids = static_cast<Index>(deck.grids.size());
   m.mesh.deck = deck;
   if (options.split) m.mesh = structure::refine_mesh(deck);
   progress("model: assembling", 0.0);
   m.system = structure::assemble(m.mesh.deck);
-  m.free = m.system.free_dofs();
-  if (m.free.empty()) {
+  m.motions = structure::free_motions(m.system);
+  if (m.motions.free.empty()) {
     throw InputError("the model has no free degree of freedom",
                      deck.path.string(),
                      "check the elements and the SPC cards");
@@ -121,12 +134,12 @@ BaseBuilder::BaseBuilder(
                      deck.path.string(),
                      "give the materials a density (RHO)");
   }
-  const SparseMatrix K = structure::extract(m.system.K, m.free);
-  const SparseMatrix M = structure::extract(m.system.M, m.free);
+  const SparseMatrix K = m.motions.reduce(m.system.K);
+  const SparseMatrix M = m.motions.reduce(m.system.M);
   progress("model: eigenmodes", 0.2);
   const structure::Eigenmodes modes =
       structure::eigenmodes_up_to(K, M, options.reach * options.high_hz);
-  m.modes = expand(modes.phi, m.free, m.system.dofs());
+  m.modes = m.motions.expand(modes.phi);
   m.modes_hz = modes.frequency_hz;
   progress("model: residual flexibility", 0.8);
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
@@ -136,7 +149,7 @@ BaseBuilder::BaseBuilder(
              m.system.M,
              uncertain_parts(m.mesh.deck, uncertain),
              {},
-             m.free};
+             m.motions.free};
   m.V0 = join(
       {m.modes, beyond(m.system.M, m.modes, m.responses(m.options.points))});
   const MatrixXd projected = m.V0.transpose() * (m.system.K * m.V0);
@@ -186,27 +199,25 @@ bool BaseBuilder::is_free() const {
   return f.size() > 0 && f(0) < 1e-3 * impl_->options.high_hz;
 }
 double BaseBuilder::mass_kg() const { return impl_->mass; }
-Index BaseBuilder::dofs() const {
-  return static_cast<Index>(impl_->free.size());
-}
+Index BaseBuilder::dofs() const { return impl_->motions.size(); }
 
-// (K + shift M)^-1 f over the free degrees of freedom.
+// T (T' (K + shift M) T)^-1 T' f: the answer of what is free to move.
 MatrixXd BaseBuilder::Impl::backsolve(const MatrixXd& forces) const {
   if (forces.cols() == 0) return MatrixXd::Zero(system.dofs(), 0);
-  return expand(
-      factor->solve(MatrixXd(forces(free, Eigen::all))), free, system.dofs());
+  return motions.expand(factor->solve(motions.project(forces)));
 }
 
 // To unit forces at the points, and the dynamic corrections of these.
 MatrixXd BaseBuilder::Impl::responses(const std::vector<int>& points) const {
   MatrixXd forces =
       MatrixXd::Zero(system.dofs(), static_cast<Index>(points.size()));
-  std::vector<Index> moving;
   for (std::size_t k = 0; k < points.size(); ++k) {
     forces(points[k], static_cast<Index>(k)) = 1.0;
-    if (std::binary_search(free.begin(), free.end(), points[k])) {
-      moving.push_back(static_cast<Index>(k));
-    }
+  }
+  const MatrixXd felt = motions.project(forces);
+  std::vector<Index> moving;
+  for (Index k = 0; k < felt.cols(); ++k) {
+    if (!felt.col(k).isZero(0.0)) moving.push_back(k);
   }
   std::vector<MatrixXd> orders = {
       backsolve(MatrixXd(forces(Eigen::all, moving)))};
@@ -224,13 +235,20 @@ MatrixXd BaseBuilder::Impl::constraint_modes(
   std::vector<int> loose;
   std::set_difference(released.active.begin(),
                       released.active.end(),
-                      free.begin(),
-                      free.end(),
+                      motions.free.begin(),
+                      motions.free.end(),
                       std::back_inserter(loose));
+  // The system's own come first; what follows a rigid element goes with them.
+  const auto joints = std::lower_bound(
+      loose.begin(), loose.end(), static_cast<int>(system.dofs()));
+  const structure::FreeMotions supports =
+      structure::free_motions(system.T, {loose.begin(), joints}, system.dofs());
   MatrixXd unit =
       MatrixXd::Zero(released.dofs(), static_cast<Index>(loose.size()));
-  for (std::size_t k = 0; k < loose.size(); ++k) {
-    unit(loose[k], static_cast<Index>(k)) = 1.0;
+  unit.topLeftCorner(system.dofs(), supports.size()) =
+      supports.expand(MatrixXd::Identity(supports.size(), supports.size()));
+  for (auto q = joints; q != loose.end(); ++q) {
+    unit(*q, q - loose.begin()) = 1.0;
   }
   const MatrixXd forces = released.K * unit + shift * (released.M * unit);
   unit.topRows(system.dofs()) -= backsolve(forces.topRows(system.dofs()));
@@ -263,7 +281,12 @@ StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
                                              const SparseMatrix& S) const {
   MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.cols());
   rigid.topRows(modes.rows()) = modes;
-  const MatrixXd reaction = released.K * rigid;
+  MatrixXd reaction = released.K * rigid;
+  if (system.T.size() > 0) {
+    // Of what follows a rigid element too.
+    reaction.topRows(system.dofs()) =
+        (system.T.transpose() * reaction.topRows(system.dofs())).eval();
+  }
   double worst = 0.0;
   for (Index r = 0; r < modes.cols(); ++r) {
     if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;

@@ -107,7 +107,11 @@ MatrixXcd RunLines::coupling(complex<double> s, const VectorXcd& g) const {
   VectorXcd D(k);
   for (Index a = 0; a < k; ++a) {
     const Actor& actor = actors[static_cast<std::size_t>(a)];
-    const PlacedEffect& placed = shared->state->effects[actor.effect];
+    if (!actor.effect) {
+      D(a) = s;
+      continue;
+    }
+    const PlacedEffect& placed = shared->state->effects[*actor.effect];
     D(a) = actor.weight * placed.effect->law(s, placed.p, actor.group);
   }
   MatrixXcd core = B.transpose() * (g.asDiagonal() * B) * D.asDiagonal();
@@ -205,12 +209,13 @@ void RunLines::derive_effects(complex<double> s,
   const MatrixXcd BXo = B.transpose() * X.o;
   const MatrixXcd BXi = B.transpose() * X.i;
   for (std::size_t a = 0; a < actors.size(); ++a) {
-    const PlacedEffect& placed = shared->state->effects[actors[a].effect];
+    if (!actors[a].effect) continue;
+    const PlacedEffect& placed = shared->state->effects[*actors[a].effect];
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       const complex<double> dz =
           actors[a].weight * placed.p[p] *
           placed.effect->law_derivative(s, placed.p, actors[a].group, p);
-      MatrixXcd& d = out.dH[shared->first[actors[a].effect] + p];
+      MatrixXcd& d = out.dH[shared->first[*actors[a].effect] + p];
       const auto r = static_cast<Index>(a);
       for (const WalkedPair& q : pairs) {
         d(line, q.frf) -= s * s * dz * BXo(r, q.response) * BXi(r, q.reference);

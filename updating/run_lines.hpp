@@ -7,13 +7,14 @@
 #include <Eigen/Core>
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace tapfit::updating {
 
 /// A degree of freedom acted on, with the effect that does.
 struct Actor {
-  std::size_t effect = 0;
+  std::optional<std::size_t> effect;  ///< none: the deck's own dashpots, s
   std::size_t group = 0;
   double weight = 1.0;
 };

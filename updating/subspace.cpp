@@ -11,14 +11,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using structure::SparseMatrix;
 
-MatrixXd expand(const MatrixXd& part, const std::vector<int>& at, Index n) {
-  MatrixXd full = MatrixXd::Zero(n, part.cols());
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    full.row(at[k]) = part.row(static_cast<Index>(k));
-  }
-  return full;
-}
-
 MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
   // A vector that is nothing (a patch that no mode strains) has no direction.
   std::vector<Index> moving;

@@ -9,12 +9,6 @@
 
 namespace tapfit::updating {
 
-/// Columns of full length n from columns over some of the indices, zero
-/// elsewhere.
-[[nodiscard]] Eigen::MatrixXd expand(const Eigen::MatrixXd& part,
-                                     const std::vector<int>& at,
-                                     Eigen::Index n);
-
 /// Blocks of equal height side by side.
 [[nodiscard]] Eigen::MatrixXd join(const std::vector<Eigen::MatrixXd>& blocks);
 

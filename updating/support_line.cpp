@@ -1,5 +1,7 @@
 #include "updating/support_line.hpp"
 
+#include "updating/structure/constraint_axes.hpp"
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -8,6 +10,7 @@
 namespace tapfit::updating {
 namespace {
 
+using structure::ConstraintAxes;
 using structure::Deck;
 
 std::map<int, std::set<int>> neighbours(const Deck& deck) {
@@ -28,18 +31,9 @@ std::map<int, std::set<int>> neighbours(const Deck& deck) {
   return result;
 }
 
-std::map<int, std::string> held_components(const Deck& deck) {
-  std::map<int, std::string> held;
-  for (const structure::Constraint& c : deck.constraints) {
-    held[c.grid] += c.components;
-  }
-  return held;
-}
-
-bool holds(const std::map<int, std::string>& held, int node, int component) {
-  const auto it = held.find(node);
+bool holds(const ConstraintAxes& axes, int node, int component) {
   const char digit = static_cast<char>('0' + component);
-  return it != held.end() && it->second.find(digit) != std::string::npos;
+  return axes.held_in_basic(node).find(digit) != std::string::npos;
 }
 
 // Axis (0..2) along which the points lie, or -1.
@@ -85,7 +79,7 @@ std::vector<double> tributary_lengths(const std::vector<double>& x,
 
 std::vector<std::vector<int>> support_groups(const Deck& deck) {
   const std::map<int, std::set<int>> near = neighbours(deck);
-  const std::map<int, std::string> held = held_components(deck);
+  const std::map<int, std::string> held = structure::constraint_axes(deck).held;
   std::set<int> done;
   std::vector<std::vector<int>> groups;
   for (const structure::Grid& grid : deck.grids) {
@@ -114,7 +108,7 @@ SupportLine support_line(const Deck& deck,
                          int component) {
   SupportLine line;
   if (nodes.empty()) return line;
-  const std::map<int, std::string> held = held_components(deck);
+  const ConstraintAxes held = structure::constraint_axes(deck);
   const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
   std::vector<int> order = nodes;
   std::vector<double> lengths(nodes.size(),

@@ -33,7 +33,9 @@ struct SupportLine {
 ///
 /// @param nodes constrained grids of the deck, in any order
 /// @param rotation true: rotations, false: the translation `component`
-/// @return only degrees of freedom that the deck holds
+/// @return only degrees of freedom that the deck holds along basic axes; none
+/// of
+///   grids that are held along turned axes (see constraint_axes.hpp)
 [[nodiscard]] SupportLine support_line(const structure::Deck& deck,
                                        const std::vector<int>& nodes,
                                        bool rotation,

@@ -1,11 +1,15 @@
 #include "updating/test_model.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/scale_units.hpp"
+#include "updating/structure/system.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace tapfit::updating {
 namespace {
@@ -21,21 +25,44 @@ void check_grid(const structure::Deck& deck,
   }
 }
 
-bool is_held(const structure::Deck& deck, const Dof& dof) {
-  const char component = static_cast<char>('0' + dof.component);
-  return std::any_of(deck.constraints.begin(),
-                     deck.constraints.end(),
-                     [&](const structure::Constraint& c) {
-                       return c.grid == dof.node &&
-                              c.components.find(component) != std::string::npos;
-                     });
-}
+// What the deck holds at zero, directly or through a rigid element.
+class Held {
+ public:
+  explicit Held(const structure::Deck& deck)
+      : deck_(&deck),
+        axes_(structure::constraint_axes(deck)),
+        T_(structure::rigid_motion(deck, axes_).transpose()) {}
+
+  [[nodiscard]] bool holds(const Dof& dof) const {
+    const auto u = 6 * static_cast<Eigen::Index>(deck_->grid_index(dof.node)) +
+                   dof.component - 1;
+    if (T_.size() == 0) return is_fixed(u);
+    for (structure::SparseMatrix::InnerIterator it(T_, u); it; ++it) {
+      if (std::abs(it.value()) > 1e-9 && !is_fixed(it.row())) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool is_fixed(Eigen::Index q) const {
+    const auto held =
+        axes_.held.find(deck_->grids[static_cast<std::size_t>(q / 6)].id);
+    return held != axes_.held.end() &&
+           held->second.find(static_cast<char>('1' + q % 6)) !=
+               std::string::npos;
+  }
+
+  const structure::Deck* deck_;
+  structure::ConstraintAxes axes_;
+  structure::SparseMatrix T_;  // rows as columns
+};
 
 void check_point(structure::Deck& deck,
+                 const Held& held,
                  const Dof& dof,
                  const std::string& place) {
   check_grid(deck, dof, place);
-  if (!is_held(deck, dof)) return;
+  if (!held.holds(dof)) return;
   deck.warnings.push_back(
       fmt::format("{}: the model holds {} at zero, so that its FRFs there are "
                   "zero whatever was measured; move the point, or free the "
@@ -46,28 +73,35 @@ void check_point(structure::Deck& deck,
 
 void check_points(const acquisition::TestBundle& bundle,
                   structure::Deck& deck) {
+  const Held held(deck);
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     const acquisition::Run& run = bundle.runs[r];
-    check_point(
-        deck, run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r));
+    check_point(deck,
+                held,
+                run.hammer.dof,
+                fmt::format("test.json: runs[{}].hammer", r));
     for (std::size_t k = 0; k < run.sensors.size(); ++k) {
       check_point(deck,
+                  held,
                   run.sensors[k].dof,
                   fmt::format("test.json: runs[{}].sensors[{}]", r, k));
     }
   }
 }
 
-void warn_of_dampers(structure::Deck& deck) {
-  const auto dampers = std::count_if(
-      deck.scalars.begin(), deck.scalars.end(), [](const auto& s) {
-        return s.damping != 0.0;
-      });
-  if (dampers == 0) return;
-  deck.warnings.push_back(fmt::format(
-      "{} CDAMP of the deck are left out: damping is identified mode by mode; "
-      "add a strong damper as the effect dashpot@GRID",
-      dampers));
+void warn_of_turned_supports(structure::Deck& deck) {
+  const structure::ConstraintAxes axes = structure::constraint_axes(deck);
+  std::vector<int> grids;
+  std::ranges::copy_if(axes.turned, std::back_inserter(grids), [&](int grid) {
+    return axes.held.contains(grid);
+  });
+  if (grids.empty()) return;
+  deck.warnings.push_back(
+      fmt::format("GRID {} ({} in all) is held along turned axes (CD): the "
+                  "effect soft-support leaves its support as it is; where that "
+                  "may give, hold the grid along basic axes",
+                  grids.front(),
+                  grids.size()));
 }
 
 }  // namespace
@@ -83,7 +117,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   structure::Deck deck = structure::read_deck(*bundle.deck);
   structure::scale_to_si(deck, bundle.units);
   check_points(bundle, deck);
-  warn_of_dampers(deck);
+  warn_of_turned_supports(deck);
   return deck;
 }
 

@@ -130,21 +130,18 @@ ModelShapes model_shapes(const structure::Deck& deck,
                          int component,
                          double max_hz) {
   const structure::System system = structure::assemble(deck);
-  const std::vector<int> free = system.free_dofs();
-  const structure::Eigenmodes modes =
-      structure::eigenmodes_up_to(structure::extract(system.K, free),
-                                  structure::extract(system.M, free),
-                                  max_hz);
+  const structure::FreeMotions motions = structure::free_motions(system);
+  const structure::Eigenmodes modes = structure::eigenmodes_up_to(
+      motions.reduce(system.K), motions.reduce(system.M), max_hz);
+  const Eigen::MatrixXd u = motions.expand(modes.phi);
   // Rigid motion is below any mode of the band that a structure can have.
   const Eigen::Index rigid =
       (modes.frequency_hz.array() < 1e-3 * max_hz).count();
   Eigen::MatrixXd shapes =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(deck.grids.size()),
                             modes.frequency_hz.size() - rigid);
-  for (std::size_t k = 0; k < free.size(); ++k) {
-    if (free[k] % 6 != component - 1) continue;
-    shapes.row(free[k] / 6) =
-        modes.phi.row(static_cast<Eigen::Index>(k)).tail(shapes.cols());
+  for (Eigen::Index k = 0; k < shapes.rows(); ++k) {
+    shapes.row(k) = u.row(6 * k + component - 1).tail(shapes.cols());
   }
   // A mode that does not move in this direction is not looked for.
   const double overall = shapes.cwiseAbs().maxCoeff();

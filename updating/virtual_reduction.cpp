@@ -1,5 +1,6 @@
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
+#include "updating/subspace.hpp"
 #include "updating/virtual_structure.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -34,7 +35,7 @@ SparseMatrix sum(const SparseMatrix& A, const Triplets& parts) {
 struct Loaded {
   SparseMatrix K;
   SparseMatrix M;
-  std::vector<VirtualDashpot> dashpots;
+  std::vector<structure::Dashpot> dashpots;
 };
 
 Loaded put_on(const VirtualStructure& structure,
@@ -48,7 +49,7 @@ Loaded put_on(const VirtualStructure& structure,
       if (!on_sensor(effect, sensor.channel)) continue;
       if (effect.name == "sensor-cable") {
         stiffness.emplace_back(at, at, effect.values[0]);
-        loaded.dashpots.push_back({at, -1, effect.values[1]});
+        loaded.dashpots.push_back({effect.values[1], {{at, 1.0}}});
       }
       if (effect.name != "sensor-mass") continue;
       const int first = at - (sensor.dof.component - 1);
@@ -62,13 +63,40 @@ Loaded put_on(const VirtualStructure& structure,
   return loaded;
 }
 
-/// Where each dof of the whole lies among the free ones; -1: held.
-std::vector<int> free_positions(const VirtualStructure& structure) {
-  std::vector<int> position(static_cast<std::size_t>(structure.K.rows()), -1);
-  for (std::size_t k = 0; k < structure.free.size(); ++k) {
-    position[static_cast<std::size_t>(structure.free[k])] = static_cast<int>(k);
+/// Unit displacements b of the points, with the sign of each direction, as
+/// forces on what is free to move: T' b, free x points; zero where the
+/// structure is held.
+Eigen::MatrixXd unit_forces(const std::vector<Dof>& points,
+                            const VirtualStructure& structure) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(
+      structure.motions.dofs, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    b(structure.dof_index(points[k]), static_cast<Eigen::Index>(k)) =
+        points[k].sign;
   }
-  return position;
+  return structure.motions.project(b);
+}
+
+/// The same for the directions of dashpots.
+Eigen::MatrixXd unit_forces(const std::vector<structure::Dashpot>& dashpots,
+                            const structure::FreeMotions& motions) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(
+      motions.dofs, static_cast<Eigen::Index>(dashpots.size()));
+  for (std::size_t k = 0; k < dashpots.size(); ++k) {
+    for (const auto& [dof, part] : dashpots[k].direction) {
+      b(dof, static_cast<Eigen::Index>(k)) = part;
+    }
+  }
+  return motions.project(b);
+}
+
+/// Columns that are not zero.
+Eigen::MatrixXd acting(const Eigen::MatrixXd& forces) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < forces.cols(); ++k) {
+    if (!forces.col(k).isZero(0.0)) kept.push_back(k);
+  }
+  return forces(Eigen::all, kept);
 }
 
 /// Static answers to unit forces, M-orthogonal to the modes and to each other,
@@ -111,37 +139,18 @@ Eigen::VectorXd modal_damping(const Eigen::VectorXd& frequency_hz,
   return zeta;
 }
 
-Eigen::MatrixXd damping_matrix(const Eigen::VectorXd& frequency_hz,
-                               const Eigen::VectorXd& zeta,
-                               const Eigen::MatrixXd& phi,
-                               const std::vector<VirtualDashpot>& dashpots,
-                               const std::vector<int>& position) {
+Eigen::MatrixXd damping_matrix(
+    const Eigen::VectorXd& frequency_hz,
+    const Eigen::VectorXd& zeta,
+    const Eigen::MatrixXd& shapes,
+    const std::vector<structure::Dashpot>& dashpots) {
   Eigen::MatrixXd C =
       (2.0 * two_pi * zeta.cwiseProduct(frequency_hz)).asDiagonal();
-  for (const VirtualDashpot& dashpot : dashpots) {
-    Eigen::RowVectorXd shape = Eigen::RowVectorXd::Zero(phi.cols());
-    const auto add = [&](int dof, double factor) {
-      const int row = dof < 0 ? -1 : position[static_cast<std::size_t>(dof)];
-      if (row >= 0) shape += factor * phi.row(row);
-    };
-    add(dashpot.first, 1.0);
-    add(dashpot.second, -1.0);
-    C += dashpot.damping * shape.transpose() * shape;
+  for (std::size_t k = 0; k < dashpots.size(); ++k) {
+    const Eigen::RowVectorXd shape = shapes.row(static_cast<Eigen::Index>(k));
+    C += dashpots[k].damping * shape.transpose() * shape;
   }
   return C;
-}
-
-/// Unit forces at every point that is hit, felt or damped.
-Eigen::MatrixXd unit_forces(std::vector<int> rows, Eigen::Index size) {
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  std::erase(rows, -1);
-  Eigen::MatrixXd forces =
-      Eigen::MatrixXd::Zero(size, static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    forces(rows[k], static_cast<Eigen::Index>(k)) = 1.0;
-  }
-  return forces;
 }
 
 /// The generalised coordinates: modes, then what stands for all others.
@@ -153,11 +162,11 @@ struct Coordinates {
 
 Coordinates coordinates(const SparseMatrix& K,
                         const SparseMatrix& M,
-                        const std::vector<int>& attached,
+                        const Eigen::MatrixXd& forces,
                         double max_hz) {
   const structure::Eigenmodes modes = structure::eigenmodes_up_to(K, M, max_hz);
   const structure::Eigenmodes rest =
-      residual_modes(K, M, modes.phi, unit_forces(attached, K.rows()));
+      residual_modes(K, M, modes.phi, acting(forces));
   Coordinates q;
   q.elastic = modes.phi.cols();
   q.phi.resize(K.rows(), q.elastic + rest.phi.cols());
@@ -165,23 +174,6 @@ Coordinates coordinates(const SparseMatrix& K,
   q.frequency_hz.resize(q.phi.cols());
   q.frequency_hz << modes.frequency_hz, rest.frequency_hz;
   return q;
-}
-
-/// One row of phi per point, with the sign of its direction; zero where the
-/// structure is held.
-Eigen::MatrixXd rows_at(const std::vector<Dof>& points,
-                        const VirtualStructure& structure,
-                        const std::vector<int>& position,
-                        const Eigen::MatrixXd& phi) {
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(
-      static_cast<Eigen::Index>(points.size()), phi.cols());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto dof = static_cast<std::size_t>(structure.dof_index(points[k]));
-    if (position[dof] < 0) continue;
-    rows.row(static_cast<Eigen::Index>(k)) =
-        points[k].sign * phi.row(position[dof]);
-  }
-  return rows;
 }
 
 }  // namespace
@@ -192,24 +184,16 @@ ReducedTruth reduce_truth(const VirtualStructure& structure,
                           double max_hz,
                           const VirtualDamping& damping) {
   const Loaded loaded = put_on(structure, sensors);
-  const std::vector<int> position = free_positions(structure);
   std::vector<Dof> felt;
   for (const VirtualSensor& sensor : sensors) felt.push_back(sensor.dof);
-  std::vector<Dof> points = hammers;
-  points.insert(points.end(), felt.begin(), felt.end());
-  std::vector<int> attached;
-  for (const Dof& point : points) {
-    attached.push_back(
-        position[static_cast<std::size_t>(structure.dof_index(point))]);
-  }
-  for (const VirtualDashpot& dashpot : loaded.dashpots) {
-    attached.push_back(position[static_cast<std::size_t>(dashpot.first)]);
-  }
-  const Coordinates q =
-      coordinates(structure::extract(loaded.K, structure.free),
-                  structure::extract(loaded.M, structure.free),
-                  attached,
-                  max_hz);
+  const Eigen::MatrixXd hit = unit_forces(hammers, structure);
+  const Eigen::MatrixXd seen = unit_forces(felt, structure);
+  const Eigen::MatrixXd damped =
+      unit_forces(loaded.dashpots, structure.motions);
+  const Coordinates q = coordinates(structure.motions.reduce(loaded.K),
+                                    structure.motions.reduce(loaded.M),
+                                    join({hit, seen, damped}),
+                                    max_hz);
   const Eigen::VectorXd zeta = modal_damping(
       q.frequency_hz, q.elastic, structure.suspension_hz, damping);
 
@@ -217,11 +201,11 @@ ReducedTruth reduce_truth(const VirtualStructure& structure,
   const Eigen::Index r = q.phi.cols();
   truth.system.M = Eigen::MatrixXd::Identity(r, r);
   truth.system.K = (two_pi * q.frequency_hz).cwiseAbs2().asDiagonal();
-  truth.system.C =
-      damping_matrix(q.frequency_hz, zeta, q.phi, loaded.dashpots, position);
-  truth.hammers = rows_at(hammers, structure, position, q.phi).transpose();
+  truth.system.C = damping_matrix(
+      q.frequency_hz, zeta, damped.transpose() * q.phi, loaded.dashpots);
+  truth.hammers = q.phi.transpose() * hit;
   truth.system.input = truth.hammers.col(0);
-  truth.system.output = rows_at(felt, structure, position, q.phi);
+  truth.system.output = seen.transpose() * q.phi;
   const acquisition::DampedPoles poles =
       acquisition::damped_poles(truth.system.M, truth.system.C, truth.system.K);
   const Eigen::Index shown = (poles.frequency_hz.array() <= max_hz).count();

@@ -64,6 +64,15 @@ void lose_stiffness(const VirtualModel& model,
                                      [&](int id) { return weak.contains(id); });
 }
 
+// One more degree of freedom, after all others.
+void add_free(int dof, structure::FreeMotions& motions) {
+  motions.free.push_back(dof);
+  motions.dofs = dof + 1;
+  if (motions.T.size() == 0) return;
+  motions.T.conservativeResize(motions.dofs, motions.size());
+  motions.T.insert(dof, motions.size() - 1) = 1.0;
+}
+
 // A mass on a spring and dashpot, in a degree of freedom of its own.
 void add_absorber(const VirtualEffect& effect,
                   int dof,
@@ -78,8 +87,8 @@ void add_absorber(const VirtualEffect& effect,
   add_diagonal(structure.K,
                {{dof, dof, k}, {own, own, k}, {dof, own, -k}, {own, dof, -k}});
   add_diagonal(structure.M, {{own, own, m}});
-  structure.dashpots.push_back({dof, own, 2.0 * zeta * w * m});
-  structure.free.push_back(own);
+  structure.dashpots.push_back({2.0 * zeta * w * m, {{dof, 1.0}, {own, -1.0}}});
+  add_free(own, structure.motions);
 }
 
 // The elements on one side of a line turn against the rest on springs.
@@ -98,7 +107,9 @@ void cut_joint(const VirtualModel& model,
   structure.K = cut.K + effect.values[0] * cut.S.front();
   structure.M = cut.M;
   for (const int dof : cut.active) {
-    if (dof >= static_cast<int>(system.dofs())) structure.free.push_back(dof);
+    if (dof >= static_cast<int>(system.dofs())) {
+      add_free(dof, structure.motions);
+    }
   }
 }
 
@@ -133,7 +144,7 @@ void add_at_node(const VirtualEffect& effect,
   } else if (effect.name == "ground-spring") {
     add_diagonal(structure.K, {{at, at, value}});
   } else if (effect.name == "dashpot") {
-    structure.dashpots.push_back({at, -1, value});
+    structure.dashpots.push_back({value, {{at, 1.0}}});
   } else if (effect.name == "absorber") {
     add_absorber(effect, at, structure);
   }
@@ -190,7 +201,8 @@ VirtualStructure build_virtual_structure(
       lose_stiffness(model, fine, effect, result.K);
     }
   }
-  result.free = system.free_dofs();
+  result.motions = structure::free_motions(system);
+  result.dashpots = structure::dashpots(fine);
   for (const VirtualEffect& effect : effects) {
     if (acts_at_node(effect)) add_at_node(effect, component, result);
     if (effect.name == "strut") add_strut(effect, component, result);

@@ -13,8 +13,9 @@
 #include "acquisition/dof.hpp"
 #include "acquisition/exact_response.hpp"
 #include "acquisition/seeded_random.hpp"
+#include "updating/structure/dashpots.hpp"
 #include "updating/structure/deck.hpp"
-#include "updating/structure/system.hpp"
+#include "updating/structure/free_motions.hpp"
 #include "updating/virtual_effect.hpp"
 
 #include <cstdint>
@@ -44,21 +45,14 @@ struct VirtualSensor {
   Dof dof;
 };
 
-/// A dashpot between two degrees of freedom, or one and ground (second < 0).
-struct VirtualDashpot {
-  int first = 0;
-  int second = -1;
-  double damping = 0.0;  ///< [N s/m]
-};
-
 /// Matrices of the structure with all that does not move with the sensors.
 struct VirtualStructure {
   structure::SparseMatrix K;  ///< over all dofs, absorbers after the deck's
   structure::SparseMatrix M;
-  std::vector<int> free;               ///< dofs that can move
+  structure::FreeMotions motions;      ///< of all dofs
   std::map<int, int> grid_index;       ///< grid id -> position in the deck
   std::vector<VirtualEffect> effects;  ///< all of them, as given
-  std::vector<VirtualDashpot> dashpots;
+  std::vector<structure::Dashpot> dashpots;
   std::vector<int> support_nodes;  ///< of the model, where it gives way
   double support_length = 0.0;     ///< [m]
   double total_mass = 0.0;         ///< of the structure alone [kg]

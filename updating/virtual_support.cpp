@@ -1,6 +1,7 @@
 #include "updating/virtual_support.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/constraint_axes.hpp"
 
 #include <algorithm>
 #include <set>
@@ -12,11 +13,12 @@ namespace {
 constexpr const char* rotations = "456";
 
 std::set<int> held_grids(const structure::Deck& deck) {
+  const structure::ConstraintAxes axes = structure::constraint_axes(deck);
   std::set<int> held;
-  for (const structure::Constraint& constraint : deck.constraints) {
+  for (const auto& [grid, components] : axes.held) {
     const bool turns =
-        constraint.components.find_first_of(rotations) == std::string::npos;
-    if (!turns) held.insert(constraint.grid);
+        axes.held_in_basic(grid).find_first_of(rotations) == std::string::npos;
+    if (!turns) held.insert(grid);
   }
   return held;
 }

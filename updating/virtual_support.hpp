@@ -13,7 +13,8 @@ struct SupportEdge {
   std::map<int, double> length_of;  ///< grid id -> [m]
 };
 
-/// @throws InputError when the held grids form no line along a basic axis
+/// @throws InputError when the grids held along basic axes form no line along a
+/// basic axis
 [[nodiscard]] SupportEdge support_edge(const structure::Deck& deck);
 
 }  // namespace tapfit::updating

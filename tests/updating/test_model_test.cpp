@@ -42,10 +42,32 @@ TEST_F(TestModel, WarnsOfAPointThatTheModelHolds) {
   EXPECT_NE(deck.warnings[0].find("1Z-"), std::string::npos);
 }
 
-TEST_F(TestModel, WarnsOfDampersThatTheComparisonLeavesOut) {
+TEST_F(TestModel, TakesDampersWithoutAWarning) {
   const structure::Deck deck = read({2, 3, 1}, {2, 2, 1}, "CDAMP2,7,3.5,2,3\n");
-  ASSERT_EQ(deck.warnings.size(), 1U);
-  EXPECT_NE(deck.warnings[0].find("1 CDAMP"), std::string::npos);
+  EXPECT_TRUE(deck.warnings.empty());
+}
+
+TEST_F(TestModel, KnowsWhatARigidElementHolds) {
+  // Grid 3 follows the clamped one, grid 4 the tip in x and y alone.
+  const std::string rigid =
+      "GRID,3,,0.,.1,0.\nRBE2,5,1,123456,3\n"
+      "GRID,4,,1.,.1,0.,,3\nRBE2,6,2,12,4\n";
+  EXPECT_TRUE(read({2, 3, 1}, {4, 1, 1}, rigid).warnings.empty());
+  EXPECT_EQ(read({2, 3, 1}, {3, 1, 1}, rigid).warnings.size(), 1U);
+  EXPECT_EQ(read({2, 3, 1}, {4, 3, 1}, rigid).warnings.size(), 1U);
+}
+
+TEST_F(TestModel, WarnsOfSupportsAlongTurnedAxes) {
+  const std::string system = "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,.6,.8,0.\n";
+  const structure::Deck slope = read(
+      {2, 3, 1}, {2, 2, 1}, system + "GRID,3,,1.,1.,0.,1,2\nRBE2,6,2,456,3\n");
+  ASSERT_EQ(slope.warnings.size(), 1U);
+  EXPECT_NE(slope.warnings[0].find("GRID 3 (1 in all)"), std::string::npos);
+  // A clamp is one along any axes.
+  EXPECT_TRUE(read({2, 3, 1},
+                   {2, 2, 1},
+                   system + "GRID,3,,1.,1.,0.,1,123456\nPLOTEL,9,2,3\n")
+                  .warnings.empty());
 }
 
 TEST_F(TestModel, RefusesAGridThatTheModelLacks) {

@@ -40,8 +40,8 @@ std::vector<std::string> Dashpot::bulk_data(
     const Where& where,
     const Setting& setting,
     const std::vector<double>& p) const {
-  return {ground_damper_card(
-      *setting.deck, 0, where.node, setting.component, p[0])};
+  return ground_damper_cards(
+      *setting.deck, 0, where.node, setting.component, p[0]);
 }
 
 }  // namespace tapfit::effects

@@ -1,8 +1,11 @@
 #include "updating/effects/deck_cards.hpp"
 
+#include "acquisition/dof.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::effects {
 namespace {
@@ -20,6 +23,7 @@ int free_id(const structure::Deck& deck, int offset) {
   scan(deck.masses);
   scan(deck.scalars);
   scan(deck.bushes);
+  scan(deck.rigids);
   return highest + 1 + offset;
 }
 
@@ -33,7 +37,91 @@ double file_stiffness(const structure::Deck& deck, int component, double si) {
 // A real in bulk data needs a point or an exponent with one.
 std::string real(double value) { return fmt::format("{:#.7g}", value); }
 
+int free_grid(const structure::Deck& deck, int offset) {
+  int highest = 0;
+  for (const structure::Grid& grid : deck.grids) {
+    highest = std::max(highest, grid.id);
+  }
+  return highest + 1 + offset;
+}
+
+// A grid at the place of another one, along basic axes.
+std::string grid_card(const structure::Deck& deck,
+                      int id,
+                      int like,
+                      const std::string& held) {
+  const Eigen::Vector3d at =
+      deck.grids[deck.grid_index(like)].position / deck.file_length_m;
+  return fmt::format("GRID,{},,{},{},{},,{}",
+                     id,
+                     real(at.x()),
+                     real(at.y()),
+                     real(at.z()),
+                     held);
+}
+
+// Cosine between a grid's own axis and a basic one.
+double cosine(const structure::Deck& deck, int node, int own, int basic) {
+  return deck.grids[deck.grid_index(node)].axes((basic - 1) % 3, own % 3);
+}
+
+// Where a card takes hold, after the cards that this needs.
+struct Hold {
+  int node = 0;
+  int component = 0;
+  std::vector<std::string> cards;
+};
+
+// Between two grids the sense counts, against ground it does not.
+enum class Sense { Either, Same };
+
+Hold hold_of(const structure::Deck& deck,
+             int offset,
+             int node,
+             int component,
+             Sense sense) {
+  const auto own = card_component(deck, node, component);
+  const bool good = own && (sense == Sense::Either ||
+                            cosine(deck, node, *own - 1, component) > 0.0);
+  if (good) return {node, *own, {}};
+  const int grid = free_grid(deck, offset);
+  return {
+      grid,
+      component,
+      {grid_card(deck, grid, node, ""),
+       fmt::format("RBE2,{},{},123456,{}", free_id(deck, offset), node, grid)}};
+}
+
+std::vector<std::string> ground_cards(const char* card,
+                                      const structure::Deck& deck,
+                                      int offset,
+                                      const Dof& dof,
+                                      double size) {
+  Hold hold = hold_of(deck, offset, dof.node, dof.component, Sense::Either);
+  hold.cards.push_back(
+      fmt::format("{},{},{},{},{}",
+                  card,
+                  free_id(deck, offset + static_cast<int>(hold.cards.size())),
+                  real(file_stiffness(deck, dof.component, size)),
+                  hold.node,
+                  hold.component));
+  return std::move(hold.cards);
+}
+
 }  // namespace
+
+std::optional<int> card_component(const structure::Deck& deck,
+                                  int node,
+                                  int component) {
+  constexpr double kRounding = 1e-6;
+  const int kind = component > 3 ? 3 : 0;
+  for (int own = 0; own < 3; ++own) {
+    if (std::abs(cosine(deck, node, own, component)) > 1.0 - kRounding) {
+      return kind + own + 1;
+    }
+  }
+  return std::nullopt;
+}
 
 std::string point_mass_card(const structure::Deck& deck,
                             int offset,
@@ -45,28 +133,20 @@ std::string point_mass_card(const structure::Deck& deck,
                      real(mass_kg / (deck.file_mass_kg * deck.weight_to_mass)));
 }
 
-std::string ground_spring_card(const structure::Deck& deck,
-                               int offset,
-                               int node,
-                               int component,
-                               double stiffness) {
-  return fmt::format("CELAS2,{},{},{},{}",
-                     free_id(deck, offset),
-                     real(file_stiffness(deck, component, stiffness)),
-                     node,
-                     component);
+std::vector<std::string> ground_spring_cards(const structure::Deck& deck,
+                                             int offset,
+                                             int node,
+                                             int component,
+                                             double stiffness) {
+  return ground_cards("CELAS2", deck, offset, {node, component, 1}, stiffness);
 }
 
-std::string ground_damper_card(const structure::Deck& deck,
-                               int offset,
-                               int node,
-                               int component,
-                               double damping) {
-  return fmt::format("CDAMP2,{},{},{},{}",
-                     free_id(deck, offset),
-                     real(file_stiffness(deck, component, damping)),
-                     node,
-                     component);
+std::vector<std::string> ground_damper_cards(const structure::Deck& deck,
+                                             int offset,
+                                             int node,
+                                             int component,
+                                             double damping) {
+  return ground_cards("CDAMP2", deck, offset, {node, component, 1}, damping);
 }
 
 std::vector<std::string> absorber_cards(const structure::Deck& deck,
@@ -75,32 +155,26 @@ std::vector<std::string> absorber_cards(const structure::Deck& deck,
                                         double mass_kg,
                                         double stiffness,
                                         double damping) {
-  int own = 0;
-  for (const structure::Grid& grid : deck.grids) own = std::max(own, grid.id);
-  ++own;
-  const Eigen::Vector3d at =
-      deck.grids[deck.grid_index(node)].position / deck.file_length_m;
   std::string held = "123456";
   held.erase(static_cast<std::size_t>(component - 1), 1);
+  Hold hold = hold_of(deck, 3, node, component, Sense::Same);
+  const int own = free_grid(deck, 0);
+  std::vector<std::string> cards = std::move(hold.cards);
+  cards.push_back(grid_card(deck, own, node, held));
+  cards.push_back(point_mass_card(deck, 0, own, mass_kg));
   const auto link = [&](const char* card, int offset, double size) {
-    return fmt::format("{},{},{},{},{},{},{}",
-                       card,
-                       free_id(deck, offset),
-                       real(file_stiffness(deck, component, size)),
-                       node,
-                       component,
-                       own,
-                       component);
+    cards.push_back(fmt::format("{},{},{},{},{},{},{}",
+                                card,
+                                free_id(deck, offset),
+                                real(file_stiffness(deck, component, size)),
+                                hold.node,
+                                hold.component,
+                                own,
+                                component));
   };
-  return {fmt::format("GRID,{},,{},{},{},,{}",
-                      own,
-                      real(at.x()),
-                      real(at.y()),
-                      real(at.z()),
-                      held),
-          point_mass_card(deck, 0, own, mass_kg),
-          link("CELAS2", 1, stiffness),
-          link("CDAMP2", 2, damping)};
+  link("CELAS2", 1, stiffness);
+  link("CDAMP2", 2, damping);
+  return cards;
 }
 
 }  // namespace tapfit::effects

@@ -40,8 +40,8 @@ std::vector<std::string> GroundSpring::bulk_data(
     const Where& where,
     const Setting& setting,
     const std::vector<double>& p) const {
-  return {ground_spring_card(
-      *setting.deck, 0, where.node, setting.component, p[0])};
+  return ground_spring_cards(
+      *setting.deck, 0, where.node, setting.component, p[0]);
 }
 
 }  // namespace tapfit::effects

@@ -55,11 +55,15 @@ std::vector<std::string> SensorCable::bulk_data(
   std::vector<std::string> cards = {
       "$ The sensors' cables, where they hung in the first run"};
   int offset = 0;
+  const auto add = [&](const std::vector<std::string>& more) {
+    cards.insert(cards.end(), more.begin(), more.end());
+    offset += static_cast<int>(more.size());
+  };
   for (const ActedDof& dof : acts_on(where, setting, 0)) {
-    cards.push_back(ground_spring_card(
-        *setting.deck, offset++, dof.node, dof.component, p[0]));
-    cards.push_back(ground_damper_card(
-        *setting.deck, offset++, dof.node, dof.component, p[1]));
+    add(ground_spring_cards(
+        *setting.deck, offset, dof.node, dof.component, p[0]));
+    add(ground_damper_cards(
+        *setting.deck, offset, dof.node, dof.component, p[1]));
   }
   return cards;
 }

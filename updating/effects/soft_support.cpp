@@ -3,6 +3,8 @@
 #include "updating/effects/deck_cards.hpp"
 #include "updating/support_line.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -74,8 +76,19 @@ std::vector<std::string> SoftSupport::bulk_data(
       "grids"};
   int offset = 0;
   for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
-    cards.push_back(ground_spring_card(
-        *setting.deck, offset++, dof.node, dof.component, p[0] * dof.length));
+    if (!card_component(*setting.deck, dof.node, dof.component)) {
+      cards.push_back(fmt::format(
+          "$ grid {}: no component along its axes (CD) is the one released; "
+          "give it CD 0, then a CELAS2 of {:.4g} {} on component {}",
+          dof.node,
+          p[0] * dof.length,
+          dof.component > 3 ? "N m/rad" : "N/m",
+          dof.component));
+      continue;
+    }
+    const std::vector<std::string> spring = ground_spring_cards(
+        *setting.deck, offset++, dof.node, dof.component, p[0] * dof.length);
+    cards.insert(cards.end(), spring.begin(), spring.end());
   }
   return cards;
 }

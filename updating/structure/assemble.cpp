@@ -1,6 +1,8 @@
 #include "acquisition/input_error.hpp"
 #include "updating/parallel.hpp"
+#include "updating/structure/constraint_axes.hpp"
 #include "updating/structure/element_matrices.hpp"
+#include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/system.hpp"
 
 #include <fmt/format.h>
@@ -103,24 +105,33 @@ SparseMatrix gather(const Deck& deck, const Triplets& triplets) {
   return A;
 }
 
-std::vector<bool> fixed_dofs(const Deck& deck) {
+std::vector<bool> fixed_dofs(const Deck& deck, const ConstraintAxes& axes) {
   std::vector<bool> fixed(6 * deck.grids.size(), false);
-  for (const Constraint& held : deck.constraints) {
-    const std::size_t first = 6 * deck.grid_index(held.grid);
-    for (const char digit : held.components) {
+  for (const auto& [grid, components] : axes.held) {
+    const std::size_t first = 6 * deck.grid_index(grid);
+    for (const char digit : components) {
       fixed[first + static_cast<std::size_t>(digit - '1')] = true;
     }
   }
   return fixed;
 }
 
+// Stiffness of each component of q alone.
+Eigen::VectorXd own_stiffness(const SparseMatrix& K, const SparseMatrix& T) {
+  if (T.size() == 0) return K.diagonal();
+  const SparseMatrix KT = K * T;
+  Eigen::VectorXd own(T.cols());
+  for (Eigen::Index j = 0; j < own.size(); ++j)
+    own(j) = T.col(j).dot(KT.col(j));
+  return own;
+}
+
 // AUTOSPC: a component with next to nothing of the stiffness that the grid has
-// in its stiffest component of the same kind.
-std::vector<bool> inactive_dofs(const SparseMatrix& K) {
+// in its stiffest component of the same kind. What follows has none of its own.
+std::vector<bool> inactive_dofs(const Eigen::VectorXd& diagonal) {
   constexpr double kRelative = 1e-8;
-  const Eigen::VectorXd diagonal = K.diagonal();
-  std::vector<bool> inactive(static_cast<std::size_t>(K.rows()), false);
-  for (Eigen::Index first = 0; first < K.rows(); first += 3) {
+  std::vector<bool> inactive(static_cast<std::size_t>(diagonal.size()), false);
+  for (Eigen::Index first = 0; first < diagonal.size(); first += 3) {
     const double largest = diagonal.segment<3>(first).maxCoeff();
     for (Eigen::Index i = first; i < first + 3; ++i) {
       inactive[static_cast<std::size_t>(i)] =
@@ -153,8 +164,10 @@ System assemble(const Deck& deck) {
   System system;
   system.K = gather(deck, entries.K);
   system.M = gather(deck, entries.M) * deck.weight_to_mass;
-  system.fixed = fixed_dofs(deck);
-  system.inactive = inactive_dofs(system.K);
+  const ConstraintAxes axes = constraint_axes(deck);
+  system.T = rigid_motion(deck, axes);
+  system.fixed = fixed_dofs(deck, axes);
+  system.inactive = inactive_dofs(own_stiffness(system.K, system.T));
   return system;
 }
 

@@ -8,12 +8,10 @@
 
 namespace tapfit::structure {
 
-ElementMatrices bush_matrices(const Bush& bush) {
+Eigen::MatrixXd bush_strains(const Bush& bush) {
   Eigen::MatrixXd D(6, 0);
-  ElementMatrices result;
   for (std::size_t end = 0; end < 2; ++end) {
     if (bush.grids[end] == 0) continue;
-    result.grids.push_back(bush.grids[end]);
     const Eigen::Vector3d& a = bush.arms[end];
     Eigen::Matrix3d arm;  // theta x a = arm theta
     arm << 0.0, a.z(), -a.y(), -a.z(), 0.0, a.x(), a.y(), -a.x(), 0.0;
@@ -24,6 +22,15 @@ ElementMatrices bush_matrices(const Bush& bush) {
     D.rightCols<6>().topLeftCorner<3, 3>() = R;
     D.rightCols<6>().topRightCorner<3, 3>() = R * arm;
     D.rightCols<6>().bottomRightCorner<3, 3>() = R;
+  }
+  return D;
+}
+
+ElementMatrices bush_matrices(const Bush& bush) {
+  const Eigen::MatrixXd D = bush_strains(bush);
+  ElementMatrices result;
+  for (const int grid : bush.grids) {
+    if (grid != 0) result.grids.push_back(grid);
   }
   const Eigen::Map<const Eigen::VectorXd> k(bush.stiffness.data(), 6);
   result.K = D.transpose() * k.asDiagonal() * D;

@@ -84,7 +84,7 @@ void check_element(const Deck& deck,
 
 std::size_t Deck::element_count() const {
   return shells.size() + bars.size() + rods.size() + masses.size() +
-         scalars.size() + bushes.size();
+         scalars.size() + bushes.size() + rigids.size();
 }
 
 std::size_t Deck::grid_index(int id) const {
@@ -117,15 +117,21 @@ void check_references(const Deck& deck) {
   for (const Rod& e : deck.rods) {
     check_element(deck, e, deck.rod_properties, "rod", "PROD");
   }
-  const auto need = [&](int grid, const std::string& name) {
-    if (!deck.has_grid(grid)) {
-      missing(fmt::format("grid {}", grid), card_place(deck, {}, name));
-    }
-  };
+  const auto need =
+      [&](int grid, const std::string& where, const std::string& name) {
+        if (!deck.has_grid(grid)) {
+          missing(fmt::format("grid {}", grid), card_place(deck, where, name));
+        }
+      };
   for (const PointMass& e : deck.masses) {
-    need(e.grid, fmt::format("mass {}", e.id));
+    need(e.grid, {}, fmt::format("mass {}", e.id));
   }
-  for (const Constraint& held : deck.constraints) need(held.grid, "SPC");
+  for (const RigidElement& e : deck.rigids) {
+    const std::string name = fmt::format("rigid element {}", e.id);
+    need(e.independent, e.where, name);
+    for (const Dependent& d : e.dependents) need(d.grid, e.where, name);
+  }
+  for (const Constraint& held : deck.constraints) need(held.grid, {}, "SPC");
 }
 
 }  // namespace tapfit::structure

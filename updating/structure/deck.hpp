@@ -15,6 +15,9 @@ namespace tapfit::structure {
 struct Grid {
   int id = 0;
   Eigen::Vector3d position;  ///< basic axes [m]
+  /// Displacement axes (CD), columns in basic axes: the components of cards at
+  /// this grid count along them.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 };
 
 /// CQUAD4 (four grids) or CTRIA3 (three).
@@ -56,7 +59,7 @@ struct PointMass {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about its centre
 };
 
-/// CELAS1/2 (stiffness), CDAMP2 (damping), CMASS2 (mass); grid 0 is ground.
+/// CELAS1/2 (stiffness), CDAMP1/2 (damping), CMASS2 (mass); grid 0 is ground.
 struct ScalarElement {
   int id = 0;
   std::array<int, 2> grids{};
@@ -79,6 +82,22 @@ struct Bush {
                                       Eigen::Vector3d::Zero()};  ///< [m]
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x, y, z
   std::array<double, 6> stiffness{};  ///< [N/m] three times, [N m/rad]
+  std::array<double, 6> damping{};    ///< [N s/m] three times, [N m s/rad]
+};
+
+/// A grid's components that follow a rigid element, digits of 1..6.
+struct Dependent {
+  int grid = 0;
+  std::string components;  ///< along the grid's own axes
+};
+
+/// RBE2, and RBAR with one end that leads: the dependents move as a rigid body
+/// with the independent grid.
+struct RigidElement {
+  int id = 0;
+  int independent = 0;
+  std::vector<Dependent> dependents;
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// MAT1, or MAT8 (orthotropic) when `orthotropic` is set.
@@ -135,7 +154,7 @@ struct RodProperty {
 /// SPC, SPC1 and a grid's permanent constraints: components held at zero.
 struct Constraint {
   int grid = 0;
-  std::string components;  ///< digits of 1..6
+  std::string components;  ///< digits of 1..6, along the grid's own axes
 };
 
 struct Deck {
@@ -147,15 +166,16 @@ struct Deck {
   std::vector<PointMass> masses;
   std::vector<ScalarElement> scalars;
   std::vector<Bush> bushes;
+  std::vector<RigidElement> rigids;
   std::map<int, Material> materials;
   std::map<int, ShellProperty> shell_properties;
   std::map<int, BarProperty> bar_properties;
   std::map<int, RodProperty> rod_properties;
   std::vector<Constraint> constraints;
   std::vector<std::array<int, 2>> plot_lines;  ///< PLOTEL
-  bool coupled_mass = false;          ///< PARAM,COUPMASS: consistent mass
-  double weight_to_mass = 1.0;        ///< PARAM,WTMASS
-  double structural_damping = 0.0;    ///< PARAM,G
+  bool coupled_mass = false;        ///< PARAM,COUPMASS: consistent mass
+  double weight_to_mass = 1.0;      ///< PARAM,WTMASS
+  double structural_damping = 0.0;  ///< PARAM,G
   /// What the file's own units are in SI; the numbers here are, once
   /// scale_to_si() has been.
   double file_length_m = 1.0;

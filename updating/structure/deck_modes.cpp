@@ -1,11 +1,14 @@
 #include "updating/structure/deck_modes.hpp"
 
+#include "updating/structure/constraint_axes.hpp"
 #include "updating/structure/factor.hpp"
+#include "updating/structure/free_motions.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace tapfit::structure {
 namespace {
@@ -24,8 +27,8 @@ std::string place_of(const Deck& deck, Index dof) {
 }
 
 // Six motions of the whole, 6 n_grids x 6, about the middle and with rotations
-// scaled to move the outermost grid by one.
-MatrixXd rigid_motions(const Deck& deck) {
+// scaled to move the outermost grid by one; in q, along turned grids' own axes.
+MatrixXd rigid_motions(const Deck& deck, const std::set<int>& turned) {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const Grid& grid : deck.grids) middle += grid.position;
   middle /= static_cast<double>(deck.grids.size());
@@ -42,6 +45,10 @@ MatrixXd rigid_motions(const Deck& deck) {
     part.bottomRightCorner<3, 3>() /= size;
     part.topRightCorner<3, 3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(),
         p.y(), -p.x(), 0.0;
+    if (!turned.contains(deck.grids[i].id)) continue;
+    const Eigen::Matrix3d own = deck.grids[i].axes.transpose();
+    part.topRows<3>() = (own * part.topRows<3>()).eval();
+    part.bottomRows<3>() = (own * part.bottomRows<3>()).eval();
   }
   return R;
 }
@@ -50,7 +57,7 @@ MatrixXd rigid_motions(const Deck& deck) {
 MatrixXd allowed_motions(const Deck& deck,
                          const System& system,
                          const std::vector<int>& free) {
-  const MatrixXd R = rigid_motions(deck);
+  const MatrixXd R = rigid_motions(deck, constraint_axes(deck).turned);
   std::vector<int> held;
   for (std::size_t i = 0; i < system.fixed.size(); ++i) {
     if (system.fixed[i]) held.push_back(static_cast<int>(i));
@@ -120,9 +127,10 @@ std::vector<std::string> describe(const Deck& deck,
 }  // namespace
 
 DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
-  const std::vector<int> free = system.free_dofs();
-  const SparseMatrix K = extract(system.K, free);
-  const SparseMatrix M = extract(system.M, free);
+  const FreeMotions motions = free_motions(system);
+  const std::vector<int>& free = motions.free;
+  const SparseMatrix K = motions.reduce(system.K);
+  const SparseMatrix M = motions.reduce(system.M);
   DeckModes result;
   try {
     result.modes = eigenmodes(K, M, count);

@@ -17,7 +17,7 @@
 namespace tapfit::structure {
 
 struct DeckModes {
-  Eigenmodes modes;                   ///< over the free degrees of freedom
+  Eigenmodes modes;                   ///< over the free entries of q
   std::vector<std::string> warnings;  ///< of mechanisms
 };
 

@@ -33,8 +33,12 @@ struct ElementMatrices {
 /// CELAS, CMASS2; damping is not part of K or M.
 [[nodiscard]] ElementMatrices scalar_matrices(const ScalarElement& scalar);
 
-/// CBUSH: stiffness only.
+/// CBUSH; damping is not part of K or M.
 [[nodiscard]] ElementMatrices bush_matrices(const Bush& bush);
+
+/// What its springs along and about x, y, z are stretched by, 6 x 6n,
+/// n = grids that are not 0.
+[[nodiscard]] Eigen::MatrixXd bush_strains(const Bush& bush);
 
 /// The direction of a scalar element over the degrees of freedom of its
 /// grids: u2 - u1, or u alone against ground. 6n, n = grids that are not 0.

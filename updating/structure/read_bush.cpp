@@ -1,5 +1,5 @@
-// CBUSH and PBUSH: the stiffness; axes from CID, GO or a vector; the place S
-// between the grids.
+// CBUSH and PBUSH: stiffness and damping; axes from CID, GO or a vector; the
+// place S between the grids.
 #include "updating/structure/bulk_lines.hpp"
 #include "updating/structure/deck_builder.hpp"
 
@@ -18,7 +18,7 @@ Eigen::Matrix3d oriented_axes(const DeckBuilder& builder,
   if (parse_integer(card.text(5)) && card.blank(6) && card.blank(7)) {
     v = builder.grid(card, card.id(5, "GO")).position - a;
   } else {
-    v = builder.displacement(card, card.id(3, "GA")).axes *
+    v = builder.grid(card, card.id(3, "GA")).axes *
         card.vector(5, "orientation");
   }
   const Eigen::Vector3d z = along.cross(v);
@@ -36,18 +36,27 @@ Eigen::Matrix3d oriented_axes(const DeckBuilder& builder,
 }  // namespace
 
 void read_pbush(DeckBuilder& builder, const CardReader& card) {
-  std::array<double, 6> stiffness{};
+  BushProperty property;
   for (std::size_t at = 2; at < card.size(); at += 8) {
     const std::string kind = upper(card.text(at));
-    if (kind == "K") {
+    if (kind == "K" || kind == "B") {
+      auto& values = kind == "K" ? property.stiffness : property.damping;
       for (std::size_t c = 0; c < 6; ++c) {
-        stiffness[c] = card.real_or(at + 1 + c, 0.0, "K");
+        values[c] = card.real_or(at + 1 + c, 0.0, kind.c_str());
+        if (kind == "B" && !(values[c] >= 0.0)) {
+          card.fail(
+              fmt::format("B{} = {} drives the structure instead of damping it",
+                          c + 1,
+                          values[c]),
+              "Give a damping of zero or more.");
+        }
       }
     } else if (!kind.empty() && kind != "RCV") {
-      builder.warn(card, fmt::format("\"{}\" is ignored, only K counts", kind));
+      builder.warn(card,
+                   fmt::format("\"{}\" is ignored, only K and B count", kind));
     }
   }
-  builder.bush_properties[card.id(1, "PID")] = stiffness;
+  builder.bush_properties[card.id(1, "PID")] = property;
 }
 
 void read_cbush(DeckBuilder& builder, const CardReader& card) {
@@ -60,7 +69,8 @@ void read_cbush(DeckBuilder& builder, const CardReader& card) {
     card.fail(fmt::format("PBUSH {} does not exist", pid),
               "Add the property or correct the entry.");
   }
-  bush.stiffness = property->second;
+  bush.stiffness = property->second.stiffness;
+  bush.damping = property->second.damping;
   const Grid& a = builder.grid(card, card.id(3, "GA"));
   bush.grids[0] = a.id;
   Eigen::Vector3d along = Eigen::Vector3d::Zero();
@@ -75,7 +85,8 @@ void read_cbush(DeckBuilder& builder, const CardReader& card) {
   }
   bush.arms = {S * along, (S - 1.0) * along};
   bush.axes = card.blank(8) ? oriented_axes(builder, card, a.position, along)
-                            : builder.system(card, card.integer(8, "CID")).axes;
+                            : builder.system(card, card.integer(8, "CID"))
+                                  .directions(a.position + S * along);
   builder.deck.bushes.push_back(bush);
 }
 

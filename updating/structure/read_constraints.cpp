@@ -4,9 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 namespace tapfit::structure {
 namespace {
 
@@ -63,48 +60,6 @@ std::vector<int> chosen_sets(const DeckBuilder& builder,
   return sets;
 }
 
-// Components held along turned axes, as components along the basic axes; empty
-// when they span no basic axes.
-std::optional<std::string> in_basic(const std::string& digits,
-                                    const Eigen::Matrix3d& axes) {
-  std::string result;
-  for (const Eigen::Index kind : {Eigen::Index{0}, Eigen::Index{3}}) {
-    Eigen::Matrix3d P = Eigen::Matrix3d::Zero();  // onto the held directions
-    for (const char digit : digits) {
-      const Eigen::Index axis = digit - '1' - kind;
-      if (axis < 0 || axis > 2) continue;
-      P += axes.col(axis) * axes.col(axis).transpose();
-    }
-    for (Eigen::Index i = 0; i < 3; ++i) {
-      const double held = P(i, i);
-      if (std::abs(held) > 1e-6 && std::abs(held - 1.0) > 1e-6) return {};
-      if (held > 0.5) result += static_cast<char>('1' + kind + i);
-    }
-  }
-  return result;
-}
-
-void add_constraint(DeckBuilder& builder, const Constraint& constraint) {
-  Constraint basic = constraint;
-  const auto cd = builder.displacement_system.find(constraint.grid);
-  if (cd != builder.displacement_system.end()) {
-    const std::optional<std::string> turned =
-        in_basic(constraint.components, builder.systems.at(cd->second).axes);
-    if (turned) {
-      basic.components = *turned;
-    } else {
-      builder.deck.warnings.push_back(fmt::format(
-          "GRID {}: components {} are held along turned axes (CD {}); they "
-          "are held along the basic axes instead, which supports the model "
-          "differently",
-          constraint.grid,
-          constraint.components,
-          cd->second));
-    }
-  }
-  builder.deck.constraints.push_back(basic);
-}
-
 }  // namespace
 
 CardTable constraint_cards() {
@@ -119,13 +74,12 @@ void apply_constraints(DeckBuilder& builder, std::optional<int> chosen) {
         "grids' own constraints hold the model",
         *chosen));
   }
-  for (const Constraint& held : builder.permanent) {
-    add_constraint(builder, held);
-  }
+  std::vector<Constraint>& all = builder.deck.constraints;
+  all = builder.permanent;
   for (const int set : sets) {
     const auto found = builder.constraint_sets.find(set);
     if (found == builder.constraint_sets.end()) continue;
-    for (const Constraint& held : found->second) add_constraint(builder, held);
+    all.insert(all.end(), found->second.begin(), found->second.end());
   }
 }
 

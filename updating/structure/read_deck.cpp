@@ -24,7 +24,11 @@ bool is_silent(const std::string& name) {
 
 std::string consequence(const std::string& name) {
   if (name == "DMIG") return "matrices given directly are left out";
-  if (name.starts_with("RB") || name == "MPC") {
+  if (name == "RBE3") {
+    return "its reference grid is left loose: what hangs on it, masses too, is "
+           "missing from the model";
+  }
+  if (name.starts_with("RB") || name.starts_with("RROD") || name == "MPC") {
     return "a rigid connection is left out: the model is softer or falls "
            "apart";
   }
@@ -36,7 +40,7 @@ std::string consequence(const std::string& name) {
       name.starts_with("MKAERO") || name.starts_with("FL")) {
     return "aerodynamics are left out";
   }
-  if (name.starts_with("CORD")) return "grids that refer to it fail";
+  if (name.starts_with("CORD")) return "cards that refer to it fail";
   if (name.starts_with("DES") || name.starts_with("DV") ||
       name.starts_with("DRESP") || name.starts_with("DCON")) {
     return "design optimisation is left out, the model is as given";
@@ -90,6 +94,10 @@ std::set<int> attached_grids(const Deck& deck) {
   take(deck.scalars);
   take(deck.bushes);
   for (const PointMass& e : deck.masses) grids.insert(e.grid);
+  for (const RigidElement& e : deck.rigids) {
+    grids.insert(e.independent);
+    for (const Dependent& d : e.dependents) grids.insert(d.grid);
+  }
   for (const std::array<int, 2>& ends : deck.plot_lines) {
     grids.insert(ends.begin(), ends.end());
   }
@@ -135,8 +143,11 @@ Deck read_deck(const std::filesystem::path& path) {
   const BulkData bulk = read_bulk_data(path);
   const std::vector<CardTable> passes{coordinate_cards(),
                                       grid_cards(),
+                                      grid_coordinate_cards(),
+                                      grid_axes_cards(),
                                       property_cards(),
                                       element_cards(),
+                                      rigid_cards(),
                                       constraint_cards()};
   DeckBuilder builder;
   builder.deck.path = path;

@@ -1,5 +1,5 @@
-// CQUAD4, CTRIA3, CBAR, CBEAM, CROD, CONROD, CONM2, CELAS1, CELAS2, CDAMP2,
-// CMASS2, PLOTEL. CBUSH has a file of its own.
+// CQUAD4, CTRIA3, CBAR, CBEAM, CROD, CONROD, CONM2, CELAS1, CELAS2, CDAMP1,
+// CDAMP2, CMASS2, PLOTEL. CBUSH and rigid elements have files of their own.
 #include "updating/structure/bulk_lines.hpp"
 #include "updating/structure/deck_builder.hpp"
 
@@ -54,7 +54,11 @@ double material_angle(const DeckBuilder& builder,
   };
   const Eigen::Vector3d side = at(1) - at(0);
   const Eigen::Vector3d normal = side.cross(at(2) - at(0)).stableNormalized();
-  const Eigen::Vector3d x = builder.system(card, *system).axes.col(0);
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < grids.size(); ++i) middle += at(i);
+  middle /= static_cast<double>(grids.size());
+  const Eigen::Vector3d x =
+      builder.system(card, *system).directions(middle).col(0);
   const Eigen::Vector3d flat = x - normal * normal.dot(x);
   const double angle = std::atan2(normal.dot(side.cross(flat)), side.dot(flat));
   return angle * 180.0 / std::numbers::pi;
@@ -98,8 +102,7 @@ Eigen::Vector3d bar_orientation(const DeckBuilder& builder,
     const int g0 = card.id(5, "G0");
     v = builder.grid(card, g0).position - (a + bar.offsets[0]);
   } else {
-    v = builder.displacement(card, bar.grids[0]).axes *
-        card.vector(5, "orientation");
+    v = builder.grid(card, bar.grids[0]).axes * card.vector(5, "orientation");
   }
   const Eigen::Vector3d axis = b + bar.offsets[1] - a - bar.offsets[0];
   if (!(axis.norm() > 0.0)) {
@@ -126,7 +129,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
                existing_grid(builder, card, 4)};
   for (std::size_t end = 0; end < 2; ++end) {
     bar.released[end] = card.components(9 + end);
-    bar.offsets[end] = builder.displacement(card, bar.grids[end]).axes *
+    bar.offsets[end] = builder.grid(card, bar.grids[end]).axes *
                        card.vector(11 + 3 * end, "offset");
   }
   const std::string option = upper(card.text(8));
@@ -184,10 +187,11 @@ void read_conm2(DeckBuilder& builder, const CardReader& card) {
               "Give a mass of zero or more.");
   }
   const int cid = card.integer_or(3, 0, "CID");
-  const CoordinateSystem& system = builder.system(card, std::max(cid, 0));
+  const Eigen::Vector3d& at = builder.grid(card, mass.grid).position;
+  const Eigen::Matrix3d axes =
+      builder.system(card, std::max(cid, 0)).directions(at);
   const Eigen::Vector3d x = card.vector(5, "X");
-  mass.offset = cid == -1 ? x - builder.grid(card, mass.grid).position
-                          : Eigen::Vector3d(system.axes * x);
+  mass.offset = cid == -1 ? x - at : Eigen::Vector3d(axes * x);
   Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
   std::size_t field = 9;
   for (Eigen::Index row = 0; row < 3; ++row) {
@@ -196,7 +200,7 @@ void read_conm2(DeckBuilder& builder, const CardReader& card) {
       I(row, col) = I(col, row) = row == col ? value : -value;
     }
   }
-  mass.inertia = system.axes * I * system.axes.transpose();
+  mass.inertia = axes * I * axes.transpose();
   builder.deck.masses.push_back(mass);
 }
 
@@ -218,9 +222,9 @@ ScalarElement scalar_ends(DeckBuilder& builder,
                             e.grids[end]),
                 "Correct the component.");
     }
-    if (builder.displacement_system.contains(e.grids[end])) {
-      e.axes[end] = builder.displacement(card, e.grids[end])
-                        .axes.col((e.components[end] - 1) % 3);
+    const Eigen::Matrix3d& axes = builder.grid(card, e.grids[end]).axes;
+    if (axes != Eigen::Matrix3d::Identity()) {
+      e.axes[end] = axes.col((e.components[end] - 1) % 3);
     }
   }
   if (e.grids[0] == 0 && e.grids[1] == 0) {
@@ -245,9 +249,28 @@ void read_celas2(DeckBuilder& builder, const CardReader& card) {
   builder.deck.scalars.push_back(e);
 }
 
+double passive_damping(const CardReader& card, double B) {
+  if (!(B >= 0.0)) {
+    card.fail(
+        fmt::format("B = {} drives the structure instead of damping it", B),
+        "Give a damping of zero or more.");
+  }
+  return B;
+}
+
+void read_cdamp1(DeckBuilder& builder, const CardReader& card) {
+  ScalarElement e = scalar_ends(builder, card, 3);
+  const int pid = property_of(card,
+                              builder.damper_properties,
+                              card.integer_or(2, e.id, "PID"),
+                              "PDAMP");
+  e.damping = passive_damping(card, builder.damper_properties.at(pid));
+  builder.deck.scalars.push_back(e);
+}
+
 void read_cdamp2(DeckBuilder& builder, const CardReader& card) {
   ScalarElement e = scalar_ends(builder, card, 3);
-  e.damping = card.real(2, "B");
+  e.damping = passive_damping(card, card.real(2, "B"));
   builder.deck.scalars.push_back(e);
 }
 
@@ -276,6 +299,7 @@ CardTable element_cards() {
           {"CONM2", read_conm2},
           {"CELAS1", read_celas1},
           {"CELAS2", read_celas2},
+          {"CDAMP1", read_cdamp1},
           {"CDAMP2", read_cdamp2},
           {"CMASS2", read_cmass2},
           {"CBUSH", read_cbush},

@@ -1,4 +1,4 @@
-// PSHELL, PBAR, PBARL, PBEAM, PROD, PELAS, MAT1, MAT8, PARAM.
+// PSHELL, PBAR, PBARL, PBEAM, PROD, PELAS, PDAMP, MAT1, MAT8, PARAM.
 #include "updating/structure/bulk_lines.hpp"
 #include "updating/structure/deck_builder.hpp"
 
@@ -185,6 +185,13 @@ void read_pelas(DeckBuilder& builder, const CardReader& card) {
   }
 }
 
+void read_pdamp(DeckBuilder& builder, const CardReader& card) {
+  for (std::size_t at = 1; at < 9; at += 2) {
+    if (card.blank(at)) continue;
+    builder.damper_properties[card.id(at, "PID")] = card.real(at + 1, "B");
+  }
+}
+
 void read_param(DeckBuilder& builder, const CardReader& card) {
   const std::string name = upper(card.text(1));
   if (name == "COUPMASS") {
@@ -210,6 +217,7 @@ CardTable property_cards() {
           {"PBEAM", read_pbeam},
           {"PROD", read_prod},
           {"PELAS", read_pelas},
+          {"PDAMP", read_pdamp},
           {"PBUSH", read_pbush},
           {"PARAM", read_param}};
 }

@@ -1,21 +1,52 @@
 #include "updating/structure/refine_mesh.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <unordered_map>
 
 namespace tapfit::structure {
 namespace {
 
-std::string shared_components(const std::string& a, const std::string& b) {
-  std::string both;
+using Components = std::string;  // digits of 1..6
+
+Components shared_components(const Components& a, const Components& b) {
+  Components both;
   for (const char digit : a) {
     if (b.find(digit) != std::string::npos) both += digit;
   }
   return both;
+}
+
+// All three translations, all three rotations: these need no axes.
+Components whole_triples(const Components& components) {
+  Components whole;
+  for (const char* const triple : {"123", "456"}) {
+    if (shared_components(triple, components) == triple) whole += triple;
+  }
+  return whole;
+}
+
+// The rotation nearest to the mean of several.
+Eigen::Matrix3d mean_axes(const std::vector<Eigen::Matrix3d>& axes) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Matrix3d& one : axes) sum += one;
+  if (sum == static_cast<double>(axes.size()) * axes.front()) {
+    return axes.front();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(
+      sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::Matrix3d Q = svd.matrixU() * svd.matrixV().transpose();
+  return Q.determinant() > 0.0 ? Q : axes.front();
+}
+
+// Axes of which the digits mean nearly the same: within 60 degrees.
+bool alike(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  return (a.transpose() * b).trace() > 2.0;
 }
 
 // Makes new grids and elements, one grid per edge whoever asks first.
@@ -33,6 +64,7 @@ class Refiner {
     for (const Constraint& held : deck.constraints) {
       held_[held.grid] += held.components;
     }
+    for (std::size_t k = 0; k < deck.rigids.size(); ++k) see_rigid(k);
     for (const Shell& e : deck.shells) see_element(e.id);
     for (const Bar& e : deck.bars) see_element(e.id);
     for (const Rod& e : deck.rods) keep(e.id);
@@ -53,17 +85,65 @@ class Refiner {
     result_.children[id] = {id};
   }
 
+  void see_rigid(std::size_t k) {
+    const RigidElement& e = result_.deck.rigids[k];
+    see_element(e.id);
+    rigid_[e.independent][k] = "123456";
+    for (const Dependent& d : e.dependents) rigid_[d.grid][k] = d.components;
+  }
+
+  [[nodiscard]] const Grid& grid_of(int id) const {
+    return result_.deck.grids[result_.deck.grid_index(id)];
+  }
+
   int add_grid(const std::vector<int>& between) {
     Grid grid;
     grid.id = next_grid_++;
     grid.position.setZero();
+    std::vector<Eigen::Matrix3d> axes;
     for (const int id : between) {
-      grid.position += result_.deck.grids[result_.deck.grid_index(id)].position;
+      const Grid& end = grid_of(id);
+      grid.position += end.position;
+      axes.push_back(end.axes);
     }
     grid.position /= static_cast<double>(between.size());
+    grid.axes = mean_axes(axes);
     result_.deck.grids.push_back(grid);
     result_.between[grid.id] = between;
+    follow(grid, between);
     return grid.id;
+  }
+
+  // What all of several grids have, said along a new grid's axes.
+  [[nodiscard]] Components shared(
+      const Grid& grid,
+      const std::vector<int>& between,
+      const std::function<Components(int)>& of) const {
+    Components common = of(between.front());
+    for (const int id : between) {
+      common = shared_components(common, of(id));
+      if (!common.empty() && !alike(grid.axes, grid_of(id).axes)) {
+        common = whole_triples(common);
+      }
+    }
+    return common;
+  }
+
+  // Between grids of one rigid body everything is rigid.
+  void follow(const Grid& grid, const std::vector<int>& between) {
+    const auto bodies = rigid_.find(between.front());
+    if (bodies == rigid_.end()) return;
+    for (const auto& [k, all] : bodies->second) {
+      const std::size_t body = k;
+      const Components common = shared(grid, between, [&](int id) {
+        const auto ends = rigid_.find(id);
+        if (ends == rigid_.end()) return Components();
+        const auto end = ends->second.find(body);
+        return end == ends->second.end() ? Components() : end->second;
+      });
+      if (common.empty()) continue;
+      result_.deck.rigids[body].dependents.push_back({grid.id, common});
+    }
   }
 
   int middle(int a, int b) {
@@ -72,7 +152,11 @@ class Refiner {
     if (!is_new) return place->second;
     const int id = add_grid({a, b});
     place->second = id;
-    const std::string both = shared_components(held_[a], held_[b]);
+    const Components both =
+        shared(result_.deck.grids.back(), {a, b}, [&](int end) {
+          const auto held = held_.find(end);
+          return held == held_.end() ? Components() : held->second;
+        });
     if (!both.empty()) result_.deck.constraints.push_back({id, both});
     return id;
   }
@@ -114,9 +198,7 @@ class Refiner {
 
   // The material axis stays where it is while side 1-2 of the child turns.
   double child_angle(const Shell& parent, const Shell& child) const {
-    const auto at = [&](int id) {
-      return result_.deck.grids[result_.deck.grid_index(id)].position;
-    };
+    const auto at = [&](int id) { return grid_of(id).position; };
     const Eigen::Vector3d side = at(parent.grids[1]) - at(parent.grids[0]);
     const Eigen::Vector3d normal =
         side.cross(at(parent.grids.back()) - at(parent.grids[0]))
@@ -146,7 +228,9 @@ class Refiner {
   int next_grid_ = 1;
   int next_element_ = 1;
   std::map<std::array<int, 2>, int> middles_;
-  std::unordered_map<int, std::string> held_;
+  std::unordered_map<int, Components> held_;
+  // Per grid: the rigid elements that it belongs to, and in which components.
+  std::unordered_map<int, std::map<std::size_t, Components>> rigid_;
 };
 
 }  // namespace

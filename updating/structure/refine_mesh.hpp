@@ -17,9 +17,11 @@ struct RefinedDeck {
   std::map<int, std::vector<int>> between;
 };
 
-/// Splits every shell and bar of a deck. A new grid on an edge is
-/// constrained in the components in which both ends of the edge are. Rods are
-/// kept whole (two in line would be a mechanism), as are point elements.
+/// Splits every shell and bar of a deck. A new grid on an edge is held, or
+/// follows a rigid element, in the components in which both ends of the edge do
+/// (along axes between theirs); one in the middle of a shell follows where all
+/// corners do. Rods are kept whole (two in line would be a mechanism), as are
+/// point elements.
 [[nodiscard]] RefinedDeck refine_mesh(const Deck& deck);
 
 }  // namespace tapfit::structure

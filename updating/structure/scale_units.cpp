@@ -49,7 +49,9 @@ void scale_elements(Deck& deck, const Units& to) {
   for (Bush& e : deck.bushes) {
     for (Eigen::Vector3d& arm : e.arms) arm *= to.length;
     for (std::size_t c = 0; c < 6; ++c) {
-      e.stiffness[c] *= c < 3 ? to.mass : to.mass * to.length * to.length;
+      const double factor = c < 3 ? to.mass : to.inertia();
+      e.stiffness[c] *= factor;
+      e.damping[c] *= factor;
     }
   }
 }

@@ -129,9 +129,9 @@ TEST_F(EveryEffect, CardsAreInTheUnitsOfTheFile) {
   deck.file_length_m = 1e-3;
   deck.file_mass_kg = 1e3;
   EXPECT_TRUE(point_mass_card(deck, 0, 30, 0.02).ends_with(",2.000000e-05"));
-  EXPECT_NE(ground_spring_card(deck, 0, 30, 3, 5e3).find(",5.000000,"),
+  EXPECT_NE(ground_spring_cards(deck, 0, 30, 3, 5e3).front().find(",5.000000,"),
             std::string::npos);
-  EXPECT_NE(ground_spring_card(deck, 0, 30, 5, 5.0).find(",5000.000,"),
+  EXPECT_NE(ground_spring_cards(deck, 0, 30, 5, 5.0).front().find(",5000.000,"),
             std::string::npos);
   // Grid 11 is the corner at x = 0.3 m.
   EXPECT_NE(absorber_cards(deck, 11, 3, 0.1, 1e4, 1.0).front().find("300.0000"),

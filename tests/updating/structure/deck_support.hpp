@@ -2,6 +2,7 @@
 #pragma once
 
 #include "updating/structure/eigenmodes.hpp"
+#include "updating/structure/free_motions.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -96,8 +97,8 @@ inline SparseMatrix sparse(const Eigen::MatrixXd& A) { return A.sparseView(); }
 
 inline Eigenmodes modes_of(const Deck& deck, Eigen::Index count) {
   const System system = assemble(deck);
-  const std::vector<int> free = system.free_dofs();
-  return eigenmodes(extract(system.K, free), extract(system.M, free), count);
+  const FreeMotions motions = free_motions(system);
+  return eigenmodes(motions.reduce(system.K), motions.reduce(system.M), count);
 }
 
 }  // namespace tapfit::structure

@@ -1,6 +1,7 @@
 #include "acquisition/input_error.hpp"
 #include "tests/updating/structure/deck_support.hpp"
 #include "updating/structure/bulk_cards.hpp"
+#include "updating/structure/constraint_axes.hpp"
 
 #include <gmock/gmock.h>
 
@@ -112,8 +113,10 @@ TEST(ReadDeck, TurnsCoordinateSystems) {
   const Deck deck = deck_of("CORD2R,1,0,1.,2.,3.,1.,2.,4.\n,1.,3.,3.\n" +
                             kPlate + "GRID,5,1,10.,0.,1.,1,1\n");
   EXPECT_TRUE(deck.grids[4].position.isApprox(Eigen::Vector3d(1, 12, 4)));
-  ASSERT_EQ(deck.constraints.size(), 1u);
-  EXPECT_EQ(deck.constraints[0].components, "2");  // x of CD 1 is basic y
+  const ConstraintAxes axes = constraint_axes(deck);
+  ASSERT_EQ(axes.held.size(), 1u);
+  EXPECT_EQ(axes.held.begin()->second, "2");  // x of CD 1 is basic y
+  EXPECT_TRUE(axes.turned.empty());
 }
 
 TEST(ReadDeck, ReadsMaterialsFromAnyTwoModuli) {

@@ -1,0 +1,197 @@
+// Effects against decks that say the same in cards: at grids that follow a
+// rigid element, in turned axes, and with dashpots of the deck's own.
+#include "tests/updating/structure/deck_support.hpp"
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fitter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+
+// The sample plate as cards. Grid 60 is on an arm of grid 50; the z axis is -x
+// of grid 20 and askew to all axes of grid 31.
+std::string plate_cards(const std::string& root) {
+  std::string text =
+      "PARAM,COUPMASS,1\nMAT1,1,7.+10,,.33,2700.\nPSHELL,1,1,.003,1,,1\n"
+      "CORD2R,1,,0.,0.,0.,1.,0.,0.\n,0.,0.,-1.\n"
+      "CORD2R,2,,0.,0.,0.,1.,2.,2.\n,2.,1.,-2.\n"
+      "GRID,60,,.21,.12,.04\nRBE2,900,50,123456,60\n" +
+      root;
+  for (const structure::Grid& grid : support::plate_deck(false).grids) {
+    text += fmt::format("GRID,{},,{:.2f},{:.2f},0.,{}\n",
+                        grid.id,
+                        grid.position.x(),
+                        grid.position.y(),
+                        grid.id == 20   ? "1"
+                        : grid.id == 31 ? "2"
+                                        : "");
+  }
+  for (const structure::Shell& shell : support::plate_deck(false).shells) {
+    text +=
+        fmt::format("CQUAD4,{},1,{}\n", shell.id, fmt::join(shell.grids, ","));
+  }
+  return text;
+}
+
+const std::string kClamp = "SPC1,1,123456,1,12,23,34,45\n";
+
+class DeckEffects : public ::testing::Test {
+ protected:
+  // A deck with its base, ready to respond.
+  struct Model {
+    structure::Deck deck;
+    effects::Setting setting;
+    std::unique_ptr<BaseBuilder> builder;
+    std::unique_ptr<Fitter> fitter;
+  };
+
+  std::unique_ptr<Model> model_of(const structure::Deck& deck) const {
+    auto m = std::make_unique<Model>();
+    m->deck = deck;
+    m->setting = support::plate_setting(bundle_, m->deck);
+    m->builder = std::make_unique<BaseBuilder>(
+        m->deck,
+        std::vector<acquisition::UncertainProperty>{},
+        support::plate_base(bundle_, m->deck),
+        Progress{});
+    FitSetting fit;
+    fit.setting = m->setting;
+    fit.measured = pairs_;
+    fit.targets = {make_target(pairs_)};
+    m->fitter = std::make_unique<Fitter>(*m->builder, fit);
+    return m;
+  }
+
+  // FRFs with next to no damping but what the effects and the deck have.
+  MatrixXcd frfs(const Model& m,
+                 const std::vector<PlacedEffect>& effects) const {
+    const auto model = m.fitter->model_for(effects);
+    ModelState state = m.fitter->first_state(*model, effects);
+    state.zeta.setConstant(1e-12);
+    state.zeta_other = 1e-12;
+    return model->respond(state, s_, false).H;
+  }
+
+  // The deck as `tapfit export` writes it.
+  structure::Deck with_cards(const Model& m, const PlacedEffect& e) const {
+    const auto path = m.deck.path.parent_path() / "updated.bdf";
+    structure::write_deck(
+        m.deck, e.effect->bulk_data(e.where, m.setting, e.p), path);
+    return structure::read_deck(path);
+  }
+
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+  VectorXcd s_ = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
+  signal::FrfSet pairs_ = support::plate_pairs(bundle_, s_);
+};
+
+PlacedEffect at_node(const std::string& name,
+                     int node,
+                     const std::vector<double>& p) {
+  Where where;
+  where.node = node;
+  return {&effects::find(name), where, p};
+}
+
+double difference(const MatrixXcd& a, const MatrixXcd& b) {
+  return (a - b).norm() / b.norm();
+}
+
+TEST_F(DeckEffects, CardsSayWhatTheEffectDoes) {
+  const auto base = model_of(structure::deck_of(plate_cards(kClamp)));
+  const MatrixXcd before = frfs(*base, {});
+  for (const int node : {30, 60, 20, 31}) {
+    for (const PlacedEffect& e :
+         {at_node("added-mass", node, {0.05}),
+          at_node("ground-spring", node, {3e4}),
+          at_node("dashpot", node, {7.0}),
+          at_node("absorber", node, {0.02, 60.0, 0.05})}) {
+      const MatrixXcd H = frfs(*base, {e});
+      EXPECT_GT(difference(H, before), 1e-2) << e.effect->name() << node;
+      const auto read_back = model_of(with_cards(*base, e));
+      EXPECT_TRUE(read_back->deck.warnings.empty());
+      // What the two bases are made for, see response_orders.
+      EXPECT_LT(difference(H, frfs(*read_back, {})), 2e-6)
+          << e.effect->name() << " at " << node;
+    }
+  }
+}
+
+TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
+  const auto base = model_of(structure::deck_of(plate_cards(kClamp)));
+  const PlacedEffect dashpot = at_node("dashpot", 30, {7.0});
+  // One CDAMP2 of 7 or two that make 7, and the same as CDAMP1 and CBUSH.
+  for (const char* cards :
+       {"CDAMP2,901,7.,30,3\n",
+        "CDAMP2,901,4.,30,3\nPDAMP,9,1.,8,3.\nCDAMP1,902,8,30,3\n",
+        "PBUSH,9,B,,,7.\nCBUSH,901,9,30,,,,,0\n"}) {
+    const auto damped =
+        model_of(structure::deck_of(plate_cards(kClamp) + cards));
+    // The same bases: rounding.
+    EXPECT_LT(difference(frfs(*damped, {}), frfs(*base, {dashpot})), 1e-9)
+        << cards;
+  }
+}
+
+TEST_F(DeckEffects, DerivativesKnowTheDecksDashpots) {
+  const auto m = model_of(structure::deck_of(
+      plate_cards(kClamp) + "CDAMP2,901,7.,30,3\nCDAMP2,902,3.,11,3,60,1\n"));
+  const std::vector<PlacedEffect> effects = {at_node("dashpot", 20, {2.0}),
+                                             at_node("added-mass", 60, {0.03})};
+  const auto model = m->fitter->model_for(effects);
+  const ModelState state = m->fitter->first_state(*model, effects);
+  const ModelResponse whole = model->respond(state, s_, true);
+  const Eigen::VectorXd theta = pack(state);
+  const double h = 1e-5;
+  for (Index k = 0; k < theta.size(); ++k) {
+    const Eigen::VectorXd step = h * Eigen::VectorXd::Unit(theta.size(), k);
+    const MatrixXcd slope =
+        (model->respond(unpack(state, theta + step), s_, false).H -
+         model->respond(unpack(state, theta - step), s_, false).H) /
+        (2.0 * h);
+    // Central differences: h^2 and rounding over h.
+    EXPECT_LT((whole.dH[static_cast<std::size_t>(k)] - slope).norm(),
+              1e-7 * whole.H.norm() + 1e-6 * slope.norm())
+        << k;
+  }
+}
+
+TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
+  // The clamped edge follows grid 70, which is held.
+  const std::string root =
+      "GRID,70,,-.02,.06,.01\nRBE2,901,70,123456,1,12,23,34\n,45\n";
+  const auto held =
+      model_of(structure::deck_of(plate_cards(root + "SPC1,1,123456,70\n")));
+  PlacedEffect soft{&effects::find("soft-support"), {}, {}};
+  for (const Where& where : soft.effect->places(held->setting)) {
+    if (where.variant == "rotation") soft.where = where;
+  }
+  ASSERT_EQ(soft.where.nodes, std::vector<int>{70});
+  soft.p = {1.0};
+  const StiffnessTerm term =
+      held->fitter->model_for({soft})->base().terms.front();
+  for (const double k : {term.lower, term.start, 0.1 * term.upper}) {
+    soft.p = {k};
+    std::string springs = "SPC1,1,123,70\n";
+    for (const int c : {4, 5, 6}) {
+      springs += fmt::format("CELAS2,{},{:#.12g},70,{}\n", 910 + c, k, c);
+    }
+    const auto sprung =
+        model_of(structure::deck_of(plate_cards(root + springs)));
+    // As for a clamped edge: 0.02 % at the softest.
+    EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 5e-4)
+        << "k = " << k;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::updating

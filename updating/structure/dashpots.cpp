@@ -1,0 +1,46 @@
+#include "updating/structure/dashpots.hpp"
+
+#include "updating/structure/element_matrices.hpp"
+
+namespace tapfit::structure {
+namespace {
+
+// b over the grids that are not ground (0), six each.
+Dashpot dashpot(const Deck& deck,
+                const std::array<int, 2>& grids,
+                double damping,
+                const Eigen::VectorXd& b) {
+  Dashpot result{damping, {}};
+  Eigen::Index from = 0;
+  for (const int grid : grids) {
+    if (grid == 0) continue;
+    const int first = 6 * static_cast<int>(deck.grid_index(grid));
+    for (int c = 0; c < 6; ++c) {
+      const double part = b(from + c);
+      if (part != 0.0) result.direction.emplace_back(first + c, part);
+    }
+    from += 6;
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<Dashpot> dashpots(const Deck& deck) {
+  std::vector<Dashpot> result;
+  for (const ScalarElement& e : deck.scalars) {
+    if (e.damping == 0.0) continue;
+    result.push_back(dashpot(deck, e.grids, e.damping, scalar_direction(e)));
+  }
+  for (const Bush& e : deck.bushes) {
+    for (std::size_t c = 0; c < 6; ++c) {
+      if (e.damping[c] == 0.0) continue;
+      const Eigen::VectorXd b =
+          bush_strains(e).row(static_cast<Eigen::Index>(c));
+      result.push_back(dashpot(deck, e.grids, e.damping[c], b));
+    }
+  }
+  return result;
+}
+
+}  // namespace tapfit::structure

@@ -1,0 +1,22 @@
+// The dashpots of a deck (CDAMP, the B of a PBUSH) as rank-one terms of the
+// damping matrix: C = sum of c b b'.
+#pragma once
+
+#include "updating/structure/deck.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct Dashpot {
+  double damping = 0.0;  ///< c [N s/m], [N m s/rad] for rotations
+  /// b: degrees of freedom (6 grid_index + component - 1, basic axes) and their
+  /// coefficients.
+  std::vector<std::pair<int, double>> direction;
+};
+
+/// @throws InputError for one at a grid that does not exist
+[[nodiscard]] std::vector<Dashpot> dashpots(const Deck& deck);
+
+}  // namespace tapfit::structure
