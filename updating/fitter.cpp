@@ -13,6 +13,16 @@ namespace {
 
 constexpr int start_scan = 16;
 
+// On an arm a grid moves across the measured direction as softly as along it.
+std::set<int> rigidly_joined(const structure::Deck& deck) {
+  std::set<int> grids;
+  for (const structure::RigidElement& e : deck.rigids) {
+    grids.insert(e.independent);
+    for (const structure::Dependent& d : e.dependents) grids.insert(d.grid);
+  }
+  return grids;
+}
+
 }  // namespace
 
 PlacedEffect placed(const effects::Effect& effect,
@@ -27,6 +37,7 @@ PlacedEffect placed(const effects::Effect& effect,
 
 std::vector<int> acted_points(const effects::Setting& setting,
                               const std::vector<PlacedEffect>& effects) {
+  const std::set<int> arms = rigidly_joined(*setting.deck);
   std::set<int> points;
   for (const PlacedEffect& e : effects) {
     for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
@@ -34,7 +45,8 @@ std::vector<int> acted_points(const effects::Setting& setting,
            e.effect->acts_on(e.where, setting, run)) {
         // Residual vectors across the measured direction would only swell
         // the base: the modes there are stiff and hardly excited.
-        if (dof.component != setting.component) continue;
+        const bool across = dof.component != setting.component;
+        if (across && !arms.contains(dof.node)) continue;
         points.insert(6 * static_cast<int>(setting.deck->grid_index(dof.node)) +
                       dof.component - 1);
       }

@@ -1,6 +1,7 @@
 #include "updating/virtual_points.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/free_motions.hpp"
 #include "updating/structure/system.hpp"
 
 #include <algorithm>

@@ -187,8 +187,11 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
     }
     const auto sprung =
         model_of(structure::deck_of(plate_cards(root + springs)));
-    // As for a clamped edge: 0.02 % at the softest.
-    EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 5e-4)
+    // Constraint modes and modes to four times the band: 0.25 % at the softest
+    // (0.01 % with modes to sixteen times it), where the plate swings on the
+    // springs as a whole.
+    EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})),
+              k < term.start ? 4e-3 : 1e-4)
         << "k = " << k;
   }
 }
