@@ -6,6 +6,8 @@
 
 #include <map>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 namespace tapfit::structure {
 namespace {
@@ -88,25 +90,13 @@ class Followed {
 
   void lead(const RigidElement& e, const Dependent& d) {
     const std::size_t index = deck_->grid_index(d.grid);
-    follows_[index] = true;
+    follows_.insert(index);
     std::string components = d.components;
     if (!axes_->turned.contains(d.grid)) {
       components = *along_basic(components, deck_->grids[index].axes);
     }
-    const auto held = axes_->held.find(d.grid);
     for (const char digit : components) {
-      if (held != axes_->held.end() &&
-          held->second.find(digit) != std::string::npos) {
-        fail(e,
-             fmt::format("component {} of grid {} follows grid {} and is held "
-                         "by an SPC (or GRID field 8) besides",
-                         digit,
-                         d.grid,
-                         e.independent),
-             fmt::format("Take it out of the one or the other, or hold grid "
-                         "{}.",
-                         e.independent));
-      }
+      refuse_held(e, d.grid, digit);
       const int dof = 6 * static_cast<int>(index) + digit - '1';
       const auto [place, fresh] = leader_.try_emplace(dof, &e);
       if (fresh) continue;
@@ -117,6 +107,22 @@ class Followed {
                        card_place(*deck_, place->second->where, "another")),
            "Leave it to one of the two.");
     }
+  }
+
+  void refuse_held(const RigidElement& e, int grid, char digit) const {
+    const auto held = axes_->held.find(grid);
+    if (held == axes_->held.end() ||
+        held->second.find(digit) == std::string::npos) {
+      return;
+    }
+    fail(e,
+         fmt::format("component {} of grid {} follows grid {} and is held by "
+                     "an SPC (or GRID field 8) besides",
+                     digit,
+                     grid,
+                     e.independent),
+         fmt::format("Take it out of the one or the other, or hold grid {}.",
+                     e.independent));
   }
 
   [[noreturn]] void fail_round(const RigidElement& e, int dof) const {
@@ -137,10 +143,25 @@ class Followed {
 
   const Deck* deck_;
   const ConstraintAxes* axes_;
-  std::unordered_map<std::size_t, bool> follows_;        // grid index
+  std::unordered_set<std::size_t> follows_;              // grid index
   std::unordered_map<int, const RigidElement*> leader_;  // index in q
   std::unordered_map<int, Row> rows_;
 };
+
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+// One column of a grid's axes, times what that component of q follows.
+void add_component(const Eigen::Matrix<double, 6, 1>& direction,
+                   const Row& row,
+                   int first,
+                   Entries& entries) {
+  for (const auto& [q, a] : row) {
+    for (int i = 0; i < 6; ++i) {
+      const double part = direction(i) * a;
+      if (part != 0.0) entries.emplace_back(first + i, q, part);
+    }
+  }
+}
 
 }  // namespace
 
@@ -148,7 +169,7 @@ Eigen::SparseMatrix<double> rigid_motion(const Deck& deck,
                                          const ConstraintAxes& axes) {
   if (deck.rigids.empty() && axes.turned.empty()) return {};
   Followed followed(deck, axes);
-  std::vector<Eigen::Triplet<double>> entries;
+  Entries entries;
   for (std::size_t g = 0; g < deck.grids.size(); ++g) {
     const Grid& grid = deck.grids[g];
     const int first = 6 * static_cast<int>(g);
@@ -158,11 +179,7 @@ Eigen::SparseMatrix<double> rigid_motion(const Deck& deck,
     }
     const Matrix6 R = followed.axes(grid);
     for (int c = 0; c < 6; ++c) {
-      for (const auto& [q, a] : followed.row(first + c)) {
-        for (int i = 0; i < 6; ++i) {
-          if (R(i, c) != 0.0) entries.emplace_back(first + i, q, R(i, c) * a);
-        }
-      }
+      add_component(R.col(c), followed.row(first + c), first, entries);
     }
   }
   const Eigen::Index n = 6 * static_cast<Eigen::Index>(deck.grids.size());

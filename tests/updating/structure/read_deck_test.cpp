@@ -147,9 +147,9 @@ TEST(ReadDeck, ReadsBarSectionsAndReleases) {
 }
 
 TEST(ReadDeck, NamesUnknownCards) {
-  const Deck deck = deck_of(kPlate + "RBE2,9,1,123456,2\nRBE2,10,1,123456,3\n");
+  const Deck deck = deck_of(kPlate + "RBE1,9,1,123456\nRBE1,10,1,123456\n");
   ASSERT_EQ(deck.warnings.size(), 1u);
-  EXPECT_THAT(deck.warnings[0], HasSubstr("RBE2 (line 8, 2 in all)"));
+  EXPECT_THAT(deck.warnings[0], HasSubstr("RBE1 (line 8, 2 in all)"));
   EXPECT_THAT(deck.warnings[0], HasSubstr("rigid connection"));
 }
 
@@ -173,6 +173,11 @@ TEST(ReadDeck, SaysWhatIsWrongAndWhere) {
   expect(kPlate + "SPC1,1,127,1\n", "digits 1 to 6");
   expect(kPlate + "SPC1,1,123,99\n", "grid 99 does not exist");
   expect(kPlate + "CELAS2,9,1.,1,7\n", "component 7");
+  expect(kPlate + "GRID,5,,0.,0.,0.,9\n", "coordinate system 9");
+  expect(kPlate + "CORD1R,3,1,2,9\n", "grid 9 does not exist");
+  expect(kPlate + "CDAMP1,9,7,1,3\n", "PDAMP 7 does not exist");
+  expect(kPlate + "CDAMP2,9,-2.,1,3\n", "drives the structure");
+  expect(kPlate + "PBUSH,7,B,-2.\nCBUSH,9,7,1,,,,,0\n", "drives the structure");
   expect(kPlate + "CBAR,9,2,1,2,1.,0.,0.\nPBAR,2,1,1.,1.,1.\n",
          "along the bar");
   expect(kPlate + "PBARL,2,1,,HAT\n,1.,1.\n", "HAT");
