@@ -1,6 +1,7 @@
 #include "modal/curves.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "signal/set_ups.hpp"
 
 #include <fmt/format.h>
 
@@ -132,6 +133,7 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   // Nothing can be divided by s^2 on the line s = 0.
   const Eigen::Index skip = std::abs(frfs.s(0).imag()) > 0.0 ? 0 : 1;
   const Eigen::Index lines = frfs.lines() - skip;
+  const std::vector<std::size_t> set_up = signal::set_ups(frfs);
   Curves curves;
   curves.s = frfs.s.tail(lines);
   curves.sigma = curves.s(0).real();
@@ -144,6 +146,7 @@ Curves prepare_curves(const signal::FrfSet& frfs,
     curves.response.push_back(positive(frf.response));
     curves.reference.push_back(positive(frf.reference));
     curves.run.push_back(frf.run);
+    curves.set_up.push_back(set_up[f]);
   }
   if (curves.source.empty()) {
     throw InputError("no FRF to identify modes from",
@@ -178,12 +181,13 @@ Curves select_curves(const Curves& curves,
   part.response.clear();
   part.reference.clear();
   part.run.clear();
+  part.set_up.clear();
   part.source.clear();
   for (const Eigen::Index index : indices) {
     const auto f = static_cast<std::size_t>(index);
     part.response.push_back(curves.response[f]);
     part.reference.push_back(curves.reference[f]);
-    part.run.push_back(curves.run[f]);
+    part.set_up.push_back(curves.set_up[f]);
     part.source.push_back(curves.source[f]);
   }
   return part;

@@ -28,6 +28,7 @@ struct Curves {
   std::vector<Dof> response;   ///< per FRF, sign +1
   std::vector<Dof> reference;  ///< per FRF, sign +1
   std::vector<std::size_t> run;
+  std::vector<std::size_t> set_up;  ///< signal::set_ups of the set given
   std::vector<std::size_t> source;  ///< index of the FRF in the set given
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }

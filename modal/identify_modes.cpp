@@ -6,6 +6,8 @@
 #include "modal/plscf.hpp"
 #include "modal/run_modes.hpp"
 #include "modal/select_modes.hpp"
+#include "modal/sensor_shifts.hpp"
+#include "modal/shape_uncertainty.hpp"
 #include "modal/shapes.hpp"
 #include "modal/stabilisation.hpp"
 
@@ -102,59 +104,100 @@ std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
   return fitted;
 }
 
+/// What was found, by poles common to all FRFs or of each set-up's own.
+struct Identified {
+  ModalFit fit;
+  Eigen::MatrixXd covariance;  ///< of the poles, 2 n_modes square
+  Eigen::MatrixXd residue_variance;
+  std::vector<SetUpPoles> set_ups;  ///< none where poles are common
+};
+
+/// The entries given by index of each set-up's poles.
+std::vector<SetUpPoles> keep(const std::vector<SetUpPoles>& all,
+                             const std::vector<Index>& kept) {
+  std::vector<SetUpPoles> result;
+  for (const SetUpPoles& own : all) {
+    result.push_back({own.set_up, own.poles(kept), own.log_sd(kept)});
+  }
+  return result;
+}
+
 /// Fills all that comes from the fit; poles beside the band are left out.
 void add_modes(const Curves& curves,
                const ShapeGraph& graph,
-               const ModalFit& fit,
-               const Eigen::MatrixXd& covariance,
+               const Identified& found,
                ModeSet& set) {
+  const ModalFit& fit = found.fit;
   const Eigen::MatrixXcd shapes =
       mode_shapes(graph, fit.residues, fit.poles, fit.frf_weight);
+  const Eigen::MatrixXd deviations = shape_deviations(
+      graph, fit.residues, found.residue_variance, fit.poles, shapes);
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
+  std::vector<Index> kept;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     const double omega = std::abs(fit.poles(r));
     if (omega < low || omega > high) continue;
-    set.modes.push_back(make_mode(
-        fit.poles(r), covariance.block<2, 2>(2 * r, 2 * r), shapes.col(r)));
+    kept.push_back(r);
+    set.modes.push_back(make_mode(fit.poles(r),
+                                  found.covariance.block<2, 2>(2 * r, 2 * r),
+                                  shapes.col(r)));
+    set.modes.back().shape_sd = deviations.col(r);
     warn_about(set.modes.back(), set.warnings);
   }
+  set.set_ups = keep(found.set_ups, kept);
 }
 
-/// Replaces a fit of common poles by one of each run's own, when that leaves
-/// clearly less or needs fewer modes: the sensors' mass moves the modes.
-bool fit_each_run(const Curves& curves,
-                  const IdentifyOptions& options,
-                  const Progress& progress,
-                  ModalFit& fit,
-                  Eigen::MatrixXd& covariance,
-                  std::vector<std::string>& warnings) {
-  if (!sensors_rove(curves)) return false;
-  const bool found = fit.poles.size() > 0;
-  const double common = found ? synthesis_error(curves, fit.H) : 1.0;
-  const std::optional<RunModes> runs =
-      identify_per_run(curves, options, progress);
-  if (!runs) return false;
-  // Common poles can follow moving ones only by being many.
-  const double apart = synthesis_error(curves, runs->H);
-  const bool fewer = runs->poles.size() < fit.poles.size();
-  if (apart > 0.5 * common && !(fewer && apart < 2.0 * common)) return false;
-  if (!found) fit = fit_residues(curves, runs->poles);
-  fit.poles = runs->poles;
-  fit.residues = runs->residues;
-  fit.H = runs->H;
-  const Index modes = fit.poles.size();
-  covariance = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+/// Whether poles of each set-up's own leave clearly less than common ones, or
+/// as little with fewer of them: common poles can follow moving ones only by
+/// being many.
+bool is_better(const Curves& curves,
+               const RunModes& own,
+               const ModalFit& common) {
+  const bool found = common.poles.size() > 0;
+  const double together = found ? synthesis_error(curves, common.H) : 1.0;
+  const double apart = synthesis_error(curves, own.H);
+  const bool fewer = own.poles.size() < common.poles.size();
+  return apart <= 0.5 * together || (fewer && apart < 2.0 * together);
+}
+
+Identified of_set_ups(const RunModes& runs) {
+  Identified found;
+  found.fit.poles = runs.poles;
+  found.fit.residues = runs.residues;
+  found.fit.H = runs.H;
+  found.fit.frf_weight = runs.frf_weight;
+  found.residue_variance = runs.residue_variance;
+  found.set_ups = runs.set_ups;
+  const Index modes = runs.poles.size();
+  found.covariance = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
   for (Index r = 0; r < modes; ++r) {
-    covariance(2 * r, 2 * r) = std::pow(runs->scatter(r).real(), 2);
-    covariance(2 * r + 1, 2 * r + 1) = std::pow(runs->scatter(r).imag(), 2);
+    found.covariance(2 * r, 2 * r) = std::pow(runs.scatter(r).real(), 2);
+    found.covariance(2 * r + 1, 2 * r + 1) =
+        std::pow(runs.scatter(r).imag(), 2);
   }
-  warnings.push_back(fmt::format(
-      "frequencies move by up to {:.2g} % with the sensors: their mass loads "
-      "the structure; each run was fitted by itself, and the standard "
-      "deviations are the scatter over runs",
-      100.0 * runs->frequency_range.maxCoeff()));
-  return true;
+  return found;
+}
+
+/// Common poles, or each set-up's own where the sensors move the modes.
+Identified identify(const Curves& curves,
+                    const std::optional<RunModes>& runs,
+                    Selection selection,
+                    ModeSet& set) {
+  if (runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit)) {
+    set.warnings.push_back(fmt::format(
+        "frequencies move by up to {:.2g} % between set-ups of the sensors; "
+        "each was fitted by itself, and the standard deviations are the "
+        "scatter over them",
+        100.0 * runs->frequency_range.maxCoeff()));
+    return of_set_ups(*runs);
+  }
+  Identified found;
+  found.fit = std::move(selection.fit);
+  found.covariance = pole_covariance(curves, found.fit);
+  found.residue_variance = residue_variance(curves, found.fit);
+  warn_about_unresolved(selection.unresolved, set.warnings);
+  return found;
 }
 
 }  // namespace
@@ -175,16 +218,14 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   set.diagram = stabilisation.diagram;
   Selection selection = select_modes(
       curves, stabilisation.tracks, orders.size(), options, progress);
-  ModalFit& fit = selection.fit;
-  Eigen::MatrixXd covariance;
-  if (!fit_each_run(curves, options, progress, fit, covariance, set.warnings)) {
-    covariance = pole_covariance(curves, fit);
-    warn_about_unresolved(selection.unresolved, set.warnings);
-  }
-  if (fit.poles.size() > 0) {
-    add_modes(curves, graph, fit, covariance, set);
-    set.fitted = fitted_frfs(frfs, curves, fit.H);
-    set.synthesis_error = synthesis_error(curves, fit.H);
+  const std::optional<RunModes> runs =
+      identify_per_set_up(curves, options, progress);
+  if (runs) set.shifts = sensor_shifts(frfs, curves, graph, *runs);
+  const Identified found = identify(curves, runs, std::move(selection), set);
+  if (found.fit.poles.size() > 0) {
+    add_modes(curves, graph, found, set);
+    set.fitted = fitted_frfs(frfs, curves, found.fit.H);
+    set.synthesis_error = synthesis_error(curves, found.fit.H);
   } else {
     set.synthesis_error = 1.0;
   }

@@ -1,5 +1,8 @@
 #include "modal/modal_fit.hpp"
 
+#include "modal/fit_columns.hpp"
+#include "modal/fit_noise.hpp"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -13,23 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-constexpr Complex j{0.0, 1.0};
-
-/// Real parts over imaginary parts.
-Eigen::MatrixXd stack(const Eigen::MatrixXcd& x) {
-  Eigen::MatrixXd result(2 * x.rows(), x.cols());
-  result.topRows(x.rows()) = x.real();
-  result.bottomRows(x.rows()) = x.imag();
-  return result;
-}
-
-Eigen::MatrixXcd unstack(const Eigen::MatrixXd& x) {
-  const Index n = x.rows() / 2;
-  Eigen::MatrixXcd result(n, x.cols());
-  result.real() = x.topRows(n);
-  result.imag() = x.bottomRows(n);
-  return result;
-}
 
 /// Separable weights nearest to w_f(k): mean logarithms over lines and FRFs.
 void separate_weights(const Curves& curves, ModalFit& fit) {
@@ -38,35 +24,6 @@ void separate_weights(const Curves& curves, ModalFit& fit) {
   const double mean = per_frf.mean();
   fit.frf_weight = per_frf.array().exp();
   fit.line_weight = (logs.rowwise().mean().array() - mean).exp();
-}
-
-/// Columns that multiply Re R and Im R of each mode in accelerance, or their
-/// derivatives to the pole (power 2).
-Eigen::MatrixXcd pole_columns(const Eigen::VectorXcd& s,
-                              const Eigen::VectorXcd& poles,
-                              int power) {
-  Eigen::MatrixXcd columns(s.size(), 2 * poles.size());
-  for (Index r = 0; r < poles.size(); ++r) {
-    for (Index k = 0; k < s.size(); ++k) {
-      const Complex up = 1.0 / (s(k) - poles(r));
-      const Complex down = 1.0 / (s(k) - std::conj(poles(r)));
-      const Complex g = s(k) * s(k) * (power == 1 ? up : up * up);
-      const Complex h = s(k) * s(k) * (power == 1 ? down : down * down);
-      columns(k, 2 * r) = g + h;
-      columns(k, 2 * r + 1) = j * (g - h);
-    }
-  }
-  return columns;
-}
-
-/// Re and Im of each residual term as columns.
-Eigen::MatrixXcd term_columns(const Eigen::MatrixXcd& basis) {
-  Eigen::MatrixXcd columns(basis.rows(), 2 * basis.cols());
-  for (Index t = 0; t < basis.cols(); ++t) {
-    columns.col(2 * t) = basis.col(t);
-    columns.col(2 * t + 1) = j * basis.col(t);
-  }
-  return columns;
 }
 
 /// The linear problem for given poles: weighted, columns of unit length.
@@ -263,67 +220,7 @@ ModalFit finish(const Curves& curves,
   return fit;
 }
 
-/// x with every line's neighbours added as they are correlated by the window:
-/// rho(d) = 1 / (1 + j d spacing / (2 sigma)).
-Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
-  if (ratio <= 0.0) return x;
-  constexpr Index kReach = 24;
-  Eigen::MatrixXcd result = x;
-  for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
-    const Complex rho =
-        1.0 / (1.0 + j * static_cast<double>(d) / (2.0 * ratio));
-    const Index n = x.rows() - d;
-    result.bottomRows(n) += rho * x.topRows(n);
-    result.topRows(n) += std::conj(rho) * x.bottomRows(n);
-  }
-  return result;
-}
-
-/// Standard deviation of the weighted residual u v e: per line (rms over FRFs)
-/// times per FRF (about 1).
-struct Noise {
-  Eigen::VectorXd per_line;
-  Eigen::VectorXd per_frf;
-};
-
-/// From the FRFs' variance or what the fit leaves, whichever is larger.
-Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
-  const Index lines = curves.lines();
-  Eigen::MatrixXd power(lines, curves.count());
-  const Eigen::MatrixXd left = (curves.H - fit.H).cwiseAbs2();
-  for (Index k = 0; k < lines; ++k) {
-    const Index begin = std::max<Index>(0, k - 5);
-    const Index n = std::min(lines, k + 6) - begin;
-    power.row(k) = left.middleRows(begin, n).colwise().mean().cwiseMax(
-        curves.variance.middleRows(begin, n).colwise().mean());
-  }
-  power = fit.line_weight.cwiseAbs2().asDiagonal() * power *
-          fit.frf_weight.cwiseAbs2().asDiagonal();
-  Noise noise;
-  noise.per_line = power.rowwise().mean().cwiseSqrt();
-  const double mean = std::max(power.mean(), 1e-300);
-  noise.per_frf = (power.colwise().mean().transpose() / mean).cwiseSqrt();
-  return noise;
-}
-
 }  // namespace
-
-Eigen::MatrixXcd residual_basis(const Eigen::VectorXcd& s,
-                                const Eigen::VectorXcd& band) {
-  const Complex low = band(0);
-  const Complex high = band(band.size() - 1);
-  const Index count = band.size() < 60 ? 2 : 4;
-  Eigen::MatrixXcd basis(s.size(), count);
-  for (Index k = 0; k < s.size(); ++k) {
-    const Complex x = s(k) * s(k) / std::norm(high);
-    basis(k, 0) = 1.0;
-    basis(k, 1) = x;
-    if (count < 4) continue;
-    basis(k, 2) = x * x;
-    basis(k, 3) = std::norm(low) / (s(k) * s(k));
-  }
-  return basis;
-}
 
 ModalFit fit_residues(const Curves& curves, const Eigen::VectorXcd& poles) {
   ModalFit fit;

@@ -34,13 +34,6 @@ struct ModalFit {
   Eigen::VectorXd contribution;
 };
 
-/// Functions of s for modes out of the band: 1, s^2, s^4, 1/s^2, scaled to be
-/// of size one; only the first two on fewer than 60 lines.
-///
-/// @return n_lines x n_terms
-[[nodiscard]] Eigen::MatrixXcd residual_basis(const Eigen::VectorXcd& s,
-                                              const Eigen::VectorXcd& band);
-
 /// Residues for given poles. No two poles may coincide.
 [[nodiscard]] ModalFit fit_residues(const Curves& curves,
                                     const Eigen::VectorXcd& poles);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/dof.hpp"
+#include "modal/pole_shifts.hpp"
 
 #include <Eigen/Core>
 
@@ -19,8 +20,16 @@ struct Mode {
   double frequency_sd_hz = 0.0;
   double damping_ratio = 0.0;  ///< -Re(pole) / |pole|
   double damping_sd = 0.0;
-  double mpc = 0.0;        ///< modal phase collinearity, 0..1
-  Eigen::VectorXcd shape;  ///< per ModeSet::dofs; unit modal mass if scaled
+  double mpc = 0.0;          ///< modal phase collinearity, 0..1
+  Eigen::VectorXcd shape;    ///< per ModeSet::dofs; unit modal mass if scaled
+  Eigen::VectorXd shape_sd;  ///< sqrt(E|d shape|^2); empty where not known
+};
+
+/// The poles of one set-up, whose sensors load the structure their own way.
+struct SetUpPoles {
+  std::size_t set_up = 0;  ///< number by signal::set_ups
+  Eigen::VectorXcd poles;  ///< per mode; 0 where not found [rad/s]
+  Eigen::VectorXd log_sd;  ///< sd of ln|pole|; 0 where not found
 };
 
 /// One pole of the stabilisation diagram.
@@ -34,6 +43,8 @@ struct DiagramPole {
 struct ModeSet {
   std::vector<Dof> dofs;  ///< rows of every shape, sign +1
   std::vector<Mode> modes;
+  std::vector<SetUpPoles> set_ups;  ///< none where each shares the modes' poles
+  std::optional<PoleShifts> shifts;  ///< where sensors move between set-ups
   bool scaled = false;  ///< unit modal mass (a driving point was measured)
   std::vector<DiagramPole> diagram;
   double synthesis_error =

@@ -1,13 +1,15 @@
-// Modes when the sensors move between runs and their mass moves the modes.
+// Modes when the sensors move between set-ups and their mass moves the modes.
 //
-// Then no pole is common to all runs. Each run is identified by itself; modes
-// of different runs that are close in frequency are one mode, each run having
-// it at most once. Its frequency is the mean, its standard deviation the
-// scatter, and each FRF's residue comes from its own run.
+// Then no pole is common to all runs. Each set-up (runs with the sensors at the
+// same points) is identified by itself; modes of different set-ups that are
+// close in frequency are one mode, each set-up having it at most once. Its
+// frequency is the mean, its standard deviation the scatter, and each FRF's
+// residue comes from its own set-up.
 #pragma once
 
 #include "modal/identify_modes.hpp"
 #include "modal/modal_fit.hpp"
+#include "modal/mode_set.hpp"
 
 #include <optional>
 #include <vector>
@@ -15,20 +17,25 @@
 namespace tapfit::modal {
 
 struct RunModes {
-  Eigen::VectorXcd poles;           ///< mean over runs [rad/s]
-  Eigen::VectorXcd scatter;         ///< sd over runs: of Re + j of Im [rad/s]
-  Eigen::VectorXd frequency_range;  ///< (largest - smallest) / mean
-  Eigen::MatrixXcd residues;        ///< n_frfs x n_modes; 0 where not found
-  Eigen::MatrixXcd H;               ///< fitted, n_lines x n_frfs
+  Eigen::VectorXcd poles;    ///< mean over set-ups [rad/s]
+  Eigen::VectorXcd scatter;  ///< sd over set-ups: of Re + j of Im [rad/s]
+  Eigen::VectorXd frequency_range;   ///< (largest - smallest) / mean
+  Eigen::MatrixXcd residues;         ///< n_frfs x n_modes; 0 where not found
+  Eigen::MatrixXd residue_variance;  ///< E|dR|^2, n_frfs x n_modes
+  Eigen::MatrixXcd H;                ///< fitted, n_lines x n_frfs
+  Eigen::VectorXd frf_weight;        ///< as in ModalFit, n_frfs
+  std::vector<SetUpPoles> set_ups;   ///< in order, of n_modes each
 };
 
-/// True when no sensor point is measured in more than half of the runs.
+/// True when no sensor point is measured in more than half of the set-ups,
+/// of which there are several.
 [[nodiscard]] bool sensors_rove(const Curves& curves);
 
-/// Identifies every run by itself and joins the modes.
+/// Identifies every set-up by itself and joins the modes.
 ///
-/// @return empty when a run shows no mode or no mode is in two runs or more
-[[nodiscard]] std::optional<RunModes> identify_per_run(
+/// @return empty when there is one set-up only, when one shows no mode or no
+/// mode is in two of them
+[[nodiscard]] std::optional<RunModes> identify_per_set_up(
     const Curves& curves,
     const IdentifyOptions& options,
     const Progress& progress);

@@ -1,6 +1,8 @@
 #include "updating/session.hpp"
 
+#include "acquisition/channel_names.hpp"
 #include "acquisition/input_error.hpp"
+#include "modal/sensor_shifts.hpp"
 #include "signal/uff58.hpp"
 #include "updating/compare.hpp"
 #include "updating/diagnose.hpp"
@@ -289,6 +291,10 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
         diagnose(*impl_->fitter, impl_->current().effects, options, progress);
     // Nothing fitted yet: the base is the deck as it is.
     if (impl_->stack->fits().size() == 1) d.error_base = base.error;
+    if (const auto& shifts = impl_->modes->shifts; modal::is_telling(shifts)) {
+      d.warnings.push_back(
+          modal::statement(*shifts, acquisition::channel_names(impl_->bundle)));
+    }
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;

@@ -38,6 +38,7 @@ struct CommandOptions {
   std::optional<std::filesystem::path> output;  ///< file or folder to write
   std::optional<std::filesystem::path> saved;   ///< session to do again
   std::vector<std::string> effects;             ///< "added-mass@201", in order
+  std::vector<std::string> free;                ///< "acc1=0.02", masses to free
   int modes = 10;                               ///< of the model
   int node = 0;                                 ///< grid id
   ImportArguments csv;

@@ -4,6 +4,7 @@
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
+#include "tui/commands/free_masses.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/import_command.hpp"
@@ -40,6 +41,7 @@ enum Extra : unsigned {
   Modes = 16,
   Node = 32,
   SavedFile = 64,
+  Free = 256,
 };
 
 struct Entry {
@@ -53,7 +55,10 @@ struct Entry {
 constexpr std::array<Entry, 12> entries{{
     {"run", "The whole chain, recording to error ladder", run_command, None},
     {"hits", "Hits found and judged", hits_command, None},
-    {"frf", "Frequency response functions and their quality", frf_command, Uff},
+    {"frf",
+     "Frequency response functions and their quality",
+     frf_command,
+     Uff | Free},
     {"modes", "Identified modes", modes_command, Uff},
     {"model", "A deck in numbers, and its modes", model_command, Modes, "DECK"},
     {"compare", "Model against measurement", compare_command, None},
@@ -90,6 +95,12 @@ std::string effect_fault(const std::string& text) {
   }
 }
 
+/// What is wrong with a mass as written; empty where nothing is.
+std::string free_fault(const std::string& text) {
+  return parse_free(text) ? std::string{}
+                          : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
+}
+
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   CommandOptions& options = invocation.options;
@@ -116,6 +127,15 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
                      options.effects,
                      "Effect to add, for example added-mass@201")
         ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
+        ->allow_extra_args(false);
+  }
+  if ((entry.extras & Free) != 0) {
+    command
+        ->add_option("--free",
+                     options.free,
+                     "Take a sensor's mass off: all, acc1, acc1=0.020 or "
+                     "acc1=0.020,sd=0.001 [kg]; again for each")
+        ->check(CLI::Validator(free_fault, "SENSOR[=KG][,sd=KG]"))
         ->allow_extra_args(false);
   }
   if ((entry.extras & Modes) != 0) {

@@ -1,6 +1,7 @@
 #include "tui/commands/frf_command.hpp"
 
 #include "signal/uff58.hpp"
+#include "tui/commands/free_masses.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
@@ -84,6 +85,7 @@ std::string frf_text(const signal::FrfSet& frfs) {
 std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session = open_bundle(options.input);
+  if (!options.free.empty()) return free_masses(session, options, progress);
   const signal::FrfSet& frfs = session.frfs(progress);
   if (options.uff) {
     signal::write_frfs_uff(frfs, session.bundle().title, *options.uff);

@@ -19,7 +19,8 @@ namespace tapfit::tui {
 /// Lines where H is zero are left out; 0 when none is left.
 [[nodiscard]] double median_sd_percent(const signal::Frf& frf);
 
-/// With --uff also writes the curves.
+/// With --uff also writes the curves; with --free the sensors' masses are taken
+/// off first.
 /// @throws InputError, Stopped
 [[nodiscard]] std::string frf_command(const CommandOptions& options,
                                       const Progress& progress);

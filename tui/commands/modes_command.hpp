@@ -6,13 +6,20 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <string>
+#include <vector>
+
 namespace tapfit::tui {
 
 /// {"modes": [{"frequency_hz", "damping_ratio", "mpc", "shape"}], "warnings"}
-[[nodiscard]] nlohmann::ordered_json modes_json(const modal::ModeSet& modes);
+/// and, where sensors move between set-ups, "pole_shifts".
+[[nodiscard]] nlohmann::ordered_json modes_json(
+    const modal::ModeSet& modes, const std::vector<std::string>& channels = {});
 
-/// Frequencies and damping with their standard deviations, and the MPC.
-[[nodiscard]] std::string modes_text(const modal::ModeSet& modes);
+/// Frequencies and damping with their standard deviations, and the MPC; what
+/// moves the poles between set-ups.
+[[nodiscard]] std::string modes_text(
+    const modal::ModeSet& modes, const std::vector<std::string>& channels = {});
 
 /// With --uff also writes the modes.
 /// @throws InputError, Stopped

@@ -1,5 +1,6 @@
 #include "tui/commands/run_command.hpp"
 
+#include "acquisition/channel_names.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
@@ -30,7 +31,8 @@ std::string run_json(updating::Session& session,
   ordered_json json;
   json["hits"] = hits_json(session.bundle(), hits_of(session, progress));
   json["frf"] = frf_json(session.frfs(progress));
-  json["modes"] = modes_json(session.modes(progress));
+  json["modes"] = modes_json(session.modes(progress),
+                             acquisition::channel_names(session.bundle()));
   json["compare"] = nullptr;
   json["diagnose"] = nullptr;
   if (session.has_model()) {
@@ -49,7 +51,8 @@ std::string run_text(updating::Session& session, const Progress& progress) {
     text += "\n" + hits_text(session.bundle(), session.hits(progress));
   }
   text += "\n" + frf_text(session.frfs(progress));
-  text += "\n" + modes_text(session.modes(progress));
+  text += "\n" + modes_text(session.modes(progress),
+                            acquisition::channel_names(session.bundle()));
   if (!session.has_model()) {
     return text +
            "\nThe bundle names no model: the work ends with the modes.\n";

@@ -1,6 +1,8 @@
 #include "tui/views/modes_view.hpp"
 
+#include "acquisition/channel_names.hpp"
 #include "modal/mac.hpp"
+#include "modal/sensor_shifts.hpp"
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
@@ -193,19 +195,29 @@ std::string summary(const modal::ModeSet& modes) {
                      percent(modes.synthesis_error));
 }
 
-// The first warning below the summary, in at most two rows.
-int draw_warning(Screen& screen, const modal::ModeSet& modes) {
-  if (modes.warnings.empty()) return 0;
-  std::string text = "! " + modes.warnings.front();
-  if (modes.warnings.size() > 1) {
-    text +=
-        fmt::format(" (and {} more in the report)", modes.warnings.size() - 1);
+// The first warning below the summary, in at most two rows; what moves the
+// poles comes before all others.
+int draw_warning(Screen& screen, const ModesInput& input) {
+  std::vector<std::string> warnings = input.modes.warnings;
+  if (!input.shifts.empty()) warnings.insert(warnings.begin(), input.shifts);
+  if (warnings.empty()) return 0;
+  std::string text = "! " + warnings.front();
+  if (warnings.size() > 1) {
+    text += fmt::format(" (and {} more in the report)", warnings.size() - 1);
   }
   int rows = 0;
   for (const std::string& line : wrapped(text, screen.width() - 2, 2)) {
     screen.text(1, 1 + rows++, line, {.colour = Colour::Yellow});
   }
   return rows;
+}
+
+std::string shift_statement(const Snapshot& known) {
+  if (!modal::is_telling(known.modes->shifts)) return {};
+  return modal::statement(*known.modes->shifts,
+                          known.bundle
+                              ? acquisition::channel_names(*known.bundle)
+                              : std::vector<std::string>{});
 }
 
 }  // namespace
@@ -232,7 +244,7 @@ Screen modes_view(const ModesInput& input,
   Screen screen(canvas);
   const Table table = mode_table(input.modes);
   screen.text(1, 0, summary(input.modes), {}, canvas.width - 2);
-  const int top = 1 + draw_warning(screen, input.modes);
+  const int top = 1 + draw_warning(screen, input);
   const Rect body{0, top, canvas.width, canvas.height - top};
   if (input.modes.modes.empty()) {
     screen.text(
@@ -267,7 +279,8 @@ Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
   return modes_view({*known.modes,
                      known.frfs.get(),
                      known.wire.get(),
-                     known.comparison.get()},
+                     known.comparison.get(),
+                     shift_statement(known)},
                     state_,
                     canvas);
 }
