@@ -1,8 +1,8 @@
 // The sensors' masses from the poles of several set-ups: those at which the
-// frequencies freed of them agree best. See modal/pole_shifts.hpp.
+// frequencies freed of them agree best. See modal/explain_shifts.hpp.
 #pragma once
 
-#include "modal/pole_shifts.hpp"
+#include "modal/explain_shifts.hpp"
 #include "modal/shift_table.hpp"
 
 #include <Eigen/Core>
@@ -16,6 +16,7 @@ struct MassFit {
   Eigen::VectorXd kg;
   Eigen::MatrixXd covariance;  ///< [kg^2]
   Eigen::Index dof = 0;
+  double explained = 0.0;        ///< share of the squared shifts
   double p_same_fraction = 1.0;  ///< of c_k beside the masses, by chance
   double same_fraction = 0.0;    ///< rms of c_k when it is fitted
 };

@@ -1,45 +1,11 @@
-// Why poles differ between set-ups, without a model of the structure.
-//
-// A sensor of mass m at a point where mode r has the value phi_r (unit modal
-// mass) lowers its frequency by m phi_r^2 / 2 of it, so that over set-ups k
-//
-//   ln w_rk = a_r - sum_q m_q g_qrk + c_k + e_rk,   g = phi^2 / 2
-//
-// with a_r of the mode, c_k what moves all modes of a set-up by the same
-// fraction (temperature, mostly), and noise e. Whether the masses explain more
-// than chance would is an F test, in which only the scatter about the fit
-// counts, not how small the poles' own standard deviations are. It is made with
-// c_k where c_k is significant itself.
-//
-// The masses are then those at which the frequencies freed of them
-// (modal/unloaded_modes.hpp) agree best. Weights: the poles' variance, what the
-// shapes' errors make of it, twice the square of the shift for the modes that
-// were not identified, and a scatter tau^2 that brings chi^2 to its degrees of
-// freedom (R. C. Paule, J. Mandel, J. Res. NBS 87, 1982, p. 377-385); large
-// residuals are weighted down (P. J. Huber, Ann. Math. Stat. 35, 1964).
+// What poles that differ between set-ups of the sensors have to say; found by
+// modal/explain_shifts.hpp.
 #pragma once
 
-#include <Eigen/Core>
-
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace tapfit::modal {
-
-/// What is known of the poles of all set-ups.
-struct ShiftData {
-  Eigen::MatrixXd log_omega;  ///< ln|pole|, n_set_ups x n_modes
-  Eigen::MatrixXd log_sd;     ///< its standard deviation; 0 where not found
-  Eigen::VectorXd damping;    ///< ratio, n_modes
-  /// Per sensor and set-up: its directions x n_modes, real parts of the shapes
-  /// at the points where it then sat; no row where it was off.
-  std::vector<std::vector<Eigen::MatrixXd>> phi;
-  /// Standard deviation of each value of phi.
-  std::vector<std::vector<Eigen::MatrixXd>> phi_sd;
-  bool scaled = false;  ///< unit modal mass [1/sqrt(kg)]
-};
 
 enum class ShiftCause {
   Noise,         ///< nothing to tell
@@ -64,15 +30,11 @@ struct PoleShifts {
   double explained = 0.0;        ///< by the cause, of the squared shifts, 0..1
   double same_fraction = 0.0;    ///< rms of c_k where significant, else 0
   /// One for all sensors, or one per sensor where they differ significantly;
-  /// none unless the cause is SensorMass and the shapes are scaled.
+  /// none unless the cause is SensorMass, the shapes are scaled, and the masses
+  /// explain most of the shifts.
   std::vector<MassEstimate> masses;
   /// Channels of each sensor, in the order of ShiftData::phi.
   std::vector<std::vector<std::size_t>> sensors;
 };
-
-/// Tells the cause of the shifts.
-///
-/// @return empty when there are too few set-ups and modes to tell anything
-[[nodiscard]] std::optional<PoleShifts> explain_shifts(const ShiftData& data);
 
 }  // namespace tapfit::modal

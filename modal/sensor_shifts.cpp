@@ -1,5 +1,6 @@
 #include "modal/sensor_shifts.hpp"
 
+#include "modal/explain_shifts.hpp"
 #include "modal/shape_uncertainty.hpp"
 
 #include <fmt/format.h>
@@ -64,21 +65,83 @@ std::optional<std::vector<Index>> rows_of_sensor(
   return std::vector<Index>(rows.begin(), rows.end());
 }
 
-void fill_poles(const RunModes& runs, ShiftData& data) {
+/// Modes whose mean frequency lies in the band; those beside it are known too
+/// poorly to tell of shifts.
+std::vector<Index> modes_in_band(const Curves& curves, const RunModes& runs) {
+  std::vector<Index> kept;
+  for (Index r = 0; r < runs.poles.size(); ++r) {
+    const double omega = std::abs(runs.poles(r));
+    if (omega >= curves.s(0).imag() &&
+        omega <= curves.s(curves.lines() - 1).imag()) {
+      kept.push_back(r);
+    }
+  }
+  return kept;
+}
+
+void fill_poles(const RunModes& runs,
+                const std::vector<Index>& kept,
+                ShiftData& data) {
   const auto set_ups = static_cast<Index>(runs.set_ups.size());
-  const Index modes = runs.poles.size();
+  const auto modes = static_cast<Index>(kept.size());
   data.log_omega = Eigen::MatrixXd::Zero(set_ups, modes);
   data.log_sd = Eigen::MatrixXd::Zero(set_ups, modes);
-  data.damping.resize(modes);
-  for (Index r = 0; r < modes; ++r) {
-    data.damping(r) = -runs.poles(r).real() / std::abs(runs.poles(r));
-    for (Index k = 0; k < set_ups; ++k) {
-      const SetUpPoles& own = runs.set_ups[static_cast<std::size_t>(k)];
-      const double size = std::abs(own.poles(r));
+  const Eigen::VectorXcd poles = runs.poles(kept);
+  data.damping = -poles.real().cwiseQuotient(poles.cwiseAbs());
+  for (Index k = 0; k < set_ups; ++k) {
+    const SetUpPoles& own = runs.set_ups[static_cast<std::size_t>(k)];
+    for (Index r = 0; r < modes; ++r) {
+      const double size =
+          std::abs(own.poles(kept[static_cast<std::size_t>(r)]));
       if (!(size > 0.0)) continue;
       data.log_omega(k, r) = std::log(size);
-      data.log_sd(k, r) = own.log_sd(r);
+      data.log_sd(k, r) = own.log_sd(kept[static_cast<std::size_t>(r)]);
     }
+  }
+}
+
+/// The set-up with a driving point, and the shapes at the hammer's point in all
+/// set-ups that were hit there and nowhere else.
+void fill_hammer(const Curves& curves,
+                 const RunModes& runs,
+                 const std::vector<Dof>& dofs,
+                 const Eigen::MatrixXcd& shapes,
+                 ShiftData& data) {
+  std::map<std::size_t, std::set<Dof>> hit;
+  std::map<std::size_t, std::set<Dof>> driving;
+  for (std::size_t f = 0; f < curves.source.size(); ++f) {
+    hit[curves.set_up[f]].insert(curves.reference[f]);
+    if (curves.response[f] == curves.reference[f]) {
+      driving[curves.set_up[f]].insert(curves.reference[f]);
+    }
+  }
+  data.hammer.assign(runs.set_ups.size(), Eigen::MatrixXd(0, shapes.cols()));
+  if (driving.size() != 1 || driving.begin()->second.size() != 1) return;
+  const Dof point = *driving.begin()->second.begin();
+  const auto own = std::ranges::find(dofs, point);
+  if (own == dofs.end()) return;
+  for (std::size_t k = 0; k < runs.set_ups.size(); ++k) {
+    const std::size_t set_up = runs.set_ups[k].set_up;
+    if (hit[set_up] != std::set<Dof>{point}) continue;
+    data.hammer[k] = shapes.row(own - dofs.begin()).real();
+    if (set_up == driving.begin()->first) data.driving = k;
+  }
+}
+
+/// Splits the deviations of the shapes into what is common to a whole shape,
+/// no more than its best known value is uncertain by, and the rest.
+void split_deviations(const Eigen::MatrixXcd& shapes,
+                      Eigen::MatrixXd& sd,
+                      ShiftData& data) {
+  data.scale_sd = Eigen::VectorXd::Zero(shapes.cols());
+  for (Index r = 0; r < shapes.cols(); ++r) {
+    const Eigen::ArrayXd size = shapes.col(r).cwiseAbs().array();
+    if (!(size.maxCoeff() > 0.0)) continue;
+    const double common =
+        (sd.col(r).array() / size.max(1e-3 * size.maxCoeff())).minCoeff();
+    data.scale_sd(r) = common;
+    sd.col(r) =
+        (sd.col(r).array().square() - (common * size).square()).max(0.0).sqrt();
   }
 }
 
@@ -113,6 +176,13 @@ std::string mass_statement(const PoleShifts& shifts,
       "the squared shape (p = {:.1g})",
       100.0 * shifts.largest,
       shifts.p_mass);
+  if (shifts.masses.empty() && shifts.explained < 0.8) {
+    return start + fmt::format(
+                       ", though that explains {:.0f} % of the shifts only: "
+                       "the sensors load the structure, but modes mix too "
+                       "much, or something else moves, for the mass to be told",
+                       100.0 * shifts.explained);
+  }
   if (shifts.masses.empty()) {
     return start +
            ": the sensors' mass loads the structure; how large it is cannot be "
@@ -138,14 +208,20 @@ std::optional<PoleShifts> sensor_shifts(const signal::FrfSet& frfs,
                                         const RunModes& runs) {
   ShiftData data;
   data.scaled = graph.scaled;
-  fill_poles(runs, data);
+  const std::vector<Index> kept = modes_in_band(curves, runs);
+  if (kept.empty()) return std::nullopt;
+  fill_poles(runs, kept, data);
+  const Eigen::VectorXcd poles = runs.poles(kept);
+  const Eigen::MatrixXcd residues = runs.residues(Eigen::all, kept);
+  const Eigen::MatrixXd variance = runs.residue_variance(Eigen::all, kept);
   const Eigen::MatrixXcd shapes =
-      mode_shapes(graph, runs.residues, runs.poles, runs.frf_weight);
+      mode_shapes(graph, residues, poles, runs.frf_weight);
   // Half of E|dphi|^2 is in the real part.
-  const Eigen::MatrixXd sd =
+  Eigen::MatrixXd sd =
       std::numbers::sqrt2 / 2.0 *
-      shape_deviations(
-          graph, runs.residues, runs.residue_variance, runs.poles, shapes);
+      shape_deviations(graph, residues, variance, poles, shapes);
+  fill_hammer(curves, runs, graph.dofs, shapes, data);
+  split_deviations(shapes, sd, data);
   const auto sensors = group_channels(frfs, curves);
   for (const auto& channels : sensors) {
     data.phi.emplace_back();

@@ -1,6 +1,6 @@
 #include "modal/shift_table.hpp"
 
-#include "modal/weighted_fit.hpp"
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -31,32 +31,40 @@ std::vector<Place> found_poles(const ShiftData& data) {
   return places;
 }
 
-WeightedFit fit_with(const Eigen::MatrixXd& X,
-                     const Eigen::VectorXd& y,
-                     const Eigen::MatrixXd& extra,
-                     const Eigen::VectorXd& variance) {
-  Eigen::MatrixXd V = extra;
-  V.diagonal() += variance;
-  return fit_weighted(X, y, V);
+/// What a fit leaves, over the standard deviations given.
+struct Left {
+  Eigen::VectorXd z;
+  double excess = 0.0;  ///< chi^2 above its degrees of freedom
+};
+
+Left left_with(const Eigen::MatrixXd& X,
+               const Eigen::VectorXd& y,
+               const Eigen::VectorXd& variance) {
+  const Eigen::VectorXd weight = variance.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd white_X = weight.asDiagonal() * X;
+  const Eigen::VectorXd white_y = weight.cwiseProduct(y);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver;
+  solver.setThreshold(1e-10);
+  solver.compute(white_X);
+  Left left;
+  left.z = white_y - white_X * solver.solve(white_y);
+  const Index dof = y.size() - solver.rank();
+  if (dof > 0) left.excess = left.z.squaredNorm() - static_cast<double>(dof);
+  return left;
 }
 
 /// tau^2 of Paule and Mandel by bisection on its logarithm; 0 where chi^2 is
 /// below its degrees of freedom without.
 double common_scatter(const Eigen::MatrixXd& X,
                       const Eigen::VectorXd& y,
-                      const Eigen::MatrixXd& extra,
                       const Eigen::VectorXd& variance) {
-  const auto excess = [&](double tau2) {
-    const WeightedFit fit =
-        fit_with(X, y, extra, (variance.array() + tau2).matrix());
-    return fit.dof > 0 ? fit.chi2 - static_cast<double>(fit.dof) : 0.0;
-  };
-  if (excess(0.0) <= 0.0) return 0.0;
+  if (left_with(X, y, variance).excess <= 0.0) return 0.0;
   double low = std::log(variance.minCoeff()) - 5.0;
   double high = 0.0;
-  for (int i = 0; i < 30; ++i) {
+  while (high - low > 0.01) {
     const double middle = 0.5 * (low + high);
-    (excess(std::exp(middle)) > 0.0 ? low : high) = middle;
+    const Eigen::VectorXd wider = variance.array() + std::exp(middle);
+    (left_with(X, y, wider).excess > 0.0 ? low : high) = middle;
   }
   return std::exp(high);
 }
@@ -117,15 +125,11 @@ Eigen::MatrixXd beside(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 
 Eigen::VectorXd robust_variance(const Eigen::MatrixXd& X,
                                 const Eigen::VectorXd& y,
-                                const Eigen::MatrixXd& extra,
                                 const Eigen::VectorXd& variance) {
   Eigen::VectorXd result = variance;
-  for (int round = 0; round < 5; ++round) {
-    result.array() += common_scatter(X, y, extra, result);
-    const WeightedFit fit = fit_with(X, y, extra, result);
-    const Eigen::VectorXd own = result + extra.diagonal();
-    const Eigen::ArrayXd z =
-        fit.left.array().abs() / own.array().sqrt() / kHuber;
+  for (int round = 0; round < 3; ++round) {
+    result.array() += common_scatter(X, y, result);
+    const Eigen::ArrayXd z = left_with(X, y, result).z.array().abs() / kHuber;
     if (z.maxCoeff() <= 1.0) break;
     result = result.array() * z.max(1.0);
   }

@@ -2,7 +2,7 @@
 // fitted to them.
 #pragma once
 
-#include "modal/pole_shifts.hpp"
+#include "modal/explain_shifts.hpp"
 
 #include <Eigen/Core>
 
@@ -35,13 +35,13 @@ struct ShiftTable {
 [[nodiscard]] Eigen::MatrixXd beside(const Eigen::MatrixXd& a,
                                      const Eigen::MatrixXd& b);
 
-/// Variance to use for rows whose fit leaves `left`: with the scatter tau^2
-/// that brings chi^2 down to dof, and large residuals weighted down.
+/// Variance to use for y = X b with the scatter tau^2 that brings chi^2 down to
+/// its degrees of freedom, and large residuals weighted down.
 ///
-/// @param variance of each row before, n
+/// @param X n x p
+/// @param variance of each row before, n, above 0
 [[nodiscard]] Eigen::VectorXd robust_variance(const Eigen::MatrixXd& X,
                                               const Eigen::VectorXd& y,
-                                              const Eigen::MatrixXd& extra,
                                               const Eigen::VectorXd& variance);
 
 }  // namespace tapfit::modal

@@ -48,9 +48,11 @@ std::optional<UnloadedModes> unload(const Eigen::VectorXd& log_omega,
   UnloadedModes result;
   result.log_omega.resize(n);
   result.derivative.resize(n, static_cast<Index>(phi.size()));
+  result.vectors.resize(n, n);
   for (Index r = 0; r < n; ++r) {
     // Eigenvectors come with v' M v = 1.
     const Eigen::VectorXd v = eigen.eigenvectors().col(vector_of(r));
+    result.vectors.col(r) = v(r) < 0.0 ? Eigen::VectorXd(-v) : v;
     const double square = eigen.eigenvalues()(vector_of(r));
     if (!(square > 0.0)) return std::nullopt;
     result.log_omega(r) = 0.5 * std::log(square);

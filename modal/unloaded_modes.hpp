@@ -22,6 +22,8 @@ namespace tapfit::modal {
 struct UnloadedModes {
   Eigen::VectorXd log_omega;   ///< ln w0, n_modes, in the order given
   Eigen::MatrixXd derivative;  ///< to each mass, n_modes x n_masses [1/kg]
+  /// A shape without the masses is one with them times this, n_modes square.
+  Eigen::MatrixXd vectors;
 };
 
 /// @param log_omega ln of the loaded structure's frequencies, n_modes

@@ -65,7 +65,7 @@ signal::FrfSet roving_sensors(const SyntheticSystem& system,
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   signal::FrfSet set;
-  set.s = test::line_points(5, 100, 900, 0.3);
+  set.s = test::line_points(5, 100, 500, 0.3);
   const std::vector<std::vector<Index>> places{
       {0, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 2}};
   for (std::size_t run = 0; run < places.size(); ++run) {
@@ -95,7 +95,7 @@ signal::FrfSet roving_sensors(const SyntheticSystem& system,
 
 TEST(SensorShifts, FindsTheMassFromTheFrfs) {
   int inside = 0;
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
     const ModeSet found =
         identify_modes(roving_sensors(test_system(), kSensor, 0.01, seed), {});
     ASSERT_TRUE(found.shifts.has_value()) << seed;
@@ -106,12 +106,12 @@ TEST(SensorShifts, FindsTheMassFromTheFrfs) {
     EXPECT_NEAR(mass.kg, kSensor, 0.05 * kSensor);
     if (mass.lo95_kg <= kSensor && kSensor <= mass.hi95_kg) ++inside;
   }
-  // Four or more misses of eight at 95 % happen once in 2700 times.
-  EXPECT_GE(inside, 5);
+  // Two misses of four at 95 % happen once in 70 times; seeds are fixed.
+  EXPECT_GE(inside, 3);
 }
 
 TEST(SensorShifts, IsSilentWithoutLoading) {
-  for (unsigned seed = 1; seed <= 8; ++seed) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
     const ModeSet found =
         identify_modes(roving_sensors(test_system(), 0.0, 0.01, seed), {});
     ASSERT_TRUE(found.shifts.has_value()) << seed;

@@ -13,7 +13,7 @@ struct ModesInput {
   const signal::FrfSet* frfs = nullptr;              ///< behind the diagram
   const Wireframe* wire = nullptr;                   ///< empty: bars
   const updating::Comparison* comparison = nullptr;  ///< for MAC with the model
-  std::string shifts;  ///< what moves the poles between set-ups; or empty
+  std::string shifts{};  ///< what moves the poles between set-ups; or empty
 };
 
 struct ModesState {

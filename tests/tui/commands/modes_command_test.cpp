@@ -30,6 +30,25 @@ TEST(ModesCommand, JsonIsThatOfTheFormat) {
   EXPECT_EQ(json.at("warnings").dump(), R"(["one is weak"])");
 }
 
+TEST(ModesCommand, GivesTheMassThatMovesThePoles) {
+  modal::ModeSet modes = sample_modes();
+  EXPECT_FALSE(modes_json(modes).contains("pole_shifts"));
+  modes.shifts = modal::PoleShifts{};
+  EXPECT_EQ(modes_json(modes).at("pole_shifts").at("cause"), "none");
+  EXPECT_EQ(modes_text(modes).find("frequencies move"), std::string::npos);
+  modes.shifts->cause = modal::ShiftCause::SensorMass;
+  modes.shifts->masses = {{0.02, 0.001, 0.018, 0.022}};
+  modes.shifts->sensors = {{1}, {2}};
+  const std::vector<std::string> channels{"hammer", "acc1", "acc2"};
+  const auto json = modes_json(modes, channels).at("pole_shifts");
+  EXPECT_EQ(json.at("cause"), "sensor-mass");
+  EXPECT_EQ(json.at("masses").dump(),
+            R"([{"channels":["acc1","acc2"],"mass_kg":{"value":0.02,)"
+            R"("sd":0.001,"lo95":0.018,"hi95":0.022}}])");
+  EXPECT_NE(modes_text(modes, channels).find("20 g (95 %: 18 to 22 g) each"),
+            std::string::npos);
+}
+
 TEST(ModesCommand, TextHasFrequencyDampingAndWarnings) {
   const std::string text = modes_text(sample_modes());
   EXPECT_NE(text.find("2.271"), std::string::npos) << text;

@@ -91,6 +91,15 @@ TEST(ModesView, ShowsFrequenciesWithTheirDeviation) {
   }
 }
 
+TEST(ModesView, SaysFirstWhatMovesThePoles) {
+  modal::ModeSet modes = testing::fake_modes();
+  modes.warnings = {"something else"};
+  const Screen s = modes_view(
+      {modes, nullptr, nullptr, nullptr, "the sensors' mass, 20 g"}, {}, {});
+  EXPECT_TRUE(holds(s, "! the sensors' mass, 20 g (and 1 more in the report)"))
+      << s.to_text();
+}
+
 TEST(ModesView, ShowsAutoMacOrMacWithTheModel) {
   const modal::ModeSet modes = testing::fake_modes();
   ModesState state;

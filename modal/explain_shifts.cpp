@@ -1,9 +1,11 @@
-#include "modal/pole_shifts.hpp"
+#include "modal/explain_shifts.hpp"
 
 #include "modal/mass_from_shifts.hpp"
 #include "modal/shift_table.hpp"
 #include "modal/tail_probability.hpp"
 #include "modal/weighted_fit.hpp"
+
+#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -39,10 +41,8 @@ Fits fit_all(const ShiftTable& table, const Eigen::MatrixXd& m) {
   const Eigen::MatrixXd a = mode_columns(table);
   const Eigen::MatrixXd c = set_up_columns(table);
   const Eigen::MatrixXd all = beside(beside(a, m), c);
-  const Eigen::MatrixXd none =
-      Eigen::MatrixXd::Zero(table.rows(), table.rows());
   const Eigen::MatrixXd V =
-      robust_variance(all, table.log_omega, none, table.variance).asDiagonal();
+      robust_variance(all, table.log_omega, table.variance).asDiagonal();
   const auto fit = [&](const Eigen::MatrixXd& X) {
     return fit_weighted(X, table.log_omega, V);
   };
@@ -148,6 +148,9 @@ void add_masses(const ShiftData& data,
   if (!one) return;
   result.p_same_fraction = one->p_same_fraction;
   result.same_fraction = one->same_fraction;
+  result.explained = one->explained;
+  // Where much is left, steps may have ended anywhere: no mass is better.
+  if (one->explained < kMostly) return;
   result.masses = {estimate(*one, 0)};
   if (data.phi.size() < 2) return;
   std::vector<Index> own(data.phi.size());
