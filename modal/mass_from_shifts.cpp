@@ -207,6 +207,13 @@ Step solve_step(const ShiftTable& table,
   return step;
 }
 
+/// What a quarter of the values are above: a wrong pole or two do not move it.
+double upper_quartile(Eigen::VectorXd values) {
+  const auto at = values.begin() + 3 * values.size() / 4;
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 MassFit summary(const ShiftTable& table,
                 const Freed& now,
                 const Eigen::VectorXd& kg,
@@ -217,7 +224,12 @@ MassFit summary(const ShiftTable& table,
   result.dof = step.fit.dof;
   const WeightedFit still =
       fit_weighted(mode_columns(table), table.log_omega, step.V);
-  if (still.chi2 > 0.0) result.explained = 1.0 - step.fit.chi2 / still.chi2;
+  const Eigen::VectorXd known = table.variance.cwiseInverse();
+  const double before =
+      upper_quartile(still.left.cwiseAbs2().cwiseProduct(known));
+  const double after =
+      upper_quartile(step.fit.left.cwiseAbs2().cwiseProduct(known));
+  if (before > 0.0) result.explained = std::max(0.0, 1.0 - after / before);
   const double scale =
       std::max(1.0, step.fit.chi2 / static_cast<double>(step.fit.dof));
   const Index first = mode_columns(table).cols();

@@ -16,7 +16,9 @@ struct MassFit {
   Eigen::VectorXd kg;
   Eigen::MatrixXd covariance;  ///< [kg^2]
   Eigen::Index dof = 0;
-  double explained = 0.0;        ///< share of the squared shifts
+  /// Share of the squared shifts; of their upper quartiles, so that a pole
+  /// that is wrong does not count.
+  double explained = 0.0;
   double p_same_fraction = 1.0;  ///< of c_k beside the masses, by chance
   double same_fraction = 0.0;    ///< rms of c_k when it is fitted
 };
