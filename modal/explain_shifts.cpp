@@ -134,8 +134,7 @@ bool masses_differ(const MassFit& each) {
 std::optional<MassFit> fit_masses(const ShiftData& data,
                                   const ShiftTable& table,
                                   const std::vector<Index>& mass_of) {
-  const std::optional<MassFit> both =
-      mass_from_shifts(data, table, mass_of, true);
+  std::optional<MassFit> both = mass_from_shifts(data, table, mass_of, true);
   if (both && both->p_same_fraction < kSignificant) return both;
   return mass_from_shifts(data, table, mass_of, false);
 }

@@ -97,7 +97,7 @@ class Unloading {
           stated.cwiseQuotient(now).cwiseMax(0.5).cwiseMin(2.0);
       std::vector<Eigen::MatrixXd> scaled;
       for (const Eigen::MatrixXd& rows : phi) {
-        scaled.push_back(rows * factor.asDiagonal());
+        scaled.emplace_back(rows * factor.asDiagonal());
       }
       own = unload(loaded, scaled, *kg_);
     }
@@ -280,7 +280,10 @@ Eigen::VectorXd start_masses(const ShiftData& data,
   const double largest = table.g.rowwise().sum().maxCoeff();
   if (!(largest > 0.0)) return best;
   double least = disagreement(table, table.log_omega);
-  for (double kg = 1e-4 / largest; kg < 1.0 / largest; kg *= 1.1) {
+  // From a ten-thousandth of the shapes' modal mass to all of it.
+  constexpr int steps = 97;
+  for (int step = 0; step < steps; ++step) {
+    const double kg = 1e-4 * std::pow(1.1, step) / largest;
     const Eigen::VectorXd trial = Eigen::VectorXd::Constant(masses, kg);
     const std::optional<Freed> now = freed(data, table, mass_of, trial);
     if (!now) break;

@@ -72,10 +72,10 @@ struct Snapshot {
   void forget_model_results();
   /// The effects that are in the model.
   [[nodiscard]] Effects effects_on() const;
-  /// What was found missing from the base model with these effects, if it was
-  /// looked for.
+  /// What was found missing from the base model with the effects wanted, if it
+  /// was looked for.
   [[nodiscard]] Shared<updating::Diagnosis> diagnosis_of(
-      const Effects& effects) const;
+      const Effects& wanted) const;
   /// Takes over the effects that the model now has.
   void change_effects(std::vector<updating::AddedEffect> now);
 };
