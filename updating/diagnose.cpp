@@ -1,6 +1,7 @@
 #include "updating/diagnose.hpp"
 
 #include "updating/effects/catalogue.hpp"
+#include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
 #include "updating/rung_search.hpp"
 
@@ -20,6 +21,8 @@ constexpr int folds = 4;
 constexpr double worth_it = 0.85;
 // Beyond this there is surely more than one rung can explain.
 constexpr double clear_of_floor = 3.0;
+// More points than this written down wrongly are not a slip of the pen.
+constexpr int most_misplaced = 3;
 
 Candidate candidate_of(const Hypothesis& h,
                        const effects::Setting& setting,
@@ -289,12 +292,16 @@ void set_verdict(Diagnosis& result) {
   result.verdict = "unexplained";
 }
 
-}  // namespace
+// The error ladder of the FRFs that a fitter has, and the fit at its top.
+struct Climbed {
+  Diagnosis diagnosis;
+  Fit top;
+};
 
-Diagnosis diagnose(const Fitter& fitter,
-                   const std::vector<PlacedEffect>& present,
-                   const DiagnoseOptions& options,
-                   const Progress& progress) {
+Climbed climbed(const Fitter& fitter,
+                const std::vector<PlacedEffect>& present,
+                const DiagnoseOptions& options,
+                const Progress& progress) {
   Climb climb(fitter, present, options, progress);
   Diagnosis result;
   result.floor = options.floor;
@@ -313,6 +320,52 @@ Diagnosis diagnose(const Fitter& fitter,
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(found, options.properties);
   set_verdict(result);
+  return {std::move(result), found};
+}
+
+// Leaves out the FRFs of points that were elsewhere than written down; false
+// where there are none.
+bool leave_misplaced(const Fit& fit,
+                     double floor,
+                     Looked looked,
+                     const Progress& progress,
+                     Fitter& fitter,
+                     std::vector<Misplaced>& misplaced) {
+  const std::vector<MisplacedPoint> found =
+      misplaced_points(fit, fitter, floor, looked, progress);
+  if (found.empty()) return false;
+  // The others may have looked misplaced because of the plainest.
+  misplaced.push_back(found.front().point);
+  fitter = fitter.without(found.front().frfs);
+  return true;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Fitter& fitter,
+                   const std::vector<PlacedEffect>& present,
+                   const DiagnoseOptions& options,
+                   const Progress& progress) {
+  Fitter used = fitter;
+  std::vector<Misplaced> misplaced;
+  const auto leave = [&](const Fit& fit, Looked looked) {
+    return static_cast<int>(misplaced.size()) < most_misplaced &&
+           leave_misplaced(
+               fit, options.floor, looked, progress, used, misplaced);
+  };
+  while (leave(used.fit(present, used.model_for(present), progress),
+               Looked::Roved)) {
+  }
+  Climbed ladder = climbed(used, present, options, progress);
+  // A point may stand out only once what else is missing is known.
+  while (leave(ladder.top, Looked::All)) {
+    ladder = climbed(used, present, options, progress);
+  }
+  Diagnosis result = std::move(ladder.diagnosis);
+  for (const Misplaced& point : misplaced) {
+    result.warnings.push_back(describe(point) + "; its FRFs are left out");
+  }
+  result.misplaced = std::move(misplaced);
   return result;
 }
 

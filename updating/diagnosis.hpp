@@ -64,6 +64,15 @@ struct NextMeasurement {
   double difference_now = 0.0;  ///< the largest of any FRF measured so far
 };
 
+/// A point that was elsewhere than it was written down.
+struct Misplaced {
+  std::string channel;  ///< the sensor's; empty: hit points
+  Dof written;
+  Dof likely;                ///< where its FRFs fit
+  double error = 0.0;        ///< of its FRFs where it was written down
+  double error_there = 0.0;  ///< and where it is likely to have been
+};
+
 struct Candidate {
   std::string effect;  ///< catalogue name, for example "added-mass"
   Where where;
@@ -117,6 +126,7 @@ struct Diagnosis {
   std::vector<Estimate> model_parameters;  ///< "E:1" and so on
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
+  std::vector<Misplaced> misplaced;  ///< their FRFs are left out
   std::vector<std::string> warnings;
 };
 

@@ -130,6 +130,11 @@ EffectRef parse_effect(const std::string& text) {
     ref.where.variant = place;
   } else if (!place.empty()) {
     ref.where.channels = parts_of(place);
+    // A channel that is early, not late.
+    if (ref.where.channels.size() > 1 && ref.where.channels.back() == "early") {
+      ref.where.channels.pop_back();
+      ref.where.variant = "early";
+    }
   } else {
     throw InputError("no place after the @",
                      fmt::format("effect \"{}\"", text),

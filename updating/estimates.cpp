@@ -28,6 +28,13 @@ void within_bounds(Estimate& e,
   e.sd = std::min(e.sd, 0.5 * (upper - lower));
 }
 
+void turn_sign(Estimate& e) {
+  e.value = -e.value;
+  const double low = -e.hi95;
+  e.hi95 = -e.lo95;
+  e.lo95 = low;
+}
+
 double variance_at(const Fit& fit, std::size_t k) {
   const auto at = static_cast<Eigen::Index>(k);
   const Eigen::MatrixXd& c = fit.result.covariance;
@@ -61,6 +68,7 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
     result.push_back(
         from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));
     within_bounds(result.back(), specs[k], 1.0);
+    if (specs[k].sign < 0.0) turn_sign(result.back());
     // Derived values stand before the parameter that they come from.
     for (std::size_t d = 0; k == 0 && d + 1 < result.size(); ++d) {
       within_bounds(result[d], specs[0], result[d].value / placed.p[0]);

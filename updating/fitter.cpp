@@ -72,6 +72,19 @@ std::vector<int> measured_points(const structure::Deck& deck,
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
+Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
+  FitSetting rest = setting_;
+  std::vector<Index> kept;
+  rest.measured.frfs.clear();
+  for (std::size_t f = 0; f < setting_.measured.frfs.size(); ++f) {
+    if (std::find(frfs.begin(), frfs.end(), f) != frfs.end()) continue;
+    kept.push_back(static_cast<Index>(f));
+    rest.measured.frfs.push_back(setting_.measured.frfs[f]);
+  }
+  for (Target& part : rest.targets) part = part_of(part, kept);
+  return {*builder_, std::move(rest)};
+}
+
 std::shared_ptr<const FrfModel> Fitter::model_for(
     const std::vector<PlacedEffect>& effects) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);

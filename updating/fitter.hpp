@@ -74,6 +74,9 @@ class Fitter {
     setting_.targets.back().mesh_bias = bias;
   }
 
+  /// The same with some FRFs of the set left out.
+  [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
+
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 

@@ -2,15 +2,14 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/seeded_random.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/element_patches.hpp"
 #include "updating/joint_line.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/support_line.hpp"
+#include "updating/virtual_habit.hpp"
 #include "updating/virtual_setup.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +19,8 @@ namespace {
 using acquisition::SeededRandom;
 using structure::Deck;
 
+// A test that a practice case may be cut down to.
+constexpr std::size_t fewest_points = 12;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Everything that sizes are scaled by.
@@ -72,10 +73,22 @@ class Draw {
     if (name == "sensor-mass") {
       return {name, {}, {mass * random_.uniform(0.01, 0.03)}};
     }
+    if (name == "sensor-cable") {
+      return {name,
+              {},
+              {mass * w * w * log_uniform(0.02, 0.2),
+               2.0 * mass * w * log_uniform(0.002, 0.01)}};
+    }
+    // What a plastic does in a room that warms up by a few degrees.
+    if (name == "drift") return {name, {}, {random_.uniform(2.0, 5.0)}};
+    if (name == "wrong-grid") return wrong_grid(name);
     if (name == "soft-support") {
       StiffnessChange change;
       change.kind = ChangeKind::Support;
-      change.of.where.nodes = support_groups(deck()).at(0);
+      for (const std::vector<int>& group : support_groups(deck())) {
+        change.of.where.nodes.insert(
+            change.of.where.nodes.end(), group.begin(), group.end());
+      }
       change.of.where.variant = "rotation";
       return {name, {}, {typical(change) * log_uniform(0.3, 3.0)}};
     }
@@ -90,8 +103,9 @@ class Draw {
               {random_.uniform(0, 1) < 0.5 ? 1.0 - off : 1.0 + off}};
     }
     if (name == "channel-delay") {
-      return {
-          name, {channel}, {random_.uniform(0.02, 0.08) / setup_.band_hz[1]}};
+      const double turn = random_.uniform(0.02, 0.08);
+      const double sign = random_.uniform(0, 1) < 0.5 ? -1.0 : 1.0;
+      return {name, {channel}, {sign * turn / setup_.band_hz[1]}};
     }
     if (name == "channel-polarity") return {name, {channel}, {}};
     if (name == "channel-swap") {
@@ -158,8 +172,34 @@ class Draw {
     return effect;
   }
 
+  // A hit point that a short test has too, and one of the grids around it that
+  // move, two elements or more away.
+  VirtualEffect wrong_grid(const std::string& name) {
+    // The first points are the sensors'.
+    const std::size_t sensors = setup_.sensor_channels.size();
+    const std::size_t run = sensors + pick(fewest_points - sensors);
+    const int hit = setup_.runs[run].hammer.node;
+    const Eigen::Vector3d& at = deck().grids[deck().grid_index(hit)].position;
+    std::vector<std::pair<double, int>> near;
+    for (std::size_t k = 0; k < deck().grids.size(); ++k) {
+      const auto row = 6 * static_cast<Eigen::Index>(k) + setup_.component - 1;
+      if (base_.rows.row(row).norm() == 0.0) continue;
+      near.emplace_back((deck().grids[k].position - at).norm(),
+                        deck().grids[k].id);
+    }
+    std::sort(near.begin(), near.end());
+    const double far = 1.9 * near.at(1).first;
+    std::erase_if(near, [far](const auto& grid) { return grid.first < far; });
+    return {name,
+            {std::to_string(hit), std::to_string(near.at(pick(8)).second)},
+            {}};
+  }
+
   VirtualEffect joint(const std::string& name) {
-    const std::vector<JointPlace> places = joint_places(deck());
+    std::vector<JointPlace> places = joint_places(deck());
+    // Which of three bars turns is not asked for.
+    std::erase_if(places,
+                  [](const JointPlace& place) { return place.bar != 0; });
     StiffnessChange change;
     change.kind = ChangeKind::Joint;
     change.component = setup_.component;
@@ -177,83 +217,6 @@ class Draw {
   ReducedBase base_;
   std::vector<double> elastic_hz_;
 };
-
-std::vector<std::string> parts_of(const std::string& joined, char at) {
-  std::vector<std::string> parts = {""};
-  for (const char c : joined) {
-    if (c == at) {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
-Eigen::Vector3d middle_of(const Deck& deck, const std::vector<int>& grids) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const int id : grids) sum += deck.grids[deck.grid_index(id)].position;
-  return sum / static_cast<double>(std::max<std::size_t>(grids.size(), 1));
-}
-
-std::vector<int> grids_of(const Deck& deck, const std::vector<int>& elements) {
-  std::vector<int> grids;
-  for (const structure::Shell& shell : deck.shells) {
-    if (std::find(elements.begin(), elements.end(), shell.id) !=
-        elements.end()) {
-      grids.insert(grids.end(), shell.grids.begin(), shell.grids.end());
-    }
-  }
-  return grids;
-}
-
-double longest_side(const Deck& deck) {
-  double longest = 0.0;
-  for (const structure::Shell& shell : deck.shells) {
-    for (std::size_t k = 0; k < shell.grids.size(); ++k) {
-      const int next = shell.grids[(k + 1) % shell.grids.size()];
-      longest = std::max(
-          longest,
-          (middle_of(deck, {shell.grids[k]}) - middle_of(deck, {next})).norm());
-    }
-  }
-  return longest;
-}
-
-// Within one element, or the same channels.
-bool same_place(const VirtualEffect& hidden,
-                const Where& found,
-                const Deck& deck) {
-  if (!found.channels.empty()) {
-    return hidden.places.empty() || std::is_permutation(hidden.places.begin(),
-                                                        hidden.places.end(),
-                                                        found.channels.begin(),
-                                                        found.channels.end());
-  }
-  if (hidden.places.empty()) return true;
-  std::vector<int> there = found.nodes;
-  if (found.node != 0) there = {found.node};
-  std::vector<int> here = hidden.numbers();
-  if (!found.elements.empty() && found.nodes.empty()) {
-    there = grids_of(deck, found.elements);
-    here = grids_of(deck, here);
-  }
-  const double apart = (middle_of(deck, here) - middle_of(deck, there)).norm();
-  return apart <= 1.01 * longest_side(deck);
-}
-
-// The estimate that the hidden value is compared with.
-const Estimate* counterpart(const VirtualEffect& hidden, const Rung& rung) {
-  const bool per_metre =
-      hidden.name == "soft-support" || hidden.name == "joint";
-  for (const Estimate& e : rung.parameters) {
-    if (!per_metre || e.name.ends_with("_per_m")) {
-      if (per_metre && !e.name.ends_with("per_rad_per_m")) continue;
-      return &e;
-    }
-  }
-  return nullptr;
-}
 
 }  // namespace
 
@@ -274,72 +237,39 @@ const std::vector<std::string>& hidden_kinds() {
                                                  "added-mass+channel-gain",
                                                  "sensor-mass+soft-support",
                                                  "strut",
-                                                 "channel-swap"};
+                                                 "channel-swap",
+                                                 "sensor-cable",
+                                                 "drift",
+                                                 "wrong-grid"};
   return kinds;
 }
 
 VirtualBundleSpec draw_hidden_case(const std::string& kind,
-                                   std::uint64_t seed) {
-  static constexpr std::array<const char*, 3> structures = {
-      "frame", "ladder", "plate"};
+                                   std::uint64_t seed,
+                                   const std::string& structure) {
   SeededRandom random(seed, "structure");
+  std::vector<std::string> structures = virtual_structures();
   // The plate hangs free: it has no support to give.
   const bool held = kind.find("soft-support") != std::string::npos;
-  const auto count = held ? 2.0 : 3.0;
+  if (held) std::erase(structures, "plate");
+  const auto count = static_cast<double>(structures.size());
+  const auto drawn = static_cast<std::size_t>(random.uniform(0.0, count));
   VirtualBundleSpec spec;
-  spec.structure = structures.at(
-      static_cast<std::size_t>(std::min(random.uniform(0.0, count), 2.999)));
+  spec.structure = structure.empty()
+                       ? structures[std::min(drawn, structures.size() - 1)]
+                       : structure;
   spec.seed = seed;
   spec.points = 20;
   spec.hits = 4;
   if (kind == "none") return spec;
   Draw draw(spec.structure, seed);
-  for (const std::string& name : parts_of(kind, '+')) {
-    spec.effects.push_back(draw.effect(name));
+  std::size_t begin = 0;
+  while (begin <= kind.size()) {
+    const std::size_t end = std::min(kind.find('+', begin), kind.size());
+    spec.effects.push_back(draw.effect(kind.substr(begin, end - begin)));
+    begin = end + 1;
   }
   return spec;
-}
-
-Verdict judge(const VirtualBundleSpec& hidden,
-              const Diagnosis& diagnosis,
-              const Deck& deck) {
-  Verdict verdict;
-  verdict.found = diagnosis.verdict;
-  verdict.error = diagnosis.error_best;
-  verdict.floor = diagnosis.floor;
-  std::vector<std::string> names;
-  for (const VirtualEffect& effect : hidden.effects) {
-    names.push_back(effect.name);
-    verdict.hidden += (verdict.hidden.empty() ? "" : "+") + effect.name;
-  }
-  if (names.empty()) verdict.hidden = "none";
-  if (names.empty() || verdict.hidden == "strut") {
-    verdict.right_kind =
-        verdict.found == (names.empty() ? "none" : "unexplained");
-    verdict.right_place = verdict.right_kind;
-    return verdict;
-  }
-  std::vector<std::string> found = parts_of(verdict.found, '+');
-  verdict.right_kind = std::is_permutation(
-      names.begin(), names.end(), found.begin(), found.end());
-  if (!verdict.right_kind) return verdict;
-  verdict.right_place = true;
-  for (const VirtualEffect& effect : hidden.effects) {
-    const auto rung = std::find_if(
-        diagnosis.ladder.begin(),
-        diagnosis.ladder.end(),
-        [&effect](const Rung& r) { return r.added == effect.name; });
-    if (rung == diagnosis.ladder.end()) continue;
-    if (!same_place(effect, rung->where, deck)) verdict.right_place = false;
-    const Estimate* e = counterpart(effect, *rung);
-    if (e == nullptr || effect.values.empty()) continue;
-    const double truth = effect.values[0];
-    verdict.size_error =
-        std::max(verdict.size_error, std::abs(e->value / truth - 1.0));
-    ++verdict.intervals;
-    verdict.intervals_hold += e->lo95 <= truth && truth <= e->hi95 ? 1 : 0;
-  }
-  return verdict;
 }
 
 }  // namespace tapfit::updating

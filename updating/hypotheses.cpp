@@ -5,6 +5,7 @@
 #include "updating/screening.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -12,6 +13,9 @@ namespace tapfit::updating {
 namespace {
 
 constexpr std::size_t few_places = 8;
+// Patches are looked at more closely where their best leaves at most this times
+// the error of the best of all: each costs a base of its own.
+constexpr double rival = 4.0;
 
 bool share(const std::vector<int>& a, const std::vector<int>& b) {
   return std::any_of(a.begin(), a.end(), [&b](int id) {
@@ -68,36 +72,84 @@ std::vector<Hypothesis> fit_each(const Fit& current,
   return result;
 }
 
+// Elements that two patches share, over those of either.
+double overlap(const std::vector<int>& a, const std::vector<int>& b) {
+  std::vector<int> both;
+  std::set_intersection(
+      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  const double common = static_cast<double>(both.size());
+  return common / (static_cast<double>(a.size() + b.size()) - common);
+}
+
+// Places that are most like one: the nearest grids, or the patches that share
+// most elements.
+std::vector<Where> places_near(const Where& at,
+                               const std::vector<Where>& patches,
+                               const structure::Deck& deck,
+                               int count) {
+  std::vector<Where> result;
+  if (at.node != 0) {
+    for (const int node : nearest(deck, at.node, count)) {
+      result.push_back(at);
+      result.back().node = node;
+    }
+    return result;
+  }
+  std::vector<std::pair<double, Where>> order;
+  for (const Where& where : patches) {
+    const double shared = overlap(where.elements, at.elements);
+    if (shared > 0.0) order.emplace_back(-shared, where);
+  }
+  std::stable_sort(order.begin(), order.end(), [](auto& a, auto& b) {
+    return a.first < b.first;
+  });
+  const auto n =
+      std::min<std::size_t>(order.size(), static_cast<std::size_t>(count) + 1);
+  for (std::size_t k = 0; k < n; ++k) {
+    result.push_back(std::move(order[k].second));
+  }
+  return result;
+}
+
+bool less_error(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.result.error < b.fit.result.error;
+}
+
 // Around the best place of a kind, step to a better neighbour until there is
-// none. Each step fits all neighbours in one base.
+// none. Each step fits all neighbours, grids in one base.
 void climb(std::vector<Hypothesis>& found,
            const Fit& current,
            const Fitter& fitter,
            int neighbours,
            const Progress& progress) {
-  std::set<int> seen;
-  for (const Hypothesis& h : found) seen.insert(h.own().where.node);
+  const effects::Setting& setting = fitter.setting().setting;
+  const PlacedEffect& any = found.front().own();
+  const std::vector<Where> patches =
+      any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
+  std::vector<Where> seen;
+  for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < 6; ++round) {
-    const auto best = std::min_element(
-        found.begin(), found.end(), [](const auto& a, const auto& b) {
-          return a.fit.result.error < b.fit.result.error;
-        });
+    const auto best = std::min_element(found.begin(), found.end(), less_error);
     const PlacedEffect own = best->own();
     const double before = best->fit.result.error;
     std::vector<PlacedEffect> tries;
-    for (const int node :
-         nearest(*fitter.setting().setting.deck, own.where.node, neighbours)) {
-      if (!seen.insert(node).second) continue;
+    for (const Where& where :
+         places_near(own.where, patches, *setting.deck, neighbours)) {
+      if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
+      seen.push_back(where);
       PlacedEffect next = own;
-      next.where.node = node;
+      next.where = where;
       if (!present(current, next)) tries.push_back(next);
     }
     if (tries.empty()) return;
-    std::vector<PlacedEffect> all = current.effects;
-    all.insert(all.end(), tries.begin(), tries.end());
-    const auto model = fitter.model_for(all);
+    std::shared_ptr<const FrfModel> shared;
+    if (!own.effect->changes_stiffness()) {
+      std::vector<PlacedEffect> all = current.effects;
+      all.insert(all.end(), tries.begin(), tries.end());
+      shared = fitter.model_for(all);
+    }
     double after = before;
-    for (Hypothesis& h : fit_each(current, tries, fitter, model, progress)) {
+    for (Hypothesis& h : fit_each(current, tries, fitter, shared, progress)) {
       after = std::min(after, h.fit.result.error);
       found.push_back(std::move(h));
     }
@@ -132,6 +184,52 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
   return tries;
 }
 
+// One kind and what was fitted of it.
+struct Kind {
+  const effects::Effect* effect = nullptr;
+  std::vector<Hypothesis> found;
+  double tries = 0.0;  // from the screening
+
+  [[nodiscard]] bool at_grids() const {
+    return found.front().own().where.node != 0;
+  }
+  [[nodiscard]] double error() const {
+    return std::min_element(found.begin(), found.end(), less_error)
+        ->fit.result.error;
+  }
+};
+
+std::vector<Hypothesis> fit_screened(const effects::Effect& effect,
+                                     const std::vector<PlacedEffect>& tries,
+                                     const Fit& current,
+                                     const Fitter& fitter,
+                                     const Progress& progress) {
+  // A change of the stiffness needs a base of its own; others share one.
+  std::shared_ptr<const FrfModel> shared;
+  if (!effect.changes_stiffness()) {
+    std::vector<PlacedEffect> together = current.effects;
+    together.insert(together.end(), tries.begin(), tries.end());
+    shared = fitter.model_for(together);
+  }
+  return fit_each(current, tries, fitter, shared, progress);
+}
+
+// The screening is of first order, and a loss of stiffness is often far from
+// small: the right patch may not be among those fitted.
+void climb_patches(std::vector<Kind>& kinds,
+                   const Fit& current,
+                   const Fitter& fitter,
+                   int neighbours,
+                   const Progress& progress) {
+  double least = 1e300;
+  for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  for (Kind& kind : kinds) {
+    if (kind.effect->changes_stiffness() != ChangeKind::Elements) continue;
+    if (kind.error() > rival * least) continue;
+    climb(kind.found, current, fitter, neighbours, progress);
+  }
+}
+
 }  // namespace
 
 std::vector<Hypothesis> fit_hypotheses(const Fit& current,
@@ -142,7 +240,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   const std::vector<Screened> screened = screen(current, fitter, progress);
   std::map<const effects::Effect*, double> places;
   for (const Screened& s : screened) places[s.placed.effect] += 1.0;
-  std::vector<Hypothesis> all;
+  std::vector<Kind> kinds;
   double done = 0.0;
   for (const auto& effect : effects::catalogue()) {
     progress("fitting " + effect->name(),
@@ -150,27 +248,26 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     const std::vector<PlacedEffect> tries =
         worth_fitting(*effect, current, screened, setting, options);
     if (tries.empty()) continue;
-    // A change of the stiffness needs a base of its own; others share one.
-    const bool points = tries.front().where.node != 0;
-    std::shared_ptr<const FrfModel> shared;
-    if (!effect->changes_stiffness()) {
-      std::vector<PlacedEffect> together = current.effects;
-      together.insert(together.end(), tries.begin(), tries.end());
-      shared = fitter.model_for(together);
+    Kind kind{effect.get(),
+              fit_screened(*effect, tries, current, fitter, progress),
+              static_cast<double>(tries.size())};
+    if (kind.at_grids() && options.neighbours > 0) {
+      climb(kind.found, current, fitter, options.neighbours, progress);
     }
-    std::vector<Hypothesis> found =
-        fit_each(current, tries, fitter, shared, progress);
-    if (points && options.neighbours > 0) {
-      climb(found, current, fitter, options.neighbours, progress);
+    kinds.push_back(std::move(kind));
+  }
+  if (options.neighbours > 0) {
+    climb_patches(kinds, current, fitter, options.neighbours, progress);
+  }
+  std::vector<Hypothesis> all;
+  for (Kind& kind : kinds) {
+    // A grid that the screening passed over was still a place to look at.
+    const double grids =
+        kind.at_grids() ? static_cast<double>(setting.deck->grids.size()) : 1.0;
+    for (Hypothesis& h : kind.found) {
+      h.places = std::max({places[kind.effect], kind.tries, grids});
     }
-    for (Hypothesis& h : found) {
-      // A grid that the screening passed over was still a place to look at.
-      h.places = std::max(
-          {places[effect.get()],
-           static_cast<double>(tries.size()),
-           points ? static_cast<double>(setting.deck->grids.size()) : 1.0});
-      all.push_back(std::move(h));
-    }
+    std::move(kind.found.begin(), kind.found.end(), std::back_inserter(all));
   }
   return all;
 }

@@ -17,7 +17,7 @@ bool is_fault(const PlacedEffect& placed) {
 // One FRF through a channel at fault.
 //
 // @param first column of the effect's parameters in dH
-// @param group 0: the channel is the response, 1: the hammer
+// @param group of the effect's law, see Effect::passed_as()
 void pass(const PlacedEffect& placed,
           std::size_t first,
           std::size_t group,
@@ -81,7 +81,7 @@ void record(const std::vector<MeasuredPair>& pairs,
       if (!response && !faulty(pairs[k].hammer)) continue;
       pass(placed,
            shared.first[e],
-           response ? 0 : 1,
+           placed.effect->passed_as(placed.where, !response),
            static_cast<Index>(k),
            s,
            out);

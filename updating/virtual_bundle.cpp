@@ -219,6 +219,23 @@ void swap_channels(const VirtualEffect& effect,
   }
 }
 
+// A point that is roved over is written down at another grid.
+void write_wrong_grid(const VirtualEffect& effect,
+                      bool roving_sensor,
+                      acquisition::TestBundle& bundle) {
+  const std::vector<int> grids = effect.numbers();
+  const auto write = [&grids](acquisition::Placement& point) {
+    if (point.dof.node == grids[0]) point.dof.node = grids[1];
+  };
+  for (acquisition::Run& run : bundle.runs) {
+    if (!roving_sensor) {
+      write(run.hammer);
+      continue;
+    }
+    std::for_each(run.sensors.begin(), run.sensors.end(), write);
+  }
+}
+
 acquisition::TestBundle describe(const VirtualBundleSpec& spec,
                                  const VirtualSetup& setup,
                                  std::vector<acquisition::Channel> channels,
@@ -245,6 +262,9 @@ acquisition::TestBundle describe(const VirtualBundleSpec& spec,
   }
   for (const VirtualEffect& effect : spec.effects) {
     if (effect.name == "channel-swap") swap_channels(effect, bundle);
+    if (effect.name == "wrong-grid") {
+      write_wrong_grid(effect, spec.roving_sensor, bundle);
+    }
   }
   return bundle;
 }
@@ -281,12 +301,26 @@ std::uintmax_t size_of(const fs::path& folder) {
   return bytes;
 }
 
+// The whole stiffness changes evenly from the first run to the last, by the
+// percentage given; in its middle the structure is as it was built.
+void drift(const VirtualBundleSpec& spec, Records& records) {
+  const auto last = static_cast<double>(records.systems.size()) - 1.0;
+  for (const VirtualEffect& effect : spec.effects) {
+    if (effect.name != "drift" || last < 1.0) continue;
+    for (std::size_t k = 0; k < records.systems.size(); ++k) {
+      const double time = static_cast<double>(k) / last - 0.5;
+      records.systems[k].K *= 1.0 - effect.values[0] / 100.0 * time;
+    }
+  }
+}
+
 Records make_records(const VirtualBundleSpec& spec,
                      const VirtualSetup& setup,
                      const VirtualStructure& structure,
                      const Progress& progress) {
   Records records;
   reduce_runs(spec, setup, structure, progress, records);
+  drift(spec, records);
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {
     progress("hits",
              static_cast<double>(k) / static_cast<double>(setup.runs.size()));

@@ -15,7 +15,7 @@
 namespace tapfit::updating {
 
 struct VirtualBundleSpec {
-  std::string structure = "frame";  ///< "frame", "ladder", "plate" or a deck
+  std::string structure = "frame";  ///< one of virtual_structures(), or a deck
   std::vector<VirtualEffect> effects;
   bool roving_sensor = false;  ///< else the hammer roves
   std::uint64_t seed = 1;

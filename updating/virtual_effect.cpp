@@ -14,7 +14,7 @@
 namespace tapfit::updating {
 namespace {
 
-enum class Place { None, Node, Nodes, Channel, Channels, Elements, Pair };
+enum class Place { None, Node, Line, Nodes, Channel, Channels, Elements, Pair };
 
 struct Kind {
   const char* name;
@@ -35,7 +35,7 @@ const std::vector<Kind>& kinds() {
       {"ground-spring", Place::Node, {"stiffness_n_per_m"}, 1},
       {"dashpot", Place::Node, {"damping_ns_per_m"}, 1},
       {"stiffness-loss", Place::Elements, {"factor"}, 1},
-      {"joint", Place::Nodes, {"rotational_stiffness_per_m"}, 1},
+      {"joint", Place::Line, {"rotational_stiffness_per_m"}, 1},
       {"strut", Place::Nodes, {"stiffness_n_per_m"}, 1},
       {"absorber",
        Place::Node,
@@ -45,6 +45,8 @@ const std::vector<Kind>& kinds() {
       {"channel-delay", Place::Channel, {"delay_s"}, 1},
       {"channel-polarity", Place::Channel, {}, 0},
       {"channel-swap", Place::Pair, {}, 0},
+      {"drift", Place::None, {"percent"}, 1},
+      {"wrong-grid", Place::Nodes, {}, 0},
   };
   return all;
 }
@@ -81,12 +83,13 @@ void check_places(const Kind& kind,
   const bool right = kind.place == Place::None       ? count == 0
                      : kind.place == Place::Channels ? true
                      : kind.place == Place::Elements ? count > 0
+                     : kind.place == Place::Line     ? count > 0
                      : kind.place == Place::Nodes    ? count > 1
                      : kind.place == Place::Pair     ? count == 2
                                                      : count == 1;
   if (!right) refuse("wrong number of places", text);
-  const bool ids = kind.place == Place::Node || kind.place == Place::Nodes ||
-                   kind.place == Place::Elements;
+  const bool ids = kind.place == Place::Node || kind.place == Place::Line ||
+                   kind.place == Place::Nodes || kind.place == Place::Elements;
   if (!ids) return;
   for (const std::string& place : effect.places) {
     if (!number<int>(place)) refuse(place + " is no id", text);
@@ -123,7 +126,10 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
       if (!value || !std::isfinite(*value)) {
         refuse("'" + part + "' is no number", text);
       }
-      if (*value < 0.0) refuse("'" + part + "' is negative", text);
+      // A channel that is early has a negative delay.
+      if (*value < 0.0 && effect.name != "channel-delay") {
+        refuse("'" + part + "' is negative", text);
+      }
       effect.values.push_back(*value);
     }
   }
@@ -136,8 +142,9 @@ VirtualEffect parse_virtual_effect(const std::string& text) {
 }
 
 std::string virtual_effect_help() {
-  static constexpr std::array<const char*, 7> places{"",
+  static constexpr std::array<const char*, 8> places{"",
                                                      "@NODE",
+                                                     "@NODE[:...]",
                                                      "@NODE:...",
                                                      "@CHANNEL",
                                                      "[@CHANNEL:...]",
@@ -164,6 +171,7 @@ nlohmann::ordered_json truth_entry(const VirtualEffect& effect,
     case Place::Node:
       entry["node"] = effect.numbers().front();
       break;
+    case Place::Line:
     case Place::Nodes:
       entry["nodes"] = effect.numbers();
       break;

@@ -2,8 +2,7 @@
 
 #include "acquisition/anti_alias.hpp"
 #include "acquisition/input_error.hpp"
-#include "updating/structure/refine_mesh.hpp"
-#include "updating/virtual_panel.hpp"
+#include "updating/virtual_habit.hpp"
 #include "updating/virtual_points.hpp"
 
 #include <fmt/format.h>
@@ -13,56 +12,6 @@
 
 namespace tapfit::updating {
 namespace {
-
-/// What is usual for one of the structures.
-struct Habit {
-  Panel panel;
-  std::array<double, 2> band_hz{};
-  double peak_n = 0.0;
-  int split = 2;  ///< elements of the truth along a side of the model's
-  std::vector<Eigen::Vector3d> sensors;  ///< empty: chosen
-};
-
-std::optional<Habit> habit_of(const std::string& structure) {
-  if (structure == "frame") {
-    return Habit{frame_panel(),
-                 {1.0, 55.0},
-                 15.0,
-                 3,
-                 {{0.90, 0.0, 0.0}, {0.90, 0.55, 0.0}}};
-  }
-  if (structure == "ladder")
-    return Habit{ladder_panel(), {2.0, 120.0}, 25.0, 3, {}};
-  if (structure == "plate")
-    return Habit{plate_panel(), {30.0, 600.0}, 60.0, 2, {}};
-  return std::nullopt;
-}
-
-VirtualModel model_of_panel(const Panel& panel, int split) {
-  PanelMesh fine = mesh_panel(panel, split);
-  return {mesh_panel(panel, 1).deck,
-          std::move(fine.deck),
-          std::move(fine.children)};
-}
-
-VirtualModel model_of_deck(const std::filesystem::path& path) {
-  VirtualModel model;
-  model.model = structure::read_deck(path);
-  const structure::RefinedDeck once = structure::refine_mesh(model.model);
-  const structure::RefinedDeck twice = structure::refine_mesh(once.deck);
-  model.fine = twice.deck;
-  for (const auto& [id, parts] : once.children) {
-    for (const int part : parts) {
-      const auto grandchildren = twice.children.find(part);
-      if (grandchildren == twice.children.end()) continue;
-      std::vector<int>& all = model.children[id];
-      all.insert(all.end(),
-                 grandchildren->second.begin(),
-                 grandchildren->second.end());
-    }
-  }
-  return model;
-}
 
 double recorder_rate(double band_end_hz) {
   double rate = 64.0;
@@ -153,12 +102,12 @@ void check_channels(const VirtualBundleSpec& spec,
 
 /// The band asked for, else the structure's own; checked, in Hz.
 std::array<double, 2> band_of(const VirtualBundleSpec& spec,
-                              const std::optional<Habit>& habit) {
+                              const std::optional<VirtualHabit>& habit) {
   if (!habit && !spec.band_hz) {
     throw InputError("a deck needs a band",
                      spec.structure,
-                     "Give --band LOW HIGH in Hz, or one of frame, ladder, "
-                     "plate.");
+                     fmt::format("Give --band LOW HIGH in Hz, or one of {}.",
+                                 fmt::join(virtual_structures(), ", ")));
   }
   const std::array<double, 2> band =
       spec.band_hz ? *spec.band_hz : habit->band_hz;
@@ -197,14 +146,14 @@ std::vector<double> modes_in_band(const VirtualBundleSpec& spec,
 
 VirtualSetup set_up(const VirtualBundleSpec& spec) {
   VirtualSetup setup;
-  const std::optional<Habit> habit = habit_of(spec.structure);
+  const std::optional<VirtualHabit> habit = habit_of(spec.structure);
   setup.band_hz = band_of(spec, habit);
   if (habit) {
-    setup.model = model_of_panel(habit->panel, habit->split);
-    setup.model_cards = panel_cards(habit->panel, mesh_panel(habit->panel, 1));
-    setup.title = "Virtual hammer test: " + habit->panel.title;
+    setup.model = habit->model;
+    setup.model_cards = habit->cards;
+    setup.title = "Virtual hammer test: " + habit->title;
   } else {
-    setup.model = model_of_deck(spec.structure);
+    setup.model = split_twice(structure::read_deck(spec.structure));
     setup.title = "Virtual hammer test of " +
                   std::filesystem::path(spec.structure).filename().string();
   }

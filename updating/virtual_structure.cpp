@@ -95,10 +95,12 @@ void add_absorber(const VirtualEffect& effect,
 void cut_joint(const VirtualModel& model,
                const structure::Deck& fine,
                const VirtualEffect& effect,
+               int component,
                structure::System& system,
                VirtualStructure& structure) {
   StiffnessChange change;
   change.kind = ChangeKind::Joint;
+  change.component = component;
   change.of.where.nodes = effect.numbers();
   system.K = structure.K;
   system.M = structure.M;
@@ -206,7 +208,9 @@ VirtualStructure build_virtual_structure(
   for (const VirtualEffect& effect : effects) {
     if (acts_at_node(effect)) add_at_node(effect, component, result);
     if (effect.name == "strut") add_strut(effect, component, result);
-    if (effect.name == "joint") cut_joint(model, fine, effect, system, result);
+    if (effect.name == "joint") {
+      cut_joint(model, fine, effect, component, system, result);
+    }
   }
   return result;
 }

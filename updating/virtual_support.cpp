@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -45,13 +46,11 @@ int line_axis(const structure::Deck& deck, const std::set<int>& held) {
   return static_cast<int>(axis);
 }
 
-}  // namespace
-
-SupportEdge support_edge(const structure::Deck& deck) {
-  const std::set<int> held = held_grids(deck);
-  SupportEdge edge;
-  const int axis = line_axis(deck, held);
-  edge.component = 4 + axis;
+// Grids next to each other, by edges between them; feet that stand alone are
+// neighbours along the line.
+std::set<std::pair<int, int>> sides_of(const structure::Deck& deck,
+                                       const std::set<int>& held,
+                                       int axis) {
   std::set<std::pair<int, int>> sides;
   for (const structure::Shell& shell : deck.shells) {
     for (std::size_t k = 0; k < shell.grids.size(); ++k) {
@@ -62,7 +61,26 @@ SupportEdge support_edge(const structure::Deck& deck) {
       }
     }
   }
-  for (const auto& [a, b] : sides) {
+  if (!sides.empty()) return sides;
+  std::vector<std::pair<double, int>> feet;
+  for (const int id : held) {
+    feet.emplace_back(deck.grids[deck.grid_index(id)].position(axis), id);
+  }
+  std::sort(feet.begin(), feet.end());
+  for (std::size_t k = 0; k + 1 < feet.size(); ++k) {
+    sides.emplace(feet[k].second, feet[k + 1].second);
+  }
+  return sides;
+}
+
+}  // namespace
+
+SupportEdge support_edge(const structure::Deck& deck) {
+  const std::set<int> held = held_grids(deck);
+  SupportEdge edge;
+  const int axis = line_axis(deck, held);
+  edge.component = 4 + axis;
+  for (const auto& [a, b] : sides_of(deck, held, axis)) {
     const double half = 0.5 * (deck.grids[deck.grid_index(a)].position -
                                deck.grids[deck.grid_index(b)].position)
                                   .norm();

@@ -93,6 +93,27 @@ TEST(VirtualBundle, SameSeedSameBytes) {
   }
 }
 
+TEST(VirtualBundle, DriftTurnsEveryRunAnotherWay) {
+  VirtualBundleSpec spec;
+  spec.structure = "portal";
+  spec.points = 3;
+  spec.hits = 1;
+  spec.gap_s = 1.0;
+  spec.faulty_hits = false;
+  const fs::path still = fresh_folder("still");
+  const fs::path drifting = fresh_folder("drifting");
+  (void)make_virtual_bundle(spec, still);
+  spec.effects = {parse_virtual_effect("drift=4")};
+  (void)make_virtual_bundle(spec, drifting);
+  // The first run is stiffer, the last softer; the middle one is as it was.
+  EXPECT_NE(bytes_of(still / "run-01.flac"),
+            bytes_of(drifting / "run-01.flac"));
+  EXPECT_EQ(bytes_of(still / "run-02.flac"),
+            bytes_of(drifting / "run-02.flac"));
+  EXPECT_NE(bytes_of(still / "run-03.flac"),
+            bytes_of(drifting / "run-03.flac"));
+}
+
 TEST(VirtualBundle, RefusesToReplaceATest) {
   const fs::path folder = fresh_folder("kept");
   fs::create_directories(folder);

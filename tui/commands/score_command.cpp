@@ -3,6 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/hidden_case.hpp"
+#include "updating/hidden_verdict.hpp"
 #include "updating/session.hpp"
 
 #include <CLI/CLI.hpp>
@@ -69,7 +70,9 @@ ordered_json scored(const std::string& kind,
           {"hidden", v.hidden},
           {"found", v.found},
           {"right_kind", v.right_kind},
+          {"honest", v.honest},
           {"right_place", v.right_place},
+          {"right_size", v.right_size},
           {"size_error", v.size_error},
           {"error", v.error},
           {"floor", v.floor},

@@ -1,6 +1,7 @@
 #include "tui/commands/simulate_command.hpp"
 
 #include "updating/virtual_bundle.hpp"
+#include "updating/virtual_habit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -27,8 +28,10 @@ struct Words {
 void describe(CLI::App& app, Words& words) {
   VirtualBundleSpec& spec = words.spec;
   app.add_option("folder", words.folder, "folder to make")->required();
-  app.add_option(
-      "--structure", spec.structure, "frame, ladder, plate or a Nastran deck");
+  app.add_option("--structure",
+                 spec.structure,
+                 fmt::format("{} or a Nastran deck",
+                             fmt::join(updating::virtual_structures(), ", ")));
   app.add_option(
          "--effect", words.effects, "what to hide (again for each), or none")
       ->expected(1)

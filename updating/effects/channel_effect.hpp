@@ -11,7 +11,8 @@ class ChannelEffect : public Effect {
  public:
   [[nodiscard]] Entry entry() const final { return Entry::Measurement; }
   /// Each sensor channel, then each hammer channel.
-  [[nodiscard]] std::vector<Where> places(const Setting& setting) const final;
+  [[nodiscard]] std::vector<Where> places(
+      const Setting& setting) const override;
   [[nodiscard]] std::vector<ActedDof> acts_on(const Where&,
                                               const Setting&,
                                               std::size_t) const final {

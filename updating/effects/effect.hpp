@@ -37,6 +37,7 @@ struct ParameterSpec {
   double start = 1.0;
   double lower = 0.0;
   double upper = 0.0;
+  double sign = 1.0;  ///< -1: the value reported is the parameter's negative
 };
 
 /// One degree of freedom that the effect acts on.
@@ -85,6 +86,12 @@ class Effect {
   [[nodiscard]] virtual std::string recorded_as(const std::string& channel,
                                                 const Where&) const {
     return channel;
+  }
+
+  /// For Entry::Measurement: the group of the law that FRFs go through whose
+  /// response (or hammer) is on the channel.
+  [[nodiscard]] virtual std::size_t passed_as(const Where&, bool hammer) const {
+    return hammer ? 1 : 0;
   }
 
   /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for

@@ -122,6 +122,26 @@ TEST_F(EveryEffect, HammerFaultsAreTheInverseOfSensorFaults) {
   }
 }
 
+// An early sensor is a late hammer as far as one FRF can tell, and is said to
+// have a negative delay.
+TEST_F(EveryEffect, EarlyChannelsHaveNegativeDelay) {
+  const Effect& delay = find("channel-delay");
+  const std::vector<Where> places = delay.places(setting_);
+  const auto early =
+      std::count_if(places.begin(), places.end(), [](const Where& where) {
+        return where.variant == "early";
+      });
+  EXPECT_EQ(2 * early, static_cast<std::ptrdiff_t>(places.size()));
+  const Where& last = places.back();
+  const Where& first = places.front();
+  EXPECT_EQ(delay.passed_as(first, false), 0U);
+  EXPECT_EQ(delay.passed_as(first, true), 1U);
+  EXPECT_EQ(delay.passed_as(last, false), 1U);
+  EXPECT_EQ(delay.passed_as(last, true), 0U);
+  EXPECT_EQ(delay.parameters(first, setting_)[0].sign, 1.0);
+  EXPECT_EQ(delay.parameters(last, setting_)[0].sign, -1.0);
+}
+
 // Cards go into the engineer's file: in millimetres and tonnes a stiffness is
 // in N/mm, one of a rotation in N mm.
 TEST_F(EveryEffect, CardsAreInTheUnitsOfTheFile) {
