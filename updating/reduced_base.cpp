@@ -1,8 +1,11 @@
 #include "updating/reduced_base.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/kept_base.hpp"
+#include "updating/mesh_shift.hpp"
 #include "updating/released_system.hpp"
 #include "updating/structure/dashpots.hpp"
+#include "updating/structure/deck_modes.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/structure/free_motions.hpp"
@@ -16,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
 #include <numbers>
 
 namespace tapfit::updating {
@@ -45,24 +49,10 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   }
 }
 
-// MAC from which modes of two meshes are the same one.
-constexpr double same_mode = 0.5;
-
-// Translations of every grid, columns of unit length.
-MatrixXd translations(const MatrixXd& rows) {
-  MatrixXd result(rows.rows() / 2, rows.cols());
-  for (Index g = 0; 6 * g < rows.rows(); ++g) {
-    result.middleRows(3 * g, 3) = rows.middleRows(6 * g, 3);
-  }
-  return result.colwise().normalized();
-}
-
 // Stiffness that elements keep, from all of it to next to none.
 StiffnessTerm loss_term() {
   StiffnessTerm term;
-  term.included = 1.0;
-  term.absent = 1.0;
-  term.upper = 1.0;
+  term.included = term.absent = term.upper = 1.0;
   term.start = 0.4;
   term.lower = 0.04;
   return term;
@@ -92,10 +82,18 @@ struct BaseBuilder::Impl {
   double shift = 0.0;  // K + shift M is factored [rad^2/s^2]
   MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
-  std::unique_ptr<structure::Factor> factor;
   ReleasedSystem plain;  // the model with nothing released
   MatrixXd V0;           // modes and static responses at options.points
   ReducedBase fixed;     // seen through V0, K diagonal
+  std::vector<std::string> warnings;
+  // Factored when first asked for: a base that was kept needs it only for
+  // effects. build() is asked from several threads.
+  mutable std::once_flag once;
+  mutable std::unique_ptr<structure::Factor> factored;
+
+  [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
+                                 const Progress& progress) const;
+  [[nodiscard]] const structure::Factor& factor() const;
 
   [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
@@ -134,34 +132,32 @@ BaseBuilder::BaseBuilder(
                      deck.path.string(),
                      "give the materials a density (RHO)");
   }
-  const SparseMatrix K = m.motions.reduce(m.system.K);
-  const SparseMatrix M = m.motions.reduce(m.system.M);
-  progress("model: eigenmodes", 0.2);
-  const structure::Eigenmodes modes =
-      structure::eigenmodes_up_to(K, M, options.reach * options.high_hz);
-  m.modes = m.motions.expand(modes.phi);
-  m.modes_hz = modes.frequency_hz;
-  progress("model: residual flexibility", 0.8);
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
-  const SparseMatrix A = K + m.shift * M;
-  m.factor = std::make_unique<structure::Factor>(A);
   m.plain = {m.system.K,
              m.system.M,
              uncertain_parts(m.mesh.deck, uncertain),
              {},
              m.motions.free};
-  m.V0 = join(
-      {m.modes, beyond(m.system.M, m.modes, m.responses(m.options.points))});
-  const MatrixXd projected = m.V0.transpose() * (m.system.K * m.V0);
-  m.V0 =
-      (m.V0 * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
-          .eval();
+  SolvedBase solved = kept_or_solved(options.cache,
+                                     {m.system,
+                                      m.plain.parts,
+                                      m.options.points,
+                                      m.motions.size(),
+                                      options.high_hz,
+                                      options.reach},
+                                     [&] { return m.solve(deck, progress); });
+  m.modes = m.motions.expand(solved.modes);
+  m.modes_hz = std::move(solved.modes_hz);
+  m.V0 = std::move(solved.V);
   m.fixed.rows = m.V0.topRows(6 * m.original_grids);
-  m.fixed.K = m.V0.transpose() * (m.system.K * m.V0);
+  m.fixed.K = std::move(solved.K);
+  m.fixed.K_part = std::move(solved.K_part);
+  m.fixed.M_part = std::move(solved.M_part);
   for (const UncertainPart& part : m.plain.parts) {
     m.fixed.part_power.push_back(part.power);
-    m.fixed.K_part.emplace_back(m.V0.transpose() * (part.K * m.V0));
-    m.fixed.M_part.emplace_back(m.V0.transpose() * (part.M * m.V0));
+  }
+  if (!options.split) {
+    m.warnings = structure::mechanism_warnings(deck, m.system, solved.modes);
   }
 }
 
@@ -172,17 +168,10 @@ BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 void BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
-  const MatrixXd fine = translations(m.modes.topRows(6 * m.original_grids));
-  const MatrixXd coarse = translations(c.modes.topRows(6 * m.original_grids));
-  const MatrixXd mac =
-      (fine.transpose() * coarse).cwiseAbs2();  // columns of unit length
+  const Index known = 6 * m.original_grids;
   VectorXd share = VectorXd::Zero(m.V0.cols());
-  for (Index r = 0; r < mac.rows(); ++r) {
-    Index like = 0;
-    if (mac.cols() == 0 || mac.row(r).maxCoeff(&like) < same_mode) continue;
-    share(r) = std::pow(two_pi, 2) *
-               (std::pow(m.modes_hz(r), 2) - std::pow(c.modes_hz(like), 2));
-  }
+  share.head(m.modes.cols()) = mesh_shift({m.modes.topRows(known), m.modes_hz},
+                                          {c.modes.topRows(known), c.modes_hz});
   std::size_t factors = 0;
   for (std::vector<int>& power : m.fixed.part_power) {
     factors = power.size();
@@ -200,11 +189,53 @@ bool BaseBuilder::is_free() const {
 }
 double BaseBuilder::mass_kg() const { return impl_->mass; }
 Index BaseBuilder::dofs() const { return impl_->motions.size(); }
+const std::vector<std::string>& BaseBuilder::warnings() const {
+  return impl_->warnings;
+}
+
+SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
+                                    const Progress& progress) const {
+  progress("model: eigenmodes", 0.2);
+  SolvedBase solved;
+  try {
+    structure::Eigenmodes found =
+        structure::eigenmodes_up_to(motions.reduce(system.K),
+                                    motions.reduce(system.M),
+                                    options.reach * options.high_hz);
+    solved.modes = std::move(found.phi);
+    solved.modes_hz = std::move(found.frequency_hz);
+  } catch (const structure::SingularMatrix&) {
+    structure::name_mechanism(deck);
+    throw;
+  }
+  progress("model: residual flexibility", 0.8);
+  const MatrixXd u = motions.expand(solved.modes);
+  MatrixXd& V = solved.V;
+  V = join({u, beyond(system.M, u, responses(options.points))});
+  const MatrixXd projected = V.transpose() * (system.K * V);
+  V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
+          .eval();
+  solved.K = V.transpose() * (system.K * V);
+  for (const UncertainPart& part : plain.parts) {
+    solved.K_part.emplace_back(V.transpose() * (part.K * V));
+    solved.M_part.emplace_back(V.transpose() * (part.M * V));
+  }
+  return solved;
+}
+
+const structure::Factor& BaseBuilder::Impl::factor() const {
+  std::call_once(once, [this] {
+    const SparseMatrix A =
+        motions.reduce(system.K) + shift * motions.reduce(system.M);
+    factored = std::make_unique<structure::Factor>(A);
+  });
+  return *factored;
+}
 
 // T (T' (K + shift M) T)^-1 T' f: the answer of what is free to move.
 MatrixXd BaseBuilder::Impl::backsolve(const MatrixXd& forces) const {
   if (forces.cols() == 0) return MatrixXd::Zero(system.dofs(), 0);
-  return motions.expand(factor->solve(motions.project(forces)));
+  return motions.expand(factor().solve(motions.project(forces)));
 }
 
 // To unit forces at the points, and the dynamic corrections of these.

@@ -15,12 +15,15 @@
 
 #include "acquisition/progress.hpp"
 #include "acquisition/test_bundle.hpp"
+#include "updating/matrix_cache.hpp"
 #include "updating/stiffness_change.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -43,6 +46,8 @@ struct BaseOptions {
   bool split = true;       ///< every element once more
   /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
   std::vector<int> points = {};
+  /// Where what is solved for is kept; empty: nowhere.
+  std::optional<MatrixCache> cache = {};
 };
 
 /// Holds the factored matrices, so that bases for other points cost only
@@ -78,6 +83,9 @@ class BaseBuilder {
   [[nodiscard]] bool is_free() const;
   [[nodiscard]] double mass_kg() const;
   [[nodiscard]] Eigen::Index dofs() const;
+  /// Mechanisms of the deck, named. Of a deck that was split none: the builder
+  /// that is not names them by its own grids.
+  [[nodiscard]] const std::vector<std::string>& warnings() const;
 
  private:
   struct Impl;

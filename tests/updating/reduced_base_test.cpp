@@ -1,6 +1,8 @@
 #include "updating/reduced_base.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "tests/updating/structure/deck_support.hpp"
+#include "updating/structure/deck_modes.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 
@@ -115,6 +117,73 @@ TEST(ReducedBase, ItsResponsesAreThoseOfTheWholeModel) {
         }
       }
     }
+  }
+}
+
+// The clamped strip and a plate beside it that nothing holds.
+structure::Deck strip_and_loose_plate() {
+  structure::Deck deck = strip();
+  const int first = static_cast<int>(deck.grids.size()) + 1;
+  for (const double x : {1.0, 1.2}) {
+    for (const double y : {0.0, 0.1}) {
+      deck.grids.push_back(
+          {static_cast<int>(deck.grids.size()) + 1, {x, y, 0.0}});
+    }
+  }
+  deck.shells.push_back({1000, 1, {first, first + 2, first + 3, first + 1}});
+  return deck;
+}
+
+TEST(ReducedBase, NamesALoosePartAsTheModelsModesDo) {
+  const structure::Deck deck = strip_and_loose_plate();
+  BaseOptions options;
+  options.high_hz = 300.0;
+  options.split = false;
+  const std::vector<std::string> said =
+      BaseBuilder(deck, {}, options, {}).warnings();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].find("6 motions without stiffness"), std::string::npos);
+  EXPECT_EQ(
+      said,
+      structure::deck_modes(deck, structure::assemble(deck), 10).warnings);
+  EXPECT_TRUE(BaseBuilder(strip(), {}, options, {}).warnings().empty());
+}
+
+// A bar alone turns about its axis without stiffness or inertia; split it has
+// a grid more, which is not in the deck and must not be named.
+TEST(ReducedBase, NamesAGridOfTheDeckWhereNothingHoldsIt) {
+  structure::Deck deck = strip();
+  const int id = static_cast<int>(deck.grids.size()) + 1;
+  deck.grids.push_back({id, {1.0, 0.0, 0.0}});
+  deck.grids.push_back({id + 1, {1.2, 0.0, 0.0}});
+  structure::BarProperty section;
+  section.id = 9;
+  section.material = 1;
+  section.area = 1e-4;
+  section.I1 = section.I2 = section.J = 1e-9;
+  deck.bar_properties[9] = section;
+  structure::Bar bar;
+  bar.id = 1000;
+  bar.property = 9;
+  bar.grids = {id, id + 1};
+  bar.orientation = {0.0, 0.0, 1.0};
+  deck.bars.push_back(bar);
+  const auto message = [](const auto& run) {
+    try {
+      run();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  const std::string expected =
+      message([&] { structure::name_mechanism(deck); });
+  EXPECT_NE(expected.find("component 4"), std::string::npos) << expected;
+  for (const bool split : {false, true}) {
+    BaseOptions options;
+    options.high_hz = 300.0;
+    options.split = split;
+    EXPECT_EQ(message([&] { BaseBuilder(deck, {}, options, {}); }), expected);
   }
 }
 

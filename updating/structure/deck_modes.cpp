@@ -102,7 +102,9 @@ std::vector<std::string> describe(const Deck& deck,
   // Unit modes keep all of their length, or none.
   const Index count = (solver.eigenvalues().array() > 0.5).count();
   if (count == 0) return {};
-  const VectorXd shape = rest * solver.eigenvectors().rightCols<1>();
+  // How far each degree of freedom goes in any of them.
+  const VectorXd shape =
+      (rest * solver.eigenvectors().rightCols(count)).rowwise().norm();
   Index largest = -1;
   for (const bool translation : {true, false}) {
     for (Index i = 0; i < shape.size(); ++i) {
@@ -129,11 +131,10 @@ std::vector<std::string> describe(const Deck& deck,
 DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
   const FreeMotions motions = free_motions(system);
   const std::vector<int>& free = motions.free;
-  const SparseMatrix K = motions.reduce(system.K);
-  const SparseMatrix M = motions.reduce(system.M);
   DeckModes result;
   try {
-    result.modes = eigenmodes(K, M, count);
+    result.modes =
+        eigenmodes(motions.reduce(system.K), motions.reduce(system.M), count);
   } catch (const SingularMatrix& singular) {
     const int dof = free[static_cast<std::size_t>(singular.row())];
     throw InputError(
@@ -142,11 +143,26 @@ DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
         deck.path.filename().string(),
         kJoin);
   }
-  const MatrixXd loose = motions_without_stiffness(K, result.modes.phi);
-  if (loose.cols() == 0) return result;
-  result.warnings =
-      describe(deck, M, loose, allowed_motions(deck, system, free), free);
+  result.warnings = mechanism_warnings(deck, system, result.modes.phi);
   return result;
+}
+
+std::vector<std::string> mechanism_warnings(const Deck& deck,
+                                            const System& system,
+                                            const MatrixXd& phi) {
+  const FreeMotions motions = free_motions(system);
+  const MatrixXd loose =
+      motions_without_stiffness(motions.reduce(system.K), phi);
+  if (loose.cols() == 0) return {};
+  return describe(deck,
+                  motions.reduce(system.M),
+                  loose,
+                  allowed_motions(deck, system, motions.free),
+                  motions.free);
+}
+
+void name_mechanism(const Deck& deck) {
+  static_cast<void>(deck_modes(deck, assemble(deck), 1));
 }
 
 }  // namespace tapfit::structure

@@ -30,4 +30,16 @@ struct DeckModes {
                                    const System& system,
                                    Eigen::Index count);
 
+/// Mechanisms among modes of a deck that were solved for otherwise, as
+/// DeckModes::warnings.
+///
+/// @param phi free degrees of freedom x modes, unit modal mass
+[[nodiscard]] std::vector<std::string> mechanism_warnings(
+    const Deck& deck, const System& system, const Eigen::MatrixXd& phi);
+
+/// Throws the error of deck_modes() where a grid of the deck moves without
+/// stiffness or mass; for a deck that was found singular after splitting it,
+/// whose new grids nobody knows.
+void name_mechanism(const Deck& deck);
+
 }  // namespace tapfit::structure
