@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 namespace tapfit::updating {
@@ -80,6 +81,7 @@ void ContentDigest::add(const std::vector<bool>& flags) {
 }
 
 void ContentDigest::add(const structure::SparseMatrix& matrix) {
+  assert(matrix.isCompressed());
   const auto count = static_cast<std::size_t>(matrix.nonZeros());
   const auto outer = static_cast<std::size_t>(matrix.outerSize()) + 1;
   add_items(std::span<const int>(matrix.outerIndexPtr(), outer));

@@ -90,6 +90,19 @@ std::vector<Estimate> property_estimates(
   return result;
 }
 
+std::vector<Estimate> all_estimates(const Fit& fit,
+                                    const std::vector<PropertyName>& names,
+                                    const effects::Setting& setting) {
+  std::vector<Estimate> result = property_estimates(fit, names);
+  for (std::size_t k = 0; k < fit.effects.size(); ++k) {
+    for (Estimate e : effect_estimates(fit, k, setting)) {
+      e.name = fit.effects[k].effect->name() + " " + e.name;
+      result.push_back(std::move(e));
+    }
+  }
+  return result;
+}
+
 std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
                            const effects::Setting& setting) {
   std::vector<Rung> ladder;

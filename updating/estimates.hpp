@@ -26,6 +26,12 @@ struct PropertyName {
 [[nodiscard]] std::vector<Estimate> property_estimates(
     const Fit& fit, const std::vector<PropertyName>& names);
 
+/// Both, the effects' as "EFFECT NAME".
+[[nodiscard]] std::vector<Estimate> all_estimates(
+    const Fit& fit,
+    const std::vector<PropertyName>& names,
+    const effects::Setting& setting);
+
 /// The error ladder of successive fits: base, what is uncertain in it (a fit
 /// without effects), then one rung per effect.
 [[nodiscard]] std::vector<Rung> rungs_of(const std::vector<Fit>& fits,

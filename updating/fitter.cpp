@@ -181,21 +181,28 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   }
 }
 
-Fit Fitter::fit(const std::vector<PlacedEffect>& start,
-                std::shared_ptr<const FrfModel> model,
-                const Progress& progress) const {
+ModelState Fitter::start_state(const FrfModel& model,
+                               const std::vector<PlacedEffect>& start) const {
   std::vector<PlacedEffect> effects = start;
   for (PlacedEffect& e : effects) {
-    for (const StiffnessTerm& term : model->base().terms) {
+    for (const StiffnessTerm& term : model.base().terms) {
       if (!is_of(term, e)) continue;
       // A catalogue start knows nothing of this structure's own stiffness.
       if (e.p[0] < term.lower || e.p[0] > term.upper) e.p[0] = term.start;
     }
   }
-  ModelState state = first_state(*model, effects);
-  scan_start(*model, state);
+  ModelState state = first_state(model, effects);
+  scan_start(model, state);
+  return state;
+}
+
+Fit Fitter::fit(const std::vector<PlacedEffect>& start,
+                std::shared_ptr<const FrfModel> model,
+                const Progress& progress) const {
+  ModelState state = start_state(*model, start);
   const Prior prior = prior_for(*model, state);
   Fit fit;
+  std::vector<UpdateStep> history;
   for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
     UpdateOptions options;
     const bool last = k + 1 == setting_.targets.size();
@@ -206,7 +213,12 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     fit.result =
         update(*model, setting_.targets[k], state, prior, options, progress);
     state = fit.result.state;
+    for (UpdateStep& step : fit.result.history) {
+      step.stage = static_cast<int>(k);
+      history.push_back(std::move(step));
+    }
   }
+  fit.result.history = std::move(history);
   fit.effects = fit.result.state.effects;
   fit.model = std::move(model);
   return fit;

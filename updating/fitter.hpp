@@ -66,6 +66,10 @@ class Fitter {
 
   [[nodiscard]] Prior prior_for(const FrfModel& model,
                                 const ModelState& state) const;
+  /// Where fits start: effects as given, the newest with the best size of a
+  /// scan over all that it may be.
+  [[nodiscard]] ModelState start_state(
+      const FrfModel& model, const std::vector<PlacedEffect>& start) const;
   [[nodiscard]] ModelState first_state(
       const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
 

@@ -17,15 +17,62 @@ using Eigen::VectorXd;
 struct Linearised {
   MatrixXd S;
   VectorXd delta;
+  std::vector<bool> use;  // lines
+};
+
+// The parameters P: properties over their nominal, effects' sizes over where
+// they started.
+class Parameters {
+ public:
+  Parameters(const ModelState& start, const PlainOptions& options)
+      : start_(start),
+        properties_(std::min(options.properties.value_or(start.factor.size()),
+                             start.factor.size())) {
+    count_ = static_cast<Index>(properties_);
+    for (const PlacedEffect& e : start.effects) {
+      count_ += static_cast<Index>(e.p.size());
+    }
+  }
+
+  [[nodiscard]] VectorXd first() const {
+    VectorXd P = VectorXd::Ones(count_);
+    std::copy_n(start_.factor.begin(), properties_, P.begin());
+    return P;
+  }
+
+  [[nodiscard]] ModelState state(const VectorXd& P) const {
+    ModelState state = start_;
+    Index k = 0;
+    for (std::size_t j = 0; j < properties_; ++j) state.factor[j] = P(k++);
+    for (PlacedEffect& e : state.effects) {
+      for (double& p : e.p) p *= P(k++);
+    }
+    return state;
+  }
+
+  /// Position of P_k in pack(), where the damping ratios stand between.
+  [[nodiscard]] std::size_t packed(Index k) const {
+    const auto at = static_cast<std::size_t>(k);
+    if (at < properties_) return at;
+    return at - properties_ + start_.factor.size() +
+           static_cast<std::size_t>(start_.zeta.size());
+  }
+
+ private:
+  const ModelState& start_;
+  std::size_t properties_;
+  Index count_ = 0;
 };
 
 class PlainProblem {
  public:
   PlainProblem(const FrfModel& model,
                const Target& target,
+               const Parameters& parameters,
                const PlainOptions& options)
       : model_(model),
         target_(target),
+        parameters_(parameters),
         options_(options),
         weight_(target.H.rows(), target.H.cols()) {
     // Receptance is accelerance over s^2.
@@ -34,17 +81,17 @@ class PlainProblem {
       weight_ = target.variance.cwiseSqrt().cwiseInverse();
   }
 
-  [[nodiscard]] Linearised at(const ModelState& state) const {
+  [[nodiscard]] Linearised at(const VectorXd& P) const {
+    const ModelState state = parameters_.state(P);
     const ModelResponse response = model_.respond(state, target_.s, true);
-    const std::vector<bool> use = lines(state);
     Linearised system;
-    system.delta = stacked(target_.H - response.H, use);
-    const auto n = static_cast<Index>(state.factor.size());
-    system.S.resize(system.delta.size(), n);
-    for (Index k = 0; k < n; ++k) {
-      const auto j = static_cast<std::size_t>(k);
-      // d / d ln f to d / d f
-      system.S.col(k) = stacked(response.dH[j], use) / state.factor[j];
+    system.use = lines(state);
+    system.delta = stacked(target_.H - response.H, system.use);
+    system.S.resize(system.delta.size(), P.size());
+    for (Index k = 0; k < P.size(); ++k) {
+      // d / d ln P to d / d P
+      system.S.col(k) =
+          stacked(response.dH[parameters_.packed(k)], system.use) / P(k);
     }
     return system;
   }
@@ -56,7 +103,7 @@ class PlainProblem {
     const double two_pi = 2.0 * std::numbers::pi;
     return off_peaks(target_.s.imag() / two_pi,
                      options_.measured_hz,
-                     model_.base_modes(state).omega / two_pi,
+                     model_.full_modes(state).omega / two_pi,
                      *options_.rule);
   }
 
@@ -75,6 +122,7 @@ class PlainProblem {
 
   const FrfModel& model_;
   const Target& target_;
+  const Parameters& parameters_;
   const PlainOptions& options_;
   MatrixXd weight_;  // lines x FRFs
 };
@@ -84,15 +132,43 @@ bool is_sound(const Linearised& system) {
          system.S.allFinite();
 }
 
-void record(const ModelState& state, double misfit, PlainResult& result) {
+void record(const VectorXd& P, double misfit, PlainResult& result) {
   const Index row = result.history.rows();
-  result.history.conservativeResize(row + 1,
-                                    static_cast<Index>(state.factor.size()));
-  for (std::size_t k = 0; k < state.factor.size(); ++k) {
-    result.history(row, static_cast<Index>(k)) = state.factor[k];
-  }
+  result.history.conservativeResize(row + 1, P.size());
+  result.history.row(row) = P.transpose();
   result.misfit.conservativeResize(row + 1);
   result.misfit(row) = misfit;
+}
+
+// One step; false where there is none, with the reason in the result.
+bool advance(const Linearised& system,
+             const PlainOptions& options,
+             VectorXd& P,
+             PlainResult& result) {
+  if (P.size() == 0) {
+    result.message = "there is nothing to identify";
+    return false;
+  }
+  if (!is_sound(system)) {
+    result.message = "no line is left to compare";
+    return false;
+  }
+  const TikhonovSystem solver(system.S, system.delta);
+  result.l_curve = solver.l_curve();
+  if (result.lambda.empty()) result.first_l_curve = result.l_curve;
+  result.lambda.push_back(
+      options.lambda.value_or(result.l_curve.lambda(result.l_curve.corner)));
+  const VectorXd step = solver.solve(result.lambda.back());
+  if (!step.allFinite() || (P + step).minCoeff() <= 0.0) {
+    result.message =
+        fmt::format("diverged in step {}: a parameter became negative",
+                    result.lambda.size());
+    result.lambda.pop_back();
+    return false;
+  }
+  P += step;
+  result.converged = step.norm() <= options.tolerance;
+  return true;
 }
 
 }  // namespace
@@ -101,39 +177,27 @@ PlainResult plain_update(const FrfModel& model,
                          const Target& target,
                          const ModelState& start,
                          const PlainOptions& options) {
-  const PlainProblem problem(model, target, options);
+  const Parameters parameters(start, options);
+  const PlainProblem problem(model, target, parameters, options);
   PlainResult result;
-  result.state = start;
-  Linearised system = problem.at(start);
-  record(start, system.delta.norm(), result);
+  VectorXd P = parameters.first();
+  Linearised system = problem.at(P);
+  record(P, system.delta.norm(), result);
+  result.message =
+      fmt::format("not converged in {} steps", options.max_iterations);
   for (int n = 0; n < options.max_iterations && !result.converged; ++n) {
-    if (!is_sound(system)) {
-      result.message = "no line is left to compare";
-      return result;
-    }
-    const TikhonovSystem solver(system.S, system.delta);
-    result.l_curve = solver.l_curve();
-    const VectorXd step = solver.solve(
-        options.lambda.value_or(result.l_curve.lambda(result.l_curve.corner)));
-    ModelState next = result.state;
-    for (std::size_t k = 0; k < next.factor.size(); ++k) {
-      next.factor[k] += step(static_cast<Index>(k));
-    }
-    if (!step.allFinite() ||
-        std::ranges::any_of(next.factor, [](double f) { return !(f > 0.0); })) {
-      result.message =
-          fmt::format("diverged in step {}: a property became negative", n + 1);
-      return result;
-    }
-    result.state = std::move(next);
-    system = problem.at(result.state);
-    record(result.state, system.delta.norm(), result);
-    result.converged = step.norm() <= options.tolerance;
+    if (!advance(system, options, P, result)) break;
+    system = problem.at(P);
+    record(P, system.delta.norm(), result);
   }
-  if (is_sound(system)) result.identifiability = identifiability(system.S);
-  result.message = result.converged ? "converged"
-                                    : fmt::format("not converged in {} steps",
-                                                  options.max_iterations);
+  if (result.converged) result.message = "converged";
+  for (Index k = 0; k < P.size(); ++k) {
+    result.packed.push_back(static_cast<Index>(parameters.packed(k)));
+  }
+  result.state = parameters.state(P);
+  if (P.size() > 0 && is_sound(system))
+    result.identifiability = identifiability(system.S);
+  result.use = std::move(system.use);
   return result;
 }
 

@@ -11,8 +11,10 @@
 #include "updating/estimates.hpp"
 #include "updating/fit_setting.hpp"
 #include "updating/fitter.hpp"
+#include "updating/plain_fit.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/signature.hpp"
+#include "updating/slow_poles.hpp"
 #include "updating/test_model.hpp"
 
 #include <fmt/format.h>
@@ -29,26 +31,6 @@ constexpr std::size_t refined_grid_limit = 12000;
 // Of ln f, f the mesh's factor (hold_mesh_error): the limit of fine meshes is
 // at 4/3 where convergence is quadratic, at 2 where it is linear.
 constexpr double mesh_sd = 0.5;
-
-bool several_hits(const acquisition::HitSet& hits) {
-  return std::any_of(hits.runs.begin(), hits.runs.end(), [](const auto& run) {
-    return run.size() > 1;
-  });
-}
-
-// Poles of which more than a thousandth is left when the block ends.
-Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
-                            const acquisition::HitSet& hits) {
-  const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;
-  std::vector<std::complex<double>> poles;
-  for (const modal::Mode& mode : modes.modes) {
-    if (std::exp(mode.pole.real() * block_s) > 1e-3) {
-      poles.push_back(mode.pole);
-    }
-  }
-  return Eigen::Map<Eigen::VectorXcd>(poles.data(),
-                                      static_cast<Eigen::Index>(poles.size()));
-}
 
 }  // namespace
 
@@ -72,6 +54,8 @@ struct Session::Impl {
   std::vector<OverruledHit> overruled;
   std::optional<EffectStack> stack;
   std::vector<AddedEffect> waiting;  // to be in the stack, once there is one
+  UpdateChoice choice;
+  std::optional<PlainTask> plain;  // where the choice is a plain one
   std::optional<Comparison> base_comparison;
   std::optional<Comparison> comparison;
   std::optional<Diagnosis> diagnosis;
@@ -82,8 +66,10 @@ struct Session::Impl {
   void overrule_hits();
   void stack_waiting(const Progress& progress);
   void prepare_fit(Session& session, const Progress& progress);
+  [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
+                            const Progress& progress);
   [[nodiscard]] Comparison compare_now(const Fit& fit) const;
-  [[nodiscard]] StackFit stack_fit() const;
+  [[nodiscard]] StackFit stack_fit();
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
   [[nodiscard]] effects::Setting setting() const;
   [[nodiscard]] std::array<double, 2> band() const;
@@ -202,10 +188,10 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   const structure::Deck& the_deck = session.deck(progress);
   const acquisition::HitSet& found = session.hits(progress);
   const modal::ModeSet& identified = session.modes(progress);
-  const std::array<double, 2> lines = band();
   if (!builder) {
     BaseOptions options;
-    options.high_hz = lines[1];
+    options.high_hz = band()[1];
+    options.cache = user_cache();
     options.points = measured_points(the_deck, bundle);
     options.split = 4 * the_deck.grids.size() <= refined_grid_limit;
     builder.emplace(the_deck, bundle.uncertain, options, progress);
@@ -245,12 +231,23 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   stack_waiting(progress);
 }
 
-StackFit Session::Impl::stack_fit() const {
-  return {setting(),
-          [this](const std::vector<PlacedEffect>& effects,
-                 const Progress& progress) {
-            return fitter->fit(effects, fitter->model_for(effects), progress);
+StackFit Session::Impl::stack_fit() {
+  return {setting(), [this](const auto& effects, const Progress& progress) {
+            return fit_now(effects, progress);
           }};
+}
+
+Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
+                           const Progress& progress) {
+  const auto model = fitter->model_for(effects);
+  if (!choice.is_plain()) return fitter->fit(effects, model, progress);
+  if (!plain) {
+    plain = plain_task(choice,
+                       {setting(), *recordings, *hits, ringing_poles, *modes},
+                       {fitter->target(), contour, frfs->s.real().minCoeff()},
+                       progress);
+  }
+  return plain_fit(*fitter, *plain, effects, model);
 }
 
 Comparison Session::Impl::compare_now(const Fit& fit) const {
@@ -295,6 +292,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
       d.warnings.push_back(
           modal::statement(*shifts, acquisition::channel_names(impl_->bundle)));
     }
+    for (const auto& loose : mechanisms(progress)) d.warnings.push_back(loose);
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;
@@ -327,6 +325,7 @@ void Session::Impl::drop_from_frfs() {
   modes.reset();
   fitter.reset();
   stack.reset();
+  plain.reset();
   base_comparison.reset();
   drop_current();
 }
@@ -435,6 +434,25 @@ void Session::take_up(const SavedSession& saved) {
   impl_->waiting = saved.effects;
 }
 
+void Session::set_update(const UpdateChoice& choice) {
+  impl_->choice = choice;
+  impl_->plain.reset();
+}
+
+std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  return records_of(impl_->stack->fits(),
+                    impl_->setting(),
+                    impl_->properties,
+                    impl_->plain ? impl_->plain->lines : impl_->contour);
+}
+
+std::vector<std::string> Session::mechanisms(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  const auto& unsplit = impl_->coarse_builder;
+  return (unsplit ? unsplit : impl_->builder)->warnings();
+}
+
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   if (impl_->ladder.empty()) {
@@ -445,16 +463,7 @@ const std::vector<Rung>& Session::ladder(const Progress& progress) {
 
 std::vector<Estimate> Session::model_parameters(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  const Fit& fit = impl_->current();
-  std::vector<Estimate> result = property_estimates(fit, impl_->properties);
-  const effects::Setting s = impl_->setting();
-  for (std::size_t k = 0; k < fit.effects.size(); ++k) {
-    for (Estimate e : effect_estimates(fit, k, s)) {
-      e.name = fit.effects[k].effect->name() + " " + e.name;
-      result.push_back(std::move(e));
-    }
-  }
-  return result;
+  return all_estimates(impl_->current(), impl_->properties, impl_->setting());
 }
 
 }  // namespace tapfit::updating

@@ -12,6 +12,8 @@
 #include "updating/effect_place.hpp"
 #include "updating/saved_session.hpp"
 #include "updating/structure/deck.hpp"
+#include "updating/update_choice.hpp"
+#include "updating/update_record.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -51,6 +53,8 @@ class Session {
   /// the same effects.
   void overrule_hit(std::size_t run, std::size_t hit);
 
+  /// How fits from now on identify their parameters.
+  void set_update(const UpdateChoice& choice);
   /// Adds an effect to the current model and identifies all parameters anew.
   void add(const EffectRef& effect, const Progress& progress = {});
   /// Switches an added effect off or on, counted from 0.
@@ -78,6 +82,11 @@ class Session {
   const std::vector<Rung>& ladder(const Progress& progress = {});
   /// Parameters of the current model, uncertain base ones included.
   std::vector<Estimate> model_parameters(const Progress& progress = {});
+
+  /// How each of the ladder's fits came about: no base rung.
+  std::vector<UpdateRecord> update_records(const Progress& progress = {});
+  /// Mechanisms of the deck, named.
+  std::vector<std::string> mechanisms(const Progress& progress = {});
 
   /// Which stages have their result already (for drawing without waiting).
   bool has_recordings() const;

@@ -3,6 +3,7 @@
 #include "updating/parameter_uncertainty.hpp"
 
 #include <Eigen/Cholesky>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -102,15 +103,21 @@ UpdateResult update(const FrfModel& model,
     return result;
   }
   double damping = 1e-3;
+  result.history.push_back({at->r.norm(), 0.0, damping, at->theta});
+  result.message = first.size() == 0 ? "nothing to identify"
+                                     : fmt::format("{} steps were not enough",
+                                                   options.max_iterations);
   for (int k = 0; k < options.max_iterations && first.size() > 0; ++k) {
     progress("updating", static_cast<double>(k) / options.max_iterations);
     bool improved = false;
     double moved = 0.0;
     double gained = 0.0;
+    double used = damping;
     while (!improved && damping < 1e8) {
       const VectorXd next = (at->theta + step(*at, prior, data, damping))
                                 .cwiseMax(prior.lower)
                                 .cwiseMin(prior.upper);
+      used = damping;
       moved = (next - at->theta).cwiseAbs().maxCoeff();
       std::optional<Point> trial = look(model, target, start, prior, next);
       improved = trial && trial->objective < at->objective;
@@ -123,11 +130,16 @@ UpdateResult update(const FrfModel& model,
         damping *= 6.0;
       }
     }
-    result.history.push_back(at->r.norm());
+    if (improved) {
+      result.history.push_back({at->r.norm(), moved, used, at->theta});
+    }
     // A short step under heavy damping gains little wherever it is.
     result.converged =
         moved <= options.tolerance ||
         (improved && damping < 1e-2 && gained <= options.objective_tolerance);
+    if (!result.converged && !improved) {
+      result.message = "no step, however short, lowers the error any more";
+    }
     if (result.converged || !improved) break;
   }
   result.state = unpack(start, at->theta);
@@ -136,7 +148,7 @@ UpdateResult update(const FrfModel& model,
   result.covariance = parameter_covariance(target, at->J, at->r, prior.sd);
   result.jacobian = at->J;
   result.residual = at->r;
-  result.message = result.converged ? "converged" : "stopped before converging";
+  if (result.converged) result.message = "converged";
   return result;
 }
 

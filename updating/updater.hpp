@@ -10,10 +10,13 @@
 
 #include "acquisition/progress.hpp"
 #include "updating/frf_model.hpp"
+#include "updating/l_curve.hpp"
 #include "updating/residual.hpp"
+#include "updating/update_history.hpp"
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,9 +45,11 @@ struct UpdateResult {
   Eigen::MatrixXd covariance;  ///< of theta
   Eigen::MatrixXd jacobian;    ///< d r / d theta at the end
   Eigen::VectorXd residual;
-  std::vector<double> history;  ///< ||r|| after each step
+  /// The start, then each step; see update_history.hpp.
+  std::vector<UpdateStep> history;
   bool converged = false;
-  std::string message;
+  std::string message;                 ///< why it stopped
+  std::optional<LCurve> l_curve = {};  ///< where lambda was a choice
 };
 
 /// Never returns a state with a larger J than the one given.

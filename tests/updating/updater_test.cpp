@@ -5,7 +5,9 @@
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/fitter.hpp"
+#include "updating/plain_fit.hpp"
 #include "updating/signature.hpp"
+#include "updating/update_record.hpp"
 
 #include <gtest/gtest.h>
 
@@ -107,9 +109,17 @@ TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
   // 1 % noise on 12 FRFs x 120 lines leaves far less than this.
   EXPECT_NEAR(fit.result.state.effects[0].p[0], 0.02, 0.0002);
   EXPECT_NEAR(fit.result.state.factor[0], 1.02, 0.002);
-  for (std::size_t k = 1; k < fit.result.history.size(); ++k) {
-    EXPECT_LE(fit.result.history[k], fit.result.history[k - 1] * 1.0001);
+  const std::vector<UpdateStep>& history = fit.result.history;
+  ASSERT_GT(history.size(), 3U);
+  for (std::size_t k = 1; k < history.size(); ++k) {
+    // Each stage has lines, and an error, of its own.
+    if (history[k].stage != history[k - 1].stage) continue;
+    EXPECT_LE(history[k].error, history[k - 1].error * 1.0001);
+    EXPECT_GT(history[k].length, 0.0);
   }
+  EXPECT_EQ(history.back().error, fit.result.error);
+  // The logarithm of an exponential.
+  EXPECT_NEAR((history.back().theta - pack(fit.result.state)).norm(), 0, 1e-12);
 }
 
 TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
@@ -185,6 +195,99 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   EXPECT_LT(s.mass_unexplained, 0.5 * s.spring_unexplained);
   // Local flexibility beyond the base's modes is a few percent of a mass.
   EXPECT_NEAR(s.mass_kg, 0.02, 0.002);
+}
+
+// The plain step on the same lines, without prior and damping.
+Fit plain(const PlateExperiment& test,
+          const std::vector<PlacedEffect>& start,
+          std::optional<double> lambda) {
+  PlainTask task;
+  task.options.lambda = lambda;
+  task.target = test.fitter().target();
+  task.options.properties = 1;
+  task.damping_ratio = Eigen::VectorXd(4);
+  task.damping_ratio << 0.006, 0.010, 0.006, 0.010;
+  return plain_fit(test.fitter(), task, start, test.fitter().model_for(start));
+}
+
+TEST(PlainFitTest, FindsWhatWasBuiltInAndTellsHow) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  const Fit fit = plain(test, {at_node("added-mass", 30, 0.005)}, 0.0);
+  EXPECT_TRUE(fit.result.converged) << fit.result.message;
+  // 1 % noise on 12 FRFs x 120 lines, of which the first mode's few count.
+  EXPECT_NEAR(fit.result.state.effects[0].p[0], 0.02, 0.0006);
+  EXPECT_NEAR(fit.result.state.factor[0], 1.02, 0.003);
+  ASSERT_GT(fit.result.history.size(), 2U);
+  // The logarithm of an exponential.
+  EXPECT_NEAR((fit.result.history.back().theta - pack(fit.result.state)).norm(),
+              0.0,
+              1e-12);
+}
+
+TEST(PlainFitTest, SaysWhereLambdaHoldsTheParameters) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  const Fit free = plain(test, {at_node("added-mass", 30, 0.005)}, 0.0);
+  const Fit corner = plain(test, {at_node("added-mass", 30, 0.005)}, {});
+  ASSERT_TRUE(corner.result.l_curve);
+  EXPECT_EQ(corner.result.l_curve->lambda(corner.result.l_curve->corner),
+            corner.result.history[1].lambda);
+  // So large that every step is below the tolerance at once.
+  const Fit held = plain(test, {at_node("added-mass", 30, 0.005)}, 1e9);
+  EXPECT_FALSE(held.result.converged);
+  EXPECT_NE(held.result.message.find("held by lambda"), std::string::npos);
+  const auto last = held.result.covariance.rows() - 1;
+  EXPECT_GT(held.result.covariance(last, last),
+            free.result.covariance(last, last));
+}
+
+TEST(PlainFitTest, HandsNoWorseModelOn) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  PlainTask task;
+  task.target = test.fitter().target();
+  const std::vector<PlacedEffect> none;
+  const auto model = test.fitter().model_for(none);
+  const ModelState first = test.fitter().start_state(*model, none);
+  task.target.H *= -1.0;  // nothing that the model could be
+  task.options.properties = 1;
+  const Fit fit = plain_fit(test.fitter(), task, none, model);
+  const Target& report = test.fitter().target();
+  EXPECT_LE(fit.result.error,
+            relative_error(report, model->respond(first, report.s, false).H));
+  EXPECT_FALSE(fit.result.message.empty());
+  EXPECT_TRUE(fit.result.covariance.allFinite());
+}
+
+TEST(PlainFitTest, StatedIntervalsHoldTheTruth) {
+  int inside = 0;
+  const int trials = 40;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, seed);
+    const Fit fit = plain(test, {at_node("added-mass", 30, 0.015)}, {});
+    const auto last = fit.result.covariance.rows() - 1;
+    const double sd = std::sqrt(fit.result.covariance(last, last));
+    const double off = std::log(fit.result.state.effects[0].p[0] / 0.02);
+    inside += std::abs(off) <= 1.96 * sd ? 1 : 0;
+  }
+  // 95 % of 40 is 38; 33 is the 0.5 % quantile of the binomial.
+  EXPECT_GE(inside, 33);
+}
+
+TEST(UpdateRecordTest, NamesParametersAndCorrelatesThem) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
+  const UpdateRecord record = record_of(
+      fit, test.fitter().setting().setting, {{"E:1", "Pa", 70e9}}, "lines");
+  EXPECT_EQ(record.parameters,
+            (std::vector<std::string>{"E:1", "added-mass mass_kg"}));
+  ASSERT_EQ(record.steps.size(), fit.result.history.size());
+  EXPECT_EQ(record.steps.back().values(0), 70e9 * fit.result.state.factor[0]);
+  EXPECT_TRUE(record.confounded.empty());
+  ASSERT_EQ(record.correlation.rows(), 2);
+  EXPECT_NEAR(record.correlation(1, 1), 1.0, 1e-12);
+  // A heavier mass and a stiffer plate make up for each other.
+  EXPECT_GT(record.correlation(0, 1), 0.0);
+  EXPECT_LT(record.correlation(0, 1), 1.0);
 }
 
 }  // namespace

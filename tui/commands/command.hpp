@@ -39,8 +39,10 @@ struct CommandOptions {
   std::optional<std::filesystem::path> saved;   ///< session to do again
   std::vector<std::string> effects;             ///< "added-mass@201", in order
   std::vector<std::string> free;                ///< "acc1=0.02", masses to free
-  int modes = 10;                               ///< of the model
-  int node = 0;                                 ///< grid id
+  std::string lines = "damped";                 ///< see updating/line_rule.hpp
+  std::string lambda;  ///< a number or "l-curve"; empty: not asked for
+  int modes = 10;      ///< of the model
+  int node = 0;        ///< grid id
   ImportArguments csv;
   PaperArguments paper;
 };

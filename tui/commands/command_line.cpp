@@ -17,10 +17,12 @@
 #include "tui/commands/signature_command.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effect_place.hpp"
+#include "updating/line_rule.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
+#include <cmath>
 #include <sstream>
 
 namespace tapfit::tui {
@@ -42,6 +44,7 @@ enum Extra : unsigned {
   Node = 32,
   SavedFile = 64,
   Free = 256,
+  Regularisation = 512,
 };
 
 struct Entry {
@@ -70,7 +73,7 @@ constexpr std::array<Entry, 12> entries{{
     {"update",
      "Identify uncertain properties and the effects named",
      update_command,
-     Effects},
+     Effects | Regularisation},
     {"session",
      "Do again what was saved in the terminal",
      session_command,
@@ -99,6 +102,38 @@ std::string effect_fault(const std::string& text) {
 std::string free_fault(const std::string& text) {
   return parse_free(text) ? std::string{}
                           : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
+}
+
+std::string lines_fault(const std::string& text) {
+  try {
+    static_cast<void>(updating::parse_lines(text));
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::string lambda_fault(const std::string& text) {
+  double value = 0.0;
+  const bool number = CLI::detail::lexical_cast(text, value) &&
+                      std::isfinite(value) && value >= 0.0;
+  return number || text == "l-curve"
+             ? std::string()
+             : "\"" + text + "\" is neither a number from 0 on nor l-curve";
+}
+
+void add_regularisation(CLI::App& command, CommandOptions& options) {
+  command
+      .add_option("--lines",
+                  options.lines,
+                  "Frequency lines: damped, rule, even, random, before-peaks "
+                  "or a list in Hz such as 20,31.5,40:60:0.5")
+      ->check(CLI::Validator(lines_fault, "LINES"));
+  command
+      .add_option("--lambda",
+                  options.lambda,
+                  "Tikhonov regularisation instead of the prior")
+      ->check(CLI::Validator(lambda_fault, "VALUE|l-curve"));
 }
 
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
@@ -137,6 +172,9 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
                      "acc1=0.020,sd=0.001 [kg]; again for each")
         ->check(CLI::Validator(free_fault, "SENSOR[=KG][,sd=KG]"))
         ->allow_extra_args(false);
+  }
+  if ((entry.extras & Regularisation) != 0) {
+    add_regularisation(*command, options);
   }
   if ((entry.extras & Modes) != 0) {
     command->add_option("--modes", options.modes, "How many modes")

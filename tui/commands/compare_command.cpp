@@ -117,8 +117,17 @@ std::string compare_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   const updating::Comparison& comparison = session.base_comparison(progress);
   const signal::FrfSet& frfs = session.frfs(progress);
-  return options.json ? compare_json(comparison, frfs).dump(2) + "\n"
-                      : compare_text(comparison, frfs);
+  const std::vector<std::string> warnings = session.mechanisms(progress);
+  if (options.json) {
+    ordered_json json = compare_json(comparison, frfs);
+    json["warnings"] = warnings;
+    return json.dump(2) + "\n";
+  }
+  std::string text = compare_text(comparison, frfs);
+  for (const std::string& warning : warnings) {
+    text += "  note: " + warning + "\n";
+  }
+  return text;
 }
 
 }  // namespace tapfit::tui

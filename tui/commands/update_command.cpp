@@ -3,7 +3,9 @@
 #include "acquisition/input_error.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/effect_output.hpp"
 #include "tui/commands/open_bundle.hpp"
+#include "tui/commands/update_output.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -85,6 +87,16 @@ updating::Diagnosis diagnosis_of_named(
   return diagnosis;
 }
 
+updating::UpdateChoice update_choice(const CommandOptions& options) {
+  updating::UpdateChoice choice;
+  choice.lines = updating::parse_lines(options.lines);
+  choice.l_curve = options.lambda == "l-curve";
+  if (!options.lambda.empty() && !choice.l_curve) {
+    choice.lambda = std::stod(options.lambda);
+  }
+  return choice;
+}
+
 std::string update_command(const CommandOptions& options,
                            const Progress& progress) {
   std::vector<updating::EffectRef> effects;
@@ -98,17 +110,30 @@ std::string update_command(const CommandOptions& options,
                      "name an --effect, or list in test.json what is "
                      "`uncertain` in the model");
   }
+  session.set_update(update_choice(options));
   session.fit_uncertain(progress);
   for (const auto& effect : effects) session.add(effect, progress);
-  const updating::Diagnosis diagnosis =
+  updating::Diagnosis diagnosis =
       diagnosis_of_named(session.ladder(progress),
                          session.comparison(progress),
                          session.model_parameters(progress));
+  const auto records = session.update_records(progress);
+  const auto loose = session.mechanisms(progress);
+  diagnosis.warnings.insert(
+      diagnosis.warnings.end(), loose.begin(), loose.end());
+  for (const auto& record : records) {
+    if (record.converged) continue;
+    diagnosis.warnings.push_back(fmt::format(
+        "{}: {}", effect_text(record.added, record.where), record.message));
+  }
   if (options.json) {
-    return diagnosis_json(options.input, diagnosis).dump(2) + "\n";
+    nlohmann::ordered_json json =
+        diagnosis_json(options.input, with_input_warnings(diagnosis, session));
+    json["updates"] = updates_json(records);
+    return json.dump(2) + "\n";
   }
   return pairs_text(session.comparison(progress).pairs) +
-         diagnosis_text(diagnosis);
+         updates_text(records) + diagnosis_text(diagnosis);
 }
 
 }  // namespace tapfit::tui

@@ -16,6 +16,11 @@ namespace tapfit::tui {
     const updating::Comparison& comparison,
     const std::vector<updating::Estimate>& model_parameters);
 
+/// What --lines and --lambda ask for.
+/// @throws InputError for lines that are none
+[[nodiscard]] updating::UpdateChoice update_choice(
+    const CommandOptions& options);
+
 /// @throws InputError for an unknown effect or a place it cannot take; Stopped
 [[nodiscard]] std::string update_command(const CommandOptions& options,
                                          const Progress& progress);

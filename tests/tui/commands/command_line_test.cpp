@@ -52,6 +52,23 @@ TEST(CommandLine, CommandTakesBundleAndJson) {
   EXPECT_TRUE(invocation.options.json);
 }
 
+TEST(CommandLine, UpdateTakesLinesAndLambda) {
+  const Invocation invocation = parsed(
+      {"update", "some/bundle", "--lines", "rule:2", "--lambda", "l-curve"});
+  const updating::UpdateChoice choice = update_choice(invocation.options);
+  EXPECT_EQ(choice.lines.kind, updating::LineKind::Rule);
+  EXPECT_TRUE(choice.l_curve);
+  EXPECT_FALSE(choice.lambda);
+  const Invocation fixed = parsed({"update", "b", "--lambda", "0.02"});
+  EXPECT_EQ(update_choice(fixed.options).lambda, 0.02);
+  EXPECT_FALSE(update_choice(parsed({"update", "b"}).options).is_plain());
+  for (const char* lambda : {"-1", "nan", "corner", "1x", ""}) {
+    EXPECT_EQ(answered({"update", "b", "--lambda", lambda}).exit_status, 2)
+        << lambda;
+  }
+  EXPECT_EQ(answered({"update", "b", "--lines", "peaks"}).exit_status, 2);
+}
+
 TEST(CommandLine, EffectsKeepTheirOrder) {
   const Invocation invocation = parsed({"update",
                                         "--effect",

@@ -1,0 +1,50 @@
+// The paper's plain updating (eq. 27) as a fit of the session: of uncertain
+// properties and effects together, on lines that the engineer chose.
+//
+// The damping is not fitted but taken from the measured modes, and no prior
+// holds the parameters; Tikhonov's lambda does. Errors are those on the
+// comparison's damped line, so that fits of either kind can be compared. A
+// state that is worse there than the start is not handed on.
+#pragma once
+
+#include "updating/fit_setting.hpp"
+#include "updating/fitter.hpp"
+#include "updating/plain_updater.hpp"
+#include "updating/update_choice.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// What plain fits of one test share.
+struct PlainTask {
+  Target target;      ///< measured FRFs on the lines chosen
+  std::string lines;  ///< which, in words
+  PlainOptions options;
+  /// Damping ratios of the lowest modes as measured, in order of frequency;
+  /// further ones have the typical one.
+  Eigen::VectorXd damping_ratio = {};
+};
+
+/// The line that errors are reported on, and the FRFs' own.
+struct KnownLines {
+  const Target& report;
+  const std::string& contour;  ///< the first in words
+  double sigma = 0.0;          ///< of the FRFs' exponential window [1/s]
+};
+
+/// @throws InputError where no line lies in the band, or a rule has no
+///   resonance to go by
+[[nodiscard]] PlainTask plain_task(const UpdateChoice& choice,
+                                   const MeasuredTest& test,
+                                   const KnownLines& known,
+                                   const Progress& progress);
+
+/// @param start, model as of Fitter::fit
+[[nodiscard]] Fit plain_fit(const Fitter& fitter,
+                            const PlainTask& task,
+                            const std::vector<PlacedEffect>& start,
+                            std::shared_ptr<const FrfModel> model);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,29 @@
+#include "updating/slow_poles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace tapfit::updating {
+
+bool several_hits(const acquisition::HitSet& hits) {
+  return std::any_of(hits.runs.begin(), hits.runs.end(), [](const auto& run) {
+    return run.size() > 1;
+  });
+}
+
+Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
+                            const acquisition::HitSet& hits) {
+  const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;
+  std::vector<std::complex<double>> poles;
+  for (const modal::Mode& mode : modes.modes) {
+    if (std::exp(mode.pole.real() * block_s) > 1e-3) {
+      poles.push_back(mode.pole);
+    }
+  }
+  return Eigen::Map<Eigen::VectorXcd>(poles.data(),
+                                      static_cast<Eigen::Index>(poles.size()));
+}
+
+}  // namespace tapfit::updating
