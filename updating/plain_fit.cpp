@@ -182,7 +182,7 @@ Fit plain_fit(const Fitter& fitter,
   const double before = error(first);
   if (!(result.error <= before)) {
     result.message += fmt::format(
-        " where the error on the damped lines, {:.3g}, is above the start's "
+        ", where the error on the damped lines, {:.3g}, is above the start's "
         "{:.3g}: the start is kept",
         result.error,
         before);
