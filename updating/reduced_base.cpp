@@ -4,6 +4,7 @@
 #include "updating/kept_base.hpp"
 #include "updating/mesh_shift.hpp"
 #include "updating/released_system.hpp"
+#include "updating/static_answers.hpp"
 #include "updating/structure/dashpots.hpp"
 #include "updating/structure/deck_modes.hpp"
 #include "updating/structure/eigenmodes.hpp"
@@ -19,8 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <numbers>
+#include <optional>
 
 namespace tapfit::updating {
 namespace {
@@ -31,12 +32,6 @@ using Eigen::VectorXd;
 using structure::SparseMatrix;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-
-// Responses per point: (A^-1 M)^k A^-1 f, k below. The first is the static one;
-// each further one makes the error of an FRF at the top of the band some
-// hundred times smaller. Two with modes to four times the band leave a smaller
-// basis than three with modes to three times it.
-constexpr std::size_t response_orders = 2;
 
 // Other coordinates of the same span: V Q.
 void turn(ReducedBase& base, const MatrixXd& Q) {
@@ -79,26 +74,20 @@ struct BaseBuilder::Impl {
   structure::System system;
   structure::FreeMotions motions;  // u = T q
   double mass = 0.0;
-  double shift = 0.0;  // K + shift M is factored [rad^2/s^2]
+  double shift = 0.0;  // K + shift M gives static answers [rad^2/s^2]
   MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
   ReleasedSystem plain;  // the model with nothing released
   MatrixXd V0;           // modes and static responses at options.points
   ReducedBase fixed;     // seen through V0, K diagonal
   std::vector<std::string> warnings;
-  // Factored when first asked for: a base that was kept needs it only for
-  // effects. build() is asked from several threads.
-  mutable std::once_flag once;
-  mutable std::unique_ptr<structure::Factor> factored;
+  std::optional<StaticAnswers> answers;
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
-  [[nodiscard]] const structure::Factor& factor() const;
 
   [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd backsolve(const MatrixXd& forces) const;
-  [[nodiscard]] MatrixXd responses(const std::vector<int>& points) const;
   [[nodiscard]] MatrixXd constraint_modes(const ReleasedSystem& released) const;
   [[nodiscard]] MatrixXd loss_modes(const SparseMatrix& S) const;
   [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
@@ -133,6 +122,7 @@ BaseBuilder::BaseBuilder(
                      "give the materials a density (RHO)");
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
+  m.answers.emplace(m.system, m.motions, m.shift);
   m.plain = {m.system.K,
              m.system.M,
              uncertain_parts(m.mesh.deck, uncertain),
@@ -211,7 +201,7 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
   progress("model: residual flexibility", 0.8);
   const MatrixXd u = motions.expand(solved.modes);
   MatrixXd& V = solved.V;
-  V = join({u, beyond(system.M, u, responses(options.points))});
+  V = join({u, beyond(system.M, u, answers->to_points(options.points))});
   const MatrixXd projected = V.transpose() * (system.K * V);
   V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
           .eval();
@@ -221,41 +211,6 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
     solved.M_part.emplace_back(V.transpose() * (part.M * V));
   }
   return solved;
-}
-
-const structure::Factor& BaseBuilder::Impl::factor() const {
-  std::call_once(once, [this] {
-    const SparseMatrix A =
-        motions.reduce(system.K) + shift * motions.reduce(system.M);
-    factored = std::make_unique<structure::Factor>(A);
-  });
-  return *factored;
-}
-
-// T (T' (K + shift M) T)^-1 T' f: the answer of what is free to move.
-MatrixXd BaseBuilder::Impl::backsolve(const MatrixXd& forces) const {
-  if (forces.cols() == 0) return MatrixXd::Zero(system.dofs(), 0);
-  return motions.expand(factor().solve(motions.project(forces)));
-}
-
-// To unit forces at the points, and the dynamic corrections of these.
-MatrixXd BaseBuilder::Impl::responses(const std::vector<int>& points) const {
-  MatrixXd forces =
-      MatrixXd::Zero(system.dofs(), static_cast<Index>(points.size()));
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    forces(points[k], static_cast<Index>(k)) = 1.0;
-  }
-  const MatrixXd felt = motions.project(forces);
-  std::vector<Index> moving;
-  for (Index k = 0; k < felt.cols(); ++k) {
-    if (!felt.col(k).isZero(0.0)) moving.push_back(k);
-  }
-  std::vector<MatrixXd> orders = {
-      backsolve(MatrixXd(forces(Eigen::all, moving)))};
-  while (orders.size() < response_orders) {
-    orders.push_back(backsolve(system.M * orders.back()));
-  }
-  return join(orders);
 }
 
 // The structure's answer to a unit of each released degree of freedom, the
@@ -282,7 +237,7 @@ MatrixXd BaseBuilder::Impl::constraint_modes(
     unit(*q, q - loose.begin()) = 1.0;
   }
   const MatrixXd forces = released.K * unit + shift * (released.M * unit);
-  unit.topRows(system.dofs()) -= backsolve(forces.topRows(system.dofs()));
+  unit.topRows(system.dofs()) -= answers->to(forces.topRows(system.dofs()));
   return unit;
 }
 
@@ -297,7 +252,7 @@ MatrixXd BaseBuilder::Impl::loss_modes(const SparseMatrix& S) const {
   std::vector<MatrixXd> terms;
   MatrixXd last = modes.leftCols(count);
   for (int k = 0; k < orders; ++k) {
-    last = backsolve(S * last);
+    last = answers->to(S * last);
     terms.push_back(last);
     // Alone they would all turn to the softest motion of the patch.
     last = orthonormalise(system.M, last, 1e-10);
@@ -390,7 +345,7 @@ ReducedBase BaseBuilder::build(
                       m.options.points.begin(),
                       m.options.points.end(),
                       std::back_inserter(fresh));
-  const MatrixXd points_moved = m.responses(fresh);
+  const MatrixXd points_moved = m.answers->to_points(fresh);
   if (changes.empty()) {
     return fresh.empty() ? m.fixed : m.extend(points_moved, m.plain);
   }
