@@ -1,57 +1,30 @@
 #include "updating/session.hpp"
 
 #include "acquisition/channel_names.hpp"
-#include "acquisition/input_error.hpp"
 #include "modal/sensor_shifts.hpp"
-#include "signal/uff58.hpp"
 #include "updating/compare.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effect_stack.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/estimates.hpp"
-#include "updating/fit_setting.hpp"
-#include "updating/fitter.hpp"
+#include "updating/fit_ground.hpp"
+#include "updating/measurement.hpp"
 #include "updating/plain_fit.hpp"
-#include "updating/reduced_base.hpp"
 #include "updating/signature.hpp"
-#include "updating/slow_poles.hpp"
 #include "updating/test_model.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace tapfit::updating {
-namespace {
-
-// Largest refined model that is solved without being asked for.
-constexpr std::size_t refined_grid_limit = 12000;
-
-// Of ln f, f the mesh's factor (hold_mesh_error): the limit of fine meshes is
-// at 4/3 where convergence is quadratic, at 2 where it is linear.
-constexpr double mesh_sd = 0.5;
-
-}  // namespace
 
 struct Session::Impl {
-  acquisition::TestBundle bundle;
+  explicit Impl(const std::filesystem::path& folder) : test(folder) {}
+
+  Measurement test;
   std::optional<structure::Deck> deck;
-  std::optional<std::vector<acquisition::Recording>> recordings;
-  std::optional<acquisition::HitSet> hits;
-  std::optional<signal::FrfSet> frfs;
-  Eigen::VectorXcd ringing_poles;  // modes that outlast the block
-  std::optional<modal::ModeSet> modes;
+  std::optional<SolvedModel> model;
+  std::optional<FitGround> ground;  // and with it the stack
 
-  std::optional<BaseBuilder> builder;
-  std::optional<BaseBuilder> coarse_builder;
-  std::unique_ptr<Fitter> fitter;
-  std::string contour;
-  std::vector<PropertyName> properties;
-  double floor_noise = 0.0;
-  double floor_mesh = 0.0;
-
-  std::vector<OverruledHit> overruled;
   std::optional<EffectStack> stack;
   std::vector<AddedEffect> waiting;  // to be in the stack, once there is one
   UpdateChoice choice;
@@ -63,172 +36,86 @@ struct Session::Impl {
 
   void drop_from_frfs();
   void drop_current();
-  void overrule_hits();
   void stack_waiting(const Progress& progress);
   void prepare_fit(Session& session, const Progress& progress);
   [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
                             const Progress& progress);
-  [[nodiscard]] Comparison compare_now(const Fit& fit) const;
+  [[nodiscard]] Comparison compare_now(const Fit& fit);
   [[nodiscard]] StackFit stack_fit();
+  [[nodiscard]] MeasuredTest measured();
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
   [[nodiscard]] effects::Setting setting() const;
-  [[nodiscard]] std::array<double, 2> band() const;
 };
 
 Session::Session(const std::filesystem::path& bundle)
-    : impl_(std::make_unique<Impl>()) {
-  impl_->bundle = acquisition::read_test_bundle(bundle);
-}
+    : impl_(std::make_unique<Impl>(bundle)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
-const acquisition::TestBundle& Session::bundle() const { return impl_->bundle; }
-bool Session::has_model() const {
-  return impl_->bundle.deck || impl_->bundle.matrices;
+const acquisition::TestBundle& Session::bundle() const {
+  return impl_->test.bundle();
 }
-bool Session::has_recordings() const { return impl_->recordings.has_value(); }
-bool Session::has_hits() const { return impl_->hits.has_value(); }
-bool Session::has_frfs() const { return impl_->frfs.has_value(); }
-bool Session::has_modes() const { return impl_->modes.has_value(); }
+bool Session::has_model() const { return bundle().deck || bundle().matrices; }
+bool Session::has_recordings() const { return impl_->test.has_recordings(); }
+bool Session::has_hits() const { return impl_->test.has_hits(); }
+bool Session::has_frfs() const { return impl_->test.has_frfs(); }
+bool Session::has_modes() const { return impl_->test.has_modes(); }
 bool Session::has_comparison() const { return impl_->comparison.has_value(); }
 bool Session::has_diagnosis() const { return impl_->diagnosis.has_value(); }
+
+const std::vector<acquisition::Recording>& Session::recordings(
+    const Progress& progress) {
+  return impl_->test.recordings(progress);
+}
+const acquisition::HitSet& Session::hits(const Progress& progress) {
+  return impl_->test.hits(progress);
+}
+const signal::FrfSet& Session::frfs(const Progress& progress) {
+  return impl_->test.frfs(progress);
+}
+const modal::ModeSet& Session::modes(const Progress& progress) {
+  return impl_->test.modes(progress);
+}
 
 const structure::Deck& Session::deck(const Progress& progress) {
   if (impl_->deck) return *impl_->deck;
   progress("model: reading", 0.0);
-  impl_->deck = read_test_model(impl_->bundle);
+  impl_->deck = read_test_model(bundle());
   return *impl_->deck;
-}
-
-const std::vector<acquisition::Recording>& Session::recordings(
-    const Progress& progress) {
-  if (!impl_->recordings && impl_->bundle.frfs) {
-    throw InputError("the test consists of ready FRFs: it has no recordings",
-                     (impl_->bundle.folder / "test.json").string(),
-                     "FRFs and modes can be had; for hits, comparison and "
-                     "diagnosis give \"runs\"");
-  }
-  if (!impl_->recordings) {
-    progress("recordings: reading", 0.0);
-    impl_->recordings = acquisition::read_recordings(impl_->bundle);
-  }
-  return *impl_->recordings;
-}
-
-const acquisition::HitSet& Session::hits(const Progress& progress) {
-  if (!impl_->hits) {
-    const auto& all = recordings(progress);
-    progress("hits: finding", 0.0);
-    acquisition::HitOptions options;
-    options.trigger_percent = impl_->bundle.trigger_percent;
-    options.pre_trigger_s = impl_->bundle.pre_trigger_s;
-    options.block_s = impl_->bundle.block_s;
-    impl_->hits = acquisition::find_hits(impl_->bundle, all, options);
-    impl_->overrule_hits();
-  }
-  return *impl_->hits;
-}
-
-const signal::FrfSet& Session::frfs(const Progress& progress) {
-  if (!impl_->frfs && impl_->bundle.frfs) {
-    progress("FRFs: reading", 0.0);
-    impl_->frfs = signal::read_frfs_uff(*impl_->bundle.frfs).set;
-  }
-  if (!impl_->frfs) {
-    const auto& all = recordings(progress);
-    const auto& found = hits(progress);
-    signal::FrfOptions options;
-    impl_->frfs =
-        signal::estimate_frfs(impl_->bundle, all, found, options, progress);
-    // A mode that still rings when the next hit comes is known only once the
-    // modes are: FRFs, modes, and FRFs again without the ringing.
-    if (impl_->bundle.band_hz && several_hits(found)) {
-      impl_->ringing_poles =
-          slow_poles(modal::identify_modes(*impl_->frfs, {}, progress), found);
-    }
-    if (impl_->ringing_poles.size() > 0) {
-      options.ringing_poles = impl_->ringing_poles;
-      impl_->frfs =
-          signal::estimate_frfs(impl_->bundle, all, found, options, progress);
-    }
-  }
-  return *impl_->frfs;
-}
-
-const modal::ModeSet& Session::modes(const Progress& progress) {
-  if (!impl_->modes) {
-    impl_->modes = modal::identify_modes(frfs(progress), {}, progress);
-  }
-  return *impl_->modes;
-}
-
-std::array<double, 2> Session::Impl::band() const {
-  if (bundle.band_hz) return *bundle.band_hz;
-  const Eigen::VectorXd f = frfs->frequency_hz();
-  const double rate = hits->sample_rate_hz;
-  return {std::max(f.minCoeff(), 1e-3 * rate),
-          std::min(f.maxCoeff(), 0.4 * rate)};
 }
 
 effects::Setting Session::Impl::setting() const {
   effects::Setting s;
-  s.bundle = &bundle;
+  s.bundle = &test.bundle();
   s.deck = &*deck;
-  s.mass_kg = builder->mass_kg();
-  s.low_hz = band()[0];
-  s.high_hz = band()[1];
-  s.component = measured_component(bundle);
+  s.mass_kg = model->builder.mass_kg();
+  s.low_hz = test.band()[0];
+  s.high_hz = test.band()[1];
+  s.component = measured_component(test.bundle());
   return s;
 }
 
 // Model, damped lines and the base fit; all that does not depend on effects.
 void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
-  if (fitter) return;
+  if (ground) return;
   const structure::Deck& the_deck = session.deck(progress);
-  const acquisition::HitSet& found = session.hits(progress);
-  const modal::ModeSet& identified = session.modes(progress);
-  if (!builder) {
-    BaseOptions options;
-    options.high_hz = band()[1];
-    options.cache = user_cache();
-    options.points = measured_points(the_deck, bundle);
-    options.split = 4 * the_deck.grids.size() <= refined_grid_limit;
-    builder.emplace(the_deck, bundle.uncertain, options, progress);
-    if (options.split) {
-      options.split = false;
-      coarse_builder.emplace(the_deck, bundle.uncertain, options, progress);
-      builder->hold_mesh_error(*coarse_builder);
-    }
+  static_cast<void>(test.modes(progress));
+  if (!model) {
+    model = solve_model(the_deck, test.bundle(), test.band()[1], progress);
   }
-  FitSetting fit =
-      fit_setting({setting(), *recordings, found, ringing_poles, identified},
-                  builder->is_free(),
-                  progress);
-  if (coarse_builder) fit.uncertain_sd.push_back(mesh_sd);
-  contour = fit.contour;
-  properties = property_names(bundle, the_deck);
-  fitter = std::make_unique<Fitter>(*builder, std::move(fit));
-  progress("comparison: base model", 0.5);
-  // The base as the deck has it: nothing fitted.
-  Fit base;
-  base.model = fitter->model_for({});
-  base.result.state = fitter->first_state(*base.model, {});
-  base.result.error = relative_error(
-      fitter->target(),
-      base.model->respond(base.result.state, fitter->target().s, false).H);
-  stack.emplace(base, !bundle.uncertain.empty());
-  floor_noise = noise_error(fitter->target());
-  if (coarse_builder) {
-    const Fitter coarse(*coarse_builder, fitter->setting());
-    const Eigen::VectorXd bias = mesh_error(*base.model,
-                                            *coarse.model_for({}),
-                                            base.result.state,
-                                            fitter->target());
-    floor_mesh = bias.norm();
-    fitter->set_mesh_bias(bias);
-  }
+  ground = prepare_fits(*model, measured(), progress);
+  stack.emplace(ground->base, !test.bundle().uncertain.empty());
   stack_waiting(progress);
+}
+
+// Its stages are there by now.
+MeasuredTest Session::Impl::measured() {
+  return {setting(),
+          test.recordings({}),
+          test.hits({}),
+          test.ringing_poles(),
+          test.modes({})};
 }
 
 StackFit Session::Impl::stack_fit() {
@@ -239,23 +126,26 @@ StackFit Session::Impl::stack_fit() {
 
 Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
                            const Progress& progress) {
-  const auto model = fitter->model_for(effects);
-  if (!choice.is_plain()) return fitter->fit(effects, model, progress);
+  const Fitter& fitter = *ground->fitter;
+  const auto base = fitter.model_for(effects);
+  if (!choice.is_plain()) return fitter.fit(effects, base, progress);
   if (!plain) {
-    plain = plain_task(choice,
-                       {setting(), *recordings, *hits, ringing_poles, *modes},
-                       {fitter->target(), contour, frfs->s.real().minCoeff()},
-                       progress);
+    plain = plain_task(
+        choice,
+        measured(),
+        {fitter.target(), ground->contour, test.frfs({}).s.real().minCoeff()},
+        progress);
   }
-  return plain_fit(*fitter, *plain, effects, model);
+  return plain_fit(fitter, *plain, effects, base);
 }
 
-Comparison Session::Impl::compare_now(const Fit& fit) const {
-  Comparison c = compare(fit, fitter->target(), *frfs, *modes);
-  c.floor_noise = floor_noise;
-  c.floor_mesh = floor_mesh;
-  c.floor = std::hypot(floor_noise, floor_mesh);
-  c.contour = contour;
+Comparison Session::Impl::compare_now(const Fit& fit) {
+  Comparison c =
+      compare(fit, ground->fitter->target(), test.frfs({}), test.modes({}));
+  c.floor_noise = ground->floor_noise;
+  c.floor_mesh = ground->floor_mesh;
+  c.floor = std::hypot(c.floor_noise, c.floor_mesh);
+  c.contour = ground->contour;
   return c;
 }
 
@@ -281,16 +171,17 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
     DiagnoseOptions options;
     options.floor = base.floor;
     options.contour = base.contour;
-    options.properties = impl_->properties;
+    options.properties = impl_->ground->properties;
     const auto& found = modes(progress).modes;
     options.modes_in_band = std::max(1, static_cast<int>(found.size()));
-    Diagnosis d =
-        diagnose(*impl_->fitter, impl_->current().effects, options, progress);
+    Diagnosis d = diagnose(
+        *impl_->ground->fitter, impl_->current().effects, options, progress);
     // Nothing fitted yet: the base is the deck as it is.
     if (impl_->stack->fits().size() == 1) d.error_base = base.error;
-    if (const auto& shifts = impl_->modes->shifts; modal::is_telling(shifts)) {
+    if (const auto& shifts = modes(progress).shifts;
+        modal::is_telling(shifts)) {
       d.warnings.push_back(
-          modal::statement(*shifts, acquisition::channel_names(impl_->bundle)));
+          modal::statement(*shifts, acquisition::channel_names(bundle())));
     }
     for (const auto& loose : mechanisms(progress)) d.warnings.push_back(loose);
     impl_->diagnosis = std::move(d);
@@ -308,8 +199,8 @@ Signature Session::signature(int node, const Progress& progress) {
   Where where;
   where.node = node;
   with_node.push_back({&effects::find("added-mass"), where, {1.0}});
-  current.model = impl_->fitter->model_for(with_node);
-  return signature_at(current, impl_->fitter->target(), node, progress);
+  current.model = impl_->ground->fitter->model_for(with_node);
+  return signature_at(current, impl_->ground->fitter->target(), node, progress);
 }
 
 void Session::Impl::drop_current() {
@@ -319,32 +210,12 @@ void Session::Impl::drop_current() {
 }
 
 void Session::Impl::drop_from_frfs() {
-  if (fitter) waiting = stack->effects();
-  frfs.reset();
-  ringing_poles.resize(0);
-  modes.reset();
-  fitter.reset();
+  if (ground) waiting = stack->effects();
+  ground.reset();
   stack.reset();
   plain.reset();
   base_comparison.reset();
   drop_current();
-}
-
-// What was overruled before the hits were found.
-void Session::Impl::overrule_hits() {
-  for (const OverruledHit& overruled_hit : overruled) {
-    const auto [run, hit] = overruled_hit;
-    if (run < hits->runs.size() && hit < hits->runs[run].size()) {
-      acquisition::overrule(hits->runs[run][hit]);
-      continue;
-    }
-    hits.reset();
-    throw InputError(
-        "the saved session overrules a hit that is not there",
-        fmt::format("run {}, hit {}", run + 1, hit + 1),
-        "recordings or trigger have changed since: take the hit out of the "
-        "session's file");
-  }
 }
 
 void Session::Impl::stack_waiting(const Progress& progress) {
@@ -355,23 +226,14 @@ void Session::Impl::stack_waiting(const Progress& progress) {
     }
   } catch (...) {
     // As if nothing had been prepared: the next call tries again.
-    fitter.reset();
+    ground.reset();
     stack.reset();
     throw;
   }
 }
 
 void Session::overrule_hit(std::size_t run, std::size_t hit) {
-  static_cast<void>(hits());
-  acquisition::Hit& judged = impl_->hits->runs.at(run).at(hit);
-  const bool before = judged.accepted;
-  acquisition::overrule(judged);
-  if (judged.accepted == before) return;
-  // Overruled twice, it is judged as before.
-  if (std::erase(impl_->overruled, OverruledHit{run, hit}) == 0) {
-    impl_->overruled.push_back({run, hit});
-  }
-  impl_->drop_from_frfs();
+  if (impl_->test.overrule({run, hit})) impl_->drop_from_frfs();
 }
 
 void Session::add(const EffectRef& effect, const Progress& progress) {
@@ -393,7 +255,7 @@ void Session::fit_uncertain(const Progress& progress) {
 }
 
 bool Session::undo(const Progress& progress) {
-  if (!impl_->fitter && impl_->waiting.empty()) return false;
+  if (!impl_->ground && impl_->waiting.empty()) return false;
   impl_->prepare_fit(*this, progress);
   if (!impl_->stack->undo(impl_->stack_fit(), progress)) return false;
   impl_->drop_current();
@@ -401,7 +263,7 @@ bool Session::undo(const Progress& progress) {
 }
 
 bool Session::redo(const Progress& progress) {
-  if (!impl_->fitter || !impl_->stack->redo(impl_->stack_fit(), progress)) {
+  if (!impl_->ground || !impl_->stack->redo(impl_->stack_fit(), progress)) {
     return false;
   }
   impl_->drop_current();
@@ -409,19 +271,19 @@ bool Session::redo(const Progress& progress) {
 }
 
 std::vector<AddedEffect> Session::effects() const {
-  return impl_->fitter ? impl_->stack->effects() : impl_->waiting;
+  return impl_->ground ? impl_->stack->effects() : impl_->waiting;
 }
 
 const std::vector<OverruledHit>& Session::overruled() const {
-  return impl_->overruled;
+  return impl_->test.overruled();
 }
 
 SavedSession Session::saved(const Progress& progress) {
   SavedSession result;
-  result.title = impl_->bundle.title;
-  result.overruled = impl_->overruled;
+  result.title = bundle().title;
+  result.overruled = overruled();
   result.effects = effects();
-  if (!impl_->fitter) return result;
+  if (!impl_->ground) return result;
   for (const Rung& rung : ladder(progress)) {
     const Fit& fit = impl_->stack->fits()[result.ladder.size()];
     result.ladder.push_back({rung, impl_->compare_now(fit).pairs});
@@ -430,7 +292,7 @@ SavedSession Session::saved(const Progress& progress) {
 }
 
 void Session::take_up(const SavedSession& saved) {
-  impl_->overruled = saved.overruled;
+  impl_->test.set_overruled(saved.overruled);
   impl_->waiting = saved.effects;
 }
 
@@ -441,16 +303,16 @@ void Session::set_update(const UpdateChoice& choice) {
 
 std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  return records_of(impl_->stack->fits(),
-                    impl_->setting(),
-                    impl_->properties,
-                    impl_->plain ? impl_->plain->lines : impl_->contour);
+  return records_of(
+      impl_->stack->fits(),
+      impl_->setting(),
+      impl_->ground->properties,
+      impl_->plain ? impl_->plain->lines : impl_->ground->contour);
 }
 
 std::vector<std::string> Session::mechanisms(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  const auto& unsplit = impl_->coarse_builder;
-  return (unsplit ? unsplit : impl_->builder)->warnings();
+  return impl_->model->unsplit().warnings();
 }
 
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
@@ -463,7 +325,8 @@ const std::vector<Rung>& Session::ladder(const Progress& progress) {
 
 std::vector<Estimate> Session::model_parameters(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  return all_estimates(impl_->current(), impl_->properties, impl_->setting());
+  return all_estimates(
+      impl_->current(), impl_->ground->properties, impl_->setting());
 }
 
 }  // namespace tapfit::updating

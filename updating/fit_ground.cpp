@@ -1,0 +1,65 @@
+#include "updating/fit_ground.hpp"
+
+#include "updating/compare.hpp"
+
+#include <cmath>
+
+namespace tapfit::updating {
+namespace {
+
+// Largest refined model that is solved without being asked for.
+constexpr std::size_t refined_grid_limit = 12000;
+
+// Of ln f, f the mesh's factor (hold_mesh_error): the limit of fine meshes is
+// at 4/3 where convergence is quadratic, at 2 where it is linear.
+constexpr double mesh_sd = 0.5;
+
+}  // namespace
+
+SolvedModel solve_model(const structure::Deck& deck,
+                        const acquisition::TestBundle& bundle,
+                        double high_hz,
+                        const Progress& progress) {
+  BaseOptions options;
+  options.high_hz = high_hz;
+  options.cache = user_cache();
+  options.points = measured_points(deck, bundle);
+  options.split = 4 * deck.grids.size() <= refined_grid_limit;
+  SolvedModel model{BaseBuilder(deck, bundle.uncertain, options, progress), {}};
+  if (options.split) {
+    options.split = false;
+    model.coarse.emplace(deck, bundle.uncertain, options, progress);
+    model.builder.hold_mesh_error(*model.coarse);
+  }
+  return model;
+}
+
+FitGround prepare_fits(const SolvedModel& model,
+                       const MeasuredTest& test,
+                       const Progress& progress) {
+  FitGround ground;
+  FitSetting setting = fit_setting(test, model.builder.is_free(), progress);
+  if (model.coarse) setting.uncertain_sd.push_back(mesh_sd);
+  ground.contour = setting.contour;
+  ground.properties = property_names(*test.setting.bundle, *test.setting.deck);
+  ground.fitter = std::make_unique<Fitter>(model.builder, std::move(setting));
+  progress("comparison: base model", 0.5);
+  const Fitter& fitter = *ground.fitter;
+  const Target& target = fitter.target();
+  Fit& base = ground.base;
+  base.model = fitter.model_for({});
+  base.result.state = fitter.first_state(*base.model, {});
+  base.result.error = relative_error(
+      target, base.model->respond(base.result.state, target.s, false).H);
+  ground.floor_noise = noise_error(target);
+  if (model.coarse) {
+    const Fitter coarse(*model.coarse, fitter.setting());
+    const Eigen::VectorXd bias = mesh_error(
+        *base.model, *coarse.model_for({}), base.result.state, target);
+    ground.floor_mesh = bias.norm();
+    ground.fitter->set_mesh_bias(bias);
+  }
+  return ground;
+}
+
+}  // namespace tapfit::updating

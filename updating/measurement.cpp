@@ -1,0 +1,116 @@
+#include "updating/measurement.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "modal/identify_modes.hpp"
+#include "signal/estimate_frfs.hpp"
+#include "signal/uff58.hpp"
+#include "updating/slow_poles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace tapfit::updating {
+
+Measurement::Measurement(const std::filesystem::path& folder)
+    : bundle_(acquisition::read_test_bundle(folder)) {}
+
+const std::vector<acquisition::Recording>& Measurement::recordings(
+    const Progress& progress) {
+  if (!recordings_ && bundle_.frfs) {
+    throw InputError("the test consists of ready FRFs: it has no recordings",
+                     (bundle_.folder / "test.json").string(),
+                     "FRFs and modes can be had; for hits, comparison and "
+                     "diagnosis give \"runs\"");
+  }
+  if (!recordings_) {
+    progress("recordings: reading", 0.0);
+    recordings_ = acquisition::read_recordings(bundle_);
+  }
+  return *recordings_;
+}
+
+const acquisition::HitSet& Measurement::hits(const Progress& progress) {
+  if (!hits_) {
+    const auto& all = recordings(progress);
+    progress("hits: finding", 0.0);
+    acquisition::HitOptions options;
+    options.trigger_percent = bundle_.trigger_percent;
+    options.pre_trigger_s = bundle_.pre_trigger_s;
+    options.block_s = bundle_.block_s;
+    hits_ = acquisition::find_hits(bundle_, all, options);
+    overrule_found();
+  }
+  return *hits_;
+}
+
+const signal::FrfSet& Measurement::frfs(const Progress& progress) {
+  if (!frfs_ && bundle_.frfs) {
+    progress("FRFs: reading", 0.0);
+    frfs_ = signal::read_frfs_uff(*bundle_.frfs).set;
+  }
+  if (!frfs_) {
+    const auto& all = recordings(progress);
+    const auto& found = hits(progress);
+    signal::FrfOptions options;
+    auto set = signal::estimate_frfs(bundle_, all, found, options, progress);
+    // A mode that still rings when the next hit comes is known only once the
+    // modes are: FRFs, modes, and FRFs again without the ringing.
+    if (bundle_.band_hz && several_hits(found)) {
+      ringing_poles_ =
+          slow_poles(modal::identify_modes(set, {}, progress), found);
+    }
+    if (ringing_poles_.size() > 0) {
+      options.ringing_poles = ringing_poles_;
+      set = signal::estimate_frfs(bundle_, all, found, options, progress);
+    }
+    frfs_ = std::move(set);
+  }
+  return *frfs_;
+}
+
+const modal::ModeSet& Measurement::modes(const Progress& progress) {
+  if (!modes_) modes_ = modal::identify_modes(frfs(progress), {}, progress);
+  return *modes_;
+}
+
+std::array<double, 2> Measurement::band() const {
+  if (bundle_.band_hz) return *bundle_.band_hz;
+  const Eigen::VectorXd f = frfs_->frequency_hz();
+  const double rate = hits_->sample_rate_hz;
+  return {std::max(f.minCoeff(), 1e-3 * rate),
+          std::min(f.maxCoeff(), 0.4 * rate)};
+}
+
+bool Measurement::overrule(const OverruledHit& which) {
+  static_cast<void>(hits({}));
+  acquisition::Hit& judged = hits_->runs.at(which.run).at(which.hit);
+  const bool before = judged.accepted;
+  acquisition::overrule(judged);
+  if (judged.accepted == before) return false;
+  // Overruled twice, it is judged as before.
+  if (std::erase(overruled_, which) == 0) overruled_.push_back(which);
+  frfs_.reset();
+  ringing_poles_.resize(0);
+  modes_.reset();
+  return true;
+}
+
+// What was overruled before the hits were found.
+void Measurement::overrule_found() {
+  for (const auto& [run, hit] : overruled_) {
+    if (run < hits_->runs.size() && hit < hits_->runs[run].size()) {
+      acquisition::overrule(hits_->runs[run][hit]);
+      continue;
+    }
+    hits_.reset();
+    throw InputError(
+        "the saved session overrules a hit that is not there",
+        fmt::format("run {}, hit {}", run + 1, hit + 1),
+        "recordings or trigger have changed since: take the hit out of the "
+        "session's file");
+  }
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,72 @@
+// A test's measurement from its files to its modes. Each stage is worked out
+// when first asked for and kept; overruling a hit drops what follows from it.
+#pragma once
+
+#include "acquisition/hits.hpp"
+#include "acquisition/progress.hpp"
+#include "acquisition/recording.hpp"
+#include "acquisition/test_bundle.hpp"
+#include "modal/mode_set.hpp"
+#include "signal/frf_set.hpp"
+#include "updating/saved_session.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace tapfit::updating {
+
+class Measurement {
+ public:
+  /// @throws InputError as of acquisition::read_test_bundle
+  explicit Measurement(const std::filesystem::path& folder);
+
+  [[nodiscard]] const acquisition::TestBundle& bundle() const {
+    return bundle_;
+  }
+  /// @throws InputError for a test of ready FRFs, which has none
+  const std::vector<acquisition::Recording>& recordings(
+      const Progress& progress);
+  const acquisition::HitSet& hits(const Progress& progress);
+  const signal::FrfSet& frfs(const Progress& progress);
+  const modal::ModeSet& modes(const Progress& progress);
+
+  /// Poles of modes that outlast the block; as of frfs().
+  [[nodiscard]] const Eigen::VectorXcd& ringing_poles() const {
+    return ringing_poles_;
+  }
+  /// The bundle's band, or what the recordings hold; as of frfs() [Hz].
+  [[nodiscard]] std::array<double, 2> band() const;
+
+  /// Judges a hit the other way round, or as before where it was overruled.
+  /// @return whether its judgement changed
+  bool overrule(const OverruledHit& which);
+  [[nodiscard]] const std::vector<OverruledHit>& overruled() const {
+    return overruled_;
+  }
+  /// Hits to overrule as soon as they are found.
+  void set_overruled(const std::vector<OverruledHit>& hits) {
+    overruled_ = hits;
+  }
+
+  [[nodiscard]] bool has_recordings() const { return recordings_.has_value(); }
+  [[nodiscard]] bool has_hits() const { return hits_.has_value(); }
+  [[nodiscard]] bool has_frfs() const { return frfs_.has_value(); }
+  [[nodiscard]] bool has_modes() const { return modes_.has_value(); }
+
+ private:
+  void overrule_found();
+
+  acquisition::TestBundle bundle_;
+  std::optional<std::vector<acquisition::Recording>> recordings_;
+  std::optional<acquisition::HitSet> hits_;
+  std::vector<OverruledHit> overruled_;
+  std::optional<signal::FrfSet> frfs_;
+  Eigen::VectorXcd ringing_poles_;
+  std::optional<modal::ModeSet> modes_;
+};
+
+}  // namespace tapfit::updating
