@@ -164,8 +164,12 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
 }
 
 std::string diagnosis_text(const updating::Diagnosis& diagnosis) {
-  std::string text = fmt::format("Diagnosis: {}\n", diagnosis.verdict);
-  text += candidates_text(diagnosis.candidates);
+  return fmt::format("Diagnosis: {}\n", diagnosis.verdict) +
+         findings_text(diagnosis);
+}
+
+std::string findings_text(const updating::Diagnosis& diagnosis) {
+  std::string text = candidates_text(diagnosis.candidates);
   for (const auto& rung : diagnosis.ladder) {
     if (rung.parameters.empty() || is_candidate(diagnosis, rung)) continue;
     text += "  " + effect_text(rung.added, rung.where) + "\n" +

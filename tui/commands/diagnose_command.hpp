@@ -16,6 +16,8 @@ namespace tapfit::tui {
 /// Verdict, ranked candidates, what the base's parameters became, warnings and
 /// last the error ladder.
 [[nodiscard]] std::string diagnosis_text(const updating::Diagnosis& diagnosis);
+/// The same without the verdict.
+[[nodiscard]] std::string findings_text(const updating::Diagnosis& diagnosis);
 
 /// @throws InputError (also for a bundle without a model), Stopped
 [[nodiscard]] std::string diagnose_command(const CommandOptions& options,

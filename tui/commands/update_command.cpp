@@ -133,7 +133,9 @@ std::string update_command(const CommandOptions& options,
     return json.dump(2) + "\n";
   }
   return pairs_text(session.comparison(progress).pairs) +
-         updates_text(records) + diagnosis_text(diagnosis);
+         updates_text(records) +
+         fmt::format("Effects added: {}\n", diagnosis.verdict) +
+         findings_text(diagnosis);
 }
 
 }  // namespace tapfit::tui

@@ -158,7 +158,7 @@ ordered_json updates_json(const std::vector<UpdateRecord>& records) {
 std::string updates_text(const std::vector<UpdateRecord>& records) {
   if (records.empty()) return {};
   const UpdateRecord& last = records.back();
-  return "On " + last.lines + "\n" + convergence_text(records) +
+  return "\nOn " + last.lines + "\n" + convergence_text(records) +
          confounded_text(last) + correlation_text(last) + l_curve_text(last) +
          "\n";
 }

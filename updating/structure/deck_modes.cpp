@@ -109,9 +109,9 @@ std::vector<std::string> describe(const Deck& deck,
   for (const bool translation : {true, false}) {
     for (Index i = 0; i < shape.size(); ++i) {
       if ((free[static_cast<std::size_t>(i)] % 6 < 3) != translation) continue;
-      if (std::abs(shape(i)) <= 1e-6 * shape.lpNorm<Eigen::Infinity>())
-        continue;
-      if (largest < 0 || std::abs(shape(i)) > std::abs(shape(largest))) {
+      if (shape(i) <= 1e-6 * shape.maxCoeff()) continue;
+      // Of equal ones the first of the deck, whatever rounding says.
+      if (largest < 0 || shape(i) > (1.0 + 1e-6) * shape(largest)) {
         largest = i;
       }
     }

@@ -36,7 +36,7 @@ updating::UpdateRecord example() {
 
 TEST(UpdateOutput, TextShowsStepsReasonCorrelationAndCorner) {
   EXPECT_EQ(updates_text({example()}),
-            "On some lines\n"
+            "\nOn some lines\n"
             "  identified            steps  residual from      to\n"
             "  added-mass at node 7      2         60.0 %  25.0 %  30 steps were "
             "not enough\n"
