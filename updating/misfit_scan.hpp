@@ -12,10 +12,24 @@ class MisfitScan {
  public:
   MisfitScan(const Fit& current, const Target& target);
 
+  /// What a change has to be compared with, as stacked residuals: column
+  /// `misfit` what is left to explain, column `missing` all that is missing,
+  /// from `tangent` on an orthonormal basis of what readjusts.
+  [[nodiscard]] const Eigen::MatrixXd& directions() const {
+    return directions_;
+  }
+  static constexpr Eigen::Index misfit = 0;
+  static constexpr Eigen::Index missing = 1;
+  static constexpr Eigen::Index tangent = 2;
+
   /// Real residual vector of a change of the FRFs (lines x FRFs).
   [[nodiscard]] Eigen::VectorXd change(const Eigen::MatrixXcd& dH) const;
 
   /// Error left with each of several changes made as they are.
+  /// @param power squared norms of the changes
+  /// @param shared directions' products with them, a column per change
+  [[nodiscard]] Eigen::VectorXd errors(const Eigen::VectorXd& power,
+                                       const Eigen::MatrixXd& shared) const;
   /// @param changes one per column, as from change()
   [[nodiscard]] Eigen::VectorXd errors(const Eigen::MatrixXd& changes) const;
 
@@ -25,17 +39,17 @@ class MisfitScan {
     double factor = 0.0;
     double error = 0.0;
   };
-  [[nodiscard]] Scaled scaled(const Eigen::VectorXd& change) const;
+  [[nodiscard]] Scaled scaled(double power,
+                              const Eigen::VectorXd& shared) const;
 
-  /// Error left by any law of frequency at one place: the best multiple of
-  /// the pattern at every line by itself, nothing readjusting.
-  [[nodiscard]] double any_law(const Eigen::MatrixXcd& pattern) const;
+  /// Squared norm of all that is missing.
+  [[nodiscard]] double missing_power() const { return missing_power_; }
 
  private:
   const Target* target_;
-  Eigen::MatrixXcd missing_;  // model - measured
-  Eigen::VectorXd misfit_;    // of it, off the tangent space
-  Eigen::MatrixXd Q_;         // orthonormal basis of the tangent space
+  Eigen::MatrixXd directions_;
+  double misfit_power_ = 0.0;
+  double missing_power_ = 0.0;
 };
 
 }  // namespace tapfit::updating

@@ -4,8 +4,8 @@
 #include "updating/effects/point_effect.hpp"
 #include "updating/misfit_scan.hpp"
 #include "updating/parallel.hpp"
-#include "updating/place_patterns.hpp"
 #include "updating/place_rows.hpp"
+#include "updating/place_scan.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,18 +24,17 @@ using Eigen::VectorXd;
 // point effect of any law would explain most.
 constexpr std::size_t grids_in_detail = 12;
 
-// What is looked at: places and the rows that they are felt by.
+// What is looked at, and the rows that it is felt by.
 struct Places {
-  std::vector<int> nodes;  // come first
+  std::vector<int> nodes;  // of the grids scanned
   std::vector<const effects::Effect*> point_kinds;
   std::vector<const effects::Effect*> detailed_kinds;  // several parameters
   struct Wide {
     const effects::Effect* effect = nullptr;
     Where where;
-    std::vector<std::size_t> rows;  // of which its pattern is the sum
   };
-  std::vector<Wide> wide;
-  std::vector<MatrixXd> rows;
+  std::vector<Wide> wide;  // of the sums scanned
+  ScannedPlaces scanned;
 };
 
 void add_losses(const effects::Effect& effect,
@@ -44,13 +43,14 @@ void add_losses(const effects::Effect& effect,
                 Places& places) {
   std::map<int, std::size_t> at;  // element -> its rows
   for (const Where& where : effect.places(setting)) {
-    Places::Wide wide{&effect, where, {}};
+    std::vector<std::size_t> sum;
     for (const int id : where.elements) {
-      const auto [it, fresh] = at.try_emplace(id, places.rows.size());
-      if (fresh) places.rows.push_back(source.element(id));
-      wide.rows.push_back(it->second);
+      const auto [it, fresh] = at.try_emplace(id, places.scanned.parts.size());
+      if (fresh) places.scanned.parts.push_back(source.element(id));
+      sum.push_back(it->second);
     }
-    places.wide.push_back(std::move(wide));
+    places.wide.push_back({&effect, where});
+    places.scanned.sums.push_back(std::move(sum));
   }
 }
 
@@ -65,7 +65,7 @@ Places all_places(const FrfModel& model) {
     if (places.nodes.empty()) {
       for (const Where& where : at) {
         places.nodes.push_back(where.node);
-        places.rows.push_back(source.grid(where.node));
+        places.scanned.grids.push_back(source.grid(where.node));
       }
     }
     if (at.empty()) continue;
@@ -81,8 +81,9 @@ Places all_places(const FrfModel& model) {
     for (const Where& where : effect->places(setting)) {
       MatrixXd rows = source.joint(where);
       if (rows.rows() == 0) continue;
-      places.wide.push_back({effect.get(), where, {places.rows.size()}});
-      places.rows.push_back(std::move(rows));
+      places.wide.push_back({effect.get(), where});
+      places.scanned.sums.push_back({places.scanned.parts.size()});
+      places.scanned.parts.push_back(std::move(rows));
     }
   }
   return places;
@@ -149,7 +150,7 @@ class Screening {
         target_(&fitter.setting().targets.front()),
         places_(all_places(*current.model)),
         scan_(current, *target_),
-        patterns_(place_patterns(current, *target_, places_.rows, progress)),
+        place_scan_(current, *target_, scan_, places_.scanned, progress),
         now_(
             current.model->respond(current.result.state, target_->s, false).H) {
   }
@@ -172,7 +173,7 @@ class Screening {
   [[nodiscard]] std::vector<Screened> detailed() const {
     std::vector<std::pair<double, std::size_t>> promise;
     for (std::size_t b = 0; b < places_.nodes.size(); ++b) {
-      promise.emplace_back(scan_.any_law(patterns_.pattern[b]), b);
+      promise.emplace_back(place_scan_.any_law(b), b);
     }
     const std::size_t count = std::min(grids_in_detail, promise.size());
     std::partial_sort(promise.begin(),
@@ -192,14 +193,9 @@ class Screening {
 
   [[nodiscard]] std::vector<Screened> wide() const {
     std::vector<Screened> result(places_.wide.size());
-    for_each_parallel(places_.wide.size(), [&](std::size_t k) {
+    for (std::size_t k = 0; k < result.size(); ++k) {
       const Places::Wide& place = places_.wide[k];
-      MatrixXcd sum = patterns_.pattern[place.rows.front()];
-      for (std::size_t e = 1; e < place.rows.size(); ++e) {
-        sum += patterns_.pattern[place.rows[e]];
-      }
-      const MisfitScan::Scaled best = scan_.scaled(scan_.change(
-          patterns_.s.cwiseProduct(patterns_.s).asDiagonal() * sum));
+      const MisfitScan::Scaled best = place_scan_.scaled(k);
       const double factor = std::max(best.factor, 1e-12);
       // A joint's stiffness is the inverse of its compliance; elements in a
       // row add compliance, 1 / factor - 1.
@@ -207,7 +203,7 @@ class Screening {
           place.effect->changes_stiffness() == ChangeKind::Elements;
       const double p = loss ? 1.0 / (1.0 + factor) : 1.0 / factor;
       result[k] = {PlacedEffect{place.effect, place.where, {p}}, best.error};
-    });
+    }
     return result;
   }
 
@@ -246,21 +242,13 @@ class Screening {
       std::size_t b,
       const effects::Effect& effect,
       const std::vector<std::vector<double>>& tried) const {
-    const MatrixXcd& P = patterns_.pattern[b];
-    const MatrixXcd& own = patterns_.own[b];
-    MatrixXd changes(2 * P.size(), static_cast<Index>(tried.size()));
-    MatrixXcd dH(P.rows(), P.cols());
+    MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
     for (std::size_t k = 0; k < tried.size(); ++k) {
-      for (Index l = 0; l < P.rows(); ++l) {
-        const std::complex<double> s = patterns_.s(l);
-        const std::complex<double> z = effect.law(s, tried[k], 0);
-        for (Index f = 0; f < P.cols(); ++f) {
-          dH(l, f) = -s * s * P(l, f) * z / (1.0 + own(l, f) * z);
-        }
+      for (Index l = 0; l < z.rows(); ++l) {
+        z(l, static_cast<Index>(k)) = effect.law(target_->s(l), tried[k], 0);
       }
-      changes.col(static_cast<Index>(k)) = scan_.change(dH);
     }
-    return best_of({&effect, where(b), {}}, tried, changes);
+    return best_of({&effect, where(b), {}}, tried, place_scan_.errors(b, z));
   }
 
   // The same for an effect that the model itself can respond to.
@@ -275,13 +263,12 @@ class Screening {
       const MatrixXcd H = current_->model->respond(state, target_->s, false).H;
       changes.col(static_cast<Index>(k)) = scan_.change(H - now_);
     }
-    return best_of(candidate, tried, changes);
+    return best_of(candidate, tried, scan_.errors(changes));
   }
 
   [[nodiscard]] Screened best_of(PlacedEffect candidate,
                                  const std::vector<std::vector<double>>& tried,
-                                 const MatrixXd& changes) const {
-    const VectorXd errors = scan_.errors(changes);
+                                 const VectorXd& errors) const {
     Index at = 0;
     const double least = errors.minCoeff(&at);
     candidate.p = tried[static_cast<std::size_t>(at)];
@@ -293,7 +280,7 @@ class Screening {
   const Target* target_;
   Places places_;
   MisfitScan scan_;
-  PlacePatterns patterns_;
+  PlaceScan place_scan_;
   MatrixXcd now_;  // the model's FRFs as it is
 };
 

@@ -111,22 +111,28 @@ Eigen::VectorXcd band_lines(Eigen::Index count) {
   return s;
 }
 
-updating::FrfModel frf_model(const PlateCase& plate,
-                             const Eigen::VectorXcd& s) {
+signal::FrfSet measured_pairs(const acquisition::TestBundle& bundle,
+                              const Eigen::VectorXcd& s) {
   signal::FrfSet pairs;
   pairs.s = s;
-  for (std::size_t r = 0; r < plate.bundle.runs.size(); ++r) {
-    for (const acquisition::Placement& p : plate.bundle.runs[r].sensors) {
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    for (const acquisition::Placement& p : bundle.runs[r].sensors) {
       signal::Frf frf;
       frf.response = p.dof;
-      frf.reference = plate.bundle.runs[r].hammer.dof;
+      frf.reference = bundle.runs[r].hammer.dof;
       frf.run = r;
       frf.channel = p.channel;
       frf.H = Eigen::VectorXcd::Zero(s.size());
+      frf.variance = Eigen::VectorXd::Zero(s.size());
       pairs.frfs.push_back(frf);
     }
   }
-  return {plate.base, plate.setting, pairs};
+  return pairs;
+}
+
+updating::FrfModel frf_model(const PlateCase& plate,
+                             const Eigen::VectorXcd& s) {
+  return {plate.base, plate.setting, measured_pairs(plate.bundle, s)};
 }
 
 updating::ModelState with_masses(const PlateCase& plate,

@@ -27,6 +27,10 @@ struct PlateCase {
 /// Lines of the band with a little damping [rad/s].
 [[nodiscard]] Eigen::VectorXcd band_lines(Eigen::Index count);
 
+/// The bundle's pairs on these lines, FRFs still zero.
+[[nodiscard]] signal::FrfSet measured_pairs(
+    const acquisition::TestBundle& bundle, const Eigen::VectorXcd& s);
+
 /// The model at the measured pairs on these lines.
 [[nodiscard]] updating::FrfModel frf_model(const PlateCase& plate,
                                            const Eigen::VectorXcd& s);

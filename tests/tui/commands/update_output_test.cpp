@@ -35,23 +35,24 @@ updating::UpdateRecord example() {
 }
 
 TEST(UpdateOutput, TextShowsStepsReasonCorrelationAndCorner) {
-  EXPECT_EQ(updates_text({example()}),
-            "\nOn some lines\n"
-            "  identified            steps  residual from      to\n"
-            "  added-mass at node 7      2         60.0 %  25.0 %  30 steps were "
-            "not enough\n"
-            "  note: the data alone do not tell apart E:1, rho:1\n"
-            "  note: the data say nothing of A:2\n"
-            "\n"
-            "  correlation               1     2\n"
-            "  1 E:1                  1.00\n"
-            "  2 added-mass mass_kg  -0.75  1.00\n"
-            "\n"
-            "  lambda  |S x - d|  |x|  L-curve, first step\n"
-            "    0.01          2    9\n"
-            "     0.1        2.1  0.8  corner\n"
-            "       1          5  0.1\n"
-            "\n");
+  EXPECT_EQ(
+      updates_text({example()}),
+      "\nOn some lines\n"
+      "  identified            steps  residual from      to\n"
+      "  added-mass at node 7      2         60.0 %  25.0 %  30 steps were "
+      "not enough\n"
+      "  note: the data alone do not tell apart E:1, rho:1\n"
+      "  note: the data say nothing of A:2\n"
+      "\n"
+      "  correlation               1     2\n"
+      "  1 E:1                  1.00\n"
+      "  2 added-mass mass_kg  -0.75  1.00\n"
+      "\n"
+      "  lambda  |S x - d|  |x|  L-curve, first step\n"
+      "    0.01          2    9\n"
+      "     0.1        2.1  0.8  corner\n"
+      "       1          5  0.1\n"
+      "\n");
   EXPECT_EQ(updates_text({}), "");
 }
 
