@@ -28,7 +28,10 @@ ModelModes model_modes(const Fit& fit, const modal::ModeSet& measured) {
                                       std::min<Index>(1, full.omega.size()));
   ModelModes modes;
   modes.frequency_hz = full.omega.head(count) / (2.0 * std::numbers::pi);
-  modes.damping_ratio = Eigen::VectorXd::Constant(count, state.zeta_other);
+  modes.damping_ratio =
+      full.omega.head(count).unaryExpr([&state](double omega) {
+        return omega > 0.0 ? state.zeta_at(omega) : 0.0;
+      });
   const Index known = std::min<Index>(count, state.zeta.size());
   modes.damping_ratio.head(known) = state.zeta.head(known);
   const MatrixXd phi = full.phi.leftCols(count);

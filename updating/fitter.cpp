@@ -107,6 +107,7 @@ ModelState Fitter::first_state(const FrfModel& model,
   state.factor.assign(setting_.uncertain_sd.size(), 1.0);
   state.effects = effects;
   state.zeta_other = setting_.damping_ratio;
+  if (state.damping_law() != nullptr) return state;
   const Eigen::VectorXd omega = model.base_modes(state).omega;
   const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
   const auto in_band = (omega.array() < top).count();

@@ -67,6 +67,17 @@ MatrixXd damping_factor(const structure::Deck& deck, const MatrixXd& rows) {
          c.tail(rank).cwiseSqrt().asDiagonal();
 }
 
+// What a law gives a mode of unit mass.
+effects::ModeDamping law_damping(const PlacedEffect& law, double omega) {
+  effects::ModeDamping sum;
+  for (std::size_t k = 0; k < law.p.size(); ++k) {
+    const effects::ModeDamping unit = law.effect->mode_damping(omega, k);
+    sum.c += law.p[k] * unit.c;
+    sum.slope += law.p[k] * unit.slope;
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
@@ -78,6 +89,20 @@ Index ModelState::parameters() const {
   Index n = static_cast<Index>(factor.size()) + zeta.size();
   for (const PlacedEffect& e : effects) n += static_cast<Index>(e.p.size());
   return n;
+}
+
+const PlacedEffect* ModelState::damping_law() const {
+  const auto it =
+      std::find_if(effects.begin(), effects.end(), [](const PlacedEffect& e) {
+        return e.effect->entry() == effects::Entry::Damping;
+      });
+  return it == effects.end() ? nullptr : &*it;
+}
+
+double ModelState::zeta_at(double omega) const {
+  const PlacedEffect* law = damping_law();
+  return law == nullptr ? zeta_other
+                        : law_damping(*law, omega).c / (2.0 * omega);
 }
 
 VectorXd pack(const ModelState& state) {
@@ -192,16 +217,16 @@ void FrfModel::set_reference(const ModelState& state) {
   reference_phi_ = base_modes(state).phi;
 }
 
-// Damping ratio of every mode; owner[q] is the index of its parameter or -1.
-VectorXd FrfModel::damping(const ModelState& state,
-                           const BaseModes& modes,
-                           std::vector<int>& owner) const {
-  const Index count = std::min<Index>(state.zeta.size(), modes.omega.size());
-  VectorXd zeta = VectorXd::Constant(modes.omega.size(), state.zeta_other);
-  owner.assign(static_cast<std::size_t>(modes.omega.size()), -1);
+// owner[m] is the position in zeta of mode m's ratio, or -1.
+void FrfModel::set_damping(ModalState& shared) const {
+  const ModelState& state = *shared.state;
+  const BaseModes& modes = shared.modes;
+  const VectorXd& w = modes.omega;
+  const Index count = std::min<Index>(state.zeta.size(), w.size());
+  shared.owner.assign(static_cast<std::size_t>(w.size()), -1);
   if (reference_phi_.size() == 0) {
     for (Index q = 0; q < count; ++q) {
-      owner[static_cast<std::size_t>(q)] = static_cast<int>(q);
+      shared.owner[static_cast<std::size_t>(q)] = static_cast<int>(q);
     }
   } else {
     const MatrixXd overlap =
@@ -209,14 +234,26 @@ VectorXd FrfModel::damping(const ModelState& state,
     for (Index q = 0; q < count; ++q) {
       Index best = 0;
       overlap.row(q).maxCoeff(&best);
-      owner[static_cast<std::size_t>(best)] = static_cast<int>(q);
+      shared.owner[static_cast<std::size_t>(best)] = static_cast<int>(q);
     }
   }
-  for (Index m = 0; m < zeta.size(); ++m) {
-    const int q = owner[static_cast<std::size_t>(m)];
-    if (q >= 0) zeta(m) = state.zeta(q);
+  const PlacedEffect* law = state.damping_law();
+  DampingOfModes& damping = shared.damping;
+  damping.d = damping.by_k = damping.by_m = VectorXd::Zero(w.size());
+  for (Index m = 0; m < w.size(); ++m) {
+    effects::ModeDamping mode;
+    if (law != nullptr) {
+      mode = law_damping(*law, w(m));
+    } else {
+      const int q = shared.owner[static_cast<std::size_t>(m)];
+      const double zeta = q >= 0 ? state.zeta(q) : state.zeta_other;
+      mode = {2.0 * zeta * w(m), 2.0 * zeta};
+    }
+    damping.d(m) = mode.c;
+    // c is homogeneous in k and m: c = k c_k + m c_m.
+    if (w(m) > 0.0) damping.by_k(m) = mode.slope / (2.0 * w(m));
+    damping.by_m(m) = mode.c - w(m) * w(m) * damping.by_k(m);
   }
-  return zeta;
 }
 
 ModalState FrfModel::modal_state(const ModelState& state,
@@ -224,7 +261,7 @@ ModalState FrfModel::modal_state(const ModelState& state,
   ModalState shared;
   shared.state = &state;
   shared.modes = base_modes(state);
-  shared.zeta = damping(state, shared.modes, shared.owner);
+  set_damping(shared);
   shared.first_zeta = state.factor.size();
   std::size_t column =
       shared.first_zeta + static_cast<std::size_t>(state.zeta.size());
@@ -244,7 +281,7 @@ ModalState FrfModel::modal_state(const ModelState& state,
       dM += c * base_.M_part[t];
     }
     ModalTerm term(phi, dK, &dM);
-    term.turn_damping(shared.modes.omega, shared.zeta);
+    term.turn_damping(shared.modes.omega, shared.damping.d);
     shared.terms.push_back({std::move(term), j, state.factor[j]});
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {

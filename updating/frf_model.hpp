@@ -39,6 +39,10 @@ struct ModelState {
   std::vector<PlacedEffect> effects;
 
   [[nodiscard]] Eigen::Index parameters() const;
+  /// The effect that gives all modes their damping, if any; zeta is empty then.
+  [[nodiscard]] const PlacedEffect* damping_law() const;
+  /// Damping ratio of a mode that the law gives, or zeta_other.
+  [[nodiscard]] double zeta_at(double omega) const;
 };
 
 /// Logarithms of the state's parameters: factors, zeta, then effects' p.
@@ -125,9 +129,7 @@ class FrfModel {
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
   [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
-  [[nodiscard]] Eigen::VectorXd damping(const ModelState& state,
-                                        const BaseModes& modes,
-                                        std::vector<int>& owner) const;
+  void set_damping(ModalState& shared) const;
 
   ReducedBase base_;
   effects::Setting setting_;

@@ -245,6 +245,8 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   for (const auto& effect : effects::catalogue()) {
     progress("fitting " + effect->name(),
              done++ / static_cast<double>(effects::catalogue().size()));
+    // A ratio for each mode is fitted along: a law explains no more.
+    if (effect->entry() == effects::Entry::Damping) continue;
     const std::vector<PlacedEffect> tries =
         worth_fitting(*effect, current, screened, setting, options);
     if (tries.empty()) continue;

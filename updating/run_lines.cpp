@@ -34,10 +34,9 @@ ModalTerm::ModalTerm(const MatrixXd& phi, const MatrixXd& K, const MatrixXd* M)
   if (is_diagonal(M_)) M_.resize(0, 0);
 }
 
-void ModalTerm::turn_damping(const VectorXd& omega, const VectorXd& zeta) {
+void ModalTerm::turn_damping(const VectorXd& omega, const VectorXd& d) {
   if (K_.size() == 0 && M_.size() == 0) return;
   const VectorXd l = omega.cwiseAbs2();
-  const VectorXd d = 2.0 * zeta.cwiseProduct(omega);
   C_ = MatrixXd::Zero(l.size(), l.size());
   for (Index j = 0; j < l.size(); ++j) {
     for (Index i = 0; i < l.size(); ++i) {
@@ -54,18 +53,14 @@ void ModalTerm::turn_damping(const VectorXd& omega, const VectorXd& zeta) {
 // The real matrices multiply all lines at once, real and imaginary parts side
 // by side.
 MatrixXcd ModalTerm::times(const VectorXcd& s,
-                           const VectorXd& omega,
-                           const VectorXd& zeta,
+                           const DampingOfModes& damping,
                            const MatrixXcd& X) const {
   const Index n = X.cols();
-  // c = 2 zeta sqrt(k m) grows with half of either.
-  VectorXd damping = zeta.cwiseProduct(omega).cwiseProduct(m_);
-  for (Index m = 0; m < damping.size(); ++m) {
-    if (omega(m) > 0.0) damping(m) += zeta(m) / omega(m) * k_(m);
-  }
+  const VectorXd gained =
+      damping.by_k.cwiseProduct(k_) + damping.by_m.cwiseProduct(m_);
   MatrixXcd result(X.rows(), n);
   for (Index c = 0; c < n; ++c) {
-    VectorXcd d = s(c) * damping;
+    VectorXcd d = s(c) * gained;
     if (K_.size() == 0) d += k_;
     if (M_.size() == 0) d += s(c) * s(c) * m_;
     result.col(c) = d.cwiseProduct(X.col(c));
@@ -94,8 +89,7 @@ MatrixXcd flexibility(const ModalState& shared, const VectorXcd& s) {
   MatrixXcd g(w.size(), s.size());
   for (Index l = 0; l < s.size(); ++l) {
     for (Index m = 0; m < w.size(); ++m) {
-      g(m, l) = 1.0 / (s(l) * s(l) + 2.0 * shared.zeta(m) * w(m) * s(l) +
-                       w(m) * w(m));
+      g(m, l) = 1.0 / (s(l) * s(l) + shared.damping.d(m) * s(l) + w(m) * w(m));
     }
   }
   return g;
@@ -145,6 +139,7 @@ void RunLines::respond(const VectorXcd& s,
     if (out.dH.empty()) continue;
     at.o = columns(g, coupled, responses);
     derive_damping(s(line), line, at, out);
+    derive_law(s(line), line, at, out);
     derive_effects(s(line), line, at, out);
     X.push_back(std::move(at));
   }
@@ -166,8 +161,7 @@ void RunLines::derive_terms(const VectorXcd& s,
     line_of.segment(n * line, n).setConstant(s(line));
   }
   for (const ScaledTerm& scaled : shared->terms) {
-    const MatrixXcd ZX =
-        scaled.term.times(line_of, shared->modes.omega, shared->zeta, few);
+    const MatrixXcd ZX = scaled.term.times(line_of, shared->damping, few);
     MatrixXcd& d = out.dH[scaled.column];
     for (Index line = 0; line < s.size(); ++line) {
       const Columns& at = X[static_cast<std::size_t>(line)];
@@ -190,14 +184,37 @@ void RunLines::derive_damping(complex<double> s,
                               Index line,
                               const Columns& X,
                               ModelResponse& out) const {
-  const VectorXd& w = shared->modes.omega;
-  for (Index m = 0; m < w.size(); ++m) {
+  const VectorXd& d_of = shared->damping.d;
+  for (Index m = 0; m < d_of.size(); ++m) {
     const int q = shared->owner[static_cast<std::size_t>(m)];
     if (q < 0) continue;
-    const complex<double> dz = 2.0 * shared->zeta(m) * w(m) * s;
+    const complex<double> dz = d_of(m) * s;
     MatrixXcd& d = out.dH[shared->first_zeta + static_cast<std::size_t>(q)];
     for (const WalkedPair& p : pairs) {
       d(line, p.frf) = -s * s * dz * X.o(m, p.response) * X.i(m, p.reference);
+    }
+  }
+}
+
+// The law gives every mode, the highest too, its share.
+void RunLines::derive_law(complex<double> s,
+                          Index line,
+                          const Columns& X,
+                          ModelResponse& out) const {
+  const VectorXd& w = shared->modes.omega;
+  for (std::size_t e = 0; e < shared->state->effects.size(); ++e) {
+    const PlacedEffect& placed = shared->state->effects[e];
+    if (placed.effect->entry() != effects::Entry::Damping) continue;
+    for (std::size_t k = 0; k < placed.p.size(); ++k) {
+      VectorXcd dz(w.size());
+      for (Index m = 0; m < w.size(); ++m) {
+        dz(m) = s * placed.p[k] * placed.effect->mode_damping(w(m), k).c;
+      }
+      const MatrixXcd change = X.o.transpose() * dz.asDiagonal() * X.i;
+      MatrixXcd& d = out.dH[shared->first[e] + k];
+      for (const WalkedPair& p : pairs) {
+        d(line, p.frf) -= s * s * change(p.response, p.reference);
+      }
     }
   }
 }

@@ -19,6 +19,14 @@ struct Actor {
   double weight = 1.0;
 };
 
+/// Of every mode of unit mass: d = 2 zeta omega, and what it gains with modal
+/// stiffness and mass.
+struct DampingOfModes {
+  Eigen::VectorXd d;
+  Eigen::VectorXd by_k;  ///< d d / d k
+  Eigen::VectorXd by_m;  ///< d d / d m
+};
+
 /// d Z / d f of a matrix term, in modal coordinates; diagonal where it can be.
 class ModalTerm {
  public:
@@ -31,13 +39,12 @@ class ModalTerm {
   ///   -(A' D + D A)_ij = (k_ij (d_j - d_i) + m_ij (l_j d_i - l_i d_j))
   ///                      / (l_j - l_i),   l = omega^2;
   /// A after R. L. Fox, M. P. Kapoor, AIAA Journal 6(12), 1968, p. 2426.
-  void turn_damping(const Eigen::VectorXd& omega, const Eigen::VectorXd& zeta);
+  void turn_damping(const Eigen::VectorXd& omega, const Eigen::VectorXd& d);
 
   /// d Z / d f times X; damping follows the frequencies.
   /// @param s the line of each column of X [rad/s]
   [[nodiscard]] Eigen::MatrixXcd times(const Eigen::VectorXcd& s,
-                                       const Eigen::VectorXd& omega,
-                                       const Eigen::VectorXd& zeta,
+                                       const DampingOfModes& damping,
                                        const Eigen::MatrixXcd& X) const;
 
  private:
@@ -57,8 +64,8 @@ struct ScaledTerm {
 struct ModalState {
   const ModelState* state = nullptr;
   BaseModes modes;
-  Eigen::VectorXd zeta;    ///< of every mode
-  std::vector<int> owner;  ///< parameter of each zeta, or -1
+  DampingOfModes damping;
+  std::vector<int> owner;  ///< of state->zeta, of each mode; or -1
   std::vector<ScaledTerm> terms;
   std::vector<std::size_t> first;  ///< column of each effect's parameters
   std::size_t first_zeta = 0;
@@ -98,6 +105,10 @@ struct RunLines {
   void derive_terms(const Eigen::VectorXcd& s,
                     const std::vector<Columns>& X,
                     ModelResponse& out) const;
+  void derive_law(std::complex<double> s,
+                  Eigen::Index line,
+                  const Columns& X,
+                  ModelResponse& out) const;
   void derive_damping(std::complex<double> s,
                       Eigen::Index line,
                       const Columns& X,

@@ -213,6 +213,7 @@ class Screening {
     std::vector<PlacedEffect> candidates;
     for (const auto& effect : effects::catalogue()) {
       if (effect->changes_stiffness() ||
+          effect->entry() == effects::Entry::Damping ||
           dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
         continue;
       }

@@ -328,6 +328,34 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
   EXPECT_LT(derivative_error(*model, state, s_), 1e-6);
 }
 
+// A law's damping turns with the modes as matrices do: no part is left out.
+TEST_F(FrfModelTest, DerivativesOfADampingLawAgreeWithDifferences) {
+  const std::vector<PlacedEffect> effects = {
+      at_node("added-mass", 30, 0.05),
+      {&effects::find("damping-law"), {}, {4.0, 2e-6, 0.01}}};
+  const auto model = fitter_->model_for(effects);
+  ModelState state = fitter_->first_state(*model, effects);
+  EXPECT_EQ(state.zeta.size(), 0);
+  state.factor = {1.02};
+  EXPECT_LT(derivative_error(*model, state, s_), 1e-6);
+}
+
+// zeta = (alpha / omega + beta omega + eta) / 2 in every mode, the highest too.
+TEST_F(FrfModelTest, ALawGivesTheModesItsRatios) {
+  const PlacedEffect law{&effects::find("damping-law"), {}, {4.0, 2e-6, 0.01}};
+  const auto model = fitter_->model_for({law});
+  const ModelState state = fitter_->first_state(*model, {law});
+  const double w = 700.0;
+  EXPECT_DOUBLE_EQ(state.zeta_at(w), 0.5 * (4.0 / w + 2e-6 * w + 0.01));
+  ModelState mode_by_mode = state;
+  mode_by_mode.effects.clear();
+  const Eigen::VectorXd omega = model->base_modes(state).omega;
+  mode_by_mode.zeta =
+      omega.unaryExpr([&](double each) { return state.zeta_at(each); });
+  const MatrixXcd expected = model->respond(mode_by_mode, s_, false).H;
+  EXPECT_LT(difference(model->respond(state, s_, false).H, expected), 1e-12);
+}
+
 TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
   auto effects = std::vector<PlacedEffect>{clamp(1.0)};
   const auto model = fitter_->model_for(effects);

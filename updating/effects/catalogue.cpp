@@ -7,6 +7,7 @@
 #include "updating/effects/channel_gain.hpp"
 #include "updating/effects/channel_polarity.hpp"
 #include "updating/effects/channel_swap.hpp"
+#include "updating/effects/damping_law.hpp"
 #include "updating/effects/dashpot.hpp"
 #include "updating/effects/ground_spring.hpp"
 #include "updating/effects/joint.hpp"
@@ -22,7 +23,7 @@
 namespace tapfit::effects {
 
 std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 13> effects = {
+  static const std::array<std::unique_ptr<const Effect>, 14> effects = {
       std::make_unique<const SensorMass>(),
       std::make_unique<const SoftSupport>(),
       std::make_unique<const AddedMass>(),
@@ -36,6 +37,7 @@ std::span<const std::unique_ptr<const Effect>> catalogue() {
       std::make_unique<const ChannelDelay>(),
       std::make_unique<const ChannelPolarity>(),
       std::make_unique<const ChannelSwap>(),
+      std::make_unique<const DampingLaw>(),
   };
   return effects;
 }

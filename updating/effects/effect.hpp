@@ -53,6 +53,13 @@ enum class Entry {
   LowRank,      ///< through Woodbury, on free degrees of freedom
   Stiffness,    ///< a change of the base's stiffness matrix
   Measurement,  ///< in the channel, not in the structure
+  Damping,      ///< of every mode, in place of a ratio for each
+};
+
+/// 2 zeta omega of a mode [1/s], and its derivative by omega.
+struct ModeDamping {
+  double c = 0.0;
+  double slope = 0.0;
 };
 
 class Effect {
@@ -77,7 +84,7 @@ class Effect {
       const Where& where, const Setting& setting) const = 0;
 
   /// Degrees of freedom it acts on while one run is measured (a sensor's mass
-  /// moves with the sensor). Empty for Entry::Measurement.
+  /// moves with the sensor). Empty for Entry::Measurement and Entry::Damping.
   [[nodiscard]] virtual std::vector<ActedDof> acts_on(
       const Where& where, const Setting& setting, std::size_t run) const = 0;
 
@@ -92,6 +99,12 @@ class Effect {
   /// response (or hammer) is on the channel.
   [[nodiscard]] virtual std::size_t passed_as(const Where&, bool hammer) const {
     return hammer ? 1 : 0;
+  }
+
+  /// For Entry::Damping: what a unit of parameter k gives a mode.
+  [[nodiscard]] virtual ModeDamping mode_damping(double /*omega*/,
+                                                 std::size_t /*k*/) const {
+    return {};
   }
 
   /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for
