@@ -5,6 +5,7 @@
 #include "updating/damped_line.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/fitter.hpp"
+#include "updating/structure/release_constraints.hpp"
 
 #include <gtest/gtest.h>
 
@@ -194,6 +195,38 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
               k < term.start ? 4e-3 : 1e-4)
         << "k = " << k;
   }
+}
+
+// Constraints of every kind hold the clamped edge; what is written lets go of
+// the rotation alone.
+TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
+  std::string text = plate_cards(
+      "SPC,1,12,123456,,23,123456\nSPC1,1,123456,34\nSPC1,1,12346,45\n"
+      "SPC1,1,5,45\n");
+  const std::string first = "GRID,1,,0.00,0.00,0.,";
+  text.replace(text.find(first), first.size(), first + ",123456");
+  const auto held = model_of(structure::deck_of(text));
+  PlacedEffect soft{&effects::find("soft-support"), {}, {}};
+  for (const Where& where : soft.effect->places(held->setting)) {
+    if (where.variant == "rotation") soft.where = where;
+  }
+  ASSERT_EQ(soft.where.nodes.size(), 5U);
+  soft.p = {1.0};
+  soft.p = {held->fitter->model_for({soft})->base().terms.front().start};
+  const std::vector<std::string> lines = structure::edit_cards(
+      held->deck.path,
+      {structure::release_constraints(
+          held->deck, soft.effect->released(soft.where, held->setting))});
+  std::string written;
+  for (const std::string& line : lines) written += line + "\n";
+  for (const std::string& card :
+       soft.effect->bulk_data(soft.where, held->setting, soft.p)) {
+    written += card + "\n";
+  }
+  const auto sprung = model_of(structure::read_deck(
+      structure::write_text("sprung.bdf", written + "ENDDATA\n")));
+  EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 1e-4);
+  EXPECT_GT(difference(frfs(*held, {}), frfs(*sprung, {})), 0.1);
 }
 
 }  // namespace

@@ -33,11 +33,14 @@ constexpr const char* deck_text =
     "ENDDATA\n";
 
 Deck written(const Deck& deck, const UncertainProperty& u, double factor) {
-  const structure::RescaledDeck result =
-      structure::rescale_cards(deck.path, {property_card(deck, u, factor)});
-  EXPECT_TRUE(result.done.at(0)) << u.property;
+  const std::vector<structure::CardScale> scales = {
+      property_card(deck, u, factor)};
+  std::vector<bool> done;
+  const std::vector<std::string> lines = structure::edit_cards(
+      deck.path, {structure::rescale_cards(scales, done)});
+  EXPECT_TRUE(done.at(0)) << u.property;
   std::string text;
-  for (const std::string& line : result.lines) text += line + "\n";
+  for (const std::string& line : lines) text += line + "\n";
   return structure::read_deck(structure::write_text("written.bdf", text));
 }
 
@@ -78,13 +81,16 @@ TEST(PropertyCards, ReadBackAsTheScaledModel) {
 
 TEST(PropertyCards, KeepTheOldLinesAsComments) {
   const Deck deck = structure::deck_of(deck_text);
-  const structure::RescaledDeck result = structure::rescale_cards(
-      deck.path, {property_card(deck, {"property", 2, "I1"}, 2.0)});
-  const auto at = std::find_if(
-      result.lines.begin(), result.lines.end(), [](const std::string& line) {
+  const std::vector<structure::CardScale> scales = {
+      property_card(deck, {"property", 2, "I1"}, 2.0)};
+  std::vector<bool> done;
+  const std::vector<std::string> lines = structure::edit_cards(
+      deck.path, {structure::rescale_cards(scales, done)});
+  const auto at =
+      std::find_if(lines.begin(), lines.end(), [](const std::string& line) {
         return line.starts_with("$ was: PBAR");
       });
-  ASSERT_NE(at, result.lines.end());
+  ASSERT_NE(at, lines.end());
   EXPECT_TRUE((at + 1)->starts_with("$ was: +"));
   EXPECT_TRUE((at + 2)->starts_with("PBAR*"));
   EXPECT_NE((at + 2)->find("2.00000000E-08"), std::string::npos);
@@ -92,9 +98,12 @@ TEST(PropertyCards, KeepTheOldLinesAsComments) {
 
 TEST(PropertyCards, SayWhatHasNoCard) {
   const Deck deck = structure::deck_of(deck_text);
-  const structure::RescaledDeck result = structure::rescale_cards(
-      deck.path, {property_card(deck, {"material", 1, "nu"}, 1.1)});
-  EXPECT_FALSE(result.done.at(0));
+  const std::vector<structure::CardScale> scales = {
+      property_card(deck, {"material", 1, "nu"}, 1.1)};
+  std::vector<bool> done;
+  static_cast<void>(structure::edit_cards(
+      deck.path, {structure::rescale_cards(scales, done)}));
+  EXPECT_FALSE(done.at(0));
 }
 
 }  // namespace

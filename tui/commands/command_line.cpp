@@ -147,7 +147,8 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
     command->add_option("--uff", options.uff, "Universal file to write");
   }
   if ((entry.extras & DeckFile) != 0) {
-    command->add_option("--deck", options.deck, "Bulk data file to write");
+    command->add_option(
+        "--deck,--bdf", options.deck, "Bulk data file to write");
   }
   if ((entry.extras & Output) != 0) {
     command->add_option("-o,--output", options.output, "Where to write");

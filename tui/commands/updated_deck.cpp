@@ -5,6 +5,7 @@
 #include "updating/effects/catalogue.hpp"
 #include "updating/fit_setting.hpp"
 #include "updating/property_cards.hpp"
+#include "updating/structure/release_constraints.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/uncertain_property.hpp"
 
@@ -61,34 +62,28 @@ void take_id(const std::string& card, structure::Deck& deck) {
   }
 }
 
-/// The deck's lines with what was identified in its cards; what has no field
-/// of its own is added to the comments.
-std::vector<std::string> identified_lines(
-    const acquisition::TestBundle& bundle,
-    const structure::Deck& deck,
-    const std::vector<updating::Estimate>& identified,
-    std::vector<std::string>& comments) {
+/// What was identified as changes of cards; in the same order.
+struct IdentifiedCards {
   std::vector<structure::CardScale> scales;
   std::vector<updating::Estimate> estimates;
+};
+
+IdentifiedCards identified_cards(
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck,
+    const std::vector<updating::Estimate>& identified) {
+  IdentifiedCards result;
   for (const auto& uncertain : bundle.uncertain) {
     const updating::PropertyLaw law =
         updating::property_law(deck, uncertain, "test.json: uncertain");
     const auto found =
         std::ranges::find(identified, law.name, &updating::Estimate::name);
     if (found == identified.end()) continue;
-    scales.push_back(
+    result.scales.push_back(
         updating::property_card(deck, uncertain, found->value / law.nominal));
-    estimates.push_back(*found);
+    result.estimates.push_back(*found);
   }
-  structure::RescaledDeck result = structure::rescale_cards(deck.path, scales);
-  for (std::size_t k = 0; k < scales.size(); ++k) {
-    if (result.done[k]) continue;
-    comments.push_back(
-        fmt::format("$ identified, not written to its card: {} {}",
-                    parameters_text({estimates[k]}),
-                    model_parameter_unit(estimates[k].name)));
-  }
-  return std::move(result.lines);
+  return result;
 }
 
 }  // namespace
@@ -116,6 +111,35 @@ std::vector<std::string> effect_cards(
   return cards;
 }
 
+UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
+                         const structure::Deck& deck,
+                         const std::vector<updating::Candidate>& added_effects,
+                         const std::vector<updating::Estimate>& identified) {
+  const effects::Setting setting = setting_of(bundle, deck);
+  std::vector<structure::Constraint> released;
+  for (const auto& added : added_effects) {
+    const auto out = effects::find(added.effect).released(added.where, setting);
+    released.insert(released.end(), out.begin(), out.end());
+  }
+  const IdentifiedCards cards = identified_cards(bundle, deck, identified);
+  std::vector<bool> done;
+  UpdatedDeck result;
+  result.lines =
+      structure::edit_cards(deck.path,
+                            {structure::rescale_cards(cards.scales, done),
+                             structure::release_constraints(deck, released)});
+  result.added = effect_cards(added_effects, bundle, deck);
+  for (std::size_t k = 0; k < cards.scales.size(); ++k) {
+    if (done[k]) continue;
+    const updating::Estimate& estimate = cards.estimates[k];
+    result.added.push_back(
+        fmt::format("$ identified, not written to its card: {} {}",
+                    parameters_text({estimate}),
+                    model_parameter_unit(estimate.name)));
+  }
+  return result;
+}
+
 void write_updated_deck(updating::Session& session,
                         const std::filesystem::path& path,
                         const Progress& progress) {
@@ -124,12 +148,11 @@ void write_updated_deck(updating::Session& session,
       diagnosis_of_named(session.ladder(progress),
                          session.comparison(progress),
                          session.model_parameters(progress));
-  std::vector<std::string> cards =
-      effect_cards(named.candidates, session.bundle(), deck);
+  UpdatedDeck updated = updated_deck(
+      session.bundle(), deck, named.candidates, named.model_parameters);
   structure::Deck changed = deck;
-  changed.cards =
-      identified_lines(session.bundle(), deck, named.model_parameters, cards);
-  structure::write_deck(changed, cards, path);
+  changed.cards = std::move(updated.lines);
+  structure::write_deck(changed, updated.added, path);
 }
 
 }  // namespace tapfit::tui

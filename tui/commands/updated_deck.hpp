@@ -18,6 +18,22 @@ namespace tapfit::tui {
     const acquisition::TestBundle& bundle,
     const structure::Deck& deck);
 
+/// Lines of the deck with identified properties in their cards and released
+/// components out of its constraints, and the cards to be added.
+struct UpdatedDeck {
+  std::vector<std::string> lines;
+  std::vector<std::string> added;
+};
+
+/// @param added_effects with the values that all of them together have
+/// @param identified uncertain properties
+/// @throws InputError for a deck that cannot be read again
+[[nodiscard]] UpdatedDeck updated_deck(
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck,
+    const std::vector<updating::Candidate>& added_effects,
+    const std::vector<updating::Estimate>& identified);
+
 /// @throws InputError for a bundle without a deck, a file that cannot be
 ///   written; Stopped
 void write_updated_deck(updating::Session& session,

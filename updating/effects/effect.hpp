@@ -130,6 +130,13 @@ class Effect {
     return {};
   }
 
+  /// What its cards stand in for: these must come out of the deck's own
+  /// constraints. Components along the grids' own axes.
+  [[nodiscard]] virtual std::vector<structure::Constraint> released(
+      const Where&, const Setting&) const {
+    return {};
+  }
+
   /// Cards that put it into the deck; comments where bulk data has no card.
   [[nodiscard]] virtual std::vector<std::string> bulk_data(
       const Where& where,

@@ -67,13 +67,21 @@ std::vector<Effect::Derived> SoftSupport::derived(
   return {{base_name(where), line_of(where, setting).length}};
 }
 
+std::vector<structure::Constraint> SoftSupport::released(
+    const Where& where, const Setting& setting) const {
+  std::vector<structure::Constraint> result;
+  for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
+    const auto own = card_component(*setting.deck, dof.node, dof.component);
+    if (own) result.push_back({dof.node, std::to_string(*own)});
+  }
+  return result;
+}
+
 std::vector<std::string> SoftSupport::bulk_data(
     const Where& where,
     const Setting& setting,
     const std::vector<double>& p) const {
-  std::vector<std::string> cards = {
-      "$ Soft support: take the components below out of the SPC of their "
-      "grids"};
+  std::vector<std::string> cards;
   int offset = 0;
   for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
     if (!card_component(*setting.deck, dof.node, dof.component)) {

@@ -25,6 +25,8 @@ class SoftSupport final : public StiffnessEffect {
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<Derived> derived(
       const Where& where, const Setting& setting) const override;
+  [[nodiscard]] std::vector<structure::Constraint> released(
+      const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<std::string> bulk_data(
       const Where& where,
       const Setting& setting,

@@ -1,7 +1,8 @@
-// Numbers of a deck's own cards multiplied, everything else left as written.
+// Numbers of a deck's own cards multiplied.
 #pragma once
 
-#include <filesystem>
+#include "updating/structure/edit_cards.hpp"
+
 #include <string>
 #include <vector>
 
@@ -16,15 +17,12 @@ struct CardScale {
   double factor = 1.0;
 };
 
-struct RescaledDeck {
-  /// INCLUDE files inlined. The old lines of a changed card stay as comments,
-  /// its new ones follow in large field.
-  std::vector<std::string> lines;
-  std::vector<bool> done;  ///< per scale: whether a number was changed
-};
-
-/// @throws InputError for a deck that cannot be read
-[[nodiscard]] RescaledDeck rescale_cards(const std::filesystem::path& deck,
-                                         const std::vector<CardScale>& scales);
+/// Writes the cards that the scales mean with their numbers multiplied, in
+/// large field.
+///
+/// @param done one per scale, set where a number was changed; both must outlive
+///   the result
+[[nodiscard]] CardEdit rescale_cards(const std::vector<CardScale>& scales,
+                                     std::vector<bool>& done);
 
 }  // namespace tapfit::structure

@@ -1,0 +1,55 @@
+#include "updating/structure/edit_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::structure {
+namespace {
+
+constexpr std::size_t per_line = 4;  // fields of a large-field line
+
+std::optional<std::vector<std::string>> replaced(
+    const Card& card, const std::vector<CardEdit>& edits) {
+  for (const CardEdit& edit : edits) {
+    auto lines = edit(card);
+    if (lines) return lines;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> large_field(const Card& card) {
+  std::size_t end = card.fields.size();
+  while (end > 1 && card.fields[end - 1].empty()) --end;
+  std::vector<std::string> lines;
+  for (std::size_t at = 1; at < end; at += per_line) {
+    std::string line = fmt::format("{:<8}", at == 1 ? card.name() + "*" : "*");
+    for (std::size_t k = at; k < std::min(at + per_line, end); ++k) {
+      line += fmt::format("{:>16}", card.fields[k]);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::vector<std::string> edit_cards(const std::filesystem::path& deck,
+                                    const std::vector<CardEdit>& edits) {
+  BulkData bulk = read_bulk_data(deck);
+  // From the end, so that earlier lines keep their places.
+  for (auto card = bulk.cards.rbegin(); card != bulk.cards.rend(); ++card) {
+    const auto lines = replaced(*card, edits);
+    if (!lines) continue;
+    for (std::size_t k = card->first; k <= card->last; ++k) {
+      bulk.lines[k] = "$ was: " + bulk.lines[k];
+    }
+    bulk.lines.insert(
+        bulk.lines.begin() + static_cast<std::ptrdiff_t>(card->last) + 1,
+        lines->begin(),
+        lines->end());
+  }
+  return std::move(bulk.lines);
+}
+
+}  // namespace tapfit::structure
