@@ -5,6 +5,7 @@
 #include "signal/frac.hpp"
 
 #include <Eigen/QR>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +170,20 @@ Eigen::VectorXd mesh_error(const FrfModel& finer,
   }
   if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
   return d;
+}
+
+std::string floor_warning(const Comparison& c) {
+  constexpr double high = 0.3;
+  if (c.floor <= high) return {};
+  return fmt::format(
+      "the floor is {:.0f} %, so that only effects that change the FRFs more "
+      "can be told: {}",
+      100.0 * c.floor,
+      c.floor_noise > c.floor_mesh
+          ? "the hits scatter that much, or the FRFs are mostly noise in parts "
+            "of the band; narrow `band_hz` or measure again"
+          : "splitting the mesh changes the model that much; refine the model "
+            "or lower the end of `band_hz`");
 }
 
 }  // namespace tapfit::updating

@@ -30,4 +30,8 @@ namespace tapfit::updating {
                                          const ModelState& state,
                                          const Target& target);
 
+/// What is wrong with a floor so high that next to nothing can be told; empty
+/// where it is not.
+[[nodiscard]] std::string floor_warning(const Comparison& comparison);
+
 }  // namespace tapfit::updating

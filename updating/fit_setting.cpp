@@ -71,16 +71,13 @@ FitSetting fit_setting(const MeasuredTest& test,
   }
   // What effects may be is scaled by the lines that they are seen on.
   fit.setting.low_hz = band[0];
-  const double block_s =
-      static_cast<double>(test.hits.block - test.hits.pre_trigger) /
-      test.hits.sample_rate_hz;
+  const double block_s = test.measurement.block_s();
   for (const double delta : {wide_delta, report_delta}) {
     DampedLineOptions options;
     options.delta = delta;
     const Eigen::VectorXcd s = damped_line(band, block_s, options);
     progress("comparison: damped lines", 0.0);
-    fit.measured = signal::estimate_frfs_at(
-        bundle, test.recordings, test.hits, s, test.ringing_poles, progress);
+    fit.measured = test.measurement.frfs_on(s, progress);
     fit.targets.push_back(make_target(fit.measured));
     fit.contour = describe_line(band, s, options);
   }

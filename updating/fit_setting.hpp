@@ -3,18 +3,16 @@
 #pragma once
 
 #include "modal/mode_set.hpp"
-#include "signal/estimate_frfs.hpp"
 #include "updating/estimates.hpp"
 #include "updating/fitter.hpp"
+#include "updating/measurement.hpp"
 
 namespace tapfit::updating {
 
-/// The stages before fitting, as the session has them.
+/// What was measured, as fits need it.
 struct MeasuredTest {
   effects::Setting setting;
-  const std::vector<acquisition::Recording>& recordings;
-  const acquisition::HitSet& hits;
-  const Eigen::VectorXcd& ringing_poles;
+  const Measurement& measurement;  ///< up to its modes
   const modal::ModeSet& modes;
 };
 

@@ -55,15 +55,15 @@ std::optional<SolvedBase> load_base(const MatrixCache& cache,
                                     const BaseContent& content) {
   std::optional<std::vector<MatrixXd>> kept = cache.load(key);
   const std::size_t parts = content.parts.size();
-  if (!kept || kept->size() != 4 + 2 * parts) return std::nullopt;
+  if (!kept || kept->size() != 5 + 2 * parts) return std::nullopt;
   std::vector<MatrixXd>& m = *kept;
   const Index count = m[0].rows();
   const Index n = content.system.dofs();
   const Index size = m[3].rows();
   const bool fits =
       is_of_size(m[0], count, 1) && is_of_size(m[1], content.free, count) &&
-      is_of_size(m[2], n, size) &&
-      std::all_of(m.begin() + 3, m.end(), [size](const MatrixXd& reduced) {
+      is_of_size(m[2], n, size) && is_of_size(m.back(), 1, 1) &&
+      std::all_of(m.begin() + 3, m.end() - 1, [size](const MatrixXd& reduced) {
         return is_of_size(reduced, size, size);
       });
   if (!fits) return std::nullopt;
@@ -76,6 +76,7 @@ std::optional<SolvedBase> load_base(const MatrixCache& cache,
     solved.K_part.push_back(std::move(m[4 + k]));
     solved.M_part.push_back(std::move(m[4 + parts + k]));
   }
+  solved.error = m.back()(0, 0);
   return solved;
 }
 
@@ -86,6 +87,7 @@ void store_base(const MatrixCache& cache,
       solved.modes_hz, solved.modes, solved.V, solved.K};
   all.insert(all.end(), solved.K_part.begin(), solved.K_part.end());
   all.insert(all.end(), solved.M_part.begin(), solved.M_part.end());
+  all.push_back(MatrixXd::Constant(1, 1, solved.error));
   cache.store(key, all);
 }
 

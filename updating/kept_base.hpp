@@ -25,6 +25,7 @@ struct SolvedBase {
   Eigen::MatrixXd K;                    ///< r x r, diagonal
   std::vector<Eigen::MatrixXd> K_part;  ///< one per uncertain part, r x r
   std::vector<Eigen::MatrixXd> M_part;
+  double error = 0.0;  ///< see base_error()
 };
 
 /// What a solved base follows from.

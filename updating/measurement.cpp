@@ -1,9 +1,11 @@
 #include "updating/measurement.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "modal/continue_frfs.hpp"
 #include "modal/identify_modes.hpp"
 #include "signal/estimate_frfs.hpp"
 #include "signal/uff58.hpp"
+#include "updating/frf_runs.hpp"
 #include "updating/slow_poles.hpp"
 
 #include <fmt/format.h>
@@ -21,8 +23,7 @@ const std::vector<acquisition::Recording>& Measurement::recordings(
   if (!recordings_ && bundle_.frfs) {
     throw InputError("the test consists of ready FRFs: it has no recordings",
                      (bundle_.folder / "test.json").string(),
-                     "FRFs and modes can be had; for hits, comparison and "
-                     "diagnosis give \"runs\"");
+                     "for hits and recordings give \"runs\"");
   }
   if (!recordings_) {
     progress("recordings: reading", 0.0);
@@ -49,6 +50,7 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_ && bundle_.frfs) {
     progress("FRFs: reading", 0.0);
     frfs_ = signal::read_frfs_uff(*bundle_.frfs).set;
+    lay_out_runs(*frfs_, bundle_);
   }
   if (!frfs_) {
     const auto& all = recordings(progress);
@@ -75,9 +77,34 @@ const modal::ModeSet& Measurement::modes(const Progress& progress) {
   return *modes_;
 }
 
-std::array<double, 2> Measurement::band() const {
-  if (bundle_.band_hz) return *bundle_.band_hz;
+signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,
+                                    const Progress& progress) const {
+  if (bundle_.frfs) return modal::continue_frfs(*frfs_, *modes_, s);
+  return signal::estimate_frfs_at(
+      bundle_, *recordings_, *hits_, s, ringing_poles_, progress);
+}
+
+double Measurement::block_s() const {
+  if (hits_) {
+    return static_cast<double>(hits_->block - hits_->pre_trigger) /
+           hits_->sample_rate_hz;
+  }
   const Eigen::VectorXd f = frfs_->frequency_hz();
+  return static_cast<double>(f.size() - 1) / (f(f.size() - 1) - f(0));
+}
+
+std::array<double, 2> Measurement::band() const {
+  const Eigen::VectorXd f = frfs_->frequency_hz();
+  if (bundle_.frfs) {
+    // Closer to the ends a damped line sees too much that was not measured.
+    constexpr double margin = 1.1;
+    const std::array<double, 2> seen = {
+        margin * std::max(f.minCoeff(), 1.0 / block_s()),
+        f.maxCoeff() / margin};
+    const std::array<double, 2> asked = bundle_.band_hz.value_or(seen);
+    return {std::max(asked[0], seen[0]), std::min(asked[1], seen[1])};
+  }
+  if (bundle_.band_hz) return *bundle_.band_hz;
   const double rate = hits_->sample_rate_hz;
   return {std::max(f.minCoeff(), 1e-3 * rate),
           std::min(f.maxCoeff(), 0.4 * rate)};

@@ -34,11 +34,13 @@ class Measurement {
   const signal::FrfSet& frfs(const Progress& progress);
   const modal::ModeSet& modes(const Progress& progress);
 
-  /// Poles of modes that outlast the block; as of frfs().
-  [[nodiscard]] const Eigen::VectorXcd& ringing_poles() const {
-    return ringing_poles_;
-  }
-  /// The bundle's band, or what the recordings hold; as of frfs() [Hz].
+  /// The FRFs on other lines, once frfs() and modes() are there.
+  /// @param s [rad/s]
+  [[nodiscard]] signal::FrfSet frfs_on(const Eigen::VectorXcd& s,
+                                       const Progress& progress) const;
+  /// What the FRFs see of a hit after the trigger; as of frfs() [s].
+  [[nodiscard]] double block_s() const;
+  /// The bundle's band, or what was measured; as of frfs() [Hz].
   [[nodiscard]] std::array<double, 2> band() const;
 
   /// Judges a hit the other way round, or as before where it was overruled.
@@ -65,7 +67,7 @@ class Measurement {
   std::optional<acquisition::HitSet> hits_;
   std::vector<OverruledHit> overruled_;
   std::optional<signal::FrfSet> frfs_;
-  Eigen::VectorXcd ringing_poles_;
+  Eigen::VectorXcd ringing_poles_;  // of modes that outlast the block
   std::optional<modal::ModeSet> modes_;
 };
 

@@ -144,12 +144,7 @@ PlainTask plain_task(const UpdateChoice& choice,
   Eigen::VectorXcd s(hz.size());
   s.real().setConstant(known.sigma);
   s.imag() = 2.0 * std::numbers::pi * hz;
-  task.target = make_target(signal::estimate_frfs_at(*test.setting.bundle,
-                                                     test.recordings,
-                                                     test.hits,
-                                                     s,
-                                                     test.ringing_poles,
-                                                     progress));
+  task.target = make_target(test.measurement.frfs_on(s, progress));
   task.lines = fmt::format("{}: {} lines from {:.4g} to {:.4g} Hz",
                            choice.lines.text,
                            hz.size(),

@@ -82,6 +82,9 @@ class BaseBuilder {
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;
   [[nodiscard]] double mass_kg() const;
+  /// Largest relative error of FRFs through the base over the band, see
+  /// base_error(); the base grows until it is 1e-6 or less.
+  [[nodiscard]] double error() const;
   [[nodiscard]] Eigen::Index dofs() const;
   /// Mechanisms of the deck, named. Of a deck that was split none: the builder
   /// that is not names them by its own grids.

@@ -111,11 +111,7 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
 
 // Its stages are there by now.
 MeasuredTest Session::Impl::measured() {
-  return {setting(),
-          test.recordings({}),
-          test.hits({}),
-          test.ringing_poles(),
-          test.modes({})};
+  return {setting(), test, test.modes({})};
 }
 
 StackFit Session::Impl::stack_fit() {
@@ -183,7 +179,9 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
       d.warnings.push_back(
           modal::statement(*shifts, acquisition::channel_names(bundle())));
     }
-    for (const auto& loose : mechanisms(progress)) d.warnings.push_back(loose);
+    for (auto& warning : model_warnings(progress)) {
+      d.warnings.push_back(std::move(warning));
+    }
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;
@@ -310,9 +308,17 @@ std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
       impl_->plain ? impl_->plain->lines : impl_->ground->contour);
 }
 
-std::vector<std::string> Session::mechanisms(const Progress& progress) {
+std::vector<std::string> Session::model_warnings(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  return impl_->model->unsplit().warnings();
+  std::vector<std::string> warnings = impl_->model->unsplit().warnings();
+  std::string high = floor_warning(base_comparison(progress));
+  if (!high.empty()) warnings.push_back(std::move(high));
+  return warnings;
+}
+
+double Session::base_error(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  return impl_->model->builder.error();
 }
 
 const std::vector<Rung>& Session::ladder(const Progress& progress) {

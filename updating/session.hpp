@@ -85,8 +85,11 @@ class Session {
 
   /// How each of the ladder's fits came about: no base rung.
   std::vector<UpdateRecord> update_records(const Progress& progress = {});
-  /// Mechanisms of the deck, named.
-  std::vector<std::string> mechanisms(const Progress& progress = {});
+  /// What of the model stands in the way of comparing it: mechanisms, a floor
+  /// that is too high.
+  std::vector<std::string> model_warnings(const Progress& progress = {});
+  /// Of FRFs through the reduced base, see BaseBuilder::error().
+  double base_error(const Progress& progress = {});
 
   /// Which stages have their result already (for drawing without waiting).
   bool has_recordings() const;

@@ -7,16 +7,6 @@ namespace tapfit::updating {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-namespace {
-
-// Responses per point: (A^-1 M)^k A^-1 f, k below. The first is the static one;
-// each further one makes the error of an FRF at the top of the band some
-// hundred times smaller. Two with modes to four times the band leave a smaller
-// basis than three with modes to three times it.
-constexpr std::size_t response_orders = 2;
-
-}  // namespace
-
 const structure::Factor& StaticAnswers::factor() const {
   std::call_once(once_, [this] {
     const structure::SparseMatrix A =
@@ -31,7 +21,8 @@ MatrixXd StaticAnswers::to(const MatrixXd& forces) const {
   return motions_.expand(factor().solve(motions_.project(forces)));
 }
 
-MatrixXd StaticAnswers::to_points(const std::vector<int>& points) const {
+MatrixXd StaticAnswers::to_points(const std::vector<int>& points,
+                                  std::size_t orders) const {
   MatrixXd forces =
       MatrixXd::Zero(system_.dofs(), static_cast<Index>(points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -42,11 +33,9 @@ MatrixXd StaticAnswers::to_points(const std::vector<int>& points) const {
   for (Index k = 0; k < felt.cols(); ++k) {
     if (!felt.col(k).isZero(0.0)) moving.push_back(k);
   }
-  std::vector<MatrixXd> orders = {to(MatrixXd(forces(Eigen::all, moving)))};
-  while (orders.size() < response_orders) {
-    orders.push_back(to(system_.M * orders.back()));
-  }
-  return join(orders);
+  std::vector<MatrixXd> all = {to(MatrixXd(forces(Eigen::all, moving)))};
+  while (all.size() < orders) all.push_back(to(system_.M * all.back()));
+  return join(all);
 }
 
 }  // namespace tapfit::updating

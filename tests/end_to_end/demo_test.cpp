@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -152,6 +153,37 @@ TEST_F(Demo, MacAfterIsNearOne) {
     ++pairs;
   }
   EXPECT_GE(pairs, 3) << result.out;
+}
+
+// A test that came as FRFs and a model, without recordings.
+TEST_F(Demo, ReadyFrfsAreUpdatedAsRecordingsAre) {
+  const fs::path folder = fs::path(testing::TempDir()) / "tapfit-ready-frfs";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  ASSERT_EQ(run_tapfit(fmt::format("export '{}' --uff '{}'",
+                                   demo.string(),
+                                   (folder / "frfs.uff").string()))
+                .exit_status,
+            0);
+  fs::copy_file(demo / "model.bdf", folder / "model.bdf");
+  std::ifstream file(demo / "test.json");
+  json test = json::parse(file);
+  test.erase("runs");
+  test.erase("channels");
+  test["frfs"] = "frfs.uff";
+  std::ofstream(folder / "test.json") << test;
+  const auto result = run_tapfit(
+      fmt::format("update '{}' --effect soft-support --effect sensor-mass "
+                  "--json",
+                  folder.string()));
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  const json found = json::parse(result.out);
+  EXPECT_LT(found["error"]["best"].get<double>(), 0.05);
+  for (const json& rung : found["ladder"]) {
+    if (rung["added"] != "sensor-mass") continue;
+    EXPECT_NEAR(
+        rung["parameters"]["mass_kg"]["value"].get<double>(), 0.020, 0.001);
+  }
 }
 
 }  // namespace

@@ -81,13 +81,15 @@ TEST_F(KeptBaseTest, IsSolvedForOnce) {
                       Eigen::MatrixXd::Random(n, 3),
                       Eigen::MatrixXd::Random(3, 3),
                       {},
-                      {}};
+                      {},
+                      0.25};
   };
   const auto ask = [&](double high_hz) {
     return kept_or_solved(cache_, {system, {}, points, n, high_hz, 4.0}, solve);
   };
   const SolvedBase first = ask(100.0);
   EXPECT_EQ(ask(100.0).V, first.V);
+  EXPECT_EQ(ask(100.0).error, 0.25);
   EXPECT_EQ(solved, 1);
   static_cast<void>(ask(101.0));  // another band, another base
   EXPECT_EQ(solved, 2);

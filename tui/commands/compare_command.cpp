@@ -117,13 +117,16 @@ std::string compare_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   const updating::Comparison& comparison = session.base_comparison(progress);
   const signal::FrfSet& frfs = session.frfs(progress);
-  const std::vector<std::string> warnings = session.mechanisms(progress);
+  const std::vector<std::string> warnings = session.model_warnings(progress);
   if (options.json) {
     ordered_json json = compare_json(comparison, frfs);
+    json["reduced_base_error"] = session.base_error(progress);
     json["warnings"] = warnings;
     return json.dump(2) + "\n";
   }
   std::string text = compare_text(comparison, frfs);
+  text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
+                      std::max(session.base_error(progress), 1e-15));
   for (const std::string& warning : warnings) {
     text += "  note: " + warning + "\n";
   }

@@ -118,7 +118,7 @@ std::string update_command(const CommandOptions& options,
                          session.comparison(progress),
                          session.model_parameters(progress));
   const auto records = session.update_records(progress);
-  const auto loose = session.mechanisms(progress);
+  const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());
   for (const auto& record : records) {
