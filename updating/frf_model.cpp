@@ -67,64 +67,11 @@ MatrixXd damping_factor(const structure::Deck& deck, const MatrixXd& rows) {
          c.tail(rank).cwiseSqrt().asDiagonal();
 }
 
-// What a law gives a mode of unit mass.
-effects::ModeDamping law_damping(const PlacedEffect& law, double omega) {
-  effects::ModeDamping sum;
-  for (std::size_t k = 0; k < law.p.size(); ++k) {
-    const effects::ModeDamping unit = law.effect->mode_damping(omega, k);
-    sum.c += law.p[k] * unit.c;
-    sum.slope += law.p[k] * unit.slope;
-  }
-  return sum;
-}
-
 }  // namespace
 
 bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
   return effect.effect->name() == term.of.effect &&
          effect.where == term.of.where;
-}
-
-Index ModelState::parameters() const {
-  Index n = static_cast<Index>(factor.size()) + zeta.size();
-  for (const PlacedEffect& e : effects) n += static_cast<Index>(e.p.size());
-  return n;
-}
-
-const PlacedEffect* ModelState::damping_law() const {
-  const auto it =
-      std::find_if(effects.begin(), effects.end(), [](const PlacedEffect& e) {
-        return e.effect->entry() == effects::Entry::Damping;
-      });
-  return it == effects.end() ? nullptr : &*it;
-}
-
-double ModelState::zeta_at(double omega) const {
-  const PlacedEffect* law = damping_law();
-  return law == nullptr ? zeta_other
-                        : law_damping(*law, omega).c / (2.0 * omega);
-}
-
-VectorXd pack(const ModelState& state) {
-  VectorXd theta(state.parameters());
-  Index k = 0;
-  for (const double f : state.factor) theta(k++) = std::log(f);
-  for (const double z : state.zeta) theta(k++) = std::log(z);
-  for (const PlacedEffect& e : state.effects) {
-    for (const double p : e.p) theta(k++) = std::log(p);
-  }
-  return theta;
-}
-
-ModelState unpack(const ModelState& like, const VectorXd& theta) {
-  ModelState state = like;
-  Index k = 0;
-  for (double& f : state.factor) f = std::exp(theta(k++));
-  for (double& z : state.zeta) z = std::exp(theta(k++));
-  for (PlacedEffect& e : state.effects) {
-    for (double& p : e.p) p = std::exp(theta(k++));
-  }
-  return state;
 }
 
 FrfModel::FrfModel(ReducedBase base,
@@ -243,7 +190,7 @@ void FrfModel::set_damping(ModalState& shared) const {
   for (Index m = 0; m < w.size(); ++m) {
     effects::ModeDamping mode;
     if (law != nullptr) {
-      mode = law_damping(*law, w(m));
+      mode = law->mode_damping(w(m));
     } else {
       const int q = shared.owner[static_cast<std::size_t>(m)];
       const double zeta = q >= 0 ? state.zeta(q) : state.zeta_other;

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "signal/frf_set.hpp"
-#include "updating/effects/effect.hpp"
+#include "updating/model_state.hpp"
 #include "updating/reduced_base.hpp"
 
 #include <Eigen/Core>
@@ -21,34 +21,8 @@
 
 namespace tapfit::updating {
 
-/// An effect at a place, with the size of its parameters.
-struct PlacedEffect {
-  const effects::Effect* effect = nullptr;
-  Where where;
-  std::vector<double> p;
-};
-
 /// Whether the base holds this effect as a change of its stiffness.
 [[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
-
-/// Everything that can be fitted.
-struct ModelState {
-  std::vector<double> factor;  ///< uncertain property over nominal
-  Eigen::VectorXd zeta;        ///< damping ratio of the first modes
-  double zeta_other = 0.01;    ///< of all higher modes
-  std::vector<PlacedEffect> effects;
-
-  [[nodiscard]] Eigen::Index parameters() const;
-  /// The effect that gives all modes their damping, if any; zeta is empty then.
-  [[nodiscard]] const PlacedEffect* damping_law() const;
-  /// Damping ratio of a mode that the law gives, or zeta_other.
-  [[nodiscard]] double zeta_at(double omega) const;
-};
-
-/// Logarithms of the state's parameters: factors, zeta, then effects' p.
-[[nodiscard]] Eigen::VectorXd pack(const ModelState& state);
-[[nodiscard]] ModelState unpack(const ModelState& like,
-                                const Eigen::VectorXd& theta);
 
 /// Undamped modes in the base's coordinates.
 struct BaseModes {

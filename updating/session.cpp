@@ -201,6 +201,12 @@ Signature Session::signature(int node, const Progress& progress) {
   return signature_at(current, impl_->ground->fitter->target(), node, progress);
 }
 
+std::vector<GridShare> Session::signature_map(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  return updating::signature_map(
+      impl_->current(), impl_->ground->fitter->target(), progress);
+}
+
 void Session::Impl::drop_current() {
   comparison.reset();
   diagnosis.reset();

@@ -11,6 +11,7 @@
 #include "updating/diagnosis.hpp"
 #include "updating/effect_place.hpp"
 #include "updating/saved_session.hpp"
+#include "updating/signature_map.hpp"
 #include "updating/structure/deck.hpp"
 #include "updating/update_choice.hpp"
 #include "updating/update_record.hpp"
@@ -48,6 +49,8 @@ class Session {
   const Diagnosis& diagnosis(const Progress& progress = {});
   /// Missing dynamic stiffness at a grid, for the current model.
   Signature signature(int node, const Progress& progress = {});
+  /// How well each grid explains what is missing, the best first.
+  std::vector<GridShare> signature_map(const Progress& progress = {});
 
   /// Accept or reject a hit by hand; FRFs and all after are made anew, with
   /// the same effects.

@@ -7,6 +7,7 @@
 #include "updating/fitter.hpp"
 #include "updating/plain_fit.hpp"
 #include "updating/signature.hpp"
+#include "updating/signature_map.hpp"
 #include "updating/update_record.hpp"
 
 #include <gtest/gtest.h>
@@ -195,6 +196,12 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   EXPECT_LT(s.mass_unexplained, 0.5 * s.spring_unexplained);
   // Local flexibility beyond the base's modes is a few percent of a mass.
   EXPECT_NEAR(s.mass_kg, 0.02, 0.002);
+  const std::vector<GridShare> map =
+      signature_map(at_truth, test.fitter().target(), {});
+  EXPECT_EQ(map.size(), 50U);  // those of the clamp cannot move
+  EXPECT_EQ(map.front().node, 30);
+  EXPECT_NEAR(map.front().explained, s.explained, 1e-9);
+  EXPECT_LT(map.back().explained, map.front().explained - 0.01);
 }
 
 // The plain step on the same lines, without prior and damping.

@@ -182,7 +182,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
         ->check(CLI::Range(1, 10000));
   }
   if ((entry.extras & Node) != 0) {
-    command->add_option("NODE", options.node, "Grid id")->required();
+    command->add_option("NODE", options.node, "Grid id; none for a map of all");
   }
   command->callback([&invocation, &entry] {
     invocation.name = entry.name;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+
 namespace tapfit::tui {
 
 using nlohmann::ordered_json;
@@ -55,9 +57,38 @@ std::string signature_text(const updating::Signature& signature) {
          table.text();
 }
 
+ordered_json signature_map_json(const std::vector<updating::GridShare>& map) {
+  ordered_json grids = ordered_json::array();
+  for (const updating::GridShare& grid : map) {
+    grids.push_back({{"node", grid.node}, {"explained", grid.explained}});
+  }
+  return {{"grids", std::move(grids)}};
+}
+
+std::string signature_map_text(const std::vector<updating::GridShare>& map) {
+  constexpr std::size_t shown = 20;
+  TextTable table({"node", "explained", "<"});
+  for (std::size_t k = 0; k < std::min(shown, map.size()); ++k) {
+    table.add(
+        {fmt::format("{}", map[k].node),
+         percent(map[k].explained),
+         std::string(static_cast<std::size_t>(30.0 * map[k].explained), '#')});
+  }
+  return fmt::format(
+             "Share of the discrepancy that one place explains, the best of {} "
+             "grids\n",
+             map.size()) +
+         table.text();
+}
+
 std::string signature_command(const CommandOptions& options,
                               const Progress& progress) {
   updating::Session session = open_bundle(options.input);
+  if (options.node == 0) {
+    const auto map = session.signature_map(progress);
+    return options.json ? signature_map_json(map).dump(2) + "\n"
+                        : signature_map_text(map);
+  }
   const updating::Signature signature =
       session.signature(options.node, progress);
   return options.json ? signature_json(signature).dump(2) + "\n"

@@ -1,0 +1,41 @@
+// Everything of a model that can be fitted.
+#pragma once
+
+#include "updating/effects/effect.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// An effect at a place, with the size of its parameters.
+struct PlacedEffect {
+  const effects::Effect* effect = nullptr;
+  Where where;
+  std::vector<double> p;
+
+  /// What it gives a mode of unit mass, for Entry::Damping.
+  [[nodiscard]] effects::ModeDamping mode_damping(double omega) const;
+};
+
+/// Everything that can be fitted.
+struct ModelState {
+  std::vector<double> factor;  ///< uncertain property over nominal
+  Eigen::VectorXd zeta;        ///< damping ratio of the first modes
+  double zeta_other = 0.01;    ///< of all higher modes
+  std::vector<PlacedEffect> effects;
+
+  [[nodiscard]] Eigen::Index parameters() const;
+  /// The effect that gives all modes their damping, if any; zeta is empty then.
+  [[nodiscard]] const PlacedEffect* damping_law() const;
+  /// Damping ratio of a mode that the law gives, or zeta_other.
+  [[nodiscard]] double zeta_at(double omega) const;
+};
+
+/// Logarithms of the state's parameters: factors, zeta, then effects' p.
+[[nodiscard]] Eigen::VectorXd pack(const ModelState& state);
+[[nodiscard]] ModelState unpack(const ModelState& like,
+                                const Eigen::VectorXd& theta);
+
+}  // namespace tapfit::updating
