@@ -17,11 +17,45 @@ constexpr double kModelFloor = 0.01;
 
 /// Mean over 2 half + 1 lines, fewer at the ends.
 Eigen::VectorXd running_mean(const Eigen::VectorXd& x, Eigen::Index half) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(x.size() + 1);
+  for (Eigen::Index k = 0; k < x.size(); ++k) sums(k + 1) = sums(k) + x(k);
   Eigen::VectorXd result(x.size());
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
     const Eigen::Index end = std::min(x.size(), k + half + 1);
-    result(k) = x.segment(begin, end - begin).mean();
+    // A difference of large sums may fall below zero by rounding.
+    result(k) = std::max(0.0, sums(end) - sums(begin)) /
+                static_cast<double>(end - begin);
+  }
+  return result;
+}
+
+/// Median over 2 half + 1 lines, fewer at the ends; between every quarter of
+/// half, where it is taken, a straight line.
+Eigen::VectorXd running_median(const Eigen::VectorXd& x, Eigen::Index half) {
+  const Eigen::Index n = x.size();
+  const Eigen::Index stride = std::max<Eigen::Index>(1, half / 4);
+  std::vector<double> near;
+  const auto median = [&](Eigen::Index k) {
+    const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
+    const Eigen::Index end = std::min(n, k + half + 1);
+    near.assign(x.begin() + begin, x.begin() + end);
+    const auto middle =
+        near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::ranges::nth_element(near, middle);
+    return *middle;
+  };
+  Eigen::VectorXd result(n);
+  result(0) = median(0);
+  for (Eigen::Index last = 0; last < n - 1;) {
+    const Eigen::Index next = std::min(n - 1, last + stride);
+    result(next) = median(next);
+    for (Eigen::Index k = last + 1; k < next; ++k) {
+      const double share =
+          static_cast<double>(k - last) / static_cast<double>(next - last);
+      result(k) = (1.0 - share) * result(last) + share * result(next);
+    }
+    last = next;
   }
   return result;
 }
@@ -84,18 +118,7 @@ Eigen::VectorXd roughness(const Eigen::VectorXcd& H) {
   }
   difference(0) = difference(1);
   difference(n - 1) = difference(n - 2);
-  Eigen::VectorXd result(n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
-    const Eigen::Index end = std::min(n, k + half + 1);
-    std::vector<double> near(difference.begin() + begin,
-                             difference.begin() + end);
-    const auto middle =
-        near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::ranges::nth_element(near, middle);
-    result(k) = *middle / (1.5 * std::numbers::ln2);
-  }
-  return result;
+  return running_median(difference, half) / (1.5 * std::numbers::ln2);
 }
 
 Eigen::VectorXd clean_variance(const signal::Frf& frf, Eigen::Index lines) {
