@@ -8,7 +8,7 @@
 namespace tapfit::modal {
 
 struct IdentifyOptions {
-  int max_order = 40;
+  int max_order = 100;  ///< pairs of poles; cut to what the lines carry
   double frequency_tolerance = 0.01;  ///< relative, between orders
   double damping_tolerance = 0.05;    ///< relative
   double vector_tolerance = 0.02;     ///< 1 - MAC of participation vectors

@@ -77,15 +77,52 @@ Eigen::MatrixXd projected_derivatives(const Curves& curves,
   return E - linear.Q * (linear.Q.transpose() * E);
 }
 
-/// C of one FRF: derivative to (Re, Im lambda) = E C, block diagonal 2 x 2.
-Eigen::MatrixXd residue_blocks(const Linear& linear, Index frf, Index modes) {
-  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
+/// sum_f w_f^2 C_f' G C_f, where C_f turns the derivatives E to unit residues
+/// into those to (Re, Im lambda): C_f multiplies mode r by its residue c_fr. A
+/// 2 x 2 block of G maps z to g z + h conj(z), so that its product maps z to
+/// sum conj(c_r) c_q g z + sum conj(c_r c_q) h conj(z).
+Eigen::MatrixXd with_residues(const Eigen::MatrixXd& G,
+                              const Linear& linear,
+                              const Eigen::VectorXd& weight) {
+  const Index modes = G.cols() / 2;
+  Eigen::MatrixXcd c(weight.size(), modes);
   for (Index r = 0; r < modes; ++r) {
-    const double re = linear.coefficients(2 * r, frf);
-    const double im = linear.coefficients(2 * r + 1, frf);
-    C.block<2, 2>(2 * r, 2 * r) << re, -im, im, re;
+    c.col(r).real() =
+        linear.coefficients.row(2 * r).transpose().cwiseProduct(weight);
+    c.col(r).imag() =
+        linear.coefficients.row(2 * r + 1).transpose().cwiseProduct(weight);
   }
-  return C;
+  const Eigen::MatrixXcd same = c.adjoint() * c;
+  const Eigen::MatrixXcd other = c.adjoint() * c.conjugate();
+  Eigen::MatrixXd result(G.rows(), G.cols());
+  for (Index r = 0; r < modes; ++r) {
+    for (Index q = 0; q < modes; ++q) {
+      const Eigen::Matrix2d B = G.block<2, 2>(2 * r, 2 * q);
+      const Complex g = 0.5 * Complex(B(0, 0) + B(1, 1), B(1, 0) - B(0, 1));
+      const Complex h = 0.5 * Complex(B(0, 0) - B(1, 1), B(1, 0) + B(0, 1));
+      const Complex u = same(r, q) * g;
+      const Complex v = other(r, q) * h;
+      result.block<2, 2>(2 * r, 2 * q) << (u + v).real(), (v - u).imag(),
+          (u + v).imag(), (u - v).real();
+    }
+  }
+  return result;
+}
+
+/// sum_f w_f C_f' x_f for the columns x_f.
+Eigen::VectorXd along_residues(const Eigen::MatrixXd& x,
+                               const Linear& linear,
+                               const Eigen::VectorXd& weight) {
+  Eigen::VectorXd result(x.rows());
+  for (Index r = 0; r < x.rows() / 2; ++r) {
+    const Eigen::RowVectorXd re =
+        linear.coefficients.row(2 * r).cwiseProduct(weight.transpose());
+    const Eigen::RowVectorXd im =
+        linear.coefficients.row(2 * r + 1).cwiseProduct(weight.transpose());
+    result(2 * r) = re.dot(x.row(2 * r)) + im.dot(x.row(2 * r + 1));
+    result(2 * r + 1) = re.dot(x.row(2 * r + 1)) - im.dot(x.row(2 * r));
+  }
+  return result;
 }
 
 struct Step {
@@ -96,18 +133,8 @@ struct Step {
 Step gauss_newton(const Eigen::MatrixXd& E,
                   const Linear& linear,
                   const Eigen::VectorXd& frf_weight) {
-  const Index modes = E.cols() / 2;
-  const Eigen::MatrixXd gram = E.transpose() * E;
-  const Eigen::MatrixXd Er = E.transpose() * linear.residual;
-  Step step{Eigen::MatrixXd::Zero(2 * modes, 2 * modes),
-            Eigen::VectorXd::Zero(2 * modes)};
-  for (Index f = 0; f < frf_weight.size(); ++f) {
-    const Eigen::MatrixXd C = residue_blocks(linear, f, modes);
-    const double u = frf_weight(f);
-    step.normal.noalias() += u * u * (C.transpose() * gram * C);
-    step.gradient.noalias() += u * (C.transpose() * Er.col(f));
-  }
-  return step;
+  return {with_residues(E.transpose() * E, linear, frf_weight),
+          along_residues(E.transpose() * linear.residual, linear, frf_weight)};
 }
 
 Eigen::VectorXcd moved(const Eigen::VectorXcd& poles,
@@ -277,12 +304,8 @@ Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
   const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(E);
   const double ratio = curves.sigma / curves.spacing;
   const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();
-  Eigen::MatrixXd middle = Eigen::MatrixXd::Zero(2 * modes, 2 * modes);
-  for (Index f = 0; f < curves.count(); ++f) {
-    const Eigen::MatrixXd C = residue_blocks(linear, f, modes);
-    const double scale = fit.frf_weight(f) * noise.per_frf(f);
-    middle.noalias() += scale * scale * (C.transpose() * V * C);
-  }
+  const Eigen::MatrixXd middle =
+      with_residues(V, linear, fit.frf_weight.cwiseProduct(noise.per_frf));
   const Eigen::VectorXd d =
       step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd N = d.asDiagonal() * step.normal * d.asDiagonal();

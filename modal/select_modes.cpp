@@ -1,11 +1,14 @@
 #include "modal/select_modes.hpp"
 
+#include "modal/frf_matrix.hpp"
 #include "modal/mac.hpp"
 #include "modal/shapes.hpp"
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 
 namespace tapfit::modal {
 namespace {
@@ -17,6 +20,7 @@ constexpr double kLeastSignificance =
     4.0;  // F that a mode's residues must earn
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
 constexpr double kSameShape = 0.9;           // MAC of residues of split poles
+constexpr double kSecondShape = 0.15;        // singular value over the largest
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -28,6 +32,14 @@ bool lasts(const Track& track, std::size_t orders) {
 /// Poles of one mode cannot be told apart closer than this [rad/s].
 double resolution(const Curves& curves, const Complex& pole) {
   return std::max(0.3 * std::abs(pole.real()), 0.05 * curves.spacing);
+}
+
+/// Whether two tracks run side by side: then they are two poles, while pieces
+/// of one track have hardly an order in common.
+bool run_together(const Track& a, const Track& b) {
+  std::vector<int> both;
+  std::ranges::set_intersection(a.orders, b.orders, std::back_inserter(both));
+  return 2 * both.size() >= std::min(a.orders.size(), b.orders.size());
 }
 
 Eigen::VectorXcd candidates(const Curves& curves,
@@ -47,7 +59,8 @@ Eigen::VectorXcd candidates(const Curves& curves,
       const double apart = std::abs(track->pole - other->pole);
       const double alike =
           mac(track->participation, other->participation)(0, 0);
-      return apart < resolution(curves, track->pole) && alike > 0.8;
+      return apart < resolution(curves, track->pole) && alike > 0.8 &&
+             !run_together(*track, *other);
     });
     if (repeated) continue;
     taken.push_back(track);
@@ -64,9 +77,31 @@ Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
   return result;
 }
 
+/// Whether two residues add up to more than one shape. The sum is well known
+/// even where two poles are so close that their residues are not: of one mode
+/// that the polynomial split it is of rank one, outputs x references.
+bool are_two_shapes(const FrfMatrix& matrix,
+                    const ModalFit& fit,
+                    Index q,
+                    Index r) {
+  if (matrix.references < 2) return false;
+  const auto outputs = static_cast<Index>(matrix.rows.size());
+  Eigen::MatrixXcd sum(outputs, matrix.references);
+  for (Index o = 0; o < outputs; ++o) {
+    const std::vector<Index>& row = matrix.rows[static_cast<std::size_t>(o)];
+    for (Index i = 0; i < matrix.references; ++i) {
+      const Index f = row[static_cast<std::size_t>(i)];
+      sum(o, i) = fit.residues(f, q) + fit.residues(f, r);
+    }
+  }
+  const Eigen::VectorXd values =
+      Eigen::JacobiSVD<Eigen::MatrixXcd>(sum).singularValues();
+  return values.size() > 1 && values(1) > kSecondShape * values(0);
+}
+
 /// The weaker of two poles within a half bandwidth whose residues have one
 /// shape: a single mode that the polynomial split.
-bool is_split(const ModalFit& fit, Index r) {
+bool is_split(const FrfMatrix& matrix, const ModalFit& fit, Index r) {
   for (Index q = 0; q < fit.poles.size(); ++q) {
     if (q == r) continue;
     const double apart = std::abs(fit.poles(q) - fit.poles(r));
@@ -74,7 +109,8 @@ bool is_split(const ModalFit& fit, Index r) {
         std::max(std::abs(fit.poles(q).real()), std::abs(fit.poles(r).real()));
     if (apart > 2.0 * width) continue;
     if (fit.contribution(q) < fit.contribution(r)) continue;
-    if (mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape) {
+    if (mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape &&
+        !are_two_shapes(matrix, fit, q, r)) {
       return true;
     }
   }
@@ -99,6 +135,7 @@ bool far_outside(const Curves& curves, const Complex& pole) {
 Index weakest(const Curves& curves,
               const ModalFit& fit,
               const IdentifyOptions& options) {
+  const FrfMatrix matrix = arrange_frfs(curves);
   Index worst = -1;
   double least = 1.0;
   for (Index r = 0; r < fit.poles.size(); ++r) {
@@ -106,7 +143,7 @@ Index weakest(const Curves& curves,
     double worth = std::min(fit.significance(r) / kLeastSignificance,
                             fit.contribution(r) / kLeastContribution);
     if (impossible(fit.poles(r), options)) worth = 0.0;
-    if (is_split(fit, r)) worth = std::min(worth, 0.5);
+    if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
     if (worth >= least) continue;
     least = worth;
     worst = r;
