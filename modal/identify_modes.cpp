@@ -2,8 +2,10 @@
 
 #include "modal/curves.hpp"
 #include "modal/frf_matrix.hpp"
+#include "modal/lines_in_band.hpp"
 #include "modal/modal_fit.hpp"
 #include "modal/plscf.hpp"
+#include "modal/pole_clusters.hpp"
 #include "modal/run_modes.hpp"
 #include "modal/select_modes.hpp"
 #include "modal/sensor_shifts.hpp"
@@ -48,6 +50,7 @@ Mode make_mode(const Complex& pole,
   mode.damping_ratio = -pole.real() / std::abs(pole);
   mode.shape = shape;
   mode.mpc = phase_collinearity(shape);
+  mode.mpd_deg = mean_phase_deviation(shape);
   fill_uncertainty(covariance, mode);
   return mode;
 }
@@ -79,6 +82,35 @@ void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
   }
 }
 
+/// Without an exponential window the response has to die out in the block; it
+/// is down to 0.2 % where the half-power bandwidth is two lines.
+void warn_about_resolution(const Curves& curves,
+                           const Mode& mode,
+                           std::vector<std::string>& warnings) {
+  const double lines = -2.0 * mode.pole.real() / curves.spacing;
+  if (curves.sigma > 0.0 || lines >= 2.0) return;
+  warnings.push_back(fmt::format(
+      "mode at {:.4g} Hz: its half-power bandwidth is {:.1f} lines, damping "
+      "{:.2g} is hardly resolved and may be the block's; a longer block or an "
+      "exponential window would help",
+      mode.frequency_hz,
+      lines,
+      mode.damping_ratio));
+}
+
+void warn_about_complex(const std::vector<Complex>& poles,
+                        const IdentifyOptions& options,
+                        std::vector<std::string>& warnings) {
+  for (const Complex& pole : poles) {
+    warnings.push_back(fmt::format(
+        "a pole at {:.4g} Hz was left out: its points do not move in phase "
+        "(MPC below {:.2g} or MPD above {:.2g} deg)",
+        std::abs(pole) / kTwoPi,
+        options.least_mpc,
+        options.largest_mpd_deg));
+  }
+}
+
 void warn_about_unresolved(const std::vector<Complex>& poles,
                            std::vector<std::string>& warnings) {
   for (const Complex& pole : poles) {
@@ -95,11 +127,13 @@ std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
                                           const Eigen::MatrixXcd& H) {
   std::vector<Eigen::VectorXcd> fitted(frfs.frfs.size(),
                                        Eigen::VectorXcd::Zero(frfs.lines()));
+  Index first = 0;
+  (frfs.s.array() - curves.s(0)).abs().minCoeff(&first);
   for (Index f = 0; f < curves.count(); ++f) {
     const std::size_t source = curves.source[static_cast<std::size_t>(f)];
     const signal::Frf& frf = frfs.frfs[source];
     const double sign = frf.response.sign * frf.reference.sign;
-    fitted[source].tail(curves.lines()) = sign * H.col(f);
+    fitted[source].segment(first, curves.lines()) = sign * H.col(f);
   }
   return fitted;
 }
@@ -144,6 +178,7 @@ void add_modes(const Curves& curves,
                                   shapes.col(r)));
     set.modes.back().shape_sd = deviations.col(r);
     warn_about(set.modes.back(), set.warnings);
+    warn_about_resolution(curves, set.modes.back(), set.warnings);
   }
   set.set_ups = keep(found.set_ups, kept);
 }
@@ -179,10 +214,36 @@ Identified of_set_ups(const RunModes& runs) {
   return found;
 }
 
+/// What the fit would leave with the poles as the diagram has them.
+double unrefined_error(const Curves& curves,
+                       const std::vector<Track>& tracks,
+                       const ModalFit& fit) {
+  Eigen::VectorXcd poles = fit.poles;
+  for (Index r = 0; r < poles.size(); ++r) {
+    const std::optional<std::size_t> track =
+        nearest_track(tracks, fit.poles(r));
+    if (!track) continue;
+    const Complex own = tracks[*track].pole;
+    // No two poles may coincide.
+    if (r == 0 || (poles.head(r).array() - own).abs().minCoeff() > 0.0) {
+      poles(r) = own;
+    }
+  }
+  return synthesis_error(curves, fit_residues(curves, poles).H);
+}
+
+void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
+  for (Mode& mode : set.modes) {
+    const std::optional<std::size_t> track = nearest_track(tracks, mode.pole);
+    if (track) mode.cluster = cluster_of(tracks[*track]);
+  }
+}
+
 /// Common poles, or each set-up's own where the sensors move the modes.
 Identified identify(const Curves& curves,
                     const std::optional<RunModes>& runs,
                     Selection selection,
+                    const IdentifyOptions& options,
                     ModeSet& set) {
   if (runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit)) {
     set.warnings.push_back(fmt::format(
@@ -197,6 +258,7 @@ Identified identify(const Curves& curves,
   found.covariance = pole_covariance(curves, found.fit);
   found.residue_variance = residue_variance(curves, found.fit);
   warn_about_unresolved(selection.unresolved, set.warnings);
+  warn_about_complex(selection.out_of_phase, options, set.warnings);
   return found;
 }
 
@@ -206,7 +268,9 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
                        const IdentifyOptions& options,
                        const Progress& progress) {
   ModeSet set;
-  const Curves curves = prepare_curves(frfs, set.warnings);
+  const Curves curves = prepare_curves(
+      options.band_hz ? lines_in_band(frfs, *options.band_hz) : frfs,
+      set.warnings);
   const ShapeGraph graph = shape_graph(curves, set.warnings);
   set.dofs = graph.dofs;
   set.scaled = graph.scaled;
@@ -221,13 +285,20 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   const std::optional<RunModes> runs =
       identify_per_set_up(curves, options, progress);
   if (runs) set.shifts = sensor_shifts(frfs, curves, graph, *runs);
-  const Identified found = identify(curves, runs, std::move(selection), set);
+  const Identified found =
+      identify(curves, runs, std::move(selection), options, set);
   if (found.fit.poles.size() > 0) {
     add_modes(curves, graph, found, set);
     set.fitted = fitted_frfs(frfs, curves, found.fit.H);
     set.synthesis_error = synthesis_error(curves, found.fit.H);
+    add_clusters(stabilisation.tracks, set);
+    set.unrefined_error =
+        found.set_ups.empty()
+            ? unrefined_error(curves, stabilisation.tracks, found.fit)
+            : set.synthesis_error;
   } else {
     set.synthesis_error = 1.0;
+    set.unrefined_error = 1.0;
   }
   if (set.modes.empty()) {
     set.warnings.emplace_back(

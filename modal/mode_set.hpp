@@ -13,6 +13,15 @@
 
 namespace tapfit::modal {
 
+/// The poles of the stabilisation diagram that belong to one mode.
+struct PoleCluster {
+  int poles = 0;  ///< one per order at most; 0: found in the residual alone
+  double frequency_hz = 0.0;  ///< mean
+  double frequency_scatter_hz = 0.0;
+  double damping_ratio = 0.0;  ///< mean
+  double damping_scatter = 0.0;
+};
+
 /// One identified mode; window damping already taken out.
 struct Mode {
   std::complex<double> pole;  ///< [rad/s], Re < 0
@@ -20,7 +29,9 @@ struct Mode {
   double frequency_sd_hz = 0.0;
   double damping_ratio = 0.0;  ///< -Re(pole) / |pole|
   double damping_sd = 0.0;
-  double mpc = 0.0;          ///< modal phase collinearity, 0..1
+  double mpc = 0.0;      ///< modal phase collinearity, 0..1
+  double mpd_deg = 0.0;  ///< mean phase deviation, 0..90
+  PoleCluster cluster;
   Eigen::VectorXcd shape;    ///< per ModeSet::dofs; unit modal mass if scaled
   Eigen::VectorXd shape_sd;  ///< sqrt(E|d shape|^2); empty where not known
 };
@@ -47,8 +58,10 @@ struct ModeSet {
   std::optional<PoleShifts> shifts;  ///< where sensors move between set-ups
   bool scaled = false;  ///< unit modal mass (a driving point was measured)
   std::vector<DiagramPole> diagram;
-  double synthesis_error =
-      0.0;  ///< rms of synthesised minus measured, relative
+  /// Rms of synthesised minus measured, relative: with the poles of the
+  /// diagram, and after they were refined.
+  double unrefined_error = 0.0;
+  double synthesis_error = 0.0;
   /// The fitted model per FRF of the set given, on its lines, residual terms
   /// included [(m/s^2)/N]; empty when no mode was found.
   std::vector<Eigen::VectorXcd> fitted;

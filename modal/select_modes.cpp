@@ -1,10 +1,10 @@
 #include "modal/select_modes.hpp"
 
+#include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/mac.hpp"
 #include "modal/shapes.hpp"
-
-#include <Eigen/Dense>
+#include "modal/split_poles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,6 @@ using Eigen::Index;
 constexpr double kLeastSignificance =
     4.0;  // F that a mode's residues must earn
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
-constexpr double kSameShape = 0.9;           // MAC of residues of split poles
-constexpr double kSecondShape = 0.15;        // singular value over the largest
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -77,49 +75,10 @@ Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
   return result;
 }
 
-/// Whether two residues add up to more than one shape. The sum is well known
-/// even where two poles are so close that their residues are not: of one mode
-/// that the polynomial split it is of rank one, outputs x references.
-bool are_two_shapes(const FrfMatrix& matrix,
-                    const ModalFit& fit,
-                    Index q,
-                    Index r) {
-  if (matrix.references < 2) return false;
-  const auto outputs = static_cast<Index>(matrix.rows.size());
-  Eigen::MatrixXcd sum(outputs, matrix.references);
-  for (Index o = 0; o < outputs; ++o) {
-    const std::vector<Index>& row = matrix.rows[static_cast<std::size_t>(o)];
-    for (Index i = 0; i < matrix.references; ++i) {
-      const Index f = row[static_cast<std::size_t>(i)];
-      sum(o, i) = fit.residues(f, q) + fit.residues(f, r);
-    }
-  }
-  const Eigen::VectorXd values =
-      Eigen::JacobiSVD<Eigen::MatrixXcd>(sum).singularValues();
-  return values.size() > 1 && values(1) > kSecondShape * values(0);
-}
-
-/// The weaker of two poles within a half bandwidth whose residues have one
-/// shape: a single mode that the polynomial split.
-bool is_split(const FrfMatrix& matrix, const ModalFit& fit, Index r) {
-  for (Index q = 0; q < fit.poles.size(); ++q) {
-    if (q == r) continue;
-    const double apart = std::abs(fit.poles(q) - fit.poles(r));
-    const double width =
-        std::max(std::abs(fit.poles(q).real()), std::abs(fit.poles(r).real()));
-    if (apart > 2.0 * width) continue;
-    if (fit.contribution(q) < fit.contribution(r)) continue;
-    if (mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape &&
-        !are_two_shapes(matrix, fit, q, r)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool impossible(const Complex& pole, const IdentifyOptions& options) {
   const double zeta = -pole.real() / std::abs(pole);
-  return zeta <= 1e-6 || zeta > options.max_damping_ratio;
+  return zeta <= options.least_damping_ratio ||
+         zeta > options.max_damping_ratio;
 }
 
 /// A pole that only stands for the modes beside the band.
@@ -334,6 +293,31 @@ void drop_unresolved(const Curves& curves, Selection& selection) {
   }
 }
 
+/// Takes out, most complex first, what does not move in phase.
+void drop_complex(const Curves& curves,
+                  const IdentifyOptions& options,
+                  Selection& selection) {
+  ModalFit& fit = selection.fit;
+  while (curves.count() > 2 && fit.poles.size() > 0) {
+    Index worst = -1;
+    double least = 1.0;
+    for (Index r = 0; r < fit.poles.size(); ++r) {
+      if (!in_band(curves, fit.poles(r))) continue;
+      const double mpc = phase_collinearity(fit.residues.col(r));
+      const double mpd = mean_phase_deviation(fit.residues.col(r));
+      const double worth = std::min(
+          options.least_mpc > 0.0 ? mpc / options.least_mpc : 1.0,
+          mpd > options.largest_mpd_deg ? options.largest_mpd_deg / mpd : 1.0);
+      if (worth >= least) continue;
+      least = worth;
+      worst = r;
+    }
+    if (worst < 0) return;
+    selection.out_of_phase.push_back(fit.poles(worst));
+    fit = refine_poles(curves, without(fit.poles, worst), 6);
+  }
+}
+
 }  // namespace
 
 Selection select_modes(const Curves& curves,
@@ -356,6 +340,8 @@ Selection select_modes(const Curves& curves,
   drop_unresolved(curves, selection);
   // What was only tried is not worth telling.
   selection.unresolved = told;
+  drop_complex(curves, options, selection);
+  edit_poles(curves, tracks, options, fit);
   if (fit.poles.size() > 0) fit = sorted(curves, fit);
   return selection;
 }

@@ -17,10 +17,15 @@ struct Selection {
   /// Poles that lasted over the orders but whose damping cannot be told from
   /// none, as a hum's cannot [rad/s].
   std::vector<std::complex<double>> unresolved;
+  /// Poles whose points do not move in phase as the options ask [rad/s].
+  std::vector<std::complex<double>> out_of_phase;
 };
 
 /// Fits the candidates and takes out, weakest first, those without which the
-/// model is as good.
+/// model is as good or which fail a hard check; then drops and adds what the
+/// options name.
+///
+/// @throws InputError when there is no pole to be dropped or added
 [[nodiscard]] Selection select_modes(const Curves& curves,
                                      const std::vector<Track>& tracks,
                                      std::size_t orders,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <numbers>
 
 namespace tapfit::modal {
 namespace {
@@ -252,6 +253,22 @@ double phase_collinearity(const Eigen::VectorXcd& shape) {
   const double sum = xx + yy;
   if (sum <= 0.0) return 0.0;
   return ((xx - yy) * (xx - yy) + 4.0 * xy * xy) / (sum * sum);
+}
+
+double mean_phase_deviation(const Eigen::VectorXcd& shape) {
+  const Complex sum = (shape.array() * shape.array()).sum();
+  const Complex axis = std::polar(1.0, 0.5 * std::arg(sum));
+  double angles = 0.0;
+  double weights = 0.0;
+  for (const Complex& value : shape) {
+    const Complex turned = value * std::conj(axis);
+    // The angle to the line, wherever on it the point lies.
+    angles += std::abs(value) *
+              std::atan2(std::abs(turned.imag()), std::abs(turned.real()));
+    weights += std::abs(value);
+  }
+  if (weights <= 0.0) return 0.0;
+  return angles / weights * 180.0 / std::numbers::pi;
 }
 
 }  // namespace tapfit::modal

@@ -53,4 +53,13 @@ struct ShapeGraph {
 /// Source: Pappa, Elliott, Schenk, J. Guidance 16(5), 1993.
 [[nodiscard]] double phase_collinearity(const Eigen::VectorXcd& shape);
 
+/// Mean phase deviation of a shape's points from the line that they lie on in
+/// the complex plane, weighted by their size: 0 for a real shape, up to 90.
+///   MPD = sum_k |phi_k| acos(|Re(phi_k conj(u))| / |phi_k|) / sum_k |phi_k|
+/// with u of unit length along the principal axis.
+/// Source: E. Reynders, J. Houbrechts, G. De Roeck, "Fully automated
+/// (operational) modal analysis", MSSP 29, 2012, p. 228-250.
+/// @return [deg]; 0 for a shape of zeros
+[[nodiscard]] double mean_phase_deviation(const Eigen::VectorXcd& shape);
+
 }  // namespace tapfit::modal

@@ -1,0 +1,89 @@
+#include "modal/edit_poles.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kNear = 0.02;          // relative
+constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
+
+void drop(const Curves& curves, double hz, ModalFit& fit) {
+  const double omega = kTwoPi * hz;
+  Index nearest = 0;
+  const bool any = fit.poles.size() > 0;
+  if (any) (fit.poles.array().abs() - omega).abs().minCoeff(&nearest);
+  if (!any || std::abs(std::abs(fit.poles(nearest)) - omega) > kNear * omega) {
+    throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
+                     "modes",
+                     any ? fmt::format("the nearest is at {:.6g} Hz",
+                                       std::abs(fit.poles(nearest)) / kTwoPi)
+                         : std::string("no mode was found at all"));
+  }
+  Eigen::VectorXcd rest(fit.poles.size() - 1);
+  rest << fit.poles.head(nearest), fit.poles.tail(rest.size() - nearest);
+  fit = rest.size() > 0 ? refine_poles(curves, rest, 10)
+                        : fit_residues(curves, rest);
+}
+
+/// The pole of the steadiest track near a frequency that is no mode yet.
+Complex start_near(const std::vector<Track>& tracks,
+                   const ModalFit& fit,
+                   double omega) {
+  Complex start(-kUsualDamping * omega, omega);
+  int most = 0;
+  for (const Track& track : tracks) {
+    if (std::abs(std::abs(track.pole) - omega) > 0.25 * kNear * omega) continue;
+    const bool taken =
+        fit.poles.size() > 0 &&
+        (fit.poles.array() - track.pole).abs().minCoeff() < 1e-4 * omega;
+    if (taken || static_cast<int>(track.poles.size()) <= most) continue;
+    most = static_cast<int>(track.poles.size());
+    start = track.pole;
+  }
+  return start;
+}
+
+void add(const Curves& curves,
+         const std::vector<Track>& tracks,
+         double hz,
+         ModalFit& fit) {
+  const double omega = kTwoPi * hz;
+  Eigen::VectorXcd poles(fit.poles.size() + 1);
+  poles << fit.poles, start_near(tracks, fit, omega);
+  ModalFit trial = refine_poles(curves, poles, 20);
+  const Complex last = trial.poles(trial.poles.size() - 1);
+  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > kNear * omega) {
+    throw InputError(
+        fmt::format("no pole can be fitted at {:.6g} Hz: it goes to {:.6g} Hz, "
+                    "damping {:.2g}",
+                    hz,
+                    std::abs(last) / kTwoPi,
+                    -last.real() / std::abs(last)),
+        "modes",
+        "choose a frequency at which the stabilisation diagram has poles");
+  }
+  fit = std::move(trial);
+}
+
+}  // namespace
+
+void edit_poles(const Curves& curves,
+                const std::vector<Track>& tracks,
+                const IdentifyOptions& options,
+                ModalFit& fit) {
+  for (const double hz : options.drop_hz) drop(curves, hz, fit);
+  for (const double hz : options.add_hz) add(curves, tracks, hz, fit);
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,24 @@
+// Poles taken out and put in by hand, after the automatic selection.
+#pragma once
+
+#include "modal/modal_fit.hpp"
+#include "modal/stabilisation.hpp"
+
+#include <vector>
+
+namespace tapfit::modal {
+
+/// Takes out the mode nearest to each frequency of options.drop_hz and puts in
+/// the steadiest pole of the diagram near each of options.add_hz (where the
+/// diagram has none, a pole started there); refines all of them. What is put in
+/// passes no hard check but that it is damped.
+///
+/// @param fit changed in place
+/// @throws InputError when no mode lies within 2 % of a frequency to drop, or
+///   the pole put in runs away by more than 2 % or loses its damping
+void edit_poles(const Curves& curves,
+                const std::vector<Track>& tracks,
+                const IdentifyOptions& options,
+                ModalFit& fit);
+
+}  // namespace tapfit::modal

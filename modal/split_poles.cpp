@@ -1,0 +1,62 @@
+#include "modal/split_poles.hpp"
+
+#include "modal/mac.hpp"
+#include "modal/shapes.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::modal {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kSameShape = 0.9;     // MAC of residues of split poles
+constexpr double kInPhase = 0.7;       // MPC of a mode that is not split
+constexpr double kSecondShape = 0.15;  // singular value over the largest
+
+bool are_two_shapes(const FrfMatrix& matrix,
+                    const ModalFit& fit,
+                    Index q,
+                    Index r) {
+  if (matrix.references < 2) return false;
+  const auto outputs = static_cast<Index>(matrix.rows.size());
+  Eigen::MatrixXcd sum(outputs, matrix.references);
+  for (Index o = 0; o < outputs; ++o) {
+    const std::vector<Index>& row = matrix.rows[static_cast<std::size_t>(o)];
+    for (Index i = 0; i < matrix.references; ++i) {
+      const Index f = row[static_cast<std::size_t>(i)];
+      sum(o, i) = fit.residues(f, q) + fit.residues(f, r);
+    }
+  }
+  const Eigen::VectorXd values =
+      Eigen::JacobiSVD<Eigen::MatrixXcd>(sum).singularValues();
+  return values.size() > 1 && values(1) > kSecondShape * values(0);
+}
+
+}  // namespace
+
+bool is_split(const FrfMatrix& matrix, const ModalFit& fit, Index r) {
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    if (q == r) continue;
+    const double apart = std::abs(fit.poles(q) - fit.poles(r));
+    const double width =
+        std::max(std::abs(fit.poles(q).real()), std::abs(fit.poles(r).real()));
+    if (apart > 2.0 * width) continue;
+    if (fit.contribution(q) < fit.contribution(r)) continue;
+    const bool one_shape =
+        mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape;
+    const bool out_of_phase =
+        fit.residues.rows() > 2 &&
+        std::min(phase_collinearity(fit.residues.col(q)),
+                 phase_collinearity(fit.residues.col(r))) < kInPhase;
+    if ((one_shape || out_of_phase) && !are_two_shapes(matrix, fit, q, r)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace tapfit::modal
