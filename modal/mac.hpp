@@ -2,11 +2,17 @@
 //
 //   MAC(u, v) = |u^H v|^2 / ((u^H u) (v^H v))
 //
+// A mass matrix W between the two makes it a cross-orthogonality: 1 and 0 then
+// mean what they say even where few points were measured unevenly.
+//
 // Source: eq. 33 of the updating paper, with the conjugate for complex shapes;
-// R. J. Allemang, "The modal assurance criterion", Sound and Vibration, 2003.
+// R. J. Allemang, "The modal assurance criterion", Sound and Vibration, 2003;
+// MACCO: E. Balmes, "Structural Dynamics Toolbox", ii_mac.
 #pragma once
 
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace tapfit::modal {
 
@@ -18,6 +24,31 @@ namespace tapfit::modal {
 [[nodiscard]] Eigen::MatrixXd mac(const Eigen::MatrixXcd& U,
                                   const Eigen::MatrixXcd& V);
 
+/// MAC of a set of shapes among themselves: large off its diagonal where the
+/// measured points cannot tell two modes apart.
+///
+/// @return p x p, symmetric, 1 on the diagonal
+[[nodiscard]] Eigen::MatrixXd auto_mac(const Eigen::MatrixXcd& U);
+
+/// MAC in the inner product u^H W v.
+///
+/// @param W n_dof x n_dof, symmetric, positive definite: a model's mass matrix
+///   reduced to the measured degrees of freedom [kg]
+/// @return p x q, each entry 0..1
+[[nodiscard]] Eigen::MatrixXd mass_weighted_mac(const Eigen::MatrixXcd& U,
+                                                const Eigen::MatrixXcd& V,
+                                                const Eigen::MatrixXd& W);
+
+/// Mass matrix at the measured degrees of freedom for which the model's shapes
+/// are orthonormal, W = (V V')^+ (that of a system-equivalent reduction): with
+/// it the model's own AutoMAC is the identity.
+///
+/// Source: J. O'Callahan, P. Avitabile, R. Riemer, "System equivalent reduction
+/// expansion process (SEREP)", IMAC 7, 1989.
+/// @param V n_dof x q shapes of unit modal mass, q at most n_dof
+/// @return n_dof x n_dof, of rank q
+[[nodiscard]] Eigen::MatrixXd reduced_mass(const Eigen::MatrixXd& V);
+
 /// Coordinate MAC of paired shapes: how well each degree of freedom agrees
 /// over all pairs.
 ///
@@ -25,5 +56,42 @@ namespace tapfit::modal {
 /// @return n_dof values, each 0..1
 [[nodiscard]] Eigen::VectorXd comac(const Eigen::MatrixXcd& U,
                                     const Eigen::MatrixXcd& V);
+
+/// One step of MACCO: the degree of freedom left out and what remains.
+struct LeftOut {
+  Eigen::Index dof = 0;   ///< row of the shapes
+  double mean_mac = 0.0;  ///< over the pairs, without this and all before
+};
+
+/// MAC contribution of the sensors: leaves out, one after the other, the
+/// degree of freedom without which the mean MAC of the pairs is highest. A
+/// sensor of wrong polarity or place comes first, with a jump.
+///
+/// @param U, V n_dof x p; column k of one belongs to column k of the other
+/// @param most steps; at least one degree of freedom stays
+[[nodiscard]] std::vector<LeftOut> macco(const Eigen::MatrixXcd& U,
+                                         const Eigen::MatrixXcd& V,
+                                         Eigen::Index most);
+
+/// A MAC with what noise in the measured shape does to it.
+struct MacEstimate {
+  double value = 0.0;  ///< noise makes it too small on average; taken out
+  double sd = 0.0;
+  double lo95 = 0.0;
+  double hi95 = 0.0;
+};
+
+/// MAC of a measured shape with one that is known, and its uncertainty.
+///
+/// Errors of the points are taken as independent and circular. To second
+/// order, because at MAC = 1 the first derivative vanishes: there the noise can
+/// only take away.
+///
+/// @param u measured shape
+/// @param sd sqrt(E|du|^2) of each value of u
+/// @param v the other shape, taken as exact
+[[nodiscard]] MacEstimate mac_with_uncertainty(const Eigen::VectorXcd& u,
+                                               const Eigen::VectorXd& sd,
+                                               const Eigen::VectorXcd& v);
 
 }  // namespace tapfit::modal

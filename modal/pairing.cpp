@@ -1,6 +1,9 @@
 #include "modal/pairing.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "modal/mac.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +33,29 @@ Eigen::MatrixXd costs(const Eigen::MatrixXd& likeness,
     }
   }
   return cost;
+}
+
+void check(const std::vector<Pair>& by_hand, Index measured, Index model) {
+  for (std::size_t k = 0; k < by_hand.size(); ++k) {
+    const Pair& pair = by_hand[k];
+    const bool exists = pair.measured >= 0 && pair.measured < measured &&
+                        pair.model >= -1 && pair.model < model;
+    const auto clash = [&](const Pair& other) {
+      return other.measured == pair.measured ||
+             (pair.model >= 0 && other.model == pair.model);
+    };
+    const auto end = by_hand.begin() + static_cast<std::ptrdiff_t>(k);
+    if (exists && std::none_of(by_hand.begin(), end, clash)) continue;
+    throw InputError(
+        fmt::format("measured mode {} cannot be paired with {}",
+                    pair.measured + 1,
+                    pair.model + 1),
+        "pairs set by hand",
+        exists
+            ? std::string("each mode can have one partner")
+            : fmt::format(
+                  "there are {} measured and {} other modes", measured, model));
+  }
 }
 
 /// One row joins: cheapest chain of changes that ends in a free column. Rows
@@ -99,10 +125,27 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
                              const Eigen::MatrixXcd& model,
                              const Eigen::VectorXd& f_model,
                              const PairingOptions& options) {
+  return pair_modes(measured, f_measured, model, f_model, options, {});
+}
+
+std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
+                             const Eigen::VectorXd& f_measured,
+                             const Eigen::MatrixXcd& model,
+                             const Eigen::VectorXd& f_model,
+                             const PairingOptions& options,
+                             const std::vector<Pair>& by_hand) {
   std::vector<Pair> pairs;
+  check(by_hand, measured.cols(), model.cols());
   if (measured.cols() == 0 || model.cols() == 0) return pairs;
   const Eigen::MatrixXd likeness = mac(measured, model);
-  const Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
+  Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
+  for (const Pair& pair : by_hand) {
+    cost.row(pair.measured).setConstant(kForbidden);
+    if (pair.model < 0) continue;
+    cost.col(pair.model).setConstant(kForbidden);
+    pairs.push_back(
+        {pair.measured, pair.model, likeness(pair.measured, pair.model)});
+  }
   const bool wide = cost.rows() <= cost.cols();
   const std::vector<Index> found =
       assign(wide ? cost : Eigen::MatrixXd(cost.transpose()));
@@ -112,9 +155,7 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
     const Index m = wide ? found[k] : index;
     if (cost(i, m) < kForbidden) pairs.push_back({i, m, likeness(i, m)});
   }
-  if (!wide) {
-    std::ranges::sort(pairs, {}, &Pair::measured);
-  }
+  std::ranges::sort(pairs, {}, &Pair::measured);
   return pairs;
 }
 

@@ -44,6 +44,19 @@ struct Pair {
                                            const Eigen::VectorXd& f_model,
                                            const PairingOptions& options = {});
 
+/// The pairs with some of them set by hand: a pair given takes its two modes
+/// out of the others' reach, whatever MAC and frequency say; a model index of
+/// -1 leaves that measured mode without a partner.
+///
+/// @param by_hand measured and model index; of `mac` nothing is read
+/// @throws InputError for an index that does not exist or is given twice
+[[nodiscard]] std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
+                                           const Eigen::VectorXd& f_measured,
+                                           const Eigen::MatrixXcd& model,
+                                           const Eigen::VectorXd& f_model,
+                                           const PairingOptions& options,
+                                           const std::vector<Pair>& by_hand);
+
 /// Assignment of rows to columns with the least sum of costs.
 ///
 /// @param cost n x m, finite, n <= m

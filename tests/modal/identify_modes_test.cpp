@@ -152,36 +152,6 @@ TEST(IdentifyModes, LosesNoneAndInventsNone) {
   EXPECT_GE(good, 38) << "wrong with seeds " << lost;  // 95 %
 }
 
-TEST(IdentifyModes, StatesUncertaintyThatHolds) {
-  int inside_frequency = 0;
-  int inside_damping = 0;
-  constexpr int kSeeds = 100;
-  SyntheticSystem system;
-  system.frequency_hz.resize(2);
-  system.frequency_hz << 20.0, 31.0;
-  system.damping_ratio = Eigen::VectorXd::Constant(2, 0.01);
-  std::mt19937_64 shapes(1);
-  system.phi = test::random_shapes(3, 2, shapes);
-  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
-    std::mt19937_64 random(seed);
-    const signal::FrfSet frfs = test::roving_hammer(
-        system, {0, 1}, test::line_points(10, 40, 200, 0.0), 0.05, random);
-    const modal::ModeSet found = modal::identify_modes(frfs, {});
-    ASSERT_EQ(found.modes.size(), 2U);
-    const modal::Mode& mode = found.modes[0];
-    if (std::abs(mode.frequency_hz - 20.0) < 1.96 * mode.frequency_sd_hz) {
-      ++inside_frequency;
-    }
-    if (std::abs(mode.damping_ratio - 0.01) < 1.96 * mode.damping_sd) {
-      ++inside_damping;
-    }
-  }
-  // 95 % nominal; three standard deviations of a binomial are 6.5.
-  EXPECT_GE(inside_frequency, 88);
-  EXPECT_GE(inside_damping, 88);
-  EXPECT_LE(inside_frequency + inside_damping, 199);
-}
-
 TEST(IdentifyModes, WorksWithOneReferenceAndNoVariance) {
   std::mt19937_64 random(4);
   const SyntheticSystem system = random_system(3, 4, 0.005, 0.01, random);

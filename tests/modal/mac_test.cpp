@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 #include <random>
 
@@ -65,6 +66,89 @@ TEST(Comac, IsOneWhereShapesAgreeInScaleAndSign) {
     EXPECT_NEAR(result(k), 1.0, 1e-14);
   }
   EXPECT_LT(result(2), 0.99);
+}
+
+TEST(MassWeightedMac, TellsApartWhatUnevenPointsConfuse) {
+  // A free-free bar of five equal masses, orthonormal in the mass matrix; the
+  // last point stands for most of the mass.
+  Eigen::MatrixXd W = Eigen::VectorXd::Ones(5).asDiagonal();
+  W(4, 4) = 20.0;
+  Eigen::MatrixXd V = random_shapes(5, 3, 8).real();
+  // Gram-Schmidt in W.
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    for (Eigen::Index j = 0; j < k; ++j) {
+      V.col(k) -= V.col(j).dot(W * V.col(k)) * V.col(j);
+    }
+    V.col(k) /= std::sqrt(V.col(k).dot(W * V.col(k)));
+  }
+  const Eigen::MatrixXcd shapes = V.cast<std::complex<double>>();
+  const Eigen::MatrixXd weighted = mass_weighted_mac(shapes, shapes, W);
+  EXPECT_LT((weighted - Eigen::MatrixXd::Identity(3, 3)).norm(), 1e-12);
+  EXPECT_GT((auto_mac(shapes) - Eigen::MatrixXd::Identity(3, 3)).norm(), 0.1);
+  // The mass that the shapes themselves tell of does the same.
+  const Eigen::MatrixXd own =
+      mass_weighted_mac(shapes, shapes, reduced_mass(V));
+  EXPECT_LT((own - Eigen::MatrixXd::Identity(3, 3)).norm(), 1e-12);
+}
+
+TEST(Macco, NamesTheTurnedSensorFirst) {
+  const Eigen::MatrixXcd U = random_shapes(10, 4, 3);
+  Eigen::MatrixXcd V = U + 0.02 * random_shapes(10, 4, 4);
+  V.row(6) *= -1.0;
+  const std::vector<LeftOut> steps = macco(U, V, 3);
+  ASSERT_EQ(steps.size(), 3U);
+  EXPECT_EQ(steps[0].dof, 6);
+  EXPECT_GT(steps[0].mean_mac, 0.99);
+  EXPECT_LT(mac(U, V).diagonal().mean(), 0.9);
+  // By its definition: MAC of what stays.
+  std::vector<Eigen::Index> rest{0, 1, 2, 3, 4, 5, 7, 8, 9};
+  EXPECT_NEAR(steps[0].mean_mac,
+              mac(U(rest, Eigen::all), V(rest, Eigen::all)).diagonal().mean(),
+              1e-12);
+  EXPECT_EQ(macco(U, V, 100).size(), 9U);
+}
+
+// Coverage of the interval where the shapes differ, where they agree, and with
+// errors that differ from point to point.
+TEST(MacWithUncertainty, IntervalsHoldTheTruth) {
+  for (const double mixed : {0.0, 0.05, 0.5}) {
+    const Eigen::VectorXcd shape = random_shapes(12, 1, 21).real();
+    const Eigen::VectorXcd other =
+        shape + mixed * random_shapes(12, 1, 22).real();
+    const double truth = mac(shape, other)(0, 0);
+    Eigen::VectorXd sd(12);
+    for (Eigen::Index k = 0; k < 12; ++k) sd(k) = 0.02 + 0.01 * double(k % 4);
+    std::mt19937_64 random(23);
+    std::normal_distribution<double> normal;
+    int inside = 0;
+    double mean = 0.0;
+    constexpr int kSeeds = 500;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+      Eigen::VectorXcd u = shape;
+      for (Eigen::Index k = 0; k < 12; ++k) {
+        u(k) += sd(k) / std::sqrt(2.0) *
+                std::complex<double>(normal(random), normal(random));
+      }
+      const MacEstimate found = mac_with_uncertainty(u, sd, other);
+      mean += found.value / kSeeds;
+      if (found.lo95 <= truth && truth <= found.hi95) ++inside;
+    }
+    SCOPED_TRACE(mixed);
+    EXPECT_GE(inside, 450);  // 90 %
+    // At MAC = 1 the truth is the end of what can be: the interval, cut there,
+    // holds it more often.
+    if (mixed > 0.0) {
+      EXPECT_LE(inside, 495);  // 99 %
+    }
+    // Without the correction it would be sum sd^2 / |u|^2 = 1e-3 too low.
+    EXPECT_NEAR(mean, truth, 4e-4);
+  }
+}
+
+TEST(MacWithUncertainty, IsNothingForShapesOfZeros) {
+  const Eigen::VectorXcd zero = Eigen::VectorXcd::Zero(3);
+  EXPECT_EQ(mac_with_uncertainty(zero, Eigen::VectorXd::Ones(3), zero).value,
+            0.0);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "modal/pairing.hpp"
 
+#include "acquisition/input_error.hpp"
+#include "modal/mac.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,6 +82,33 @@ TEST(PairModes, IsEmptyWithoutModes) {
   const Eigen::MatrixXcd none(5, 0);
   EXPECT_TRUE(
       pair_modes(none, Eigen::VectorXd(), none, Eigen::VectorXd()).empty());
+}
+
+TEST(PairModes, PairsSetByHandStand) {
+  const Eigen::MatrixXcd model = shapes(12, 3, 7);
+  const Eigen::VectorXd f = Eigen::Vector3d(10.0, 20.0, 30.0);
+  // By MAC and frequency each would be its own.
+  const std::vector<Pair> turned =
+      pair_modes(model, f, model, f, {}, {{0, 1, 0.0}});
+  ASSERT_EQ(turned.size(), 2U);
+  EXPECT_EQ(turned[0].measured, 0);
+  EXPECT_EQ(turned[0].model, 1);
+  EXPECT_NEAR(turned[0].mac, modal::mac(model, model)(0, 1), 1e-14);
+  EXPECT_EQ(turned[1].measured, 2);
+  const std::vector<Pair> alone =
+      pair_modes(model, f, model, f, {}, {{2, -1, 0.0}});
+  ASSERT_EQ(alone.size(), 2U);
+  EXPECT_EQ(alone[1].measured, 1);
+}
+
+TEST(PairModes, RefusesPairsThatCannotBe) {
+  const Eigen::MatrixXcd model = shapes(12, 3, 7);
+  const Eigen::VectorXd f = Eigen::Vector3d(10.0, 20.0, 30.0);
+  EXPECT_THROW((void)pair_modes(model, f, model, f, {}, {{3, 0, 0.0}}),
+               InputError);
+  EXPECT_THROW(
+      (void)pair_modes(model, f, model, f, {}, {{0, 1, 0.0}, {2, 1, 0.0}}),
+      InputError);
 }
 
 }  // namespace

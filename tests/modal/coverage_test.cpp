@@ -1,0 +1,95 @@
+// Do the stated 95 % intervals hold the truth? 500 seeded runs.
+#include "modal/identify_modes.hpp"
+#include "modal/mac.hpp"
+#include "tests/modal/synthetic_frfs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit {
+namespace {
+
+using Eigen::Index;
+
+/// How many of how many intervals held the truth.
+struct Count {
+  int inside = 0;
+  int all = 0;
+
+  void add(bool holds) {
+    ++all;
+    if (holds) ++inside;
+  }
+  [[nodiscard]] double percent() const { return 100.0 * inside / all; }
+};
+
+struct Counts {
+  Count frequency, damping, shape, mac;
+};
+
+void count_mode(const modal::Mode& mode,
+                const test::SyntheticSystem& truth,
+                Index r,
+                const Eigen::VectorXcd& model,
+                Counts& counts) {
+  constexpr double kWide = 1.96;
+  counts.frequency.add(std::abs(mode.frequency_hz - truth.frequency_hz(r)) <
+                       kWide * mode.frequency_sd_hz);
+  counts.damping.add(std::abs(mode.damping_ratio - truth.damping_ratio(r)) <
+                     kWide * mode.damping_sd);
+  const Eigen::VectorXd phi = truth.phi.col(r);
+  const double sign = mode.shape.real().dot(phi) < 0.0 ? -1.0 : 1.0;
+  for (Index k = 0; k < phi.size(); ++k) {
+    // Half of E|d phi|^2 is in the real part.
+    counts.shape.add(std::abs(sign * mode.shape(k).real() - phi(k)) <
+                     kWide * mode.shape_sd(k) / std::sqrt(2.0));
+  }
+  const modal::MacEstimate mac =
+      modal::mac_with_uncertainty(mode.shape, mode.shape_sd, model);
+  const double exact =
+      modal::mac(phi.cast<std::complex<double>>(), model)(0, 0);
+  counts.mac.add(mac.lo95 <= exact && exact <= mac.hi95);
+}
+
+TEST(Coverage, NinetyFivePercentIntervalsHold) {
+  test::SyntheticSystem truth;
+  truth.frequency_hz = Eigen::Vector3d(20.0, 31.0, 33.0);
+  truth.damping_ratio = Eigen::Vector3d(0.01, 0.006, 0.012);
+  std::mt19937_64 shapes(1);
+  truth.phi = test::random_shapes(6, 3, shapes);
+  // A model that is not quite right, so that MAC has something to say.
+  const Eigen::MatrixXcd model =
+      (truth.phi + 0.2 * test::random_shapes(6, 3, shapes))
+          .cast<std::complex<double>>();
+  Counts counts;
+  for (unsigned seed = 1; seed <= 500; ++seed) {
+    std::mt19937_64 random(seed);
+    const modal::ModeSet found = modal::identify_modes(
+        test::roving_hammer(
+            truth, {0, 1}, test::line_points(10, 40, 240, 0.0), 0.05, random),
+        {});
+    ASSERT_EQ(found.modes.size(), 3U) << seed;
+    for (Index r = 0; r < 3; ++r) {
+      count_mode(found.modes[static_cast<std::size_t>(r)],
+                 truth,
+                 r,
+                 model.col(r),
+                 counts);
+    }
+  }
+  for (const Count& count :
+       {counts.frequency, counts.damping, counts.shape, counts.mac}) {
+    EXPECT_GE(count.percent(), 90.0);
+    EXPECT_LE(count.percent(), 99.0);
+  }
+  std::printf(
+      "coverage in %%: frequency %.1f damping %.1f shape %.1f MAC %.1f\n",
+      counts.frequency.percent(),
+      counts.damping.percent(),
+      counts.shape.percent(),
+      counts.mac.percent());
+}
+
+}  // namespace
+}  // namespace tapfit
