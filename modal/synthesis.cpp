@@ -1,5 +1,9 @@
 #include "modal/synthesis.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace tapfit::modal {
 namespace {
 
@@ -36,6 +40,28 @@ std::optional<Eigen::VectorXcd> synthesise(const ModeSet& modes,
     }
   }
   return H;
+}
+
+signal::FrfSet fitted_set(const signal::FrfSet& frfs, const ModeSet& modes) {
+  signal::FrfSet result;
+  std::vector<Eigen::Index> lines;
+  for (Eigen::Index k = 0; k < frfs.lines(); ++k) {
+    const auto fitted = [k](const Eigen::VectorXcd& H) {
+      return H.size() > k && std::abs(H(k)) > 0.0;
+    };
+    if (std::ranges::any_of(modes.fitted, fitted)) lines.push_back(k);
+  }
+  result.s = frfs.s(lines);
+  for (std::size_t f = 0; f < modes.fitted.size(); ++f) {
+    if (modes.fitted[f].size() != frfs.lines()) continue;
+    if (modes.fitted[f].isZero(0.0)) continue;
+    signal::Frf frf = frfs.frfs[f];
+    frf.H = Eigen::VectorXcd(modes.fitted[f](lines));
+    frf.coherence = Eigen::VectorXd::Ones(result.lines());
+    frf.variance = Eigen::VectorXd::Zero(result.lines());
+    result.frfs.push_back(std::move(frf));
+  }
+  return result;
 }
 
 }  // namespace tapfit::modal

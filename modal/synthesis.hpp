@@ -7,6 +7,7 @@
 #pragma once
 
 #include "modal/mode_set.hpp"
+#include "signal/frf_set.hpp"
 
 #include <Eigen/Core>
 
@@ -24,5 +25,14 @@ namespace tapfit::modal {
     const Dof& response,
     const Dof& reference,
     const Eigen::VectorXcd& s);
+
+/// The set with the fitted model in the place of what was measured: coherence 1
+/// and no variance. FRFs the modes were not fitted to, and lines outside the
+/// band of the fit, are left out.
+///
+/// @param frfs the set that the modes were identified from
+/// @return no FRF when no mode was found
+[[nodiscard]] signal::FrfSet fitted_set(const signal::FrfSet& frfs,
+                                        const ModeSet& modes);
 
 }  // namespace tapfit::modal
