@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/progress.hpp"
+#include "modal/identify_modes.hpp"
 
 #include <array>
 #include <filesystem>
@@ -29,6 +30,14 @@ struct PaperArguments {
   bool write = false;                   ///< make the bundles' FRFs again
 };
 
+/// What `tapfit modes` is told.
+struct ModesArguments {
+  modal::IdentifyOptions identify;
+  bool diagram = false;                      ///< print it too
+  std::optional<std::filesystem::path> fit;  ///< synthesised FRFs, UFF 58
+  int dataset = 55;                          ///< of --uff: 55 or 2414
+};
+
 /// The command line of one command; each command reads what it knows of.
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
@@ -45,6 +54,9 @@ struct CommandOptions {
   int node = 0;        ///< grid id
   ImportArguments csv;
   PaperArguments paper;
+  ModesArguments identification;
+  std::optional<std::filesystem::path> other;  ///< second set of modes
+  std::vector<std::string> pairs;              ///< "2:3", set by hand
 };
 
 /// A command returns all of its standard output at once, so that a fault on

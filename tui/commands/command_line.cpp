@@ -8,8 +8,10 @@
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/import_command.hpp"
+#include "tui/commands/mac_command.hpp"
 #include "tui/commands/model_command.hpp"
 #include "tui/commands/modes_command.hpp"
+#include "tui/commands/modes_options.hpp"
 #include "tui/commands/paper_command.hpp"
 #include "tui/commands/report_command.hpp"
 #include "tui/commands/run_command.hpp"
@@ -45,6 +47,8 @@ enum Extra : unsigned {
   SavedFile = 64,
   Free = 256,
   Regularisation = 512,
+  Identify = 1024,
+  Mac = 2048,
 };
 
 struct Entry {
@@ -55,14 +59,19 @@ struct Entry {
   const char* input = "BUNDLE";
 };
 
-constexpr std::array<Entry, 12> entries{{
+constexpr std::array<Entry, 13> entries{{
     {"run", "The whole chain, recording to error ladder", run_command, None},
     {"hits", "Hits found and judged", hits_command, None},
     {"frf",
      "Frequency response functions and their quality",
      frf_command,
      Uff | Free},
-    {"modes", "Identified modes", modes_command, Uff},
+    {"modes", "Identified modes", modes_command, Uff | Identify},
+    {"mac",
+     "Two sets of modes against each other, or one against itself",
+     mac_command,
+     Mac,
+     "MODES"},
     {"model", "A deck in numbers, and its modes", model_command, Modes, "DECK"},
     {"compare", "Model against measurement", compare_command, None},
     {"diagnose", "What is missing from the model", diagnose_command, None},
@@ -102,6 +111,12 @@ std::string effect_fault(const std::string& text) {
 std::string free_fault(const std::string& text) {
   return parse_free(text) ? std::string{}
                           : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
+}
+
+/// What is wrong with a pair of modes as written; empty where nothing is.
+std::string pair_fault(const std::string& text) {
+  return parse_pair(text) ? std::string{}
+                          : "\"" + text + "\" is not I:K or I:none";
 }
 
 std::string lines_fault(const std::string& text) {
@@ -176,6 +191,15 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   }
   if ((entry.extras & Regularisation) != 0) {
     add_regularisation(*command, options);
+  }
+  if ((entry.extras & Mac) != 0) {
+    command->add_option("OTHER", options.other, "Modes to compare with");
+    command->add_option("--pair", options.pairs, "FIRST:SECOND, set by hand")
+        ->check(CLI::Validator(pair_fault, "I:K|I:none"))
+        ->allow_extra_args(false);
+  }
+  if ((entry.extras & Identify) != 0) {
+    add_modes_options(*command, options.identification);
   }
   if ((entry.extras & Modes) != 0) {
     command->add_option("--modes", options.modes, "How many modes")

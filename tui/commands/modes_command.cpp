@@ -1,8 +1,12 @@
 #include "tui/commands/modes_command.hpp"
 
 #include "acquisition/channel_names.hpp"
+#include "modal/identify_modes.hpp"
 #include "modal/sensor_shifts.hpp"
+#include "modal/synthesis.hpp"
 #include "modal/uff55.hpp"
+#include "signal/uff58.hpp"
+#include "tui/commands/diagram_text.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
@@ -15,6 +19,26 @@ namespace tapfit::tui {
 using nlohmann::ordered_json;
 
 namespace {
+
+ordered_json shape_sd_json(const modal::ModeSet& modes,
+                           const modal::Mode& mode) {
+  ordered_json shape = ordered_json::object();
+  for (std::size_t row = 0; row < modes.dofs.size(); ++row) {
+    shape[name(modes.dofs[row])] =
+        mode.shape_sd(static_cast<Eigen::Index>(row));
+  }
+  return shape;
+}
+
+ordered_json cluster_json(const modal::PoleCluster& cluster) {
+  return {{"poles", cluster.poles},
+          {"frequency_hz",
+           {{"mean", cluster.frequency_hz},
+            {"scatter", cluster.frequency_scatter_hz}}},
+          {"damping_ratio",
+           {{"mean", cluster.damping_ratio},
+            {"scatter", cluster.damping_scatter}}}};
+}
 
 ordered_json shape_json(const modal::ModeSet& modes, const modal::Mode& mode) {
   ordered_json shape = ordered_json::object();
@@ -87,10 +111,16 @@ ordered_json modes_json(const modal::ModeSet& modes,
          {"damping_ratio",
           {{"value", mode.damping_ratio}, {"sd", mode.damping_sd}}},
          {"mpc", mode.mpc},
+         {"mpd_deg", mode.mpd_deg},
+         {"cluster", cluster_json(mode.cluster)},
          {"shape", shape_json(modes, mode)}});
+    if (mode.shape_sd.size() == mode.shape.size()) {
+      list.back()["shape_sd"] = shape_sd_json(modes, mode);
+    }
   }
   ordered_json json = {{"modes", std::move(list)},
                        {"unit_modal_mass", modes.scaled},
+                       {"unrefined_error", modes.unrefined_error},
                        {"synthesis_error", modes.synthesis_error},
                        {"warnings", modes.warnings}};
   if (modes.shifts) json["pole_shifts"] = shifts_json(*modes.shifts, channels);
@@ -99,10 +129,21 @@ ordered_json modes_json(const modal::ModeSet& modes,
 
 std::string modes_text(const modal::ModeSet& modes,
                        const std::vector<std::string>& channels) {
-  std::string text = fmt::format("Modes: {} identified, synthesis error {}\n",
-                                 modes.modes.size(),
-                                 percent(modes.synthesis_error));
-  TextTable table({"mode", "frequency Hz", "sd Hz", "damping", "sd", "MPC"});
+  std::string text = fmt::format(
+      "Modes: {} identified, synthesis error {} ({} before the poles were "
+      "refined)\n",
+      modes.modes.size(),
+      percent(modes.synthesis_error),
+      percent(modes.unrefined_error));
+  TextTable table({"mode",
+                   "frequency Hz",
+                   "sd Hz",
+                   "damping",
+                   "sd",
+                   "MPC",
+                   "MPD deg",
+                   "poles",
+                   "scatter Hz"});
   for (std::size_t index = 0; index < modes.modes.size(); ++index) {
     const auto& mode = modes.modes[index];
     table.add({fmt::format("{}", index + 1),
@@ -110,7 +151,10 @@ std::string modes_text(const modal::ModeSet& modes,
                fmt::format("{:.2g}", mode.frequency_sd_hz),
                percent(mode.damping_ratio),
                fmt::format("{:.2g} %", 100.0 * mode.damping_sd),
-               fmt::format("{:.3f}", mode.mpc)});
+               fmt::format("{:.3f}", mode.mpc),
+               fmt::format("{:.1f}", mode.mpd_deg),
+               fmt::format("{}", mode.cluster.poles),
+               fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
   }
   text += table.text();
   if (modal::is_telling(modes.shifts)) {
@@ -124,14 +168,32 @@ std::string modes_text(const modal::ModeSet& modes,
 std::string modes_command(const CommandOptions& options,
                           const Progress& progress) {
   updating::Session session = open_bundle(options.input);
-  const modal::ModeSet& modes = session.modes(progress);
+  const signal::FrfSet& frfs = session.frfs(progress);
+  const ModesArguments& told = options.identification;
+  const modal::ModeSet modes =
+      modal::identify_modes(frfs, told.identify, progress);
+  const std::string& title = session.bundle().title;
   if (options.uff) {
-    modal::write_modes_uff(modes, session.bundle().title, *options.uff);
+    modal::write_modes_uff(modes,
+                           title,
+                           *options.uff,
+                           told.dataset == 2414 ? modal::ModeDataset::Uff2414
+                                                : modal::ModeDataset::Uff55);
+  }
+  if (told.fit) {
+    signal::write_frfs_uff(modal::fitted_set(frfs, modes), title, *told.fit);
   }
   const std::vector<std::string> channels =
       acquisition::channel_names(session.bundle());
-  return options.json ? modes_json(modes, channels).dump(2) + "\n"
-                      : modes_text(modes, channels);
+  if (options.json) return modes_json(modes, channels).dump(2) + "\n";
+  std::string text = modes_text(modes, channels);
+  if (told.diagram && frfs.lines() > 1) {
+    const Eigen::VectorXd f = frfs.frequency_hz();
+    const std::array<double, 2> band = told.identify.band_hz.value_or(
+        std::array<double, 2>{f.minCoeff(), f.maxCoeff()});
+    text += diagram_text(modes, frfs, band[0], band[1]);
+  }
+  return text;
 }
 
 }  // namespace tapfit::tui

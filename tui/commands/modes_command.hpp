@@ -11,7 +11,8 @@
 
 namespace tapfit::tui {
 
-/// {"modes": [{"frequency_hz", "damping_ratio", "mpc", "shape"}], "warnings"}
+/// {"modes": [{"frequency_hz", "damping_ratio", "mpc", "mpd_deg", "cluster",
+/// "shape", "shape_sd"}], "unrefined_error", "synthesis_error", "warnings"}
 /// and, where sensors move between set-ups, "pole_shifts".
 [[nodiscard]] nlohmann::ordered_json modes_json(
     const modal::ModeSet& modes, const std::vector<std::string>& channels = {});
@@ -21,7 +22,8 @@ namespace tapfit::tui {
 [[nodiscard]] std::string modes_text(
     const modal::ModeSet& modes, const std::vector<std::string>& channels = {});
 
-/// With --uff also writes the modes.
+/// Identifies with the options given. With --uff also writes the modes, with
+/// --fit the synthesised FRFs, with --diagram prints the stabilisation diagram.
 /// @throws InputError, Stopped
 [[nodiscard]] std::string modes_command(const CommandOptions& options,
                                         const Progress& progress);

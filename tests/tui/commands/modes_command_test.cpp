@@ -13,6 +13,8 @@ modal::ModeSet sample_modes() {
   mode.damping_ratio = 0.0044;
   mode.damping_sd = 0.0001;
   mode.mpc = 0.998;
+  mode.mpd_deg = 4.5;
+  mode.cluster = {60, 2.27, 0.001, 0.0045, 0.0002};
   mode.shape = Eigen::VectorXcd::Constant(1, {0.5, -0.25});
   modal::ModeSet set;
   set.dofs = {{.node = 12, .component = 3, .sign = 1}};
@@ -26,6 +28,9 @@ TEST(ModesCommand, JsonIsThatOfTheFormat) {
   EXPECT_EQ(json.at("modes").dump(),
             R"([{"frequency_hz":{"value":2.271,"sd":0.0004},)"
             R"("damping_ratio":{"value":0.0044,"sd":0.0001},"mpc":0.998,)"
+            R"("mpd_deg":4.5,"cluster":{"poles":60,)"
+            R"("frequency_hz":{"mean":2.27,"scatter":0.001},)"
+            R"("damping_ratio":{"mean":0.0045,"scatter":0.0002}},)"
             R"("shape":{"12Z+":[0.5,-0.25]}}])");
   EXPECT_EQ(json.at("warnings").dump(), R"(["one is weak"])");
 }

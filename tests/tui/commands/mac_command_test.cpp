@@ -1,0 +1,87 @@
+#include "tui/commands/mac_command.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tui/commands/modes_command.hpp"
+#include "tui/commands/modes_file.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+/// Two half sines over six points, the second mode twice as high.
+modal::ModeSet bar(double first_hz) {
+  modal::ModeSet set;
+  for (int node = 1; node <= 6; ++node) set.dofs.push_back({node, 3, 1});
+  for (int m = 1; m <= 2; ++m) {
+    modal::Mode mode;
+    mode.frequency_hz = first_hz * m;
+    mode.damping_ratio = 0.01;
+    mode.shape.resize(6);
+    for (int k = 0; k < 6; ++k) {
+      mode.shape(k) = std::sin(m * std::numbers::pi * (k + 1) / 7.0);
+    }
+    mode.shape_sd = Eigen::VectorXd::Constant(6, 0.01);
+    set.modes.push_back(mode);
+  }
+  return set;
+}
+
+TEST(MacCommand, PairsModesAndNamesTheSensorThatIsOff) {
+  modal::ModeSet other = bar(10.5);
+  for (modal::Mode& mode : other.modes) mode.shape(4) *= -1.0;
+  const auto json = mac_json(bar(10.0), other, {});
+  EXPECT_EQ(json.at("points"), 6);
+  ASSERT_EQ(json.at("pairs").size(), 2U);
+  EXPECT_NEAR(json.at("pairs")[0].at("error_percent"), 5.0, 1e-9);
+  EXPECT_LT(json.at("pairs")[0].at("mac").at("value"), 0.8);
+  EXPECT_GT(json.at("pairs")[0].at("mac").at("sd"), 0.0);
+  EXPECT_EQ(json.at("macco")[0].at("left_out"), "5Z+");
+  EXPECT_NEAR(json.at("macco")[0].at("mean_mac"), 1.0, 1e-12);
+  EXPECT_NE(mac_text(bar(10.0), other, {}).find("5Z+"), std::string::npos);
+}
+
+TEST(MacCommand, TakesPairsByHand) {
+  EXPECT_FALSE(parse_pair("2"));
+  EXPECT_FALSE(parse_pair("0:1"));
+  EXPECT_FALSE(parse_pair("1:x"));
+  const auto pair = parse_pair("1:none");
+  ASSERT_TRUE(pair);
+  EXPECT_EQ(pair->model, -1);
+  const auto json = mac_json(bar(10.0), bar(10.0), {*parse_pair("1:2")});
+  ASSERT_EQ(json.at("pairs").size(), 1U);
+  EXPECT_EQ(json.at("pairs")[0].at("second"), 2);
+}
+
+TEST(MacCommand, RefusesSetsWithoutACommonPoint) {
+  modal::ModeSet other = bar(10.0);
+  for (Dof& dof : other.dofs) dof.node += 100;
+  EXPECT_THROW((void)mac_json(bar(10.0), other, {}), InputError);
+}
+
+TEST(ModesFile, JsonOfTheModesComesBack) {
+  const modal::ModeSet written = bar(10.0);
+  const modal::ModeSet read =
+      read_modes_json(modes_json(written).dump(), "memory");
+  ASSERT_EQ(read.modes.size(), 2U);
+  EXPECT_EQ(read.dofs, written.dofs);
+  EXPECT_EQ(read.modes[1].frequency_hz, written.modes[1].frequency_hz);
+  EXPECT_EQ(read.modes[1].shape, written.modes[1].shape);
+  EXPECT_EQ(read.modes[1].shape_sd, written.modes[1].shape_sd);
+}
+
+TEST(ModesFile, SaysWhatIsNoJsonOfModes) {
+  EXPECT_THROW((void)read_modes_json("{", "m"), InputError);
+  EXPECT_THROW((void)read_modes_json(R"({"modes": []})", "m"), InputError);
+  EXPECT_THROW(
+      (void)read_modes_json(R"({"modes": [{"shape": {"a": [1, 0]}}]})", "m"),
+      InputError);
+  EXPECT_THROW((void)read_modes_file("/nonexistent.json"), InputError);
+}
+
+}  // namespace
+}  // namespace tapfit::tui

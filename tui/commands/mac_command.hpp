@@ -1,0 +1,37 @@
+// tapfit mac: two sets of modes against each other, or one against itself.
+#pragma once
+
+#include "modal/mode_set.hpp"
+#include "modal/pairing.hpp"
+#include "tui/commands/command.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// {"points", "mac", "pairs", "comac", "macco"} at the points that both have.
+///
+/// @param by_hand pairs that stand, counted from 0
+/// @throws InputError without a point in common
+[[nodiscard]] nlohmann::ordered_json mac_json(
+    const modal::ModeSet& first,
+    const modal::ModeSet& second,
+    const std::vector<modal::Pair>& by_hand);
+
+/// The same for people; of one set alone its AutoMAC.
+[[nodiscard]] std::string mac_text(const modal::ModeSet& first,
+                                   const modal::ModeSet& second,
+                                   const std::vector<modal::Pair>& by_hand);
+
+/// "2:3" (modes counted from 1), "2:none"; empty when it is neither.
+[[nodiscard]] std::optional<modal::Pair> parse_pair(const std::string& text);
+
+/// @throws InputError
+[[nodiscard]] std::string mac_command(const CommandOptions& options,
+                                      const Progress& progress);
+
+}  // namespace tapfit::tui
