@@ -9,6 +9,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <unordered_map>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -65,54 +67,82 @@ bool is_continuation(const std::string& name) {
   return name.empty() || name.front() == '+' || name.front() == '*';
 }
 
-// The first character of a marker is its own (+, * or anything).
-bool markers_differ(const std::string& before, const std::string& name) {
-  return before.size() > 1 && name.size() > 1 &&
-         before.substr(1) != name.substr(1);
-}
+// Puts lines into cards. A continuation goes on the card whose line before it
+// ends in its marker, wherever that is; without a marker on the line above it.
+class CardJoiner {
+ public:
+  explicit CardJoiner(std::vector<Card>& cards) : cards_(&cards) {}
 
-void append_line(const SourceLine& line,
-                 std::vector<Card>& cards,
-                 std::string& marker) {
-  const Fields fields = line.text.find(',') != std::string::npos
-                            ? split_free(line.text, line.where)
-                            : split_fixed(line.text);
-  if (is_continuation(fields.name)) {
-    if (cards.empty() || markers_differ(marker, fields.name)) {
-      throw InputError(
-          fmt::format("the continuation \"{}\" follows no entry that asks "
-                      "for it",
-                      fields.name),
-          line.where,
-          "Put continuation lines directly below the line they continue.");
+  void add(const SourceLine& line) {
+    const Fields fields = line.text.find(',') != std::string::npos
+                              ? split_free(line.text, line.where)
+                              : split_fixed(line.text);
+    if (is_continuation(fields.name)) {
+      last_ = continued(fields.name, line.where);
+    } else {
+      last_ = cards_->size();
+      cards_->push_back(begin_card(fields.name, line));
     }
-  } else {
-    std::string name = upper(fields.name);
+    Card& card = (*cards_)[last_];
+    card.lines.push_back(line.index);
+    card.fields.insert(
+        card.fields.end(), fields.data.begin(), fields.data.end());
+    marker_ = own_part(fields.marker);
+    if (!marker_.empty()) asking_[marker_] = last_;
+  }
+
+ private:
+  // The first character of a marker is its own (+, * or anything).
+  static std::string own_part(const std::string& marker) {
+    return marker.size() > 1 ? upper(marker.substr(1)) : "";
+  }
+
+  static Card begin_card(const std::string& written, const SourceLine& line) {
+    std::string name = upper(written);
     std::erase(name, '*');
     Card card;
     card.fields.push_back(trimmed(name));
     card.where = line.where;
     card.line = line.number;
-    card.first = line.index;
-    cards.push_back(card);
+    return card;
   }
-  cards.back().last = line.index;
-  std::vector<std::string>& all = cards.back().fields;
-  all.insert(all.end(), fields.data.begin(), fields.data.end());
-  marker = fields.marker;
-}
+
+  std::size_t continued(const std::string& name, const std::string& where) {
+    const std::string marker = own_part(name);
+    const auto asked = asking_.find(marker);
+    if (!marker.empty() && asked != asking_.end()) {
+      const std::size_t card = marker == marker_ ? last_ : asked->second;
+      asking_.erase(asked);
+      return card;
+    }
+    if (cards_->empty() || (!marker.empty() && !marker_.empty())) {
+      throw InputError(
+          fmt::format("the continuation \"{}\" follows no entry that asks "
+                      "for it",
+                      name),
+          where,
+          "Put continuation lines below the line they continue, whose tenth "
+          "field is the same marker.");
+    }
+    return last_;
+  }
+
+  std::vector<Card>* cards_;
+  std::size_t last_ = 0;
+  std::string marker_;  // of the line before
+  std::unordered_map<std::string, std::size_t> asking_;
+};
 
 }  // namespace
 
 BulkData read_bulk_data(const std::filesystem::path& path) {
-  const DeckLines source = read_deck_lines(path);
+  DeckLines source = read_deck_lines(path);
   BulkData result;
-  result.lines = source.all;
+  result.lines = std::move(source.all);
   result.spc_set = source.spc_set;
-  std::string marker;
-  for (const SourceLine& line : source.bulk) {
-    append_line(line, result.cards, marker);
-  }
+  result.other_spc_sets = std::move(source.other_spc_sets);
+  CardJoiner joiner(result.cards);
+  for (const SourceLine& line : source.bulk) joiner.add(line);
   return result;
 }
 

@@ -19,8 +19,7 @@ struct Card {
   std::vector<std::string> fields;
   std::string where;  ///< "file:line" of its first line
   int line = 0;
-  std::size_t first = 0;  ///< its lines, in BulkData::lines
-  std::size_t last = 0;
+  std::vector<std::size_t> lines;  ///< ascending, in BulkData::lines
 
   [[nodiscard]] const std::string& name() const { return fields.front(); }
 };
@@ -29,6 +28,7 @@ struct BulkData {
   std::vector<std::string> lines;  ///< the whole file, INCLUDE files inlined
   std::vector<Card> cards;
   std::optional<int> spc_set;  ///< SPC = n of the case control, the first one
+  std::vector<int> other_spc_sets;  ///< of further subcases
 };
 
 /// Reads a deck up to ENDDATA. A file without BEGIN BULK is all bulk data,

@@ -32,6 +32,17 @@ std::string without_comment(const std::string& text) {
   return text.substr(0, text.find('$'));
 }
 
+// Editors may begin a file with the mark of UTF-8.
+void drop_byte_order_mark(std::string& text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+}
+
+bool ends_inside_quotes(const std::string& text) {
+  const std::size_t open = text.find_first_of("'\"");
+  return open != std::string::npos &&
+         text.find(text[open], open + 1) == std::string::npos;
+}
+
 std::optional<std::string> include_name(const std::string& text) {
   const std::string line = trimmed(text);
   if (line.size() < 8 || upper(line.substr(0, 7)) != "INCLUDE") return {};
@@ -49,6 +60,12 @@ struct RawLine {
   int number = 0;
 };
 
+bool next_line(std::istream& file, std::string& text) {
+  if (!std::getline(file, text)) return false;
+  if (!text.empty() && text.back() == '\r') text.pop_back();
+  return true;
+}
+
 void read_file(const std::filesystem::path& path,
                const std::string& asked_by,
                std::size_t depth,
@@ -65,10 +82,20 @@ void read_file(const std::filesystem::path& path,
                      "Check the file's name and that it may be read.");
   }
   std::string text;
-  for (int number = 1; std::getline(file, text); ++number) {
-    if (!text.empty() && text.back() == '\r') text.pop_back();
+  for (int number = 1; next_line(file, text); ++number) {
+    if (number == 1) drop_byte_order_mark(text);
     const std::string where =
         fmt::format("{}:{}", path.filename().string(), number);
+    // A long name goes on in the next lines.
+    for (std::string more; include_name(text) && ends_inside_quotes(text);) {
+      if (!next_line(file, more)) {
+        throw InputError("the name of the INCLUDE file does not end",
+                         where,
+                         "Close the quotes.");
+      }
+      text += trimmed(more);
+      ++number;
+    }
     const std::optional<std::string> name = include_name(text);
     if (name) {
       lines.push_back({"$ inlined: " + trimmed(text), where, number});
@@ -106,8 +133,9 @@ bool looks_like_control(const std::string& text) {
   const std::string line = upper(trimmed(text));
   const std::string word = line.substr(0, line.find_first_of(" ,=("));
   const std::size_t equals = line.find('=');
+  const std::size_t comma = line.find(',');
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end() ||
-         (equals != std::string::npos && equals < 24);
+         (equals > 0 && equals < 24 && line.find_first_of(",=(") != comma);
 }
 
 std::optional<int> selected_spc(const std::string& text) {
@@ -116,6 +144,16 @@ std::optional<int> selected_spc(const std::string& text) {
   if (equals == std::string::npos) return {};
   if (trimmed(line.substr(0, equals)) != "SPC") return {};
   return parse_integer(trimmed(line.substr(equals + 1)));
+}
+
+void take_spc(std::optional<int> set, DeckLines& lines) {
+  if (!set || set == lines.spc_set) return;
+  std::vector<int>& others = lines.other_spc_sets;
+  if (!lines.spc_set) {
+    lines.spc_set = set;
+  } else if (std::find(others.begin(), others.end(), *set) == others.end()) {
+    others.push_back(*set);
+  }
 }
 
 }  // namespace
@@ -135,7 +173,7 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
     const std::string text = expand_tabs(without_comment(line.text));
     if (ended || trimmed(text).empty()) continue;
     if (!in_bulk || (!has_begin && looks_like_control(text))) {
-      if (!result.spc_set) result.spc_set = selected_spc(text);
+      take_spc(selected_spc(text), result);
       if (is_begin_bulk(text)) in_bulk = true;
     } else if (is_end(text)) {
       ended = true;

@@ -17,9 +17,10 @@ struct SourceLine {
 };
 
 struct DeckLines {
-  std::vector<std::string> all;  ///< every line as written, INCLUDE inlined
-  std::vector<SourceLine> bulk;  ///< between BEGIN BULK and ENDDATA
-  std::optional<int> spc_set;    ///< SPC = n of the case control
+  std::vector<std::string> all;     ///< every line as written, INCLUDE inlined
+  std::vector<SourceLine> bulk;     ///< between BEGIN BULK and ENDDATA
+  std::optional<int> spc_set;       ///< SPC = n of the case control, the first
+  std::vector<int> other_spc_sets;  ///< of further subcases, each once
 };
 
 /// @throws InputError for a file that cannot be read, or includes itself

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -37,19 +38,21 @@ std::vector<std::string> large_field(const Card& card) {
 std::vector<std::string> edit_cards(const std::filesystem::path& deck,
                                     const std::vector<CardEdit>& edits) {
   BulkData bulk = read_bulk_data(deck);
-  // From the end, so that earlier lines keep their places.
-  for (auto card = bulk.cards.rbegin(); card != bulk.cards.rend(); ++card) {
-    const auto lines = replaced(*card, edits);
-    if (!lines) continue;
-    for (std::size_t k = card->first; k <= card->last; ++k) {
+  std::vector<std::vector<std::string>> below(bulk.lines.size());
+  for (const Card& card : bulk.cards) {
+    auto replacement = replaced(card, edits);
+    if (!replacement) continue;
+    for (const std::size_t k : card.lines) {
       bulk.lines[k] = "$ was: " + bulk.lines[k];
     }
-    bulk.lines.insert(
-        bulk.lines.begin() + static_cast<std::ptrdiff_t>(card->last) + 1,
-        lines->begin(),
-        lines->end());
+    below[card.lines.back()] = std::move(*replacement);
   }
-  return std::move(bulk.lines);
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < below.size(); ++k) {
+    lines.push_back(std::move(bulk.lines[k]));
+    lines.insert(lines.end(), below[k].begin(), below[k].end());
+  }
+  return lines;
 }
 
 }  // namespace tapfit::structure

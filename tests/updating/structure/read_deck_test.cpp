@@ -2,6 +2,7 @@
 #include "tests/updating/structure/deck_support.hpp"
 #include "updating/structure/bulk_cards.hpp"
 #include "updating/structure/constraint_axes.hpp"
+#include "updating/structure/rescale_cards.hpp"
 
 #include <gmock/gmock.h>
 
@@ -79,6 +80,41 @@ TEST(ReadDeck, JoinsContinuationsOfEveryForm) {
   }
 }
 
+TEST(ReadDeck, JoinsAContinuationByItsMarkerPastOtherCards) {
+  const std::string other = "CONM2,10,2,0,7.,,,,,+Y\n";
+  const Deck deck = deck_of(kPlate + "CONM2,9,1,0,2.,.1,.2,.3,,+X\n" + other +
+                            "CONM2,11,3,0,8.\n+Y,4.\n+X,1.,.5,2.,,,3.\n");
+  ASSERT_EQ(deck.masses.size(), 3u);
+  EXPECT_EQ(deck.masses[0].inertia(1, 0), -0.5);
+  EXPECT_EQ(deck.masses[0].inertia(2, 2), 3.0);
+  EXPECT_EQ(deck.masses[1].inertia(0, 0), 4.0);
+  EXPECT_EQ(deck.masses[2].inertia.norm(), 0.0);
+  EXPECT_THAT(error_of(kPlate + "CONM2,9,1,0,2.,,,,,+X\n+Z,1.\n"),
+              HasSubstr("follows no entry"));
+}
+
+TEST(ReadDeck, RescalesACardWhoseLinesLieApart) {
+  const std::string scattered =
+      "PBAR,5,1,1.,2.,3.,4.,,,+A\nCONM2,9,1,0,2.\n+A,.1\nCONM2,10,2,0,2.\n";
+  std::vector<bool> done;
+  const std::vector<CardScale> twice{{"PBAR", 5, {3}, 2.0}};
+  std::string text;
+  for (const std::string& line :
+       edit_cards(write_text("in.bdf", kPlate + scattered),
+                  {rescale_cards(twice, done)})) {
+    text += line + "\n";
+  }
+  const Deck deck = deck_of(text);
+  EXPECT_EQ(deck.masses.size(), 2u);
+  EXPECT_EQ(deck.bar_properties.at(5).area, 2.0);
+  EXPECT_EQ(deck.bar_properties.at(5).J, 4.0);
+}
+
+TEST(ReadDeck, IgnoresTheByteOrderMarkOfAnEditor) {
+  const Deck deck = deck_of("\xEF\xBB\xBFGRID,77,,0.,0.,0.\n" + kPlate);
+  EXPECT_TRUE(deck.has_grid(77));
+}
+
 TEST(ReadDeck, SkipsExecutiveAndCaseControl) {
   const Deck deck = deck_of(
       "SOL 103\nCEND\nTITLE = GRID,1\nSPC = 2\n"
@@ -106,6 +142,10 @@ TEST(ReadDeck, BringsInIncludedFiles) {
   const Deck deck = deck_of(kPlate + "INCLUDE 'more.inc'\n");
   EXPECT_EQ(deck.masses.size(), 1u);
   EXPECT_THAT(deck.cards, Contains("CONM2,9,1,0,2."));
+  // A long name goes on in the next line.
+  EXPECT_EQ(deck_of(kPlate + "INCLUDE 'mo\n  re.inc'\n").masses.size(), 1u);
+  EXPECT_THAT(error_of(kPlate + "INCLUDE 'more.inc\n"),
+              HasSubstr("does not end"));
 }
 
 TEST(ReadDeck, TurnsCoordinateSystems) {
