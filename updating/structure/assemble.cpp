@@ -1,7 +1,10 @@
 #include "acquisition/input_error.hpp"
 #include "updating/parallel.hpp"
 #include "updating/structure/constraint_axes.hpp"
+#include "updating/structure/definiteness.hpp"
 #include "updating/structure/element_matrices.hpp"
+#include "updating/structure/held_dofs.hpp"
+#include "updating/structure/idle_turns.hpp"
 #include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/system.hpp"
 
@@ -49,6 +52,21 @@ void take(const Deck& deck, const ElementMatrices& e, Entries& entries) {
   add(deck, e.grids, e.M, entries.M);
 }
 
+template <typename Element>
+void take(const Deck& deck,
+          const Element& element,
+          const ElementMatrices& matrices,
+          Entries& entries) {
+  if (!matrices.K.allFinite() || !matrices.M.allFinite()) {
+    throw InputError(
+        "the element's stiffness or mass is not a finite number",
+        card_place(deck, element.where, fmt::format("element {}", element.id)),
+        "Look for far too large or small values in its grids, "
+        "property and material.");
+  }
+  take(deck, matrices, entries);
+}
+
 // The k-th of the shells, bars and rods, in this order.
 void take_structural(const Deck& deck,
                      std::size_t k,
@@ -58,13 +76,13 @@ void take_structural(const Deck& deck,
   const std::size_t rods = bars + deck.bars.size();
   if (k < bars) {
     const Shell& e = deck.shells[k];
-    if (wanted(e.id)) take(deck, shell_matrices(deck, e), entries);
+    if (wanted(e.id)) take(deck, e, shell_matrices(deck, e), entries);
   } else if (k < rods) {
     const Bar& e = deck.bars[k - bars];
-    if (wanted(e.id)) take(deck, bar_matrices(deck, e), entries);
+    if (wanted(e.id)) take(deck, e, bar_matrices(deck, e), entries);
   } else {
     const Rod& e = deck.rods[k - rods];
-    if (wanted(e.id)) take(deck, rod_matrices(deck, e), entries);
+    if (wanted(e.id)) take(deck, e, rod_matrices(deck, e), entries);
   }
 }
 
@@ -116,31 +134,6 @@ std::vector<bool> fixed_dofs(const Deck& deck, const ConstraintAxes& axes) {
   return fixed;
 }
 
-// Stiffness of each component of q alone.
-Eigen::VectorXd own_stiffness(const SparseMatrix& K, const SparseMatrix& T) {
-  if (T.size() == 0) return K.diagonal();
-  const SparseMatrix KT = K * T;
-  Eigen::VectorXd own(T.cols());
-  for (Eigen::Index j = 0; j < own.size(); ++j)
-    own(j) = T.col(j).dot(KT.col(j));
-  return own;
-}
-
-// AUTOSPC: a component with next to nothing of the stiffness that the grid has
-// in its stiffest component of the same kind. What follows has none of its own.
-std::vector<bool> inactive_dofs(const Eigen::VectorXd& diagonal) {
-  constexpr double kRelative = 1e-8;
-  std::vector<bool> inactive(static_cast<std::size_t>(diagonal.size()), false);
-  for (Eigen::Index first = 0; first < diagonal.size(); first += 3) {
-    const double largest = diagonal.segment<3>(first).maxCoeff();
-    for (Eigen::Index i = first; i < first + 3; ++i) {
-      inactive[static_cast<std::size_t>(i)] =
-          !(diagonal(i) > kRelative * largest);
-    }
-  }
-  return inactive;
-}
-
 }  // namespace
 
 std::vector<int> System::free_dofs() const {
@@ -167,7 +160,11 @@ System assemble(const Deck& deck) {
   const ConstraintAxes axes = constraint_axes(deck);
   system.T = rigid_motion(deck, axes);
   system.fixed = fixed_dofs(deck, axes);
-  system.inactive = inactive_dofs(own_stiffness(system.K, system.T));
+  system.inactive = without_stiffness(deck, system);
+  refuse_negative_cards(deck, system);
+  for (const int dof : idle_turns(deck, system)) {
+    system.inactive[static_cast<std::size_t>(dof)] = true;
+  }
   return system;
 }
 

@@ -1,8 +1,10 @@
 #include "updating/structure/deck_modes.hpp"
 
 #include "updating/structure/constraint_axes.hpp"
+#include "updating/structure/error_notes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/structure/free_motions.hpp"
+#include "updating/structure/held_dofs.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -126,22 +128,40 @@ std::vector<std::string> describe(const Deck& deck,
       kJoin)};
 }
 
+// @param M over the free degrees of freedom
+void refuse_without_modes(const Deck& deck, const SparseMatrix& M) {
+  if (M.rows() > 0 && M.norm() > 0.0) return;
+  throw with_notes(
+      InputError(
+          M.rows() == 0 ? "nothing can move: every component is held, or "
+                          "without stiffness"
+                        : "nothing that can move has mass: the model has "
+                          "no modes",
+          deck.path.filename().string(),
+          M.rows() == 0 ? "Check the SPCs, and that elements join the grids."
+                        : "Give the materials a density (RHO) or add CONM2."),
+      deck.warnings);
+}
+
 }  // namespace
 
 DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
   const FreeMotions motions = free_motions(system);
   const std::vector<int>& free = motions.free;
+  const SparseMatrix M = motions.reduce(system.M);
+  refuse_without_modes(deck, M);
   DeckModes result;
   try {
-    result.modes =
-        eigenmodes(motions.reduce(system.K), motions.reduce(system.M), count);
+    result.modes = eigenmodes(motions.reduce(system.K), M, count);
   } catch (const SingularMatrix& singular) {
     const int dof = free[static_cast<std::size_t>(singular.row())];
-    throw InputError(
-        fmt::format("{} moves without stiffness or mass: a mechanism",
-                    place_of(deck, dof)),
-        deck.path.filename().string(),
-        kJoin);
+    throw with_notes(
+        InputError(
+            fmt::format("{} moves without stiffness or mass: a mechanism",
+                        place_of(deck, dof)),
+            deck.path.filename().string(),
+            kJoin),
+        deck.warnings);
   }
   result.warnings = mechanism_warnings(deck, system, result.modes.phi);
   return result;
@@ -150,15 +170,19 @@ DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
 std::vector<std::string> mechanism_warnings(const Deck& deck,
                                             const System& system,
                                             const MatrixXd& phi) {
+  std::vector<std::string> warnings = held_dof_warnings(deck, system);
   const FreeMotions motions = free_motions(system);
   const MatrixXd loose =
       motions_without_stiffness(motions.reduce(system.K), phi);
-  if (loose.cols() == 0) return {};
-  return describe(deck,
-                  motions.reduce(system.M),
-                  loose,
-                  allowed_motions(deck, system, motions.free),
-                  motions.free);
+  if (loose.cols() == 0) return warnings;
+  for (std::string& text : describe(deck,
+                                    motions.reduce(system.M),
+                                    loose,
+                                    allowed_motions(deck, system, motions.free),
+                                    motions.free)) {
+    warnings.push_back(std::move(text));
+  }
+  return warnings;
 }
 
 void name_mechanism(const Deck& deck) {

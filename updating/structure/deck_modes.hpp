@@ -18,7 +18,7 @@ namespace tapfit::structure {
 
 struct DeckModes {
   Eigenmodes modes;                   ///< over the free entries of q
-  std::vector<std::string> warnings;  ///< of mechanisms
+  std::vector<std::string> warnings;  ///< held motions, mechanisms
 };
 
 /// The lowest modes of a deck.
@@ -30,8 +30,8 @@ struct DeckModes {
                                    const System& system,
                                    Eigen::Index count);
 
-/// Mechanisms among modes of a deck that were solved for otherwise, as
-/// DeckModes::warnings.
+/// Motions that are held for want of stiffness, and mechanisms among modes of a
+/// deck that were solved for otherwise, as DeckModes::warnings.
 ///
 /// @param phi free degrees of freedom x modes, unit modal mass
 [[nodiscard]] std::vector<std::string> mechanism_warnings(

@@ -1,6 +1,7 @@
 #include "updating/structure/eigenmodes.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/definiteness.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/structure/shift_invert.hpp"
 #include "updating/structure/sturm_count.hpp"
@@ -138,8 +139,11 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   const double sigma = shift_below_zero(K, M);
   const SparseMatrix A = K - sigma * M;
   const Factor factor(A);  // throws for a mechanism without mass
+  const bool dense = n <= kDense || 2 * (count + 2) + 20 > n;
+  // A negative mass hides in A behind the stiffness.
+  if (dense || factor.pivots().minCoeff() < 0.0) refuse_indefinite(K, M);
   Eigen::Index asked = count + 2;
-  if (n <= kDense || 2 * asked + 20 > n) {
+  if (dense) {
     return to_modes(solve_dense(A, M, sigma, count), count);
   }
   Eigen::Index basis = std::min(n, 2 * asked + 10);
@@ -156,6 +160,7 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
     }
     basis = std::min(n, std::max(basis + basis / 2, 2 * asked) + 10);
   }
+  refuse_indefinite(K, M);
   throw InputError(
       fmt::format("the {} lowest modes did not converge", count),
       "stiffness and mass matrix",

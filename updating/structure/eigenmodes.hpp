@@ -15,7 +15,8 @@ struct Eigenmodes {
 /// @param K, M over the free degrees of freedom only; K may be singular
 ///   (free structures): the shift is chosen below zero
 /// @param count number of modes; cut to what the matrices have
-/// @throws InputError when the solver does not converge
+/// @throws InputError when the solver does not converge, or K or M is not
+///   positive semidefinite
 [[nodiscard]] Eigenmodes eigenmodes(const SparseMatrix& K,
                                     const SparseMatrix& M,
                                     Eigen::Index count);

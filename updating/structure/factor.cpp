@@ -147,6 +147,15 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
   return result;
 }
 
+Eigen::VectorXd Factor::pivots() const {
+  if (impl_->L == nullptr) return {};
+  const Eigen::VectorXd d = impl_->pivots();
+  const int* order = static_cast<const int*>(impl_->L->Perm);
+  Eigen::VectorXd by_row(d.size());
+  for (Eigen::Index j = 0; j < d.size(); ++j) by_row(order[j]) = d(j);
+  return by_row;
+}
+
 Supernodes supernodes(const SparseMatrix& A) {
   cholmod_common common{};
   cholmod_start(&common);

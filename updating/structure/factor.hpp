@@ -35,6 +35,10 @@ class Factor {
   /// A^-1 B for dense B, n x k.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
+  /// What elimination divided by, per row of A. All are positive if and only if
+  /// A is positive definite.
+  [[nodiscard]] Eigen::VectorXd pivots() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -59,8 +59,11 @@ Frame make_frame(const Deck& deck, const Shell& shell) {
     const Eigen::RowVector2d a = frame.xy.row((i + 1) % n) - frame.xy.row(i);
     const Eigen::RowVector2d b =
         frame.xy.row((i + n - 1) % n) - frame.xy.row(i);
-    if (!(a.x() * b.y() - a.y() * b.x() > 1e-8 * a.norm() * b.norm())) {
-      bad_shape(deck, shell, "the element is turned in on itself");
+    // A flat corner has stiffness beyond all others and makes them rounding.
+    if (!(a.x() * b.y() - a.y() * b.x() > 1e-6 * a.norm() * b.norm())) {
+      bad_shape(deck,
+                shell,
+                "the element is turned in on itself, or flat at a corner");
     }
   }
   return frame;
