@@ -15,6 +15,7 @@
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace tapfit::structure {
@@ -52,6 +53,8 @@ struct DeckBuilder {
   std::map<int, std::vector<int>> added_sets;  ///< SPCADD
   std::vector<Constraint> permanent;           ///< GRID field 8
   std::set<int> element_ids;
+  /// Where a property, material or system of an id was read.
+  std::map<std::pair<std::string, int>, std::string> defined;
 
   /// @throws InputError when the grid does not exist
   [[nodiscard]] const Grid& grid(const CardReader& card, int id) const;
@@ -60,10 +63,27 @@ struct DeckBuilder {
   [[nodiscard]] const CoordinateSystem& system(const CardReader& card,
                                                int id) const;
 
+  /// Takes an id among those of a kind ("material", "PSHELL").
+  /// @throws InputError naming both cards when it is taken already
+  void define(const CardReader& card, const std::string& kind, int id);
+
   /// Takes an element id. @throws InputError when it is taken already
   void claim(const CardReader& card, int id);
 
+  /// Equal texts about cards of one name become one warning with a count.
   void warn(const CardReader& card, const std::string& text);
+
+  /// Puts what warn() took into the deck.
+  void hand_over_warnings();
+
+ private:
+  struct Warning {
+    std::string where;  // of the first
+    std::string text;
+    int count = 0;
+  };
+  std::vector<Warning> warnings_;
+  std::map<std::pair<std::string, std::string>, std::size_t> warned_;
 };
 
 using ReadCard = std::function<void(DeckBuilder&, const CardReader&)>;

@@ -56,7 +56,9 @@ void read_pbush(DeckBuilder& builder, const CardReader& card) {
                    fmt::format("\"{}\" is ignored, only K and B count", kind));
     }
   }
-  builder.bush_properties[card.id(1, "PID")] = property;
+  const int id = card.id(1, "PID");
+  builder.define(card, "PBUSH", id);
+  builder.bush_properties[id] = property;
 }
 
 void read_cbush(DeckBuilder& builder, const CardReader& card) {

@@ -22,6 +22,7 @@ void read_spc(DeckBuilder& builder, const CardReader& card) {
 void read_spc1(DeckBuilder& builder, const CardReader& card) {
   std::vector<Constraint>& held = builder.constraint_sets[card.id(1, "SID")];
   const std::string components = card.components(2);
+  const std::size_t before = held.size();
   for (std::size_t at = 3; at < card.size(); ++at) {
     if (card.blank(at)) continue;
     if (upper(card.text(at)) != "THRU") {
@@ -37,6 +38,13 @@ void read_spc1(DeckBuilder& builder, const CardReader& card) {
       }
     }
     ++at;
+  }
+  if (held.size() == before || components.empty()) {
+    builder.warn(card,
+                 components.empty() ? "it holds nothing: field 3 names no "
+                                      "component"
+                                    : "it holds nothing: no grid is named from "
+                                      "field 4 on, or none exists");
   }
 }
 

@@ -44,6 +44,7 @@ CoordinateSystem system_through(const CardReader& card,
 
 void read_by_points(DeckBuilder& builder, const CardReader& card) {
   const int id = card.id(1, "CID");
+  builder.define(card, "coordinate system", id);
   const CoordinateSystem& reference =
       builder.system(card, card.integer_or(2, 0, "RID"));
   builder.systems[id] = system_through(card,
@@ -59,8 +60,9 @@ void read_by_grids(DeckBuilder& builder, const CardReader& card) {
     const auto at = [&](std::size_t k) {
       return builder.grid(card, card.id(first + k, "G")).position;
     };
-    builder.systems[card.id(first, "CID")] =
-        system_through(card, at(1), at(2), at(3));
+    const int id = card.id(first, "CID");
+    builder.define(card, "coordinate system", id);
+    builder.systems[id] = system_through(card, at(1), at(2), at(3));
   }
 }
 

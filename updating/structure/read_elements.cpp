@@ -172,6 +172,9 @@ void read_conrod(DeckBuilder& builder, const CardReader& card) {
   p.area = card.real(5, "A");
   p.J = card.real_or(6, 0.0, "J");
   p.nonstructural = card.real_or(8, 0.0, "NSM");
+  if (!(p.area >= 0.0 && p.J >= 0.0 && p.nonstructural >= 0.0)) {
+    card.fail("A, J or NSM is below zero", "Give values of zero or more.");
+  }
   builder.deck.rod_properties[p.id] = p;
   builder.deck.rods.push_back(rod);
 }

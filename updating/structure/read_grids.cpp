@@ -6,13 +6,27 @@
 namespace tapfit::structure {
 namespace {
 
+// Farther out, lengths and their cubes are no numbers to reckon with.
+Eigen::Vector3d position_of(const CardReader& card,
+                            const CoordinateSystem& system) {
+  constexpr double kFarthest = 1e9;
+  const Eigen::Vector3d written = card.vector(3, "position");
+  if (!(written.cwiseAbs().maxCoeff() <= kFarthest)) {
+    card.fail(fmt::format("the coordinate {:g} is farther away than {:g}",
+                          written.cwiseAbs().maxCoeff(),
+                          kFarthest),
+              "Correct the coordinate, also its exponent: 1.+2 means 100.");
+  }
+  return system.place(written);
+}
+
 void read_grid(DeckBuilder& builder, const CardReader& card) {
   const int id = card.id(1, "ID");
   const CoordinateSystem& system =
       builder.system(card, card.integer_or(2, 0, "CP"));
   Grid grid;
   grid.id = id;
-  grid.position = system.place(card.vector(3, "position"));
+  grid.position = position_of(card, system);
   if (!builder.grid_index.emplace(id, builder.deck.grids.size()).second) {
     card.fail("a grid of this id exists already", "Renumber one of the two.");
   }
@@ -52,6 +66,16 @@ const CoordinateSystem& DeckBuilder::system(const CardReader& card,
   return found->second;
 }
 
+void DeckBuilder::define(const CardReader& card,
+                         const std::string& kind,
+                         int id) {
+  const auto [first, fresh] = defined.try_emplace({kind, id}, card.where());
+  if (fresh) return;
+  card.fail(
+      fmt::format("{} {} is defined already by {}", kind, id, first->second),
+      "Keep the one that is meant, or renumber one of the two.");
+}
+
 void DeckBuilder::claim(const CardReader& card, int id) {
   if (!element_ids.insert(id).second) {
     card.fail("an element of this id exists already",
@@ -60,7 +84,21 @@ void DeckBuilder::claim(const CardReader& card, int id) {
 }
 
 void DeckBuilder::warn(const CardReader& card, const std::string& text) {
-  deck.warnings.push_back(fmt::format("{}: {}", card.where(), text));
+  const auto [place, fresh] =
+      warned_.try_emplace({card.card().name(), text}, warnings_.size());
+  if (fresh) warnings_.push_back({card.where(), text});
+  ++warnings_[place->second].count;
+}
+
+void DeckBuilder::hand_over_warnings() {
+  for (const Warning& warning : warnings_) {
+    const std::string more =
+        warning.count > 1 ? fmt::format(" and {} more", warning.count - 1) : "";
+    deck.warnings.push_back(
+        fmt::format("{}{}: {}", warning.where, more, warning.text));
+  }
+  warnings_.clear();
+  warned_.clear();
 }
 
 CardTable grid_cards() { return {{"GRID", read_grid}}; }

@@ -19,10 +19,14 @@ void refuse_negative_density(const CardReader& card, double rho) {
 void read_mat1(DeckBuilder& builder, const CardReader& card) {
   Material m;
   m.id = card.id(1, "MID");
+  builder.define(card, "material", m.id);
   m.E = card.real_or(2, 0.0, "E");
   m.G = card.real_or(3, 0.0, "G");
   m.nu = card.real_or(4, 0.0, "NU");
   m.rho = card.real_or(5, 0.0, "RHO");
+  if (card.blank(2) && card.blank(3)) {
+    card.fail("neither E nor G is given", "Give two of E, G and NU.");
+  }
   if (card.blank(2)) m.E = 2.0 * m.G * (1.0 + m.nu);
   if (card.blank(3)) m.G = m.E / (2.0 * (1.0 + m.nu));
   if (card.blank(4) && !card.blank(2) && !card.blank(3) && m.G > 0.0) {
@@ -37,6 +41,14 @@ void read_mat1(DeckBuilder& builder, const CardReader& card) {
             "E = {}, G = {}, NU = {} is no elastic material", m.E, m.G, m.nu),
         "Give two of E, G and NU, positive, NU below 0.5.");
   }
+  const double implied = m.E / (2.0 * (1.0 + m.nu));
+  if (std::abs(m.G - implied) > 0.01 * m.G) {
+    builder.warn(card,
+                 fmt::format("E, G and NU do not agree, E / (2 (1 + NU)) is "
+                             "{:.4g}: shear and twist go with G, all else with "
+                             "E and NU",
+                             implied));
+  }
   if (m.nu < 0.0) {
     builder.warn(card, fmt::format("NU = {:.4g} is unusual", m.nu));
   }
@@ -47,6 +59,7 @@ void read_mat1(DeckBuilder& builder, const CardReader& card) {
 void read_mat8(DeckBuilder& builder, const CardReader& card) {
   Material m;
   m.id = card.id(1, "MID");
+  builder.define(card, "material", m.id);
   m.orthotropic = true;
   m.E = card.real(2, "E1");
   m.E2 = card.real(3, "E2");
@@ -66,6 +79,7 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
 void read_pshell(DeckBuilder& builder, const CardReader& card) {
   ShellProperty p;
   p.id = card.id(1, "PID");
+  builder.define(card, "PSHELL", p.id);
   p.where = card.where();
   p.membrane = card.integer_or(2, 0, "MID1");
   p.thickness = card.real(3, "T");
@@ -78,6 +92,11 @@ void read_pshell(DeckBuilder& builder, const CardReader& card) {
     card.fail(fmt::format("the thickness is {}", p.thickness),
               "Give a thickness above zero.");
   }
+  if (!(p.bending_ratio >= 0.0 && p.shear_ratio >= 0.0 &&
+        p.nonstructural >= 0.0)) {
+    card.fail("12I/T**3, TS/T or NSM is below zero",
+              "Give values of zero or more.");
+  }
   if (p.bending == -1) {
     builder.warn(card, "MID2 = -1 (plane strain) is taken as plane stress");
     p.bending = p.membrane;
@@ -88,9 +107,31 @@ void read_pshell(DeckBuilder& builder, const CardReader& card) {
   builder.deck.shell_properties[p.id] = p;
 }
 
+void refuse_negative(const CardReader& card, double value, const char* name) {
+  if (value >= 0.0) return;
+  card.fail(fmt::format("{} = {} is below zero", name, value),
+            "Give a section value of zero or more.");
+}
+
+void check_section(const CardReader& card, const BarProperty& p) {
+  refuse_negative(card, p.area, "A");
+  refuse_negative(card, p.I1, "I1");
+  refuse_negative(card, p.I2, "I2");
+  refuse_negative(card, p.J, "J");
+  refuse_negative(card, p.K1, "K1");
+  refuse_negative(card, p.K2, "K2");
+  refuse_negative(card, p.nonstructural, "NSM");
+  if (p.I12 * p.I12 > p.I1 * p.I2) {
+    card.fail(fmt::format("I12 = {} is too large: I1 I2 - I12^2 is below zero",
+                          p.I12),
+              "Correct I1, I2 or I12.");
+  }
+}
+
 void read_pbar(DeckBuilder& builder, const CardReader& card) {
   BarProperty p;
   p.id = card.id(1, "PID");
+  builder.define(card, "PBAR, PBARL or PBEAM", p.id);
   p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real_or(3, 0.0, "A");
@@ -101,6 +142,7 @@ void read_pbar(DeckBuilder& builder, const CardReader& card) {
   p.K1 = card.real_or(17, 0.0, "K1");
   p.K2 = card.real_or(18, 0.0, "K2");
   p.I12 = card.real_or(19, 0.0, "I12");
+  check_section(card, p);
   builder.deck.bar_properties[p.id] = p;
 }
 
@@ -121,6 +163,7 @@ void read_pbarl(DeckBuilder& builder, const CardReader& card) {
               "They must be above zero and walls must fit inside.");
   }
   p->id = card.id(1, "PID");
+  builder.define(card, "PBAR, PBARL or PBEAM", p->id);
   p->where = card.where();
   p->material = card.id(2, "MID");
   p->nonstructural = card.real_or(9 + count, 0.0, "NSM");
@@ -152,6 +195,7 @@ std::size_t skip_stations(const CardReader& card) {
 void read_pbeam(DeckBuilder& builder, const CardReader& card) {
   BarProperty p;
   p.id = card.id(1, "PID");
+  builder.define(card, "PBAR, PBARL or PBEAM", p.id);
   p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real(3, "A(A)");
@@ -163,32 +207,41 @@ void read_pbeam(DeckBuilder& builder, const CardReader& card) {
   const std::size_t shear = skip_stations(card);
   p.K1 = card.real_or(shear, 1.0, "K1");
   p.K2 = card.real_or(shear + 1, 1.0, "K2");
+  check_section(card, p);
   builder.deck.bar_properties[p.id] = p;
 }
 
 void read_prod(DeckBuilder& builder, const CardReader& card) {
   RodProperty p;
   p.id = card.id(1, "PID");
+  builder.define(card, "PROD", p.id);
   p.where = card.where();
   p.material = card.id(2, "MID");
   p.area = card.real_or(3, 0.0, "A");
   p.J = card.real_or(4, 0.0, "J");
   p.nonstructural = card.real_or(6, 0.0, "NSM");
+  for (const double value : {p.area, p.J, p.nonstructural}) {
+    refuse_negative(card, value, "A, J or NSM");
+  }
   builder.deck.rod_properties[p.id] = p;
 }
 
 void read_pelas(DeckBuilder& builder, const CardReader& card) {
   for (std::size_t at : {std::size_t{1}, std::size_t{5}}) {
     if (card.blank(at)) continue;
-    builder.spring_properties[card.id(at, "PID")] = {
-        card.real(at + 1, "K"), card.real_or(at + 2, 0.0, "GE")};
+    const int id = card.id(at, "PID");
+    builder.define(card, "PELAS", id);
+    builder.spring_properties[id] = {card.real(at + 1, "K"),
+                                     card.real_or(at + 2, 0.0, "GE")};
   }
 }
 
 void read_pdamp(DeckBuilder& builder, const CardReader& card) {
   for (std::size_t at = 1; at < 9; at += 2) {
     if (card.blank(at)) continue;
-    builder.damper_properties[card.id(at, "PID")] = card.real(at + 1, "B");
+    const int id = card.id(at, "PID");
+    builder.define(card, "PDAMP", id);
+    builder.damper_properties[id] = card.real(at + 1, "B");
   }
 }
 

@@ -55,6 +55,62 @@ TEST(BadDeck, ThicknessIsZero) {
   expect_error("PSHELL,2,1,0.\n", "model.bdf:7 PSHELL 2", "thickness is 0");
 }
 
+TEST(BadDeck, SectionIsNegative) {
+  for (const char* card : {"PBAR,2,1,-1.-4\n",
+                           "PBAR,2,1,1.-4,-1.-9,1.-9\n",
+                           "PBAR,2,1,1.-4,1.-9,-1.-9\n",
+                           "PBAR,2,1,1.-4,1.-9,1.-9,-1.-9\n",
+                           "PBEAM,2,1,1.-4,-1.-9,1.-9\n",
+                           "PROD,2,1,-1.-4\n",
+                           "CONROD,2,1,2,1,-1.-4\n"}) {
+    expect_error(card, "model.bdf:7 ", "below zero");
+  }
+}
+
+TEST(BadDeck, DefinitionIsRepeated) {
+  for (const std::string card : {"MAT1,7,7.+10,,.3\n",
+                                 "MAT8,7,7.+10,7.+10,.3,2.+10\n",
+                                 "PSHELL,7,1,.01\n",
+                                 "PBAR,7,1,1.-4\n",
+                                 "PBEAM,7,1,1.-4,1.-9,1.-9\n",
+                                 "PROD,7,1,1.-4\n",
+                                 "PELAS,7,10.\n",
+                                 "PDAMP,7,10.\n",
+                                 "PBUSH,7,K,10.\n",
+                                 "CORD2R,7,,0.,0.,0.,0.,0.,1.\n,1.\n"}) {
+    const InputError error = error_of(kGrids + card + card);
+    const int second = std::count(card.begin(), card.end(), '\n') == 1 ? 8 : 9;
+    EXPECT_THAT(error.where(), HasSubstr(fmt::format("model.bdf:{} ", second)));
+    EXPECT_THAT(error.what(), HasSubstr("is defined already by model.bdf:7"))
+        << card;
+  }
+  // MAT1 and MAT8 are both materials.
+  expect_error("MAT8,1,7.+10,7.+10,.3,2.+10\n",
+               "model.bdf:7 MAT8 1",
+               "already by model.bdf:6 MAT1 1");
+}
+
+TEST(BadDeck, MaterialOrPlaceIsNoNumberToReckonWith) {
+  expect_error("MAT1,7,,,.3\n", "model.bdf:7 MAT1 7", "neither E nor G");
+  expect_error("GRID,7,,1.+200,0.,0.\n", "model.bdf:7 GRID 7", "1e+200");
+  expect_error(
+      "PBAR,2,1,1.+300,1.+300,1.+300,1.\nMAT1,9,1.+300,,.3\n"
+      "PROD,3,9,1.+100\nCROD,5,3,1,2\n",
+      "model.bdf:10 CROD 5",
+      "not a finite number");
+}
+
+TEST(BadDeck, ModelHasNoMassOrNothingThatMoves) {
+  const std::string plate =
+      "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\n"
+      "PSHELL,1,1,0.01,1,,1\nCTRIA3,5,1,1,2,3\n";
+  EXPECT_THAT(error_of(plate + "MAT1,1,7.+10,,.3\n").what(), HasSubstr("RHO"));
+  EXPECT_THAT(error_of(plate + "MAT1,1,7.+10,,.3,2700.\n"
+                               "SPC1,1,123456,1,2,3\n")
+                  .what(),
+              HasSubstr("nothing can move"));
+}
+
 TEST(BadDeck, ElementIsCollapsed) {
   expect_error(
       "CQUAD4,5,1,1,2,3,3\n", "model.bdf:7 CQUAD4 5", "names a grid twice");
@@ -67,6 +123,9 @@ TEST(BadDeck, ElementIsCollapsed) {
   expect_error("GRID,5,,.1,.1,0.\nCQUAD4,5,1,1,2,5,4\n",
                "model.bdf:8 CQUAD4 5",
                "turned in on itself");  // a corner beyond 180 degrees
+  expect_error("GRID,5,,.5,-.000000001\nCQUAD4,5,1,1,5,2,4\n",
+               "model.bdf:8 CQUAD4 5",
+               "flat at a corner");  // as good as on the side 1-2
   expect_error("GRID,5,,2.,0.,0.\nCTRIA3,5,1,1,2,5\n",
                "model.bdf:8 CTRIA3 5",
                "no area");
@@ -82,10 +141,39 @@ TEST(BadDeck, GridIsAttachedToNothing) {
   const Deck deck = deck_of(kGrids +
                             "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n"
                             "GRID,8,,6.,0.,0.\nGRID,9,,0.,0.,1.\n"
-                            "PBAR,2,1,1.-4\nCBAR,6,2,1,2,9\n");
+                            "PBAR,2,1,1.-4,1.-9,1.-9\nCBAR,6,2,1,2,9\n");
   ASSERT_EQ(deck.warnings.size(), 1U);  // 9 only orients the bar
   EXPECT_THAT(deck.warnings[0], HasSubstr("GRID 7 (line 8, 2 in all)"));
   EXPECT_THAT(deck.warnings[0], HasSubstr("attached to no element"));
+}
+
+TEST(BadDeck, RemarkIsMadeOncePerKindOfCard) {
+  std::string cards;
+  for (int id = 11; id < 15; ++id) {
+    cards += fmt::format("CQUAD4,{},1,1,2,3,4,,.001\n", id);
+  }
+  const Deck deck = deck_of(kGrids + cards + "CTRIA3,21,1,1,2,3,,.001\n");
+  ASSERT_EQ(deck.warnings.size(), 2U);
+  EXPECT_THAT(deck.warnings[0],
+              HasSubstr("model.bdf:7 CQUAD4 11 and 3 more: ZOFFS is ignored"));
+  EXPECT_THAT(deck.warnings[1], HasSubstr("CTRIA3 21: ZOFFS"));
+}
+
+TEST(BadDeck, CardThatDoesNothingIsNamed) {
+  const std::string plate = kGrids + "CQUAD4,5,1,1,2,3,4\n";
+  const auto only = [&](const std::string& text) {
+    const Deck deck = deck_of(text);
+    return deck.warnings.size() == 1 ? deck.warnings[0] : "not one warning";
+  };
+  EXPECT_THAT(only(plate + "SPC1,1,123\n"),
+              HasSubstr("model.bdf:8 SPC1 1: it holds nothing: no grid"));
+  EXPECT_THAT(only(plate + "SPC1,1,,1,2\n"), HasSubstr("no component"));
+  EXPECT_THAT(only(plate + "=,*1,=,*1.,==\n"), HasSubstr("what it repeats"));
+  EXPECT_THAT(only(plate + "MAT1,8,7.+10,5.+10,.3\n"),
+              HasSubstr("E, G and NU do not agree"));
+  EXPECT_THAT(only("SUBCASE 1\nSPC = 1\nSUBCASE 2\nSPC = 2\nBEGIN BULK\n" +
+                   plate + "SPC1,1,123,1\nSPC1,2,123,2\nENDDATA\n"),
+              HasSubstr("also selects SPC 2"));
 }
 
 TEST(BadDeck, CardIsUnknown) {
@@ -93,6 +181,46 @@ TEST(BadDeck, CardIsUnknown) {
   ASSERT_EQ(deck.warnings.size(), 1U);
   EXPECT_THAT(deck.warnings[0], HasSubstr("CHEXA (line 8"));
   EXPECT_THAT(deck.warnings[0], HasSubstr("missing from the model"));
+}
+
+TEST(BadDeck, MassOnAGridWithoutElementIsNamed) {
+  const std::string plate = kGrids + "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n";
+  const Deck loose = deck_of(plate + "CONM2,9,7,,2.\nCMASS2,10,3.,7,1\n");
+  ASSERT_EQ(loose.warnings.size(), 1U);  // not once more as a loose grid
+  EXPECT_THAT(loose.warnings[0], HasSubstr("model.bdf:9 CONM2 9 on GRID 7"));
+  EXPECT_THAT(loose.warnings[0], HasSubstr("model.bdf:10 CMASS2 10 on GRID 7"));
+  EXPECT_THAT(loose.warnings[0], HasSubstr("moves in no mode"));
+  for (const char* joined : {"CELAS2,11,10.,7,1\n", "RBE2,11,1,123456,7\n"}) {
+    EXPECT_TRUE(deck_of(plate + "CONM2,9,7,,2.\n" + joined).warnings.empty())
+        << joined;
+  }
+  // A dashpot holds nothing in place.
+  const Deck damped = deck_of(plate + "CONM2,9,7,,2.\nCDAMP2,11,10.,7,1\n");
+  EXPECT_EQ(damped.warnings.size(), 1U);
+}
+
+TEST(BadDeck, ErrorCarriesTheUnsupportedCardBehindIt) {
+  const std::string grids = "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n";
+  const auto expect = [](const std::string& text, const std::string& card) {
+    const InputError error = error_of(text);
+    EXPECT_THAT(error.what(), HasSubstr(card + " (line")) << text;
+    EXPECT_THAT(error.what(), HasSubstr("not supported")) << text;
+  };
+  expect(kGrids + "PCOMP,3\nCQUAD4,5,3,1,2,3,4\n", "PCOMP");
+  expect(kGrids + "MAT2,8,1.+9\nPSHELL,2,8,.01\n", "MAT2");
+  expect(grids + "SPOINT,100\nCELAS2,1,10.,1,1,100,1\n", "SPOINT");
+  // Aerodynamics have nothing to do with a missing property.
+  EXPECT_THAT(error_of(kGrids + "CAERO1,3\nCQUAD4,5,3,1,2,3,4\n").what(),
+              testing::Not(HasSubstr("CAERO1")));
+}
+
+TEST(BadDeck, MechanismNamesTheSupportThatIsMissing) {
+  const InputError error = error_of(
+      "SPC = 7\nBEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n"
+      "GRID,3,,2.,0.,0.\nCONM2,9,3,,1.\nCELAS2,1,100.,1,1,2,1\n"
+      "CELAS2,2,100.,3,1\nSPC1,8,1,1\nENDDATA\n");
+  EXPECT_THAT(error.what(), HasSubstr("a mechanism"));
+  EXPECT_THAT(error.what(), HasSubstr("selects SPC 7, which does not exist"));
 }
 
 std::vector<std::string> warnings_of(const std::string& text) {
