@@ -1,28 +1,9 @@
 // The matrices of a real bridge's model, through Matrix Market.
-#include "tests/updating/structure/deck_support.hpp"
 #include "tests/updating/structure/mat_file.hpp"
-#include "updating/structure/matrix_market.hpp"
+#include "tests/updating/structure/matrix_text.hpp"
 
 namespace tapfit::structure {
 namespace {
-
-std::string matrix_market(const Eigen::MatrixXd& A) {
-  std::string entries;
-  int count = 0;
-  for (Eigen::Index j = 0; j < A.cols(); ++j) {
-    for (Eigen::Index i = j; i < A.rows(); ++i) {
-      if (A(i, j) == 0.0) continue;
-      entries += fmt::format("{} {} {}\n", i + 1, j + 1, A(i, j));
-      ++count;
-    }
-  }
-  return fmt::format(
-      "%%MatrixMarket matrix coordinate real symmetric\n{} {} {}\n{}",
-      A.rows(),
-      A.cols(),
-      count,
-      entries);
-}
 
 TEST(PedestrianBridge, HasItsAuthorsFrequencies) {
   const std::filesystem::path path = TAPFIT_SOURCE_DIR
