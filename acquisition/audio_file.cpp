@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <new>
 #include <regex>
 #include <string>
 
@@ -21,7 +22,8 @@ using Handle = std::unique_ptr<SNDFILE, Close>;
 using RowMajor =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-constexpr Eigen::Index frames_at_once = 1 << 15;
+// Small enough to stay in the cache while it is turned into columns.
+constexpr Eigen::Index frames_at_once = 1 << 12;
 
 Handle open_to_read(const std::filesystem::path& file, SF_INFO& info) {
   std::error_code ignored;
@@ -62,38 +64,87 @@ void refuse_cut_file(SNDFILE* handle, const std::filesystem::path& file) {
       "copy the file again, or save it anew with the recording program");
 }
 
+InputError ends_early(const std::filesystem::path& file,
+                      Eigen::Index done,
+                      Eigen::Index announced) {
+  return {fmt::format("is damaged or ends early: {} of {} samples can be read",
+                      done,
+                      announced),
+          file.string(),
+          "copy the file again, or save it anew with the recording program"};
+}
+
 }  // namespace
 
-Audio read_audio(const std::filesystem::path& file) {
+struct AudioReader::State {
+  std::filesystem::path file;
   SF_INFO info{};
-  const Handle handle = open_to_read(file, info);
-  refuse_cut_file(handle.get(), file);
-  if (info.frames <= 0 || info.samplerate <= 0) {
+  Handle handle;
+  Eigen::Index done = 0;
+  RowMajor chunk;
+};
+
+AudioReader::AudioReader(const std::filesystem::path& file)
+    : state_(std::make_unique<State>()) {
+  state_->file = file;
+  state_->handle = open_to_read(file, state_->info);
+  refuse_cut_file(state_->handle.get(), file);
+  if (state_->info.frames <= 0 || state_->info.samplerate <= 0) {
     throw InputError("holds no samples", file.string(), "record it again");
   }
-  Audio audio;
-  audio.sample_rate_hz = info.samplerate;
-  audio.samples.resize(info.frames, info.channels);
-  RowMajor chunk(std::min<Eigen::Index>(frames_at_once, info.frames),
-                 info.channels);
-  Eigen::Index done = 0;
-  while (done < info.frames) {
-    const Eigen::Index wanted =
-        std::min<Eigen::Index>(chunk.rows(), info.frames - done);
+}
+
+AudioReader::~AudioReader() = default;
+AudioReader::AudioReader(AudioReader&&) noexcept = default;
+AudioReader& AudioReader::operator=(AudioReader&&) noexcept = default;
+
+double AudioReader::sample_rate_hz() const { return state_->info.samplerate; }
+Eigen::Index AudioReader::samples() const { return state_->info.frames; }
+Eigen::Index AudioReader::channels() const { return state_->info.channels; }
+
+Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out) {
+  const Eigen::Index wanted =
+      std::min<Eigen::Index>(out.rows(), samples() - state_->done);
+  state_->chunk.resize(
+      std::min(frames_at_once, std::max<Eigen::Index>(1, wanted)), channels());
+  Eigen::Index filled = 0;
+  while (filled < wanted) {
+    const Eigen::Index count =
+        std::min<Eigen::Index>(state_->chunk.rows(), wanted - filled);
     const Eigen::Index got =
-        sf_readf_double(handle.get(), chunk.data(), wanted);
-    if (got <= 0) break;
-    audio.samples.middleRows(done, got) = chunk.topRows(got);
-    done += got;
+        sf_readf_double(state_->handle.get(), state_->chunk.data(), count);
+    if (got <= 0) {
+      throw ends_early(state_->file, state_->done, samples());
+    }
+    out.middleRows(filled, got) = state_->chunk.topRows(got);
+    filled += got;
+    state_->done += got;
   }
-  if (done < info.frames) {
+  return filled;
+}
+
+Eigen::MatrixXd room_for(const AudioReader& reader,
+                         const std::filesystem::path& file) {
+  try {
+    return Eigen::MatrixXd(reader.samples(), reader.channels());
+  } catch (const std::bad_alloc&) {
     throw InputError(
-        fmt::format("is damaged or ends early: {} of {} samples can be read",
-                    done,
-                    info.frames),
+        fmt::format("announces {} samples of {} channels, more than memory "
+                    "holds",
+                    reader.samples(),
+                    reader.channels()),
         file.string(),
-        "copy the file again, or save it anew with the recording program");
+        "work through it with tapfit replay; or, if it is not that long, it is "
+        "damaged: copy it again");
   }
+}
+
+Audio read_audio(const std::filesystem::path& file) {
+  AudioReader reader(file);
+  Audio audio;
+  audio.sample_rate_hz = reader.sample_rate_hz();
+  audio.samples = room_for(reader, file);
+  reader.read(audio.samples);
   return audio;
 }
 

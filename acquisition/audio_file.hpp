@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include <filesystem>
+#include <memory>
 
 namespace tapfit::acquisition {
 
@@ -19,6 +20,36 @@ struct Audio {
 /// @throws InputError for a file that is missing, no sound file, empty, or
 ///   shorter than its header says
 [[nodiscard]] Audio read_audio(const std::filesystem::path& file);
+
+/// A sound file read piece by piece, for files larger than memory.
+class AudioReader {
+ public:
+  /// @throws InputError as read_audio
+  explicit AudioReader(const std::filesystem::path& file);
+  ~AudioReader();
+  AudioReader(AudioReader&&) noexcept;
+  AudioReader& operator=(AudioReader&&) noexcept;
+
+  [[nodiscard]] double sample_rate_hz() const;
+  [[nodiscard]] Eigen::Index samples() const;
+  [[nodiscard]] Eigen::Index channels() const;
+
+  /// The next samples, as many as `out` has rows.
+  ///
+  /// @param out rows x channels(), 1.0 = digital full scale
+  /// @return rows that were filled; fewer only at the file's end
+  /// @throws InputError for a file that ends before its announced length
+  Eigen::Index read(Eigen::Ref<Eigen::MatrixXd> out);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// Room for all samples of a file, not yet filled.
+/// @throws InputError where memory does not hold them
+[[nodiscard]] Eigen::MatrixXd room_for(const AudioReader& reader,
+                                       const std::filesystem::path& file);
 
 enum class AudioFormat { Flac24, Wav24, WavFloat64 };
 

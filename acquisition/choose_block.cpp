@@ -74,6 +74,9 @@ Index choose_pre_trigger(const std::vector<std::vector<PulseGroup>>& runs,
 Index choose_hold_off(const std::vector<RunPulses>& runs,
                       double sample_rate_hz,
                       const HitOptions& options) {
+  if (options.trigger.hold_off_s) {
+    return rounded(*options.trigger.hold_off_s * sample_rate_hz);
+  }
   if (options.block_s) return rounded(*options.block_s * sample_rate_hz);
   const double deliberate = 0.5 * sample_rate_hz;
   std::vector<double> gaps;

@@ -16,7 +16,34 @@ constexpr double usable_snr = 10.0;     // peak over noise, better than none
 constexpr double weak_share = 0.15;     // of the run's median peak
 constexpr double outlier_factor = 1.6;  // response per impulse, at least
 
-// ln of the RMS response per impulse, per sensor of the run.
+bool usable(const Hit& hit, double noise) {
+  return hit.peak_n > usable_snr * noise &&
+         std::all_of(
+             hit.reasons.begin(), hit.reasons.end(), [](HitFault fault) {
+               return fault == HitFault::Weak || fault == HitFault::Soft ||
+                      fault == HitFault::Outlier;
+             });
+}
+
+}  // namespace
+
+bool is_weak(double peak_n, const std::vector<double>& others) {
+  if (others.size() < 3) return false;
+  return peak_n <
+         weak_share * median(Eigen::VectorXd::Map(
+                          others.data(), static_cast<Index>(others.size())));
+}
+
+void judge_weak(std::vector<Hit>& hits) {
+  std::vector<double> peaks;
+  for (const Hit& hit : hits) {
+    if (hit.accepted) peaks.push_back(hit.peak_n);
+  }
+  for (Hit& hit : hits) {
+    if (is_weak(hit.peak_n, peaks)) note(hit, HitFault::Weak);
+  }
+}
+
 Eigen::VectorXd response_per_impulse(const Run& run,
                                      const Recording& recording,
                                      const HammerSignal& hammer,
@@ -43,31 +70,17 @@ Eigen::VectorXd response_per_impulse(const Run& run,
   return level;
 }
 
-bool usable(const Hit& hit, double noise) {
-  return hit.peak_n > usable_snr * noise &&
-         std::all_of(
-             hit.reasons.begin(), hit.reasons.end(), [](HitFault fault) {
-               return fault == HitFault::Weak || fault == HitFault::Soft ||
-                      fault == HitFault::Outlier;
-             });
-}
-
-}  // namespace
-
-void judge_weak(std::vector<Hit>& hits) {
-  std::vector<double> peaks;
-  for (const Hit& hit : hits) {
-    if (hit.accepted) peaks.push_back(hit.peak_n);
+bool is_outlier(const Eigen::RowVectorXd& level,
+                const Eigen::MatrixXd& levels) {
+  if (levels.rows() < 3) return false;
+  for (Index k = 0; k < levels.cols(); ++k) {
+    const double middle = median(levels.col(k));
+    const Eigen::VectorXd away = (levels.col(k).array() - middle).abs();
+    const double limit =
+        std::max(std::log(outlier_factor), 6.0 * 1.4826 * median(away));
+    if (std::abs(level[k] - middle) > limit) return true;
   }
-  if (peaks.size() < 3) return;
-  const double usual = median(
-      Eigen::VectorXd::Map(peaks.data(), static_cast<Index>(peaks.size())));
-  for (Hit& hit : hits) {
-    if (hit.peak_n >= weak_share * usual) continue;
-    const bool known =
-        std::count(hit.reasons.begin(), hit.reasons.end(), HitFault::Weak) > 0;
-    if (!known) note(hit, HitFault::Weak);
-  }
+  return false;
 }
 
 void judge_outliers(const Run& run,
@@ -80,21 +93,14 @@ void judge_outliers(const Run& run,
     if (hits[i].accepted) good.push_back(i);
   }
   const auto count = static_cast<Index>(good.size());
-  if (count < 3) return;
   Eigen::MatrixXd levels(count, static_cast<Index>(run.sensors.size()));
   for (Index i = 0; i < count; ++i) {
     levels.row(i) = response_per_impulse(
         run, recording, hammer, hits[good[static_cast<std::size_t>(i)]], set);
   }
-  for (Index k = 0; k < levels.cols(); ++k) {
-    const Eigen::VectorXd away =
-        (levels.col(k).array() - median(levels.col(k))).abs();
-    const double spread = 1.4826 * median(away);
-    const double limit = std::max(std::log(outlier_factor), 6.0 * spread);
-    for (Index i = 0; i < count; ++i) {
-      Hit& hit = hits[good[static_cast<std::size_t>(i)]];
-      if (away[i] > limit && hit.accepted) note(hit, HitFault::Outlier);
-    }
+  for (Index i = 0; i < count; ++i) {
+    if (!is_outlier(levels.row(i), levels)) continue;
+    note(hits[good[static_cast<std::size_t>(i)]], HitFault::Outlier);
   }
 }
 

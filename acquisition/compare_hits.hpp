@@ -9,6 +9,27 @@
 
 namespace tapfit::acquisition {
 
+/// Whether a peak is below 15 % of the median of others; never with fewer than
+/// three others.
+[[nodiscard]] bool is_weak(double peak_n, const std::vector<double>& others);
+
+/// ln of the RMS response per force impulse, per sensor of the run, over the
+/// first eighth of the hit's block.
+[[nodiscard]] Eigen::VectorXd response_per_impulse(const Run& run,
+                                                   const Recording& recording,
+                                                   const HammerSignal& hammer,
+                                                   const Hit& hit,
+                                                   const HitSet& set);
+
+/// Whether a hit's levels differ from the median of all by more than a factor
+/// of 1.6 and 6 robust standard deviations on any sensor; never with fewer than
+/// three rows.
+///
+/// @param level of the hit, per sensor
+/// @param levels all hits x sensors, the hit's own among them
+[[nodiscard]] bool is_outlier(const Eigen::RowVectorXd& level,
+                              const Eigen::MatrixXd& levels);
+
 /// Judges hits out as weak that have less than 15 % of the median peak of the
 /// accepted ones; needs three of those.
 void judge_weak(std::vector<Hit>& hits);

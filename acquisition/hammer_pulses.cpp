@@ -31,8 +31,9 @@ double flank(const Eigen::VectorXd& force,
 
 }  // namespace
 
-HammerSignal prepare_hammer(const Eigen::VectorXd& channel,
-                            double sample_rate_hz) {
+HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                            double sample_rate_hz,
+                            std::optional<int> polarity) {
   // Half a second is long beside any pulse and short beside thermal drift.
   const auto half_second = static_cast<Eigen::Index>(0.5 * sample_rate_hz);
   const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
@@ -41,12 +42,13 @@ HammerSignal prepare_hammer(const Eigen::VectorXd& channel,
   const double up = signal.force.maxCoeff();
   const double down = -signal.force.minCoeff();
   // Undershoot after a blow stays well below the blow itself.
-  if (down > 1.5 * up) {
+  if (polarity ? *polarity < 0 : down > 1.5 * up) {
     signal.polarity = -1.0;
     signal.force = -signal.force;
   }
   signal.peak = std::max(0.0, signal.force.maxCoeff());
-  signal.noise = 1.4826 * median(signal.force.cwiseAbs());
+  constexpr Eigen::Index enough = 1 << 16;
+  signal.noise = 1.4826 * median(thinned(signal.force, enough).cwiseAbs());
   signal.noise = std::max(signal.noise, 1e-6 * signal.peak);
   return signal;
 }
@@ -67,7 +69,9 @@ Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
   return pulse;
 }
 
-std::vector<Pulse> find_pulses(const Eigen::VectorXd& force, double level) {
+std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
+                               double level,
+                               double rearm) {
   std::vector<Pulse> pulses;
   const Eigen::Index n = force.size();
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -77,7 +81,7 @@ std::vector<Pulse> find_pulses(const Eigen::VectorXd& force, double level) {
     Eigen::Index last_high = i;
     Eigen::Index dead = 4;
     for (; i < n && i - last_high <= dead; ++i) {
-      if (force[i] > 0.5 * level) last_high = i;
+      if (force[i] > rearm * level) last_high = i;
       if (force[i] > force[peak]) peak = i;
       dead = std::max<Eigen::Index>(4, (last_high - first) / 2);
     }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace tapfit::acquisition {
@@ -18,8 +19,11 @@ struct HammerSignal {
 
 /// @param channel force as read [N]
 /// @param sample_rate_hz > 0
-[[nodiscard]] HammerSignal prepare_hammer(const Eigen::VectorXd& channel,
-                                          double sample_rate_hz);
+/// @param polarity 1 or -1 where it is known; empty: the larger side
+[[nodiscard]] HammerSignal prepare_hammer(
+    const Eigen::Ref<const Eigen::VectorXd>& channel,
+    double sample_rate_hz,
+    std::optional<int> polarity = std::nullopt);
 
 struct Pulse {
   Eigen::Index first = 0;  ///< where the level was crossed upwards
@@ -31,11 +35,14 @@ struct Pulse {
 
 /// All pulses over the level, in time order.
 ///
-/// The trigger is armed again once the force has stayed below half the level
-/// for four samples or half a pulse width, whichever is longer: an anti-alias
-/// filter's ringing swings within two or three samples.
+/// The trigger is armed again once the force has stayed below a share of the
+/// level for four samples or half a pulse width, whichever is longer: an
+/// anti-alias filter's ringing swings within two or three samples.
+///
+/// @param rearm that share, 0..1
 [[nodiscard]] std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
-                                             double level);
+                                             double level,
+                                             double rearm = 0.5);
 
 /// Measures the pulse whose highest sample is given; `first` is left at it.
 [[nodiscard]] Pulse measure_pulse(const Eigen::VectorXd& force,

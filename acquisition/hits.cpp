@@ -4,8 +4,8 @@
 
 #include "acquisition/choose_block.hpp"
 #include "acquisition/compare_hits.hpp"
+#include "acquisition/hit_steps.hpp"
 #include "acquisition/input_error.hpp"
-#include "acquisition/judge_hits.hpp"
 #include "acquisition/remove_offset.hpp"
 
 #include <fmt/format.h>
@@ -19,32 +19,13 @@ namespace {
 using Eigen::Index;
 
 constexpr double default_trigger = 0.05;  // of the run's largest peak
-constexpr double least_snr = 20.0;        // peak over noise of a good hit
 constexpr double usable_snr = 10.0;       // ... of the largest in a run
-constexpr double softest_db = -20.0;      // at the band's end (ISO 7626-5)
 
-/// One run on its way through the steps.
-struct WorkingRun {
-  HammerSignal hammer;
-  double level = 0.0;
-  RunPulses pulses;
-  std::vector<PulseGroup> groups;
-};
-
-void prepare(const TestBundle& bundle,
-             const std::vector<Recording>& recordings,
-             std::vector<WorkingRun>& work) {
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    const auto channel = static_cast<Index>(bundle.runs[r].hammer.channel);
-    WorkingRun run;
-    run.hammer = prepare_hammer(recordings[r].samples.col(channel),
-                                recordings[r].sample_rate_hz);
-    run.pulses.samples = recordings[r].samples.rows();
-    work.push_back(std::move(run));
-  }
+double rearm_share(const HitOptions& options) {
+  return 0.01 * options.trigger.rearm_percent.value_or(50.0);
 }
 
-double usual_peak(const std::vector<WorkingRun>& work) {
+double usual_peak(const std::vector<HammerRun>& work) {
   Eigen::VectorXd peaks(static_cast<Index>(work.size()));
   for (std::size_t r = 0; r < work.size(); ++r) {
     peaks[static_cast<Index>(r)] = work[r].hammer.peak;
@@ -52,36 +33,61 @@ double usual_peak(const std::vector<WorkingRun>& work) {
   return median(peaks);
 }
 
+// The level as asked for, or as it has to be.
+double trigger_level(const TestBundle& bundle,
+                     const Run& run,
+                     const HitOptions& options,
+                     const HammerSignal& hammer,
+                     double usual) {
+  if (options.trigger_n) return *options.trigger_n;
+  if (options.trigger.range_percent) {
+    const double range =
+        std::abs(bundle.channels[run.hammer.channel].full_scale_si());
+    if (std::isfinite(range)) {
+      return 0.01 * *options.trigger.range_percent * range;
+    }
+    throw InputError(
+        "the trigger is given in percent of the hammer's range, "
+        "but no range is declared",
+        run.file.string(),
+        "give trigger_percent, of the largest peak, instead");
+  }
+  if (options.trigger_percent) {
+    return 0.01 * *options.trigger_percent * hammer.peak;
+  }
+  // One mighty blow in a file must not hide the ordinary ones.
+  const double reference = std::min(hammer.peak, 3.0 * usual);
+  return std::max(default_trigger * reference, 8.0 * hammer.noise);
+}
+
 void trigger(const TestBundle& bundle,
              const HitOptions& options,
-             std::vector<WorkingRun>& work) {
+             std::vector<HammerRun>& work) {
   const double usual = usual_peak(work);
   for (std::size_t r = 0; r < work.size(); ++r) {
-    WorkingRun& run = work[r];
-    // One mighty blow in a file must not hide the ordinary ones.
-    const double reference = std::min(run.hammer.peak, 3.0 * usual);
+    HammerRun& run = work[r];
     run.level =
-        options.trigger_percent
-            ? 0.01 * *options.trigger_percent * run.hammer.peak
-            : std::max(default_trigger * reference, 8.0 * run.hammer.noise);
+        trigger_level(bundle, bundle.runs[r], options, run.hammer, usual);
     if (run.hammer.peak > usable_snr * run.hammer.noise) {
-      run.pulses.pulses = find_pulses(run.hammer.force, run.level);
+      run.pulses.pulses =
+          find_pulses(run.hammer.force, run.level, rearm_share(options));
     }
     if (!run.pulses.pulses.empty()) continue;
     throw InputError(
         fmt::format("no hit was found: the hammer channel's largest value is "
-                    "{:.3g} N over noise of {:.2g} N",
+                    "{:.3g} N over noise of {:.2g} N, the trigger at {:.3g} N",
                     run.hammer.peak,
-                    run.hammer.noise),
+                    run.hammer.noise,
+                    run.level),
         bundle.runs[r].file.string(),
-        "see whether the hammer's channel is named rightly, lower "
-        "trigger_percent, or leave this run out");
+        "see whether the hammer's channel is named rightly, lower the trigger, "
+        "or leave this run out");
   }
 }
 
-double usual_width(const std::vector<WorkingRun>& work) {
+double usual_width(const std::vector<HammerRun>& work) {
   std::vector<double> widths;
-  for (const WorkingRun& run : work) {
+  for (const HammerRun& run : work) {
     for (const Pulse& pulse : run.pulses.pulses) widths.push_back(pulse.width);
   }
   return median(
@@ -107,28 +113,26 @@ const PulseGroup& clearest_hit(const std::vector<PulseGroup>& groups) {
 // The longest that any response of any run's clearest hit lasts.
 Index lasting_response(const TestBundle& bundle,
                        const std::vector<Recording>& recordings,
-                       const std::vector<WorkingRun>& work) {
+                       const std::vector<HammerRun>& work) {
   Index lasting = 0;
   for (std::size_t r = 0; r < work.size(); ++r) {
     const PulseGroup& hit = clearest_hit(work[r].groups);
     for (const Placement& sensor : bundle.runs[r].sensors) {
-      const Eigen::VectorXd channel =
+      const auto channel =
           recordings[r].samples.col(static_cast<Index>(sensor.channel));
+      constexpr Index enough = 1 << 14;
+      const double level = median(thinned(channel, enough));
       const Eigen::VectorXd response =
-          channel.segment(hit.first.first, hit.room).array() - median(channel);
+          channel.segment(hit.first.first, hit.room).array() - level;
       lasting = std::max(lasting, response_length(response));
     }
   }
   return lasting;
 }
 
-double band_end(const TestBundle& bundle, double rate) {
-  return bundle.band_hz ? (*bundle.band_hz)[1] : 0.4 * rate;
-}
-
 Block block_for(const TestBundle& bundle,
                 const std::vector<Recording>& recordings,
-                const std::vector<WorkingRun>& work,
+                const std::vector<HammerRun>& work,
                 const HitOptions& options) {
   const double rate = recordings[0].sample_rate_hz;
   const double low = bundle.band_hz ? (*bundle.band_hz)[0] : 0.0;
@@ -142,109 +146,96 @@ Block block_for(const TestBundle& bundle,
   needs.pulse_width = usual_width(work);
   needs.sample_rate_hz = rate;
   std::vector<std::vector<PulseGroup>> groups;
-  for (const WorkingRun& run : work) groups.push_back(run.groups);
+  for (const HammerRun& run : work) groups.push_back(run.groups);
   return choose_block(groups, needs, options);
 }
 
-bool overloaded(const TestBundle& bundle,
-                const Run& run,
-                const Recording& recording,
-                const Eigen::VectorXd& noise,
-                Index begin,
-                Index count) {
-  std::vector<std::size_t> channels{run.hammer.channel};
-  for (const Placement& sensor : run.sensors) {
-    channels.push_back(sensor.channel);
-  }
-  return std::any_of(channels.begin(), channels.end(), [&](std::size_t c) {
-    const auto column = static_cast<Index>(c);
-    return is_overloaded(recording.samples.col(column).segment(begin, count),
-                         std::abs(bundle.channels[c].full_scale_si()),
-                         noise[column]);
-  });
+// "2.4 mV, 0.05 % of the range" for a force; empty where no range is declared.
+std::string in_volts(const Channel& hammer, double force) {
+  const double part = force / std::abs(hammer.full_scale_si());
+  if (!(part > 0.0)) return {};
+  return fmt::format(" ({:.3g} mV, {:.2g} % of the range)",
+                     1e3 * part * hammer.full_scale_volts,
+                     100.0 * part);
 }
 
-Eigen::VectorXd channel_noise(const Recording& recording) {
-  Eigen::VectorXd noise(recording.samples.cols());
-  for (Index c = 0; c < noise.size(); ++c) {
-    noise[c] = difference_noise(recording.samples.col(c));
+std::string level_reason(const HitOptions& options) {
+  if (options.trigger_n) return "as fixed before";
+  if (options.trigger.range_percent) return "as asked for";
+  if (options.trigger_percent) {
+    return fmt::format("{:.2g} % of each run's largest peak",
+                       *options.trigger_percent);
   }
-  return noise;
+  return fmt::format("{:.2g} % of each run's largest peak or 8 times its noise",
+                     100.0 * default_trigger);
 }
 
-// Everything that can be told from a hit alone.
-std::vector<Hit> judge_alone(const TestBundle& bundle,
-                             const Run& run,
-                             const Recording& recording,
-                             const WorkingRun& work,
-                             const HitSet& set,
-                             double double_percent) {
-  const double rate = recording.sample_rate_hz;
-  const Eigen::VectorXd noise = channel_noise(recording);
-  std::vector<Hit> hits;
-  for (const PulseGroup& group : work.groups) {
-    Hit hit;
-    const Index wanted = group.first.first - set.pre_trigger;
-    const Index stop = wanted + set.block;
-    hit.begin = std::max<Index>(0, wanted);
-    hit.trigger = group.first.first;
-    hit.time_s = static_cast<double>(group.largest.peak) / rate;
-    hit.peak_n = group.largest.height;
-    hit.pulse_s = group.largest.width / rate;
-    const Index end = std::min(stop, recording.samples.rows());
-    if (has_second_pulse(
-            work.hammer, group.largest, hit.begin, end, double_percent)) {
-      note(hit, HitFault::Double);
-    }
-    if (overloaded(bundle, run, recording, noise, hit.begin, end - hit.begin)) {
-      note(hit, HitFault::Overload);
-    }
-    if (hit.peak_n < least_snr * work.hammer.noise) note(hit, HitFault::Weak);
-    if (force_level_db(
-            work.hammer, group.largest, band_end(bundle, rate), rate) <
-        softest_db) {
-      note(hit, HitFault::Soft);
-    }
-    if (wanted < 0 || stop > recording.samples.rows()) {
-      note(hit, HitFault::Truncated);
-    }
-    hits.push_back(hit);
-  }
-  return hits;
-}
-
-void state_choices(const std::vector<WorkingRun>& work,
-                   const Block& block,
+void state_trigger(const TestBundle& bundle,
+                   const std::vector<HammerRun>& work,
                    const HitOptions& options,
                    HitSet& set) {
   double highest = 0.0;
   double peak = 0.0;
-  bool negative = false;
   set.trigger_n = work[0].level;
-  for (const WorkingRun& run : work) {
+  for (const HammerRun& run : work) {
     set.trigger_n = std::min(set.trigger_n, run.level);
     highest = std::max(highest, run.level);
     peak = std::max(peak, run.hammer.peak);
-    negative = negative || run.hammer.polarity < 0.0;
   }
+  const Channel& hammer = bundle.channels[bundle.runs[0].hammer.channel];
+  set.statements.push_back(
+      fmt::format("trigger at {:.3g} to {:.3g} N{}, {} (largest peak of all: "
+                  "{:.3g} N); armed again below {:.2g} % of it",
+                  set.trigger_n,
+                  highest,
+                  in_volts(hammer, set.trigger_n),
+                  level_reason(options),
+                  peak,
+                  100.0 * rearm_share(options)));
+}
+
+void state_block(const Block& block, const HitOptions& options, HitSet& set) {
   set.statements.push_back(fmt::format(
-      "trigger at {:.3g} to {:.3g} N, {:.2g} % of each run's largest peak or "
-      "8 times its noise (largest peak of all: {:.3g} N)",
-      set.trigger_n,
-      highest,
-      options.trigger_percent.value_or(100.0 * default_trigger),
-      peak));
+      "pulses within {:.3g} s belong to one hit: {}",
+      static_cast<double>(set.hold_off) / set.sample_rate_hz,
+      options.trigger.hold_off_s ? "as asked for"
+      : options.block_s          ? "the block"
+                                 : "a fifth of the usual time between hits"));
   set.statements.push_back(
       fmt::format("block of {:.4g} s ({} samples), {}; pre-trigger {:.3g} s",
                   static_cast<double>(set.block) / set.sample_rate_hz,
                   set.block,
                   block.reason,
                   static_cast<double>(set.pre_trigger) / set.sample_rate_hz));
-  if (negative) {
-    set.statements.emplace_back(
-        "blows are negative in the hammer channel of at least one run: is its "
-        "polarity right?");
-  }
+}
+
+void state_polarity(const std::vector<HammerRun>& work,
+                    const HitOptions& options,
+                    HitSet& set) {
+  const bool negative =
+      std::any_of(work.begin(), work.end(), [](const HammerRun& run) {
+        return run.hammer.polarity < 0.0;
+      });
+  if (!negative || options.trigger.slope) return;
+  set.statements.emplace_back(
+      "blows are negative in the hammer channel of at least one run: is its "
+      "polarity right?");
+}
+
+// What is not given is taken from the bundle.
+HitOptions completed(const HitOptions& given, const TestBundle& bundle) {
+  HitOptions options = given;
+  const auto fill = [](auto& mine, const auto& theirs) {
+    if (!mine) mine = theirs;
+  };
+  fill(options.trigger_percent, bundle.trigger_percent);
+  fill(options.pre_trigger_s, bundle.pre_trigger_s);
+  fill(options.block_s, bundle.block_s);
+  fill(options.trigger.range_percent, bundle.trigger.range_percent);
+  fill(options.trigger.slope, bundle.trigger.slope);
+  fill(options.trigger.rearm_percent, bundle.trigger.rearm_percent);
+  fill(options.trigger.hold_off_s, bundle.trigger.hold_off_s);
+  return options;
 }
 
 void check_arguments(const TestBundle& bundle,
@@ -263,28 +254,28 @@ HitSet find_hits(const TestBundle& bundle,
                  const std::vector<Recording>& recordings,
                  const HitOptions& given) {
   check_arguments(bundle, recordings);
-  HitOptions options = given;
-  if (!options.trigger_percent) {
-    options.trigger_percent = bundle.trigger_percent;
+  const HitOptions options = completed(given, bundle);
+  std::vector<HammerRun> work;
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    work.push_back(
+        prepare_run(bundle.runs[r], recordings[r], options.trigger.slope));
   }
-  if (!options.pre_trigger_s) options.pre_trigger_s = bundle.pre_trigger_s;
-  if (!options.block_s) options.block_s = bundle.block_s;
-
-  std::vector<WorkingRun> work;
-  prepare(bundle, recordings, work);
   trigger(bundle, options, work);
   std::vector<RunPulses> pulses;
-  for (const WorkingRun& run : work) pulses.push_back(run.pulses);
+  for (const HammerRun& run : work) pulses.push_back(run.pulses);
   const double rate = recordings[0].sample_rate_hz;
   const Index hold_off = choose_hold_off(pulses, rate, options);
-  for (WorkingRun& run : work) run.groups = group_pulses(run.pulses, hold_off);
+  for (HammerRun& run : work) run.groups = group_pulses(run.pulses, hold_off);
 
   const Block block = block_for(bundle, recordings, work, options);
   HitSet set;
   set.sample_rate_hz = rate;
   set.block = block.samples;
   set.pre_trigger = block.pre_trigger;
-  state_choices(work, block, options, set);
+  set.hold_off = hold_off;
+  state_trigger(bundle, work, options, set);
+  state_block(block, options, set);
+  state_polarity(work, options, set);
   for (std::size_t r = 0; r < work.size(); ++r) {
     std::vector<Hit> hits = judge_alone(bundle,
                                         bundle.runs[r],

@@ -38,6 +38,7 @@ struct HitSet {
   double sample_rate_hz = 0.0;
   Eigen::Index block = 0;        ///< samples per block, the same for all hits
   Eigen::Index pre_trigger = 0;  ///< samples of the block before the trigger
+  Eigen::Index hold_off = 0;     ///< samples; a later pulse is a new hit
   double trigger_n = 0.0;        ///< lowest level used in any run [N]
   std::vector<std::vector<Hit>> runs;   ///< as TestBundle::runs
   std::vector<std::string> statements;  ///< what was chosen, and why
@@ -45,6 +46,8 @@ struct HitSet {
 
 struct HitOptions {
   std::optional<double> trigger_percent;  ///< of the largest peak
+  std::optional<double> trigger_n;        ///< the level itself [N]
+  TriggerOptions trigger;
   std::optional<double> pre_trigger_s;
   std::optional<double> block_s;
   double double_hit_percent = 5.0;  ///< second peak, of the main one

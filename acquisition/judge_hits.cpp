@@ -75,38 +75,44 @@ double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
 }
 
 // Smallest step between different neighbours: the quantisation of a record.
-double quantisation(const Eigen::VectorXd& block) {
-  double step = std::numeric_limits<double>::max();
-  for (Index i = 1; i < block.size(); ++i) {
-    const double change = std::abs(block[i] - block[i - 1]);
-    if (change > 0.0) step = std::min(step, change);
-  }
-  return step == std::numeric_limits<double>::max() ? 0.0 : step;
+double quantisation(const Eigen::Ref<const Eigen::VectorXd>& block) {
+  const Index n = block.size() - 1;
+  if (n < 1) return 0.0;
+  constexpr double none = std::numeric_limits<double>::max();
+  const Eigen::ArrayXd step = (block.tail(n) - block.head(n)).cwiseAbs();
+  const double least = (step > 0.0).select(step, none).minCoeff();
+  return least == none ? 0.0 : least;
 }
 
 // Whether the run [first, last] of samples near the top falls off like a
-// clipped signal does on both sides.
-bool is_flat_top(const Eigen::VectorXd& x,
+// clipped signal does on both sides. `sign` -1 turns the block over.
+bool is_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
+                 double sign,
                  Index first,
                  Index last,
-                 double top,
-                 double tolerance) {
+                 double fallen) {
   const Index n = last - first + 1;
   if (n < 3) return false;
   const Index reach = std::max<Index>(1, n / 2);
   const Index left = first - reach;
   const Index right = last + reach;
   if (left < 0 || right >= x.size()) return false;
-  return top - x[left] > 10.0 * tolerance && top - x[right] > 10.0 * tolerance;
+  return sign * x[left] < fallen && sign * x[right] < fallen;
 }
 
-bool has_flat_top(const Eigen::VectorXd& x, double tolerance) {
-  const double top = x.maxCoeff();
+// @param top the largest value of sign * x
+bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
+                  double sign,
+                  double top,
+                  double tolerance) {
+  const double high = top - tolerance;
+  const double fallen = top - 10.0 * tolerance;
+  if ((sign * x.array() >= high).count() < 3) return false;
   for (Index i = 0; i < x.size(); ++i) {
-    if (top - x[i] > tolerance) continue;
+    if (sign * x[i] < high) continue;
     const Index first = i;
-    while (i + 1 < x.size() && top - x[i + 1] <= tolerance) ++i;
-    if (is_flat_top(x, first, i, top, tolerance)) return true;
+    while (i + 1 < x.size() && sign * x[i + 1] >= high) ++i;
+    if (is_flat_top(x, sign, first, i, fallen)) return true;
   }
   return false;
 }
@@ -167,27 +173,36 @@ double force_level_db(const HammerSignal& hammer,
   return 20.0 * std::log10(std::max(high, 1e-12) / std::max(low, 1e-12));
 }
 
-bool is_overloaded(const Eigen::VectorXd& block,
+bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
                    double full_scale,
                    double noise) {
-  const double extreme = block.cwiseAbs().maxCoeff();
-  if (extreme >= 0.999 * full_scale) return true;
-  const double swing = block.maxCoeff() - block.minCoeff();
+  const double high = block.maxCoeff();
+  const double low = block.minCoeff();
+  if (std::max(high, -low) >= 0.999 * full_scale) return true;
+  const double swing = high - low;
   const double tolerance =
       std::max({1e-5 * swing, 8.0 * noise, 1.5 * quantisation(block)});
   // Far above noise and quantisation, else any top is flat.
   if (swing < 100.0 * tolerance) return false;
-  return has_flat_top(block, tolerance) || has_flat_top(-block, tolerance);
+  return has_flat_top(block, 1.0, high, tolerance) ||
+         has_flat_top(block, -1.0, -low, tolerance);
 }
 
-double difference_noise(const Eigen::VectorXd& channel) {
+double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {
   const Index n = channel.size() - 1;
   if (n < 1) return 0.0;
-  const Eigen::VectorXd steps = (channel.tail(n) - channel.head(n)).cwiseAbs();
   const Index part = std::max<Index>(1, n / 16);
+  // Pairs of neighbours from the whole part; 4096 give a median to 2 %.
+  constexpr Index enough = 4096;
+  const Index stride = std::max<Index>(1, part / enough);
   double quietest = std::numeric_limits<double>::max();
   for (Index from = 0; from + part <= n; from += part) {
-    quietest = std::min(quietest, median(steps.segment(from, part)));
+    Eigen::VectorXd steps((part + stride - 1) / stride);
+    for (Index k = 0; k < steps.size(); ++k) {
+      const Index i = from + k * stride;
+      steps[k] = std::abs(channel[i + 1] - channel[i]);
+    }
+    quietest = std::min(quietest, median(std::move(steps)));
   }
   return 1.4826 / std::numbers::sqrt2 * quietest;
 }

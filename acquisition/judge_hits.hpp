@@ -43,12 +43,14 @@ namespace tapfit::acquisition {
 /// @param block the channel's samples in the block, offset and all
 /// @param full_scale of the channel, > 0, in the block's unit
 /// @param noise standard deviation of sample-to-sample noise
-[[nodiscard]] bool is_overloaded(const Eigen::VectorXd& block,
+[[nodiscard]] bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
                                  double full_scale,
                                  double noise);
 
 /// Sample-to-sample noise of a channel: robust standard deviation of its first
-/// differences over sqrt(2), from the quietest of 16 parts.
-[[nodiscard]] double difference_noise(const Eigen::VectorXd& channel);
+/// differences over sqrt(2), from the quietest of 16 parts (of 4096 to 8191
+/// pairs of neighbours of each).
+[[nodiscard]] double difference_noise(
+    const Eigen::Ref<const Eigen::VectorXd>& channel);
 
 }  // namespace tapfit::acquisition

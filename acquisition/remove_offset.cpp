@@ -1,6 +1,7 @@
 #include "acquisition/remove_offset.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::acquisition {
 
@@ -21,8 +22,23 @@ double median(Eigen::VectorXd values) {
   return *middle;
 }
 
-Eigen::VectorXd without_drift(const Eigen::VectorXd& channel,
+Eigen::VectorXd thinned(const Eigen::Ref<const Eigen::VectorXd>& values,
+                        Eigen::Index most) {
+  const Eigen::Index n = values.size();
+  if (n <= most) return values;
+  Eigen::VectorXd result(most);
+  for (Eigen::Index k = 0; k < most; ++k) {
+    const Eigen::Index from = k * n / most;
+    const Eigen::Index part = (k + 1) * n / most - from;
+    // 7919 is prime, so its multiples wander through the part.
+    result[k] = values[from + (7919 * k) % part];
+  }
+  return result;
+}
+
+Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
                               Eigen::Index segment) {
+  constexpr Eigen::Index enough = 2048;
   const Eigen::Index n = channel.size();
   const Eigen::Index count = std::max<Eigen::Index>(1, n / segment);
   const double length = static_cast<double>(n) / static_cast<double>(count);
@@ -30,18 +46,27 @@ Eigen::VectorXd without_drift(const Eigen::VectorXd& channel,
   for (Eigen::Index k = 0; k < count; ++k) {
     const Eigen::Index from = k * n / count;
     const Eigen::Index to = (k + 1) * n / count;
-    medians[k] = median(channel.segment(from, to - from));
+    medians[k] = median(thinned(channel.segment(from, to - from), enough));
   }
+  // Straight lines between the segments' middles, level before the first one
+  // and after the last one.
   Eigen::VectorXd result(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double at = std::clamp(static_cast<double>(i) / length - 0.5,
-                                 0.0,
-                                 static_cast<double>(count - 1));
-    const auto left = static_cast<Eigen::Index>(at);
-    const Eigen::Index right = std::min(left + 1, count - 1);
-    const double part = at - static_cast<double>(left);
-    result[i] =
-        channel[i] - (1.0 - part) * medians[left] - part * medians[right];
+  Eigen::Index i = 0;
+  for (Eigen::Index next = 0; next <= count; ++next) {
+    const Eigen::Index left = std::max<Eigen::Index>(0, next - 1);
+    const Eigen::Index right = std::min(next, count - 1);
+    const double middle = (static_cast<double>(left) + 0.5) * length;
+    const double slope = (medians[right] - medians[left]) / length;
+    const Eigen::Index end =
+        next == count
+            ? n
+            : std::min(n,
+                       static_cast<Eigen::Index>(std::ceil(
+                           (static_cast<double>(next) + 0.5) * length)));
+    for (; i < end; ++i) {
+      result[i] = channel[i] - medians[left] -
+                  slope * (static_cast<double>(i) - middle);
+    }
   }
   return result;
 }

@@ -4,6 +4,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/test_schema.hpp"
+#include "acquisition/uff_bundle.hpp"
 #include "acquisition/units.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +37,8 @@ std::string read_text(const fs::path& file) {
     throw InputError(
         "cannot be opened",
         file.string(),
-        "give the folder of a test bundle, with a test.json in it");
+        "give the folder of a test bundle, with a test.json in it, or a "
+        "universal file");
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }
@@ -276,6 +278,12 @@ void read_options(const json& document, TestBundle& bundle) {
   bundle.title = document.value("title", std::string());
   bundle.units = document.value("units", std::string("SI"));
   bundle.trigger_percent = number("trigger_percent");
+  bundle.trigger.range_percent = number("trigger_range_percent");
+  bundle.trigger.rearm_percent = number("trigger_rearm_percent");
+  bundle.trigger.hold_off_s = number("hold_off_s");
+  if (document.contains("trigger_slope")) {
+    bundle.trigger.slope = document["trigger_slope"] == "falling" ? -1 : 1;
+  }
   bundle.pre_trigger_s = number("pre_trigger_s");
   bundle.block_s = number("block_s");
   constexpr double longest_block_s = 3600.0;
@@ -290,6 +298,7 @@ void read_options(const json& document, TestBundle& bundle) {
 }  // namespace
 
 TestBundle read_test_bundle(const fs::path& folder) {
+  if (is_uff(folder)) return read_uff_bundle(folder);
   std::error_code ignored;
   const bool is_folder = fs::is_directory(folder, ignored);
   const fs::path file = is_folder ? folder / "test.json" : folder;

@@ -38,9 +38,17 @@ struct Placement {
   Dof dof;
 };
 
+/// A channel's samples in a universal file.
+struct UffSource {
+  std::size_t channel = 0;  ///< index into TestBundle::channels
+  std::size_t dataset = 0;  ///< which one of the file
+  double unit_to_si = 1.0;
+};
+
 /// One recording: one hammer, any number of sensors, one or more hits.
 struct Run {
   std::filesystem::path file;  ///< absolute, or relative to the working folder
+  std::vector<UffSource> datasets;  ///< of a universal file; else empty
   Placement hammer;
   std::vector<Placement> sensors;
 };
@@ -60,6 +68,15 @@ struct MatrixModel {
   std::filesystem::path dofs;
 };
 
+/// How hits are triggered. What is empty is chosen, and stated.
+struct TriggerOptions {
+  std::optional<double> range_percent;  ///< level, of the hammer's full scale
+  std::optional<int> slope;             ///< 1: blows rise in the file; -1: fall
+  /// Armed again once the force is below this share of the level [%].
+  std::optional<double> rearm_percent;
+  std::optional<double> hold_off_s;  ///< a later pulse is a hit of its own
+};
+
 struct TestBundle {
   std::filesystem::path folder;
   std::string title;
@@ -69,15 +86,18 @@ struct TestBundle {
   std::vector<Channel> channels;
   std::vector<Run> runs;
   std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
+  std::optional<std::filesystem::path> uff;   ///< the bundle is this file alone
   std::optional<std::array<double, 2>> band_hz;
   std::vector<UncertainProperty> uncertain;
   std::optional<double> trigger_percent;  ///< of the hammer's largest peak
+  TriggerOptions trigger;
   std::optional<double> pre_trigger_s;
   std::optional<double> block_s;
   std::vector<std::string> warnings;  ///< unknown fields and the like
 };
 
 /// Reads and checks FOLDER/test.json (a path to the file itself is accepted).
+/// A universal file is a bundle by itself (acquisition/uff_bundle.hpp).
 ///
 /// @throws InputError with the field's place for a missing or wrong field, an
 ///   unknown unit, a missing file, a channel that no entry of `channels` names

@@ -70,6 +70,7 @@ std::string normalise(std::string_view text) {
   std::string plain(text);
   std::erase(plain, ' ');
   replace_all(plain, "\u00b2", "^2");
+  replace_all(plain, "\xb2", "^2");  // Latin-1, as in older files
   replace_all(plain, "\u00b5", "u");
   replace_all(plain, "\u03bc", "u");
   replace_all(plain, "**", "^");

@@ -76,6 +76,17 @@ void add_settings(const TestBundle& bundle, json& document) {
   if (bundle.trigger_percent) {
     document["trigger_percent"] = *bundle.trigger_percent;
   }
+  const TriggerOptions& trigger = bundle.trigger;
+  if (trigger.range_percent) {
+    document["trigger_range_percent"] = *trigger.range_percent;
+  }
+  if (trigger.slope) {
+    document["trigger_slope"] = *trigger.slope < 0 ? "falling" : "rising";
+  }
+  if (trigger.rearm_percent) {
+    document["trigger_rearm_percent"] = *trigger.rearm_percent;
+  }
+  if (trigger.hold_off_s) document["hold_off_s"] = *trigger.hold_off_s;
   if (bundle.pre_trigger_s) document["pre_trigger_s"] = *bundle.pre_trigger_s;
   if (bundle.block_s) document["block_s"] = *bundle.block_s;
   for (const UncertainProperty& entry : bundle.uncertain) {

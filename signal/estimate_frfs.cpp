@@ -1,11 +1,8 @@
 #include "signal/estimate_frfs.hpp"
 
 #include "acquisition/input_error.hpp"
-#include "signal/estimator.hpp"
-#include "signal/frf_variance.hpp"
-#include "signal/hit_blocks.hpp"
+#include "signal/frf_average.hpp"
 #include "signal/level_dependence.hpp"
-#include "signal/line_noise.hpp"
 #include "signal/spectra.hpp"
 #include "signal/window.hpp"
 
@@ -15,12 +12,12 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <tuple>
 
 namespace tapfit::signal {
 namespace {
 
 using acquisition::HitSet;
-using acquisition::Quantity;
 using acquisition::Recording;
 using acquisition::Run;
 using acquisition::TestBundle;
@@ -39,49 +36,29 @@ struct Plan {
 constexpr double mostly_noise = 0.5;
 constexpr std::uint64_t level_seed = 1;
 
-// Factor that makes an accelerance of what was measured.
-Eigen::VectorXcd to_acceleration(const Eigen::VectorXcd& s, Quantity q) {
-  if (q == Quantity::Velocity) return s;
-  if (q == Quantity::Displacement) return s.cwiseProduct(s);
-  return Eigen::VectorXcd::Ones(s.size());
+void state_noise(const Frf& frf, std::vector<std::string>& statements) {
+  if (frf.coherence.mean() >= mostly_noise) return;
+  statements.push_back(
+      fmt::format("{} (run {}): mean coherence {:.2f}, the sensor hears little "
+                  "of the hits; look at its cable and range",
+                  name(frf),
+                  frf.run + 1,
+                  frf.coherence.mean()));
 }
 
 void add_run(const TestBundle& bundle,
-             std::size_t run_index,
+             std::size_t run,
              const HitBlocks& blocks,
              const Plan& plan,
              LevelDependence& levels,
              FrfSet& set) {
-  const Run& run = bundle.runs[run_index];
   const Spectra spectra = plan.transform(blocks);
   levels.add(spectra);
-  for (std::size_t c = 0; c < run.sensors.size(); ++c) {
-    Estimate result =
-        estimate(spectra.force, spectra.responses[c], plan.estimator);
-    const Eigen::VectorXcd factor = to_acceleration(
-        plan.s, bundle.channels[run.sensors[c].channel].quantity);
-    Frf frf;
-    frf.response = run.sensors[c].dof;
-    frf.reference = run.hammer.dof;
-    frf.run = run_index;
-    frf.channel = run.sensors[c].channel;
-    frf.hits = static_cast<int>(blocks.force.cols());
-    frf.variance = frf_variance(plan.s,
-                                spectra.force,
-                                spectra.responses[c],
-                                result.H,
-                                line_noise(plan.s, blocks, c))
-                       .cwiseProduct(factor.cwiseAbs2());
-    frf.H = result.H.cwiseProduct(factor);
-    frf.coherence = std::move(result.coherence);
-    if (frf.coherence.mean() < mostly_noise) {
-      set.statements.push_back(
-          fmt::format("{} (run {}): mean coherence {:.2f}, the sensor hears "
-                      "little of the hits; look at its cable and range",
-                      name(frf),
-                      run_index + 1,
-                      frf.coherence.mean()));
-    }
+  RunAverage average;
+  average.s = plan.s;
+  add_hits(blocks, spectra, average);
+  for (Frf& frf : average_frfs(average, bundle, run, plan.estimator)) {
+    state_noise(frf, set.statements);
     set.frfs.push_back(std::move(frf));
   }
 }
@@ -118,6 +95,19 @@ FrfSet estimate_all(const TestBundle& bundle,
   return set;
 }
 
+void check_blocks(const TestBundle& bundle, const HitSet& hits) {
+  if (hits.block >= 2 && hits.pre_trigger >= 0 &&
+      hits.pre_trigger < hits.block && hits.sample_rate_hz > 0.0)
+    return;
+  throw InputError(
+      fmt::format("a block of {} samples, {} of them before the trigger, "
+                  "holds no response",
+                  hits.block,
+                  hits.pre_trigger),
+      bundle.folder.string(),
+      "give a longer block or a shorter pre-trigger");
+}
+
 void check(const TestBundle& bundle,
            const std::vector<Recording>& recordings,
            const HitSet& hits) {
@@ -129,15 +119,7 @@ void check(const TestBundle& bundle,
                                  hits.runs.size()),
                      bundle.folder.string(),
                      "read the recordings anew");
-  if (hits.block < 2 || hits.pre_trigger < 0 ||
-      hits.pre_trigger >= hits.block || !(hits.sample_rate_hz > 0.0))
-    throw InputError(
-        fmt::format("a block of {} samples, {} of them before the trigger, "
-                    "holds no response",
-                    hits.block,
-                    hits.pre_trigger),
-        bundle.folder.string(),
-        "give a longer block or a shorter pre-trigger");
+  check_blocks(bundle, hits);
 }
 
 // Seconds from trigger to the block's end.
@@ -180,27 +162,39 @@ std::pair<Index, Index> lines_in_band(const TestBundle& bundle,
 
 }  // namespace
 
+FrfPlan plan_frfs(const TestBundle& bundle,
+                  const HitSet& hits,
+                  const FrfOptions& options) {
+  check_blocks(bundle, hits);
+  FrfPlan plan;
+  std::tie(plan.first, plan.last) = lines_in_band(bundle, hits);
+  const double step_hz = hits.sample_rate_hz / static_cast<double>(hits.block);
+  plan.sigma = decay_rate(options.window.end_value, ringing_time(hits));
+  plan.s.resize(plan.last - plan.first + 1);
+  for (Index i = 0; i < plan.s.size(); ++i)
+    plan.s(i) = {
+        plan.sigma,
+        2.0 * std::numbers::pi * step_hz * static_cast<double>(plan.first + i)};
+  plan.blocks = {options.window.force_window,
+                 lowest_hz(plan.s, hits),
+                 options.ringing_poles};
+  return plan;
+}
+
 FrfSet estimate_frfs(const TestBundle& bundle,
                      const std::vector<Recording>& recordings,
                      const HitSet& hits,
                      const FrfOptions& options,
                      const Progress& progress) {
   check(bundle, recordings, hits);
-  const auto [first, last] = lines_in_band(bundle, hits);
-  const double step_hz = hits.sample_rate_hz / static_cast<double>(hits.block);
-  const double sigma = decay_rate(options.window.end_value, ringing_time(hits));
+  const FrfPlan fft = plan_frfs(bundle, hits, options);
   Plan plan;
-  plan.s.resize(last - first + 1);
-  for (Index i = 0; i < plan.s.size(); ++i)
-    plan.s(i) = {
-        sigma,
-        2.0 * std::numbers::pi * step_hz * static_cast<double>(first + i)};
-  plan.blocks = {options.window.force_window,
-                 lowest_hz(plan.s, hits),
-                 options.ringing_poles};
+  plan.s = fft.s;
+  plan.blocks = fft.blocks;
   plan.estimator = options.estimator;
-  plan.transform = [sigma, first = first, last = last](const HitBlocks& b) {
-    return fft_spectra(b, sigma, first, last);
+  RealFft transform(hits.block);
+  plan.transform = [&fft, &transform](const HitBlocks& b) {
+    return fft_spectra(b, transform, fft.sigma, fft.first, fft.last);
   };
   return estimate_all(bundle, recordings, hits, plan, progress);
 }

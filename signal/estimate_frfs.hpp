@@ -4,6 +4,7 @@
 #include "acquisition/hits.hpp"
 #include "acquisition/progress.hpp"
 #include "signal/frf_set.hpp"
+#include "signal/hit_blocks.hpp"
 
 namespace tapfit::signal {
 
@@ -43,6 +44,21 @@ struct FrfOptions {
     const acquisition::HitSet& hits,
     const FrfOptions& options,
     const Progress& progress = {});
+
+/// What estimate_frfs() does with each run's blocks.
+struct FrfPlan {
+  Eigen::VectorXcd s;      ///< lines [rad/s]
+  BlockOptions blocks;     ///< how they are cut and windowed
+  double sigma = 0.0;      ///< of the exponential window [1/s]
+  Eigen::Index first = 0;  ///< FFT lines first ... last
+  Eigen::Index last = 0;
+};
+
+/// The plan for blocks as `hits` has them.
+/// @throws InputError when no line lies in the band, or blocks hold no response
+[[nodiscard]] FrfPlan plan_frfs(const acquisition::TestBundle& bundle,
+                                const acquisition::HitSet& hits,
+                                const FrfOptions& options);
 
 /// FRFs at given points of the s-plane (each line its own exponential window),
 /// for comparing with a model on a damped line.

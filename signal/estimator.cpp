@@ -25,21 +25,35 @@ std::complex<double> ratio(double Gff,
 
 }  // namespace
 
-Estimate estimate(const Eigen::MatrixXcd& force,
-                  const Eigen::MatrixXcd& response,
-                  Estimator estimator) {
-  const Eigen::Index lines = force.rows();
+CrossPowers& CrossPowers::operator+=(const CrossPowers& other) {
+  if (hits == 0) return *this = other;
+  hits += other.hits;
+  Gff += other.Gff;
+  Gyy += other.Gyy;
+  Gyf += other.Gyf;
+  return *this;
+}
+
+CrossPowers cross_powers(const Eigen::MatrixXcd& force,
+                         const Eigen::MatrixXcd& response) {
+  return {force.cols(),
+          force.rowwise().squaredNorm(),
+          response.rowwise().squaredNorm(),
+          response.cwiseProduct(force.conjugate()).rowwise().sum()};
+}
+
+Estimate estimate(const CrossPowers& powers, Estimator estimator) {
+  const Eigen::Index lines = powers.Gff.size();
   Estimate result{Eigen::VectorXcd(lines), Eigen::VectorXd::Ones(lines)};
   for (Eigen::Index i = 0; i < lines; ++i) {
-    const double Gff = force.row(i).squaredNorm();
-    const double Gyy = response.row(i).squaredNorm();
-    // dot() conjugates its left side: sum conj(F) Y.
-    const std::complex<double> Gyf = force.row(i).dot(response.row(i));
-    result.H(i) = ratio(Gff, Gyy, Gyf, estimator);
-    if (force.cols() > 1)
-      result.coherence(i) = Gff > 0.0 && Gyy > 0.0
-                                ? std::min(1.0, std::norm(Gyf) / Gff / Gyy)
-                                : 0.0;
+    const double Gff = powers.Gff(i);
+    const double Gyy = powers.Gyy(i);
+    result.H(i) = ratio(Gff, Gyy, powers.Gyf(i), estimator);
+    if (powers.hits > 1)
+      result.coherence(i) =
+          Gff > 0.0 && Gyy > 0.0
+              ? std::min(1.0, std::norm(powers.Gyf(i)) / Gff / Gyy)
+              : 0.0;
   }
   return result;
 }

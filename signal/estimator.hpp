@@ -19,9 +19,22 @@ struct Estimate {
   Eigen::VectorXd coherence;  ///< per line, 0..1; ones for a single hit
 };
 
+/// Sums over hits, per line: all that the estimators need, however many hits
+/// there were.
+struct CrossPowers {
+  Eigen::Index hits = 0;
+  Eigen::VectorXd Gff;   ///< sum |F|^2
+  Eigen::VectorXd Gyy;   ///< sum |Y|^2
+  Eigen::VectorXcd Gyf;  ///< sum Y conj(F)
+
+  /// Adds the sums of other hits on the same lines; to no hits at all, too.
+  CrossPowers& operator+=(const CrossPowers& other);
+};
+
 /// @param force, response lines x hits
-[[nodiscard]] Estimate estimate(const Eigen::MatrixXcd& force,
-                                const Eigen::MatrixXcd& response,
-                                Estimator estimator);
+[[nodiscard]] CrossPowers cross_powers(const Eigen::MatrixXcd& force,
+                                       const Eigen::MatrixXcd& response);
+
+[[nodiscard]] Estimate estimate(const CrossPowers& powers, Estimator estimator);
 
 }  // namespace tapfit::signal

@@ -64,4 +64,18 @@ Eigen::VectorXcd RealFft::transform(
       plan_->n / 2 + 1);
 }
 
+void RealFft::transform(const Eigen::Ref<const Eigen::VectorXd>& samples,
+                        const Eigen::Ref<const Eigen::VectorXd>& window,
+                        Eigen::Index first,
+                        Eigen::Ref<Eigen::VectorXcd> lines) {
+  assert(samples.size() == plan_->n && window.size() == plan_->n);
+  assert(first >= 0 && first + lines.size() <= plan_->n / 2 + 1);
+  Eigen::Map<Eigen::VectorXd>(plan_->in, plan_->n) =
+      samples.cwiseProduct(window);
+  fftw_execute(plan_->handle);
+  lines = Eigen::Map<const Eigen::VectorXcd>(
+      reinterpret_cast<const std::complex<double>*>(plan_->out) + first,
+      lines.size());
+}
+
 }  // namespace tapfit::signal

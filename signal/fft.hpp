@@ -34,6 +34,15 @@ class RealFft {
   [[nodiscard]] Eigen::VectorXcd transform(
       const Eigen::Ref<const Eigen::VectorXd>& samples);
 
+  /// The lines first, first + 1, ... of samples times a window.
+  ///
+  /// @param samples, window N real numbers each
+  /// @param lines as many as are wanted, within N/2 + 1
+  void transform(const Eigen::Ref<const Eigen::VectorXd>& samples,
+                 const Eigen::Ref<const Eigen::VectorXd>& window,
+                 Eigen::Index first,
+                 Eigen::Ref<Eigen::VectorXcd> lines);
+
  private:
   struct Plan;
   std::unique_ptr<Plan> plan_;

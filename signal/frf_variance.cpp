@@ -9,13 +9,24 @@ namespace {
 
 using Eigen::Index;
 
-// Scatter over hits per line, R.
-Eigen::VectorXd scatter(const Eigen::MatrixXcd& force,
-                        const Eigen::MatrixXcd& response,
-                        const Eigen::VectorXcd& H) {
-  const double free = static_cast<double>(force.cols() - 1);
-  const Eigen::MatrixXcd residual = response - H.asDiagonal() * force;
-  return residual.rowwise().squaredNorm() / free;
+// The noise before one hit is known from a spectrum of n = 38 degrees of
+// freedom (triangle over +-24 bins of a Hann window). A band of 95 % then needs
+//   (1 + 2 c ln 20 / n)^(-n/2) = 0.05
+// for |dH|^2 <= c ln 20 E|dH|^2 to hold so often.
+const double single_hit_factor =
+    19.0 * (std::pow(20.0, 1.0 / 19.0) - 1.0) / std::log(20.0);
+
+// Scatter over hits per line, R. The difference of the sums is known to their
+// rounding, 1e-16 of |Y|^2.
+Eigen::VectorXd scatter(const CrossPowers& powers, const Eigen::VectorXcd& H) {
+  const double free = static_cast<double>(powers.hits - 1);
+  const Eigen::ArrayXd cross =
+      (H.conjugate().array() * powers.Gyf.array()).real();
+  return ((powers.Gyy.array() - 2.0 * cross +
+           H.array().abs2() * powers.Gff.array())
+              .max(0.0) /
+          free)
+      .matrix();
 }
 
 // Share b of the response that does not repeat, by least squares of
@@ -72,20 +83,19 @@ Eigen::VectorXd local_ratio(const Eigen::VectorXd& omega,
 }  // namespace
 
 Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
-                             const Eigen::MatrixXcd& force,
-                             const Eigen::MatrixXcd& response,
+                             const CrossPowers& powers,
                              const Eigen::VectorXcd& H,
                              const LineNoise& noise) {
-  const double hits = static_cast<double>(force.cols());
-  const Eigen::VectorXd Gff = force.rowwise().squaredNorm();
+  const double hits = static_cast<double>(powers.hits);
+  const Eigen::VectorXd& Gff = powers.Gff;
   const Eigen::VectorXd q =
       H.cwiseAbs2().cwiseProduct(Gff) / hits;  // |Y|^2 per hit
   Eigen::VectorXd P = noise.response + H.cwiseAbs2().cwiseProduct(noise.force);
   // Data without any noise still carries rounding.
   P.array() += 1e-24 * (q.array() + q.mean());
-  Eigen::VectorXd R = P;
-  if (force.cols() > 1) {
-    const Eigen::VectorXd measured = scatter(force, response, H);
+  Eigen::VectorXd R = single_hit_factor * P;
+  if (powers.hits > 1) {
+    const Eigen::VectorXd measured = scatter(powers, H);
     P += repeatability(measured, P, q) * q;
     P.array() += std::numeric_limits<double>::min();
     const Eigen::VectorXd reach = 12.0 / (hits - 1.0) * noise.bandwidth;

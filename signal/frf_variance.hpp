@@ -8,7 +8,8 @@
 //
 //   P = Ny sum w^2 + |H|^2 Nf sum wf^2 + b |H|^2 Gff / m
 //
-// What the hits say: R = sum_k |Y_k - H F_k|^2 / (m - 1), which is the
+// What the hits say: R = sum_k |Y_k - H F_k|^2 / (m - 1), by way of
+// Gyy - 2 Re(conj(H) Gyf) + |H|^2 Gff, which is the
 // linearised jackknife and, for two hits, the formula with coherence
 // |H|^2 (1 - g^2) / (2 m g^2) without its bias. From few hits that is a
 // chi-squared number with 2 (m - 1) degrees of freedom per line, so the ratio
@@ -20,6 +21,7 @@
 // plans", SIAM 1982; J. S. Bendat, A. G. Piersol, "Random Data", ch. 9.
 #pragma once
 
+#include "signal/estimator.hpp"
 #include "signal/line_noise.hpp"
 
 #include <Eigen/Core>
@@ -28,15 +30,15 @@ namespace tapfit::signal {
 
 /// E|dH|^2 per line; above zero and finite wherever H is.
 ///
-/// A single hit has no scatter: its variance is that of the noise alone, and
-/// knows nothing of how well the hits repeat.
+/// A single hit has no scatter: its variance is that of the noise alone, made
+/// 8 % larger because the noise is not known exactly, and knows nothing of how
+/// well the hits repeat.
 ///
 /// @param s lines [rad/s], ascending imaginary part
-/// @param force, response lines x hits
+/// @param powers sums over the hits, per line
 /// @param H estimate, lines
 [[nodiscard]] Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
-                                           const Eigen::MatrixXcd& force,
-                                           const Eigen::MatrixXcd& response,
+                                           const CrossPowers& powers,
                                            const Eigen::VectorXcd& H,
                                            const LineNoise& noise);
 

@@ -59,16 +59,18 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
   return places;
 }
 
-// Rows of a block around the trigger; zero where the file has no samples.
+// Rows of a block around the trigger with the offset taken off; zero where the
+// file has no samples.
 Eigen::VectorXd cut(const Eigen::Ref<const Eigen::VectorXd>& channel,
                     Index begin,
-                    Index block) {
+                    Index block,
+                    double level) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(block);
   const Index first = std::max<Index>(begin, 0);
   const Index last = std::min(begin + block, channel.size());
   if (last > first)
     x.segment(first - begin, last - first) =
-        channel.segment(first, last - first);
+        channel.segment(first, last - first).array() - level;
   return x;
 }
 
@@ -96,19 +98,21 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Place& p = places[k];
     const Index begin = p.trigger - lengths.pre_trigger;
-    Eigen::VectorXd channel = recorded;
+    // The record itself, unless ringing has to be taken off a copy.
+    Eigen::VectorXd rung;
     if (p.rings.length() > 0) {
+      rung = recorded;
       const Index from = std::max<Index>(0, std::min(p.before.begin, begin));
       const Index to = std::min(begin + block, recorded.size());
-      channel.segment(from, to - from) -=
+      rung.segment(from, to - from) -=
           ringing(recorded, p.rings, ringing_poles, fs, from, to - from);
     }
+    const Eigen::Map<const Eigen::VectorXd> channel(
+        rung.size() > 0 ? rung.data() : recorded.data(), recorded.size());
     const double level =
         offset_at_hit(channel, p.before, p.after, lengths.wanted);
-    Eigen::VectorXd x = cut(channel, begin, block);
-    for (Index i = 0; i < block; ++i)
-      if (begin + i >= 0 && begin + i < channel.size()) x(i) -= level;
-    result.blocks.col(static_cast<Index>(k)) = x;
+    result.blocks.col(static_cast<Index>(k)) =
+        cut(channel, begin, block, level);
     result.quiet.emplace_back(
         channel.segment(p.before.begin, p.before.length()).array() - level);
   }
@@ -120,32 +124,46 @@ double rms(const Eigen::VectorXd& x) {
                        : x.norm() / std::sqrt(static_cast<double>(x.size()));
 }
 
-// Windows of all hits, block x hits.
-struct Windows {
-  Eigen::MatrixXd force;
-  Eigen::MatrixXd response;
-  Index force_end = 0;  // rows of force from here on are zero
-};
-
-Windows windows_of(const CutChannel& force,
-                   const std::vector<Place>& places,
-                   Index pre_trigger,
-                   bool force_window) {
-  const Index block = force.blocks.rows();
-  Windows windows{force.blocks, force.blocks, force_window ? 0 : block};
-  for (Index k = 0; k < force.blocks.cols(); ++k) {
-    const std::size_t hit = static_cast<std::size_t>(k);
-    const PulseSpan span = find_pulse(force.blocks.col(k),
-                                      pre_trigger,
-                                      places[hit].pulse_samples,
-                                      rms(force.quiet[hit]));
-    windows.response.col(k) = causal_window(block, span, taper);
-    windows.force.col(k) = force_window ? pulse_window(block, span, taper)
-                                        : causal_window(block, span, taper);
-    windows.force_end =
-        std::max(windows.force_end, std::min(block, span.end + taper));
+// Where each hit's pulse lies in its block.
+std::vector<PulseSpan> pulse_spans(const CutChannel& force,
+                                   const std::vector<Place>& places,
+                                   Index pre_trigger) {
+  std::vector<PulseSpan> spans;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    spans.push_back(find_pulse(force.blocks.col(static_cast<Index>(k)),
+                               pre_trigger,
+                               places[k].pulse_samples,
+                               rms(force.quiet[k])));
   }
-  return windows;
+  return spans;
+}
+
+// Applies each hit's window to its column.
+void apply(bool only_pulse,
+           const std::vector<PulseSpan>& spans,
+           Eigen::MatrixXd& blocks) {
+  for (Index k = 0; k < blocks.cols(); ++k) {
+    const PulseSpan& span = spans[static_cast<std::size_t>(k)];
+    if (only_pulse) {
+      apply_pulse_window(span, taper, blocks.col(k));
+    } else {
+      apply_causal_window(span, taper, blocks.col(k));
+    }
+  }
+}
+
+// Mean over hits of the squared window, per row.
+Eigen::VectorXd window_power(Index block,
+                             bool only_pulse,
+                             const std::vector<PulseSpan>& spans) {
+  Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(block, 1);
+  Eigen::VectorXd power = Eigen::VectorXd::Zero(block);
+  for (const PulseSpan& span : spans) {
+    ones.setOnes();
+    apply(only_pulse, {span}, ones);
+    power += ones.col(0).cwiseAbs2();
+  }
+  return power / static_cast<double>(spans.size());
 }
 
 void check_force(const Eigen::MatrixXd& force, const acquisition::Run& run) {
@@ -187,19 +205,27 @@ HitBlocks cut_hits(const acquisition::Run& run,
   };
 
   CutChannel force = channel_at(run.hammer, {});
-  const Windows windows =
-      windows_of(force, places, hits.pre_trigger, options.force_window);
+  const std::vector<PulseSpan> spans =
+      pulse_spans(force, places, hits.pre_trigger);
   result.force_noise = noise_spectrum(force.quiet, result.dt);
-  result.force = force.blocks.cwiseProduct(windows.force);
+  apply(options.force_window, spans, force.blocks);
+  result.force = std::move(force.blocks);
   check_force(result.force, run);
-  result.force_end = windows.force_end;
-  result.force_power = windows.force.cwiseAbs2().rowwise().mean();
-  result.response_power = windows.response.cwiseAbs2().rowwise().mean();
+  result.force_end = hits.block;
+  if (options.force_window) {
+    result.force_end = 0;
+    for (const PulseSpan& span : spans) {
+      result.force_end =
+          std::max(result.force_end, std::min(hits.block, span.end + taper));
+    }
+  }
+  result.force_power = window_power(hits.block, options.force_window, spans);
+  result.response_power = window_power(hits.block, false, spans);
   for (const acquisition::Placement& sensor : run.sensors) {
-    const CutChannel response = channel_at(sensor, options.ringing_poles);
+    CutChannel response = channel_at(sensor, options.ringing_poles);
     result.noise.push_back(noise_spectrum(response.quiet, result.dt));
-    result.responses.emplace_back(
-        response.blocks.cwiseProduct(windows.response));
+    apply(false, spans, response.blocks);
+    result.responses.push_back(std::move(response.blocks));
   }
   return result;
 }

@@ -18,6 +18,9 @@ using Eigen::VectorXd;
 
 constexpr Index fewest_hits = 3;
 constexpr int permutations = 499;
+// Once so many shares were as large, more permutations would not change what
+// is said.
+constexpr int enough_as_large = 20;
 // Hits as even as these say nothing about other levels.
 constexpr double least_spread = 0.05;
 // Of 500 tests of a linear structure one is suspected.
@@ -53,7 +56,7 @@ void LevelDependence::add(const Spectra& spectra) {
   if (run.power.rowwise().sum().minCoeff() <= 0.0) return;
   for (const MatrixXcd& response : spectra.responses) {
     const Eigen::VectorXcd H =
-        estimate(spectra.force, response, Estimator::H1).H;
+        estimate(cross_powers(spectra.force, response), Estimator::H1).H;
     const MatrixXcd e = response - H.asDiagonal() * spectra.force;
     run.q.emplace_back(spectra.force.conjugate().cwiseProduct(e));
     run.unexplained.emplace_back(e.cwiseAbs2().rowwise().sum());
@@ -65,17 +68,19 @@ void LevelDependence::add(const Spectra& spectra) {
 // |e|^2 that follows the levels, per line.
 VectorXd LevelDependence::explained(const Run& run,
                                     std::size_t sensor,
-                                    const VectorXd& level) {
+                                    const VectorXd& level,
+                                    const VectorXd& spread) {
   return (run.q[sensor] * level)
       .cwiseAbs2()
-      .cwiseQuotient(spread_of(run.power, level).cwiseMax(1e-300));
+      .cwiseQuotient(spread.cwiseMax(1e-300));
 }
 
 // Sum over lines and sensors of the share of each.
 double LevelDependence::shares(const Run& run, const VectorXd& level) {
+  const VectorXd spread = spread_of(run.power, level);
   double sum = 0.0;
   for (std::size_t c = 0; c < run.q.size(); ++c) {
-    sum += explained(run, c, level)
+    sum += explained(run, c, level, spread)
                .cwiseQuotient(run.unexplained[c].cwiseMax(1e-300))
                .sum();
   }
@@ -90,7 +95,7 @@ double LevelDependence::change_squared(const Run& run) {
   const auto free = static_cast<double>(run.level.size() - 2);
   double sum = 0.0;
   for (std::size_t c = 0; c < run.q.size(); ++c) {
-    const VectorXd follows = explained(run, c, run.level);
+    const VectorXd follows = explained(run, c, run.level, spread);
     const VectorXd noise = (run.unexplained[c] - follows) / free;
     sum += (follows - noise).cwiseQuotient(spread.cwiseMax(1e-300)).sum();
   }
@@ -118,15 +123,19 @@ LevelFinding LevelDependence::finding(std::uint64_t seed) const {
   result.change = std::sqrt(std::max(square, 0.0) / size);
   acquisition::SeededRandom random(seed, "levels");
   int as_large = 0;
-  for (int k = 0; k < permutations; ++k) {
+  int tried = 0;
+  while (tried < permutations && as_large < enough_as_large) {
     double sum = 0.0;
     for (const Run& run : runs_) {
       sum += shares(run, shuffled(run.level, random));
     }
-    result.share_by_chance += sum / lines / permutations;
+    ++tried;
+    result.share_by_chance += (sum / lines - result.share_by_chance) / tried;
     if (sum >= own) ++as_large;
   }
-  result.p_value = (as_large + 1.0) / (permutations + 1.0);
+  result.p_value = tried < permutations
+                       ? static_cast<double>(as_large) / tried
+                       : (as_large + 1.0) / (permutations + 1.0);
   return result;
 }
 

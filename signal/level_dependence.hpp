@@ -9,7 +9,9 @@
 // and least squares over the hits gives G and the share of |e|^2 that it
 // explains on each line. The same with the levels of each run's hits in another
 // order tells what share chance gives (permutation test; P. Good, "Permutation,
-// Parametric and Bootstrap Tests of Hypotheses", 2005).
+// Parametric and Bootstrap Tests of Hypotheses", 2005). It ends early when
+// enough orders gave as large a share (J. Besag, P. Clifford, "Sequential Monte
+// Carlo p-values", Biometrika 78(2), 1991).
 #pragma once
 
 #include "signal/spectra.hpp"
@@ -52,7 +54,8 @@ class LevelDependence {
   };
   static Eigen::VectorXd explained(const Run& run,
                                    std::size_t sensor,
-                                   const Eigen::VectorXd& level);
+                                   const Eigen::VectorXd& level,
+                                   const Eigen::VectorXd& spread);
   static double shares(const Run& run, const Eigen::VectorXd& level);
   static double change_squared(const Run& run);
 

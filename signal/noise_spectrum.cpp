@@ -12,9 +12,9 @@ namespace {
 
 constexpr Eigen::Index shortest = 16;
 constexpr Eigen::Index longest = 4096;
-// Triangular smoothing over +-12 bins leaves each value with about 22 degrees
+// Triangular smoothing over +-24 bins leaves each value with about 44 degrees
 // of freedom per stretch.
-constexpr Eigen::Index smoothing = 12;
+constexpr Eigen::Index smoothing = 24;
 
 Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
   Eigen::VectorXd result(x.size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace tapfit::signal {
@@ -16,10 +17,17 @@ Stretch quiet_stretch(Eigen::Index earlier,
 
 Eigen::VectorXd hann(Eigen::Index n) {
   Eigen::VectorXd w(n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    w(i) = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi *
-                                (static_cast<double>(i) + 0.5) /
-                                static_cast<double>(n));
+  // cos((i + 1/2) 2 pi / n) by turning a pointer, begun anew every 256 steps;
+  // the second half mirrors the first.
+  const double angle = 2.0 * std::numbers::pi / static_cast<double>(n);
+  const std::complex<double> turn = std::polar(1.0, angle);
+  std::complex<double> pointer;
+  for (Eigen::Index i = 0; i < (n + 1) / 2; ++i) {
+    pointer = i % 256 == 0
+                  ? std::polar(1.0, angle * (static_cast<double>(i) + 0.5))
+                  : pointer * turn;
+    w(i) = w(n - 1 - i) = 0.5 - 0.5 * pointer.real();
+  }
   return w;
 }
 

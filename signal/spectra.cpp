@@ -1,6 +1,5 @@
 #include "signal/spectra.hpp"
 
-#include "signal/fft.hpp"
 #include "signal/window.hpp"
 
 #include <algorithm>
@@ -21,8 +20,7 @@ Eigen::MatrixXcd fft_columns(RealFft& fft,
                              Index last) {
   Eigen::MatrixXcd result(last - first + 1, blocks.cols());
   for (Index k = 0; k < blocks.cols(); ++k) {
-    const Eigen::VectorXd x = blocks.col(k).cwiseProduct(window);
-    result.col(k) = fft.transform(x).segment(first, last - first + 1);
+    fft.transform(blocks.col(k), window, first, result.col(k));
   }
   return result;
 }
@@ -60,11 +58,11 @@ void accumulate(const Kernel& e,
 }  // namespace
 
 Spectra fft_spectra(const HitBlocks& blocks,
+                    RealFft& fft,
                     double sigma,
                     Index first,
                     Index last) {
   const Index n = blocks.force.rows();
-  RealFft fft(n);
   const Eigen::VectorXd window =
       exponential_window(n, blocks.trigger, blocks.dt, sigma);
   Spectra result;

@@ -5,6 +5,7 @@
 // without the factor dt, which cancels in response / force.
 #pragma once
 
+#include "signal/fft.hpp"
 #include "signal/hit_blocks.hpp"
 
 #include <Eigen/Core>
@@ -20,8 +21,10 @@ struct Spectra {
 
 /// The FFT lines [first, last] with one exponential window.
 ///
+/// @param fft of the blocks' length, planned once for all
 /// @param sigma decay of the window [1/s]
 [[nodiscard]] Spectra fft_spectra(const HitBlocks& blocks,
+                                  RealFft& fft,
                                   double sigma,
                                   Eigen::Index first,
                                   Eigen::Index last);

@@ -1,40 +1,29 @@
 #include "signal/uff58.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/mapped_file.hpp"
+#include "acquisition/uff_datasets.hpp"
+#include "acquisition/uff_function.hpp"
+#include "acquisition/uff_units.hpp"
 #include "acquisition/units.hpp"
 #include "signal/convert.hpp"
-#include "signal/uff58_record.hpp"
-#include "signal/uff_datasets.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <numbers>
 
 namespace tapfit::signal {
 namespace {
 
+using acquisition::parse_number;
 using acquisition::Quantity;
-
-// Dataset 164: a value in file units divided by these is in SI.
-struct UnitFactors {
-  double length = 1.0;
-  double force = 1.0;
-};
-
-void read_units(const UffDataset& dataset, UnitFactors& factors) {
-  std::vector<double> values;
-  if (dataset.lines.size() < 2 || !numbers(dataset.lines[1], 25, values) ||
-      values.size() < 2 || !(values[0] > 0.0) || !(values[1] > 0.0))
-    throw InputError("dataset 164 holds no unit factors",
-                     dataset.place,
-                     "check its second line");
-  factors = {values[0], values[1]};
-}
+using acquisition::UffAxis;
+using acquisition::UffDataset;
+using acquisition::UffFunction;
+using acquisition::UffUnits;
 
 // Form and SI factor of an FRF; empty with a reason when it is none we can use.
 struct Meaning {
@@ -61,7 +50,7 @@ bool same_kind(FrfForm form, Quantity quantity) {
 }
 
 std::optional<Meaning> meaning(const UffFunction& function,
-                               const UnitFactors& factors,
+                               const UffUnits& factors,
                                std::string& reason) {
   const auto over = acquisition::find_unit(function.numerator.unit);
   const auto under = acquisition::find_unit(function.denominator.unit);
@@ -100,14 +89,15 @@ std::optional<double> number_after(const std::string& line,
   return value;
 }
 
-double sigma_of(const UffFunction& function) {
+// The ID line has all digits, the 1858 eight.
+double sigma_of(const UffFunction& function, double qualified) {
   for (const std::string& line : function.id)
     if (const auto sigma = number_after(line, "SIGMA = "))
       return std::max(*sigma, 0.0);
-  return 0.0;
+  return qualified;
 }
 
-Eigen::VectorXcd lines_of(const UffFunction& function) {
+Eigen::VectorXcd lines_of(const UffFunction& function, double qualified) {
   Eigen::VectorXd f = function.x;
   const auto first = number_after(function.id[4], "LINES = ");
   const auto step = number_after(function.id[4], " + n ");
@@ -117,7 +107,7 @@ Eigen::VectorXcd lines_of(const UffFunction& function) {
     if (std::abs(exact - f(i)) <= 2e-5 * std::abs(exact)) f(i) = exact;
   }
   Eigen::VectorXcd s(f.size());
-  s.real().setConstant(sigma_of(function));
+  s.real().setConstant(sigma_of(function, qualified));
   s.imag() = 2.0 * std::numbers::pi * f;
   return s;
 }
@@ -149,10 +139,43 @@ void drop_bad_lines(UffFrfs& result) {
   }
 }
 
+// Dataset 1858: what the exponential window's decay rate was [1/s].
+double window_damping(const UffDataset& dataset) {
+  constexpr std::size_t record = 3;
+  std::vector<double> values;
+  if (dataset.lines.size() <= record ||
+      !acquisition::numbers(dataset.lines[record], 15, values) ||
+      values.size() < 5 || !std::isfinite(values[4]))
+    return 0.0;
+  return std::max(0.0, values[4]);
+}
+
+// The decay rate that a 1858 states for each dataset. They stand behind their
+// function; in a file that begins with one, before it.
+std::vector<double> window_dampings(const std::vector<UffDataset>& datasets) {
+  std::vector<double> result(datasets.size(), 0.0);
+  const auto first =
+      std::find_if(datasets.begin(), datasets.end(), [](const UffDataset& d) {
+        return d.type == 58 || d.type == 1858;
+      });
+  const bool ahead = first != datasets.end() && first->type == 1858;
+  for (std::size_t k = 0; k < datasets.size(); ++k) {
+    if (datasets[k].type != 1858) continue;
+    const std::size_t of = ahead ? k + 1 : k - 1;
+    if (of < datasets.size()) result[of] = window_damping(datasets[k]);
+  }
+  return result;
+}
+
 class Reader {
  public:
-  void take(const UffDataset& dataset) {
-    if (dataset.type == 164) return read_units(dataset, factors_);
+  /// @param sigma of the dataset's exponential window, where a 1858 says one
+  void take(const UffDataset& dataset, double sigma) {
+    sigma_ = sigma;
+    if (dataset.type == 164) {
+      factors_ = acquisition::read_uff_units(dataset);
+      return;
+    }
     if (dataset.type == 151 || dataset.type == 1858) return;
     if (dataset.type != 58)
       return skip(dataset, fmt::format("dataset {}", dataset.type));
@@ -178,7 +201,7 @@ class Reader {
     std::string reason;
     const auto sense = meaning(function, factors_, reason);
     if (!sense) return skip(dataset, "an FRF is left out: " + reason);
-    const Eigen::VectorXcd s = lines_of(function);
+    const Eigen::VectorXcd s = lines_of(function, sigma_);
     if (result_.set.frfs.empty()) result_.set.s = s;
     if (!same_lines(result_.set.s, s))
       return skip(dataset, "an FRF is left out: its lines differ");
@@ -204,16 +227,20 @@ class Reader {
   }
 
   UffFrfs result_;
-  UnitFactors factors_;
+  double sigma_ = 0.0;
+  UffUnits factors_;
   std::vector<UffFunction> coherences_;
   std::map<Dof, std::size_t> references_;
 };
 
 }  // namespace
 
-UffFrfs read_frfs_uff_text(const std::string& text, const std::string& name) {
+UffFrfs read_frfs_uff_text(std::string_view text, const std::string& name) {
   Reader reader;
-  for (const UffDataset& dataset : split_uff(text, name)) reader.take(dataset);
+  const std::vector<UffDataset> datasets = acquisition::split_uff(text, name);
+  const std::vector<double> sigma = window_dampings(datasets);
+  for (std::size_t k = 0; k < datasets.size(); ++k)
+    reader.take(datasets[k], sigma[k]);
   UffFrfs result = reader.finish();
   if (result.set.frfs.empty() || result.set.lines() == 0) {
     std::string found;
@@ -229,14 +256,8 @@ UffFrfs read_frfs_uff_text(const std::string& text, const std::string& name) {
 }
 
 UffFrfs read_frfs_uff(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file))
-    throw InputError("the file cannot be read",
-                     file.string(),
-                     "check its name and your rights to it");
-  const std::string text{std::istreambuf_iterator<char>(in),
-                         std::istreambuf_iterator<char>()};
-  return read_frfs_uff_text(text, file.filename().string());
+  const acquisition::MappedFile bytes(file);
+  return read_frfs_uff_text(bytes.text(), file.filename().string());
 }
 
 }  // namespace tapfit::signal

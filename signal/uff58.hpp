@@ -10,11 +10,13 @@
 // of Cincinnati (www.sdrl.uc.edu/sdrl/referenceinfo/universalfileformats).
 #pragma once
 
+#include "signal/convert.hpp"
 #include "signal/frf_set.hpp"
 
 #include <filesystem>
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace tapfit::signal {
@@ -30,8 +32,9 @@ struct UffFrfs {
 /// columns are accepted. Receptances, mobilities and FRFs of velocity or
 /// displacement are made accelerances; units that dataset 164 or the axis
 /// names give are made SI. Datasets of another kind, and FRFs whose lines
-/// differ from the first one's, are skipped and named. A decay rate written by
-/// write_frfs_uff comes back in s; without one s = j omega. What a universal
+/// differ from the first one's, are skipped and named. An exponential window's
+/// decay rate, from write_frfs_uff's ID line or a dataset 1858, comes back in
+/// s; without one s = j omega. What a universal
 /// file does not hold is set: coherence 1, variance 0, hits 0, channel 0; run
 /// counts the reference points. Coherence
 /// functions (type 6) of the same degrees of freedom are taken in.
@@ -42,7 +45,7 @@ struct UffFrfs {
 
 /// As above, from memory.
 /// @param name the source's name, for messages
-[[nodiscard]] UffFrfs read_frfs_uff_text(const std::string& text,
+[[nodiscard]] UffFrfs read_frfs_uff_text(std::string_view text,
                                          const std::string& name);
 
 /// Writes the set with datasets 151 and 164 (SI) before the FRFs, type 4,
@@ -51,14 +54,17 @@ struct UffFrfs {
 /// window damping factor in a dataset 1858 behind it.
 ///
 /// @param title for the header, cut at 80 characters
+/// @param form what the accelerances of the set are written as
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
-                    std::ostream& out);
+                    std::ostream& out,
+                    FrfForm form = FrfForm::Accelerance);
 
 /// As above, to a file.
 /// @throws InputError when the file cannot be written
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
-                    const std::filesystem::path& file);
+                    const std::filesystem::path& file,
+                    FrfForm form = FrfForm::Accelerance);
 
 }  // namespace tapfit::signal

@@ -119,11 +119,28 @@ void write_values(const Eigen::VectorXd& f,
   }
 }
 
+// How a form is named, and what its numerator is.
+struct Ordinate {
+  std::string_view form;
+  int type = 12;
+  std::string_view name;
+  std::string_view unit;
+};
+
+Ordinate ordinate(FrfForm form) {
+  if (form == FrfForm::Mobility) return {"Mobility", 11, "Velocity", "m/s"};
+  if (form == FrfForm::Receptance)
+    return {"Receptance", 8, "Displacement", "m"};
+  return {"Accelerance", 12, "Acceleration", "m/s^2"};
+}
+
 void write_frf(const FrfSet& set,
                const Frf& frf,
                int number,
-               double sigma,
+               FrfForm form,
                std::ostream& out) {
+  const double sigma = one_sigma(set);
+  const Ordinate as = ordinate(form);
   const Eigen::VectorXd f = set.frequency_hz();
   const bool even = is_even(f);
   const double step = f.size() > 1 ? (f(f.size() - 1) - f(0)) /
@@ -132,7 +149,7 @@ void write_frf(const FrfSet& set,
   fmt::print(out,
              "{}    58\n{}\n{} hits, run {}\n{}\n",
              fence,
-             "Accelerance " + name(frf),
+             fmt::format("{} {}", as.form, name(frf)),
              frf.hits,
              frf.run + 1,
              time_stamp().date + " " + time_stamp().clock);
@@ -166,10 +183,10 @@ void write_frf(const FrfSet& set,
              even ? step : 0.0,
              0.0);
   write_axis(18, "Frequency", "Hz", out);
-  write_axis(12, "Acceleration", "m/s^2", out);
+  write_axis(as.type, as.name, as.unit, out);
   write_axis(13, "Force", "N", out);
   write_axis(0, "NONE", "NONE", out);
-  write_values(f, frf.H, even, out);
+  write_values(f, convert(frf.H, set.s, FrfForm::Accelerance, form), even, out);
   out << fence;
 }
 
@@ -200,23 +217,25 @@ void write_qualifiers(const Frf& frf,
 
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
-                    std::ostream& out) {
+                    std::ostream& out,
+                    FrfForm form) {
   const double sigma = one_sigma(set);
   write_header(title, out);
   if (set.lines() == 0) return;
   int number = 0;
   for (const Frf& frf : set.frfs) {
     ++number;
-    write_frf(set, frf, number, sigma, out);
+    write_frf(set, frf, number, form, out);
     if (sigma > 0.0) write_qualifiers(frf, number, sigma, out);
   }
 }
 
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
-                    const std::filesystem::path& file) {
+                    const std::filesystem::path& file,
+                    FrfForm form) {
   std::ofstream out(file, std::ios::binary);
-  if (out) write_frfs_uff(set, title, out);
+  if (out) write_frfs_uff(set, title, out, form);
   out.flush();
   if (!out)
     throw InputError("the file cannot be written",

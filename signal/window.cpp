@@ -17,13 +17,6 @@ double taper_value(Eigen::Index i, Eigen::Index n) {
                               static_cast<double>(n + 1));
 }
 
-void rise(Eigen::VectorXd& window, const PulseSpan& span, Eigen::Index taper) {
-  for (Eigen::Index i = 0; i < taper; ++i) {
-    const Eigen::Index row = span.begin - taper + i;
-    if (row >= 0) window(row) = taper_value(i, taper);
-  }
-}
-
 }  // namespace
 
 PulseSpan find_pulse(const Eigen::Ref<const Eigen::VectorXd>& force,
@@ -55,24 +48,25 @@ PulseSpan find_pulse(const Eigen::Ref<const Eigen::VectorXd>& force,
   return span;
 }
 
-Eigen::VectorXd pulse_window(Eigen::Index block,
-                             const PulseSpan& span,
-                             Eigen::Index taper) {
-  Eigen::VectorXd window = Eigen::VectorXd::Zero(block);
-  rise(window, span, taper);
-  window.segment(span.begin, span.end - span.begin).setOnes();
-  for (Eigen::Index i = 0; i < taper && span.end + i < block; ++i)
-    window(span.end + i) = taper_value(taper - 1 - i, taper);
-  return window;
+void apply_pulse_window(const PulseSpan& span,
+                        Eigen::Index taper,
+                        Eigen::Ref<Eigen::VectorXd> block) {
+  apply_causal_window(span, taper, block);
+  const Eigen::Index fades = std::min(taper, block.size() - span.end);
+  for (Eigen::Index i = 0; i < fades; ++i) {
+    block(span.end + i) *= taper_value(taper - 1 - i, taper);
+  }
+  block.tail(block.size() - span.end - fades).setZero();
 }
 
-Eigen::VectorXd causal_window(Eigen::Index block,
-                              const PulseSpan& span,
-                              Eigen::Index taper) {
-  Eigen::VectorXd window = Eigen::VectorXd::Zero(block);
-  rise(window, span, taper);
-  window.tail(block - span.begin).setOnes();
-  return window;
+void apply_causal_window(const PulseSpan& span,
+                         Eigen::Index taper,
+                         Eigen::Ref<Eigen::VectorXd> block) {
+  const Eigen::Index first = std::max<Eigen::Index>(0, span.begin - taper);
+  block.head(first).setZero();
+  for (Eigen::Index row = first; row < span.begin; ++row) {
+    block(row) *= taper_value(row - (span.begin - taper), taper);
+  }
 }
 
 Eigen::VectorXd exponential_window(Eigen::Index block,

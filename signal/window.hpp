@@ -39,17 +39,18 @@ struct PulseSpan {
     Eigen::Index pulse_samples,
     double noise_rms);
 
-/// One inside the span, cosine tapers of `taper` samples outside it, zero
-/// beyond; rows of the block that the tapers do not reach are zero.
-[[nodiscard]] Eigen::VectorXd pulse_window(Eigen::Index block,
-                                           const PulseSpan& span,
-                                           Eigen::Index taper);
+/// Leaves the rows inside the span, fades those of `taper` samples on either
+/// side along a cosine, and sets all beyond to zero.
+void apply_pulse_window(const PulseSpan& span,
+                        Eigen::Index taper,
+                        Eigen::Ref<Eigen::VectorXd> block);
 
-/// Zero until the pulse's taper begins, then as pulse_window, then one to the
-/// block's end: nothing that this hit caused happens before it.
-[[nodiscard]] Eigen::VectorXd causal_window(Eigen::Index block,
-                                            const PulseSpan& span,
-                                            Eigen::Index taper);
+/// Zero until the pulse's taper begins, then as apply_pulse_window, and the
+/// rest of the block left as it is: nothing that this hit caused happens before
+/// it.
+void apply_causal_window(const PulseSpan& span,
+                         Eigen::Index taper,
+                         Eigen::Ref<Eigen::VectorXd> block);
 
 /// exp(-sigma t) with t = 0 at row `trigger`.
 ///

@@ -1,6 +1,7 @@
 #include "tui/session_workbench.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/session_file.hpp"
 #include "updating/saved_session.hpp"
 
 #include <system_error>
@@ -11,7 +12,7 @@ namespace {
 class SessionWorkbench final : public Workbench {
  public:
   explicit SessionWorkbench(const std::filesystem::path& bundle)
-      : session_(bundle), file_(bundle / "session.json") {
+      : session_(bundle), file_(session_file(bundle)) {
     std::error_code ignored;
     if (std::filesystem::exists(file_, ignored)) {
       session_.take_up(updating::read_saved_session(file_));

@@ -3,6 +3,7 @@
 #include "signal/estimate_frfs.hpp"
 #include "tests/signal/generated_test.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -58,11 +59,12 @@ Coverage coverage(const GeneratedOptions& options,
   return {static_cast<double>(inside) / lines, std::abs(sum) / size};
 }
 
-// Promised: 90 to 99 % of the truths in 95 % bands. Forty records of 140 to
-// 750 lines, of which about one in three is independent, leave 1 % of chance.
+// Promised: 93 to 97 % of the truths in 95 % bands. Forty records of 140 to
+// 750 lines, of which about one in three is independent, leave 0.5 % of chance.
 void expect_covered(const Coverage& c) {
-  EXPECT_GT(c.share, 0.90);
-  EXPECT_LT(c.share, 0.99);
+  fmt::print("covered: {:.1f} %\n", 100.0 * c.share);
+  EXPECT_GT(c.share, 0.93);
+  EXPECT_LT(c.share, 0.97);
 }
 
 GeneratedOptions noisy(int hits) {

@@ -1,7 +1,7 @@
 #include "signal/uff58.hpp"
 
 #include "acquisition/input_error.hpp"
-#include "signal/uff58_record.hpp"
+#include "acquisition/uff_function.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -17,6 +17,11 @@
 
 namespace tapfit::signal {
 namespace {
+
+using acquisition::read_function;
+using acquisition::split_uff;
+using acquisition::UffDataset;
+using acquisition::UffFunction;
 
 using complex = std::complex<double>;
 using std::numbers::pi;
@@ -63,6 +68,26 @@ TEST(Uff58, ReadsBackWhatItWrote) {
     const FrfSet set = some_set(sigma);
     expect_same(set, read_frfs_uff_text(written(set), "x").set, 1e-13);
   }
+}
+
+// Written as mobility or receptance, read as the accelerance it was.
+TEST(Uff58, WritesEveryForm) {
+  const FrfSet set = some_set(0.3711);
+  for (const FrfForm form : {FrfForm::Mobility, FrfForm::Receptance}) {
+    std::ostringstream out;
+    write_frfs_uff(set, "A test", out, form);
+    expect_same(set, read_frfs_uff_text(out.str(), "x").set, 1e-13);
+  }
+}
+
+TEST(Uff58, TakesTheWindowFromItsQualifier) {
+  std::string text = written(some_set(0.3711));
+  for (std::size_t at = text.find("SIGMA"); at != std::string::npos;
+       at = text.find("SIGMA")) {
+    text.replace(at, 5, "other");
+  }
+  // Eight digits stand in a 1858.
+  EXPECT_NEAR(read_frfs_uff_text(text, "x").set.s(0).real(), 0.3711, 1e-8);
 }
 
 TEST(Uff58, UnevenLinesKeepSixDigits) {

@@ -12,16 +12,25 @@
 
 namespace tapfit::tui {
 
-/// What `tapfit import` is told about the CSV files.
+/// What `tapfit import` is told about the files.
 struct ImportArguments {
   std::vector<std::string> files;    ///< "FILE" or "FILE@POINT"
   std::string hammer;                ///< "COLUMN@POINT[,KEY=VALUE ...]"
   std::vector<std::string> sensors;  ///< the same
-  std::optional<double> sample_rate_hz;
+  std::string rate;  ///< Hz, or the variable of a .mat file that holds it
   std::string time_column = "1";
   std::string title;
   std::optional<std::array<double, 2>> band_hz;
   bool overwrite = false;
+};
+
+/// How FRFs are to be estimated and written.
+struct FrfArguments {
+  std::string estimator = "H1";      ///< H1, H2, Hv
+  std::string form = "accelerance";  ///< accelerance, mobility, receptance
+  std::optional<double> window;      ///< exponential's value at the block's end
+  std::optional<double> sigma;       ///< on the line sigma + j omega [1/s]
+  bool best_hits = false;            ///< without those that stand apart
 };
 
 /// What `tapfit paper` is told.
@@ -49,10 +58,13 @@ struct CommandOptions {
   std::vector<std::string> effects;             ///< "added-mass@201", in order
   std::vector<std::string> free;                ///< "acc1=0.02", masses to free
   std::string lines = "damped";                 ///< see updating/line_rule.hpp
-  std::string lambda;  ///< a number or "l-curve"; empty: not asked for
-  int modes = 10;      ///< of the model
-  int node = 0;        ///< grid id
-  ImportArguments csv;
+  std::string lambda;    ///< a number or "l-curve"; empty: not asked for
+  int modes = 10;        ///< of the model
+  int node = 0;          ///< grid id
+  double mass_kg = 0.0;  ///< of a calibration's body
+  double speed = 0.0;    ///< of a replay, times real time; 0: all it can
+  FrfArguments frf;
+  ImportArguments imports;
   PaperArguments paper;
   ModesArguments identification;
   std::optional<std::filesystem::path> other;  ///< second set of modes

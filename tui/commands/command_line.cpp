@@ -13,10 +13,13 @@
 #include "tui/commands/modes_command.hpp"
 #include "tui/commands/modes_options.hpp"
 #include "tui/commands/paper_command.hpp"
+#include "tui/commands/quality_command.hpp"
+#include "tui/commands/replay_command.hpp"
 #include "tui/commands/report_command.hpp"
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/session_command.hpp"
 #include "tui/commands/signature_command.hpp"
+#include "tui/commands/uff_command.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effect_place.hpp"
 #include "updating/line_rule.hpp"
@@ -49,6 +52,9 @@ enum Extra : unsigned {
   Regularisation = 512,
   Identify = 1024,
   Mac = 2048,
+  Speed = 4096,
+  Estimate = 8192,
+  Mass = 16384,
 };
 
 struct Entry {
@@ -59,13 +65,25 @@ struct Entry {
   const char* input = "BUNDLE";
 };
 
-constexpr std::array<Entry, 13> entries{{
+constexpr std::array<Entry, 17> entries{{
     {"run", "The whole chain, recording to error ladder", run_command, None},
     {"hits", "Hits found and judged", hits_command, None},
     {"frf",
      "Frequency response functions and their quality",
      frf_command,
-     Uff | Free},
+     Uff | Free | Estimate},
+    {"quality",
+     "What the measurement says about itself",
+     quality_command,
+     None},
+    {"calibrate",
+     "Sensors against the hammer, on a known mass",
+     calibrate_command,
+     Mass},
+    {"replay",
+     "The test as if it were being measured",
+     replay_command,
+     Uff | Speed},
     {"modes", "Identified modes", modes_command, Uff | Identify},
     {"mac",
      "Two sets of modes against each other, or one against itself",
@@ -73,6 +91,7 @@ constexpr std::array<Entry, 13> entries{{
      Mac,
      "MODES"},
     {"model", "A deck in numbers, and its modes", model_command, Modes, "DECK"},
+    {"uff", "What a universal file holds", uff_command, None, "FILE"},
     {"compare", "Model against measurement", compare_command, None},
     {"diagnose", "What is missing from the model", diagnose_command, None},
     {"signature",
@@ -151,6 +170,29 @@ void add_regularisation(CLI::App& command, CommandOptions& options) {
       ->check(CLI::Validator(lambda_fault, "VALUE|l-curve"));
 }
 
+void add_estimate(CLI::App& command, FrfArguments& frf) {
+  command.add_option("--estimator", frf.estimator, "H1 (default), H2 or Hv")
+      ->check(CLI::IsMember({"H1", "H2", "Hv"}));
+  command
+      .add_option(
+          "--form", frf.form, "accelerance (default), mobility or receptance")
+      ->check(CLI::IsMember({"accelerance", "mobility", "receptance"}));
+  auto* window = command
+                     .add_option("--window",
+                                 frf.window,
+                                 "Value of the exponential window at the "
+                                 "block's end (0.01; 1: none)")
+                     ->check(CLI::Range(1e-6, 1.0));
+  command
+      .add_option(
+          "--sigma", frf.sigma, "On the line s = sigma + j omega, sigma in 1/s")
+      ->check(CLI::NonNegativeNumber)
+      ->excludes(window);
+  command.add_flag("--best-hits",
+                   frf.best_hits,
+                   "Without hits that stand apart from the others");
+}
+
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   CommandOptions& options = invocation.options;
@@ -201,6 +243,21 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if ((entry.extras & Identify) != 0) {
     add_modes_options(*command, options.identification);
   }
+  if ((entry.extras & Mass) != 0) {
+    command
+        ->add_option(
+            "--mass", options.mass_kg, "Of the body with its sensors [kg]")
+        ->required()
+        ->check(CLI::PositiveNumber);
+  }
+  if ((entry.extras & Speed) != 0) {
+    command
+        ->add_option("--speed",
+                     options.speed,
+                     "Times real time; 0 (default): as fast as it goes")
+        ->check(CLI::NonNegativeNumber);
+  }
+  if ((entry.extras & Estimate) != 0) add_estimate(*command, options.frf);
   if ((entry.extras & Modes) != 0) {
     command->add_option("--modes", options.modes, "How many modes")
         ->check(CLI::Range(1, 10000));
@@ -215,25 +272,28 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
 }
 
 void add_import(CLI::App& app, Invocation& invocation) {
-  CLI::App* command =
-      app.add_subcommand("import", "Make a bundle out of CSV files");
+  CLI::App* command = app.add_subcommand(
+      "import", "Make a bundle out of CSV, MATLAB, SEP-005 or universal files");
   CommandOptions& options = invocation.options;
-  ImportArguments& csv = options.csv;
-  command->add_option("CSV", csv.files, "FILE, or FILE@POINT of its blows")
+  ImportArguments& given = options.imports;
+  command->add_option("FILE", given.files, "FILE, or FILE@POINT of its blows")
       ->required();
   command->add_option("-o,--output", options.output, "Folder of the bundle")
       ->required();
-  command->add_option("--hammer", csv.hammer, "COLUMN@POINT,KEY=VALUE...")
+  command->add_option("--hammer", given.hammer, "COLUMN@POINT,KEY=VALUE...")
       ->required();
-  command->add_option("--sensor", csv.sensors, "COLUMN@POINT,KEY=VALUE...")
+  command->add_option("--sensor", given.sensors, "COLUMN@POINT,KEY=VALUE...")
       ->required()
       ->allow_extra_args(false);
-  command->add_option("--rate", csv.sample_rate_hz, "Samples per second");
-  command->add_option("--time", csv.time_column, "Column of the time [s]");
-  command->add_option("--title", csv.title, "Title of the bundle");
+  command->add_option(
+      "--rate",
+      given.rate,
+      "Samples per second, or a variable of a .mat file that says it");
+  command->add_option("--time", given.time_column, "Column of the time [s]");
+  command->add_option("--title", given.title, "Title of the bundle");
   command->add_option("--deck", options.deck, "Its bulk data model");
-  command->add_option("--band", csv.band_hz, "Lowest and highest frequency");
-  command->add_flag("--overwrite", csv.overwrite, "Replace a test.json");
+  command->add_option("--band", given.band_hz, "Lowest and highest frequency");
+  command->add_flag("--overwrite", given.overwrite, "Replace a test.json");
   command->add_flag("--json", options.json, "Print one JSON object");
   command->callback([&invocation] {
     invocation.name = "import";

@@ -1,5 +1,6 @@
 #include "tui/commands/frf_command.hpp"
 
+#include "signal/hit_coherence.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/commands/open_bundle.hpp"
@@ -17,6 +18,24 @@ namespace tapfit::tui {
 using nlohmann::ordered_json;
 
 namespace {
+
+const char* word(signal::FrfForm form) {
+  if (form == signal::FrfForm::Mobility) return "mobility";
+  if (form == signal::FrfForm::Receptance) return "receptance";
+  return "accelerance";
+}
+
+const char* unit(signal::FrfForm form) {
+  if (form == signal::FrfForm::Mobility) return "(m/s)/N";
+  if (form == signal::FrfForm::Receptance) return "m/N";
+  return "(m/s^2)/N";
+}
+
+signal::FrfForm form_of(const std::string& text) {
+  if (text == "mobility") return signal::FrfForm::Mobility;
+  if (text == "receptance") return signal::FrfForm::Receptance;
+  return signal::FrfForm::Accelerance;
+}
 
 double mean_coherence(const signal::Frf& frf) {
   return frf.coherence.size() > 0 ? frf.coherence.mean() : 0.0;
@@ -39,12 +58,13 @@ double median_sd_percent(const signal::Frf& frf) {
   return *middle;
 }
 
-ordered_json frf_json(const signal::FrfSet& frfs) {
+ordered_json frf_json(const signal::FrfSet& frfs, signal::FrfForm form) {
   ordered_json list = ordered_json::array();
   for (const auto& frf : frfs.frfs) {
     list.push_back({{"response", name(frf.response)},
                     {"reference", name(frf.reference)},
-                    {"type", "accelerance"},
+                    {"type", word(form)},
+                    {"unit", unit(form)},
                     {"lines", frfs.lines()},
                     {"mean_coherence", mean_coherence(frf)},
                     {"median_sd_percent", median_sd_percent(frf)},
@@ -54,11 +74,13 @@ ordered_json frf_json(const signal::FrfSet& frfs) {
   return {{"frfs", std::move(list)}, {"statements", frfs.statements}};
 }
 
-std::string frf_text(const signal::FrfSet& frfs) {
+std::string frf_text(const signal::FrfSet& frfs, signal::FrfForm form) {
   std::string text = fmt::format("FRFs: {}", frfs.frfs.size());
   if (frfs.lines() > 0) {
     const Eigen::VectorXd hz = frfs.frequency_hz();
-    text += fmt::format(", accelerance on {} lines, {:.4g} to {:.4g} Hz",
+    text += fmt::format(", {} [{}] on {} lines, {:.4g} to {:.4g} Hz",
+                        word(form),
+                        unit(form),
                         frfs.lines(),
                         hz(0),
                         hz(hz.size() - 1));
@@ -82,15 +104,60 @@ std::string frf_text(const signal::FrfSet& frfs) {
   return text;
 }
 
+namespace {
+
+// Hits that stand apart from their fellows are judged out, as if by hand.
+void leave_hits_apart(updating::Session& session, const Progress& progress) {
+  const acquisition::HitSet hits = session.hits(progress);
+  for (std::size_t run = 0; run < hits.runs.size(); ++run) {
+    for (const std::size_t hit : signal::hits_apart(signal::run_coherence(
+             session.bundle(), session.recordings(), hits, run))) {
+      session.overrule_hit(run, hit);
+      fmt::print(stderr,
+                 "note: {}: hit {} at {:.3f} s stands apart and is left out\n",
+                 session.bundle().runs[run].file.filename().string(),
+                 hit + 1,
+                 hits.runs[run][hit].time_s);
+    }
+  }
+}
+
+// As the session has them where nothing else was asked for.
+signal::FrfSet frfs_as_asked(updating::Session& session,
+                             const FrfArguments& asked,
+                             const Progress& progress) {
+  const bool as_usual =
+      asked.estimator == "H1" && !asked.window && !asked.sigma;
+  if (as_usual || session.bundle().frfs) return session.frfs(progress);
+  const auto& recordings = session.recordings(progress);
+  const auto& hits = session.hits(progress);
+  signal::FrfOptions options;
+  if (asked.estimator == "H2") options.estimator = signal::Estimator::H2;
+  if (asked.estimator == "Hv") options.estimator = signal::Estimator::Hv;
+  if (asked.window) options.window.end_value = *asked.window;
+  if (asked.sigma) {
+    const double block_s = static_cast<double>(hits.block - hits.pre_trigger) /
+                           hits.sample_rate_hz;
+    options.window.end_value = std::exp(-*asked.sigma * block_s);
+  }
+  return signal::estimate_frfs(
+      session.bundle(), recordings, hits, options, progress);
+}
+
+}  // namespace
+
 std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session = open_bundle(options.input);
+  if (options.frf.best_hits) leave_hits_apart(session, progress);
   if (!options.free.empty()) return free_masses(session, options, progress);
-  const signal::FrfSet& frfs = session.frfs(progress);
+  const signal::FrfSet frfs = frfs_as_asked(session, options.frf, progress);
+  const signal::FrfForm form = form_of(options.frf.form);
   if (options.uff) {
-    signal::write_frfs_uff(frfs, session.bundle().title, *options.uff);
+    signal::write_frfs_uff(frfs, session.bundle().title, *options.uff, form);
   }
-  return options.json ? frf_json(frfs).dump(2) + "\n" : frf_text(frfs);
+  return options.json ? frf_json(frfs, form).dump(2) + "\n"
+                      : frf_text(frfs, form);
 }
 
 }  // namespace tapfit::tui

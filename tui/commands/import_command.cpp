@@ -11,8 +11,8 @@ namespace tapfit::tui {
 
 namespace {
 
-using acquisition::CsvChannel;
-using acquisition::CsvFile;
+using acquisition::ImportChannel;
+using acquisition::ImportFile;
 using acquisition::Quantity;
 
 InputError spec_error(const std::string& text, const std::string& what) {
@@ -31,7 +31,7 @@ double number(const std::string& text, const std::string& value) {
   return result;
 }
 
-void set_key(CsvChannel& channel,
+void set_key(ImportChannel& channel,
              const std::string& text,
              const std::string& key,
              const std::string& value) {
@@ -63,7 +63,7 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 
 }  // namespace
 
-CsvChannel parse_csv_channel(const std::string& text, Quantity quantity) {
+ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
   const std::vector<std::string> parts = split_at_commas(text);
   const std::size_t at = parts.front().rfind('@');
   const auto dof = at == std::string::npos
@@ -71,11 +71,10 @@ CsvChannel parse_csv_channel(const std::string& text, Quantity quantity) {
                        : parse_dof(parts.front().substr(at + 1));
   if (!dof) throw spec_error(text, "names no point of the structure");
 
-  CsvChannel channel;
+  ImportChannel channel;
   channel.column = parts.front().substr(0, at);
   channel.channel = channel.column;
   channel.quantity = quantity;
-  channel.unit = quantity == Quantity::Force ? "N" : "m/s^2";
   channel.dof = *dof;
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const std::size_t equals = parts[k].find('=');
@@ -86,7 +85,7 @@ CsvChannel parse_csv_channel(const std::string& text, Quantity quantity) {
   return channel;
 }
 
-CsvFile parse_csv_file(const std::string& text) {
+ImportFile parse_import_file(const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at != std::string::npos) {
     if (const auto dof = parse_dof(text.substr(at + 1))) {
@@ -99,24 +98,32 @@ CsvFile parse_csv_file(const std::string& text) {
 std::string import_command(const CommandOptions& options,
                            const Progress& progress) {
   progress("importing", 0.0);
-  const ImportArguments& arguments = options.csv;
-  acquisition::ImportCsvOptions import_options;
+  const ImportArguments& arguments = options.imports;
+  acquisition::ImportOptions import_options;
   for (const auto& file : arguments.files) {
-    import_options.files.push_back(parse_csv_file(file));
+    import_options.files.push_back(parse_import_file(file));
   }
-  import_options.hammer = parse_csv_channel(arguments.hammer, Quantity::Force);
+  import_options.hammer =
+      parse_import_channel(arguments.hammer, Quantity::Force);
   for (const auto& sensor : arguments.sensors) {
     import_options.sensors.push_back(
-        parse_csv_channel(sensor, Quantity::Acceleration));
+        parse_import_channel(sensor, Quantity::Acceleration));
   }
-  import_options.sample_rate_hz = arguments.sample_rate_hz;
+  double rate = 0.0;
+  const char* end = arguments.rate.data() + arguments.rate.size();
+  const auto [stop, fault] = std::from_chars(arguments.rate.data(), end, rate);
+  if (fault == std::errc{} && stop == end) {
+    import_options.sample_rate_hz = rate;
+  } else if (!arguments.rate.empty()) {
+    import_options.rate_variable = arguments.rate;
+  }
   import_options.time_column = arguments.time_column;
   import_options.title = arguments.title;
   import_options.deck = options.deck;
   import_options.band_hz = arguments.band_hz;
   import_options.overwrite = arguments.overwrite;
   import_options.folder = options.output.value_or("");
-  const auto bundle = acquisition::import_csv(import_options);
+  const auto bundle = acquisition::import_recordings(import_options);
   if (options.json) {
     const nlohmann::ordered_json json{{"bundle", bundle.folder.string()},
                                       {"runs", bundle.runs.size()},

@@ -1,7 +1,7 @@
 // tapfit import: makes a test bundle out of CSV files.
 #pragma once
 
-#include "acquisition/import_csv.hpp"
+#include "acquisition/import_recordings.hpp"
 #include "tui/commands/command.hpp"
 
 namespace tapfit::tui {
@@ -11,11 +11,12 @@ namespace tapfit::tui {
 /// mass_kg, flip.
 ///
 /// @throws InputError naming the part that cannot be read
-[[nodiscard]] acquisition::CsvChannel parse_csv_channel(
+[[nodiscard]] acquisition::ImportChannel parse_import_channel(
     const std::string& text, acquisition::Quantity quantity);
 
 /// Reads "FILE" or "FILE@POINT", the point where this file's blows fell.
-[[nodiscard]] acquisition::CsvFile parse_csv_file(const std::string& text);
+[[nodiscard]] acquisition::ImportFile parse_import_file(
+    const std::string& text);
 
 /// @throws InputError
 [[nodiscard]] std::string import_command(const CommandOptions& options,

@@ -3,6 +3,7 @@
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
+#include "tui/session_file.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +71,7 @@ std::string differences(const updating::SavedSession& then,
 std::string session_command(const CommandOptions& options,
                             const Progress& progress) {
   const updating::SavedSession then = updating::read_saved_session(
-      options.saved.value_or(options.input / "session.json"));
+      options.saved.value_or(session_file(options.input)));
   updating::Session session = open_bundle(options.input);
   session.take_up(then);
   static_cast<void>(session.ladder(progress));

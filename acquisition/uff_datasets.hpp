@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-namespace tapfit::signal {
+namespace tapfit::acquisition {
 
 struct UffDataset {
   int type = 0;
@@ -57,4 +57,4 @@ struct UffDataset {
                            std::size_t width,
                            std::vector<double>& values);
 
-}  // namespace tapfit::signal
+}  // namespace tapfit::acquisition

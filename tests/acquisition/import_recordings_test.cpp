@@ -1,4 +1,4 @@
-#include "acquisition/import_csv.hpp"
+#include "acquisition/import_recordings.hpp"
 
 #include "acquisition/hits.hpp"
 #include "acquisition/input_error.hpp"
@@ -67,8 +67,8 @@ TEST_F(Csv, RefusesMissingColumnsAndEmptyFiles) {
   EXPECT_EQ(refusal("no numbers here\n", {"1"}), name);
 }
 
-ImportCsvOptions simple(const testing::TemporaryFolder& folder) {
-  ImportCsvOptions options;
+ImportOptions simple(const testing::TemporaryFolder& folder) {
+  ImportOptions options;
   options.hammer = {.column = "f",
                     .channel = "hammer",
                     .quantity = Quantity::Force,
@@ -85,11 +85,11 @@ ImportCsvOptions simple(const testing::TemporaryFolder& folder) {
 }
 
 TEST_F(Csv, BecomesABundleWithPhysicalValues) {
-  ImportCsvOptions options = simple(folder_);
+  ImportOptions options = simple(folder_);
   options.files = {
       {folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}},
       {folder_.write("two.csv", "t,f,a\n0,7,3\n.01,2,1\n"), Dof{9, 3, -1}}};
-  const TestBundle bundle = import_csv(options);
+  const TestBundle bundle = import_recordings(options);
   EXPECT_EQ(bundle.runs[0].hammer.dof, (Dof{7, 3, 1}));
   EXPECT_EQ(bundle.runs[1].hammer.dof, (Dof{9, 3, -1}));
   const std::vector<Recording> recordings = read_recordings(bundle);
@@ -99,21 +99,21 @@ TEST_F(Csv, BecomesABundleWithPhysicalValues) {
   EXPECT_DOUBLE_EQ(recordings[0].samples(1, 0), 4.0);
   EXPECT_DOUBLE_EQ(recordings[0].samples(1, 1), 4.0);
   EXPECT_DOUBLE_EQ(recordings[1].samples(0, 0), 14.0);
-  EXPECT_THROW(import_csv(options), InputError) << "must not overwrite";
+  EXPECT_THROW(import_recordings(options), InputError) << "must not overwrite";
   options.overwrite = true;
-  EXPECT_NO_THROW(import_csv(options));
+  EXPECT_NO_THROW(import_recordings(options));
 }
 
 TEST_F(Csv, RefusesUnevenTimeAndOddRates) {
-  ImportCsvOptions options = simple(folder_);
+  ImportOptions options = simple(folder_);
   options.files = {
       {folder_.write("gap.csv", "t,f,a\n0,1,3\n1,2,4\n2,2,4\n9,2,4\n"), {}}};
-  EXPECT_THROW(import_csv(options), InputError);
+  EXPECT_THROW(import_recordings(options), InputError);
   options.files = {
       {folder_.write("odd.csv", "t,f,a\n0,1,3\n.08,2,4\n.16,2,4\n"), {}}};
-  EXPECT_THROW(import_csv(options), InputError);
+  EXPECT_THROW(import_recordings(options), InputError);
   options.sample_rate_hz = 12.0;
-  EXPECT_NO_THROW(import_csv(options));
+  EXPECT_NO_THROW(import_recordings(options));
 }
 
 // Real files: PCD-400A, 50 Hz, one hit each with negative blows, the pulse one
@@ -124,7 +124,7 @@ TEST_F(Csv, ReadsTheThreeStoreyFrame) {
   if (!std::filesystem::exists(data)) {
     GTEST_SKIP() << data << " is not there";
   }
-  ImportCsvOptions options = simple(folder_);
+  ImportOptions options = simple(folder_);
   options.hammer.column = "CH8";
   options.hammer.volts_per_unit = 49.0;
   options.sensors.clear();
@@ -140,7 +140,7 @@ TEST_F(Csv, ReadsTheThreeStoreyFrame) {
                            "imp_ham_set3_no_mass.CSV"}) {
     options.files.push_back({data / name, {}});
   }
-  const TestBundle bundle = import_csv(options);
+  const TestBundle bundle = import_recordings(options);
   const std::vector<Recording> recordings = read_recordings(bundle);
   EXPECT_EQ(recordings[0].sample_rate_hz, 50.0);
   EXPECT_EQ(recordings[0].samples.rows(), 9028);

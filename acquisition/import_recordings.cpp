@@ -1,7 +1,8 @@
-#include "acquisition/import_csv.hpp"
+#include "acquisition/import_recordings.hpp"
 
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/mat_file.hpp"
 #include "acquisition/units.hpp"
 #include "acquisition/write_test_bundle.hpp"
 
@@ -16,8 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Index;
 
-std::vector<CsvChannel> all_channels(const ImportCsvOptions& options) {
-  std::vector<CsvChannel> channels{options.hammer};
+std::vector<ImportChannel> all_channels(const ImportOptions& options) {
+  std::vector<ImportChannel> channels{options.hammer};
   channels.insert(
       channels.end(), options.sensors.begin(), options.sensors.end());
   return channels;
@@ -62,26 +63,51 @@ int whole_rate(double rate, const std::string& file) {
 
 struct Table {
   int rate = 0;
-  Eigen::MatrixXd values;  ///< n_rows x (1 + sensors), as in the file
+  Eigen::MatrixXd values;          ///< n_rows x (1 + sensors), as in the file
+  std::vector<std::string> units;  ///< as the file says, may be empty
 };
 
-Table read_table(const CsvFile& source, const ImportCsvOptions& options) {
+Table read_table(const ImportFile& source, const ImportOptions& options) {
   std::vector<std::string> columns;
-  for (const CsvChannel& channel : all_channels(options)) {
+  for (const ImportChannel& channel : all_channels(options)) {
     columns.push_back(channel.column);
   }
-  const auto count = static_cast<Index>(columns.size());
-  if (!options.sample_rate_hz) columns.push_back(options.time_column);
-  const Eigen::MatrixXd numbers =
-      read_csv_columns(source.file, columns, options.csv);
   const std::string file = source.file.string();
-  Table table;
-  const double rate = options.sample_rate_hz
-                          ? *options.sample_rate_hz
-                          : rate_of(numbers.col(count), file);
-  table.rate = whole_rate(rate, file);
-  table.values = numbers.leftCols(count);
-  return table;
+  const auto count = static_cast<Index>(columns.size());
+  std::optional<double> rate = options.sample_rate_hz;
+  if (!rate && options.rate_variable) {
+    rate = read_mat_number(source.file, *options.rate_variable);
+  }
+  if (!rate && !says_rate(source.file)) {
+    columns.push_back(options.time_column);
+  }
+  TimeTable read = read_time_table(source.file, columns, options.csv);
+  if (!rate) {
+    rate = read.rate_hz ? *read.rate_hz : rate_of(read.values.col(count), file);
+  }
+  return {whole_rate(*rate, file),
+          read.values.leftCols(count),
+          std::move(read.units)};
+}
+
+// The channel's unit: as given, else as the files say, else the usual one.
+std::string unit_of(const ImportChannel& channel,
+                    const std::vector<Table>& tables,
+                    std::size_t column) {
+  if (!channel.unit.empty()) return channel.unit;
+  std::string unit = tables[0].units.at(column);
+  for (const Table& table : tables) {
+    if (table.units.at(column) == unit) continue;
+    throw InputError(fmt::format("column \"{}\" is in {} in one file and in {} "
+                                 "in another",
+                                 channel.column,
+                                 unit,
+                                 table.units.at(column)),
+                     "import",
+                     "import the files with different units apart");
+  }
+  if (!unit.empty()) return unit;
+  return channel.quantity == Quantity::Force ? "N" : "m/s^2";
 }
 
 // Power of two with at least a quarter of room above the largest value, so
@@ -95,7 +121,7 @@ double full_scale(const std::vector<Table>& tables, Index column) {
   return std::exp2(std::ceil(std::log2(1.25 * largest)));
 }
 
-Channel bundle_channel(const CsvChannel& source, double scale) {
+Channel bundle_channel(const ImportChannel& source, double scale) {
   const std::optional<Unit> unit = find_unit(source.unit);
   if (!unit || unit->quantity != source.quantity) {
     throw InputError(fmt::format("\"{}\" is no known unit of {}",
@@ -115,8 +141,8 @@ Channel bundle_channel(const CsvChannel& source, double scale) {
   return channel;
 }
 
-Run bundle_run(const CsvFile& source,
-               const ImportCsvOptions& options,
+Run bundle_run(const ImportFile& source,
+               const ImportOptions& options,
                const fs::path& file) {
   Run run;
   run.file = file;
@@ -127,11 +153,11 @@ Run bundle_run(const CsvFile& source,
   return run;
 }
 
-void check_options(const ImportCsvOptions& options) {
+void check_options(const ImportOptions& options) {
   if (options.files.empty() || options.sensors.empty()) {
     throw InputError("nothing to import",
                      "import",
-                     "name at least one CSV file and one sensor column");
+                     "name at least one file and one sensor's column");
   }
   std::error_code ignored;
   if (!options.overwrite && fs::exists(options.folder / "test.json", ignored)) {
@@ -147,7 +173,7 @@ void check_options(const ImportCsvOptions& options) {
 }
 
 // "run-01.csv" becomes "run-01.wav"; a name used before gets a number.
-fs::path sound_file(const CsvFile& source, std::set<std::string>& used) {
+fs::path sound_file(const ImportFile& source, std::set<std::string>& used) {
   const std::string stem = source.file.stem().string();
   std::string result = stem + ".wav";
   for (int i = 2; !used.insert(result).second; ++i) {
@@ -158,22 +184,24 @@ fs::path sound_file(const CsvFile& source, std::set<std::string>& used) {
 
 }  // namespace
 
-TestBundle import_csv(const ImportCsvOptions& options) {
+TestBundle import_recordings(const ImportOptions& options) {
   check_options(options);
   std::vector<Table> tables;
-  for (const CsvFile& file : options.files) {
+  for (const ImportFile& file : options.files) {
     tables.push_back(read_table(file, options));
   }
   TestBundle bundle;
   bundle.title = options.title;
   if (options.deck) bundle.deck = fs::absolute(*options.deck);
   bundle.band_hz = options.band_hz;
-  const std::vector<CsvChannel> channels = all_channels(options);
+  const std::vector<ImportChannel> channels = all_channels(options);
   Eigen::RowVectorXd scale(static_cast<Index>(channels.size()));
   for (std::size_t k = 0; k < channels.size(); ++k) {
     const auto column = static_cast<Index>(k);
     const double volts = full_scale(tables, column);
-    bundle.channels.push_back(bundle_channel(channels[k], volts));
+    ImportChannel channel = channels[k];
+    channel.unit = unit_of(channel, tables, k);
+    bundle.channels.push_back(bundle_channel(channel, volts));
     scale[column] = (channels[k].flip_sign ? -1.0 : 1.0) / volts;
   }
   std::error_code ignored;

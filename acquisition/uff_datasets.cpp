@@ -1,4 +1,4 @@
-#include "signal/uff_datasets.hpp"
+#include "acquisition/uff_datasets.hpp"
 
 #include "acquisition/input_error.hpp"
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tapfit::signal {
+namespace tapfit::acquisition {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\n";
@@ -219,4 +219,4 @@ bool numbers(std::string_view line,
   return by_signs(line, values);
 }
 
-}  // namespace tapfit::signal
+}  // namespace tapfit::acquisition

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "acquisition/dof.hpp"
-#include "signal/uff_datasets.hpp"
+#include "acquisition/uff_datasets.hpp"
 
 #include <Eigen/Core>
 
@@ -16,7 +16,7 @@
 #include <optional>
 #include <string>
 
-namespace tapfit::signal {
+namespace tapfit::acquisition {
 
 /// What an axis is: specific data type and the unit's label.
 struct UffAxis {
@@ -24,14 +24,26 @@ struct UffAxis {
   std::string unit;
 };
 
-struct UffFunction {
+/// What a function is, without its values.
+struct UffHeader {
   int function_type = 0;         ///< 1 time, 4 FRF, 6 coherence, ...
+  int number = 0;                ///< function identification number
   std::optional<Dof> response;   ///< empty: a scalar
   std::optional<Dof> reference;  ///< empty: a scalar
+  std::string response_entity;   ///< as written, "NONE" too
   std::array<std::string, 5> id;
   UffAxis abscissa;
   UffAxis numerator;
   UffAxis denominator;
+  bool complex = false;
+  bool is_double = false;
+  bool even = true;  ///< abscissa is min + i step
+  Eigen::Index count = 0;
+  double min = 0.0;
+  double step = 0.0;
+};
+
+struct UffFunction : UffHeader {
   Eigen::VectorXd x;   ///< abscissa, all values
   Eigen::VectorXcd y;  ///< ordinate, imaginary part 0 for real functions
 };
@@ -39,10 +51,16 @@ struct UffFunction {
 /// Only what the function is (record 6), without its data.
 [[nodiscard]] int function_type(const UffDataset& dataset);
 
+/// Reads records 1 to 11 of dataset 58 or 58b.
+///
+/// @throws InputError for missing records, an unknown data type, a count that
+///   the file cannot hold
+[[nodiscard]] UffHeader read_header(const UffDataset& dataset);
+
 /// Reads dataset 58 or 58b.
 ///
 /// @throws InputError for missing records, an unknown data type, fewer values
 ///   than announced, text that is no number
 [[nodiscard]] UffFunction read_function(const UffDataset& dataset);
 
-}  // namespace tapfit::signal
+}  // namespace tapfit::acquisition

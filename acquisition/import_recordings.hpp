@@ -1,8 +1,9 @@
-// Makes a test bundle out of CSV files: test.json and one sound file per CSV.
+// Makes a test bundle out of files of samples (acquisition/time_table.hpp):
+// test.json and one sound file for each.
 #pragma once
 
-#include "acquisition/csv_table.hpp"
 #include "acquisition/test_bundle.hpp"
+#include "acquisition/time_table.hpp"
 
 #include <array>
 #include <filesystem>
@@ -12,12 +13,13 @@
 
 namespace tapfit::acquisition {
 
-/// What a column of the CSV files is.
-struct CsvChannel {
-  std::string column;   ///< its name in the header, or its number from 1 on
+/// What a column of the files is.
+struct ImportChannel {
+  std::string column;   ///< as time_table.hpp names them
   std::string channel;  ///< the channel's name in the bundle
   Quantity quantity = Quantity::Acceleration;
-  std::string unit = "m/s^2";
+  /// Empty: what the file says, else N or m/s^2.
+  std::string unit = {};
   /// Given: the column holds volts, and this many make one unit. Empty: the
   /// column holds the unit itself.
   std::optional<double> volts_per_unit = std::nullopt;
@@ -28,17 +30,20 @@ struct CsvChannel {
 };
 
 /// One recording.
-struct CsvFile {
+struct ImportFile {
   std::filesystem::path file;
   std::optional<Dof> hammer;  ///< where this file's blows fell
 };
 
-struct ImportCsvOptions {
-  std::vector<CsvFile> files;
-  CsvChannel hammer;
-  std::vector<CsvChannel> sensors;
-  /// Sampling rate [Hz]; empty: from time_column, which then holds seconds.
+struct ImportOptions {
+  std::vector<ImportFile> files;
+  ImportChannel hammer;
+  std::vector<ImportChannel> sensors;
+  /// Sampling rate [Hz]; empty: what the file says, else from time_column,
+  /// which then holds seconds.
   std::optional<double> sample_rate_hz;
+  /// Variable of a .mat file that holds the rate [Hz].
+  std::optional<std::string> rate_variable;
   std::string time_column = "1";
   CsvOptions csv;
   std::string title;
@@ -52,9 +57,9 @@ struct ImportCsvOptions {
 /// returns it. The samples keep every digit: 64-bit WAV, scaled by a power of
 /// two that leaves room above the largest value.
 ///
-/// @throws InputError for what read_csv_columns refuses, uneven sampling, a
+/// @throws InputError for what read_time_table refuses, uneven sampling, a
 ///   rate that is no whole number of Hz (sound files cannot say it), an
 ///   unknown unit, a bundle that is there already
-TestBundle import_csv(const ImportCsvOptions& options);
+TestBundle import_recordings(const ImportOptions& options);
 
 }  // namespace tapfit::acquisition

@@ -1,4 +1,4 @@
-#include "signal/uff58_record.hpp"
+#include "acquisition/uff_function.hpp"
 
 #include "acquisition/input_error.hpp"
 
@@ -10,26 +10,19 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace tapfit::signal {
+namespace tapfit::acquisition {
 namespace {
 
 constexpr std::size_t header_lines = 11;
 
-struct Layout {
-  bool complex = false;
-  bool is_double = false;
-  bool even = true;
-  Eigen::Index count = 0;
-  double min = 0.0;
-  double step = 0.0;
+// Numbers that make one value.
+std::size_t per_value(const UffHeader& header) {
+  return (header.complex ? 2u : 1u) + (header.even ? 0u : 1u);
+}
 
-  [[nodiscard]] std::size_t per_value() const {
-    return (complex ? 2u : 1u) + (even ? 0u : 1u);
-  }
-  [[nodiscard]] std::size_t values() const {
-    return per_value() * static_cast<std::size_t>(count);
-  }
-};
+std::size_t all_values(const UffHeader& header) {
+  return per_value(header) * static_cast<std::size_t>(header.count);
+}
 
 std::optional<Dof> dof(std::string_view line, std::size_t at) {
   const int direction = integer(column(line, at + 10, 4));
@@ -43,9 +36,8 @@ UffAxis axis(std::string_view line) {
   return {integer(column(line, 0, 10)), std::string(column(line, 47, 20))};
 }
 
-Layout layout(const UffDataset& dataset) {
+void read_layout(const UffDataset& dataset, UffHeader& result) {
   const std::string_view line = dataset.lines[6];
-  Layout result;
   const int type = integer(column(line, 0, 10));
   if (type != 2 && type != 4 && type != 5 && type != 6)
     throw InputError(
@@ -67,13 +59,12 @@ Layout layout(const UffDataset& dataset) {
   std::size_t size = dataset.bytes.size();
   for (std::size_t i = header_lines; i < dataset.lines.size(); ++i)
     size += dataset.lines[i].size() + 1;
-  if (result.count <= 0 || result.values() > size)
+  if (result.count <= 0 || all_values(result) > size)
     throw InputError(
         fmt::format(
             "{} values are announced, {} bytes are there", result.count, size),
         dataset.place,
         "the file is cut off or record 7 is wrong");
-  return result;
 }
 
 template <class Float, class Bits>
@@ -89,12 +80,12 @@ double from_bytes(const char* at, bool big_endian) {
 
 // Binary data: an uneven abscissa is single precision, even beside doubles.
 std::vector<double> binary_values(const UffDataset& dataset,
-                                  const Layout& shape) {
+                                  const UffHeader& shape) {
   std::vector<double> values;
-  values.reserve(shape.values());
+  values.reserve(all_values(shape));
   std::size_t at = 0;
-  for (std::size_t i = 0; i < shape.values(); ++i) {
-    const bool abscissa = !shape.even && i % shape.per_value() == 0;
+  for (std::size_t i = 0; i < all_values(shape); ++i) {
+    const bool abscissa = !shape.even && i % per_value(shape) == 0;
     const bool wide = shape.is_double && !abscissa;
     const std::size_t size = wide ? 8 : 4;
     if (at + size > dataset.bytes.size()) break;
@@ -108,10 +99,10 @@ std::vector<double> binary_values(const UffDataset& dataset,
 }
 
 std::vector<double> text_values(const UffDataset& dataset,
-                                const Layout& shape) {
+                                const UffHeader& shape) {
   const std::size_t width = shape.is_double ? 20 : 13;
   std::vector<double> values;
-  values.reserve(shape.values());
+  values.reserve(all_values(shape));
   for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
     if (numbers(dataset.lines[i], width, values)) continue;
     throw InputError(
@@ -122,12 +113,11 @@ std::vector<double> text_values(const UffDataset& dataset,
   return values;
 }
 
-void take_values(const std::vector<double>& values,
-                 const Layout& shape,
-                 UffFunction& function) {
+void take_values(const std::vector<double>& values, UffFunction& function) {
+  const UffHeader& shape = function;
   function.x.resize(shape.count);
   function.y.resize(shape.count);
-  const std::size_t stride = shape.per_value();
+  const std::size_t stride = per_value(shape);
   const std::size_t lead = shape.even ? 0 : 1;
   for (Eigen::Index i = 0; i < shape.count; ++i) {
     const std::size_t at = static_cast<std::size_t>(i) * stride;
@@ -144,35 +134,42 @@ int function_type(const UffDataset& dataset) {
   return dataset.lines.size() > 5 ? integer(column(dataset.lines[5], 0, 5)) : 0;
 }
 
-UffFunction read_function(const UffDataset& dataset) {
+UffHeader read_header(const UffDataset& dataset) {
   if (dataset.lines.size() < header_lines)
     throw InputError(fmt::format("a function has {} of {} header lines",
                                  dataset.lines.size(),
                                  header_lines),
                      dataset.place,
                      "the file is cut off; export it anew");
-  UffFunction function;
+  UffHeader header;
   for (std::size_t i = 0; i < 5; ++i)
-    function.id[i] = std::string(column(dataset.lines[i], 0, 80));
+    header.id[i] = std::string(column(dataset.lines[i], 0, 80));
   const std::string_view who = dataset.lines[5];
-  function.function_type = integer(column(who, 0, 5));
-  function.response = dof(who, 41);
-  function.reference = dof(who, 66);
-  function.abscissa = axis(dataset.lines[7]);
-  function.numerator = axis(dataset.lines[8]);
-  function.denominator = axis(dataset.lines[9]);
-  const Layout shape = layout(dataset);
+  header.function_type = integer(column(who, 0, 5));
+  header.number = integer(column(who, 5, 10));
+  header.response_entity = std::string(column(who, 31, 10));
+  header.response = dof(who, 41);
+  header.reference = dof(who, 66);
+  header.abscissa = axis(dataset.lines[7]);
+  header.numerator = axis(dataset.lines[8]);
+  header.denominator = axis(dataset.lines[9]);
+  read_layout(dataset, header);
+  return header;
+}
+
+UffFunction read_function(const UffDataset& dataset) {
+  UffFunction function{read_header(dataset), {}, {}};
   const std::vector<double> values = dataset.binary
-                                         ? binary_values(dataset, shape)
-                                         : text_values(dataset, shape);
-  if (values.size() < shape.values())
+                                         ? binary_values(dataset, function)
+                                         : text_values(dataset, function);
+  if (values.size() < all_values(function))
     throw InputError(
         fmt::format(
-            "{} of {} numbers are there", values.size(), shape.values()),
+            "{} of {} numbers are there", values.size(), all_values(function)),
         dataset.place,
         "the file is cut off; export it anew");
-  take_values(values, shape, function);
+  take_values(values, function);
   return function;
 }
 
-}  // namespace tapfit::signal
+}  // namespace tapfit::acquisition

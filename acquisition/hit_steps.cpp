@@ -1,0 +1,99 @@
+#include "acquisition/hit_steps.hpp"
+
+#include "acquisition/judge_hits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Eigen::Index;
+
+constexpr double least_snr = 20.0;    // peak over noise of a good hit
+constexpr double softest_db = -20.0;  // at the band's end (ISO 7626-5)
+
+bool overloaded(const TestBundle& bundle,
+                const Run& run,
+                const Recording& recording,
+                const Eigen::VectorXd& noise,
+                Index begin,
+                Index count) {
+  std::vector<std::size_t> channels{run.hammer.channel};
+  for (const Placement& sensor : run.sensors) {
+    channels.push_back(sensor.channel);
+  }
+  return std::any_of(channels.begin(), channels.end(), [&](std::size_t c) {
+    const auto column = static_cast<Index>(c);
+    return is_overloaded(recording.samples.col(column).segment(begin, count),
+                         std::abs(bundle.channels[c].full_scale_si()),
+                         noise[column]);
+  });
+}
+
+Eigen::VectorXd channel_noise(const Recording& recording) {
+  Eigen::VectorXd noise(recording.samples.cols());
+  for (Index c = 0; c < noise.size(); ++c) {
+    noise[c] = difference_noise(recording.samples.col(c));
+  }
+  return noise;
+}
+
+}  // namespace
+
+HammerRun prepare_run(const Run& run,
+                      const Recording& recording,
+                      std::optional<int> slope) {
+  const auto channel = static_cast<Index>(run.hammer.channel);
+  HammerRun result;
+  result.hammer = prepare_hammer(
+      recording.samples.col(channel), recording.sample_rate_hz, slope);
+  result.pulses.samples = recording.samples.rows();
+  return result;
+}
+
+double band_end(const TestBundle& bundle, double rate) {
+  return bundle.band_hz ? (*bundle.band_hz)[1] : 0.4 * rate;
+}
+
+std::vector<Hit> judge_alone(const TestBundle& bundle,
+                             const Run& run,
+                             const Recording& recording,
+                             const HammerRun& work,
+                             const HitSet& set,
+                             double double_percent) {
+  const double rate = recording.sample_rate_hz;
+  const Eigen::VectorXd noise = channel_noise(recording);
+  std::vector<Hit> hits;
+  for (const PulseGroup& group : work.groups) {
+    Hit hit;
+    const Index wanted = group.first.first - set.pre_trigger;
+    const Index stop = wanted + set.block;
+    hit.begin = std::max<Index>(0, wanted);
+    hit.trigger = group.first.first;
+    hit.time_s = static_cast<double>(group.largest.peak) / rate;
+    hit.peak_n = group.largest.height;
+    hit.pulse_s = group.largest.width / rate;
+    const Index end = std::min(stop, recording.samples.rows());
+    if (has_second_pulse(
+            work.hammer, group.largest, hit.begin, end, double_percent)) {
+      note(hit, HitFault::Double);
+    }
+    if (overloaded(bundle, run, recording, noise, hit.begin, end - hit.begin)) {
+      note(hit, HitFault::Overload);
+    }
+    if (hit.peak_n < least_snr * work.hammer.noise) note(hit, HitFault::Weak);
+    if (force_level_db(
+            work.hammer, group.largest, band_end(bundle, rate), rate) <
+        softest_db) {
+      note(hit, HitFault::Soft);
+    }
+    if (wanted < 0 || stop > recording.samples.rows()) {
+      note(hit, HitFault::Truncated);
+    }
+    hits.push_back(hit);
+  }
+  return hits;
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,43 @@
+// The steps from a run's hammer channel to judged hits, for one that is in
+// memory as a whole and for one that is replayed piece by piece.
+#pragma once
+
+#include "acquisition/choose_block.hpp"
+#include "acquisition/hammer_pulses.hpp"
+#include "acquisition/hits.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// One run on its way through the steps.
+struct HammerRun {
+  HammerSignal hammer;
+  double level = 0.0;  ///< of the trigger [N]
+  RunPulses pulses;
+  std::vector<PulseGroup> groups;
+};
+
+/// The hammer's channel made ready; no pulses yet.
+///
+/// @param slope 1 or -1 where it is known which way blows go in the file
+[[nodiscard]] HammerRun prepare_run(const Run& run,
+                                    const Recording& recording,
+                                    std::optional<int> slope);
+
+/// Upper end of the band; 0.4 of the sampling rate without one [Hz].
+[[nodiscard]] double band_end(const TestBundle& bundle, double rate);
+
+/// The run's groups as hits, with everything that can be told from each alone:
+/// double, overload, too little over the noise, soft, truncated.
+///
+/// @param set says block and pre-trigger
+[[nodiscard]] std::vector<Hit> judge_alone(const TestBundle& bundle,
+                                           const Run& run,
+                                           const Recording& recording,
+                                           const HammerRun& work,
+                                           const HitSet& set,
+                                           double double_percent);
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,45 @@
+#include "acquisition/mapped_file.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <utility>
+
+namespace tapfit::acquisition {
+namespace {
+
+InputError unreadable(const std::filesystem::path& file) {
+  return {"the file cannot be read",
+          file.string(),
+          "check its name and your rights to it"};
+}
+
+}  // namespace
+
+MappedFile::MappedFile(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) throw unreadable(file);
+  const int handle = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (handle < 0) throw unreadable(file);
+  const auto size =
+      static_cast<std::size_t>(std::filesystem::file_size(file, ignored));
+  void* bytes = nullptr;
+  if (!ignored && size > 0) {
+    bytes = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, handle, 0);
+  }
+  ::close(handle);
+  if (ignored || bytes == MAP_FAILED) throw unreadable(file);
+  if (bytes != nullptr) text_ = {static_cast<const char*>(bytes), size};
+}
+
+MappedFile::~MappedFile() {
+  if (text_.empty()) return;
+  ::munmap(const_cast<char*>(text_.data()), text_.size());
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept
+    : text_(std::exchange(other.text_, {})) {}
+
+}  // namespace tapfit::acquisition

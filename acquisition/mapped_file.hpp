@@ -1,0 +1,28 @@
+// A file's bytes without reading them all into memory.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace tapfit::acquisition {
+
+/// A file mapped for reading; the operating system brings in the parts that
+/// are looked at, so that files larger than memory can be searched.
+class MappedFile {
+ public:
+  /// @throws InputError for a file that is missing or cannot be read
+  explicit MappedFile(const std::filesystem::path& file);
+  ~MappedFile();
+  MappedFile(MappedFile&& other) noexcept;
+  MappedFile& operator=(MappedFile&&) = delete;
+  MappedFile(const MappedFile&) = delete;
+  MappedFile& operator=(const MappedFile&) = delete;
+
+  /// All bytes; valid as long as this object (and what it was moved into).
+  [[nodiscard]] std::string_view text() const { return text_; }
+
+ private:
+  std::string_view text_;
+};
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,142 @@
+#include "acquisition/sep005.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Eigen::Index;
+using nlohmann::json;
+
+json parse(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw InputError("cannot be opened", file.string(), "correct the path");
+  }
+  json document;
+  try {
+    document = json::parse(in);
+  } catch (const json::exception& error) {
+    throw InputError(error.what(), file.string(), "correct the JSON");
+  }
+  // One signal may stand alone.
+  if (document.is_object()) document = json::array({document});
+  if (!document.is_array() || document.empty()) {
+    throw InputError("is no list of signals",
+                     file.string(),
+                     "give a list of objects with data, name, unit_str and fs");
+  }
+  return document;
+}
+
+InputError fault(const std::filesystem::path& file,
+                 std::size_t entry,
+                 const std::string& key,
+                 const std::string& what) {
+  return {what,
+          fmt::format("{}: [{}].{}", file.string(), entry, key),
+          "each signal needs data (a list of numbers), name, unit_str, and fs "
+          "or time"};
+}
+
+Eigen::VectorXd list_of(const json& signal,
+                        const char* key,
+                        const std::filesystem::path& file,
+                        std::size_t entry) {
+  if (!signal.is_object() || !signal.contains(key) || !signal[key].is_array()) {
+    throw fault(file, entry, key, "there is no list of numbers");
+  }
+  const json& list = signal[key];
+  Eigen::VectorXd values(static_cast<Index>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].is_number()) {
+      throw fault(file, entry, fmt::format("{}[{}]", key, i), "is no number");
+    }
+    values[static_cast<Index>(i)] = list[i].get<double>();
+  }
+  return values;
+}
+
+double rate_of(const json& signal,
+               const std::filesystem::path& file,
+               std::size_t entry) {
+  if (signal.contains("fs")) {
+    if (signal["fs"].is_number() && signal["fs"].get<double>() > 0.0) {
+      return signal["fs"].get<double>();
+    }
+    throw fault(file, entry, "fs", "is no rate above zero");
+  }
+  const Eigen::VectorXd time = list_of(signal, "time", file, entry);
+  const Index n = time.size();
+  const double step =
+      n < 2 ? 0.0 : (time[n - 1] - time[0]) / static_cast<double>(n - 1);
+  for (Index i = 0; i < n; ++i) {
+    const double expected = time[0] + static_cast<double>(i) * step;
+    if (step > 0.0 && std::abs(time[i] - expected) < 0.5 * step) continue;
+    throw fault(
+        file, entry, fmt::format("time[{}]", i), "is not evenly spaced");
+  }
+  if (!(step > 0.0)) throw fault(file, entry, "time", "does not rise");
+  return 1.0 / step;
+}
+
+std::string text_of(const json& signal, const char* key) {
+  return signal.is_object() && signal.contains(key) && signal[key].is_string()
+             ? signal[key].get<std::string>()
+             : std::string();
+}
+
+std::size_t find(const json& document,
+                 const std::string& column,
+                 const std::filesystem::path& file) {
+  std::string known;
+  for (std::size_t i = 0; i < document.size(); ++i) {
+    const std::string name = text_of(document[i], "name");
+    if (name == column || std::to_string(i + 1) == column) return i;
+    known += (i == 0 ? "" : ", ") + name;
+  }
+  throw InputError(fmt::format("there is no signal \"{}\"", column),
+                   file.string(),
+                   "use one of " + known + ", or a number from 1 on");
+}
+
+}  // namespace
+
+TimeTable read_sep005(const std::filesystem::path& file,
+                      const std::vector<std::string>& columns) {
+  const json document = parse(file);
+  TimeTable table;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::size_t entry = find(document, columns[k], file);
+    const json& signal = document[entry];
+    const Eigen::VectorXd data = list_of(signal, "data", file, entry);
+    const double rate = rate_of(signal, file, entry);
+    if (k == 0) {
+      table.rate_hz = rate;
+      table.values.resize(data.size(), static_cast<Index>(columns.size()));
+    }
+    if (data.size() == 0 || data.size() != table.values.rows()) {
+      throw fault(file,
+                  entry,
+                  "data",
+                  fmt::format("has {} samples, that of \"{}\" has {}",
+                              data.size(),
+                              columns[0],
+                              table.values.rows()));
+    }
+    if (std::abs(rate - *table.rate_hz) > 1e-6 * rate) {
+      throw fault(file, entry, "fs", "differs from the first signal's");
+    }
+    table.values.col(static_cast<Index>(k)) = data;
+    table.units.push_back(text_of(signal, "unit_str"));
+  }
+  return table;
+}
+
+}  // namespace tapfit::acquisition

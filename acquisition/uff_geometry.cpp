@@ -1,0 +1,72 @@
+#include "acquisition/uff_geometry.hpp"
+
+#include "acquisition/uff_lines.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace tapfit::acquisition {
+namespace {
+
+void add_nodes_15(UffLines lines, UffGeometry& geometry) {
+  while (!lines.only_blanks_left()) {
+    const std::vector<double> v = lines.mixed(4, 13, 3);
+    geometry.nodes[static_cast<int>(v[0])] = {v[4], v[5], v[6]};
+  }
+}
+
+void add_nodes_2411(UffLines lines, UffGeometry& geometry) {
+  while (!lines.only_blanks_left()) {
+    const int node = lines.integers(1)[0];
+    const std::vector<double> x = lines.numbers(25, 3);
+    geometry.nodes[node] = {x[0], x[1], x[2]};
+  }
+}
+
+void add_trace_line(UffLines lines, UffGeometry& geometry) {
+  const auto count =
+      static_cast<std::size_t>(std::clamp(lines.integers(2)[1], 0, 1 << 24));
+  (void)lines.text();
+  std::vector<int> piece;
+  const auto lift = [&] {
+    if (piece.size() > 1) geometry.trace_lines.push_back(piece);
+    piece.clear();
+  };
+  for (const int node : lines.many_integers(count)) {
+    if (node == 0) {
+      lift();
+    } else {
+      piece.push_back(node);
+    }
+  }
+  lift();
+}
+
+bool is_beam(int kind) {
+  constexpr std::array<int, 5> beams{11, 21, 22, 23, 24};
+  return std::find(beams.begin(), beams.end(), kind) != beams.end();
+}
+
+void add_elements(UffLines lines, UffGeometry& geometry) {
+  while (!lines.only_blanks_left()) {
+    const std::vector<int> header = lines.integers(6);
+    UffElement element{header[0], header[1], {}};
+    if (is_beam(element.kind)) (void)lines.text();
+    const auto count =
+        static_cast<std::size_t>(std::clamp(header[5], 0, 1 << 10));
+    element.nodes = lines.many_integers(count);
+    geometry.elements.push_back(std::move(element));
+  }
+}
+
+}  // namespace
+
+void add_geometry(const UffDataset& dataset, UffGeometry& geometry) {
+  const UffLines lines(dataset);
+  if (dataset.type == 15) add_nodes_15(lines, geometry);
+  if (dataset.type == 2411) add_nodes_2411(lines, geometry);
+  if (dataset.type == 82) add_trace_line(lines, geometry);
+  if (dataset.type == 2412) add_elements(lines, geometry);
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,44 @@
+// The running average of one run: hits go in, FRFs come out at any time.
+#pragma once
+
+#include "signal/estimator.hpp"
+#include "signal/frf_set.hpp"
+#include "signal/line_noise.hpp"
+#include "signal/spectra.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::signal {
+
+/// What is kept of the hits so far: its size does not grow with their number.
+struct RunAverage {
+  Eigen::VectorXcd s;               ///< lines [rad/s]
+  std::vector<CrossPowers> powers;  ///< per sensor
+  std::vector<LineNoise> noise;     ///< per sensor, mean over hits
+
+  [[nodiscard]] Eigen::Index hits() const {
+    return powers.empty() ? 0 : powers[0].hits;
+  }
+};
+
+/// Adds the hits of some blocks of the run.
+///
+/// @param spectra of the blocks, on the average's lines
+void add_hits(const HitBlocks& blocks,
+              const Spectra& spectra,
+              RunAverage& average);
+
+/// The FRFs of the hits so far, with coherence and variance.
+///
+/// @param run index into the bundle's runs; velocity and displacement become
+///   accelerances
+/// @return one per sensor; none without hits
+[[nodiscard]] std::vector<Frf> average_frfs(
+    const RunAverage& average,
+    const acquisition::TestBundle& bundle,
+    std::size_t run,
+    Estimator estimator);
+
+}  // namespace tapfit::signal

@@ -1,0 +1,152 @@
+#include "signal/replay.hpp"
+
+#include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+#include "tests/signal/generated_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace tapfit::signal {
+namespace {
+
+using acquisition::Hit;
+using acquisition::HitSet;
+
+const std::vector<TestMode> two_modes{{20.0, 0.01, 1.0}, {61.0, 0.008, -0.7}};
+
+class Replay : public ::testing::Test {
+ protected:
+  // Two runs of 40 hits, on disk: 170,000 samples each.
+  Replay() {
+    GeneratedOptions o;
+    o.hits = 40;
+    o.response_noise = 0.02;
+    o.force_noise = 0.01;
+    test_ = generate_test(two_modes, o);
+    o.seed = 2;
+    GeneratedTest second = generate_test(two_modes, o);
+    // A second blow, a knocked sensor (ten times its answer), a faint hit.
+    Eigen::MatrixXd& x = second.recordings[0].samples;
+    const auto row = [&](int hit) { return o.lead + hit * o.gap; };
+    x.col(0).segment(row(30) + 200, 12) +=
+        0.3 * x.col(0).segment(row(30) - 3, 12);
+    x.col(1).segment(row(20), o.gap) *= 10.0;
+    x.block(row(10) - 5, 0, 30, 2) *= 0.1;
+    test_.bundle.runs.push_back(test_.bundle.runs[0]);
+    test_.bundle.runs[1].file = "run-02.wav";
+    test_.recordings.push_back(second.recordings[0]);
+    for (acquisition::Channel& channel : test_.bundle.channels) {
+      channel.full_scale_volts = full_scale;
+    }
+    for (std::size_t r = 0; r < 2; ++r) {
+      acquisition::Run& run = test_.bundle.runs[r];
+      run.file = folder_.path() / run.file;
+      write_audio(run.file,
+                  test_.recordings[r].samples / full_scale,
+                  512,
+                  acquisition::AudioFormat::WavFloat64);
+    }
+    test_.bundle.band_hz = {2.0, 100.0};
+    // The trial look sees the first ten hits of each run.
+    options_.trial_samples = 2 * 2 * 10 * o.gap;
+    // Seven pieces or more: 25,000 samples of two channels.
+    options_.piece_samples = 50000;
+  }
+
+  // A power of two, so that samples come back as they were.
+  static constexpr double full_scale = 1024.0;
+
+  testing::TemporaryFolder folder_;
+  GeneratedTest test_;
+  ReplayOptions options_;
+};
+
+TEST_F(Replay, GivesWhatTheWholeRecordGives) {
+  std::size_t seen = 0;
+  const Replayed live = replay(test_.bundle, options_, [&](const LiveHit& now) {
+    EXPECT_EQ(now.run, seen < 40 ? 0u : 1u);
+    ++seen;
+  });
+  EXPECT_EQ(seen, 80u);
+  acquisition::HitOptions fixed;
+  fixed.trigger_n = live.hits.trigger_n;
+  const double rate = live.hits.sample_rate_hz;
+  fixed.block_s = static_cast<double>(live.hits.block) / rate;
+  fixed.pre_trigger_s = static_cast<double>(live.hits.pre_trigger) / rate;
+  fixed.trigger.hold_off_s = static_cast<double>(live.hits.hold_off) / rate;
+  const HitSet whole = find_hits(test_.bundle, test_.recordings, fixed);
+  ASSERT_EQ(whole.block, live.hits.block);
+  for (std::size_t r = 0; r < 2; ++r) {
+    ASSERT_EQ(live.hits.runs[r].size(), whole.runs[r].size());
+    for (std::size_t k = 0; k < whole.runs[r].size(); ++k) {
+      const Hit& now = live.hits.runs[r][k];
+      EXPECT_EQ(now.trigger, whole.runs[r][k].trigger);
+      EXPECT_EQ(now.reasons, whole.runs[r][k].reasons) << r << " " << k;
+      EXPECT_EQ(now.accepted, whole.runs[r][k].accepted);
+    }
+  }
+  EXPECT_FALSE(live.hits.runs[1][10].accepted);
+  EXPECT_FALSE(live.hits.runs[1][20].accepted);
+  EXPECT_FALSE(live.hits.runs[1][30].accepted);
+  const FrfSet expected =
+      estimate_frfs(test_.bundle, test_.recordings, whole, {});
+  ASSERT_EQ(live.frfs.frfs.size(), 2u);
+  for (std::size_t r = 0; r < 2; ++r) {
+    const Frf& mine = live.frfs.frfs[r];
+    const Frf& other = expected.frfs[r];
+    EXPECT_EQ(mine.hits, other.hits);
+    // The same sums in another order.
+    EXPECT_LT((mine.H - other.H).cwiseAbs().maxCoeff(),
+              1e-12 * other.H.cwiseAbs().maxCoeff());
+    EXPECT_LT((mine.coherence - other.coherence).cwiseAbs().maxCoeff(), 1e-12);
+    // The noise's spectrum is smoothed per hit instead of over all: a few
+    // per cent of the variance.
+    EXPECT_LT(
+        (mine.variance.array() / other.variance.array() - 1.0).abs().maxCoeff(),
+        0.2);
+  }
+}
+
+TEST_F(Replay, KeepsPaceWithTheSpeed) {
+  // 331 s of the first run at 400 times: 0.8 s, however fast the machine is.
+  test_.bundle.runs.pop_back();
+  options_.speed = 400.0;
+  const auto start = std::chrono::steady_clock::now();
+  (void)replay(test_.bundle, options_, {});
+  const std::chrono::duration<double> took =
+      std::chrono::steady_clock::now() - start;
+  EXPECT_GT(took.count(), 0.8);
+}
+
+TEST_F(Replay, StopsWhenAsked) {
+  std::stop_source stop;
+  options_.speed = 1.0;
+  Progress progress;
+  progress.stop = stop.get_token();
+  stop.request_stop();
+  EXPECT_THROW((void)replay(test_.bundle, options_, {}, progress), Stopped);
+}
+
+TEST_F(Replay, RefusesWhatIsNotFiniteWithItsTime) {
+  test_.recordings[0].samples(100000, 1) =
+      std::numeric_limits<double>::quiet_NaN();
+  write_audio(test_.bundle.runs[0].file,
+              test_.recordings[0].samples,
+              512,
+              acquisition::AudioFormat::WavFloat64);
+  try {
+    (void)replay(test_.bundle, options_, {});
+    FAIL() << "not a number was averaged";
+  } catch (const InputError& error) {
+    // 100000 / 512 s.
+    EXPECT_NE(std::string(error.what()).find("at 195.312500 s"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::signal

@@ -1,0 +1,242 @@
+#include "tui/commands/quality_command.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "signal/calibration.hpp"
+#include "signal/frf_checks.hpp"
+#include "signal/hit_coherence.hpp"
+#include "tui/commands/open_bundle.hpp"
+#include "tui/commands/text_table.hpp"
+#include "updating/session.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+using nlohmann::ordered_json;
+using signal::DrivingPoint;
+using signal::FrfSet;
+using signal::HitCoherence;
+using signal::LowLine;
+using signal::Reciprocal;
+
+/// All that is found, before it is printed one way or the other.
+struct Quality {
+  std::vector<HitCoherence> runs;  ///< none for ready FRFs
+  const FrfSet& frfs;
+  std::vector<DrivingPoint> points;
+  std::vector<Reciprocal> pairs;
+};
+
+Quality look(updating::Session& session, const Progress& progress) {
+  Quality found{{},
+                session.frfs(progress),
+                signal::driving_points(session.frfs()),
+                signal::reciprocals(session.frfs())};
+  for (std::size_t r = 0; r < session.bundle().runs.size(); ++r) {
+    progress("coherence of hits",
+             static_cast<double>(r) /
+                 static_cast<double>(session.bundle().runs.size()));
+    found.runs.push_back(signal::run_coherence(
+        session.bundle(), session.recordings(), session.hits(), r));
+  }
+  return found;
+}
+
+std::string channel_name(const acquisition::TestBundle& bundle,
+                         std::size_t run,
+                         Eigen::Index sensor) {
+  return bundle.channels
+      .at(bundle.runs.at(run)
+              .sensors.at(static_cast<std::size_t>(sensor))
+              .channel)
+      .name;
+}
+
+std::string low_line(const DrivingPoint& point) {
+  if (point.low == LowLine::Mass) {
+    return fmt::format("mass of {:.4g} kg", point.mass_kg);
+  }
+  if (point.low == LowLine::Stiffness) {
+    return fmt::format("stiffness of {:.4g} N/m", point.stiffness_n_per_m);
+  }
+  return "-";
+}
+
+std::string verdict(const DrivingPoint& point) {
+  if (point.turned()) return "polarity turned";
+  if (point.wrong_peaks > 0) return "another point?";
+  return point.active_share > 0.05 ? "not passive" : "fair";
+}
+
+ordered_json run_json(const acquisition::TestBundle& bundle,
+                      const HitCoherence& c,
+                      std::size_t run) {
+  ordered_json sensors = ordered_json::array();
+  for (Eigen::Index s = 0; s < c.with_others.rows(); ++s) {
+    std::vector<double> values(c.with_others.row(s).begin(),
+                               c.with_others.row(s).end());
+    sensors.push_back(
+        {{"channel", channel_name(bundle, run, s)}, {"coherence", values}});
+  }
+  std::vector<std::size_t> hits;
+  for (const std::size_t hit : c.hits) hits.push_back(hit + 1);
+  std::vector<std::size_t> apart;
+  for (const std::size_t hit : hits_apart(c)) apart.push_back(hit + 1);
+  return {{"file", bundle.runs[run].file.filename().string()},
+          {"hits", hits},
+          {"sensors", std::move(sensors)},
+          {"apart", apart}};
+}
+
+ordered_json json_of(const acquisition::TestBundle& bundle, const Quality& q) {
+  ordered_json result;
+  result["runs"] = ordered_json::array();
+  for (std::size_t r = 0; r < q.runs.size(); ++r) {
+    result["runs"].push_back(run_json(bundle, q.runs[r], r));
+  }
+  result["driving_points"] = ordered_json::array();
+  for (const DrivingPoint& p : q.points) {
+    ordered_json entry = {{"frf", name(q.frfs.frfs[p.frf])},
+                          {"run", q.frfs.frfs[p.frf].run + 1},
+                          {"peaks", p.peaks},
+                          {"wrong_peaks", p.wrong_peaks},
+                          {"active_share", p.active_share},
+                          {"verdict", verdict(p)}};
+    if (p.low == LowLine::Mass) entry["mass_kg"] = p.mass_kg;
+    if (p.low == LowLine::Stiffness) {
+      entry["stiffness_n_per_m"] = p.stiffness_n_per_m;
+    }
+    result["driving_points"].push_back(std::move(entry));
+  }
+  result["reciprocity"] = ordered_json::array();
+  for (const Reciprocal& p : q.pairs) {
+    result["reciprocity"].push_back({{"frf", name(q.frfs.frfs[p.frf])},
+                                     {"other", name(q.frfs.frfs[p.other])},
+                                     {"difference", p.difference},
+                                     {"gain", p.gain},
+                                     {"chi2", p.chi2}});
+  }
+  result["h2_over_h1_at_peaks"] = ordered_json::array();
+  for (const signal::Frf& frf : q.frfs.frfs) {
+    if (const auto spread = signal::spread_at_peaks(frf)) {
+      result["h2_over_h1_at_peaks"].push_back(
+          {{"frf", name(frf)}, {"run", frf.run + 1}, {"spread", *spread}});
+    }
+  }
+  return result;
+}
+
+std::string hits_text_of(const acquisition::TestBundle& bundle,
+                         const Quality& q) {
+  std::string text =
+      "Coherence of each hit with the others (row: sensor, column: hit)\n";
+  for (std::size_t r = 0; r < q.runs.size(); ++r) {
+    const HitCoherence& c = q.runs[r];
+    text += "  " + bundle.runs[r].file.filename().string();
+    if (c.hits.empty()) {
+      text += ": fewer than two accepted hits\n";
+      continue;
+    }
+    for (const std::size_t hit : c.hits) text += fmt::format(" {:>6}", hit + 1);
+    text += "\n";
+    for (Eigen::Index s = 0; s < c.with_others.rows(); ++s) {
+      text += fmt::format("    {:<10}", channel_name(bundle, r, s));
+      for (const double value : c.with_others.row(s)) {
+        text += fmt::format(" {:6.4f}", value);
+      }
+      text += "\n";
+    }
+    for (const std::size_t hit : hits_apart(c)) {
+      text += fmt::format(
+          "    hit {} stands apart (frf --best-hits leaves it out)\n", hit + 1);
+    }
+  }
+  return text;
+}
+
+std::string frf_checks_text(const Quality& q) {
+  TextTable points({"<driving point",
+                    "run",
+                    "peaks",
+                    "turned",
+                    "active",
+                    "<lowest lines",
+                    "<verdict"});
+  for (const DrivingPoint& p : q.points) {
+    points.add({name(q.frfs.frfs[p.frf]),
+                fmt::format("{}", q.frfs.frfs[p.frf].run + 1),
+                fmt::format("{}", p.peaks),
+                fmt::format("{}", p.wrong_peaks),
+                percent(p.active_share),
+                low_line(p),
+                verdict(p)});
+  }
+  TextTable pairs(
+      {"<measured both ways", "<other", "difference", "gain", "chi2"});
+  for (const Reciprocal& p : q.pairs) {
+    pairs.add({name(q.frfs.frfs[p.frf]),
+               name(q.frfs.frfs[p.other]),
+               percent(p.difference),
+               fmt::format("{:.4f}", p.gain),
+               fmt::format("{:.3g}", p.chi2)});
+  }
+  TextTable spreads({"<FRF", "run", "H2/H1 - 1 at peaks"});
+  for (const signal::Frf& frf : q.frfs.frfs) {
+    if (const auto spread = signal::spread_at_peaks(frf)) {
+      spreads.add(
+          {name(frf), fmt::format("{}", frf.run + 1), percent(*spread)});
+    }
+  }
+  return (q.points.empty() ? "No driving point was measured\n"
+                           : points.text()) +
+         (q.pairs.empty() ? "No pair was measured both ways\n" : pairs.text()) +
+         spreads.text();
+}
+
+}  // namespace
+
+std::string quality_command(const CommandOptions& options,
+                            const Progress& progress) {
+  updating::Session session = open_bundle(options.input);
+  const Quality found = look(session, progress);
+  if (options.json) return json_of(session.bundle(), found).dump(2) + "\n";
+  return (found.runs.empty() ? "" : hits_text_of(session.bundle(), found)) +
+         frf_checks_text(found);
+}
+
+std::string calibrate_command(const CommandOptions& options,
+                              const Progress& progress) {
+  updating::Session session = open_bundle(options.input);
+  const FrfSet& frfs = session.frfs(progress);
+  const auto found = signal::calibrate(frfs, options.mass_kg);
+  ordered_json list = ordered_json::array();
+  TextTable table({"<FRF", "run", "gain", "sd", "delay s", "sd", "deviation"});
+  for (const signal::Calibration& c : found) {
+    const signal::Frf& frf = frfs.frfs[c.frf];
+    list.push_back({{"frf", name(frf)},
+                    {"run", frf.run + 1},
+                    {"gain", {{"value", c.gain}, {"sd", c.gain_sd}}},
+                    {"delay_s", {{"value", c.delay_s}, {"sd", c.delay_sd}}},
+                    {"deviation", c.deviation}});
+    table.add({name(frf),
+               fmt::format("{}", frf.run + 1),
+               fmt::format("{:.5f}", c.gain),
+               fmt::format("{:.2g}", c.gain_sd),
+               fmt::format("{:.3g}", c.delay_s),
+               fmt::format("{:.2g}", c.delay_sd),
+               percent(c.deviation)});
+  }
+  if (options.json) return ordered_json{{"calibration", list}}.dump(2) + "\n";
+  return fmt::format("Accelerance times {:g} kg, which is 1 for a fair chain\n",
+                     options.mass_kg) +
+         table.text() +
+         "  gain: the sensor's over the hammer's sensitivity, true over "
+         "assumed; below zero: polarity turned\n  deviation: how little the "
+         "body answers as a mass alone\n";
+}
+
+}  // namespace tapfit::tui

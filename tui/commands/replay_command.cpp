@@ -1,0 +1,64 @@
+#include "tui/commands/replay_command.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "signal/replay.hpp"
+#include "signal/uff58.hpp"
+#include "tui/commands/frf_command.hpp"
+#include "tui/commands/hits_command.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace tapfit::tui {
+namespace {
+
+// One line a hit, as it comes.
+void show(const acquisition::TestBundle& bundle, const signal::LiveHit& now) {
+  std::vector<std::string> reasons;
+  for (const auto fault : now.hit.reasons) reasons.push_back(name(fault));
+  fmt::print(stderr,
+             "\r\x1b[K{}  {:.3f} s  {:.4g} N  {}\n",
+             bundle.runs[now.run].file.filename().string(),
+             now.hit.time_s,
+             now.hit.peak_n,
+             now.hit.accepted
+                 ? fmt::format("average of {}", now.averaged)
+                 : fmt::format("rejected: {}", fmt::join(reasons, ", ")));
+}
+
+}  // namespace
+
+std::string replay_command(const CommandOptions& options,
+                           const Progress& progress) {
+  const acquisition::TestBundle bundle =
+      acquisition::read_test_bundle(options.input);
+  if (bundle.runs.empty()) {
+    throw InputError("the bundle holds ready FRFs and no recording",
+                     options.input.string(),
+                     "replay a bundle with `runs`");
+  }
+  for (const std::string& warning : bundle.warnings) {
+    fmt::print(stderr, "note: {}\n", warning);
+  }
+  signal::ReplayOptions replay_options;
+  replay_options.speed = options.speed;
+  const signal::Replayed result = signal::replay(
+      bundle,
+      replay_options,
+      [&](const signal::LiveHit& now) { show(bundle, now); },
+      progress);
+  if (options.uff) {
+    signal::write_frfs_uff(result.frfs, bundle.title, *options.uff);
+  }
+  if (!options.json) {
+    return hits_text(bundle, result.hits) + "\n" + frf_text(result.frfs);
+  }
+  nlohmann::ordered_json json = hits_json(bundle, result.hits);
+  json["frf"] = frf_json(result.frfs);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace tapfit::tui
