@@ -2,7 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "modal/shapes.hpp"
-#include "signal/uff_datasets.hpp"
+#include "acquisition/uff_datasets.hpp"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace tapfit::modal {
 namespace {
 
 using Complex = std::complex<double>;
-using signal::UffDataset;
+using acquisition::UffDataset;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kNormal = 2;                  // analysis types
@@ -54,7 +54,7 @@ class Lines {
     std::vector<int> values;
     const std::string_view line = take();
     for (std::size_t k = 0; k < count; ++k) {
-      values.push_back(signal::integer(signal::column(line, 10 * k, 10)));
+      values.push_back(acquisition::integer(acquisition::column(line, 10 * k, 10)));
     }
     return values;
   }
@@ -64,7 +64,7 @@ class Lines {
     std::vector<double> values;
     while (values.size() < count) {
       const std::size_t before = values.size();
-      if (!signal::numbers(take(), 13, values) || values.size() == before) {
+      if (!acquisition::numbers(take(), 13, values) || values.size() == before) {
         fail("a line of numbers cannot be read");
       }
     }
@@ -225,7 +225,7 @@ ModeSet collect(std::vector<Raw>& raws) {
 UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
   UffModes result;
   std::vector<Raw> raws;
-  for (const UffDataset& dataset : signal::split_uff(text, name)) {
+  for (const UffDataset& dataset : acquisition::split_uff(text, name)) {
     if (dataset.type != 55 && dataset.type != 2414) continue;
     std::string why;
     std::optional<Raw> raw =
