@@ -1,5 +1,7 @@
 #include "updating/structure/edit_cards.hpp"
 
+#include "updating/structure/card_defaults.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,6 +40,7 @@ std::vector<std::string> large_field(const Card& card) {
 std::vector<std::string> edit_cards(const std::filesystem::path& deck,
                                     const std::vector<CardEdit>& edits) {
   BulkData bulk = read_bulk_data(deck);
+  fill_defaults(bulk);
   std::vector<std::vector<std::string>> below(bulk.lines.size());
   for (const Card& card : bulk.cards) {
     auto replacement = replaced(card, edits);

@@ -108,7 +108,9 @@ std::optional<Lines> grid(const Card& card, const Released& released) {
   const std::string components = read.components(permanent);
   Card changed = card;
   changed.fields[permanent] = left_of(components, read.id(1, "ID"), released);
-  if (changed.fields[permanent] == components) return std::nullopt;
+  std::string& left = changed.fields[permanent];
+  if (left == components) return std::nullopt;
+  if (left.empty()) left = "0";  // a blank would take GRDSET's
   return large_field(changed);
 }
 

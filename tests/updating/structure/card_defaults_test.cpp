@@ -1,6 +1,7 @@
 // GRDSET, BAROR and BEAMOR.
 #include "acquisition/input_error.hpp"
 #include "tests/updating/structure/deck_support.hpp"
+#include "updating/structure/release_constraints.hpp"
 
 #include <gmock/gmock.h>
 
@@ -41,6 +42,19 @@ TEST(CardDefaults, FillWhatBarsLeaveBlank) {
     EXPECT_EQ(deck.bars[1].orientation, Eigen::Vector3d::UnitZ());
     EXPECT_TRUE(deck.warnings.empty());
   }
+}
+
+TEST(CardDefaults, ReleasedComponentsStayReleased) {
+  const Deck deck =
+      deck_of("GRDSET,,,,,,,56\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n");
+  std::string text;
+  for (const std::string& line :
+       edit_cards(deck.path, {release_constraints(deck, {{1, "56"}})})) {
+    text += line + "\n";
+  }
+  const Deck released = deck_of(text);
+  ASSERT_EQ(released.constraints.size(), 1U);
+  EXPECT_EQ(released.constraints[0].grid, 2);
 }
 
 TEST(CardDefaults, SecondCardIsRefused) {
