@@ -59,9 +59,11 @@ ShapeFit fit_shapes(const MatrixXd& u,
       1e-4 * (sd.cwiseAbs2() * size2.cwiseInverse().asDiagonal()).minCoeff();
   // Beyond the upper end all of u is excess.
   const auto most = static_cast<double>(u.rows());
-  for (double e2 = least; e2 < kRatio * most; e2 *= kRatio) {
+  double e2 = least;
+  while (e2 < kRatio * most) {
     Trial trial = fit_at(u, phi, sd, e2);
     if (trial.fit.misfit < best.fit.misfit) best = std::move(trial);
+    e2 *= kRatio;
   }
   if (best.e2 == 0.0) return best.fit;
   double low = best.e2 / kRatio;
