@@ -293,6 +293,15 @@ void drop_unresolved(const Curves& curves, Selection& selection) {
   }
 }
 
+/// Whether another pole is so close that the residues of both are badly known.
+bool is_crowded(const ModalFit& fit, Index r) {
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    const double width = std::max(-fit.poles(r).real(), -fit.poles(q).real());
+    if (q != r && std::abs(fit.poles(q) - fit.poles(r)) < width) return true;
+  }
+  return false;
+}
+
 /// Takes out, most complex first, what does not move in phase.
 void drop_complex(const Curves& curves,
                   const IdentifyOptions& options,
@@ -302,7 +311,7 @@ void drop_complex(const Curves& curves,
     Index worst = -1;
     double least = 1.0;
     for (Index r = 0; r < fit.poles.size(); ++r) {
-      if (!in_band(curves, fit.poles(r))) continue;
+      if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
       const double mpc = phase_collinearity(fit.residues.col(r));
       const double mpd = mean_phase_deviation(fit.residues.col(r));
       const double worth = std::min(

@@ -48,8 +48,9 @@ bool is_split(const FrfMatrix& matrix, const ModalFit& fit, Index r) {
     if (fit.contribution(q) < fit.contribution(r)) continue;
     const bool one_shape =
         mac(fit.residues.col(q), fit.residues.col(r))(0, 0) > kSameShape;
+    // Several references tell it better than badly known residues.
     const bool out_of_phase =
-        fit.residues.rows() > 2 &&
+        matrix.references < 2 && fit.residues.rows() > 2 &&
         std::min(phase_collinearity(fit.residues.col(q)),
                  phase_collinearity(fit.residues.col(r))) < kInPhase;
     if ((one_shape || out_of_phase) && !are_two_shapes(matrix, fit, q, r)) {

@@ -18,22 +18,25 @@ namespace {
 
 using nlohmann::json;
 
-void take_shape(const json& entry,
-                const std::string& name,
-                modal::ModeSet& set,
-                std::map<Dof, Eigen::Index>& rows) {
-  for (const auto& [text, value] : entry.items()) {
-    const std::optional<Dof> dof = parse_dof(text);
-    if (!dof) {
-      throw InputError("\"" + text + "\" is no point",
-                       name + ": shape",
-                       "write grid and direction, such as 12Z+");
+/// All points of the modes, in order.
+std::map<Dof, Eigen::Index> take_points(const json& modes,
+                                        const std::string& name) {
+  std::map<Dof, Eigen::Index> rows;
+  for (const json& entry : modes) {
+    for (const auto& [text, value] : entry.at("shape").items()) {
+      std::optional<Dof> dof = parse_dof(text);
+      if (!dof) {
+        throw InputError("\"" + text + "\" is no point",
+                         name + ": shape",
+                         "write grid and direction, such as 12Z+");
+      }
+      dof->sign = 1;
+      rows[*dof] = 0;
     }
-    Dof point = *dof;
-    point.sign = 1;
-    const auto next = static_cast<Eigen::Index>(rows.size());
-    if (rows.emplace(point, next).second) set.dofs.push_back(point);
   }
+  Eigen::Index next = 0;
+  for (auto& [dof, row] : rows) row = next++;
+  return rows;
 }
 
 /// The values at the rows; points of sign -1 are turned.
@@ -85,10 +88,8 @@ modal::ModeSet read_modes_json(const std::string& text,
   modal::ModeSet set;
   try {
     const json all = json::parse(text);
-    std::map<Dof, Eigen::Index> rows;
-    for (const json& entry : all.at("modes")) {
-      take_shape(entry.at("shape"), name, set, rows);
-    }
+    const std::map<Dof, Eigen::Index> rows = take_points(all.at("modes"), name);
+    for (const auto& [dof, row] : rows) set.dofs.push_back(dof);
     for (const json& entry : all.at("modes")) {
       set.modes.push_back(take_mode(entry, rows));
     }

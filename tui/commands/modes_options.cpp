@@ -72,6 +72,10 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
       ->allow_extra_args(false);
   command.add_flag(
       "--diagram", arguments.diagram, "Print the stabilisation diagram too");
+  command
+      .add_option(
+          "--dataset", arguments.dataset, "Of --uff: 55 (default) or 2414")
+      ->check(CLI::IsMember({55, 2414}));
   command.add_option(
       "--fit", arguments.fit, "Universal file for the synthesised FRFs (58)");
 }
