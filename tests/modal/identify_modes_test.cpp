@@ -111,6 +111,46 @@ TEST(IdentifyModes, SeparatesCloseModesWithTwoReferences) {
   expect_modes(modal::identify_modes(frfs, {}), system, 4, 1e-3, 5e-2);
 }
 
+TEST(IdentifyModes, SeparatesAThousandthWithTwoReferences) {
+  test::SyntheticSystem system;
+  system.frequency_hz.resize(4);
+  system.frequency_hz << 150.0, 180.0, 180.18, 230.0;
+  system.damping_ratio = Eigen::VectorXd::Constant(4, 0.005);
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937_64 random(seed);
+    system.phi = test::random_shapes(10, 4, random);
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {1, 6}, test::line_points(120, 260, 800, 0.0), 0.01, random);
+    SCOPED_TRACE(seed);
+    // A tenth of the 0.1 % between them.
+    expect_modes(modal::identify_modes(frfs, {}), system, 4, 1e-4, 5e-2);
+  }
+}
+
+TEST(IdentifyModes, FindsTenPercentDamping) {
+  std::mt19937_64 random(5);
+  SyntheticSystem system = random_system(4, 10, 0.10, 0.10, random);
+  for (const double noise : {0.0, 0.02}) {
+    const signal::FrfSet frfs = test::roving_hammer(
+        system, {0, 3}, test::line_points(2, 105, 700, 0.0), noise, random);
+    SCOPED_TRACE(noise);
+    // Modes 20 % wide above the band are half of what is seen at its end.
+    expect_modes(modal::identify_modes(frfs, {}), system, 4, 1e-2, 5e-2);
+  }
+}
+
+TEST(IdentifyModes, FindsModesInOneFrf) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(3, 4, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {1}, test::line_points(5, 100, 400, 0.0), 0.001, random);
+  frfs.frfs = {frfs.frfs[1]};  // the driving point
+  const modal::ModeSet found = modal::identify_modes(frfs, {});
+  expect_modes(found, system, 3, 1e-3, 2e-2);
+  EXPECT_TRUE(found.scaled);
+  EXPECT_EQ(found.dofs.size(), 1U);
+}
+
 TEST(IdentifyModes, TakesSigmaOutExactly) {
   std::mt19937_64 random(8);
   const SyntheticSystem system = random_system(4, 6, 0.004, 0.01, random);

@@ -5,6 +5,7 @@
 #include "modal/sensor_shifts.hpp"
 #include "modal/synthesis.hpp"
 #include "modal/uff55.hpp"
+#include "signal/frac.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/diagram_text.hpp"
 #include "tui/commands/open_bundle.hpp"
@@ -13,6 +14,9 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <numeric>
 
 namespace tapfit::tui {
 
@@ -165,6 +169,50 @@ std::string modes_text(const modal::ModeSet& modes,
   return text;
 }
 
+namespace {
+
+/// FRAC of each FRF with its fit, on the lines of the fit.
+std::vector<double> fracs(const signal::FrfSet& frfs,
+                          const modal::ModeSet& modes) {
+  std::vector<double> values;
+  for (std::size_t f = 0; f < modes.fitted.size(); ++f) {
+    const Eigen::VectorXcd& fit = modes.fitted[f];
+    const Eigen::VectorXcd measured =
+        (fit.array().abs() > 0.0)
+            .select(frfs.frfs[f].H.array(), std::complex<double>(0.0));
+    values.push_back(signal::frac(measured, fit));
+  }
+  return values;
+}
+
+ordered_json fracs_json(const signal::FrfSet& frfs,
+                        const modal::ModeSet& modes) {
+  ordered_json list = ordered_json::array();
+  const std::vector<double> values = fracs(frfs, modes);
+  for (std::size_t f = 0; f < values.size(); ++f) {
+    list.push_back({{"response", name(frfs.frfs[f].response)},
+                    {"reference", name(frfs.frfs[f].reference)},
+                    {"run", frfs.frfs[f].run + 1},
+                    {"frac", values[f]}});
+  }
+  return list;
+}
+
+std::string fracs_text(const signal::FrfSet& frfs,
+                       const modal::ModeSet& modes) {
+  const std::vector<double> values = fracs(frfs, modes);
+  if (values.empty()) return {};
+  const auto worst = std::ranges::min_element(values);
+  return fmt::format(
+      "  FRAC of the fit: {:.3f} at worst ({}), {:.3f} on average\n",
+      *worst,
+      name(frfs.frfs[static_cast<std::size_t>(worst - values.begin())]),
+      std::accumulate(values.begin(), values.end(), 0.0) /
+          static_cast<double>(values.size()));
+}
+
+}  // namespace
+
 std::string modes_command(const CommandOptions& options,
                           const Progress& progress) {
   updating::Session session = open_bundle(options.input);
@@ -185,8 +233,12 @@ std::string modes_command(const CommandOptions& options,
   }
   const std::vector<std::string> channels =
       acquisition::channel_names(session.bundle());
-  if (options.json) return modes_json(modes, channels).dump(2) + "\n";
-  std::string text = modes_text(modes, channels);
+  if (options.json) {
+    ordered_json json = modes_json(modes, channels);
+    json["fit"] = fracs_json(frfs, modes);
+    return json.dump(2) + "\n";
+  }
+  std::string text = modes_text(modes, channels) + fracs_text(frfs, modes);
   if (told.diagram && frfs.lines() > 1) {
     const Eigen::VectorXd f = frfs.frequency_hz();
     const std::array<double, 2> band = told.identify.band_hz.value_or(
