@@ -38,7 +38,7 @@ Eigen::VectorXd thinned(const Eigen::Ref<const Eigen::VectorXd>& values,
 
 Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
                               Eigen::Index segment) {
-  constexpr Eigen::Index enough = 2048;
+  constexpr Eigen::Index enough = 512;
   const Eigen::Index n = channel.size();
   const Eigen::Index count = std::max<Eigen::Index>(1, n / segment);
   const double length = static_cast<double>(n) / static_cast<double>(count);

@@ -25,8 +25,8 @@ namespace tapfit::acquisition {
     const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Index most);
 
 /// A copy without its drift: medians of segments, joined by straight lines.
-/// A segment's median is taken from 2048 of its samples at most; it is then
-/// known to 3 % of the noise.
+/// A segment's median is taken from 512 of its samples at most; it is then
+/// known to 6 % of the noise.
 ///
 /// A median does not see a hammer's pulse, which fills far less than half of
 /// a segment; a response that rings at more than a few times 1/segment has a

@@ -8,13 +8,16 @@ namespace {
 
 using Eigen::Index;
 
-// Lines at which |H| is largest of five, and above its geometric mean.
-std::vector<Index> peaks_of(const Eigen::VectorXcd& H) {
-  const Eigen::ArrayXd size = H.cwiseAbs().array().max(1e-300);
-  const double mean = std::exp(size.log().mean());
+// Lines at which |H| is largest of five, twice its geometric mean and more, and
+// five standard deviations out of its noise.
+std::vector<Index> peaks_of(const Frf& frf) {
+  const Eigen::ArrayXd size = frf.H.cwiseAbs().array().max(1e-300);
+  const double least = 2.0 * std::exp(size.log().mean());
   std::vector<Index> peaks;
   for (Index i = 2; i + 2 < size.size(); ++i) {
-    if (size(i) >= mean && size(i) >= size.segment(i - 2, 5).maxCoeff()) {
+    const bool clear =
+        size(i) >= least && size(i) * size(i) >= 25.0 * frf.variance(i);
+    if (clear && size(i) >= size.segment(i - 2, 5).maxCoeff()) {
       peaks.push_back(i);
     }
   }
@@ -53,7 +56,7 @@ DrivingPoint driving_point(const FrfSet& set, std::size_t index) {
   const double sign = orientation(frf);
   DrivingPoint point;
   point.frf = index;
-  for (const Index i : peaks_of(frf.H)) {
+  for (const Index i : peaks_of(frf)) {
     ++point.peaks;
     if (sign * frf.H(i).imag() < 0.0) ++point.wrong_peaks;
   }
@@ -119,7 +122,7 @@ std::vector<Reciprocal> reciprocals(const FrfSet& set) {
 std::optional<double> spread_at_peaks(const Frf& frf) {
   if (frf.hits < 2) return std::nullopt;
   double largest = 0.0;
-  for (const Index i : peaks_of(frf.H)) {
+  for (const Index i : peaks_of(frf)) {
     if (frf.coherence(i) > 0.0) {
       largest = std::max(largest, 1.0 / frf.coherence(i) - 1.0);
     }

@@ -20,7 +20,7 @@ constexpr Index fewest_hits = 3;
 constexpr int permutations = 499;
 // Once so many shares were as large, more permutations would not change what
 // is said.
-constexpr int enough_as_large = 20;
+constexpr int enough_as_large = 10;
 // Hits as even as these say nothing about other levels.
 constexpr double least_spread = 0.05;
 // Of 500 tests of a linear structure one is suspected.
