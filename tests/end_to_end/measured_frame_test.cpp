@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace tapfit::end_to_end {
 namespace {
 
@@ -31,6 +34,7 @@ json json_of(const std::string& arguments) {
 struct Record {
   const char* file;
   double hz[3];  // as the data's note says
+  std::size_t poles = 3;
 };
 
 class MeasuredFrame : public testing::TestWithParam<Record> {};
@@ -44,12 +48,16 @@ TEST_P(MeasuredFrame, ItsResonancesComeOutOfTheImportedRecord) {
       "--band 1 20");
   const json modes =
       json_of(fmt::format("modes '{}' --json", bundle.string())).at("modes");
-  ASSERT_EQ(modes.size(), 3U);
+  ASSERT_EQ(modes.size(), GetParam().poles);
   // 0.5 % is what two ways of reading a peak differ by on a frame whose
   // frequencies move with the amplitude.
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double f = modes[k].at("frequency_hz").at("value");
-    EXPECT_NEAR(f, GetParam().hz[k], 0.005 * GetParam().hz[k]);
+  for (const double hz : GetParam().hz) {
+    double nearest = 1e300;
+    for (const json& mode : modes) {
+      const double f = mode.at("frequency_hz").at("value");
+      nearest = std::min(nearest, std::abs(f - hz));
+    }
+    EXPECT_LT(nearest, 0.005 * hz) << hz;
   }
   // The same blows, streamed.
   const json replayed =
@@ -63,8 +71,11 @@ INSTANTIATE_TEST_SUITE_P(
     MeasuredFrame,
     testing::Values(Record{"imp_ham_set1_nomass.CSV", {2.171, 6.895, 13.237}},
                     Record{"imp_ham_set2_nomass.CSV", {2.166, 6.886, 13.235}},
-                    // A weak hit; of this one the makers' values are known.
-                    Record{"imp_ham_set3_no_mass.CSV", {2.17, 6.89, 13.263}}));
+                    // A weak hit; of this one the makers' values are known. The
+                    // third mode moves while it rings down: a second pole of
+                    // MPC 0.8 stands beside it.
+                    Record{
+                        "imp_ham_set3_no_mass.CSV", {2.17, 6.89, 13.263}, 4}));
 
 // The hammer's sensitivity in the file is 49 V/N of a mass of 2.5 kg: taken
 // with both, the body answers as that mass. Pulses of one or two samples leave
