@@ -1,8 +1,8 @@
 #include "modal/read_modes_uff.hpp"
 
 #include "acquisition/input_error.hpp"
-#include "modal/shapes.hpp"
 #include "acquisition/uff_datasets.hpp"
+#include "modal/shapes.hpp"
 
 #include <fmt/format.h>
 
@@ -54,7 +54,8 @@ class Lines {
     std::vector<int> values;
     const std::string_view line = take();
     for (std::size_t k = 0; k < count; ++k) {
-      values.push_back(acquisition::integer(acquisition::column(line, 10 * k, 10)));
+      values.push_back(
+          acquisition::integer(acquisition::column(line, 10 * k, 10)));
     }
     return values;
   }
@@ -64,7 +65,8 @@ class Lines {
     std::vector<double> values;
     while (values.size() < count) {
       const std::size_t before = values.size();
-      if (!acquisition::numbers(take(), 13, values) || values.size() == before) {
+      if (!acquisition::numbers(take(), 13, values) ||
+          values.size() == before) {
         fail("a line of numbers cannot be read");
       }
     }
