@@ -163,7 +163,7 @@ Eigen::VectorXd read_samples(mat_t* file,
         path.string(),
         fmt::format("say which one, for example {}:1", name.path[0]));
   }
-  const Eigen::VectorXd samples = values.col(std::max<Index>(0, name.part - 1));
+  Eigen::VectorXd samples = values.col(std::max<Index>(0, name.part - 1));
   for (Index i = 0; i < samples.size(); ++i) {
     if (std::isfinite(samples[i])) continue;
     throw InputError(

@@ -172,7 +172,7 @@ void add_run(const Group& group, TestBundle& bundle) {
     std::size_t c = 0;
     while (
         c < bundle.channels.size() &&
-        (bundle.channels[c].quantity != record.quantity || used.count(c) > 0)) {
+        (bundle.channels[c].quantity != record.quantity || used.contains(c))) {
       ++c;
     }
     if (c == bundle.channels.size()) {

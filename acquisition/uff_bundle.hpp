@@ -34,7 +34,7 @@ struct UffFile {
 /// of ready FRFs. What is left out is in the warnings.
 ///
 /// @throws InputError when it holds neither
-[[nodiscard]] TestBundle read_uff_bundle(const std::filesystem::path& file);
+[[nodiscard]] TestBundle read_uff_bundle(const std::filesystem::path& path);
 
 /// Sampling rate of a step [s] that was written with six digits: a whole number
 /// where one lies within them [Hz].

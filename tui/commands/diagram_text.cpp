@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -39,7 +40,7 @@ std::string pole_rows(const modal::ModeSet& modes, const Axis& axis) {
     highest = std::max(highest, pole.order);
   }
   const int step = (highest + kMostRows - 1) / kMostRows;
-  std::map<int, std::string> rows;
+  std::map<int, std::string, std::greater<>> rows;
   for (int row = 0; row * step <= highest; ++row) {
     rows[row] = std::string(kColumns, ' ');
   }
@@ -50,10 +51,10 @@ std::string pole_rows(const modal::ModeSet& modes, const Axis& axis) {
     if (kRank.find(pole.letter) > kRank.find(cell)) cell = pole.letter;
   }
   std::string text;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    const std::size_t end = row->second.find_last_not_of(' ');
-    text += fmt::format(
-        "  {:>4} |{}\n", row->first * step, row->second.substr(0, end + 1));
+  for (const auto& [number, cells] : rows) {
+    const std::size_t end = cells.find_last_not_of(' ');
+    text +=
+        fmt::format("  {:>4} |{}\n", number * step, cells.substr(0, end + 1));
   }
   return text;
 }

@@ -37,9 +37,7 @@ class DiagnosePage final : public Page {
   /// What the diagnosis makes on its way is asked for first, so that the other
   /// screens have it while the diagnosis runs.
   std::vector<Need> essential() const override {
-    return {{Stage::Traces},
-            {Stage::Hits},
-            {Stage::Frfs},
+    return {{Stage::Frfs},
             {Stage::Modes},
             {Stage::BaseComparison},
             {Stage::Comparison},
