@@ -1,8 +1,6 @@
 #include "updating/diagnose.hpp"
 
-#include "updating/damping_statement.hpp"
 #include "updating/effects/catalogue.hpp"
-#include "updating/evidence.hpp"
 #include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
 #include "updating/rung_search.hpp"
@@ -364,13 +362,6 @@ Diagnosis diagnose(const Fitter& fitter,
     ladder = climbed(used, present, options, progress);
   }
   Diagnosis result = std::move(ladder.diagnosis);
-  if (result.verdict != "unexplained") {
-    const Fit& top = ladder.top;
-    const double data = evidence_data(
-        used.target(), top.result.residual, options.modes_in_band);
-    const auto damping = damping_statement(top, used, data, progress);
-    if (damping) result.warnings.push_back(*damping);
-  }
   for (const Misplaced& point : misplaced) {
     result.warnings.push_back(describe(point) + "; its FRFs are left out");
   }

@@ -225,5 +225,11 @@ TEST(HelpAndVersion, AreOnStandardOutput) {
   EXPECT_TRUE(version.out.starts_with("tapfit ")) << version.out;
 }
 
+TEST(BadFile, AUniversalFileWithoutDatasetsIsNone) {
+  const auto result = run_tapfit("uff '" TAPFIT_SOURCE_DIR "/README.md'");
+  EXPECT_NE(result.exit_status, 0);
+  EXPECT_NE(result.err.find("no dataset"), std::string::npos) << result.err;
+}
+
 }  // namespace
 }  // namespace tapfit::end_to_end

@@ -1,5 +1,6 @@
 #include "tui/commands/uff_command.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "acquisition/uff_bundle.hpp"
 #include "acquisition/uff_function.hpp"
 #include "acquisition/uff_geometry.hpp"
@@ -185,6 +186,12 @@ std::string uff_command(const CommandOptions& options,
                         const Progress& progress) {
   progress("reading", 0.0);
   const acquisition::UffFile file = acquisition::open_uff(options.input);
+  if (file.datasets.empty()) {
+    throw InputError("has no dataset",
+                     options.input,
+                     "give a universal file: datasets stand between lines of "
+                     "\"    -1\"");
+  }
   Contents found;
   for (std::size_t k = 0; k < file.datasets.size(); ++k) {
     take(file.datasets[k], found);
