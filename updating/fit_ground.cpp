@@ -1,18 +1,17 @@
 #include "updating/fit_ground.hpp"
 
 #include "updating/compare.hpp"
+#include "updating/mesh_factors.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tapfit::updating {
 namespace {
 
 // Largest refined model that is solved without being asked for.
 constexpr std::size_t refined_grid_limit = 12000;
-
-// Of ln f, f the mesh's factor (hold_mesh_error): the limit of fine meshes is
-// at 4/3 where convergence is quadratic, at 2 where it is linear.
-constexpr double mesh_sd = 0.5;
 
 }  // namespace
 
@@ -25,11 +24,12 @@ SolvedModel solve_model(const structure::Deck& deck,
   options.cache = user_cache();
   options.points = measured_points(deck, bundle);
   options.split = 4 * deck.grids.size() <= refined_grid_limit;
-  SolvedModel model{BaseBuilder(deck, bundle.uncertain, options, progress), {}};
+  SolvedModel model{
+      BaseBuilder(deck, bundle.uncertain, options, progress), {}, 0};
   if (options.split) {
     options.split = false;
     model.coarse.emplace(deck, bundle.uncertain, options, progress);
-    model.builder.hold_mesh_error(*model.coarse);
+    model.mesh_factors = model.builder.hold_mesh_error(*model.coarse);
   }
   return model;
 }
@@ -39,7 +39,8 @@ FitGround prepare_fits(const SolvedModel& model,
                        const Progress& progress) {
   FitGround ground;
   FitSetting setting = fit_setting(test, model.builder.is_free(), progress);
-  if (model.coarse) setting.uncertain_sd.push_back(mesh_sd);
+  std::ranges::copy(mesh_factor_sd(model.mesh_factors),
+                    std::back_inserter(setting.uncertain_sd));
   ground.contour = setting.contour;
   ground.properties = property_names(*test.setting.bundle, *test.setting.deck);
   ground.fitter = std::make_unique<Fitter>(model.builder, std::move(setting));

@@ -1,19 +1,28 @@
-// What splitting a mesh does to its modes.
+// What splitting a mesh does to its modes: their frequencies, and how much each
+// point moves in them.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace tapfit::updating {
 
-/// Modes of a mesh at the grids that both meshes have.
+/// Modes of a mesh at the grids that both meshes have, of unit modal mass.
 struct MeshModes {
   Eigen::MatrixXd rows;  ///< 6 n_grids x modes
   Eigen::VectorXd hz;
 };
 
-/// omega_r^2 of the finer mesh less that of the same mode of the coarser one
-/// [rad^2/s^2]; zero where the coarser one has no such mode.
-[[nodiscard]] Eigen::VectorXd mesh_shift(const MeshModes& finer,
-                                         const MeshModes& coarser);
+/// To first order what has to be added to the modal stiffness and mass of the
+/// finer mesh, diag(omega^2) and I, for its modes to change as they did when
+/// the mesh was split. A mode phi_r that gains delta = sum_k phi_k T_kr turns
+/// I into I - T - T' and diag(l) into diag(l + dl) - T' diag(l) - diag(l) T.
+struct MeshShift {
+  Eigen::MatrixXd K;  ///< modes x modes of the finer mesh [rad^2/s^2]
+  Eigen::MatrixXd M;
+};
+
+/// Zero in a mode that the coarser mesh does not have.
+[[nodiscard]] MeshShift mesh_shift(const MeshModes& finer,
+                                   const MeshModes& coarser);
 
 }  // namespace tapfit::updating

@@ -12,6 +12,42 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// Of what splitting the mesh changed, splitting it on and on would change a
+// third again where convergence is quadratic, all of it where it is linear.
+constexpr double left_over = 0.5;
+
+// Bands over which that keeps its sign, about one resonance each.
+constexpr Index bands = 8;
+
+// Where the mesh's error would drive the parameters, band by band: what a fit
+// has left of it is in step within a band, hardly beyond.
+MatrixXd mesh_covariance(const Target& target,
+                         const MatrixXd& J,
+                         const MatrixXd& gain) {
+  const Index n = J.cols();
+  MatrixXd covariance = MatrixXd::Zero(n, n);
+  if (target.mesh_bias.size() != J.rows()) return covariance;
+  const Index lines = target.s.size();
+  const Index parts = J.rows() / std::max<Index>(lines, 1);
+  for (Index band = 0; band < bands; ++band) {
+    const Index first = band * lines / bands;
+    const Index count = (band + 1) * lines / bands - first;
+    VectorXd drive = VectorXd::Zero(n);
+    for (Index part = 0; part < parts; ++part) {
+      const Index at = part * lines + first;
+      drive += J.middleRows(at, count).transpose() *
+               target.mesh_bias.segment(at, count);
+    }
+    const VectorXd bias = left_over * gain * drive;
+    covariance += bias * bias.transpose();
+  }
+  return covariance;
+}
+
+}  // namespace
+
 MatrixXd parameter_covariance(const Target& target,
                               const MatrixXd& J,
                               const VectorXd& r,
@@ -39,12 +75,7 @@ MatrixXd parameter_covariance(const Target& target,
     if (!fresh) it->second += g;
   }
   const auto groups = static_cast<double>(score.size());
-  MatrixXd of_mesh = MatrixXd::Zero(n, n);
-  if (target.mesh_bias.size() == r.size()) {
-    // Where the mesh's error would drive the parameters.
-    const VectorXd bias = bread * (J.transpose() * target.mesh_bias) / variance;
-    of_mesh = bias * bias.transpose();
-  }
+  const MatrixXd of_mesh = mesh_covariance(target, J, bread / variance);
   // A handful of runs cannot carry a covariance of their own.
   if (groups < 5.0) return bread + of_mesh;
   MatrixXd meat = MatrixXd::Zero(n, n);

@@ -3,7 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "updating/base_error.hpp"
 #include "updating/kept_base.hpp"
-#include "updating/mesh_shift.hpp"
+#include "updating/mesh_factors.hpp"
 #include "updating/released_system.hpp"
 #include "updating/static_answers.hpp"
 #include "updating/structure/dashpots.hpp"
@@ -23,6 +23,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -59,17 +60,6 @@ StiffnessTerm loss_term() {
   return term;
 }
 
-// With those that the deck's own dashpots act on; ascending.
-std::vector<int> with_damped(std::vector<int> points,
-                             const structure::Deck& deck) {
-  for (const structure::Dashpot& dashpot : structure::dashpots(deck)) {
-    for (const auto& [dof, part] : dashpot.direction) points.push_back(dof);
-  }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  return points;
-}
-
 }  // namespace
 
 struct BaseBuilder::Impl {
@@ -89,6 +79,7 @@ struct BaseBuilder::Impl {
   double error = 0.0;    // of FRFs through V0
   std::vector<std::string> warnings;
   std::optional<StaticAnswers> answers;
+  std::vector<MeshFactor> of_mesh;  // parts of `fixed` beyond the plain ones
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
@@ -110,7 +101,9 @@ BaseBuilder::BaseBuilder(
   Impl& m = *impl_;
   m.options = options;
   m.uncertain = uncertain;
-  m.options.points = with_damped(std::move(m.options.points), deck);
+  std::set<int> points = structure::damped_dofs(deck);
+  points.insert(options.points.begin(), options.points.end());
+  m.options.points.assign(points.begin(), points.end());
   m.original_grids = static_cast<Index>(deck.grids.size());
   m.mesh.deck = deck;
   if (options.split) m.mesh = structure::refine_mesh(deck);
@@ -163,22 +156,24 @@ BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 
-void BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
+std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.original_grids;
-  VectorXd share = VectorXd::Zero(m.V0.cols());
-  share.head(m.modes.cols()) = mesh_shift({m.modes.topRows(known), m.modes_hz},
-                                          {c.modes.topRows(known), c.modes_hz});
-  std::size_t factors = 0;
-  for (std::vector<int>& power : m.fixed.part_power) {
-    factors = power.size();
-    power.push_back(0);
+  m.of_mesh = mesh_factors(m.mesh.deck,
+                           m.V0,
+                           {m.modes.topRows(known), m.modes_hz},
+                           {c.modes.topRows(known), c.modes_hz});
+  const std::size_t first = m.uncertain.size();
+  const std::size_t all = first + m.of_mesh.size();
+  for (std::vector<int>& power : m.fixed.part_power) power.resize(all, 0);
+  for (std::size_t k = 0; k < m.of_mesh.size(); ++k) {
+    m.fixed.part_power.emplace_back(all, 0);
+    m.fixed.part_power.back()[first + k] = 1;
+    m.fixed.K_part.push_back(m.of_mesh[k].K);
+    m.fixed.M_part.push_back(m.of_mesh[k].M);
   }
-  m.fixed.part_power.emplace_back(factors, 0);
-  m.fixed.part_power.back().push_back(1);
-  m.fixed.K_part.emplace_back(share.asDiagonal());
-  m.fixed.M_part.emplace_back(MatrixXd::Zero(share.size(), share.size()));
+  return m.of_mesh.size();
 }
 
 bool BaseBuilder::is_free() const {
@@ -340,12 +335,17 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
     base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
   }
-  // The mesh's share is one of the modes alone.
-  for (std::size_t k = released.parts.size(); k < fixed.K_part.size(); ++k) {
+  const auto padded = [&](const MatrixXd& known) {
     MatrixXd whole = MatrixXd::Zero(a + b, a + b);
-    base.M_part.push_back(whole);
-    whole.topLeftCorner(a, a) = fixed.K_part[k];
-    base.K_part.push_back(std::move(whole));
+    whole.topLeftCorner(a, a) = known;
+    return whole;
+  };
+  for (const MeshFactor& factor : of_mesh) {
+    SparseMatrix beyond = factor.beyond;
+    beyond.conservativeResize(released.dofs(), released.dofs());
+    base.K_part.push_back(factor.beyond.size() > 0 ? grow(factor.K, beyond)
+                                                   : padded(factor.K));
+    base.M_part.push_back(padded(factor.M));
   }
   for (const SparseMatrix& S : released.S) {
     const SparseMatrix known = S.topLeftCorner(n, n);

@@ -70,14 +70,11 @@ class BaseBuilder {
       const std::vector<int>& points,
       const std::vector<StiffnessChange>& changes) const;
 
-  /// Gives the bases one more factor f, of what the mesh does to the modes:
-  ///
-  ///   K(f) = K + (f - 1) diag(omega_r^2 - omega_r,coarser^2)
-  ///
-  /// f = 1 is this mesh; where the error falls with the square of the element,
-  /// 4/3 is the limit of ever finer ones (Richardson's extrapolation).
+  /// Gives the bases further factors, of what the mesh does to the modes: see
+  /// mesh_factors().
   /// @param coarser the same deck, not split; call once, before build()
-  void hold_mesh_error(const BaseBuilder& coarser);
+  /// @return how many
+  std::size_t hold_mesh_error(const BaseBuilder& coarser);
 
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;

@@ -1,4 +1,4 @@
-// A folder that lives as long as a test.
+// A folder that lives as long as a test, or a study outside of one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,8 +16,11 @@ class TemporaryFolder {
     const ::testing::TestInfo* info =
         ::testing::UnitTest::GetInstance()->current_test_info();
     path_ = std::filesystem::temp_directory_path() /
-            (std::string("tapfit-") + info->test_suite_name() + "-" +
-             info->name() + "-" + std::to_string(getpid()));
+            ("tapfit-" +
+             (info == nullptr
+                  ? std::string("study")
+                  : std::string(info->test_suite_name()) + "-" + info->name()) +
+             "-" + std::to_string(getpid()));
     std::filesystem::remove_all(path_);
     std::filesystem::create_directories(path_);
   }

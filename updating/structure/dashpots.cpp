@@ -43,4 +43,14 @@ std::vector<Dashpot> dashpots(const Deck& deck) {
   return result;
 }
 
+std::set<int> damped_dofs(const Deck& deck) {
+  std::set<int> dofs;
+  for (const Dashpot& dashpot : dashpots(deck)) {
+    for (const auto& [dof, part] : dashpot.direction) {
+      dofs.insert(dof);
+    }
+  }
+  return dofs;
+}
+
 }  // namespace tapfit::structure

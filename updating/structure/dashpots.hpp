@@ -4,6 +4,7 @@
 
 #include "updating/structure/deck.hpp"
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,5 +19,8 @@ struct Dashpot {
 
 /// @throws InputError for one at a grid that does not exist
 [[nodiscard]] std::vector<Dashpot> dashpots(const Deck& deck);
+
+/// Degrees of freedom that they act on.
+[[nodiscard]] std::set<int> damped_dofs(const Deck& deck);
 
 }  // namespace tapfit::structure

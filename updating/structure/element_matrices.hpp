@@ -10,6 +10,8 @@
 
 namespace tapfit::structure {
 
+struct ShellSection;
+
 struct ElementMatrices {
   std::vector<int> grids;
   Eigen::MatrixXd K;  ///< 6n x 6n [N/m, N, N m]
@@ -20,6 +22,11 @@ struct ElementMatrices {
 /// @throws InputError naming the element for a bad shape
 [[nodiscard]] ElementMatrices shell_matrices(const Deck& deck,
                                              const Shell& shell);
+
+/// The same of a section that is not the deck's.
+[[nodiscard]] ElementMatrices shell_matrices(const Deck& deck,
+                                             const Shell& shell,
+                                             const ShellSection& section);
 
 /// CBAR or CBEAM. @throws InputError for a bar without length
 [[nodiscard]] ElementMatrices bar_matrices(const Deck& deck, const Bar& bar);

@@ -9,8 +9,6 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include <numbers>
-
 namespace tapfit::structure {
 namespace {
 
@@ -101,9 +99,13 @@ void add_part(const Eigen::MatrixXd& part,
 }  // namespace
 
 ElementMatrices shell_matrices(const Deck& deck, const Shell& shell) {
+  return shell_matrices(deck, shell, shell_section(deck, shell));
+}
+
+ElementMatrices shell_matrices(const Deck& deck,
+                               const Shell& shell,
+                               const ShellSection& section) {
   const Frame frame = make_frame(deck, shell);
-  const ShellSection section =
-      shell_section(deck, shell, shell.theta_deg * std::numbers::pi / 180.0);
   const Eigen::Index n = frame.xy.rows();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n, 6 * n);
   if (section.membrane.trace() > 0.0) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace tapfit::structure {
 namespace {
@@ -61,7 +62,8 @@ const Material& stiff_material(const Deck& deck, int id, const Shell& shell) {
 
 }  // namespace
 
-ShellSection shell_section(const Deck& deck, const Shell& shell, double angle) {
+ShellSection shell_section(const Deck& deck, const Shell& shell) {
+  const double angle = shell.theta_deg * std::numbers::pi / 180.0;
   const ShellProperty& p = deck.shell_properties.at(shell.property);
   const double t = p.thickness;
   const Eigen::Matrix3d T = strain_rotation(angle);

@@ -15,10 +15,7 @@ struct ShellSection {
   double rotary = 0.0;               ///< [kg]
 };
 
-/// @param angle material axis from the element's x axis [rad]
 /// @throws InputError when a material has no stiffness
-[[nodiscard]] ShellSection shell_section(const Deck& deck,
-                                         const Shell& shell,
-                                         double angle);
+[[nodiscard]] ShellSection shell_section(const Deck& deck, const Shell& shell);
 
 }  // namespace tapfit::structure
