@@ -2,6 +2,7 @@
 
 #include "tui/dots.hpp"
 #include "tui/text.hpp"
+#include "updating/structure/matrix_market.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace {
 
 using Edge = std::array<int, 2>;
 constexpr std::size_t most_edges = 3000;
+
+constexpr int line_element = 1000;  // told apart from shared shell edges
 
 struct EdgeCollector {
   const Wireframe& wire;
@@ -28,6 +31,27 @@ struct EdgeCollector {
         weight;
   }
 };
+
+/// A line between grids that given matrices couple; none where (as in condensed
+/// models) nearly each is coupled to all.
+void add_couplings(const structure::Deck& deck, EdgeCollector& edges) {
+  constexpr std::size_t most_neighbours = 13;  // half of a solid's 26
+  std::set<Edge> couplings;
+  const Eigen::SparseMatrix<double>& K = deck.given->K;
+  for (Eigen::Index c = 0; c < K.outerSize(); ++c) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(K, c); it; ++it) {
+      const auto row = static_cast<int>(it.row() / 6);
+      const auto column = static_cast<int>(c / 6);
+      if (row < column) couplings.insert({row, column});
+    }
+  }
+  if (couplings.size() > most_neighbours * deck.grids.size()) return;
+  for (const auto& [a, b] : couplings) {
+    edges.add(deck.grids[static_cast<std::size_t>(a)].id,
+              deck.grids[static_cast<std::size_t>(b)].id,
+              line_element);
+  }
+}
 
 /// Rotation to eye axes: x right, y up, z towards the eye.
 Eigen::Matrix3d eye_axes(const Pose& pose) {
@@ -176,7 +200,6 @@ Wireframe wireframe(const structure::Deck& deck) {
       edges.add(shell.grids[i], shell.grids[(i + 1) % shell.grids.size()], 1);
     }
   }
-  constexpr int line_element = 1000;  // told apart from shared shell edges
   for (const auto& bar : deck.bars) {
     edges.add(bar.grids[0], bar.grids[1], line_element);
   }
@@ -191,6 +214,7 @@ Wireframe wireframe(const structure::Deck& deck) {
   for (const auto& line : deck.plot_lines) {
     edges.add(line[0], line[1], line_element);
   }
+  if (deck.given) add_couplings(deck, edges);
   const bool outline = edges.uses.size() > most_edges;
   for (const auto& [edge, uses] : edges.uses) {
     if (!outline || uses == 1 || uses >= line_element) {

@@ -1,6 +1,7 @@
 #include "updating/test_model.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/matrix_market.hpp"
 #include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/scale_units.hpp"
 #include "updating/structure/system.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -31,11 +33,18 @@ class Held {
   explicit Held(const structure::Deck& deck)
       : deck_(&deck),
         axes_(structure::constraint_axes(deck)),
-        T_(structure::rigid_motion(deck, axes_).transpose()) {}
+        T_(structure::rigid_motion(deck, axes_).transpose()) {
+    if (!deck.given) return;
+    const Eigen::VectorXd stiff = deck.given->K.diagonal();
+    for (Eigen::Index u = 0; u < stiff.size(); ++u) {
+      if (stiff(u) == 0.0) absent_.insert(u);
+    }
+  }
 
   [[nodiscard]] bool holds(const Dof& dof) const {
     const auto u = 6 * static_cast<Eigen::Index>(deck_->grid_index(dof.node)) +
                    dof.component - 1;
+    if (absent_.contains(u)) return true;
     if (T_.size() == 0) return is_fixed(u);
     for (structure::SparseMatrix::InnerIterator it(T_, u); it; ++it) {
       if (std::abs(it.value()) > 1e-9 && !is_fixed(it.row())) return false;
@@ -54,7 +63,8 @@ class Held {
 
   const structure::Deck* deck_;
   structure::ConstraintAxes axes_;
-  structure::SparseMatrix T_;  // rows as columns
+  structure::SparseMatrix T_;      // rows as columns
+  std::set<Eigen::Index> absent_;  // without a row in given matrices
 };
 
 void check_point(structure::Deck& deck,
@@ -104,17 +114,21 @@ void warn_of_turned_supports(structure::Deck& deck) {
                   grids.size()));
 }
 
+structure::Deck read_model(const acquisition::TestBundle& bundle) {
+  if (bundle.deck) return structure::read_deck(*bundle.deck);
+  const acquisition::MatrixModel& files = *bundle.matrices;
+  return structure::read_matrix_model(files.stiffness, files.mass, files.dofs);
+}
+
 }  // namespace
 
 structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
-  if (!bundle.deck) {
-    throw InputError(bundle.matrices
-                         ? "a model given as matrices cannot be compared yet"
-                         : "the test has no model",
+  if (!bundle.deck && !bundle.matrices) {
+    throw InputError("the test has no model",
                      (bundle.folder / "test.json").string(),
                      "name a Nastran deck in the field \"model\"");
   }
-  structure::Deck deck = structure::read_deck(*bundle.deck);
+  structure::Deck deck = read_model(bundle);
   structure::scale_to_si(deck, bundle.units);
   check_points(bundle, deck);
   warn_of_turned_supports(deck);

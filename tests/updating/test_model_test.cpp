@@ -57,6 +57,24 @@ TEST_F(TestModel, KnowsWhatARigidElementHolds) {
   EXPECT_EQ(read({2, 3, 1}, {4, 3, 1}, rigid).warnings.size(), 1U);
 }
 
+// A spring that moves along z alone.
+TEST_F(TestModel, WarnsOfAPointWithoutARowInGivenMatrices) {
+  const std::string one = "%%MatrixMarket matrix array real general\n1 1\n2.\n";
+  acquisition::TestBundle bundle;
+  bundle.matrices = {folder_.write("K.mtx", one),
+                     folder_.write("M.mtx", one),
+                     folder_.write("dofs.csv", "7,Z\n")};
+  acquisition::Run run;
+  run.hammer = {0, {7, 3, 1}};
+  run.sensors = {{1, {7, 3, 1}}};
+  bundle.runs = {run};
+  EXPECT_TRUE(read_test_model(bundle).warnings.empty());
+  bundle.runs[0].sensors[0] = {1, {7, 1, 1}};
+  const structure::Deck deck = read_test_model(bundle);
+  ASSERT_EQ(deck.warnings.size(), 1U);
+  EXPECT_NE(deck.warnings[0].find("7X+"), std::string::npos);
+}
+
 TEST_F(TestModel, WarnsOfSupportsAlongTurnedAxes) {
   const std::string system = "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,.6,.8,0.\n";
   const structure::Deck slope = read(

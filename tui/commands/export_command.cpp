@@ -29,9 +29,15 @@ void add_effects(updating::Session& session,
   if (options.effects.empty()) add_diagnosed(session, progress);
 }
 
-// The deck that was read is the engineer's own: it is never written over.
-void refuse_own_deck(updating::Session& session,
+// The deck that was read is the engineer's own: it is never written over. A
+// model given as matrices has none.
+void check_deck_path(updating::Session& session,
                      const std::filesystem::path& path) {
+  if (session.bundle().matrices) {
+    throw InputError("the model is given as matrices: there is no deck",
+                     (session.bundle().folder / "test.json").string(),
+                     "leave --deck out, or give the model as a Nastran deck");
+  }
   std::error_code missing;
   const auto& own = session.bundle().deck;
   if (own && std::filesystem::equivalent(*own, path, missing)) {
@@ -72,7 +78,7 @@ std::string export_command(const CommandOptions& options,
     written.push_back(options.uff->string());
   }
   if (options.deck) {
-    refuse_own_deck(session, *options.deck);
+    check_deck_path(session, *options.deck);
     add_effects(session, options, progress);
     write_updated_deck(session, *options.deck, progress);
     written.push_back(options.deck->string());

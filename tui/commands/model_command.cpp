@@ -1,11 +1,11 @@
 #include "tui/commands/model_command.hpp"
 
-#include "acquisition/input_error.hpp"
 #include "acquisition/test_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/structure/deck.hpp"
 #include "updating/structure/deck_modes.hpp"
 #include "updating/structure/system.hpp"
+#include "updating/test_model.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,15 +16,10 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::filesystem::path deck_path(const std::filesystem::path& input) {
-  if (!std::filesystem::is_directory(input)) return input;
-  const auto bundle = acquisition::read_test_bundle(input);
-  if (!bundle.deck) {
-    throw InputError("names no bulk data deck as its model",
-                     (input / "test.json").string(),
-                     "give the path of a deck");
-  }
-  return *bundle.deck;
+// The model of a bundle, or a deck by itself.
+structure::Deck read_any_model(const std::filesystem::path& input) {
+  if (!std::filesystem::is_directory(input)) return structure::read_deck(input);
+  return updating::read_test_model(acquisition::read_test_bundle(input));
 }
 
 ModelSummary summarise(const structure::Deck& deck, int count) {
@@ -76,8 +71,8 @@ std::string model_text(const ModelSummary& summary) {
 
 std::string model_command(const CommandOptions& options,
                           const Progress& progress) {
-  progress("reading the deck", 0.0);
-  const structure::Deck deck = structure::read_deck(deck_path(options.input));
+  progress("reading the model", 0.0);
+  const structure::Deck deck = read_any_model(options.input);
   progress("solving for modes", 0.3);
   const ModelSummary summary = summarise(deck, options.modes);
   return options.json ? model_json(summary).dump(2) + "\n"

@@ -5,6 +5,7 @@
 #include "updating/structure/element_matrices.hpp"
 #include "updating/structure/held_dofs.hpp"
 #include "updating/structure/idle_turns.hpp"
+#include "updating/structure/matrix_market.hpp"
 #include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/system.hpp"
 
@@ -157,6 +158,10 @@ System assemble(const Deck& deck) {
   System system;
   system.K = gather(deck, entries.K);
   system.M = gather(deck, entries.M) * deck.weight_to_mass;
+  if (deck.given) {
+    system.K += deck.given->K;
+    system.M += deck.given->M;
+  }
   const ConstraintAxes axes = constraint_axes(deck);
   system.T = rigid_motion(deck, axes);
   system.fixed = fixed_dofs(deck, axes);

@@ -7,6 +7,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -157,6 +158,9 @@ struct Constraint {
   std::string components;  ///< digits of 1..6, along the grid's own axes
 };
 
+/// K and M from another program, see matrix_market.hpp.
+struct GivenMatrices;
+
 struct Deck {
   std::filesystem::path path;
   std::vector<Grid> grids;  ///< in the deck's order
@@ -180,6 +184,7 @@ struct Deck {
   /// scale_to_si() has been.
   double file_length_m = 1.0;
   double file_mass_kg = 1.0;
+  std::shared_ptr<const GivenMatrices> given;  ///< instead of elements
   std::vector<std::string> cards;     ///< the file as read, line by line, with
                                       ///< INCLUDE files inlined
   std::vector<std::string> warnings;  ///< unknown cards: line, consequence

@@ -242,9 +242,9 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
   return A;
 }
 
-MatrixModel read_matrix_system(const std::filesystem::path& stiffness,
-                               const std::filesystem::path& mass,
-                               const std::filesystem::path& dofs) {
+Deck read_matrix_model(const std::filesystem::path& stiffness,
+                       const std::filesystem::path& mass,
+                       const std::filesystem::path& dofs) {
   const SparseMatrix K = read_matrix_market(stiffness);
   const SparseMatrix M = read_matrix_market(mass);
   const std::vector<Row> rows = read_rows(dofs);
@@ -258,18 +258,13 @@ MatrixModel read_matrix_system(const std::filesystem::path& stiffness,
   }
   check_symmetric(K, stiffness);
   check_symmetric(M, mass);
-  MatrixModel model;
-  model.deck.path = stiffness;
-  const std::vector<int> place = place_rows(rows, model.deck);
-  const std::size_t size = 6 * model.deck.grids.size();
-  model.system.K = scatter(K, place, static_cast<Eigen::Index>(size));
-  model.system.M = scatter(M, place, static_cast<Eigen::Index>(size));
-  model.system.fixed.assign(size, false);
-  model.system.inactive.assign(size, true);
-  for (const int i : place) {
-    model.system.inactive[static_cast<std::size_t>(i)] = false;
-  }
-  return model;
+  Deck deck;
+  deck.path = stiffness;
+  const std::vector<int> place = place_rows(rows, deck);
+  const auto size = 6 * static_cast<Eigen::Index>(deck.grids.size());
+  deck.given = std::make_shared<const GivenMatrices>(
+      GivenMatrices{scatter(K, place, size), scatter(M, place, size)});
+  return deck;
 }
 
 }  // namespace tapfit::structure

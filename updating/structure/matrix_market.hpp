@@ -11,9 +11,11 @@
 
 namespace tapfit::structure {
 
-struct MatrixModel {
-  Deck deck;      ///< grids only (positions zero where the table has none)
-  System system;  ///< six per grid; those that no row stands for are inactive
+/// Numbered as in System; rows and columns that the table does not name are
+/// zero.
+struct GivenMatrices {
+  SparseMatrix K;
+  SparseMatrix M;
 };
 
 /// Real sparse (coordinate) or dense (array) matrix; symmetric or general.
@@ -24,11 +26,11 @@ struct MatrixModel {
 /// @param dofs CSV, one line per matrix row in order: node, component and
 ///   optionally x, y, z [m]. The component is 1 to 6 or X, Y, Z, RX, RY, RZ. A
 ///   first line that does not begin with a number is a heading.
+/// @return grids (positions zero where the table has none) and matrices
 /// @throws InputError for sizes that do not agree, a matrix that is not
 ///   symmetric, a degree of freedom named twice
-[[nodiscard]] MatrixModel read_matrix_system(
-    const std::filesystem::path& stiffness,
-    const std::filesystem::path& mass,
-    const std::filesystem::path& dofs);
+[[nodiscard]] Deck read_matrix_model(const std::filesystem::path& stiffness,
+                                     const std::filesystem::path& mass,
+                                     const std::filesystem::path& dofs);
 
 }  // namespace tapfit::structure

@@ -1,6 +1,7 @@
 #include "updating/structure/scale_units.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/matrix_market.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +78,16 @@ void scale_properties(Deck& deck, const Units& to) {
   }
 }
 
+// x' A x is an energy (over s^2 for a mass); a rotation has no unit.
+SparseMatrix scaled(const SparseMatrix& A, const Units& to) {
+  Eigen::VectorXd per(A.rows());
+  for (Eigen::Index i = 0; i < per.size(); ++i) {
+    per(i) = i % 6 < 3 ? 1.0 / to.length : 1.0;
+  }
+  const SparseMatrix turned = per.asDiagonal() * A * per.asDiagonal();
+  return to.inertia() * turned;
+}
+
 }  // namespace
 
 void scale_to_si(Deck& deck, const std::string& units) {
@@ -89,6 +100,10 @@ void scale_to_si(Deck& deck, const std::string& units) {
   const Units to{1e-3, 1e3};
   scale_elements(deck, to);
   scale_properties(deck, to);
+  if (deck.given) {
+    deck.given = std::make_shared<const GivenMatrices>(
+        GivenMatrices{scaled(deck.given->K, to), scaled(deck.given->M, to)});
+  }
   deck.file_length_m = to.length;
   deck.file_mass_kg = to.mass;
 }

@@ -16,10 +16,10 @@ namespace tapfit::structure {
 /// Writes the text to a file of the test's own and returns its path.
 inline std::filesystem::path write_text(const std::string& name,
                                         const std::string& text) {
-  const testing::TestInfo* test =
-      testing::UnitTest::GetInstance()->current_test_info();
+  const ::testing::TestInfo* test =
+      ::testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder =
-      std::filesystem::path(testing::TempDir()) / "tapfit_structure" /
+      std::filesystem::path(::testing::TempDir()) / "tapfit_structure" /
       (std::string(test->test_suite_name()) + "." + test->name());
   std::filesystem::create_directories(folder);
   std::ofstream(folder / name) << text;

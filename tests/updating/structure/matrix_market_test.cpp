@@ -18,24 +18,49 @@ const std::string kMass =
     "%%MatrixMarket matrix array real general\n2 2\n2.\n0.\n0.\n1.\n";
 
 TEST(MatrixMarket, PlacesRowsByTheTable) {
-  const MatrixModel model =
-      read_matrix_system(write_text("K.mtx", kStiffness),
-                         write_text("M.mtx", kMass),
-                         write_text("dofs.csv",
-                                    "node,component,x,y,z\n"
-                                    "7,Z,0.1,0,0\n3,3,0.2,0,0\n"));
-  EXPECT_EQ(model.deck.grids[0].id, 7);
-  EXPECT_EQ(model.deck.grids[1].position.x(), 0.2);
-  EXPECT_EQ(model.system.K.coeff(8, 2), -100.0);
-  const std::vector<int> free = model.system.free_dofs();
+  const Deck deck = read_matrix_model(write_text("K.mtx", kStiffness),
+                                      write_text("M.mtx", kMass),
+                                      write_text("dofs.csv",
+                                                 "node,component,x,y,z\n"
+                                                 "7,Z,0.1,0,0\n3,3,0.2,0,0\n"));
+  EXPECT_EQ(deck.grids[0].id, 7);
+  EXPECT_EQ(deck.grids[1].position.x(), 0.2);
+  const System system = assemble(deck);
+  EXPECT_EQ(system.K.coeff(8, 2), -100.0);
+  const std::vector<int> free = system.free_dofs();
   EXPECT_EQ(free, (std::vector<int>{2, 8}));
   const Eigen::VectorXd f =
-      eigenmodes(
-          extract(model.system.K, free), extract(model.system.M, free), 2)
+      eigenmodes(extract(system.K, free), extract(system.M, free), 2)
           .frequency_hz;
   // det(K - l M) = 2 l^2 - 500 l + 20000.
   EXPECT_NEAR(f(0), std::sqrt(50.0) / (2 * M_PI), 1e-9);
   EXPECT_NEAR(f(1), std::sqrt(200.0) / (2 * M_PI), 1e-9);
+}
+
+// The same two springs in millimetres and tonnes, one of them against a turn.
+TEST(MatrixMarket, IsScaledToSi) {
+  const std::filesystem::path table = write_text("dofs.csv", "1,X\n1,RZ\n");
+  const std::filesystem::path M = write_text("M.mtx", kMass);
+  Deck si =
+      read_matrix_model(write_text("K.mtx",
+                                   "%%MatrixMarket matrix array real general\n"
+                                   "2 2\n300.\n-4.\n-4.\n0.5\n"),
+                        M,
+                        table);
+  Deck mm =
+      read_matrix_model(write_text("K_mm.mtx",
+                                   "%%MatrixMarket matrix array real general\n"
+                                   "2 2\n0.3\n-4.\n-4.\n500.\n"),
+                        M,
+                        table);
+  scale_to_si(si, "SI");
+  scale_to_si(mm, "mm-t-s");
+  // Rounding.
+  EXPECT_LT(
+      (Eigen::MatrixXd(si.given->K) - Eigen::MatrixXd(mm.given->K)).norm(),
+      1e-12 * 300.0);
+  EXPECT_NEAR(mm.given->M.coeff(0, 0), 2.0 * 1e3, 1e-9);
+  EXPECT_NEAR(mm.given->M.coeff(5, 5), 1.0 * 1e-3, 1e-15);
 }
 
 TEST(MatrixMarket, RefusesWhatItCannotUse) {
@@ -43,7 +68,7 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
   const std::filesystem::path table = write_text("dofs.csv", "1,1\n1,2\n");
   const auto refused = [&](const std::string& text) {
     const std::filesystem::path K = write_text("K.mtx", text);
-    EXPECT_THROW(static_cast<void>(read_matrix_system(K, M, table)), InputError)
+    EXPECT_THROW(static_cast<void>(read_matrix_model(K, M, table)), InputError)
         << text;
   };
   refused("not a matrix\n");
@@ -56,9 +81,9 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
   refused("%%MatrixMarket matrix coordinate real general\n3 3 0\n");
   const std::filesystem::path K = write_text("K.mtx", kStiffness);
   for (const char* bad : {"1,1\n1,1\n", "1,1\n", "1,1\n1,9\n", "1,1\nx,2\n"}) {
-    EXPECT_THROW(static_cast<void>(
-                     read_matrix_system(K, M, write_text("dofs.csv", bad))),
-                 InputError)
+    EXPECT_THROW(
+        static_cast<void>(read_matrix_model(K, M, write_text("dofs.csv", bad))),
+        InputError)
         << bad;
   }
 }
