@@ -1,6 +1,7 @@
 #include "updating/uncertain_parts.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/structure/matrix_market.hpp"
 #include "updating/uncertain_property.hpp"
 
 #include <Eigen/LU>
@@ -142,6 +143,25 @@ std::vector<PropertyLaw> laws_of(
   return laws;
 }
 
+// Of given matrices: all stiffness, or all mass.
+std::vector<UncertainPart> whole_matrices(
+    const structure::GivenMatrices& given,
+    const std::vector<PropertyLaw>& laws) {
+  const SparseMatrix none(given.K.rows(), given.K.cols());
+  std::vector<UncertainPart> parts;
+  for (std::size_t j = 0; j < laws.size(); ++j) {
+    UncertainPart part{Powers(laws.size(), 0), none, none};
+    part.power[j] = 1;
+    if (laws[j].stiffness_degree > 0) {
+      part.K = given.K;
+    } else {
+      part.M = given.M;
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 }  // namespace
 
 double part_coefficient(const std::vector<int>& power,
@@ -167,6 +187,7 @@ std::vector<UncertainPart> uncertain_parts(
     const std::vector<UncertainProperty>& uncertain,
     const std::function<bool(int)>& wanted) {
   const std::vector<PropertyLaw> laws = laws_of(deck, uncertain);
+  if (deck.given) return whole_matrices(*deck.given, laws);
   Kind stiffness{{}, &structure::assemble_stiffness};
   Kind mass{{}, &structure::assemble_mass};
   for (const PropertyLaw& law : laws) {

@@ -142,11 +142,22 @@ void collect(const std::vector<Element>& elements,
   }
 }
 
+// The one material of a model given as matrices is all of it.
+void check_given(const UncertainProperty& u, const std::string& place) {
+  const bool known = u.property == "E" || u.property == "rho";
+  if (u.card == "material" && u.id == 1 && known) return;
+  throw InputError("the model is given as matrices, which have no such card",
+                   place,
+                   "use material 1: E for all of the stiffness, rho for all of "
+                   "the mass");
+}
+
 }  // namespace
 
 PropertyLaw property_law(const Deck& deck,
                          const UncertainProperty& u,
                          const std::string& place) {
+  if (deck.given) check_given(u, place);
   Deck cards;
   cards.materials = deck.materials;
   cards.shell_properties = deck.shell_properties;
@@ -155,7 +166,7 @@ PropertyLaw property_law(const Deck& deck,
   const Field field = checked_field(cards, u, place);
   PropertyLaw law;
   law.name = fmt::format("{}:{}", u.property, u.id);
-  law.unit = field.unit;
+  law.unit = deck.given ? "of what is given" : field.unit;
   law.nominal = *field.value;
   set_degrees(deck, u, law);
   if (u.card == "material") {

@@ -5,6 +5,7 @@
 //   element_property (PSHELL)      t
 //                    (PBAR, PBARL) A I1 I2 J
 //                    (PROD)        A J
+//   material 1 of given matrices   E (all stiffness), rho (all mass)
 #pragma once
 
 #include "acquisition/test_bundle.hpp"

@@ -1,4 +1,5 @@
 // A model that comes as matrices, from recording to effect.
+#include "acquisition/input_error.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 #include "tests/updating/structure/matrix_text.hpp"
 #include "updating/effect_place.hpp"
@@ -51,7 +52,7 @@ class GivenMatricesTest : public ::testing::Test {
     spec.seed = 411;
     spec.points = 8;
     spec.hits = 3;
-    spec.modulus_percent = 0.0;
+    spec.modulus_percent = 4.0;
     spec.effects = {parse_virtual_effect("added-mass@50=0.3")};
     make_virtual_bundle(spec, folder_.path() / "test");
     std::ifstream truth(folder_.path() / "test" / "truth.json");
@@ -60,7 +61,8 @@ class GivenMatricesTest : public ::testing::Test {
     test_ = json::parse(in);
     test_["model"] = {
         {"stiffness", "K.mtx"}, {"mass", "M.mtx"}, {"dofs", "dofs.csv"}};
-    test_.erase("uncertain");
+    test_["uncertain"] = {
+        {{"material", 1}, {"property", "E"}, {"sd_percent", 5.0}}};
     deck_ = structure::read_deck(folder_.path() / "test" / "model.bdf");
     write_matrices(deck_, folder_);
     folder_.write("test/test.json", test_.dump());
@@ -88,11 +90,20 @@ TEST_F(GivenMatricesTest, AreComparedAndToldWhatIsMissing) {
   session.add(parse_effect(
       fmt::format("added-mass@{}", hidden_.at("node").get<int>())));
   EXPECT_LT(session.comparison().error, 0.1 * before.error);
-  for (const Estimate& e : session.model_parameters()) {
-    if (e.name != "added-mass mass_kg") continue;
-    const double truth = hidden_.at("mass_kg");
-    EXPECT_NEAR(e.value, truth, 0.05 * truth);
-  }
+  const std::vector<Estimate> found = session.model_parameters();
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].name, "E:1");
+  // What the mesh of bars lacks is some hundredths of a percent.
+  EXPECT_NEAR(found[0].value, 1.04, 0.005);
+  const double truth = hidden_.at("mass_kg");
+  EXPECT_NEAR(found[1].value, truth, 0.05 * truth);
+}
+
+TEST_F(GivenMatricesTest, KnowNoOtherProperty) {
+  test_["uncertain"][0]["property"] = "nu";
+  folder_.write("test/test.json", test_.dump());
+  Session session(folder_.path() / "test");
+  EXPECT_THROW(static_cast<void>(session.comparison()), InputError);
 }
 
 }  // namespace

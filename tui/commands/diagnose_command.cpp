@@ -178,7 +178,7 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
   for (const auto& estimate : diagnosis.model_parameters) {
     text += fmt::format("  model parameter {} {}\n",
                         parameters_text({estimate}),
-                        model_parameter_unit(estimate.name));
+                        estimate.unit);
   }
   text += next_text(diagnosis);
   for (const auto& warning : diagnosis.warnings) {

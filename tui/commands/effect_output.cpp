@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <map>
-
 namespace tapfit::tui {
 
 using nlohmann::ordered_json;
@@ -43,33 +41,9 @@ ordered_json model_parameters_json(
   for (const auto& estimate : parameters) {
     json[estimate.name] = {{"value", estimate.value},
                            {"sd", estimate.sd},
-                           {"unit", model_parameter_unit(estimate.name)}};
+                           {"unit", estimate.unit}};
   }
   return json;
-}
-
-std::string model_parameter_unit(const std::string& name) {
-  static const std::map<std::string, std::string> units{{"E", "Pa"},
-                                                        {"E1", "Pa"},
-                                                        {"E2", "Pa"},
-                                                        {"G", "Pa"},
-                                                        {"G12", "Pa"},
-                                                        {"G1Z", "Pa"},
-                                                        {"G2Z", "Pa"},
-                                                        {"nu", "1"},
-                                                        {"NU", "1"},
-                                                        {"rho", "kg/m^3"},
-                                                        {"RHO", "kg/m^3"},
-                                                        {"t", "m"},
-                                                        {"T", "m"},
-                                                        {"A", "m^2"},
-                                                        {"I1", "m^4"},
-                                                        {"I2", "m^4"},
-                                                        {"J", "m^4"},
-                                                        {"nsm", "kg/m^2"},
-                                                        {"damping_ratio", "1"}};
-  const auto unit = units.find(name.substr(0, name.find(':')));
-  return unit == units.end() ? "" : unit->second;
 }
 
 std::string effect_text(const std::string& effect,

@@ -23,10 +23,6 @@ namespace tapfit::tui {
 [[nodiscard]] nlohmann::ordered_json model_parameters_json(
     const std::vector<updating::Estimate>& parameters);
 
-/// Unit of a model parameter, from its name: "E:1" is in "Pa". Empty for one
-/// that is not known.
-[[nodiscard]] std::string model_parameter_unit(const std::string& name);
-
 /// "added-mass at node 201"; the effect alone where it has no place.
 [[nodiscard]] std::string effect_text(const std::string& effect,
                                       const updating::Where& where);

@@ -135,7 +135,7 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
     result.added.push_back(
         fmt::format("$ identified, not written to its card: {} {}",
                     parameters_text({estimate}),
-                    model_parameter_unit(estimate.name)));
+                    estimate.unit));
   }
   return result;
 }

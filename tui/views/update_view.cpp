@@ -63,8 +63,9 @@ Table parameter_table(const UpdateInput& input) {
   for (const updating::Estimate& p : input.parameters) {
     table.rows.push_back(
         {{parameter_name(p.name, input),
-          fmt::format(
-              "{} {}", with_sd(p.value, p.sd), split_unit(p.name).unit)},
+          fmt::format("{} {}",
+                      with_sd(p.value, p.sd),
+                      p.unit.empty() ? split_unit(p.name).unit : p.unit)},
          {}});
   }
   return table;

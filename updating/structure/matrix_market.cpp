@@ -260,6 +260,7 @@ Deck read_matrix_model(const std::filesystem::path& stiffness,
   check_symmetric(M, mass);
   Deck deck;
   deck.path = stiffness;
+  deck.materials[1] = {.id = 1, .E = 1.0, .rho = 1.0};
   const std::vector<int> place = place_rows(rows, deck);
   const auto size = 6 * static_cast<Eigen::Index>(deck.grids.size());
   deck.given = std::make_shared<const GivenMatrices>(

@@ -26,7 +26,8 @@ struct GivenMatrices {
 /// @param dofs CSV, one line per matrix row in order: node, component and
 ///   optionally x, y, z [m]. The component is 1 to 6 or X, Y, Z, RX, RY, RZ. A
 ///   first line that does not begin with a number is a heading.
-/// @return grids (positions zero where the table has none) and matrices
+/// @return grids (positions zero where the table has none) and matrices;
+///   material 1 stands for all of them, its E and rho are 1
 /// @throws InputError for sizes that do not agree, a matrix that is not
 ///   symmetric, a degree of freedom named twice
 [[nodiscard]] Deck read_matrix_model(const std::filesystem::path& stiffness,

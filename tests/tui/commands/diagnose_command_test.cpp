@@ -50,7 +50,8 @@ updating::Diagnosis sample_diagnosis() {
                                  .value = 7.07e10,
                                  .sd = 2e8,
                                  .lo95 = 7.03e10,
-                                 .hi95 = 7.11e10}};
+                                 .hi95 = 7.11e10,
+                                 .unit = "Pa"}};
   return diagnosis;
 }
 
@@ -120,13 +121,6 @@ TEST(EffectOutput, PlacesAreNamedAsTheEffectWantsThem) {
   EXPECT_EQ(where_json("stiffness-loss", patch).dump(),
             R"({"elements":[7,8]})");
   EXPECT_EQ(where_json("damping-law", {}).dump(), "{}");
-}
-
-TEST(EffectOutput, UnitsOfModelParametersComeFromTheirNames) {
-  EXPECT_EQ(model_parameter_unit("E:1"), "Pa");
-  EXPECT_EQ(model_parameter_unit("rho:2"), "kg/m^3");
-  EXPECT_EQ(model_parameter_unit("T:4"), "m");
-  EXPECT_EQ(model_parameter_unit("mystery:1"), "");
 }
 
 TEST(UpdateCommand, NamedEffectsBecomeRungsAndCandidates) {
