@@ -82,8 +82,13 @@ void edit_poles(const Curves& curves,
                 const std::vector<Track>& tracks,
                 const IdentifyOptions& options,
                 ModalFit& fit) {
-  for (const double hz : options.drop_hz) drop(curves, hz, fit);
-  for (const double hz : options.add_hz) add(curves, tracks, hz, fit);
+  for (const PoleEdit& edit : options.edits) {
+    if (edit.what == PoleEdit::What::Drop) {
+      drop(curves, edit.hz, fit);
+    } else {
+      add(curves, tracks, edit.hz, fit);
+    }
+  }
 }
 
 }  // namespace tapfit::modal

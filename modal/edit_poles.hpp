@@ -8,10 +8,10 @@
 
 namespace tapfit::modal {
 
-/// Takes out the mode nearest to each frequency of options.drop_hz and puts in
-/// the steadiest pole of the diagram near each of options.add_hz (where the
-/// diagram has none, a pole started there); refines all of them. What is put in
-/// passes no hard check but that it is damped.
+/// Carries out options.edits in their order: takes out the mode nearest to a
+/// frequency, or puts in the steadiest pole of the diagram near it that is no
+/// mode yet (where the diagram has none, a pole started there); refines all of
+/// them. What is put in passes no hard check but that it is damped.
 ///
 /// @param fit changed in place
 /// @throws InputError when no mode lies within 2 % of a frequency to drop, or

@@ -300,7 +300,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
     set.synthesis_error = 1.0;
     set.unrefined_error = 1.0;
   }
-  if (set.modes.empty() && !options.drop_hz.empty()) {
+  if (set.modes.empty() && !options.edits.empty()) {
     set.warnings.emplace_back("no mode left: all were dropped by hand");
   } else if (set.modes.empty()) {
     set.warnings.emplace_back(

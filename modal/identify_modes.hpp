@@ -3,6 +3,7 @@
 
 #include "acquisition/progress.hpp"
 #include "modal/mode_set.hpp"
+#include "modal/pole_edit.hpp"
 #include "signal/frf_set.hpp"
 
 #include <array>
@@ -24,8 +25,7 @@ struct IdentifyOptions {
   double largest_mpd_deg = 60;  ///< from three FRFs on
 
   std::optional<std::array<double, 2>> band_hz;  ///< of the lines; else all
-  std::vector<double> drop_hz;                   ///< modes to take out by hand
-  std::vector<double> add_hz;                    ///< poles to put in by hand
+  std::vector<PoleEdit> edits;                   ///< by hand, in this order
 };
 
 /// Identifies the modes in the FRFs' band, or in the one asked for.

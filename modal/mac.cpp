@@ -36,10 +36,19 @@ Eigen::MatrixXd mass_weighted_mac(const Eigen::MatrixXcd& U,
   return mac(root * U, root * V);
 }
 
-Eigen::MatrixXd reduced_mass(const Eigen::MatrixXd& V) {
-  const Eigen::MatrixXd inverse =
-      V.completeOrthogonalDecomposition().pseudoInverse();
-  return inverse.transpose() * inverse;
+Eigen::MatrixXd condensed_mass(const Eigen::MatrixXd& V,
+                               const Eigen::VectorXd& omega) {
+  const double top = omega.size() > 0 ? omega.maxCoeff() : 0.0;
+  double elastic = top;
+  for (const double w : omega) {
+    if (w > 1e-5 * top) elastic = std::min(elastic, w);
+  }
+  const Eigen::ArrayXd L = omega.array().max(1e-3 * elastic).square();
+  const Eigen::MatrixXd once = V * L.inverse().matrix().asDiagonal();
+  const Eigen::MatrixXd inverse = Eigen::MatrixXd(once * V.transpose())
+                                      .completeOrthogonalDecomposition()
+                                      .pseudoInverse();
+  return inverse * (once * once.transpose()) * inverse;
 }
 
 Eigen::VectorXd comac(const Eigen::MatrixXcd& U, const Eigen::MatrixXcd& V) {

@@ -39,15 +39,22 @@ namespace tapfit::modal {
                                                 const Eigen::MatrixXcd& V,
                                                 const Eigen::MatrixXd& W);
 
-/// Mass matrix at the measured degrees of freedom for which the model's shapes
-/// are orthonormal, W = (V V')^+ (that of a system-equivalent reduction): with
-/// it the model's own AutoMAC is the identity.
+/// A model's mass at the measured degrees of freedom: those not measured follow
+/// statically (Guyan's reduction, from the modes instead of the matrices),
 ///
-/// Source: J. O'Callahan, P. Avitabile, R. Riemer, "System equivalent reduction
-/// expansion process (SEREP)", IMAC 7, 1989.
-/// @param V n_dof x q shapes of unit modal mass, q at most n_dof
-/// @return n_dof x n_dof, of rank q
-[[nodiscard]] Eigen::MatrixXd reduced_mass(const Eigen::MatrixXd& V);
+///   W = A^-1 B A^-1,  A = V L^-1 V',  B = V L^-2 V',  L = omega^2
+///
+/// Source: R. J. Guyan, "Reduction of stiffness and mass matrices", AIAA
+/// Journal 3(2), 1965; A and B are K^-1 and K^-1 M K^-1 at the measured degrees
+/// of freedom.
+/// @param V n_dof x q shapes of unit modal mass, as many as the model has: with
+///   modes above those compared and static responses it converges
+/// @param omega q [rad/s]; those of a free body (0) are taken as a thousandth
+///   of the lowest elastic one
+/// @return n_dof x n_dof [kg]; degrees of freedom that move as one share their
+///   mass
+[[nodiscard]] Eigen::MatrixXd condensed_mass(const Eigen::MatrixXd& V,
+                                             const Eigen::VectorXd& omega);
 
 /// Coordinate MAC of paired shapes: how well each degree of freedom agrees
 /// over all pairs.

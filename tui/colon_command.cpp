@@ -12,13 +12,17 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 10> commands{{
+constexpr std::array<std::pair<std::string_view, Kind>, 14> commands{{
     {"quit", Kind::Quit},
     {"help", Kind::Help},
     {"add", Kind::Add},
     {"toggle", Kind::Toggle},
     {"undo", Kind::Undo},
     {"redo", Kind::Redo},
+    {"drop", Kind::Drop},
+    {"pick", Kind::Pick},
+    {"pair", Kind::Pair},
+    {"band", Kind::Band},
     {"screen", Kind::Screen},
     {"stop", Kind::Stop},
     {"retry", Kind::Retry},
@@ -28,8 +32,8 @@ constexpr std::array<std::pair<std::string_view, Kind>, 10> commands{{
 [[noreturn]] void refuse(std::string_view text) {
   throw InputError(fmt::format("no such command: {}", text),
                    "after ':'",
-                   "there are :q :help :add EFFECT@PLACE :undo :redo :screen N "
-                   ":stop :retry");
+                   "there are :q :help :add EFFECT@PLACE :undo :redo :drop HZ "
+                   ":pick HZ :pair I:K :band LOW HIGH :screen N :stop :retry");
 }
 
 std::string_view trimmed(std::string_view text) {

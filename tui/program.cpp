@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "tui/actions.hpp"
+#include "tui/mode_actions.hpp"
 #include "tui/text.hpp"
 #include "tui/views/compare_view.hpp"
 #include "tui/views/diagnose_view.hpp"
@@ -271,12 +272,30 @@ void Program::run_colon(const std::string& text) {
       return act(undo());
     case Kind::Redo:
       return act(redo());
+    case Kind::Drop:
+    case Kind::Pick:
+    case Kind::Pair:
+    case Kind::Band:
+      return run_mode_action(command);
     case Kind::Stop:
       return escape();
     case Kind::Retry:
       return retry();
     case Kind::Screen:
       return show_screen(command.number - 1);
+  }
+}
+
+void Program::run_mode_action(const ColonCommand& command) {
+  using Kind = ColonCommand::Kind;
+  const char* word = command.kind == Kind::Drop   ? "drop"
+                     : command.kind == Kind::Pick ? "pick"
+                     : command.kind == Kind::Pair ? "pair"
+                                                  : "band";
+  try {
+    act(mode_action(word, command.argument));
+  } catch (const InputError& error) {
+    tell(error.what(), true);
   }
 }
 

@@ -53,6 +53,7 @@ class Program {
   void escape();
   void mouse(Key key);
   void show_screen(std::size_t index);
+  void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
   void carry_out(const Command& command);
   void act(Job job);

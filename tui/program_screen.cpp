@@ -162,6 +162,7 @@ Screen Program::help(const Canvas& canvas) const {
   }
   lines.emplace_back();
   lines.emplace_back(":q :help :add EFFECT@PLACE :undo :redo :screen N :stop");
+  lines.emplace_back(":drop HZ :pick HZ :band LOW HIGH :pair I:K  (modes)");
   draw_box(screen,
            page().title() + " (any key closes)",
            lines,

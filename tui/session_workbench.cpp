@@ -58,6 +58,15 @@ class SessionWorkbench final : public Workbench {
   void overrule_hit(std::size_t run, std::size_t hit) override {
     session_.overrule_hit(run, hit);
   }
+  void choose_modes(const updating::ModeChoices& choices,
+                    const Progress& p) override {
+    session_.choose_modes(choices, p);
+  }
+  updating::ModeChoices mode_choices() override {
+    return session_.mode_choices();
+  }
+  bool undo_modes(const Progress& p) override { return session_.undo_modes(p); }
+  bool redo_modes(const Progress& p) override { return session_.redo_modes(p); }
   updating::EffectRef parse_effect(const std::string& text) override {
     return updating::parse_effect(text);
   }

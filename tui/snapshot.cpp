@@ -94,14 +94,24 @@ void Snapshot::change_effects(std::vector<updating::AddedEffect> now) {
   diagnosis = diagnosis_of(effects_on());
 }
 
-void Snapshot::forget_from_hits() {
+void Snapshot::forget_from_modes() {
   forget_model_results();
   diagnoses.clear();
-  hits.reset();
-  frfs.reset();
   modes.reset();
   base_comparison.reset();
   previous.reset();  // on other lines, perhaps
+}
+
+void Snapshot::forget_from_hits() {
+  forget_from_modes();
+  hits.reset();
+  frfs.reset();
+}
+
+void Snapshot::forget_pairs() {
+  comparison.reset();
+  base_comparison.reset();
+  previous.reset();
 }
 
 }  // namespace tapfit::tui

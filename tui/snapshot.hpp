@@ -68,6 +68,10 @@ struct Snapshot {
   [[nodiscard]] bool has(const Need& need) const;
   /// Drops what depends on the hits.
   void forget_from_hits();
+  /// Drops what depends on the modes.
+  void forget_from_modes();
+  /// Drops what depends on which modes are paired.
+  void forget_pairs();
   /// Drops what depends on the current model.
   void forget_model_results();
   /// The effects that are in the model.

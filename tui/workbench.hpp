@@ -36,6 +36,11 @@ class Workbench {
   virtual std::vector<updating::Estimate> model_parameters(const Progress&) = 0;
 
   virtual void overrule_hit(std::size_t run, std::size_t hit) = 0;
+  /// What is to hold about the modes from now on; where it fails, all stays.
+  virtual void choose_modes(const updating::ModeChoices&, const Progress&) = 0;
+  virtual updating::ModeChoices mode_choices() = 0;
+  virtual bool undo_modes(const Progress&) = 0;
+  virtual bool redo_modes(const Progress&) = 0;
   virtual updating::EffectRef parse_effect(const std::string& text) = 0;
   virtual void add(const updating::EffectRef&, const Progress&) = 0;
   virtual void toggle(std::size_t effect, const Progress&) = 0;

@@ -20,10 +20,22 @@ using Eigen::MatrixXd;
 
 constexpr int band_count = 6;
 
-ModelModes model_modes(const Fit& fit, const modal::ModeSet& measured) {
+/// The degrees of freedom, in the base's coordinates.
+MatrixXd rows_of(const FrfModel& model, const std::vector<Dof>& dofs) {
+  MatrixXd rows(static_cast<Index>(dofs.size()), model.base().size());
+  for (std::size_t k = 0; k < dofs.size(); ++k) {
+    rows.row(static_cast<Index>(k)) =
+        dofs[k].sign * model.row(dofs[k].node, dofs[k].component);
+  }
+  return rows;
+}
+
+/// @param at_dofs of all modes
+ModelModes model_modes(const Fit& fit,
+                       const BaseModes& full,
+                       const MatrixXd& at_dofs) {
   const FrfModel& model = *fit.model;
   const ModelState& state = fit.result.state;
-  const BaseModes full = model.full_modes(state);
   const double top = 2.0 * std::numbers::pi * 1.5 * model.setting().high_hz;
   const Index count = std::max<Index>((full.omega.array() < top).count(),
                                       std::min<Index>(1, full.omega.size()));
@@ -36,12 +48,7 @@ ModelModes model_modes(const Fit& fit, const modal::ModeSet& measured) {
   const Index known = std::min<Index>(count, state.zeta.size());
   modes.damping_ratio.head(known) = state.zeta.head(known);
   const MatrixXd phi = full.phi.leftCols(count);
-  modes.at_dofs.resize(static_cast<Index>(measured.dofs.size()), count);
-  for (std::size_t k = 0; k < measured.dofs.size(); ++k) {
-    const Dof& dof = measured.dofs[k];
-    modes.at_dofs.row(static_cast<Index>(k)) =
-        dof.sign * model.row(dof.node, dof.component) * phi;
-  }
+  modes.at_dofs = at_dofs.leftCols(count);
   const auto grids = static_cast<Index>(model.setting().deck->grids.size());
   modes.at_grids.resize(3 * grids, count);
   for (Index g = 0; g < grids; ++g) {
@@ -60,16 +67,59 @@ MatrixXcd measured_shapes(const modal::ModeSet& modes) {
   return shapes;
 }
 
-void pair_up(const modal::ModeSet& modes, Comparison& c) {
+/// By index; what cannot be kept to is noted.
+std::vector<modal::Pair> resolved(const std::vector<PairByHand>& by_hand,
+                                  const Eigen::VectorXd& measured_hz,
+                                  Index model_modes,
+                                  std::vector<std::string>& notes) {
+  constexpr double near = 0.02;
+  std::vector<modal::Pair> pairs;
+  for (const PairByHand& pair : by_hand) {
+    Index nearest = 0;
+    const double apart =
+        (measured_hz.array() - pair.measured_hz).abs().minCoeff(&nearest);
+    const auto taken = [&](const modal::Pair& other) {
+      return other.measured == nearest ||
+             (pair.model >= 0 && other.model == pair.model);
+    };
+    const char* fault = nullptr;
+    if (apart > near * pair.measured_hz) {
+      fault = "no measured mode is within 2 %";
+    } else if (pair.model >= model_modes) {
+      fault = "the model has no such mode in the band";
+    } else if (std::ranges::any_of(pairs, taken)) {
+      fault = "its measured mode or the model's has a pair by hand already";
+    }
+    if (fault == nullptr) {
+      pairs.push_back({nearest, pair.model, 0.0});
+      continue;
+    }
+    notes.push_back(fmt::format(
+        "the pair by hand {:.6g} Hz : {} is left out: "
+        "{}",
+        pair.measured_hz,
+        pair.model < 0 ? std::string("none") : fmt::to_string(pair.model + 1),
+        fault));
+  }
+  return pairs;
+}
+
+void pair_up(const modal::ModeSet& modes,
+             const std::vector<PairByHand>& by_hand,
+             const MatrixXd& mass,
+             Comparison& c) {
   const MatrixXcd measured = measured_shapes(modes);
   const MatrixXcd model = c.modes.at_dofs.cast<std::complex<double>>();
   c.mac = modal::mac(measured, model);
+  c.weighted_mac = modal::mass_weighted_mac(measured, model, mass);
   Eigen::VectorXd measured_hz(measured.cols());
   for (Index k = 0; k < measured.cols(); ++k) {
     measured_hz(k) = modes.modes[static_cast<std::size_t>(k)].frequency_hz;
   }
-  const std::vector<modal::Pair> pairs =
-      modal::pair_modes(measured, measured_hz, model, c.modes.frequency_hz, {});
+  const std::vector<modal::Pair> fixed =
+      resolved(by_hand, measured_hz, model.cols(), c.pair_notes);
+  const std::vector<modal::Pair> pairs = modal::pair_modes(
+      measured, measured_hz, model, c.modes.frequency_hz, {}, fixed);
   MatrixXcd left(measured.rows(), static_cast<Index>(pairs.size()));
   MatrixXcd right = left;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -80,6 +130,9 @@ void pair_up(const modal::ModeSet& modes, Comparison& c) {
     p.model_hz = c.modes.frequency_hz(p.model);
     p.error_percent = 100.0 * (p.model_hz - p.measured_hz) / p.measured_hz;
     p.mac = c.mac(p.measured, p.model);
+    p.weighted_mac = c.weighted_mac(p.measured, p.model);
+    p.by_hand = std::ranges::any_of(
+        fixed, [&p](const modal::Pair& f) { return f.measured == p.measured; });
     left.col(static_cast<Index>(k)) = measured.col(p.measured);
     right.col(static_cast<Index>(k)) = model.col(p.model);
     c.pairs.push_back(p);
@@ -141,7 +194,8 @@ void errors(const Target& target,
 Comparison compare(const Fit& fit,
                    const Target& target,
                    const signal::FrfSet& frfs,
-                   const modal::ModeSet& modes) {
+                   const modal::ModeSet& modes,
+                   const std::vector<PairByHand>& by_hand) {
   Comparison c;
   const ModelState& state = fit.result.state;
   const ModelResponse at_target = fit.model->respond(state, target.s, false);
@@ -150,8 +204,12 @@ Comparison compare(const Fit& fit,
   for (Index f = 0; f < shown.H.cols(); ++f) {
     c.model_frfs.emplace_back(shown.H.col(f));
   }
-  c.modes = model_modes(fit, modes);
-  if (!modes.modes.empty()) pair_up(modes, c);
+  const BaseModes all = fit.model->full_modes(state);
+  const MatrixXd at_dofs = rows_of(*fit.model, modes.dofs) * all.phi;
+  c.modes = model_modes(fit, all, at_dofs);
+  if (!modes.modes.empty()) {
+    pair_up(modes, by_hand, modal::condensed_mass(at_dofs, all.omega), c);
+  }
   return c;
 }
 

@@ -5,6 +5,7 @@
 #include "signal/frf_set.hpp"
 #include "updating/comparison.hpp"
 #include "updating/fitter.hpp"
+#include "updating/mode_choices.hpp"
 
 namespace tapfit::updating {
 
@@ -13,10 +14,12 @@ namespace tapfit::updating {
 /// @param frfs measured FRFs as shown to the user; the model is evaluated on
 ///   their lines
 /// @param modes identified modes, for pairing and MAC
+/// @param by_hand pairs that stand whatever MAC and frequency say
 [[nodiscard]] Comparison compare(const Fit& fit,
                                  const Target& target,
                                  const signal::FrfSet& frfs,
-                                 const modal::ModeSet& modes);
+                                 const modal::ModeSet& modes,
+                                 const std::vector<PairByHand>& by_hand = {});
 
 /// The share of the error that the mesh causes, from the same model on a mesh
 /// that is one step coarser. At clamped edges and inner corners a mesh

@@ -30,6 +30,8 @@ struct ModePair {
   double model_hz = 0.0;
   double error_percent = 0.0;  ///< (model - measured) / measured
   double mac = 0.0;
+  double weighted_mac = 0.0;  ///< in the model's mass; see Comparison
+  bool by_hand = false;
 };
 
 struct BandError {
@@ -45,7 +47,11 @@ struct Comparison {
   double floor_mesh = 0.0;   ///< from splitting the mesh once more
   std::string contour;       ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
-  Eigen::MatrixXd mac;    ///< measured modes x model modes
+  /// What of the pairs by hand could not be kept to.
+  std::vector<std::string> pair_notes;
+  Eigen::MatrixXd mac;  ///< measured modes x model modes
+  /// The same in the model's mass at the measured degrees of freedom.
+  Eigen::MatrixXd weighted_mac;
   Eigen::VectorXd comac;  ///< per measured degree of freedom
   ModelModes modes;
   std::vector<double> frf_error;  ///< per FRF

@@ -15,6 +15,17 @@
 
 namespace tapfit::updating {
 
+namespace {
+
+modal::IdentifyOptions as_chosen(const ModeChoices& choices) {
+  modal::IdentifyOptions options;
+  options.band_hz = choices.band_hz;
+  options.edits = choices.edits;
+  return options;
+}
+
+}  // namespace
+
 Measurement::Measurement(const std::filesystem::path& folder)
     : bundle_(acquisition::read_test_bundle(folder)) {}
 
@@ -73,8 +84,21 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
 }
 
 const modal::ModeSet& Measurement::modes(const Progress& progress) {
-  if (!modes_) modes_ = modal::identify_modes(frfs(progress), {}, progress);
+  if (!modes_) {
+    modes_ =
+        modal::identify_modes(frfs(progress), as_chosen(choices_), progress);
+  }
   return *modes_;
+}
+
+bool Measurement::choose(const ModeChoices& choices, const Progress& progress) {
+  const bool known = modes_ && same_modes(choices, choices_);
+  if (!known) {
+    modes_ =
+        modal::identify_modes(frfs(progress), as_chosen(choices), progress);
+  }
+  choices_ = choices;
+  return !known;
 }
 
 signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,

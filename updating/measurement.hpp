@@ -8,6 +8,7 @@
 #include "acquisition/test_bundle.hpp"
 #include "modal/mode_set.hpp"
 #include "signal/frf_set.hpp"
+#include "updating/mode_choices.hpp"
 #include "updating/saved_session.hpp"
 
 #include <Eigen/Core>
@@ -54,6 +55,15 @@ class Measurement {
     overruled_ = hits;
   }
 
+  [[nodiscard]] const ModeChoices& choices() const { return choices_; }
+  /// Identifies the modes with these choices; where that fails, all stays as it
+  /// was.
+  /// @return whether the modes are new
+  /// @throws InputError as of modal::identify_modes
+  bool choose(const ModeChoices& choices, const Progress& progress);
+  /// Choices for when the modes are first asked for.
+  void set_choices(const ModeChoices& choices) { choices_ = choices; }
+
   [[nodiscard]] bool has_recordings() const { return recordings_.has_value(); }
   [[nodiscard]] bool has_hits() const { return hits_.has_value(); }
   [[nodiscard]] bool has_frfs() const { return frfs_.has_value(); }
@@ -68,6 +78,7 @@ class Measurement {
   std::vector<OverruledHit> overruled_;
   std::optional<signal::FrfSet> frfs_;
   Eigen::VectorXcd ringing_poles_;  // of modes that outlast the block
+  ModeChoices choices_;
   std::optional<modal::ModeSet> modes_;
 };
 

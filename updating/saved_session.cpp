@@ -81,6 +81,54 @@ SavedRung rung_from(const json& value) {
   return saved;
 }
 
+json to_json(const ModeChoices& choices) {
+  json result = json::object();
+  if (choices.band_hz) result["band_hz"] = *choices.band_hz;
+  result["edits"] = json::array();
+  for (const modal::PoleEdit& edit : choices.edits) {
+    const bool drop = edit.what == modal::PoleEdit::What::Drop;
+    result["edits"].push_back({{drop ? "drop_hz" : "add_hz", edit.hz}});
+  }
+  result["pairs"] = json::array();
+  for (const PairByHand& pair : choices.pairs) {
+    json one{{"measured_hz", pair.measured_hz}, {"model", "none"}};
+    if (pair.model >= 0) one["model"] = pair.model + 1;
+    result["pairs"].push_back(std::move(one));
+  }
+  return result;
+}
+
+double frequency_from(const json& value) {
+  const auto hz = value.get<double>();
+  if (!(hz >= 0.0)) throw std::out_of_range("a frequency is not negative");
+  return hz;
+}
+
+ModeChoices choices_from(const json& value) {
+  ModeChoices choices;
+  if (value.contains("band_hz")) {
+    const json& band = value.at("band_hz");
+    choices.band_hz = {frequency_from(band.at(0)), frequency_from(band.at(1))};
+  }
+  using What = modal::PoleEdit::What;
+  for (const json& edit : value.value("edits", json::array())) {
+    const bool drop = edit.contains("drop_hz");
+    choices.edits.push_back(
+        {drop ? What::Drop : What::Add,
+         frequency_from(edit.at(drop ? "drop_hz" : "add_hz"))});
+  }
+  for (const json& pair : value.value("pairs", json::array())) {
+    const json& model = pair.at("model");
+    const int number = model == "none" ? 0 : model.get<int>();
+    if (model != "none" && number < 1) {
+      throw std::out_of_range("modes are counted from 1");
+    }
+    choices.pairs.push_back(
+        {frequency_from(pair.at("measured_hz")), number - 1});
+  }
+  return choices;
+}
+
 // From 1 in the file to 0 here.
 std::size_t index_from(const json& value) {
   const auto number = value.get<long long>();
@@ -99,6 +147,7 @@ SavedSession session_from(const json& value) {
     session.overruled.push_back(
         {index_from(hit.at("run")), index_from(hit.at("hit"))});
   }
+  session.modes = choices_from(value.value("modes", json::object()));
   for (const json& effect : value.at("effects")) {
     session.effects.push_back(
         {{effect.at("effect"), where_from(effect.value("where", json{}))},
@@ -123,6 +172,7 @@ std::string as_text(const SavedSession& session) {
   json value{{"tapfit_session", version},
              {"title", session.title},
              {"overruled_hits", json::array()},
+             {"modes", to_json(session.modes)},
              {"effects", json::array()},
              {"ladder", json::array()}};
   for (const OverruledHit& hit : session.overruled) {

@@ -1,9 +1,11 @@
 // What was done to a test by hand, as a file that people can read: hits that
-// were overruled, effects that were added, and the error ladder they gave.
+// were overruled, modes that were edited, effects that were added, and the
+// error ladder they gave.
 #pragma once
 
 #include "updating/comparison.hpp"
 #include "updating/diagnosis.hpp"
+#include "updating/mode_choices.hpp"
 
 #include <filesystem>
 #include <string>
@@ -28,12 +30,13 @@ struct SavedRung {
 struct SavedSession {
   std::string title;  ///< of the bundle
   std::vector<OverruledHit> overruled;
+  ModeChoices modes;
   std::vector<AddedEffect> effects;
   std::vector<SavedRung> ladder;  ///< what came out when it was saved
 
   /// Whether nothing was done that could be lost.
   [[nodiscard]] bool empty() const {
-    return overruled.empty() && effects.empty();
+    return overruled.empty() && modes.empty() && effects.empty();
   }
 };
 

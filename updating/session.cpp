@@ -26,6 +26,8 @@ struct Session::Impl {
   std::optional<FitGround> ground;  // and with it the stack
 
   std::optional<EffectStack> stack;
+  std::vector<ModeChoices> past_choices;
+  std::vector<ModeChoices> future_choices;
   std::vector<AddedEffect> waiting;  // to be in the stack, once there is one
   UpdateChoice choice;
   std::optional<PlainTask> plain;  // where the choice is a plain one
@@ -35,6 +37,10 @@ struct Session::Impl {
   std::vector<Rung> ladder;
 
   void drop_from_frfs();
+  void change_modes(const ModeChoices& choices, const Progress& progress);
+  bool move_choices(std::vector<ModeChoices>& from,
+                    std::vector<ModeChoices>& to,
+                    const Progress& progress);
   void drop_current();
   void stack_waiting(const Progress& progress);
   void prepare_fit(Session& session, const Progress& progress);
@@ -136,8 +142,11 @@ Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
 }
 
 Comparison Session::Impl::compare_now(const Fit& fit) {
-  Comparison c =
-      compare(fit, ground->fitter->target(), test.frfs({}), test.modes({}));
+  Comparison c = compare(fit,
+                         ground->fitter->target(),
+                         test.frfs({}),
+                         test.modes({}),
+                         test.choices().pairs);
   c.floor_noise = ground->floor_noise;
   c.floor_mesh = ground->floor_mesh;
   c.floor = std::hypot(c.floor_noise, c.floor_mesh);
@@ -240,6 +249,47 @@ void Session::overrule_hit(std::size_t run, std::size_t hit) {
   if (impl_->test.overrule({run, hit})) impl_->drop_from_frfs();
 }
 
+void Session::Impl::change_modes(const ModeChoices& choices,
+                                 const Progress& progress) {
+  if (test.choose(choices, progress)) return drop_from_frfs();
+  base_comparison.reset();
+  comparison.reset();
+}
+
+bool Session::Impl::move_choices(std::vector<ModeChoices>& from,
+                                 std::vector<ModeChoices>& to,
+                                 const Progress& progress) {
+  if (from.empty()) return false;
+  const ModeChoices now = test.choices();
+  change_modes(from.back(), progress);
+  from.pop_back();
+  to.push_back(now);
+  return true;
+}
+
+void Session::choose_modes(const ModeChoices& choices,
+                           const Progress& progress) {
+  const ModeChoices before = mode_choices();
+  if (choices == before) return;
+  impl_->change_modes(choices, progress);
+  impl_->past_choices.push_back(before);
+  impl_->future_choices.clear();
+}
+
+const ModeChoices& Session::mode_choices() const {
+  return impl_->test.choices();
+}
+
+bool Session::undo_modes(const Progress& progress) {
+  return impl_->move_choices(
+      impl_->past_choices, impl_->future_choices, progress);
+}
+
+bool Session::redo_modes(const Progress& progress) {
+  return impl_->move_choices(
+      impl_->future_choices, impl_->past_choices, progress);
+}
+
 void Session::add(const EffectRef& effect, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   impl_->stack->add(effect, impl_->stack_fit(), progress);
@@ -286,6 +336,7 @@ SavedSession Session::saved(const Progress& progress) {
   SavedSession result;
   result.title = bundle().title;
   result.overruled = overruled();
+  result.modes = mode_choices();
   result.effects = effects();
   if (!impl_->ground) return result;
   for (const Rung& rung : ladder(progress)) {
@@ -297,6 +348,7 @@ SavedSession Session::saved(const Progress& progress) {
 
 void Session::take_up(const SavedSession& saved) {
   impl_->test.set_overruled(saved.overruled);
+  impl_->test.set_choices(saved.modes);
   impl_->waiting = saved.effects;
 }
 

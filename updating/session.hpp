@@ -10,6 +10,7 @@
 #include "updating/comparison.hpp"
 #include "updating/diagnosis.hpp"
 #include "updating/effect_place.hpp"
+#include "updating/mode_choices.hpp"
 #include "updating/saved_session.hpp"
 #include "updating/signature_map.hpp"
 #include "updating/structure/deck.hpp"
@@ -55,6 +56,17 @@ class Session {
   /// Accept or reject a hit by hand; FRFs and all after are made anew, with
   /// the same effects.
   void overrule_hit(std::size_t run, std::size_t hit);
+
+  /// What is to hold about the modes from now on: the modes are identified
+  /// anew, or only paired anew, and so is what follows from them. Where it
+  /// fails, all stays as it was.
+  /// @throws InputError for a pole that is not there to be dropped or added
+  void choose_modes(const ModeChoices& choices, const Progress& progress = {});
+  const ModeChoices& mode_choices() const;
+  /// Takes the last choose_modes() back; false when there is none.
+  bool undo_modes(const Progress& progress = {});
+  /// Does again what undo_modes() took back last; false when there is none.
+  bool redo_modes(const Progress& progress = {});
 
   /// How fits from now on identify their parameters.
   void set_update(const UpdateChoice& choice);

@@ -12,6 +12,8 @@
 namespace tapfit {
 namespace {
 
+using What = modal::PoleEdit::What;
+
 signal::FrfSet four_modes(double noise = 0.02) {
   std::mt19937_64 random(12);
   test::SyntheticSystem system;
@@ -28,12 +30,12 @@ TEST(EditModes, DropsAndPutsBackByFrequency) {
   modal::IdentifyOptions options;
   const modal::ModeSet all = modal::identify_modes(frfs, options);
   ASSERT_EQ(all.modes.size(), 4U);
-  options.drop_hz = {41.2};
+  options.edits = {{What::Drop, 41.2}};
   const modal::ModeSet fewer = modal::identify_modes(frfs, options);
   ASSERT_EQ(fewer.modes.size(), 3U);
   EXPECT_NEAR(fewer.modes[1].frequency_hz, 63.0, 0.1);
   EXPECT_GT(fewer.synthesis_error, 2.0 * all.synthesis_error);
-  options.add_hz = {40.9};
+  options.edits.push_back({What::Add, 40.9});
   const modal::ModeSet again = modal::identify_modes(frfs, options);
   ASSERT_EQ(again.modes.size(), 4U);
   // The same least squares from another start.
@@ -41,18 +43,28 @@ TEST(EditModes, DropsAndPutsBackByFrequency) {
   EXPECT_NEAR(again.modes[1].damping_ratio, all.modes[1].damping_ratio, 1e-5);
 }
 
+TEST(EditModes, AreDoneInTheirOrder) {
+  const signal::FrfSet frfs = four_modes();
+  modal::IdentifyOptions options;
+  options.max_damping_ratio = 0.004;  // all modes have 0.008: none is found
+  // What was put in by hand can be taken out again.
+  options.edits = {{What::Add, 41.0}, {What::Add, 63.0}, {What::Drop, 41.0}};
+  const modal::ModeSet found = modal::identify_modes(frfs, options);
+  ASSERT_EQ(found.modes.size(), 1U);
+  EXPECT_NEAR(found.modes[0].frequency_hz, 63.0, 0.1);
+}
+
 TEST(EditModes, SaysWhereThereIsNothingToDropOrAdd) {
   const signal::FrfSet frfs = four_modes();
   modal::IdentifyOptions options;
-  options.drop_hz = {50.0};
+  options.edits = {{What::Drop, 50.0}};
   try {
     (void)modal::identify_modes(frfs, options);
     FAIL() << "nothing is at 50 Hz";
   } catch (const InputError& error) {
     EXPECT_NE(error.remedy().find("41"), std::string::npos) << error.remedy();
   }
-  options.drop_hz.clear();
-  options.add_hz = {400.0};
+  options.edits = {{What::Add, 400.0}};
   EXPECT_THROW((void)modal::identify_modes(frfs, options), InputError);
 }
 

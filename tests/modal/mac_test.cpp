@@ -1,5 +1,6 @@
 #include "modal/mac.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,10 +86,59 @@ TEST(MassWeightedMac, TellsApartWhatUnevenPointsConfuse) {
   const Eigen::MatrixXd weighted = mass_weighted_mac(shapes, shapes, W);
   EXPECT_LT((weighted - Eigen::MatrixXd::Identity(3, 3)).norm(), 1e-12);
   EXPECT_GT((auto_mac(shapes) - Eigen::MatrixXd::Identity(3, 3)).norm(), 0.1);
-  // The mass that the shapes themselves tell of does the same.
-  const Eigen::MatrixXd own =
-      mass_weighted_mac(shapes, shapes, reduced_mass(V));
-  EXPECT_LT((own - Eigen::MatrixXd::Identity(3, 3)).norm(), 1e-12);
+}
+
+/// Chain of masses with springs between them and one to the ground, k in N/m.
+struct Chain {
+  Eigen::VectorXd m;
+  double to_ground = 0.0;
+
+  [[nodiscard]] Eigen::MatrixXd K() const {
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(m.size(), m.size());
+    for (Eigen::Index k = 0; k + 1 < m.size(); ++k) {
+      const double stiffness = 100.0 + 50.0 * static_cast<double>(k);
+      result.block<2, 2>(k, k) +=
+          stiffness * (Eigen::Matrix2d() << 1.0, -1.0, -1.0, 1.0).finished();
+    }
+    result(0, 0) += to_ground;
+    return result;
+  }
+};
+
+TEST(CondensedMass, IsTheMassWhereAllOfItIsMeasured) {
+  Chain chain{Eigen::VectorXd::LinSpaced(5, 1.0, 9.0), 80.0};
+  const Eigen::MatrixXd M = chain.m.asDiagonal();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
+      chain.K(), M);
+  const Eigen::MatrixXd W = condensed_mass(
+      modes.eigenvectors(), modes.eigenvalues().cwiseMax(0.0).cwiseSqrt());
+  EXPECT_LT((W - M).norm(), 1e-9 * M.norm());
+}
+
+// By its definition T' M T with T = [I; -K_oo^-1 K_oa], free and held.
+TEST(CondensedMass, IsGuyansOfTheMatrices) {
+  for (const double to_ground : {0.0, 80.0}) {
+    const Chain chain{Eigen::VectorXd::LinSpaced(6, 1.0, 3.0), to_ground};
+    const Eigen::MatrixXd M = chain.m.asDiagonal();
+    const Eigen::MatrixXd K = chain.K();
+    const std::vector<Eigen::Index> seen{0, 2, 5};
+    const std::vector<Eigen::Index> other{1, 3, 4};
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(6, 3);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      T(seen[static_cast<std::size_t>(k)], k) = 1.0;
+    }
+    T(other, Eigen::all) = -K(other, other).inverse() * K(other, seen);
+    const Eigen::MatrixXd guyan = T.transpose() * M * T;
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M);
+    const Eigen::MatrixXd V = modes.eigenvectors()(seen, Eigen::all);
+    const Eigen::MatrixXd W =
+        condensed_mass(V, modes.eigenvalues().cwiseMax(0.0).cwiseSqrt());
+    // A free body's thousandth enters squared, times the ratio of its whole
+    // mass to the parts that bend; held, only rounding is left.
+    EXPECT_LT((W - guyan).norm(),
+              (to_ground > 0.0 ? 1e-9 : 1e-3) * guyan.norm())
+        << to_ground;
+  }
 }
 
 TEST(Macco, NamesTheTurnedSensorFirst) {

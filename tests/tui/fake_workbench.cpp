@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -294,6 +295,28 @@ class FakeWorkbench final : public Workbench {
       overruled_.push_back({run, hit});
     }
   }
+  // A mode edited away or put in: only their number is right.
+  void choose_modes(const updating::ModeChoices& choices,
+                    const Progress&) override {
+    past_choices_.push_back(choices_);
+    future_choices_.clear();
+    take(choices);
+  }
+  updating::ModeChoices mode_choices() override { return choices_; }
+  bool undo_modes(const Progress&) override {
+    if (past_choices_.empty()) return false;
+    future_choices_.push_back(choices_);
+    take(past_choices_.back());
+    past_choices_.pop_back();
+    return true;
+  }
+  bool redo_modes(const Progress&) override {
+    if (future_choices_.empty()) return false;
+    past_choices_.push_back(choices_);
+    take(future_choices_.back());
+    future_choices_.pop_back();
+    return true;
+  }
   updating::EffectRef parse_effect(const std::string& text) override {
     if (text != "added-mass@5") {
       throw InputError("no such effect: " + text, ":add", "see the catalogue");
@@ -338,6 +361,29 @@ class FakeWorkbench final : public Workbench {
     return true;
   }
 
+  void take(const updating::ModeChoices& choices) {
+    choices_ = choices;
+    modes_ = fake_modes();
+    for (const modal::PoleEdit& edit : choices_.edits) {
+      if (edit.what == modal::PoleEdit::What::Add) {
+        modes_.modes.push_back(modes_.modes.back());
+        modes_.modes.back().frequency_hz = edit.hz;
+        continue;
+      }
+      const auto nearest =
+          std::ranges::min_element(modes_.modes, {}, [&](const auto& mode) {
+            return std::abs(mode.frequency_hz - edit.hz);
+          });
+      if (nearest == modes_.modes.end()) {
+        throw InputError("no mode to drop", "modes", "");
+      }
+      modes_.modes.erase(nearest);
+    }
+  }
+
+  updating::ModeChoices choices_;
+  std::vector<updating::ModeChoices> past_choices_;
+  std::vector<updating::ModeChoices> future_choices_;
   Effects added_;
   std::vector<Effects> past_;
   std::vector<Effects> future_;

@@ -61,6 +61,8 @@ TEST(ColonCommand, ReadsNamesAndTheirBeginnings) {
   EXPECT_EQ(parse_colon_command("undo").kind, Kind::Undo);
   EXPECT_EQ(parse_colon_command(" screen 5 ").number, 5U);
   EXPECT_EQ(parse_colon_command("3").number, 3U);
+  EXPECT_EQ(parse_colon_command("dr 12.98").kind, Kind::Drop);
+  EXPECT_EQ(parse_colon_command("band 10 60").argument, "10 60");
   EXPECT_EQ(parse_colon_command("toggle 2").kind, Kind::Toggle);
   EXPECT_EQ(parse_colon_command("toggle 2").number, 2U);
   EXPECT_EQ(parse_colon_command("add added-mass@201").argument,

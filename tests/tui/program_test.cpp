@@ -77,6 +77,21 @@ TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
   EXPECT_TRUE(holds(redone, "1 effect added: error")) << redone;
 }
 
+TEST(Program, DropsAndPutsInModesAsTyped) {
+  const std::string dropped = played("3\nwait\n:drop 12\n<Enter>\nwait");
+  EXPECT_TRUE(holds(dropped, "dropped the mode at 12 Hz: 2 modes")) << dropped;
+  const std::string picked = played("3\nwait\n:pick 33\n<Enter>\nwait");
+  EXPECT_TRUE(holds(picked, "put a mode in at 33 Hz: 4 modes")) << picked;
+  const std::string band = played("3\nwait\n:band 5 20\n<Enter>\nwait");
+  EXPECT_TRUE(holds(band, "band 5 to 20 Hz: 3 modes")) << band;
+  const std::string pair = played("3\nwait\n:pair 2:none\n<Enter>\nwait");
+  EXPECT_TRUE(holds(pair, "mode 2 is paired by hand")) << pair;
+  const std::string wrong = played("3\nwait\n:pair 9:1\n<Enter>\nwait");
+  EXPECT_TRUE(holds(wrong, "there is no measured mode 9")) << wrong;
+  const std::string bad = played("3\nwait\n:drop x\n<Enter>\nwait");
+  EXPECT_TRUE(holds(bad, ":drop 12.98")) << bad;
+}
+
 TEST(Program, SwitchesAnEffectOffAndOn) {
   const std::string off = played("5\nwait\na\nwait\nt\nwait");
   EXPECT_TRUE(holds(off, "added-mass switched off")) << off;

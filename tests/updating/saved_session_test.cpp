@@ -46,6 +46,10 @@ SavedSession sample() {
   sensors.where.channels = {"acc1", "acc2"};
   EffectRef loss{"stiffness-loss", {}};
   loss.where.elements = {60, 61};
+  using What = modal::PoleEdit::What;
+  session.modes.band_hz = {5.0, 60.5};
+  session.modes.edits = {{What::Add, 20.0}, {What::Drop, 12.98}};
+  session.modes.pairs = {{7.232, 2}, {13.0, -1}};
   session.effects = {{support, true}, {sensors, false}, {loss, true}};
   SavedRung rung;
   rung.rung.added = "soft-support";
@@ -72,6 +76,7 @@ TEST_F(SavedSessionTest, IsReadAsItWasWritten) {
   const SavedSession read = read_saved_session(file);
   EXPECT_EQ(read.title, session.title);
   EXPECT_EQ(read.overruled, session.overruled);
+  EXPECT_EQ(read.modes, session.modes);
   EXPECT_EQ(read.effects, session.effects);
   // Numbers to the last bit, the text says so.
   EXPECT_EQ(as_text(read), as_text(session));
@@ -95,6 +100,12 @@ TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
         R"({"tapfit_session": 1, "effects": []})",
         R"({"tapfit_session": 1, "overruled_hits": [{"run": 0, "hit": 1}],
             "effects": []})",
+        R"({"tapfit_session": 1, "overruled_hits": [], "effects": [],
+            "modes": {"edits": [{"take_hz": 5}]}})",
+        R"({"tapfit_session": 1, "overruled_hits": [], "effects": [],
+            "modes": {"pairs": [{"measured_hz": 5, "model": 0}]}})",
+        R"({"tapfit_session": 1, "overruled_hits": [], "effects": [],
+            "modes": {"band_hz": [5]}})",
         R"({"tapfit_session": 1, "overruled_hits": [],
             "effects": [{"where": {}}]})",
         R"({"tapfit_session": 1, "overruled_hits": [],

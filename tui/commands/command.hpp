@@ -3,6 +3,7 @@
 
 #include "acquisition/progress.hpp"
 #include "modal/identify_modes.hpp"
+#include "updating/mode_choices.hpp"
 
 #include <array>
 #include <filesystem>
@@ -47,6 +48,14 @@ struct ModesArguments {
   int dataset = 55;                          ///< of --uff: 55 or 2414
 };
 
+/// What a command is told of decisions made by hand.
+struct HandChoices {
+  bool session = false;            ///< start from those that are kept
+  bool keep = false;               ///< and keep what was given with them
+  updating::ModeChoices modes;     ///< without pairs
+  std::vector<std::string> pairs;  ///< "2:3", measured and model, from 1
+};
+
 /// The command line of one command; each command reads what it knows of.
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
@@ -67,8 +76,8 @@ struct CommandOptions {
   ImportArguments imports;
   PaperArguments paper;
   ModesArguments identification;
+  HandChoices by_hand;
   std::optional<std::filesystem::path> other;  ///< second set of modes
-  std::vector<std::string> pairs;              ///< "2:3", set by hand
 };
 
 /// A command returns all of its standard output at once, so that a fault on

@@ -6,6 +6,7 @@
 #include "tui/commands/export_command.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/commands/frf_command.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/import_command.hpp"
 #include "tui/commands/mac_command.hpp"
@@ -31,7 +32,6 @@
 #include <sstream>
 
 namespace tapfit::tui {
-
 namespace {
 
 constexpr const char* simulate_name = "simulate";
@@ -55,6 +55,8 @@ enum Extra : unsigned {
   Speed = 4096,
   Estimate = 8192,
   Mass = 16384,
+  ByHand = 32768,
+  Pairs = 65536,
 };
 
 struct Entry {
@@ -66,7 +68,10 @@ struct Entry {
 };
 
 constexpr std::array<Entry, 17> entries{{
-    {"run", "The whole chain, recording to error ladder", run_command, None},
+    {"run",
+     "The whole chain, recording to error ladder",
+     run_command,
+     ByHand | Pairs},
     {"hits", "Hits found and judged", hits_command, None},
     {"frf",
      "Frequency response functions and their quality",
@@ -84,16 +89,16 @@ constexpr std::array<Entry, 17> entries{{
      "The test as if it were being measured",
      replay_command,
      Uff | Speed},
-    {"modes", "Identified modes", modes_command, Uff | Identify},
+    {"modes", "Identified modes", modes_command, Uff | Identify | ByHand},
     {"mac",
      "Two sets of modes against each other, or one against itself",
      mac_command,
-     Mac,
+     Mac | Pairs,
      "MODES"},
     {"model", "A deck in numbers, and its modes", model_command, Modes, "DECK"},
     {"uff", "What a universal file holds", uff_command, None, "FILE"},
-    {"compare", "Model against measurement", compare_command, None},
-    {"diagnose", "What is missing from the model", diagnose_command, None},
+    {"compare", "Model against measurement", compare_command, ByHand | Pairs},
+    {"diagnose", "What is missing from the model", diagnose_command, ByHand},
     {"signature",
      "Missing dynamic stiffness at a grid",
      signature_command,
@@ -101,7 +106,7 @@ constexpr std::array<Entry, 17> entries{{
     {"update",
      "Identify uncertain properties and the effects named",
      update_command,
-     Effects | Regularisation},
+     Effects | Regularisation | ByHand | Pairs},
     {"session",
      "Do again what was saved in the terminal",
      session_command,
@@ -109,7 +114,7 @@ constexpr std::array<Entry, 17> entries{{
     {"report",
      "A Markdown report of the finished work",
      report_command,
-     Output | TextOnly},
+     Output | TextOnly | ByHand | Pairs},
     {"export",
      "Write FRFs, modes and the updated deck",
      export_command,
@@ -130,12 +135,6 @@ std::string effect_fault(const std::string& text) {
 std::string free_fault(const std::string& text) {
   return parse_free(text) ? std::string{}
                           : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
-}
-
-/// What is wrong with a pair of modes as written; empty where nothing is.
-std::string pair_fault(const std::string& text) {
-  return parse_pair(text) ? std::string{}
-                          : "\"" + text + "\" is not I:K or I:none";
 }
 
 std::string lines_fault(const std::string& text) {
@@ -236,13 +235,14 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   }
   if ((entry.extras & Mac) != 0) {
     command->add_option("OTHER", options.other, "Modes to compare with");
-    command->add_option("--pair", options.pairs, "FIRST:SECOND, set by hand")
-        ->check(CLI::Validator(pair_fault, "I:K|I:none"))
-        ->allow_extra_args(false);
   }
   if ((entry.extras & Identify) != 0) {
     add_modes_options(*command, options.identification);
   }
+  if ((entry.extras & ByHand) != 0) {
+    add_mode_choices(*command, options.by_hand);
+  }
+  if ((entry.extras & Pairs) != 0) add_pair_choices(*command, options.by_hand);
   if ((entry.extras & Mass) != 0) {
     command
         ->add_option(

@@ -1,6 +1,6 @@
 #include "tui/commands/compare_command.hpp"
 
-#include "tui/commands/open_bundle.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -51,6 +51,12 @@ std::string worst_frfs_text(const updating::Comparison& comparison,
   return table.text();
 }
 
+std::string notes_text(const std::vector<std::string>& notes) {
+  std::string text;
+  for (const std::string& note : notes) text += "  note: " + note + "\n";
+  return text;
+}
+
 std::string bands_text(const updating::Comparison& comparison) {
   TextTable table({"<band Hz", "error"});
   for (const auto& band : comparison.bands) {
@@ -62,6 +68,20 @@ std::string bands_text(const updating::Comparison& comparison) {
 
 }  // namespace
 
+namespace {
+
+/// Row by row: measured modes x modes of the model.
+ordered_json matrix_json(const Eigen::MatrixXd& matrix) {
+  ordered_json rows = ordered_json::array();
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    rows.push_back(
+        std::vector<double>(matrix.row(i).begin(), matrix.row(i).end()));
+  }
+  return rows;
+}
+
+}  // namespace
+
 ordered_json compare_json(const updating::Comparison& comparison,
                           const signal::FrfSet& frfs) {
   ordered_json pairs = ordered_json::array();
@@ -69,7 +89,9 @@ ordered_json compare_json(const updating::Comparison& comparison,
     pairs.push_back({{"measured_hz", pair.measured_hz},
                      {"model_hz", pair.model_hz},
                      {"error_percent", pair.error_percent},
-                     {"mac", pair.mac}});
+                     {"mac", pair.mac},
+                     {"weighted_mac", pair.weighted_mac},
+                     {"by_hand", pair.by_hand}});
   }
   ordered_json points = ordered_json::object();
   for (const auto& [node, error] : comparison.point_error) {
@@ -82,18 +104,24 @@ ordered_json compare_json(const updating::Comparison& comparison,
             {"floor_mesh", comparison.floor_mesh},
             {"contour", comparison.contour}}},
           {"pairs", std::move(pairs)},
+          {"pair_notes", comparison.pair_notes},
+          {"mac", matrix_json(comparison.mac)},
+          {"weighted_mac", matrix_json(comparison.weighted_mac)},
           {"frac", frac_json(comparison, frfs)},
           {"points", std::move(points)}};
 }
 
 std::string pairs_text(const std::vector<updating::ModePair>& pairs) {
-  TextTable table({"mode", "measured Hz", "model Hz", "error", "MAC"});
+  TextTable table(
+      {"mode", "measured Hz", "model Hz", "error", "MAC", "in mass", "<"});
   for (const auto& pair : pairs) {
     table.add({fmt::format("{}", pair.measured + 1),
                fmt::format("{:.3f}", pair.measured_hz),
                fmt::format("{:.3f}", pair.model_hz),
                fmt::format("{:+.2f} %", pair.error_percent),
-               fmt::format("{:.3f}", pair.mac)});
+               fmt::format("{:.3f}", pair.mac),
+               fmt::format("{:.3f}", pair.weighted_mac),
+               pair.by_hand ? "by hand" : ""});
   }
   return table.text();
 }
@@ -108,13 +136,13 @@ std::string compare_text(const updating::Comparison& comparison,
              percent(comparison.floor_noise),
              percent(comparison.floor_mesh),
              comparison.contour) +
-         pairs_text(comparison.pairs) + bands_text(comparison) +
-         worst_frfs_text(comparison, frfs);
+         pairs_text(comparison.pairs) + notes_text(comparison.pair_notes) +
+         bands_text(comparison) + worst_frfs_text(comparison, frfs);
 }
 
 std::string compare_command(const CommandOptions& options,
                             const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   const updating::Comparison& comparison = session.base_comparison(progress);
   const signal::FrfSet& frfs = session.frfs(progress);
   const std::vector<std::string> warnings = session.model_warnings(progress);
@@ -127,10 +155,7 @@ std::string compare_command(const CommandOptions& options,
   std::string text = compare_text(comparison, frfs);
   text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
                       std::max(session.base_error(progress), 1e-15));
-  for (const std::string& warning : warnings) {
-    text += "  note: " + warning + "\n";
-  }
-  return text;
+  return text + notes_text(warnings);
 }
 
 }  // namespace tapfit::tui

@@ -1,6 +1,7 @@
 #include "tui/commands/diagnose_command.hpp"
 
 #include "tui/commands/effect_output.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/ladder_text.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
@@ -189,7 +190,7 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
 
 std::string diagnose_command(const CommandOptions& options,
                              const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   const updating::Diagnosis& diagnosis = session.diagnosis(progress);
   if (!options.json) return diagnosis_text(diagnosis);
   return diagnosis_json(options.input, with_input_warnings(diagnosis, session))

@@ -231,7 +231,7 @@ std::string mac_text(const modal::ModeSet& first,
 std::string mac_command(const CommandOptions& options, const Progress&) {
   const modal::ModeSet first = read_modes_file(options.input);
   std::vector<modal::Pair> by_hand;
-  for (const std::string& text : options.pairs) {
+  for (const std::string& text : options.by_hand.pairs) {
     if (const auto pair = parse_pair(text)) by_hand.push_back(*pair);
   }
   const modal::ModeSet second =

@@ -8,7 +8,7 @@
 #include "signal/frac.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/diagram_text.hpp"
-#include "tui/commands/open_bundle.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
 
@@ -215,11 +215,13 @@ std::string fracs_text(const signal::FrfSet& frfs,
 
 std::string modes_command(const CommandOptions& options,
                           const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   const signal::FrfSet& frfs = session.frfs(progress);
   const ModesArguments& told = options.identification;
-  const modal::ModeSet modes =
-      modal::identify_modes(frfs, told.identify, progress);
+  modal::IdentifyOptions identify = told.identify;
+  identify.band_hz = session.mode_choices().band_hz;
+  identify.edits = session.mode_choices().edits;
+  const modal::ModeSet modes = modal::identify_modes(frfs, identify, progress);
   const std::string& title = session.bundle().title;
   if (options.uff) {
     modal::write_modes_uff(modes,
@@ -241,7 +243,7 @@ std::string modes_command(const CommandOptions& options,
   std::string text = modes_text(modes, channels) + fracs_text(frfs, modes);
   if (told.diagram && frfs.lines() > 1) {
     const Eigen::VectorXd f = frfs.frequency_hz();
-    const std::array<double, 2> band = told.identify.band_hz.value_or(
+    const std::array<double, 2> band = identify.band_hz.value_or(
         std::array<double, 2>{f.minCoeff(), f.maxCoeff()});
     text += diagram_text(modes, frfs, band[0], band[1]);
   }

@@ -30,15 +30,6 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
                   identify.max_order,
                   "Largest model order, pairs of poles (100)")
       ->check(CLI::Range(2, 500));
-  command
-      .add_option_function<std::vector<double>>(
-          "--band",
-          [&identify](const std::vector<double>& band) {
-            identify.band_hz = {band[0], band[1]};
-          },
-          "LOW HIGH: only the lines between [Hz]")
-      ->expected(2)
-      ->check(CLI::NonNegativeNumber);
   add_percents(command,
                "--stable",
                {&identify.frequency_tolerance,
@@ -56,20 +47,6 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
                   identify.largest_mpd_deg,
                   "Largest mean phase deviation of a mode in degrees (60)")
       ->check(CLI::Range(0.0, 90.0));
-  command
-      .add_option("--drop",
-                  identify.drop_hz,
-                  "Take this mode out [Hz]; again "
-                  "for more")
-      ->check(CLI::PositiveNumber)
-      ->allow_extra_args(false);
-  command
-      .add_option("--add",
-                  identify.add_hz,
-                  "Put a pole in here [Hz]; again "
-                  "for more")
-      ->check(CLI::PositiveNumber)
-      ->allow_extra_args(false);
   command.add_flag(
       "--diagram", arguments.diagram, "Print the stabilisation diagram too");
   command

@@ -4,9 +4,9 @@
 #include "tui/commands/add_diagnosed.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/open_bundle.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -91,7 +91,7 @@ std::string before_after_table(const updating::Comparison& before,
 
 std::string report_command(const CommandOptions& options,
                            const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   std::string text = fmt::format("# {}\n", session.bundle().title) +
                      measurement_sections(session, progress);
   text += session.has_model()

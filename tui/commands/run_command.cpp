@@ -4,6 +4,7 @@
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
 #include "tui/commands/open_bundle.hpp"
@@ -66,7 +67,7 @@ std::string run_text(updating::Session& session, const Progress& progress) {
 
 std::string run_command(const CommandOptions& options,
                         const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   return options.json ? run_json(session, options, progress)
                       : run_text(session, progress);
 }

@@ -4,6 +4,7 @@
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/effect_output.hpp"
+#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/update_output.hpp"
 
@@ -103,7 +104,7 @@ std::string update_command(const CommandOptions& options,
   for (const auto& text : options.effects) {
     effects.push_back(updating::parse_effect(text));
   }
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_by_hand(options, progress);
   if (effects.empty() && session.bundle().uncertain.empty()) {
     throw InputError("there is nothing to identify",
                      options.input,

@@ -52,6 +52,37 @@ TEST(CommandLine, CommandTakesBundleAndJson) {
   EXPECT_TRUE(invocation.options.json);
 }
 
+TEST(CommandLine, TakesWhatIsDecidedByHandAboutModes) {
+  const HandChoices told = parsed({"compare",
+                                   "some/bundle",
+                                   "--drop",
+                                   "12.98",
+                                   "--add",
+                                   "20",
+                                   "--drop",
+                                   "31",
+                                   "--band",
+                                   "5",
+                                   "60",
+                                   "--pair",
+                                   "2:3",
+                                   "--pair",
+                                   "4:none",
+                                   "--session",
+                                   "--keep"})
+                               .options.by_hand;
+  using What = modal::PoleEdit::What;
+  const std::vector<modal::PoleEdit> edits{
+      {What::Drop, 12.98}, {What::Drop, 31.0}, {What::Add, 20.0}};
+  EXPECT_EQ(told.modes.edits, edits);
+  EXPECT_EQ(told.modes.band_hz, (std::array<double, 2>{5.0, 60.0}));
+  EXPECT_EQ(told.pairs, (std::vector<std::string>{"2:3", "4:none"}));
+  EXPECT_TRUE(told.session);
+  EXPECT_TRUE(told.keep);
+  EXPECT_EQ(answered({"compare", "b", "--pair", "2-3"}).exit_status, 2);
+  EXPECT_EQ(answered({"modes", "b", "--drop", "-1"}).exit_status, 2);
+}
+
 TEST(CommandLine, UpdateTakesLinesAndLambda) {
   const Invocation invocation = parsed(
       {"update", "some/bundle", "--lines", "rule:2", "--lambda", "l-curve"});

@@ -26,7 +26,8 @@ updating::Comparison sample_comparison() {
                        .measured_hz = 2.17,
                        .model_hz = 2.27,
                        .error_percent = 4.6,
-                       .mac = 0.997}};
+                       .mac = 0.997,
+                       .weighted_mac = 0.998}};
   comparison.frf_error = {0.2, 0.5};
   comparison.frac = {0.75, 0.5};
   comparison.point_error = {{12, 0.43}};
@@ -39,7 +40,7 @@ TEST(CompareCommand, JsonHasThePromisedFields) {
   EXPECT_EQ(json.at("error").at("floor"), 0.03);
   EXPECT_EQ(json.at("pairs").dump(),
             R"([{"measured_hz":2.17,"model_hz":2.27,"error_percent":4.6,)"
-            R"("mac":0.997}])");
+            R"("mac":0.997,"weighted_mac":0.998,"by_hand":false}])");
   EXPECT_EQ(json.at("points").dump(), R"({"12":0.43})");
 }
 
