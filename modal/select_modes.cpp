@@ -1,5 +1,6 @@
 #include "modal/select_modes.hpp"
 
+#include "modal/double_poles.hpp"
 #include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/mac.hpp"
@@ -327,6 +328,33 @@ void drop_complex(const Curves& curves,
   }
 }
 
+/// Puts several poles in place of one whose residues hold several shapes.
+ModalFit separate_close(const Curves& curves,
+                        ModalFit fit,
+                        const IdentifyOptions& options) {
+  const FrfMatrix matrix = arrange_frfs(curves);
+  for (Index r = fit.poles.size() - 1; r >= 0; --r) {
+    if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
+    const Eigen::VectorXcd found = poles_in_place_of(curves, matrix, fit, r);
+    if (found.size() < 2) continue;
+    const double half = -fit.poles(r).real();
+    const bool near =
+        (found.array() - fit.poles(r)).abs().maxCoeff() < 2.0 * half;
+    if (!near || found.real().maxCoeff() >= 0.0) continue;
+    Eigen::VectorXcd poles(fit.poles.size() - 1 + found.size());
+    poles << without(fit.poles, r), found;
+    ModalFit trial = refine_poles(curves, poles, 20);
+    const Eigen::VectorXcd refined = trial.poles.tail(found.size());
+    const bool stayed =
+        (refined.array() - fit.poles(r)).abs().maxCoeff() < 2.0 * half &&
+        std::ranges::none_of(refined, [&](const Complex& pole) {
+          return impossible(pole, options) || !in_band(curves, pole);
+        });
+    if (stayed) fit = std::move(trial);
+  }
+  return fit;
+}
+
 }  // namespace
 
 Selection select_modes(const Curves& curves,
@@ -350,6 +378,7 @@ Selection select_modes(const Curves& curves,
   // What was only tried is not worth telling.
   selection.unresolved = told;
   drop_complex(curves, options, selection);
+  fit = separate_close(curves, std::move(fit), options);
   edit_poles(curves, tracks, options, fit);
   if (fit.poles.size() > 0) fit = sorted(curves, fit);
   return selection;
