@@ -18,6 +18,11 @@ std::vector<int> as_integers(const std::vector<double>& values) {
   return result;
 }
 
+bool all_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values,
+                             [](double value) { return std::isfinite(value); });
+}
+
 }  // namespace
 
 bool UffLines::only_blanks_left() const {
@@ -45,15 +50,16 @@ std::vector<double> UffLines::numbers(std::size_t width, std::size_t least) {
   const std::string line = text();
   std::vector<double> values;
   const bool good =
-      acquisition::numbers(dataset_.lines[at_ - 1], width, values);
+      acquisition::numbers(dataset_.lines[at_ - 1], width, values) &&
+      all_finite(values);
   if (!good || values.size() < least) {
-    throw InputError(
-        fmt::format("\"{}\" holds {} where {} numbers belong",
-                    line,
-                    good ? fmt::format("{}", values.size()) : "other text",
-                    least),
-        place(),
-        "correct the line, or export the file anew");
+    throw InputError(fmt::format("\"{}\" holds {} where {} numbers belong",
+                                 line,
+                                 good ? fmt::format("{}", values.size())
+                                      : "other than finite numbers",
+                                 least),
+                     place(),
+                     "correct the line, or export the file anew");
   }
   return values;
 }
@@ -69,7 +75,7 @@ std::vector<double> UffLines::mixed(std::size_t integers,
     if (acquisition::numbers(line.substr(0, lead), 10, values) &&
         values.size() == integers &&
         acquisition::numbers(line.substr(lead), width, values) &&
-        values.size() == integers + count) {
+        values.size() == integers + count && all_finite(values)) {
       ++at_;
       return values;
     }

@@ -23,8 +23,8 @@ class UffLines {
 
   /// The numbers of the next line.
   /// @param width of a column, for numbers that touch
-  /// @throws InputError for a line that is not there, holds something else, or
-  ///   holds fewer than `least` numbers
+  /// @throws InputError for a line that is not there, holds something else or
+  ///   a number that is not finite, or holds fewer than `least` numbers
   std::vector<double> numbers(std::size_t width, std::size_t least);
 
   /// A line of integers of 10 columns, then numbers of `width` columns.

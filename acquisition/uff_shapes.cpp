@@ -36,7 +36,11 @@ Form read_form(UffLines& lines, const UffDataset& dataset, UffShape& shape) {
   return {v[5]};
 }
 
-void take_eigenvalue(std::complex<double> lambda, UffShape& shape) {
+// Eigenvalue and modal A, as far as they are given.
+void take_eigenvalue(const std::vector<double>& real, UffShape& shape) {
+  const std::complex<double> lambda(real[0], real[1]);
+  shape.eigenvalue = lambda;
+  if (real.size() > 3) shape.modal_a = {real[2], real[3]};
   const double size = std::abs(lambda);
   shape.frequency_hz = size / (2.0 * std::numbers::pi);
   shape.damping_ratio = size > 0.0 ? -lambda.real() / size : 0.0;
@@ -57,11 +61,13 @@ void read_analysis_55(UffLines& lines, UffShape& shape) {
   if (whole.size() > 1) shape.mode = whole[1];
   const bool complex_mode = shape.analysis == 3 || shape.analysis == 7;
   if (complex_mode && real.size() > 1) {
-    take_eigenvalue({real[0], real[1]}, shape);
+    take_eigenvalue(real, shape);
   } else if (!real.empty()) {
     shape.frequency_hz = real[0];
     if (real.size() > 1) shape.modal_mass = real[1];
     if (real.size() > 2) shape.damping_ratio = real[2];
+    const bool loss = real.size() > 3 && shape.damping_ratio == 0.0;
+    if (loss) shape.damping_ratio = 0.5 * real[3];
   }
 }
 
@@ -71,10 +77,10 @@ void read_analysis_2414(UffLines& lines, UffShape& shape) {
   shape.mode = whole[5];
   shape.frequency_hz = real[1];
   shape.modal_mass = real[3];
-  shape.damping_ratio = real[4];
+  shape.damping_ratio = real[4] != 0.0 ? real[4] : 0.5 * real[5];
   const bool complex_mode = shape.analysis == 3 || shape.analysis == 7;
   if (complex_mode && (real[6] != 0.0 || real[7] != 0.0)) {
-    take_eigenvalue({real[6], real[7]}, shape);
+    take_eigenvalue({real.begin() + 6, real.end()}, shape);
   }
 }
 
@@ -94,17 +100,24 @@ void read_values(UffLines& lines, const Form& form, UffShape& shape) {
 
 }  // namespace
 
+bool stands_at_nodes(const UffDataset& dataset) {
+  if (dataset.type != 2414) return true;
+  UffLines lines(dataset);
+  (void)lines.text();
+  (void)lines.text();
+  return lines.integers(1)[0] == 1;
+}
+
 UffShape read_shape(const UffDataset& dataset) {
+  if (!stands_at_nodes(dataset)) {
+    throw InputError("its data does not stand at nodes",
+                     dataset.place,
+                     "export data at nodes");
+  }
   UffLines lines(dataset);
   UffShape shape;
-  if (dataset.type == 2414) {
+  for (int skipped = 0; dataset.type == 2414 && skipped < 3; ++skipped) {
     (void)lines.text();
-    (void)lines.text();
-    if (lines.integers(1)[0] != 1) {
-      throw InputError("its data does not stand at nodes",
-                       dataset.place,
-                       "export data at nodes");
-    }
   }
   for (std::string& line : shape.id) line = lines.text();
   const Form form = read_form(lines, dataset, shape);

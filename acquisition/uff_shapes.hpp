@@ -6,8 +6,9 @@
 //         (I10 / 6E13.5) per node
 //
 // Normal mode (analysis type 2): frequency [Hz], modal mass, viscous and
-// hysteretic damping. Complex mode (3, 7): the eigenvalue [rad/s]:
-// f = |lambda| / 2 pi, zeta = -Re lambda / |lambda|.
+// hysteretic damping (zeta = eta / 2 where only that is given). Complex mode
+// (3, 7): the eigenvalue [rad/s] and modal A: f = |lambda| / 2 pi,
+// zeta = -Re lambda / |lambda|.
 //
 // Source: SDRC universal file formats, as kept by the University of
 // Cincinnati.
@@ -18,6 +19,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <complex>
 #include <map>
 #include <string>
 
@@ -31,9 +33,15 @@ struct UffShape {
   double frequency_hz = 0.0;
   double damping_ratio = 0.0;
   double modal_mass = 0.0;
+  std::complex<double> eigenvalue;  ///< of a complex mode [rad/s]; 0: not given
+  std::complex<double> modal_a;     ///< of a complex mode; 0: not given
   std::array<std::string, 5> id;
   std::map<int, Eigen::VectorXcd> values;  ///< per node, as the file has them
 };
+
+/// Whether a dataset 55 or 2414 holds values at nodes and not at elements.
+/// @throws InputError for a dataset that ends before it says so
+[[nodiscard]] bool stands_at_nodes(const UffDataset& dataset);
 
 /// Reads a dataset 55 or 2414.
 ///

@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/uff_datasets.hpp"
+#include "acquisition/uff_shapes.hpp"
 #include "modal/shapes.hpp"
 
 #include <fmt/format.h>
@@ -20,11 +21,12 @@ namespace {
 
 using Complex = std::complex<double>;
 using acquisition::UffDataset;
+using acquisition::UffShape;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr int kNormal = 2;                  // analysis types
-constexpr int kComplex = 3;                 // of first order
-constexpr std::size_t kLongestHeader = 40;  // lines; more is no header
+constexpr int kNormal = 2;         // analysis types
+constexpr int kComplex = 3;        // of first order
+constexpr int kComplexSecond = 7;  // of second order
 
 /// One mode as it stands in the file.
 struct Raw {
@@ -33,152 +35,53 @@ struct Raw {
   std::map<Dof, Complex> shape;
 };
 
-/// The lines of a dataset, taken one after the other.
-class Lines {
- public:
-  explicit Lines(const UffDataset& dataset) : dataset_(dataset) {}
-
-  [[nodiscard]] bool done() const { return next_ >= dataset_.lines.size(); }
-
-  std::string_view take() {
-    if (done()) fail("it ends in the middle of a record");
-    return dataset_.lines[next_++];
-  }
-
-  void skip(std::size_t count) {
-    for (std::size_t k = 0; k < count; ++k) static_cast<void>(take());
-  }
-
-  /// Integers in columns of ten.
-  std::vector<int> integers(std::size_t count) {
-    std::vector<int> values;
-    const std::string_view line = take();
-    for (std::size_t k = 0; k < count; ++k) {
-      values.push_back(
-          acquisition::integer(acquisition::column(line, 10 * k, 10)));
-    }
-    return values;
-  }
-
-  /// Numbers over as many lines as they need.
-  std::vector<double> reals(std::size_t count) {
-    std::vector<double> values;
-    while (values.size() < count) {
-      const std::size_t before = values.size();
-      if (!acquisition::numbers(take(), 13, values) ||
-          values.size() == before) {
-        fail("a line of numbers cannot be read");
-      }
-    }
-    const bool finite = std::ranges::all_of(
-        values, [](double value) { return std::isfinite(value); });
-    if (!finite) fail("a value is not finite");
-    return values;
-  }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(fmt::format("broken dataset {}: {}", dataset_.type, what),
-                     fmt::format("{} and {} lines on", dataset_.place, next_),
-                     "write the file again, or leave this mode out");
-  }
-
- private:
-  const UffDataset& dataset_;
-  std::size_t next_ = 0;
-};
-
-struct Header {
-  int analysis = 0;
-  int result = 0;
-  bool complex = false;
-  int values = 0;  ///< per node
-};
-
 /// Why a dataset holds no mode; empty where it does.
-std::string fault(const Header& header) {
-  if (header.analysis != kNormal && header.analysis != kComplex) {
-    return fmt::format("analysis type {} is no mode", header.analysis);
+std::string fault(const UffShape& shape) {
+  if (shape.analysis != kNormal && shape.analysis != kComplex &&
+      shape.analysis != kComplexSecond) {
+    return fmt::format("analysis type {} is no mode", shape.analysis);
   }
-  if (header.result != 8 && header.result != 12 && header.result != 11) {
-    return fmt::format("data type {} is no motion", header.result);
+  if (shape.data_type != 8 && shape.data_type != 12 && shape.data_type != 11) {
+    return fmt::format("data type {} is no motion", shape.data_type);
   }
-  if (header.values != 3 && header.values != 6) {
-    return fmt::format("{} values per node are no motion", header.values);
+  for (const auto& [node, values] : shape.values) {
+    if (values.size() != 3 && values.size() != 6) {
+      return fmt::format("{} values per node are no motion", values.size());
+    }
   }
   return {};
 }
 
-void take_eigenvalue(const Header& header,
-                     const std::vector<double>& normal,
-                     const std::vector<double>& eigenvalue,
-                     Raw& raw) {
-  if (header.analysis == kNormal) {
-    const double omega = kTwoPi * normal[0];
-    const double zeta = normal[2] != 0.0 ? normal[2] : 0.5 * normal[3];
-    const double damped = omega * std::sqrt(std::max(0.0, 1.0 - zeta * zeta));
-    raw.pole = {-zeta * omega, damped};
-    raw.modal_a = {0.0, 2.0 * damped * normal[1]};
-    return;
+Raw raw_from(const UffShape& shape) {
+  Raw raw;
+  const double omega = kTwoPi * shape.frequency_hz;
+  const double zeta = shape.damping_ratio;
+  const double damped = omega * std::sqrt(std::max(0.0, 1.0 - zeta * zeta));
+  raw.pole = {-zeta * omega, damped};
+  raw.modal_a = shape.analysis == kNormal
+                    ? Complex(0.0, 2.0 * damped * shape.modal_mass)
+                    : shape.modal_a;
+  if (shape.eigenvalue != Complex(0.0)) {
+    raw.pole = {shape.eigenvalue.real(), std::abs(shape.eigenvalue.imag())};
   }
-  raw.pole = {eigenvalue[0], std::abs(eigenvalue[1])};
-  raw.modal_a = {eigenvalue[2], eigenvalue[3]};
-}
-
-void take_shape(const Header& header, Lines& lines, Raw& raw) {
-  const auto per_node = static_cast<std::size_t>(header.values);
-  while (!lines.done()) {
-    const int node = lines.integers(1)[0];
-    const std::vector<double> parts =
-        lines.reals(per_node * (header.complex ? 2 : 1));
-    for (std::size_t k = 0; k < per_node; ++k) {
-      const Complex value = header.complex
-                                ? Complex(parts[2 * k], parts[2 * k + 1])
-                                : Complex(parts[k]);
-      raw.shape[{node, static_cast<int>(k) + 1, 1}] = value;
+  for (const auto& [node, values] : shape.values) {
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      raw.shape[{node, static_cast<int>(k) + 1, 1}] = values(k);
     }
   }
+  return raw;
 }
 
-std::optional<Raw> read_55(const UffDataset& dataset, std::string& why) {
-  Lines lines(dataset);
-  lines.skip(5);
-  const std::vector<int> kind = lines.integers(6);
-  const Header header{kind[1], kind[3], kind[4] == 5 || kind[4] == 6, kind[5]};
-  why = fault(header);
-  if (!why.empty()) return std::nullopt;
-  const std::vector<int> counts = lines.integers(2);
-  const auto integers = static_cast<std::size_t>(std::max(0, counts[0]));
-  const auto reals = static_cast<std::size_t>(std::max(0, counts[1]));
-  if (integers > kLongestHeader || reals > kLongestHeader) {
-    lines.fail("its counts of integers and reals make no sense");
+/// The mode of a dataset, or why it holds none.
+std::optional<Raw> read_mode(const UffDataset& dataset, std::string& why) {
+  if (!acquisition::stands_at_nodes(dataset)) {
+    why = "its data are not at nodes";
+    return std::nullopt;
   }
-  if (integers > 6) lines.skip((integers - 6 + 7) / 8);
-  std::vector<double> values = lines.reals(reals);
-  values.resize(6, 0.0);
-  Raw raw;
-  take_eigenvalue(header, values, values, raw);
-  take_shape(header, lines, raw);
-  return raw;
-}
-
-std::optional<Raw> read_2414(const UffDataset& dataset, std::string& why) {
-  Lines lines(dataset);
-  lines.skip(2);
-  const int location = lines.integers(1)[0];
-  lines.skip(5);
-  const std::vector<int> kind = lines.integers(6);
-  const Header header{kind[1], kind[3], kind[4] == 5 || kind[4] == 6, kind[5]};
-  why = location == 1 ? fault(header) : "its data are not at nodes";
+  const UffShape shape = acquisition::read_shape(dataset);
+  why = fault(shape);
   if (!why.empty()) return std::nullopt;
-  lines.skip(2);
-  // Time, frequency, eigenvalue, modal mass, viscous and hysteretic damping.
-  const std::vector<double> normal = lines.reals(6);
-  const std::vector<double> eigenvalue = lines.reals(6);
-  Raw raw;
-  take_eigenvalue(
-      header, {normal[1], normal[3], normal[4], normal[5]}, eigenvalue, raw);
-  take_shape(header, lines, raw);
-  return raw;
+  return raw_from(shape);
 }
 
 /// All modes on the degrees of freedom at which one of them moves.
@@ -230,8 +133,7 @@ UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
   for (const UffDataset& dataset : acquisition::split_uff(text, name)) {
     if (dataset.type != 55 && dataset.type != 2414) continue;
     std::string why;
-    std::optional<Raw> raw =
-        dataset.type == 55 ? read_55(dataset, why) : read_2414(dataset, why);
+    std::optional<Raw> raw = read_mode(dataset, why);
     if (raw) {
       raws.push_back(std::move(*raw));
     } else {

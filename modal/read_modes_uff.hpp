@@ -1,12 +1,7 @@
 // Modes out of universal files: datasets 55 and 2414, real and complex.
 //
-// Record 6 of a dataset 55, record 9 of a 2414, says how the eigenvalue stands
-// in the file:
-//   2  normal mode: frequency, modal mass, viscous damping ratio
-//   3  complex eigenvalue: lambda, modal A, modal B
-//
-// Source: SDRC universal file formats, as kept by the University of
-// Cincinnati.
+// A normal mode has a frequency, a damping ratio and a modal mass, a complex
+// one its eigenvalue and modal A; see acquisition/uff_shapes.
 #pragma once
 
 #include "modal/mode_set.hpp"

@@ -75,6 +75,31 @@ TEST(ReadModesUff, ReadsNormalModesAndScalesThemByTheirMass) {
   EXPECT_NEAR(std::abs(set.modes[0].shape(0)), 3.0, 1e-9);
 }
 
+TEST(ReadModesUff, TakesHalfTheLossFactorWhereThatIsGiven) {
+  const std::string text =
+      "    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n"
+      "         1         2         2         8         2         3\n"
+      "         2         4         1         1\n"
+      "  1.00000E+01  1.00000E+00  0.00000E+00  3.00000E-02\n"
+      "         7\n  0.00000E+00  0.00000E+00  1.00000E+00\n    -1\n";
+  const ModeSet set = read_modes_uff_text(text, "memory").set;
+  ASSERT_EQ(set.modes.size(), 1U);
+  EXPECT_NEAR(set.modes[0].damping_ratio, 0.015, 1e-12);
+}
+
+TEST(ReadModesUff, NamesDataAtElements) {
+  std::string text =
+      modes_as_uff(two_modes(false, true), "A plate", ModeDataset::Uff2414);
+  // The third line of the second dataset says where its data stand.
+  std::size_t at = text.find("2414", text.find("2414") + 4);
+  for (int line = 0; line < 3; ++line) at = text.find('\n', at) + 1;
+  text.replace(text.find('1', at), 1, "2");
+  const UffModes read = read_modes_uff_text(text, "memory");
+  EXPECT_EQ(read.set.modes.size(), 1U);
+  ASSERT_EQ(read.skipped.size(), 1U);
+  EXPECT_NE(read.skipped[0].find("not at nodes"), std::string::npos);
+}
+
 TEST(ReadModesUff, SaysWhatIsNoModeAndWhatIsBroken) {
   EXPECT_THROW((void)read_modes_uff("/nonexistent.uff"), InputError);
   EXPECT_THROW((void)read_modes_uff_text("    -1\n   151\nx\n    -1\n", "m"),
@@ -83,9 +108,15 @@ TEST(ReadModesUff, SaysWhatIsNoModeAndWhatIsBroken) {
   const std::size_t cut = text.find("         9\n");
   EXPECT_THROW((void)read_modes_uff_text(text.substr(0, cut + 20), "m"),
                InputError);
+  std::string nan = modes_as_uff(two_modes(false, true), "A plate");
+  nan.replace(nan.find(" 5.00000E-01"), 12, "         nan");
+  EXPECT_THROW((void)read_modes_uff_text(nan, "m"), InputError);
   const std::string strain =
       "    -1\n    55\nNONE\nNONE\nNONE\nNONE\nNONE\n"
-      "         1         2         2         3         2         3\n    -1\n";
+      "         1         2         2         3         2         3\n"
+      "         2         4         1         1\n"
+      "  1.00000E+01  4.00000E+00  2.00000E-02  0.00000E+00\n"
+      "         7\n  0.00000E+00  0.00000E+00  6.00000E+00\n    -1\n";
   try {
     (void)read_modes_uff_text(strain, "m");
     FAIL() << "a strain is no motion";
