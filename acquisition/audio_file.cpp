@@ -1,6 +1,7 @@
 #include "acquisition/audio_file.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/large_pages.hpp"
 
 #include <fmt/format.h>
 #include <sndfile.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <mutex>
 #include <new>
 #include <regex>
 #include <string>
@@ -23,7 +25,22 @@ using RowMajor =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Small enough to stay in the cache while it is turned into columns.
-constexpr Eigen::Index frames_at_once = 1 << 12;
+constexpr Eigen::Index frames_at_once = 1 << 10;
+
+// Column by column: each is written in one go, and what is read stays near.
+void into_columns(const Eigen::Ref<const RowMajor>& chunk,
+                  const Eigen::RowVectorXd& scale,
+                  Eigen::Ref<Eigen::MatrixXd> out) {
+  const Eigen::Index channels = chunk.cols();
+  for (Eigen::Index c = 0; c < channels; ++c) {
+    const double* from = chunk.data() + c;
+    double* to = out.col(c).data();
+    const double factor = scale(c);
+    for (Eigen::Index i = 0; i < chunk.rows(); ++i, from += channels) {
+      to[i] = factor * *from;
+    }
+  }
+}
 
 Handle open_to_read(const std::filesystem::path& file, SF_INFO& info) {
   std::error_code ignored;
@@ -31,6 +48,10 @@ Handle open_to_read(const std::filesystem::path& file, SF_INFO& info) {
     throw InputError(
         "there is no such file", file.string(), "correct the path");
   }
+  // Several runs are read at a time, but the reason of a refusal is kept in one
+  // place for all.
+  static std::mutex reason;
+  const std::lock_guard guard(reason);
   Handle handle(sf_open(file.c_str(), SFM_READ, &info));
   if (!handle) {
     throw InputError(
@@ -102,7 +123,21 @@ double AudioReader::sample_rate_hz() const { return state_->info.samplerate; }
 Eigen::Index AudioReader::samples() const { return state_->info.frames; }
 Eigen::Index AudioReader::channels() const { return state_->info.channels; }
 
-Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out) {
+bool AudioReader::floating_point() const {
+  switch (state_->info.format & SF_FORMAT_SUBMASK) {
+    case SF_FORMAT_PCM_S8:
+    case SF_FORMAT_PCM_U8:
+    case SF_FORMAT_PCM_16:
+    case SF_FORMAT_PCM_24:
+    case SF_FORMAT_PCM_32:
+      return false;
+    default:
+      return true;
+  }
+}
+
+Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out,
+                               const Eigen::RowVectorXd& scale) {
   const Eigen::Index wanted =
       std::min<Eigen::Index>(out.rows(), samples() - state_->done);
   state_->chunk.resize(
@@ -116,7 +151,8 @@ Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out) {
     if (got <= 0) {
       throw ends_early(state_->file, state_->done, samples());
     }
-    out.middleRows(filled, got) = state_->chunk.topRows(got);
+    into_columns(
+        state_->chunk.topRows(got), scale, out.middleRows(filled, got));
     filled += got;
     state_->done += got;
   }
@@ -126,7 +162,9 @@ Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out) {
 Eigen::MatrixXd room_for(const AudioReader& reader,
                          const std::filesystem::path& file) {
   try {
-    return Eigen::MatrixXd(reader.samples(), reader.channels());
+    Eigen::MatrixXd room(reader.samples(), reader.channels());
+    prefer_large_pages(room);
+    return room;
   } catch (const std::bad_alloc&) {
     throw InputError(
         fmt::format("announces {} samples of {} channels, more than memory "
@@ -144,7 +182,7 @@ Audio read_audio(const std::filesystem::path& file) {
   Audio audio;
   audio.sample_rate_hz = reader.sample_rate_hz();
   audio.samples = room_for(reader, file);
-  reader.read(audio.samples);
+  reader.read(audio.samples, Eigen::RowVectorXd::Ones(reader.channels()));
   return audio;
 }
 

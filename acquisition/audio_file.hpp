@@ -33,13 +33,17 @@ class AudioReader {
   [[nodiscard]] double sample_rate_hz() const;
   [[nodiscard]] Eigen::Index samples() const;
   [[nodiscard]] Eigen::Index channels() const;
+  /// Whether samples may be infinite or no numbers, as integers never are.
+  [[nodiscard]] bool floating_point() const;
 
   /// The next samples, as many as `out` has rows.
   ///
-  /// @param out rows x channels(), 1.0 = digital full scale
+  /// @param out rows x channels()
+  /// @param scale channels(), value of digital full scale
   /// @return rows that were filled; fewer only at the file's end
   /// @throws InputError for a file that ends before its announced length
-  Eigen::Index read(Eigen::Ref<Eigen::MatrixXd> out);
+  Eigen::Index read(Eigen::Ref<Eigen::MatrixXd> out,
+                    const Eigen::RowVectorXd& scale);
 
  private:
   struct State;

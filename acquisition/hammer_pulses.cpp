@@ -1,5 +1,6 @@
 #include "acquisition/hammer_pulses.hpp"
 
+#include "acquisition/range.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "acquisition/sinc_interpolation.hpp"
 
@@ -39,15 +40,15 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
   HammerSignal signal;
   signal.force = without_drift(channel, segment);
-  const double up = signal.force.maxCoeff();
-  const double down = -signal.force.minCoeff();
+  const auto [low, high] = range_of(signal.force);
   // Undershoot after a blow stays well below the blow itself.
-  if (polarity ? *polarity < 0 : down > 1.5 * up) {
+  const bool down = polarity ? *polarity < 0 : -low > 1.5 * high;
+  if (down) {
     signal.polarity = -1.0;
     signal.force = -signal.force;
   }
-  signal.peak = std::max(0.0, signal.force.maxCoeff());
-  constexpr Eigen::Index enough = 1 << 16;
+  signal.peak = std::max(0.0, down ? -low : high);
+  constexpr Eigen::Index enough = 1 << 14;
   signal.noise = 1.4826 * median(thinned(signal.force, enough).cwiseAbs());
   signal.noise = std::max(signal.noise, 1e-6 * signal.peak);
   return signal;
@@ -74,7 +75,13 @@ std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
                                double rearm) {
   std::vector<Pulse> pulses;
   const Eigen::Index n = force.size();
+  // Most of a record is quiet and is passed over by pieces.
+  constexpr Eigen::Index piece = 256;
   for (Eigen::Index i = 0; i < n; ++i) {
+    while (i + piece <= n && force.segment(i, piece).maxCoeff() <= level) {
+      i += piece;
+    }
+    if (i >= n) break;
     if (force[i] <= level) continue;
     const Eigen::Index first = i;
     Eigen::Index peak = i;

@@ -1,6 +1,7 @@
 #include "acquisition/hit_steps.hpp"
 
 #include "acquisition/judge_hits.hpp"
+#include "acquisition/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +34,22 @@ bool overloaded(const TestBundle& bundle,
 
 Eigen::VectorXd channel_noise(const Recording& recording) {
   Eigen::VectorXd noise(recording.samples.cols());
-  for (Index c = 0; c < noise.size(); ++c) {
-    noise[c] = difference_noise(recording.samples.col(c));
-  }
+  for_each_parallel(static_cast<std::size_t>(noise.size()), [&](std::size_t c) {
+    const auto column = static_cast<Index>(c);
+    noise[column] = difference_noise(recording.samples.col(column));
+  });
   return noise;
+}
+
+// A hit as measured, not judged yet.
+Hit hit_of(const PulseGroup& group, const HitSet& set, double rate) {
+  Hit hit;
+  hit.begin = std::max<Index>(0, group.first.first - set.pre_trigger);
+  hit.trigger = group.first.first;
+  hit.time_s = static_cast<double>(group.largest.peak) / rate;
+  hit.peak_n = group.largest.height;
+  hit.pulse_s = group.largest.width / rate;
+  return hit;
 }
 
 }  // namespace
@@ -63,17 +76,14 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
                              const HitSet& set,
                              double double_percent) {
   const double rate = recording.sample_rate_hz;
+  const double band = band_end(bundle, rate);
   const Eigen::VectorXd noise = channel_noise(recording);
-  std::vector<Hit> hits;
-  for (const PulseGroup& group : work.groups) {
-    Hit hit;
+  std::vector<Hit> hits(work.groups.size());
+  for_each_parallel(hits.size(), [&](std::size_t k) {
+    const PulseGroup& group = work.groups[k];
+    Hit& hit = hits[k] = hit_of(group, set, rate);
     const Index wanted = group.first.first - set.pre_trigger;
     const Index stop = wanted + set.block;
-    hit.begin = std::max<Index>(0, wanted);
-    hit.trigger = group.first.first;
-    hit.time_s = static_cast<double>(group.largest.peak) / rate;
-    hit.peak_n = group.largest.height;
-    hit.pulse_s = group.largest.width / rate;
     const Index end = std::min(stop, recording.samples.rows());
     if (has_second_pulse(
             work.hammer, group.largest, hit.begin, end, double_percent)) {
@@ -83,16 +93,13 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
       note(hit, HitFault::Overload);
     }
     if (hit.peak_n < least_snr * work.hammer.noise) note(hit, HitFault::Weak);
-    if (force_level_db(
-            work.hammer, group.largest, band_end(bundle, rate), rate) <
-        softest_db) {
+    if (force_level_db(work.hammer, group.largest, band, rate) < softest_db) {
       note(hit, HitFault::Soft);
     }
     if (wanted < 0 || stop > recording.samples.rows()) {
       note(hit, HitFault::Truncated);
     }
-    hits.push_back(hit);
-  }
+  });
   return hits;
 }
 

@@ -6,6 +6,7 @@
 #include "acquisition/compare_hits.hpp"
 #include "acquisition/hit_steps.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
 
 #include <fmt/format.h>
@@ -110,24 +111,34 @@ const PulseGroup& clearest_hit(const std::vector<PulseGroup>& groups) {
   return *best;
 }
 
-// The longest that any response of any run's clearest hit lasts.
+// How long the responses of a run's clearest hit last.
+Index lasting_response(const Run& run,
+                       const Recording& recording,
+                       const PulseGroup& hit) {
+  std::vector<Index> lasting(run.sensors.size());
+  for_each_parallel(lasting.size(), [&](std::size_t k) {
+    const auto channel =
+        recording.samples.col(static_cast<Index>(run.sensors[k].channel));
+    constexpr Index enough = 1 << 14;
+    const double level = median(thinned(channel, enough));
+    const Eigen::VectorXd response =
+        channel.segment(hit.first.first, hit.room).array() - level;
+    lasting[k] = response_length(response);
+  });
+  return lasting.empty() ? 0
+                         : *std::max_element(lasting.begin(), lasting.end());
+}
+
+// The longest of all runs.
 Index lasting_response(const TestBundle& bundle,
                        const std::vector<Recording>& recordings,
                        const std::vector<HammerRun>& work) {
-  Index lasting = 0;
-  for (std::size_t r = 0; r < work.size(); ++r) {
-    const PulseGroup& hit = clearest_hit(work[r].groups);
-    for (const Placement& sensor : bundle.runs[r].sensors) {
-      const auto channel =
-          recordings[r].samples.col(static_cast<Index>(sensor.channel));
-      constexpr Index enough = 1 << 14;
-      const double level = median(thinned(channel, enough));
-      const Eigen::VectorXd response =
-          channel.segment(hit.first.first, hit.room).array() - level;
-      lasting = std::max(lasting, response_length(response));
-    }
-  }
-  return lasting;
+  std::vector<Index> lasting(work.size());
+  for_each_parallel(work.size(), [&](std::size_t r) {
+    lasting[r] = lasting_response(
+        bundle.runs[r], recordings[r], clearest_hit(work[r].groups));
+  });
+  return *std::max_element(lasting.begin(), lasting.end());
 }
 
 Block block_for(const TestBundle& bundle,
@@ -255,11 +266,10 @@ HitSet find_hits(const TestBundle& bundle,
                  const HitOptions& given) {
   check_arguments(bundle, recordings);
   const HitOptions options = completed(given, bundle);
-  std::vector<HammerRun> work;
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    work.push_back(
-        prepare_run(bundle.runs[r], recordings[r], options.trigger.slope));
-  }
+  std::vector<HammerRun> work(bundle.runs.size());
+  for_each_parallel(work.size(), [&](std::size_t r) {
+    work[r] = prepare_run(bundle.runs[r], recordings[r], options.trigger.slope);
+  });
   trigger(bundle, options, work);
   std::vector<RunPulses> pulses;
   for (const HammerRun& run : work) pulses.push_back(run.pulses);
@@ -276,17 +286,20 @@ HitSet find_hits(const TestBundle& bundle,
   state_trigger(bundle, work, options, set);
   state_block(block, options, set);
   state_polarity(work, options, set);
-  for (std::size_t r = 0; r < work.size(); ++r) {
-    std::vector<Hit> hits = judge_alone(bundle,
-                                        bundle.runs[r],
-                                        recordings[r],
-                                        work[r],
-                                        set,
-                                        options.double_hit_percent);
+  set.runs.resize(work.size());
+  for_each_parallel(work.size(), [&](std::size_t r) {
+    std::vector<Hit>& hits = set.runs[r];
+    hits = judge_alone(bundle,
+                       bundle.runs[r],
+                       recordings[r],
+                       work[r],
+                       set,
+                       options.double_hit_percent);
     judge_weak(hits);
     judge_outliers(bundle.runs[r], recordings[r], work[r].hammer, set, hits);
-    rescue(bundle.runs[r], work[r].hammer.noise, hits, set.statements);
-    set.runs.push_back(std::move(hits));
+  });
+  for (std::size_t r = 0; r < work.size(); ++r) {
+    rescue(bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
   }
   return set;
 }

@@ -1,5 +1,6 @@
 #include "acquisition/judge_hits.hpp"
 
+#include "acquisition/range.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "acquisition/sinc_interpolation.hpp"
 
@@ -75,12 +76,15 @@ double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
 }
 
 // Smallest step between different neighbours: the quantisation of a record.
-double quantisation(const Eigen::Ref<const Eigen::VectorXd>& block) {
-  const Index n = block.size() - 1;
-  if (n < 1) return 0.0;
+// Looked for no further once it is `enough`: smaller ones make no difference.
+double quantisation(const Eigen::Ref<const Eigen::VectorXd>& block,
+                    double enough) {
   constexpr double none = std::numeric_limits<double>::max();
-  const Eigen::ArrayXd step = (block.tail(n) - block.head(n)).cwiseAbs();
-  const double least = (step > 0.0).select(step, none).minCoeff();
+  double least = none;
+  for (Index i = 1; i < block.size() && least > enough; ++i) {
+    const double step = std::abs(block[i] - block[i - 1]);
+    if (step > 0.0) least = std::min(least, step);
+  }
   return least == none ? 0.0 : least;
 }
 
@@ -107,8 +111,14 @@ bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
                   double tolerance) {
   const double high = top - tolerance;
   const double fallen = top - 10.0 * tolerance;
-  if ((sign * x.array() >= high).count() < 3) return false;
+  // Most of a block lies far below its top and is passed over by pieces.
+  constexpr Index piece = 256;
   for (Index i = 0; i < x.size(); ++i) {
+    while (i + piece <= x.size() &&
+           (sign * x.segment(i, piece).array()).maxCoeff() < high) {
+      i += piece;
+    }
+    if (i >= x.size()) break;
     if (sign * x[i] < high) continue;
     const Index first = i;
     while (i + 1 < x.size() && sign * x[i + 1] >= high) ++i;
@@ -176,12 +186,12 @@ double force_level_db(const HammerSignal& hammer,
 bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
                    double full_scale,
                    double noise) {
-  const double high = block.maxCoeff();
-  const double low = block.minCoeff();
+  const auto [low, high] = range_of(block);
   if (std::max(high, -low) >= 0.999 * full_scale) return true;
   const double swing = high - low;
+  const double smooth = std::max(1e-5 * swing, 8.0 * noise);
   const double tolerance =
-      std::max({1e-5 * swing, 8.0 * noise, 1.5 * quantisation(block)});
+      std::max(smooth, 1.5 * quantisation(block, smooth / 1.5));
   // Far above noise and quantisation, else any top is flat.
   if (swing < 100.0 * tolerance) return false;
   return has_flat_top(block, 1.0, high, tolerance) ||

@@ -2,6 +2,7 @@
 
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/parallel.hpp"
 #include "acquisition/uff_bundle.hpp"
 
 #include <fmt/format.h>
@@ -12,76 +13,52 @@
 namespace tapfit::acquisition {
 namespace {
 
-// What a recording's checks need, gathered while its samples are in the cache.
-struct Extremes {
-  Eigen::RowVectorXd low;
-  Eigen::RowVectorXd high;
-  double sum = 0.0;  // not finite where any sample is not
-
-  void take(const Eigen::Ref<const Eigen::MatrixXd>& piece) {
-    if (low.size() == 0) {
-      low = high = piece.row(0);
-    }
-    for (Eigen::Index c = 0; c < piece.cols(); ++c) {
-      low(c) = std::min(low(c), piece.col(c).minCoeff());
-      high(c) = std::max(high(c), piece.col(c).maxCoeff());
-      sum += piece.col(c).sum();
-    }
-  }
-};
-
 // A cable that is off: the converter delivers one value, and an FRF of nothing
 // would count as a measurement of nothing.
-void check_alive(const Extremes& extremes,
+void check_alive(const Recording& recording,
                  const TestBundle& bundle,
                  const Run& run) {
   std::vector<std::size_t> used = {run.hammer.channel};
   for (const Placement& sensor : run.sensors) used.push_back(sensor.channel);
   for (const std::size_t c : used) {
-    const auto column = static_cast<Eigen::Index>(c);
-    if (extremes.high(column) > extremes.low(column)) continue;
+    const auto channel = recording.samples.col(static_cast<Eigen::Index>(c));
+    // Mostly the second sample already differs.
+    const double first = channel[0];
+    if (std::any_of(channel.begin(), channel.end(), [&](double value) {
+          return value != first;
+        })) {
+      continue;
+    }
     throw InputError(
         fmt::format("channel \"{}\" is dead: every sample is {:g} {}",
                     bundle.channels[c].name,
-                    extremes.low(column) / bundle.channels[c].unit_to_si,
+                    first / bundle.channels[c].unit_to_si,
                     bundle.channels[c].unit),
         run.file.string(),
-        "record the run again, or take the channel (or the run) out of `runs`");
+        "record the run again, or take the channel (or the run) "
+        "out of `runs`");
   }
-}
-
-void check(const Recording& recording,
-           const Extremes& extremes,
-           const TestBundle& bundle,
-           const Run& run) {
-  const std::string file = run.file.string();
-  if (!std::isfinite(extremes.sum)) {
-    check_finite(recording.samples, 0, recording.sample_rate_hz, bundle, file);
-  }
-  check_alive(extremes, bundle, run);
-  check_band(bundle, recording.sample_rate_hz, file);
 }
 
 Recording read_sound(const TestBundle& bundle, const Run& run) {
   AudioReader reader(run.file);
   check_channels(bundle, run, reader.channels());
-  Eigen::RowVectorXd scale(reader.channels());
-  for (Eigen::Index c = 0; c < scale.size(); ++c) {
-    scale(c) = bundle.channels[static_cast<std::size_t>(c)].full_scale_si();
-  }
+  const Eigen::RowVectorXd scale = full_scales(bundle);
   Recording recording;
   recording.sample_rate_hz = reader.sample_rate_hz();
   recording.samples = room_for(reader, run.file);
-  Extremes extremes;
   constexpr Eigen::Index at_once = 1 << 12;
   for (Eigen::Index done = 0; done < reader.samples(); done += at_once) {
     auto piece = recording.samples.middleRows(
         done, std::min(at_once, reader.samples() - done));
-    reader.read(piece);
-    piece.array().rowwise() *= scale.array();
-    extremes.take(piece);
+    reader.read(piece, scale);
+    // While they are in the cache.
+    if (!reader.floating_point()) continue;
+    check_finite(
+        piece, done, recording.sample_rate_hz, bundle, run.file.string());
   }
-  check(recording, extremes, bundle, run);
+  check_alive(recording, bundle, run);
+  check_band(bundle, recording.sample_rate_hz, run.file.string());
   return recording;
 }
 
@@ -89,9 +66,13 @@ Recording read_from_uff(const UffFile& file,
                         const TestBundle& bundle,
                         const Run& run) {
   Recording recording = read_uff_run(file, run, bundle.channels.size());
-  Extremes extremes;
-  extremes.take(recording.samples);
-  check(recording, extremes, bundle, run);
+  check_finite(recording.samples,
+               0,
+               recording.sample_rate_hz,
+               bundle,
+               run.file.string());
+  check_alive(recording, bundle, run);
+  check_band(bundle, recording.sample_rate_hz, run.file.string());
   return recording;
 }
 
@@ -115,6 +96,14 @@ void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& samples,
           "record or export the file again, or leave this run out");
     }
   }
+}
+
+Eigen::RowVectorXd full_scales(const TestBundle& bundle) {
+  Eigen::RowVectorXd scale(static_cast<Eigen::Index>(bundle.channels.size()));
+  for (Eigen::Index c = 0; c < scale.size(); ++c) {
+    scale(c) = bundle.channels[static_cast<std::size_t>(c)].full_scale_si();
+  }
+  return scale;
 }
 
 void check_channels(const TestBundle& bundle,
@@ -149,23 +138,23 @@ Recording read_recording(const TestBundle& bundle, const Run& run) {
 }
 
 std::vector<Recording> read_recordings(const TestBundle& bundle) {
-  std::vector<Recording> recordings;
-  recordings.reserve(bundle.runs.size());
+  std::vector<Recording> recordings(bundle.runs.size());
   // All runs of a universal file stand in one, which is taken apart once.
   std::optional<UffFile> uff;
   if (bundle.uff) uff.emplace(open_uff(*bundle.uff));
-  for (const Run& run : bundle.runs) {
-    recordings.push_back(uff ? read_from_uff(*uff, bundle, run)
-                             : read_recording(bundle, run));
-    if (recordings.back().sample_rate_hz == recordings[0].sample_rate_hz) {
-      continue;
-    }
+  for_each_parallel(bundle.runs.size(), [&](std::size_t r) {
+    const Run& run = bundle.runs[r];
+    recordings[r] =
+        uff ? read_from_uff(*uff, bundle, run) : read_recording(bundle, run);
+  });
+  for (std::size_t r = 1; r < recordings.size(); ++r) {
+    if (recordings[r].sample_rate_hz == recordings[0].sample_rate_hz) continue;
     throw InputError(
         fmt::format("is sampled at {} Hz, {} at {} Hz",
-                    recordings.back().sample_rate_hz,
+                    recordings[r].sample_rate_hz,
                     bundle.runs[0].file.string(),
                     recordings[0].sample_rate_hz),
-        run.file.string(),
+        bundle.runs[r].file.string(),
         "resample the files to one rate, or make a bundle of each");
   }
   return recordings;

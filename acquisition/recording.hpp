@@ -30,6 +30,8 @@ void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& samples,
                   double rate,
                   const TestBundle& bundle,
                   const std::string& file);
+/// Per channel what a sample of 1.0 is [SI].
+[[nodiscard]] Eigen::RowVectorXd full_scales(const TestBundle& bundle);
 /// @throws InputError unless the file has as many channels as the bundle
 void check_channels(const TestBundle& bundle,
                     const Run& run,

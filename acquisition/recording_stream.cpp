@@ -32,12 +32,10 @@ Index RecordingStream::read(Eigen::Ref<Eigen::MatrixXd> out) {
     done_ += count;
     return count;
   }
-  const Index count = audio_->read(out);
-  for (Index c = 0; c < out.cols(); ++c) {
-    out.col(c).head(count) *=
-        bundle_.channels[static_cast<std::size_t>(c)].full_scale_si();
+  const Index count = audio_->read(out, full_scales(bundle_));
+  if (audio_->floating_point()) {
+    check_finite(out.topRows(count), done_, rate_, bundle_, file_);
   }
-  check_finite(out.topRows(count), done_, rate_, bundle_, file_);
   done_ += count;
   return count;
 }

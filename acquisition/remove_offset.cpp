@@ -1,5 +1,7 @@
 #include "acquisition/remove_offset.hpp"
 
+#include "acquisition/large_pages.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,7 @@ Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
   // Straight lines between the segments' middles, level before the first one
   // and after the last one.
   Eigen::VectorXd result(n);
+  prefer_large_pages(result);
   Eigen::Index i = 0;
   for (Eigen::Index next = 0; next <= count; ++next) {
     const Eigen::Index left = std::max<Eigen::Index>(0, next - 1);

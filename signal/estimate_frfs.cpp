@@ -1,6 +1,7 @@
 #include "signal/estimate_frfs.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/parallel.hpp"
 #include "signal/frf_average.hpp"
 #include "signal/level_dependence.hpp"
 #include "signal/spectra.hpp"
@@ -9,9 +10,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <thread>
 #include <tuple>
 
 namespace tapfit::signal {
@@ -46,46 +49,47 @@ void state_noise(const Frf& frf, std::vector<std::string>& statements) {
                   frf.coherence.mean()));
 }
 
-void add_run(const TestBundle& bundle,
-             std::size_t run,
-             const HitBlocks& blocks,
-             const Plan& plan,
-             LevelDependence& levels,
-             FrfSet& set) {
+/// What comes of one run; no FRFs where none of its hits is accepted.
+struct RunResult {
+  std::vector<Frf> frfs;
+  LevelDependence levels;
+};
+
+RunResult estimate_run(const TestBundle& bundle,
+                       std::size_t run,
+                       const HitBlocks& blocks,
+                       const Plan& plan) {
+  RunResult result;
+  if (blocks.force.cols() == 0) return result;
   const Spectra spectra = plan.transform(blocks);
-  levels.add(spectra);
+  result.levels.add(spectra);
   RunAverage average;
   average.s = plan.s;
   add_hits(blocks, spectra, average);
-  for (Frf& frf : average_frfs(average, bundle, run, plan.estimator)) {
-    state_noise(frf, set.statements);
-    set.frfs.push_back(std::move(frf));
-  }
+  result.frfs = average_frfs(average, bundle, run, plan.estimator);
+  return result;
 }
 
-FrfSet estimate_all(const TestBundle& bundle,
-                    const std::vector<Recording>& recordings,
-                    const HitSet& hits,
-                    const Plan& plan,
-                    const Progress& progress) {
+// Joins the runs in their order.
+FrfSet joined(const TestBundle& bundle,
+              std::vector<RunResult>& runs,
+              const Plan& plan) {
   FrfSet set;
   set.s = plan.s;
   LevelDependence levels;
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    progress("FRFs",
-             static_cast<double>(r) / static_cast<double>(bundle.runs.size()));
-    const HitBlocks blocks = cut_hits(
-        bundle.runs[r], recordings[r], hits, hits.runs[r], plan.blocks);
-    if (blocks.force.cols() == 0) {
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (runs[r].frfs.empty()) {
       set.statements.push_back(
           fmt::format("run {} ({}) is left out: none of its hits is accepted",
                       r + 1,
                       bundle.runs[r].file.filename().string()));
-      continue;
     }
-    add_run(bundle, r, blocks, plan, levels, set);
+    for (Frf& frf : runs[r].frfs) {
+      state_noise(frf, set.statements);
+      set.frfs.push_back(std::move(frf));
+    }
+    levels.add(std::move(runs[r].levels));
   }
-  progress("FRFs", 1.0);
   if (set.frfs.empty())
     throw InputError("no run has an accepted hit",
                      bundle.folder.string(),
@@ -93,6 +97,32 @@ FrfSet estimate_all(const TestBundle& bundle,
   const std::string dependence = statement(levels.finding(level_seed));
   if (!dependence.empty()) set.statements.push_back(dependence);
   return set;
+}
+
+FrfSet estimate_all(const TestBundle& bundle,
+                    const std::vector<Recording>& recordings,
+                    const HitSet& hits,
+                    const Plan& plan,
+                    const Progress& progress) {
+  std::vector<RunResult> runs(bundle.runs.size());
+  std::atomic<std::size_t> done = 0;
+  // Whoever asked is told from his own thread only.
+  const auto asked = std::this_thread::get_id();
+  for_each_parallel(runs.size(), [&](std::size_t r) {
+    if (std::this_thread::get_id() == asked) {
+      progress("FRFs",
+               static_cast<double>(done) / static_cast<double>(runs.size()));
+    }
+    runs[r] = estimate_run(
+        bundle,
+        r,
+        cut_hits(
+            bundle.runs[r], recordings[r], hits, hits.runs[r], plan.blocks),
+        plan);
+    ++done;
+  });
+  progress("FRFs", 1.0);
+  return joined(bundle, runs, plan);
 }
 
 void check_blocks(const TestBundle& bundle, const HitSet& hits) {
@@ -192,7 +222,7 @@ FrfSet estimate_frfs(const TestBundle& bundle,
   plan.s = fft.s;
   plan.blocks = fft.blocks;
   plan.estimator = options.estimator;
-  RealFft transform(hits.block);
+  const RealFft transform(hits.block);
   plan.transform = [&fft, &transform](const HitBlocks& b) {
     return fft_spectra(b, transform, fft.sigma, fft.first, fft.last);
   };

@@ -17,33 +17,59 @@ std::mutex& planner_lock() {
 
 }  // namespace
 
-struct RealFft::Plan {
-  explicit Plan(Eigen::Index length)
-      : n(length),
-        in(fftw_alloc_real(static_cast<std::size_t>(length))),
-        out(fftw_alloc_complex(static_cast<std::size_t>(length / 2 + 1))) {
+struct RealFft::Buffers {
+  explicit Buffers(Eigen::Index n)
+      : in(fftw_alloc_real(static_cast<std::size_t>(n))),
+        out(fftw_alloc_complex(static_cast<std::size_t>(n / 2 + 1))) {}
+  ~Buffers() {
+    fftw_free(out);
+    fftw_free(in);
+  }
+  Buffers(const Buffers&) = delete;
+  Buffers& operator=(const Buffers&) = delete;
+
+  // fftw_complex is laid out as std::complex<double> (FFTW manual 4.1.1).
+  [[nodiscard]] const std::complex<double>* lines() const {
+    return reinterpret_cast<const std::complex<double>*>(out);
+  }
+
+  double* in;
+  fftw_complex* out;
+};
+
+class RealFft::Plan {
+ public:
+  Plan(Eigen::Index length, const Buffers& buffers) : n(length) {
     const std::lock_guard guard(planner_lock());
-    handle = fftw_plan_dft_r2c_1d(static_cast<int>(n), in, out, FFTW_ESTIMATE);
+    handle_ = fftw_plan_dft_r2c_1d(
+        static_cast<int>(n), buffers.in, buffers.out, FFTW_ESTIMATE);
   }
   ~Plan() {
     const std::lock_guard guard(planner_lock());
-    fftw_destroy_plan(handle);
-    fftw_free(out);
-    fftw_free(in);
+    fftw_destroy_plan(handle_);
   }
   Plan(const Plan&) = delete;
   Plan& operator=(const Plan&) = delete;
 
+  // Any buffers of fftw_alloc are aligned as those of the planning were.
+  void execute(const Buffers& buffers) const {
+    fftw_execute_dft_r2c(handle_, buffers.in, buffers.out);
+  }
+
   Eigen::Index n;
-  double* in;
-  fftw_complex* out;
-  fftw_plan handle = nullptr;
+
+ private:
+  fftw_plan handle_ = nullptr;
 };
 
 RealFft::RealFft(Eigen::Index length) {
   assert(length >= 1 && length <= std::numeric_limits<int>::max());
-  plan_ = std::make_unique<Plan>(length);
+  buffers_ = std::make_unique<Buffers>(length);
+  plan_ = std::make_shared<const Plan>(length, *buffers_);
 }
+
+RealFft::RealFft(const RealFft& other)
+    : plan_(other.plan_), buffers_(std::make_unique<Buffers>(plan_->n)) {}
 
 RealFft::~RealFft() = default;
 RealFft::RealFft(RealFft&&) noexcept = default;
@@ -54,14 +80,12 @@ Eigen::Index RealFft::length() const { return plan_->n; }
 Eigen::VectorXcd RealFft::transform(
     const Eigen::Ref<const Eigen::VectorXd>& samples) {
   assert(samples.size() <= plan_->n);
-  Eigen::Map<Eigen::VectorXd> in(plan_->in, plan_->n);
+  Eigen::Map<Eigen::VectorXd> in(buffers_->in, plan_->n);
   in.head(samples.size()) = samples;
   in.tail(plan_->n - samples.size()).setZero();
-  fftw_execute(plan_->handle);
-  // fftw_complex is laid out as std::complex<double> (FFTW manual 4.1.1).
-  return Eigen::Map<const Eigen::VectorXcd>(
-      reinterpret_cast<const std::complex<double>*>(plan_->out),
-      plan_->n / 2 + 1);
+  plan_->execute(*buffers_);
+  return Eigen::Map<const Eigen::VectorXcd>(buffers_->lines(),
+                                            plan_->n / 2 + 1);
 }
 
 void RealFft::transform(const Eigen::Ref<const Eigen::VectorXd>& samples,
@@ -70,12 +94,11 @@ void RealFft::transform(const Eigen::Ref<const Eigen::VectorXd>& samples,
                         Eigen::Ref<Eigen::VectorXcd> lines) {
   assert(samples.size() == plan_->n && window.size() == plan_->n);
   assert(first >= 0 && first + lines.size() <= plan_->n / 2 + 1);
-  Eigen::Map<Eigen::VectorXd>(plan_->in, plan_->n) =
+  Eigen::Map<Eigen::VectorXd>(buffers_->in, plan_->n) =
       samples.cwiseProduct(window);
-  fftw_execute(plan_->handle);
-  lines = Eigen::Map<const Eigen::VectorXcd>(
-      reinterpret_cast<const std::complex<double>*>(plan_->out) + first,
-      lines.size());
+  plan_->execute(*buffers_);
+  lines = Eigen::Map<const Eigen::VectorXcd>(buffers_->lines() + first,
+                                             lines.size());
 }
 
 }  // namespace tapfit::signal

@@ -15,13 +15,16 @@ namespace tapfit::signal {
 /// A transform of one length, with its plan and its buffers.
 ///
 /// Planning is guarded by a lock because FFTW's planner is not thread-safe;
-/// one RealFft must not be used by two threads at once.
+/// one RealFft must not be used by two threads at once. A copy has the same
+/// plan, which costs nothing, and buffers of its own: one for each thread.
 class RealFft {
  public:
   /// @param length number of samples N, at least 1; any size, products of
   ///   small primes are fastest
   explicit RealFft(Eigen::Index length);
   ~RealFft();
+  RealFft(const RealFft& other);
+  RealFft& operator=(const RealFft&) = delete;
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 
@@ -44,8 +47,10 @@ class RealFft {
                  Eigen::Ref<Eigen::VectorXcd> lines);
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  class Plan;
+  struct Buffers;
+  std::shared_ptr<const Plan> plan_;
+  std::unique_ptr<Buffers> buffers_;
 };
 
 }  // namespace tapfit::signal

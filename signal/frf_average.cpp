@@ -30,12 +30,12 @@ void add_hits(const HitBlocks& blocks,
   const std::size_t sensors = spectra.responses.size();
   average.powers.resize(sensors);
   average.noise.resize(sensors);
+  const std::vector<LineNoise> noise = line_noise(average.s, blocks);
   for (std::size_t c = 0; c < sensors; ++c) {
     CrossPowers& powers = average.powers[c];
-    const LineNoise noise = line_noise(average.s, blocks, c);
-    if (powers.hits == 0) average.noise[c] = noise;
+    if (powers.hits == 0) average.noise[c] = noise[c];
     powers += cross_powers(spectra.force, spectra.responses[c]);
-    average_in(noise,
+    average_in(noise[c],
                static_cast<double>(spectra.force.cols()) /
                    static_cast<double>(powers.hits),
                average.noise[c]);

@@ -1,6 +1,7 @@
 #include "signal/hit_blocks.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/parallel.hpp"
 #include "signal/offset.hpp"
 #include "signal/ringing.hpp"
 #include "signal/window.hpp"
@@ -61,17 +62,16 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
 
 // Rows of a block around the trigger with the offset taken off; zero where the
 // file has no samples.
-Eigen::VectorXd cut(const Eigen::Ref<const Eigen::VectorXd>& channel,
-                    Index begin,
-                    Index block,
-                    double level) {
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(block);
+void cut(const Eigen::Ref<const Eigen::VectorXd>& channel,
+         Index begin,
+         double level,
+         Eigen::Ref<Eigen::VectorXd> x) {
   const Index first = std::max<Index>(begin, 0);
-  const Index last = std::min(begin + block, channel.size());
-  if (last > first)
-    x.segment(first - begin, last - first) =
-        channel.segment(first, last - first).array() - level;
-  return x;
+  const Index last = std::min(begin + x.size(), channel.size());
+  if (last - first < x.size()) x.setZero();
+  if (last <= first) return;
+  x.segment(first - begin, last - first) =
+      channel.segment(first, last - first).array() - level;
 }
 
 // Cuts all hits of one channel and collects the noise before them.
@@ -111,8 +111,7 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
         rung.size() > 0 ? rung.data() : recorded.data(), recorded.size());
     const double level =
         offset_at_hit(channel, p.before, p.after, lengths.wanted);
-    result.blocks.col(static_cast<Index>(k)) =
-        cut(channel, begin, block, level);
+    cut(channel, begin, level, result.blocks.col(static_cast<Index>(k)));
     result.quiet.emplace_back(
         channel.segment(p.before.begin, p.before.length()).array() - level);
   }
@@ -138,17 +137,22 @@ std::vector<PulseSpan> pulse_spans(const CutChannel& force,
   return spans;
 }
 
+void apply(bool only_pulse,
+           const PulseSpan& span,
+           Eigen::Ref<Eigen::VectorXd> block) {
+  if (only_pulse) {
+    apply_pulse_window(span, taper, block);
+  } else {
+    apply_causal_window(span, taper, block);
+  }
+}
+
 // Applies each hit's window to its column.
 void apply(bool only_pulse,
            const std::vector<PulseSpan>& spans,
            Eigen::MatrixXd& blocks) {
   for (Index k = 0; k < blocks.cols(); ++k) {
-    const PulseSpan& span = spans[static_cast<std::size_t>(k)];
-    if (only_pulse) {
-      apply_pulse_window(span, taper, blocks.col(k));
-    } else {
-      apply_causal_window(span, taper, blocks.col(k));
-    }
+    apply(only_pulse, spans[static_cast<std::size_t>(k)], blocks.col(k));
   }
 }
 
@@ -156,12 +160,15 @@ void apply(bool only_pulse,
 Eigen::VectorXd window_power(Index block,
                              bool only_pulse,
                              const std::vector<PulseSpan>& spans) {
-  Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(block, 1);
+  Eigen::VectorXd window(block);
   Eigen::VectorXd power = Eigen::VectorXd::Zero(block);
   for (const PulseSpan& span : spans) {
-    ones.setOnes();
-    apply(only_pulse, {span}, ones);
-    power += ones.col(0).cwiseAbs2();
+    // Behind the pulse it is nothing, or as it was before.
+    const Index end = std::min(block, span.end + taper);
+    window.head(end).setOnes();
+    apply(only_pulse, span, window.head(end));
+    power.head(end) += window.head(end).cwiseAbs2();
+    if (!only_pulse) power.tail(block - end).array() += 1.0;
   }
   return power / static_cast<double>(spans.size());
 }
@@ -221,12 +228,14 @@ HitBlocks cut_hits(const acquisition::Run& run,
   }
   result.force_power = window_power(hits.block, options.force_window, spans);
   result.response_power = window_power(hits.block, false, spans);
-  for (const acquisition::Placement& sensor : run.sensors) {
-    CutChannel response = channel_at(sensor, options.ringing_poles);
-    result.noise.push_back(noise_spectrum(response.quiet, result.dt));
+  result.noise.resize(run.sensors.size());
+  result.responses.resize(run.sensors.size());
+  for_each_parallel(run.sensors.size(), [&](std::size_t c) {
+    CutChannel response = channel_at(run.sensors[c], options.ringing_poles);
+    result.noise[c] = noise_spectrum(response.quiet, result.dt);
     apply(false, spans, response.blocks);
-    result.responses.push_back(std::move(response.blocks));
-  }
+    result.responses[c] = std::move(response.blocks);
+  });
   return result;
 }
 

@@ -98,7 +98,7 @@ HitCoherence run_coherence(
   const HitBlocks blocks = cut_hits(
       bundle.runs[run], recordings[run], hits, hits.runs[run], plan.blocks);
   if (blocks.force.cols() < 2) return {};
-  RealFft fft(hits.block);
+  const RealFft fft(hits.block);
   HitCoherence result = hit_coherence(
       fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last));
   result.hits.clear();

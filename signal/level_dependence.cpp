@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace tapfit::signal {
 namespace {
@@ -63,6 +64,10 @@ void LevelDependence::add(const Spectra& spectra) {
     run.size += H.cwiseAbs2().sum();
   }
   runs_.push_back(std::move(run));
+}
+
+void LevelDependence::add(LevelDependence&& other) {
+  std::move(other.runs_.begin(), other.runs_.end(), std::back_inserter(runs_));
 }
 
 // |e|^2 that follows the levels, per line.

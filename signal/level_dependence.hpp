@@ -39,6 +39,8 @@ struct LevelFinding {
 class LevelDependence {
  public:
   void add(const Spectra& spectra);
+  /// Adds the runs of another.
+  void add(LevelDependence&& other);
 
   /// @param seed of the permutations
   [[nodiscard]] LevelFinding finding(std::uint64_t seed) const;

@@ -31,16 +31,19 @@ WindowSums sums_of(const Eigen::VectorXd& w2,
 
 }  // namespace
 
-LineNoise line_noise(const Eigen::VectorXcd& s,
-                     const HitBlocks& blocks,
-                     std::size_t sensor) {
+std::vector<LineNoise> line_noise(const Eigen::VectorXcd& s,
+                                  const HitBlocks& blocks) {
   const double fs = 1.0 / blocks.dt;
-  LineNoise noise{Eigen::VectorXd(s.size()),
-                  Eigen::VectorXd(s.size()),
-                  Eigen::VectorXd(s.size())};
+  const Eigen::Index lines = s.size();
+  std::vector<LineNoise> noise(blocks.responses.size());
+  for (LineNoise& of : noise) {
+    of.response.resize(lines);
+    of.force.resize(lines);
+    of.bandwidth.resize(lines);
+  }
   WindowSums response;
   WindowSums force;
-  for (Eigen::Index i = 0; i < s.size(); ++i) {
+  for (Eigen::Index i = 0; i < lines; ++i) {
     // Lines mostly share their decay rate.
     if (i == 0 || s(i).real() != s(i - 1).real()) {
       response = sums_of(
@@ -49,10 +52,14 @@ LineNoise line_noise(const Eigen::VectorXcd& s,
           sums_of(blocks.force_power, blocks.trigger, blocks.dt, s(i).real());
     }
     const double omega = s(i).imag();
-    noise.response(i) = blocks.noise[sensor].at(omega) * response.w2;
-    noise.force(i) = blocks.force_noise.at(omega) * force.w2;
-    noise.bandwidth(i) =
+    const double of_force = blocks.force_noise.at(omega) * force.w2;
+    const double bandwidth =
         2.0 * std::numbers::pi * fs * response.w4 / (response.w2 * response.w2);
+    for (std::size_t c = 0; c < noise.size(); ++c) {
+      noise[c].response(i) = blocks.noise[c].at(omega) * response.w2;
+      noise[c].force(i) = of_force;
+      noise[c].bandwidth(i) = bandwidth;
+    }
   }
   return noise;
 }

@@ -14,6 +14,8 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace tapfit::signal {
 
 /// Noise that the transform of one block carries before anything is hit.
@@ -24,9 +26,8 @@ struct LineNoise {
 };
 
 /// @param s lines [rad/s]
-/// @param sensor index into HitBlocks::responses
-[[nodiscard]] LineNoise line_noise(const Eigen::VectorXcd& s,
-                                   const HitBlocks& blocks,
-                                   std::size_t sensor);
+/// @return per sensor, as HitBlocks::responses
+[[nodiscard]] std::vector<LineNoise> line_noise(const Eigen::VectorXcd& s,
+                                                const HitBlocks& blocks);
 
 }  // namespace tapfit::signal

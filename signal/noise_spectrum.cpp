@@ -1,5 +1,6 @@
 #include "signal/noise_spectrum.hpp"
 
+#include "acquisition/choose_block.hpp"
 #include "signal/fft.hpp"
 #include "signal/offset.hpp"
 
@@ -49,18 +50,20 @@ NoiseSpectrum noise_spectrum(const std::vector<Eigen::VectorXd>& stretches,
                              double dt) {
   Eigen::Index n = 0;
   for (const Eigen::VectorXd& x : stretches) n = std::max(n, x.size());
-  n = std::min(n, longest);
   NoiseSpectrum result;
   if (n < shortest) return result;
+  // A few samples less, and none of the slow transforms of odd lengths.
+  n = acquisition::smooth_length(std::min(n, longest));
   RealFft fft(n);
   result.step = 2.0 * std::numbers::pi / (static_cast<double>(n) * dt);
   result.S = Eigen::VectorXd::Zero(n / 2 + 1);
   double total = 0.0;
+  Eigen::VectorXd h;
   for (const Eigen::VectorXd& x : stretches) {
     if (x.size() < shortest) continue;
     // The last samples are those nearest to the hit.
     const Eigen::Index length = std::min(n, x.size());
-    const Eigen::VectorXd h = hann(length);
+    if (h.size() != length) h = hann(length);
     const Eigen::VectorXd tapered = h.cwiseProduct(x.tail(length));
     const double weight = static_cast<double>(length);
     result.S += weight / h.squaredNorm() * fft.transform(tapered).cwiseAbs2();

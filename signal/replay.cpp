@@ -127,7 +127,7 @@ struct LiveRun {
   std::size_t index;
   const LiveSettings& settings;
   const FrfPlan& plan;
-  RealFft& fft;
+  const RealFft& fft;
   LiveHits known;
   RunAverage average;
   std::vector<Hit> hits;
@@ -236,7 +236,7 @@ Replayed replay(const TestBundle& bundle,
       plan,
       options.piece_samples / static_cast<Index>(bundle.channels.size()));
   result.frfs.s = plan.s;
-  RealFft fft(result.hits.block);
+  const RealFft fft(result.hits.block);
   Pace pace(options.speed);
   double before_s = 0.0;
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {

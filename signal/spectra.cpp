@@ -1,5 +1,6 @@
 #include "signal/spectra.hpp"
 
+#include "acquisition/parallel.hpp"
 #include "signal/window.hpp"
 
 #include <algorithm>
@@ -13,11 +14,12 @@ using Eigen::Index;
 
 constexpr Index chunk = 1024;
 
-Eigen::MatrixXcd fft_columns(RealFft& fft,
+Eigen::MatrixXcd fft_columns(const RealFft& planned,
                              const Eigen::MatrixXd& blocks,
                              const Eigen::VectorXd& window,
                              Index first,
                              Index last) {
+  RealFft fft = planned;  // buffers of this thread
   Eigen::MatrixXcd result(last - first + 1, blocks.cols());
   for (Index k = 0; k < blocks.cols(); ++k) {
     fft.transform(blocks.col(k), window, first, result.col(k));
@@ -58,7 +60,7 @@ void accumulate(const Kernel& e,
 }  // namespace
 
 Spectra fft_spectra(const HitBlocks& blocks,
-                    RealFft& fft,
+                    const RealFft& fft,
                     double sigma,
                     Index first,
                     Index last) {
@@ -66,9 +68,15 @@ Spectra fft_spectra(const HitBlocks& blocks,
   const Eigen::VectorXd window =
       exponential_window(n, blocks.trigger, blocks.dt, sigma);
   Spectra result;
-  result.force = fft_columns(fft, blocks.force, window, first, last);
-  for (const Eigen::MatrixXd& response : blocks.responses)
-    result.responses.push_back(fft_columns(fft, response, window, first, last));
+  result.responses.resize(blocks.responses.size());
+  for_each_parallel(blocks.responses.size() + 1, [&](std::size_t c) {
+    if (c == 0) {
+      result.force = fft_columns(fft, blocks.force, window, first, last);
+    } else {
+      result.responses[c - 1] =
+          fft_columns(fft, blocks.responses[c - 1], window, first, last);
+    }
+  });
   return result;
 }
 

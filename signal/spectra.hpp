@@ -24,7 +24,7 @@ struct Spectra {
 /// @param fft of the blocks' length, planned once for all
 /// @param sigma decay of the window [1/s]
 [[nodiscard]] Spectra fft_spectra(const HitBlocks& blocks,
-                                  RealFft& fft,
+                                  const RealFft& fft,
                                   double sigma,
                                   Eigen::Index first,
                                   Eigen::Index last);
