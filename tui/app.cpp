@@ -6,23 +6,23 @@
 #include "tui/session_workbench.hpp"
 #include "tui/terminal.hpp"
 
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 namespace tapfit::tui {
 namespace {
 
-void run_in_terminal(std::unique_ptr<Workbench> bench,
-                     const AppOptions& options,
-                     bool ascii) {
-  Terminal terminal({options.no_colour, options.no_mouse});
-  Program program(std::move(bench),
-                  {terminal.width(), terminal.height(), ascii});
+constexpr int frame_ms = 40;
+
+/// Until the user leaves or a signal asks to.
+void converse(Terminal& terminal, Program& program) {
   bool changed = true;
-  constexpr int frame_ms = 40;
   while (!program.quit() && !Terminal::asked_to_end()) {
     changed = program.tick() || changed;
     changed = program.animate() || changed;
@@ -31,13 +31,42 @@ void run_in_terminal(std::unique_ptr<Workbench> bench,
     // All keys that wait are taken before the next drawing.
     int wait = frame_ms;
     while (const std::optional<Key> key = terminal.read_key(wait)) {
-      if (*key == keys::resize) {
-        program.resize(terminal.width(), terminal.height());
-      }
-      program.press(*key);
       changed = true;
       wait = 0;
+      if (*key == Key(U'z', true)) {
+        terminal.suspend();
+      } else if (*key != keys::resize) {
+        program.press(*key);
+      }
+      program.resize(terminal.width(), terminal.height());
     }
+  }
+}
+
+/// What runs still is asked to stop; some of it (a factorisation) does not look
+/// for seconds, and nobody should wait for what is thrown away.
+/// @return false when it did not stop
+bool let_go(Program& program) {
+  using namespace std::chrono_literals;
+  program.leave();
+  for (int i = 0; i < 100 && program.busy(); ++i) {
+    std::this_thread::sleep_for(5ms);
+  }
+  return !program.busy();
+}
+
+void run_in_terminal(std::unique_ptr<Workbench> bench,
+                     const AppOptions& options,
+                     bool ascii) {
+  auto terminal = std::make_unique<Terminal>(
+      TerminalOptions{options.no_colour, options.no_mouse});
+  Program program(std::move(bench),
+                  {terminal->width(), terminal->height(), ascii});
+  converse(*terminal, program);
+  terminal.reset();  // the shell's again, whatever is still to be awaited
+  if (!let_go(program)) {
+    std::fflush(nullptr);
+    std::_Exit(0);  // every step was saved when it was done
   }
 }
 

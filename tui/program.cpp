@@ -120,11 +120,13 @@ bool Program::tick() {
     if (const std::optional<Need> need = next_need()) start(make(*need));
   }
   WorkerStatus status = worker_.status();
+  const long seconds = seconds_of(status);
   if (status.stage != shown_.stage || status.fraction != shown_.fraction ||
-      status.busy != shown_.busy) {
+      status.busy != shown_.busy || seconds != shown_seconds_) {
     changed_ = true;
   }
   shown_ = std::move(status);
+  shown_seconds_ = seconds;
   return std::exchange(changed_, false);
 }
 
@@ -150,6 +152,22 @@ void Program::retry() {
   tell("");
 }
 
+void Program::leave() {
+  actions_.clear();
+  worker_.stop();
+}
+
+void Program::ask_to_quit() {
+  const bool acting = !actions_.empty() || (running_ && !running_need_);
+  quit_ = !acting || quit_warned_;
+  quit_warned_ = acting;
+  if (quit_) return;
+  const std::string what =
+      actions_.empty() ? shown_.title : actions_.back().title;
+  tell(fmt::format("{} is not done and would be lost; q again leaves", what),
+       true);
+}
+
 void Program::show_screen(std::size_t index) {
   current_ = index;
   mode_ = Mode::Normal;
@@ -162,6 +180,7 @@ void Program::press(Key key) {
   help_open_ = false;
   message_open_ = false;
   tell("");  // what was told has been read
+  if (key != U'q' && key != keys::enter) quit_warned_ = false;
   if (boxed && only_closes(key)) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
@@ -182,7 +201,7 @@ void Program::press_normal(Key key) {
 
 void Program::press_global(Key key) {
   if (key == U'q') {
-    quit_ = true;
+    ask_to_quit();
   } else if (key == U'?') {
     help_open_ = true;
   } else if (key == U':') {
@@ -259,8 +278,7 @@ void Program::run_colon(const std::string& text) {
   }
   switch (command.kind) {
     case Kind::Quit:
-      quit_ = true;
-      return;
+      return ask_to_quit();
     case Kind::Help:
       help_open_ = true;
       return;

@@ -20,6 +20,9 @@ namespace tapfit::tui {
 
 class FrfPage;
 
+/// How long the running job has been at it; 0 when there is none.
+[[nodiscard]] long seconds_of(const WorkerStatus& status);
+
 class Program {
  public:
   Program(std::unique_ptr<Workbench> bench, const Canvas& canvas);
@@ -36,6 +39,10 @@ class Program {
   /// Nothing runs and nothing that the screen needs is missing.
   [[nodiscard]] bool idle() const;
   [[nodiscard]] bool quit() const { return quit_; }
+  /// Asks what runs to stop, for good.
+  void leave();
+  /// Work runs, whatever comes of it.
+  [[nodiscard]] bool busy() const { return worker_.status().busy; }
 
  private:
   enum class Mode { Normal, Filter, Colon };
@@ -47,6 +54,7 @@ class Program {
   void start(Job job);
 
   void press_normal(Key key);
+  void ask_to_quit();
   void press_global(Key key);
   void press_filter(Key key);
   void press_colon(Key key);
@@ -65,6 +73,7 @@ class Program {
   [[nodiscard]] Screen help(const Canvas& canvas) const;
   void draw_tabs(Screen& screen) const;
   void draw_line(Screen& screen, int y) const;
+  void draw_work(Screen& screen, int y) const;
   void draw_keys(Screen& screen, int y) const;
 
   Canvas canvas_;
@@ -79,6 +88,7 @@ class Program {
   bool message_open_ = false;  ///< in a box, as it does not fit the line
   bool help_open_ = false;
   bool quit_ = false;
+  bool quit_warned_ = false;  ///< q was pressed while an action ran
   bool changed_ = true;
 
   std::map<Need, std::string> failed_;  ///< not asked for again by itself
@@ -87,7 +97,8 @@ class Program {
   bool running_need_ = true;            ///< it makes a result, it is no action
   bool stopped_by_user_ = false;
   WorkerStatus shown_;
-  Worker worker_;  // last: its thread ends before the rest goes
+  long shown_seconds_ = 0;  ///< of shown_
+  Worker worker_;           // last: its thread ends before the rest goes
 };
 
 }  // namespace tapfit::tui

@@ -69,7 +69,44 @@ std::string work_text(const WorkerStatus& status) {
   return text;
 }
 
+/// Whole seconds since the job began, once they are worth telling.
+std::string elapsed_text(const WorkerStatus& status) {
+  const auto seconds = seconds_of(status);
+  if (seconds < 3) return {};
+  if (seconds < 60) return fmt::format(", {} s", seconds);
+  return fmt::format(", {} min {} s", seconds / 60, seconds % 60);
+}
+
+std::string progress_text(const WorkerStatus& status) {
+  const int percents = static_cast<int>(std::lround(100 * status.fraction));
+  return fmt::format(
+      "{} … {} %{}", work_text(status), percents, elapsed_text(status));
+}
+
+/// What was done on the way, the last at the end, in at most that many rows.
+std::vector<std::string> done_lines(const WorkerStatus& status,
+                                    int width,
+                                    std::size_t rows) {
+  std::string words;
+  for (const std::string& stage : status.done) {
+    words += (words.empty() ? "done: " : ", ") + stage;
+  }
+  std::vector<std::string> lines = wrapped(words, width);
+  if (lines.size() > rows) {
+    lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows));
+    lines.front() = "… " + lines.front();
+  }
+  return lines;
+}
+
 }  // namespace
+
+long seconds_of(const WorkerStatus& status) {
+  if (!status.busy) return 0;
+  return std::chrono::duration_cast<std::chrono::seconds>(
+             std::chrono::steady_clock::now() - status.since)
+      .count();
+}
 
 Screen Program::draw() const {
   if (canvas_.width < least_width || canvas_.height < least_height) {
@@ -116,15 +153,17 @@ Screen Program::waiting(const Canvas& canvas) const {
       say(name(need.stage), failed->second + "\n \nr tries again.");
       return screen;
     }
-    const int width = std::min(canvas.width - 8, 60);
-    const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
+    const int width = std::min(canvas.width - 8, 72);
     const bool other = shown_.busy && shown_.title != name(need.stage);
+    std::vector<std::string> lines{
+        progress_text(shown_), bar(shown_.fraction, width, canvas.ascii), ""};
+    for (const std::string& line : done_lines(shown_, width, 6)) {
+      lines.push_back(line);
+    }
+    lines.emplace_back("Esc stops it; other screens stay usable.");
     draw_box(screen,
              name(need.stage) + (other ? ": waiting for other work" : ""),
-             {fmt::format("{} … {} %", work_text(shown_), percents),
-              bar(shown_.fraction, width - 4, canvas.ascii),
-              "",
-              "Esc stops it; other screens stay usable."},
+             lines,
              {});
     return screen;
   }
@@ -211,24 +250,32 @@ void Program::draw_line(Screen& screen, int y) const {
     screen.put(x, y, U' ', {.reverse = true});
     return;
   }
-  if (shown_.busy) {
-    const int percents = static_cast<int>(std::lround(100 * shown_.fraction));
-    const std::string words =
-        fmt::format("{} … {} %  ", work_text(shown_), percents);
-    const int x =
-        screen.text(1, y, words, {.colour = Colour::Yellow}, width - 20);
-    screen.text(x,
-                y,
-                bar(shown_.fraction, std::min(20, width - x), screen.ascii()),
-                {.colour = Colour::Yellow});
-    return;
-  }
+  if (shown_.busy) return draw_work(screen, y);
   std::string words = message_;
   if (list != nullptr && !list->filter.empty()) {
     words = fmt::format("filter /{}  (Esc clears)  {}", list->filter, message_);
   }
   const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
   screen.text(1, y, words, {.colour = colour}, width);
+}
+
+/// What runs and how far it is; to its left what there is to tell.
+void Program::draw_work(Screen& screen, int y) const {
+  const int width = screen.width() - 2;
+  const int bar_width = std::min(20, width / 4);
+  int x = 1;
+  if (!message_.empty()) {
+    const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
+    x = screen.text(1, y, message_, {.colour = colour}, width) + 2;
+  }
+  const int room = width - bar_width - x;
+  if (room < 16) return;
+  x = screen.text(
+      x, y, progress_text(shown_) + "  ", {.colour = Colour::Yellow}, room);
+  screen.text(x,
+              y,
+              bar(shown_.fraction, bar_width, screen.ascii()),
+              {.colour = Colour::Yellow});
 }
 
 void Program::draw_keys(Screen& screen, int y) const {

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <langinfo.h>
+#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -38,6 +39,7 @@ void restore_and_die(int signal_number) {
 }
 
 constexpr std::array<int, 5> crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array<int, 4> endings{SIGTERM, SIGHUP, SIGINT, SIGQUIT};
 
 void set_handler(int signal_number, void (*handler)(int)) {
   struct sigaction action {};
@@ -101,6 +103,14 @@ attr_t attributes(const Style& style) {
   if (style.dim) bits |= A_DIM;
   if (style.reverse) bits |= A_REVERSE;
   return bits;
+}
+
+/// The other end closed without a signal having reached us: reading would
+/// return at once for ever.
+bool line_is_gone() {
+  pollfd line{STDIN_FILENO, POLLIN, 0};
+  return poll(&line, 1, 0) > 0 &&
+         (line.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
 }
 
 std::optional<Key> mouse_key() {
@@ -233,15 +243,13 @@ Terminal::Terminal(const TerminalOptions& options)
   impl_->colours = start_colours(options);
   make_pairs(impl_->colours);
   end_asked = 0;
-  set_handler(SIGTERM, ask_to_end);
-  set_handler(SIGHUP, ask_to_end);
+  for (const int ending : endings) set_handler(ending, ask_to_end);
   for (const int crash : crashes) set_handler(crash, restore_and_die);
 }
 
 Terminal::~Terminal() {
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
-  set_handler(SIGTERM, SIG_DFL);
-  set_handler(SIGHUP, SIG_DFL);
+  for (const int ending : endings) set_handler(ending, SIG_DFL);
   endwin();
 }
 
@@ -268,11 +276,20 @@ void Terminal::show(const Screen& screen) {
   refresh();
 }
 
+void Terminal::suspend() {
+  // ncurses' own handler leaves the screen, stops, and comes back to it.
+  raise(SIGTSTP);
+  clearok(curscr, TRUE);
+}
+
 std::optional<Key> Terminal::read_key(int milliseconds) {
   timeout(milliseconds);
   wint_t code = 0;
   const int kind = get_wch(&code);
-  if (kind == ERR) return std::nullopt;
+  if (kind == ERR) {
+    if (line_is_gone()) end_asked = 1;
+    return std::nullopt;
+  }
   if (kind == KEY_CODE_YES) return special_key(code);
   return character_key(code);
 }

@@ -30,7 +30,10 @@ class Terminal {
   void show(const Screen& screen);
   /// The next key, or nothing within the time.
   [[nodiscard]] std::optional<Key> read_key(int milliseconds);
-  /// A signal asked the program to end (TERM, HUP).
+  /// Gives the terminal back to the shell until the user takes it up again.
+  void suspend();
+  /// A signal asked the program to end (TERM, HUP, INT, QUIT), or the
+  /// terminal's other end has gone.
   [[nodiscard]] static bool asked_to_end();
 
  private:

@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <csignal>
 #include <exception>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace tapfit::tui {
@@ -24,6 +27,38 @@ std::string taken_up(const Snapshot& known) {
                      effects_text(known.effects.size()),
                      known.overruled.size(),
                      known.overruled.size() == 1 ? "" : "s");
+}
+
+/// What is worked at again is noted where it was last.
+void note_done(std::vector<std::string>& done, const std::string& stage) {
+  std::erase(done, stage);
+  done.push_back(stage);
+}
+
+/// The thread that reads keys and draws goes first where cores are scarce. On
+/// Linux a thread has a nice value of its own, and threads started from it
+/// take that over.
+void go_behind_the_keyboard() {
+  constexpr int behind = 5;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), behind);
+}
+
+/// Those that come from outside; faults still hit the thread that made them.
+/// Threads started from this one take it over.
+void leave_signals_to_the_terminal() {
+  sigset_t from_outside;
+  sigemptyset(&from_outside);
+  for (const int number : {SIGHUP,
+                           SIGINT,
+                           SIGQUIT,
+                           SIGTERM,
+                           SIGTSTP,
+                           SIGCONT,
+                           SIGWINCH,
+                           SIGPIPE}) {
+    sigaddset(&from_outside, number);
+  }
+  pthread_sigmask(SIG_BLOCK, &from_outside, nullptr);
 }
 
 void make_model(Workbench& bench, Snapshot& known, const Progress& progress) {
@@ -103,7 +138,7 @@ Worker::~Worker() { stop(); }
 void Worker::start(Job job) {
   const std::lock_guard lock(mutex_);
   assert(!status_.busy && !next_ && !finished_);
-  status_ = {true, job.title, "", 0.0};
+  status_ = {true, job.title, "", 0.0, {}, std::chrono::steady_clock::now()};
   stop_ = std::stop_source();
   next_ = std::move(job);
   wake_.notify_one();
@@ -126,12 +161,17 @@ std::optional<Finished> Worker::take_finished() {
 
 void Worker::report(std::string_view stage, double fraction) {
   const std::lock_guard lock(mutex_);
+  if (!status_.stage.empty() && status_.stage != stage) {
+    note_done(status_.done, status_.stage);
+  }
   status_.stage = stage;
   status_.fraction =
       std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
 }
 
 void Worker::loop(const std::stop_token& leave) {
+  leave_signals_to_the_terminal();
+  go_behind_the_keyboard();
   while (true) {
     Job job;
     {

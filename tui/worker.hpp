@@ -5,6 +5,7 @@
 #include "tui/snapshot.hpp"
 #include "tui/workbench.hpp"
 
+#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <memory>
@@ -13,6 +14,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -40,6 +42,8 @@ struct WorkerStatus {
   std::string title;
   std::string stage;  ///< as the work reports it
   double fraction = 0.0;
+  std::vector<std::string> done;  ///< stages that were reported before
+  std::chrono::steady_clock::time_point since{};  ///< when the job began
 };
 
 class Worker {

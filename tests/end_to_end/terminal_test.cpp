@@ -1,0 +1,215 @@
+// The program in a terminal: what people do to terminals while work runs.
+#include "tests/end_to_end/pseudo_terminal.hpp"
+#include "tests/end_to_end/run_program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <sys/wait.h>
+
+namespace tapfit::end_to_end {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using Clock = PseudoTerminal::Clock;
+
+// What a terminal must be told at the end: main screen, shown cursor.
+constexpr const char* main_screen = "\033[?1049l";
+constexpr const char* mouse_off = "1000l";
+
+/// A small virtual test; made once, since it takes a second.
+const std::filesystem::path& small_bundle() {
+  static const std::filesystem::path bundle = [] {
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "tapfit-terminal-bundle";
+    std::filesystem::remove_all(folder);
+    const auto made = run_tapfit(fmt::format(
+        "simulate '{}' --structure ladder --seed 5 --runs 6 --hits 3 "
+        "--effect added-mass@200=0.05",
+        folder.string()));
+    if (made.exit_status != 0) throw std::runtime_error(made.err);
+    return folder;
+  }();
+  return bundle;
+}
+
+std::string copy_of_bundle() {
+  const std::filesystem::path bundle = fresh_folder() / "bundle";
+  std::filesystem::remove_all(bundle);
+  std::filesystem::copy(
+      small_bundle(), bundle, std::filesystem::copy_options::recursive);
+  return bundle.string();
+}
+
+TEST(Terminal, IsAsItWasAfterQuitting) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("Recording", seconds(10)));
+  EXPECT_FALSE(same_modes(terminal.modes(), terminal.modes_before()));
+  terminal.type("q");
+  const auto status = terminal.ends(seconds(10));
+  ASSERT_TRUE(status);
+  EXPECT_TRUE(WIFEXITED(*status) && WEXITSTATUS(*status) == 0);
+  EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
+  EXPECT_TRUE(terminal.wrote(main_screen, seconds(1)));
+  EXPECT_TRUE(terminal.wrote(mouse_off, seconds(1)));
+}
+
+TEST(Terminal, DrawsAnewAtItsNewSize) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.resize(60, 15);
+  EXPECT_TRUE(terminal.shows("80 x 24", seconds(2)));
+  terminal.resize(130, 40);
+  EXPECT_TRUE(terminal.shows("3 accepted", seconds(2)));
+  // Many sizes in a row, as when a window is dragged.
+  for (int i = 0; i < 30; ++i) terminal.resize(80 + i, 24 + i % 7);
+  terminal.resize(81, 24);
+  terminal.type("2");
+  EXPECT_TRUE(terminal.shows("measured", seconds(20)));
+  terminal.type("q");
+  EXPECT_TRUE(terminal.ends(seconds(10)));
+}
+
+TEST(Terminal, CtrlCStopsWorkAndNothingElse) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("5");
+  ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
+  terminal.type("\003");
+  EXPECT_TRUE(terminal.shows("r starts it again", seconds(5)));
+  terminal.type("\003\003");
+  EXPECT_FALSE(terminal.ends(milliseconds(300)));
+  EXPECT_TRUE(terminal.shows("q quits", seconds(2)));
+}
+
+TEST(Terminal, CtrlZGivesTheTerminalBackAndTakesItAgain) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("\032");
+  ASSERT_TRUE(terminal.stops(seconds(5)));
+  EXPECT_TRUE(terminal.wrote(main_screen, seconds(1)));
+  EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
+  // The window changes its size meanwhile.
+  terminal.resize(110, 32);
+  terminal.resume();
+  EXPECT_TRUE(terminal.shows("3 accepted", seconds(5)));
+  EXPECT_FALSE(same_modes(terminal.modes(), terminal.modes_before()));
+  terminal.type("?");
+  EXPECT_TRUE(terminal.shows("any key closes", seconds(2)));
+  terminal.type("qq");
+  ASSERT_TRUE(terminal.ends(seconds(10)));
+  EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
+}
+
+TEST(Terminal, SignalsThatEndRestoreIt) {
+  for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) {
+    PseudoTerminal terminal({copy_of_bundle()});
+    ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+    terminal.send(number);
+    ASSERT_TRUE(terminal.ends(seconds(5))) << number;
+    EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()))
+        << number;
+    EXPECT_TRUE(terminal.wrote(main_screen, seconds(1))) << number;
+  }
+}
+
+TEST(Terminal, ACrashRestoresIt) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.send(SIGSEGV);
+  const auto status = terminal.ends(seconds(10));
+  ASSERT_TRUE(status);
+  EXPECT_TRUE(WIFSIGNALED(*status) && WTERMSIG(*status) == SIGSEGV);
+  EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
+  EXPECT_TRUE(terminal.wrote(main_screen, seconds(1)));
+}
+
+TEST(Terminal, HangUpKeepsTheSession) {
+  const std::string bundle = copy_of_bundle();
+  {
+    PseudoTerminal terminal({bundle});
+    ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+    terminal.type(" ");
+    ASSERT_TRUE(terminal.shows("by hand", seconds(20)));
+    terminal.type("5");  // and work runs when the line breaks
+    ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
+    terminal.hang_up();
+    EXPECT_TRUE(terminal.ends(seconds(5)));
+  }
+  PseudoTerminal again({bundle});
+  EXPECT_TRUE(again.shows("1 hit judged", seconds(10)) ||
+              again.shows("by hand", seconds(10)));
+}
+
+// Types while a diagnosis runs: each letter must be drawn within 50 ms. The
+// command line echoes what is typed and nothing else changes on that screen.
+TEST(Terminal, AnswersEveryKeyWhileWorkRuns) {
+  PseudoTerminal terminal({copy_of_bundle()},
+                          {.columns = 200, .rows = 50, .environment = {}});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("5");
+  ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
+  std::vector<double> waits_ms;
+  const auto timed = [&](const std::string& key, const std::string& shown) {
+    const Clock::time_point start = Clock::now();
+    terminal.type(key);
+    ASSERT_TRUE(terminal.shows(shown, seconds(2))) << key;
+    waits_ms.push_back(
+        std::chrono::duration<double, std::milli>(Clock::now() - start)
+            .count());
+  };
+  const auto type_a_round = [&] {
+    timed("1", "3 accepted");
+    timed("2", "|H|");
+    timed("1", "3 accepted");
+    std::string typed = ":";
+    for (const char letter : std::string(":abcdefghij")) {
+      if (letter != ':') typed += letter;
+      timed({letter}, "\n" + typed);
+    }
+    timed("\x7f", "\n" + typed.substr(0, typed.size() - 1) + " ");
+    terminal.type("\033");
+    timed("?", "any key closes");
+    timed("5", "5 Diagnose");
+  };
+  const auto runs = [&] {
+    return terminal.shows("Esc stops it", milliseconds(200));
+  };
+  // Through all stages of the work, but for at most so long.
+  const Clock::time_point last = Clock::now() + seconds(15);
+  int rounds = 0;
+  while (runs() && Clock::now() < last) {
+    type_a_round();
+    ++rounds;
+  }
+  ASSERT_GE(rounds, 3) << "the diagnosis ended too soon to say anything";
+  std::sort(waits_ms.begin(), waits_ms.end());
+  const double worst = waits_ms.back();
+  const double median = waits_ms[waits_ms.size() / 2];
+  RecordProperty("worst_ms", fmt::format("{:.1f}", worst));
+  fmt::print("{} keys: median {:.1f} ms, worst {:.1f} ms\n",
+             waits_ms.size(),
+             median,
+             worst);
+  EXPECT_LT(worst, 50.0);
+}
+
+TEST(Terminal, ShowsItsFirstScreenAtOnce) {
+  const std::string bundle = copy_of_bundle();
+  double best = 1e9;
+  for (int i = 0; i < 3; ++i) {  // the machine may be busy
+    const Clock::time_point start = Clock::now();
+    PseudoTerminal terminal({bundle});
+    ASSERT_TRUE(terminal.shows("q quit", seconds(10)));
+    best = std::min(
+        best, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  fmt::print("first screen after {:.0f} ms\n", 1e3 * best);
+  EXPECT_LT(best, 0.2);
+}
+
+}  // namespace
+}  // namespace tapfit::end_to_end
