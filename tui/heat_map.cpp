@@ -89,6 +89,10 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
       screen.fill({x, y, entry_width, 1}, U' ', style);
       screen.text_right(
           x + entry_width - 1, y, entry(value), style, entry_width - 1);
+      screen.zone({.rect = {x, y, entry_width, 1},
+                   .kind = Zone::Kind::Entry,
+                   .index = static_cast<std::size_t>(row),
+                   .column = static_cast<std::size_t>(map.left + c)});
     }
   }
 }

@@ -303,6 +303,12 @@ void draw_plot(Screen& screen, const Rect& rect, const Plot& plot) {
   for (const Curve& curve : plot.curves) draw_curve(dots, at, curve);
   dots.draw(screen, frame.body.x, frame.body.y);
   draw_above_curves(screen, frame, plot);
+  const Axis& x = frame.ranges.x;
+  screen.zone({.rect = frame.body,
+               .kind = Zone::Kind::PlotX,
+               .from = x.lo,
+               .to = x.hi,
+               .log = x.log});
 }
 
 std::string read_out(const Plot& plot, double x) {

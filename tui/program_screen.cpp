@@ -60,6 +60,36 @@ void draw_box(Screen& screen,
   }
 }
 
+int key_width(const KeyHelp& key) {
+  return text_width(key.key) + 1 + text_width(key.what) + 2;
+}
+
+/// A click on "j k" means the first of them, on "^R" Ctrl-R.
+void zone_of_key(Screen& screen, const Rect& rect, const std::string& name) {
+  const bool ctrl = name.size() == 2 && name[0] == '^';
+  const std::optional<NamedKey> key =
+      ctrl ? std::nullopt : read_key(fmt::format("<{}>", name));
+  Zone zone{.rect = rect, .kind = Zone::Kind::Key};
+  if (ctrl) {
+    zone.index = static_cast<std::size_t>(name[1] - 'A' + 'a');
+    zone.column = 1;
+  } else if (key) {
+    zone.index = key->key.code;
+  } else {
+    zone.index = decode(name).front();
+  }
+  screen.zone(zone);
+}
+
+/// One key and what it does; the cell after it.
+int draw_key(Screen& screen, int x, int y, const KeyHelp& key) {
+  const int start = x;
+  x = screen.text(x, y, key.key, {.bold = true, .reverse = true}) + 1;
+  x = screen.text(x, y, key.what, {.reverse = true});
+  zone_of_key(screen, {start, y, x - start, 1}, key.key);
+  return x + 2;
+}
+
 std::string work_text(const WorkerStatus& status) {
   std::string text = status.title;
   if (status.stage.starts_with(status.title)) return status.stage;
@@ -215,7 +245,11 @@ void Program::draw_tabs(Screen& screen) const {
     Style style{.colour = Colour::Sky};
     style.reverse = i == current_;
     style.bold = i == current_;
+    const int start = x;
     x = screen.text(x, 0, tab_text(i, *pages_[i]), style);
+    screen.zone({.rect = {start, 0, x - start, 1},
+                 .kind = Zone::Kind::Key,
+                 .index = U'1' + i});
   }
   const int room = screen.width() - x - 1;
   if (known_.bundle && room > 12) {
@@ -228,13 +262,14 @@ void Program::draw_tabs(Screen& screen) const {
 }
 
 void Program::mouse(Key key) {
-  if (key.y != 0) return;
-  int x = 0;
-  for (std::size_t i = 0; i < pages_.size(); ++i) {
-    const int end = x + text_width(tab_text(i, *pages_[i]));
-    if (key.x >= x && key.x < end) return show_screen(i);
-    x = end;
+  const Screen screen = draw();
+  const Zone* zone = screen.zone_at(key.x, key.y);
+  if (zone == nullptr) return;
+  if (zone->kind == Zone::Kind::Key) {
+    const Key meant(static_cast<char32_t>(zone->index), zone->column != 0);
+    return press_normal(meant);
   }
+  if (ready()) page().click(known_, *zone, key.x);
 }
 
 void Program::draw_line(Screen& screen, int y) const {
@@ -279,17 +314,18 @@ void Program::draw_work(Screen& screen, int y) const {
 }
 
 void Program::draw_keys(Screen& screen, int y) const {
-  const std::string always = "? help  : command  q quit ";
-  const int end = screen.width() - text_width(always);
+  const std::vector<KeyHelp> always{
+      {"?", "help"}, {":", "command"}, {"q", "quit"}};
+  int end = screen.width();
+  for (const KeyHelp& key : always) end -= key_width(key);
   screen.fill({0, y, screen.width(), 1}, U' ', {.reverse = true});
-  screen.text(end, y, always, {.reverse = true});
   int x = 1;
   for (const KeyHelp& key : page().keys()) {
-    const int width = text_width(key.key) + 1 + text_width(key.what) + 2;
-    if (x + width > end) break;
-    x = screen.text(x, y, key.key, {.bold = true, .reverse = true}) + 1;
-    x = screen.text(x, y, key.what, {.reverse = true}) + 2;
+    if (x + key_width(key) > end) break;
+    x = draw_key(screen, x, y, key);
   }
+  x = end + 1;
+  for (const KeyHelp& key : always) x = draw_key(screen, x, y, key);
 }
 
 }  // namespace tapfit::tui

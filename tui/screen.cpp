@@ -6,8 +6,15 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace tapfit::tui {
+
+double Zone::value_at(int x) const {
+  const double share =
+      rect.width > 1 ? static_cast<double>(x - rect.x) / (rect.width - 1) : 0.0;
+  return log ? from * std::pow(to / from, share) : from + share * (to - from);
+}
 
 Screen::Screen(int width, int height, bool ascii)
     : width_(std::max(width, 0)),
@@ -87,6 +94,19 @@ void Screen::place(int x, int y, const Screen& other) {
       put(x + column, y + row, cell.glyph, cell.style);
     }
   }
+  for (Zone zone : other.zones_) {
+    zone.rect.x += x;
+    zone.rect.y += y;
+    zones_.push_back(zone);
+  }
+}
+
+const Zone* Screen::zone_at(int x, int y) const {
+  const auto found =
+      std::find_if(zones_.rbegin(), zones_.rend(), [&](const Zone& zone) {
+        return zone.rect.holds(x, y);
+      });
+  return found == zones_.rend() ? nullptr : &*found;
 }
 
 std::string Screen::to_text() const {

@@ -54,6 +54,22 @@ struct Rect {
   }
 };
 
+/// Where a click means something: a row of a list, a place along a plot's x
+/// axis, a key of the key bar, an entry of a map.
+struct Zone {
+  enum class Kind { Row, PlotX, Key, Entry };
+  Rect rect;
+  Kind kind = Kind::Row;
+  std::size_t index = 0;   ///< of the row (also of an entry's), or the key
+  std::size_t column = 0;  ///< of the entry
+  double from = 0.0;       ///< x at the first and at the last column of cells
+  double to = 0.0;
+  bool log = false;
+
+  /// The value under that column of cells.
+  [[nodiscard]] double value_at(int x) const;
+};
+
 /// How large a view may be and which glyphs it may use.
 struct Canvas {
   int width = 80;
@@ -94,7 +110,10 @@ class Screen {
   /// Changes the style of cells, not their glyphs.
   void paint(const Rect& rect, Style style);
   void box(const Rect& rect, std::string_view title, Style style = {});
-  /// Copies another screen's cells to (x, y).
+  /// Where clicks mean something; the last one put there counts.
+  void zone(const Zone& zone) { zones_.push_back(zone); }
+  [[nodiscard]] const Zone* zone_at(int x, int y) const;
+  /// Copies another screen's cells and zones to (x, y).
   void place(int x, int y, const Screen& other);
 
   /// Rows ended by '\n', without trailing spaces.
@@ -105,6 +124,7 @@ class Screen {
   int height_;
   bool ascii_;
   std::vector<Cell> cells_;
+  std::vector<Zone> zones_;
 };
 
 }  // namespace tapfit::tui

@@ -15,6 +15,8 @@ std::string name(Stage stage) {
       return "hits";
     case Stage::Frfs:
       return "FRFs";
+    case Stage::FrfChecks:
+      return "checks of the FRFs";
     case Stage::Modes:
       return "modes";
     case Stage::BaseComparison:
@@ -41,6 +43,8 @@ bool Snapshot::has(const Need& need) const {
       return hits != nullptr;
     case Stage::Frfs:
       return frfs != nullptr;
+    case Stage::FrfChecks:
+      return frf_checks != nullptr;
     case Stage::Modes:
       return modes != nullptr;
     case Stage::BaseComparison:
@@ -106,6 +110,7 @@ void Snapshot::forget_from_hits() {
   forget_from_modes();
   hits.reset();
   frfs.reset();
+  frf_checks.reset();
 }
 
 void Snapshot::forget_pairs() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tui/trace.hpp"
+#include "tui/views/frf_checks_view.hpp"
 #include "tui/wireframe.hpp"
 #include "updating/session.hpp"
 
@@ -20,6 +21,7 @@ enum class Stage {
   Traces,
   Hits,
   Frfs,
+  FrfChecks,
   Modes,
   BaseComparison,
   Comparison,
@@ -53,6 +55,7 @@ struct Snapshot {
   /// Judgements that were overruled, the last one last.
   std::vector<updating::OverruledHit> overruled;
   Shared<signal::FrfSet> frfs;
+  Shared<FrfChecks> frf_checks;
   Shared<modal::ModeSet> modes;
   Shared<updating::Comparison> base_comparison;
   Shared<updating::Comparison> comparison;

@@ -158,6 +158,8 @@ void draw_table(Screen& screen,
       screen.put(rect.x, line.y, U'▸', style);
     }
     draw_cells(screen, line, widths, table, table.rows[r].cells, style);
+    if (active)
+      screen.zone({{rect.x, line.y, rect.width, 1}, Zone::Kind::Row, r});
   }
   if (top > 0) screen.put(rect.x + rect.width - 1, rect.y, U'↑');
   if (top + room < count) {

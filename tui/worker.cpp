@@ -89,6 +89,9 @@ void make_result(Workbench& bench,
     case Stage::Frfs:
       known.frfs = shared(bench.frfs(progress));
       return;
+    case Stage::FrfChecks:
+      known.frf_checks = shared(check_frfs(bench.frfs(progress)));
+      return;
     case Stage::Modes:
       known.modes = shared(bench.modes(progress));
       return;

@@ -188,7 +188,7 @@ TEST(Program, ShowsErrorsWithoutLeaving) {
   const std::string text = played("wait", {}, options);
   EXPECT_TRUE(holds(text, "no hit was found")) << text;
   EXPECT_TRUE(holds(text, "r tries again")) << text;
-  EXPECT_TRUE(holds(played("wait\n2\nwait", {}, options), "measured"));
+  EXPECT_TRUE(holds(played("wait\n2\nwait", {}, options), "|H|"));
 }
 
 TEST(Program, SaysWhyThereIsNothingWithoutAModel) {
@@ -214,7 +214,7 @@ TEST(Program, StopsWorkOnEscape) {
   EXPECT_TRUE(holds(program.draw().to_text(), "fitting … 43 %"));
   // Screens whose results are there stay usable meanwhile.
   program.press(Key(U'2'));
-  EXPECT_TRUE(holds(program.draw().to_text(), "measured"));
+  EXPECT_TRUE(holds(program.draw().to_text(), "|H|"));
   // One whose result has to wait says for what.
   program.press(Key(U'4'));
   const std::string waits = program.draw().to_text();
@@ -246,6 +246,46 @@ TEST(Program, HelpNamesTheKeysOfTheScreen) {
   EXPECT_TRUE(holds(text, "add it")) << text;
   EXPECT_TRUE(holds(text, ":add EFFECT")) << text;
   EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
+}
+
+Key click(int x, int y) {
+  Key key(keys::click);
+  key.x = x;
+  key.y = y;
+  return key;
+}
+
+/// Where the text stands on the screen.
+std::pair<int, int> place_of(const Program& program, const std::string& text) {
+  std::istringstream lines(program.draw().to_text());
+  std::string line;
+  for (int y = 0; std::getline(lines, line); ++y) {
+    const std::size_t at = line.find(text);
+    if (at != std::string::npos) return {text_width(line.substr(0, at)), y};
+  }
+  return {-1, -1};
+}
+
+TEST(Program, TakesClicksWhereTheyMeanSomething) {
+  Program program(testing::fake_workbench(), {100, 30, false});
+  wait_until_idle(program);
+  const auto press = [&](const std::string& text) {
+    const auto [x, y] = place_of(program, text);
+    ASSERT_GE(y, 0) << text << "\n" << program.draw().to_text();
+    program.press(click(x, y));
+    wait_until_idle(program);
+  };
+  press("2 FRF");  // a tab
+  EXPECT_TRUE(holds(program.draw().to_text(), "|H|"));
+  press("6Z+ / 3Z+");  // a row
+  EXPECT_TRUE(holds(program.draw().to_text(), "▸6Z+ / 3Z+"));
+  press("Tab next plot");  // a key of the key bar
+  EXPECT_TRUE(holds(program.draw().to_text(), "coherence"));
+  const auto [x, y] = place_of(program, "┤");
+  program.press(click(x + 8, y));  // the plot: the cursor goes there
+  EXPECT_TRUE(holds(program.draw().to_text(), "coherence 0.9")) << x << y;
+  program.press(click(x, 29));  // nothing there
+  EXPECT_FALSE(program.quit());
 }
 
 TEST(Program, Quits) {

@@ -6,6 +6,7 @@
 #include "signal/hit_coherence.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
+#include "tui/views/frf_checks_view.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -54,22 +55,6 @@ std::string channel_name(const acquisition::TestBundle& bundle,
               .sensors.at(static_cast<std::size_t>(sensor))
               .channel)
       .name;
-}
-
-std::string low_line(const DrivingPoint& point) {
-  if (point.low == LowLine::Mass) {
-    return fmt::format("mass of {:.4g} kg", point.mass_kg);
-  }
-  if (point.low == LowLine::Stiffness) {
-    return fmt::format("stiffness of {:.4g} N/m", point.stiffness_n_per_m);
-  }
-  return "-";
-}
-
-std::string verdict(const DrivingPoint& point) {
-  if (point.turned()) return "polarity turned";
-  if (point.wrong_peaks > 0) return "another point?";
-  return point.active_share > 0.05 ? "not passive" : "fair";
 }
 
 ordered_json run_json(const acquisition::TestBundle& bundle,

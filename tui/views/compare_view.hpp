@@ -40,6 +40,7 @@ class ComparePage final : public Page {
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
   ListState* list() override { return &state_.list; }
+  PlotRange* range() override { return &state_.range; }
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 

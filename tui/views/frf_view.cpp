@@ -1,9 +1,11 @@
 #include "tui/views/frf_view.hpp"
 
+#include "signal/frf_quality.hpp"
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
-#include "tui/plot.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/views/frf_panels.hpp"
+#include "tui/views/frf_peaks.hpp"
 
 #include <fmt/format.h>
 
@@ -14,162 +16,261 @@
 namespace tapfit::tui {
 namespace {
 
-using Strip = FrfState::Strip;
+using Eigen::Index;
+using signal::Frf;
+using signal::FrfSet;
+using Panel = FrfState::Panel;
 
-Table frf_table(const signal::FrfSet& frfs) {
+Table frf_table(const FrfSet& frfs, const std::set<std::size_t>& tagged) {
   Table table{{{"FRF"}, {"coh", true}, {"sd %", true}, {"hits", true}}, {}};
-  for (const signal::Frf& frf : frfs.frfs) {
-    const double coherence =
-        frf.coherence.size() > 0 ? frf.coherence.mean() : std::nan("");
-    // One number for the scatter: the median of sd / |H| over the lines.
-    std::vector<double> scatter;
-    for (Eigen::Index i = 0; i < std::min(frf.H.size(), frf.variance.size());
-         ++i) {
-      const double size = std::abs(frf.H[i]);
-      if (size > 0.0) scatter.push_back(std::sqrt(frf.variance[i]) / size);
-    }
-    double median = std::nan("");
-    if (!scatter.empty()) {
-      const auto middle =
-          scatter.begin() + static_cast<std::ptrdiff_t>(scatter.size() / 2);
-      std::nth_element(scatter.begin(), middle, scatter.end());
-      median = *middle;
-    }
-    table.rows.push_back({{signal::name(frf),
-                           fixed(coherence, 3),
-                           fixed(100.0 * median, 2),
-                           std::to_string(frf.hits)},
-                          {}});
+  const std::vector<signal::FrfQuality> quality =
+      signal::frf_quality(frfs, std::nullopt);
+  for (std::size_t i = 0; i < frfs.frfs.size(); ++i) {
+    const Frf& frf = frfs.frfs[i];
+    const bool known = frf.coherence.size() > 0;
+    const bool poor = known && quality[i].mean_coherence < 0.9;
+    table.rows.push_back(
+        {{(tagged.contains(i) ? "* " : "") + signal::name(frf),
+          known ? fixed(quality[i].mean_coherence, 3) : "–",
+          frf.variance.size() > 0 ? fixed(quality[i].median_sd_percent, 2)
+                                  : "–",
+          std::to_string(frf.hits)},
+         {.colour = poor ? Colour::Orange : Colour::Default}});
   }
   return table;
 }
 
-void draw_strip(Screen& screen,
-                const Rect& rect,
-                const signal::FrfSet& frfs,
-                const signal::Frf& frf,
-                const FrfState& state) {
-  Plot plot = frf_plot(frfs, state.range, false);
-  const Eigen::VectorXd f = frfs.frequency_hz();
-  if (state.strip == Strip::Phase) {
-    plot.y = {"phase", "deg", -190.0, 190.0, false};
-    plot.curves.push_back(phase_curve("", f, frf.H, {Colour::Purple}));
-  } else {
-    plot.y = {"coherence", "", -0.02, 1.05, false};
-    if (frf.coherence.size() == f.size()) {
-      plot.curves.push_back({"", f, frf.coherence, {}, {}, {Colour::Green}});
-    }
+/// Peaks of one FRF: where, how high, how much damped.
+Table peak_table(const FrfSet& frfs, const Frf& frf) {
+  Table table{
+      {{"peak Hz", true}, {"|H|", true}, {"phase", true}, {"damping %", true}},
+      {}};
+  for (const Index line : peak_lines(frf.H.cwiseAbs())) {
+    const std::optional<PeakFit> fit = fit_peak(frfs.s, frf.H, line);
+    const double hz = fit ? fit->frequency_hz() : frfs.frequency_hz()[line];
+    table.rows.push_back(
+        {{fixed(hz, 3),
+          number(std::abs(frf.H[line]), 3),
+          fixed(std::arg(frf.H[line]) * 180.0 / std::numbers::pi, 0) + "°",
+          fit ? fixed(100.0 * fit->damping_ratio(), 3) : "–"},
+         {}});
   }
-  draw_plot(screen, rect, plot);
+  return table;
 }
 
-std::string cursor_line(const signal::FrfSet& frfs,
-                        const signal::Frf& frf,
-                        const PlotRange& range) {
+std::vector<std::size_t> shown_frfs(const FrfSet& frfs,
+                                    const FrfState& state,
+                                    std::size_t selected) {
+  std::vector<std::size_t> shown{selected};
+  const auto add = [&](std::size_t i) {
+    const bool there = std::find(shown.begin(), shown.end(), i) != shown.end();
+    if (!there && i < frfs.frfs.size() && shown.size() < 6) shown.push_back(i);
+  };
+  if (state.both_ways) {
+    if (const auto other = other_way(frfs, selected)) add(*other);
+  }
+  for (const std::size_t i : state.tagged) add(i);
+  return shown;
+}
+
+void draw_side(Screen& screen,
+               const Rect& side,
+               const FrfSet& frfs,
+               const FrfState& state,
+               std::size_t selected) {
+  const Table peaks = peak_table(frfs, frfs.frfs[selected]);
+  const int wanted = static_cast<int>(peaks.rows.size()) + 1;
+  const int rows = side.height >= 16 ? std::min(wanted, side.height / 3) : 0;
+  const auto [list, below] = split_top(side, side.height - rows);
+  draw_table(screen, list, frf_table(frfs, state.tagged), state.list, true);
+  if (rows == 0) return;
   const Eigen::VectorXd f = frfs.frequency_hz();
-  if (f.size() == 0 || frf.H.size() != f.size()) return "no lines";
-  if (!range.cursor_set) {
-    return fmt::format("{} lines, {} to {} Hz, exponential window sigma {} 1/s",
-                       f.size(),
-                       number(f[0]),
-                       number(f[f.size() - 1]),
-                       number(frfs.s[0].real(), 3));
+  const Index at = chosen_peak(frfs, frfs.frfs[selected], state.range);
+  Table marked = peaks;
+  const auto lines = peak_lines(frfs.frfs[selected].H.cwiseAbs());
+  ListState near;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i] != at) continue;
+    near.selected = i;
+    marked.rows[i].style = {.colour = Colour::Yellow};
   }
-  Eigen::Index at = 0;
-  (f.array() - range.cursor).abs().minCoeff(&at);
-  const double phase = std::arg(frf.H[at]) * 180.0 / std::numbers::pi;
-  std::string text = fmt::format("{} Hz   |H| {} {}   ∠ {}°",
-                                 fixed(f[at], 3),
-                                 number(std::abs(frf.H[at])),
-                                 accelerance_unit,
-                                 fixed(phase, 1));
-  if (frf.coherence.size() == f.size()) {
-    text += fmt::format("   coherence {}", fixed(frf.coherence[at], 4));
+  draw_table(screen, below, marked, near, false);
+}
+
+/// The peak next to the cursor on that side; none without one.
+std::optional<double> next_peak(const FrfSet& frfs,
+                                const Frf& frf,
+                                const PlotRange& range,
+                                bool upwards) {
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  std::optional<double> found;
+  for (const Index line : peak_lines(frf.H.cwiseAbs())) {
+    const double hz = f[line];
+    if (upwards && (!range.cursor_set || hz > range.cursor + 1e-9)) return hz;
+    if (!upwards && (!range.cursor_set || hz < range.cursor - 1e-9)) {
+      found = hz;
+    }
   }
-  if (frf.variance.size() == f.size()) {
-    text += fmt::format("   sd {}",
-                        number(std::sqrt(std::max(frf.variance[at], 0.0)), 2));
-  }
-  return text;
+  return found;
+}
+
+/// Moves the stretch on show so that it holds the cursor.
+void show_cursor(PlotRange& range, double lo, double hi) {
+  const PlotRange shown = resolved(range, lo, hi);
+  if (range.cursor >= shown.lo && range.cursor <= shown.hi) return;
+  const double width = shown.hi - shown.lo;
+  range.lo = std::clamp(range.cursor - 0.5 * width, lo, hi - width);
+  range.hi = range.lo + width;
 }
 
 }  // namespace
 
-Screen frf_view(const signal::FrfSet& frfs,
+Screen frf_view(const FrfSet& frfs,
                 const FrfState& state,
-                const Canvas& canvas) {
+                const Canvas& canvas,
+                const FrfChecks* checks) {
   Screen screen(canvas);
   if (frfs.frfs.empty()) {
     screen.text(1, 1, "There is no FRF: no run has an accepted hit (1).");
     return screen;
   }
-  const Table table = frf_table(frfs);
-  const signal::Frf& frf = frfs.frfs[settled(table, state.list)];
-  const int list_width = std::min(canvas.width * 3 / 8, 36);
-  const auto [side, body] =
-      split_left({0, 0, canvas.width, canvas.height - 1}, list_width);
-  draw_table(screen, side, table, state.list, true);
-  const int strip =
-      state.strip == Strip::None ? 0 : std::clamp(body.height / 3, 6, 14);
-  const auto [upper, rest] = split_top(body, body.height - strip);
-  Plot plot = frf_plot(frfs, state.range, state.log);
-  plot.title = signal::name(frf);
-  plot.x_labels = strip == 0;
-  plot.curves.push_back(
-      measured_curve("measured", frfs.frequency_hz(), frf, state.band));
-  draw_plot(screen, upper, plot);
-  if (strip > 0)
-    draw_strip(screen, split_top(rest, strip).first, frfs, frf, state);
+  const Rect all{0, 0, canvas.width, canvas.height - 1};
+  const std::size_t selected =
+      settled(frf_table(frfs, state.tagged), state.list);
+  const FrfChoice choice{frfs, shown_frfs(frfs, state, selected)};
+  if (state.checks && checks != nullptr) {
+    draw_checks(screen, all, frfs, *checks, state.check_list, state.range);
+  } else if (state.checks) {
+    screen.text(1, 1, "checks …", {.colour = Colour::Grey});
+  } else {
+    const int side_width = std::min(canvas.width * 3 / 8, 38);
+    const auto [side, body] = split_left(all, side_width);
+    draw_side(screen, side, frfs, state, selected);
+    draw_panel(screen, body, choice, state);
+  }
   screen.text(1,
               canvas.height - 1,
-              cursor_line(frfs, frf, state.range),
+              frf_read_out(choice, state),
               {.colour = Colour::Yellow},
               canvas.width - 2);
   return screen;
 }
 
 Screen FrfPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return frf_view(*known.frfs, state_, canvas);
+  return frf_view(*known.frfs, state_, canvas, known.frf_checks.get());
 }
 
-bool FrfPage::press(const Snapshot& known, Key key, Command&) {
-  const signal::FrfSet& frfs = *known.frfs;
-  if (frfs.frfs.empty()) return false;
+void FrfPage::select(std::size_t frf, std::optional<double> hz) {
+  state_.list = {frf, ""};
+  state_.checks = false;
+  if (!hz) return;
+  state_.range = {};
+  state_.range.cursor = *hz;
+  state_.range.cursor_set = true;
+}
+
+bool FrfPage::press_view(const Snapshot& known, Key key) {
+  const FrfSet& frfs = *known.frfs;
+  const std::size_t selected =
+      settled(frf_table(frfs, state_.tagged), state_.list);
   if (key == U'x') {
     state_.log = !state_.log;
+  } else if (key == U'X') {
+    state_.log_f = !state_.log_f;
   } else if (key == U'b') {
     state_.band = !state_.band;
+  } else if (key == U'd') {
+    state_.checks = !state_.checks;
+  } else if (key == U'o') {
+    state_.both_ways = !state_.both_ways;
+  } else if (key == U' ' && !state_.checks) {
+    if (state_.tagged.erase(selected) == 0) state_.tagged.insert(selected);
+  } else if (key == U'T') {
+    state_.tagged.clear();
   } else if (key == keys::tab || key == U'c') {
-    state_.strip = state_.strip == Strip::Phase       ? Strip::Coherence
-                   : state_.strip == Strip::Coherence ? Strip::None
-                                                      : Strip::Phase;
-  } else if (!list_key(state_.list, frf_table(frfs), key)) {
-    const FrequencySpan span = frequency_span(frfs);
-    return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));
+    constexpr int panels = static_cast<int>(Panel::Magnitude) + 1;
+    state_.panel =
+        static_cast<Panel>((static_cast<int>(state_.panel) + 1) % panels);
+    state_.checks = false;
+  } else {
+    return false;
   }
   return true;
 }
 
+bool FrfPage::press_band(const FrfSet& frfs, Key key) {
+  const FrequencySpan span = frequency_span(frfs);
+  const Frf& frf =
+      frfs.frfs[settled(frf_table(frfs, state_.tagged), state_.list)];
+  PlotRange& range = state_.range;
+  if (key == U'n' || key == U'p') {
+    if (const auto hz = next_peak(frfs, frf, range, key == U'n')) {
+      range.cursor = *hz;
+      range.cursor_set = true;
+      show_cursor(range, span.lo, span.hi);
+    }
+  } else if (key == U'm') {
+    if (state_.mark) {
+      state_.mark.reset();
+    } else if (range.cursor_set) {
+      state_.mark = range.cursor;
+    }
+  } else if (key == U'z') {
+    if (state_.mark &&
+        std::abs(*state_.mark - range.cursor) > line_spacing(frfs)) {
+      range.lo = std::min(*state_.mark, range.cursor);
+      range.hi = std::max(*state_.mark, range.cursor);
+    }
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool FrfPage::press(const Snapshot& known, Key key, Command&) {
+  const FrfSet& frfs = *known.frfs;
+  if (frfs.frfs.empty()) return false;
+  if (press_view(known, key) || press_band(frfs, key)) return true;
+  const Table table = state_.checks && known.frf_checks
+                          ? check_table(frfs, *known.frf_checks)
+                          : frf_table(frfs, state_.tagged);
+  if (list_key(*list(), table, key)) return true;
+  const FrequencySpan span = frequency_span(frfs);
+  return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));
+}
+
 std::vector<KeyHelp> FrfPage::keys() const {
-  return {{"j k", "FRF"},
+  return {{"Tab", "next plot"},
+          {"j k", "FRF"},
+          {"Space", "overlay"},
           {"h l", "cursor"},
-          {"H L", "faster"},
+          {"n p", "peak"},
+          {"d", "checks"},
+          {"m", "band cursor"},
           {"x", "log/linear"},
-          {"Tab", "phase/coherence"},
-          {"b", "band"},
+          {"z", "zoom to band"},
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"_", "whole band"},
+          {"X", "log frequency"},
+          {"b", "confidence"},
+          {"o", "other way round"},
+          {"T", "overlays off"},
+          {"H L", "cursor faster"},
           {"/", "filter"}};
 }
 
 std::string FrfPage::help() const {
   return "Accelerance of the selected point (response / reference) from all "
-         "accepted hits of its run. The faint band is the 95 % confidence "
-         "band from the scatter over hits. coh is the mean coherence, sd % "
-         "the median relative deviation. The FRF carries the exponential "
-         "window's damping (sigma), which is taken out of modes and allowed "
-         "for in every comparison.";
+         "accepted hits of its run; coh is the mean coherence, sd % the median "
+         "relative deviation, the faint band the 95 % confidence from the "
+         "scatter over hits. Tab goes round: phase, coherence, real and "
+         "imaginary, Nyquist with the circle of the peak at the cursor, "
+         "magnitude. Space lays an FRF over the others, o the one measured "
+         "the other way round. m sets one end of the band cursor, the cursor "
+         "is the other. d holds driving points and pairs measured both ways "
+         "against physics. The exponential window's sigma is in the FRF, but "
+         "not in the dampings.";
 }
 
 }  // namespace tapfit::tui

@@ -2,34 +2,62 @@
 #pragma once
 
 #include "tui/plot_range.hpp"
+#include "tui/views/frf_checks_view.hpp"
 #include "tui/views/page.hpp"
+
+#include <optional>
+#include <set>
 
 namespace tapfit::tui {
 
 struct FrfState {
   ListState list;
-  PlotRange range;  ///< [Hz]
-  bool log = true;
-  bool band = true;  ///< the confidence band
-  enum class Strip { Coherence, Phase, None } strip = Strip::Phase;
+  PlotRange range;     ///< [Hz]
+  bool log = true;     ///< magnitude
+  bool log_f = false;  ///< frequency
+  bool band = true;    ///< the confidence band
+  enum class Panel {
+    Phase,      ///< magnitude and phase
+    Coherence,  ///< magnitude and coherence
+    Parts,      ///< real and imaginary
+    Nyquist,    ///< the plane, with the circle of the peak at the cursor
+    Magnitude,
+  } panel = Panel::Phase;
+  std::set<std::size_t> tagged;  ///< drawn along with the selected one
+  bool both_ways = false;        ///< and the one measured the other way round
+  std::optional<double> mark;    ///< the band cursor's other end [Hz]
+  bool checks = false;           ///< driving points and reciprocity instead
+  ListState check_list;
 };
 
+/// @param checks empty while they are not known
 [[nodiscard]] Screen frf_view(const signal::FrfSet& frfs,
                               const FrfState& state,
-                              const Canvas& canvas);
+                              const Canvas& canvas,
+                              const FrfChecks* checks = nullptr);
 
 class FrfPage final : public Page {
  public:
   std::string title() const override { return "FRF"; }
   std::vector<Need> essential() const override { return {{Stage::Frfs}}; }
+  std::vector<Need> welcome(const Snapshot&) const override {
+    return {{Stage::FrfChecks}};
+  }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
-  ListState* list() override { return &state_.list; }
-  void select(std::size_t frf) { state_.list = {frf, ""}; }
+  ListState* list() override {
+    return state_.checks ? &state_.check_list : &state_.list;
+  }
+  PlotRange* range() override { return &state_.range; }
+  /// Shows that FRF, with the cursor there.
+  void select(std::size_t frf, std::optional<double> hz = {});
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 
  private:
+  bool press_view(const Snapshot& known, Key key);
+  bool press_band(const signal::FrfSet& frfs, Key key);
+
   FrfState state_;
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tui/key.hpp"
+#include "tui/plot_range.hpp"
 #include "tui/screen.hpp"
 #include "tui/snapshot.hpp"
 #include "tui/table.hpp"
@@ -52,6 +53,11 @@ class Page {
   virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
   /// The list that `/` filters, if there is one.
   virtual ListState* list() { return nullptr; }
+  /// The stretch of a plot that a click sets the cursor of.
+  virtual PlotRange* range() { return nullptr; }
+  /// What a click means: a row is selected, the cursor is set.
+  /// @return false when it means nothing here
+  virtual bool click(const Snapshot& known, const Zone& zone, int x);
   /// Moves what is animated by one frame; true when the screen has changed.
   virtual bool animate(const Snapshot&) { return false; }
   /// Most useful first; the key bar shows as many as fit.
@@ -59,5 +65,18 @@ class Page {
   /// What the screen shows and how to read it.
   [[nodiscard]] virtual std::string help() const = 0;
 };
+
+inline bool Page::click(const Snapshot&, const Zone& zone, int x) {
+  if (zone.kind == Zone::Kind::PlotX && range() != nullptr) {
+    range()->cursor = zone.value_at(x);
+    range()->cursor_set = true;
+    return true;
+  }
+  if (zone.kind == Zone::Kind::Row && list() != nullptr) {
+    list()->selected = zone.index;
+    return true;
+  }
+  return false;
+}
 
 }  // namespace tapfit::tui

@@ -42,6 +42,7 @@ class UpdatePage final : public Page {
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
   ListState* list() override { return &state_.list; }
+  PlotRange* range() override { return &state_.range; }
   bool animate(const Snapshot& known) override;
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;

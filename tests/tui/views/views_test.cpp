@@ -67,6 +67,81 @@ TEST(FrfView, ReadsOutUnderTheCursor) {
   }
 }
 
+TEST(FrfView, GoesRoundItsPlots) {
+  using Panel = FrfState::Panel;
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const std::vector<std::pair<Panel, std::string>> panels{
+      {Panel::Phase, "phase [deg]"},
+      {Panel::Coherence, "coherence"},
+      {Panel::Parts, "Im H [(m/s²)/N]"},
+      {Panel::Nyquist, "circle: "},
+      {Panel::Magnitude, "|H| [(m/s²)/N]"}};
+  for (const Canvas& canvas : sizes) {
+    for (const auto& [panel, words] : panels) {
+      FrfState state;
+      state.panel = panel;
+      state.log_f = true;
+      const Screen s = frf_view(frfs, state, canvas);
+      EXPECT_TRUE(holds(s, words)) << s.to_text();
+    }
+  }
+}
+
+TEST(FrfView, LaysFrfsOverEachOther) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  FrfState state;
+  state.tagged = {1};
+  state.range.cursor = 5.0;
+  state.range.cursor_set = true;
+  const Screen s = frf_view(frfs, state, {120, 32, false});
+  EXPECT_TRUE(holds(s, "* " + signal::name(frfs.frfs[1]))) << s.to_text();
+  EXPECT_TRUE(holds(s, "╌ " + signal::name(frfs.frfs[1])));
+  EXPECT_TRUE(holds(s,
+                    fmt::format("{} {:.4g}",
+                                signal::name(frfs.frfs[1]),
+                                std::abs(frfs.frfs[1].H[16]))));
+}
+
+TEST(FrfView, ReadsOutTheBand) {
+  signal::FrfSet frfs = testing::fake_frfs();
+  frfs.frfs[0].H.setConstant({3.0, 4.0});
+  frfs.frfs[0].H[20] = {0.0, 6.0};  // at 6 Hz
+  FrfState state;
+  state.range.cursor = 7.0;
+  state.range.cursor_set = true;
+  state.mark = 5.0;
+  // Nine lines a quarter of a Hz apart, eight of size 5 and one of size 6.
+  const double rms = std::sqrt((8.0 * 25.0 + 36.0) / 9.0);
+  const Screen s = frf_view(frfs, state, {120, 32, false});
+  EXPECT_TRUE(
+      holds(s, fmt::format("5.00 to 7.00 Hz (Δ 2.00 Hz): rms {:.4g}", rms)))
+      << s.to_text();
+  EXPECT_TRUE(holds(s, "largest at 6.00 Hz"));
+}
+
+TEST(FrfView, HoldsDrivingPointsAgainstPhysics) {
+  signal::FrfSet frfs = testing::fake_frfs();
+  // An oscillator of 1 kg at 10 Hz where it is hit: passive.
+  constexpr double w = 62.8;
+  for (signal::Frf& frf : frfs.frfs) {
+    frf.H = frfs.s.array().square() /
+            (frfs.s.array().square() + 0.02 * w * frfs.s.array() + w * w);
+    frf.variance.setConstant(1e-6);
+  }
+  FrfState state;
+  state.checks = true;
+  const FrfChecks fair = check_frfs(frfs);
+  ASSERT_FALSE(fair.driving.empty());
+  EXPECT_TRUE(holds(frf_view(frfs, state, {120, 32, false}, &fair),
+                    "driving point  fair"));
+  for (signal::Frf& frf : frfs.frfs) frf.H = -frf.H;
+  const FrfChecks turned = check_frfs(frfs);
+  EXPECT_TRUE(holds(frf_view(frfs, state, {120, 32, false}, &turned),
+                    "polarity turned"));
+  const FrfChecks none;
+  EXPECT_TRUE(holds(frf_view(frfs, state, {}, &none), "No driving point"));
+}
+
 TEST(FrfView, TakesNoFrfs) {
   EXPECT_TRUE(holds(frf_view({}, {}, {}), "no FRF"));
   signal::FrfSet one = testing::fake_frfs();

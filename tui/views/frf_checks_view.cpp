@@ -1,0 +1,176 @@
+#include "tui/views/frf_checks_view.hpp"
+
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/views/frf_curves.hpp"
+#include "tui/views/frf_peaks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+using signal::DrivingPoint;
+using signal::Frf;
+using signal::FrfSet;
+using signal::Reciprocal;
+
+bool is_fair(const Reciprocal& pair) {
+  // Scatter explains it, or it is too little to matter.
+  return (pair.chi2 > 0.0 && pair.chi2 < 4.0) || pair.difference < 0.02;
+}
+
+void draw_driving(Screen& screen,
+                  const Rect& rect,
+                  const FrfSet& frfs,
+                  const DrivingPoint& point,
+                  const PlotRange& range) {
+  const Frf& frf = frfs.frfs[point.frf];
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  Plot plot = frf_plot(frfs, range, false);
+  plot.y.label = "Im H";
+  plot.title = signal::name(frf) + ": every peak must point upwards";
+  plot.curves.push_back({"", f, frf.H.imag(), {}, {}, {Colour::Sky}});
+  plot.curves.push_back({"",
+                         f,
+                         Eigen::VectorXd::Zero(f.size()),
+                         {},
+                         {},
+                         {Colour::Grey, Pattern::Dotted, '.', true}});
+  for (const Eigen::Index line : peak_lines(frf.H.cwiseAbs())) {
+    const bool fair = frf.H[line].imag() > 0.0;
+    plot.markers.push_back(
+        {f[line],
+         fair ? U'▼' : U'✗',
+         {.colour = fair ? Colour::Green : Colour::Red, .bold = !fair}});
+  }
+  draw_plot(screen, rect, plot);
+}
+
+void draw_pair(Screen& screen,
+               const Rect& rect,
+               const FrfSet& frfs,
+               const Reciprocal& pair,
+               const PlotRange& range) {
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  const auto [upper, lower] = split_top(rect, rect.height * 2 / 3);
+  Plot size = frf_plot(frfs, range, true);
+  Plot phase = frf_plot(frfs, range, false);
+  size.x_labels = false;
+  phase.y = {"phase", "deg", -190.0, 190.0, false};
+  const Pen pens[]{{Colour::Sky}, {Colour::Orange, Pattern::Dashed, 'o'}};
+  const std::size_t both[]{pair.frf, pair.other};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Frf& frf = frfs.frfs[both[i]];
+    size.curves.push_back(
+        magnitude_curve(signal::name(frf), f, frf.H, pens[i]));
+    phase.curves.push_back(phase_curve("", f, frf.H, pens[i]));
+  }
+  draw_plot(screen, upper, size);
+  draw_plot(screen, lower, phase);
+}
+
+}  // namespace
+
+FrfChecks check_frfs(const FrfSet& frfs) {
+  return {signal::driving_points(frfs), signal::reciprocals(frfs)};
+}
+
+std::string low_line(const DrivingPoint& point) {
+  if (point.low == signal::LowLine::Mass) {
+    return fmt::format("mass of {:.4g} kg", point.mass_kg);
+  }
+  if (point.low == signal::LowLine::Stiffness) {
+    return fmt::format("stiffness of {:.4g} N/m", point.stiffness_n_per_m);
+  }
+  return "-";
+}
+
+std::string verdict(const DrivingPoint& point) {
+  if (point.turned()) return "polarity turned";
+  if (point.wrong_peaks > 0) return "another point?";
+  return point.active_share > 0.05 ? "not passive" : "fair";
+}
+
+Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
+  Table table{{{"FRF"}, {"held against"}, {"outcome"}, {"finding"}}, {}};
+  for (const DrivingPoint& p : checks.driving) {
+    const bool fair = verdict(p) == "fair";
+    table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
+                           "driving point",
+                           verdict(p),
+                           fmt::format("{} peaks, {} turned; active at {} of "
+                                       "the lines; lowest lines {}",
+                                       p.peaks,
+                                       p.wrong_peaks,
+                                       percent(p.active_share),
+                                       low_line(p))},
+                          {.colour = fair ? Colour::Default : Colour::Red}});
+  }
+  for (const Reciprocal& p : checks.both_ways) {
+    const bool fair = is_fair(p);
+    table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
+                           signal::name(frfs.frfs[p.other]),
+                           fair ? "alike" : "differ",
+                           fmt::format("difference {}, gain {}, chi² {}",
+                                       percent(p.difference),
+                                       fixed(p.gain, 4),
+                                       number(p.chi2, 3))},
+                          {.colour = fair ? Colour::Default : Colour::Orange}});
+  }
+  return table;
+}
+
+void draw_checks(Screen& screen,
+                 const Rect& rect,
+                 const FrfSet& frfs,
+                 const FrfChecks& checks,
+                 const ListState& list,
+                 const PlotRange& range) {
+  const Table table = check_table(frfs, checks);
+  if (table.rows.empty()) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                "No driving point was measured, and no pair both ways: hit "
+                "where a sensor sits.",
+                {},
+                rect.width - 2);
+    return;
+  }
+  const int rows = std::clamp(
+      static_cast<int>(table.rows.size()) + 1, 3, std::max(rect.height / 3, 3));
+  const auto [upper, lower] = split_top(rect, rows);
+  draw_table(screen, upper, table, list, true);
+  const std::size_t at = settled(table, list);
+  if (at < checks.driving.size()) {
+    draw_driving(screen, lower, frfs, checks.driving[at], range);
+  } else if (at - checks.driving.size() < checks.both_ways.size()) {
+    draw_pair(screen,
+              lower,
+              frfs,
+              checks.both_ways[at - checks.driving.size()],
+              range);
+  }
+}
+
+std::optional<std::size_t> other_way(const FrfSet& frfs, std::size_t frf) {
+  const Frf& wanted = frfs.frfs.at(frf);
+  for (std::size_t i = 0; i < frfs.frfs.size(); ++i) {
+    const Frf& candidate = frfs.frfs[i];
+    const auto same = [](const Dof& a, const Dof& b) {
+      return a.node == b.node && a.component == b.component;
+    };
+    if (i != frf && same(candidate.response, wanted.reference) &&
+        same(candidate.reference, wanted.response)) {
+      return i;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,45 @@
+// What FRFs are held against without a model: driving points, and pairs
+// measured both ways (signal/frf_checks.hpp), as a list with the curves.
+#pragma once
+
+#include "signal/frf_checks.hpp"
+#include "tui/plot_range.hpp"
+#include "tui/screen.hpp"
+#include "tui/table.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+struct FrfChecks {
+  std::vector<signal::DrivingPoint> driving;
+  std::vector<signal::Reciprocal> both_ways;
+};
+
+[[nodiscard]] FrfChecks check_frfs(const signal::FrfSet& frfs);
+
+/// "mass of 2.1 kg", "stiffness of 3e4 N/m", "-".
+[[nodiscard]] std::string low_line(const signal::DrivingPoint& point);
+/// "fair", "polarity turned", "another point?", "not passive".
+[[nodiscard]] std::string verdict(const signal::DrivingPoint& point);
+
+/// Driving points first, then pairs.
+[[nodiscard]] Table check_table(const signal::FrfSet& frfs,
+                                const FrfChecks& checks);
+
+/// The list above; below, of a driving point its imaginary part, whose peaks
+/// must all point upwards, of a pair both magnitudes and phases.
+void draw_checks(Screen& screen,
+                 const Rect& rect,
+                 const signal::FrfSet& frfs,
+                 const FrfChecks& checks,
+                 const ListState& list,
+                 const PlotRange& range);
+
+/// The FRF measured the other way round.
+[[nodiscard]] std::optional<std::size_t> other_way(const signal::FrfSet& frfs,
+                                                   std::size_t frf);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,33 @@
+// The plots of the FRF screen: magnitude with phase or coherence, real and
+// imaginary part, and the Nyquist plane with the circle of a peak.
+#pragma once
+
+#include "tui/views/frf_view.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// What is drawn: the selected FRF first.
+struct FrfChoice {
+  const signal::FrfSet& frfs;
+  std::vector<std::size_t> shown;
+};
+
+void draw_panel(Screen& screen,
+                const Rect& rect,
+                const FrfChoice& choice,
+                const FrfState& state);
+
+/// Peak of the selected FRF that is nearest to the cursor; without a cursor
+/// the largest on show; -1 without any.
+[[nodiscard]] Eigen::Index chosen_peak(const signal::FrfSet& frfs,
+                                       const signal::Frf& frf,
+                                       const PlotRange& range);
+
+/// What lies under the cursor, with units; or under the band cursor.
+[[nodiscard]] std::string frf_read_out(const FrfChoice& choice,
+                                       const FrfState& state);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,95 @@
+#include "tui/views/frf_peaks.hpp"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+using Eigen::Index;
+using Complex = std::complex<double>;
+
+/// The lowest value on the way from the peak to something higher, or the end.
+double lowest_downhill(const Eigen::VectorXd& size, Index peak, Index step) {
+  double lowest = size[peak];
+  for (Index i = peak + step; i >= 0 && i < size.size(); i += step) {
+    if (size[i] > size[peak]) break;
+    lowest = std::min(lowest, size[i]);
+  }
+  return lowest;
+}
+
+/// First and last line of the peak's upper part.
+std::pair<Index, Index> upper_part(const Eigen::VectorXcd& H, Index peak) {
+  const double least = 0.4 * std::abs(H[peak]);
+  Index first = peak;
+  Index last = peak;
+  while (first > 0 && std::abs(H[first - 1]) > least) --first;
+  while (last + 1 < H.size() && std::abs(H[last + 1]) > least) ++last;
+  first = std::min(first, std::max<Index>(peak - 3, 0));
+  last = std::max(last, std::min<Index>(peak + 3, H.size() - 1));
+  return {first, last};
+}
+
+}  // namespace
+
+std::vector<Index> peak_lines(const Eigen::VectorXd& magnitude,
+                              double prominence) {
+  std::vector<Index> found;
+  for (Index i = 1; i + 1 < magnitude.size(); ++i) {
+    if (!(magnitude[i] > magnitude[i - 1] && magnitude[i] >= magnitude[i + 1]))
+      continue;
+    const double valley = std::max(lowest_downhill(magnitude, i, -1),
+                                   lowest_downhill(magnitude, i, 1));
+    if (magnitude[i] >= prominence * valley) found.push_back(i);
+  }
+  return found;
+}
+
+double PeakFit::frequency_hz() const {
+  return std::abs(pole) / (2.0 * std::numbers::pi);
+}
+
+double PeakFit::damping_ratio() const { return -pole.real() / std::abs(pole); }
+
+std::optional<PeakFit> fit_peak(const Eigen::VectorXcd& s,
+                                const Eigen::VectorXcd& H,
+                                Index peak) {
+  if (peak < 0 || peak >= H.size() || s.size() != H.size()) return {};
+  PeakFit fit;
+  std::tie(fit.first, fit.last) = upper_part(H, peak);
+  const Index n = fit.last - fit.first + 1;
+  if (n < 5) return std::nullopt;
+  const Complex s_0 = s[peak];
+  const double span = std::abs(s[fit.last] - s[fit.first]);
+  const double size = std::abs(H[peak]);
+  if (!(span > 0.0) || !(size > 0.0)) return std::nullopt;
+  // In units of the stretch and the peak, so that the columns are alike.
+  const Eigen::VectorXcd x =
+      (s.segment(fit.first, n).array() - s_0).matrix() / span;
+  const Eigen::VectorXcd y = H.segment(fit.first, n) / size;
+  Eigen::MatrixXcd A(n, 3);
+  A.col(0) = y;
+  A.col(1) = x;
+  A.col(2).setOnes();
+  const Eigen::VectorXcd b = x.cwiseProduct(y);
+  const Eigen::Vector3cd found = A.colPivHouseholderQr().solve(b);
+  fit.pole = s_0 + span * found[0];
+  fit.rest = size * found[1];
+  fit.residue = size * span * (found[1] * found[0] + found[2]);
+  const double a = s_0.real() - fit.pole.real();
+  if (!found.allFinite() || !(a > 0.0) || !(fit.pole.real() < 0.0)) return {};
+  fit.centre = fit.rest + fit.residue / (2.0 * a);
+  fit.radius = std::abs(fit.residue) / (2.0 * a);
+  if (!(fit.radius > 0.0)) return std::nullopt;
+  const Eigen::ArrayXcd left =
+      H.segment(fit.first, n).array() - fit.rest -
+      fit.residue / (s.segment(fit.first, n).array() - fit.pole);
+  fit.deviation = std::sqrt(left.abs2().mean()) / fit.radius;
+  return fit;
+}
+
+}  // namespace tapfit::tui
