@@ -1,5 +1,7 @@
 #include "updating/base_error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <complex>
 #include <iterator>
@@ -45,6 +47,16 @@ double base_error(const structure::System& system,
     worst = std::max(worst, (R.transpose() * answered).norm() / H.norm());
   }
   return worst;
+}
+
+std::string base_error_warning(double error) {
+  constexpr double poor = 1e-3;
+  if (error <= poor) return {};
+  return fmt::format(
+      "the model's FRFs are reduced to no better than {:.0e} of themselves, "
+      "and what is compared and identified is worth no more: look for far too "
+      "stiff, soft or light parts",
+      error);
 }
 
 }  // namespace tapfit::updating

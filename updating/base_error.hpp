@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -27,5 +28,8 @@ namespace tapfit::updating {
                                 const Eigen::VectorXd& stiffness,
                                 const std::vector<int>& points,
                                 double high_hz);
+
+/// A sentence when that is more than a thousandth; else empty.
+[[nodiscard]] std::string base_error_warning(double error);
 
 }  // namespace tapfit::updating

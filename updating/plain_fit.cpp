@@ -111,6 +111,22 @@ std::vector<UpdateStep> history_of(const PlainResult& plain,
   return history;
 }
 
+// Each measured ratio goes to the mode of the model nearest in frequency.
+void take_damping(const PlainTask& task,
+                  const FrfModel& model,
+                  ModelState& state) {
+  const VectorXd hz = model.base_modes(state).omega.head(state.zeta.size()) /
+                      (2.0 * std::numbers::pi);
+  const Index known =
+      std::min(task.damping_ratio.size(), task.options.measured_hz.size());
+  if (hz.size() == 0) return;
+  for (Index k = 0; k < known; ++k) {
+    Index nearest = 0;
+    (hz.array() - task.options.measured_hz(k)).abs().minCoeff(&nearest);
+    state.zeta(nearest) = task.damping_ratio(k);
+  }
+}
+
 }  // namespace
 
 PlainTask plain_task(const UpdateChoice& choice,
@@ -158,8 +174,8 @@ Fit plain_fit(const Fitter& fitter,
               const std::vector<PlacedEffect>& start,
               std::shared_ptr<const FrfModel> model) {
   ModelState first = fitter.start_state(*model, start);
-  const Index known = std::min(first.zeta.size(), task.damping_ratio.size());
-  first.zeta.head(known) = task.damping_ratio.head(known);
+  const ModelState base = first;
+  take_damping(task, *model, first);
   const PlainResult plain =
       plain_update(*model, task.target, first, task.options);
   const Target& report = fitter.target();
@@ -174,7 +190,8 @@ Fit plain_fit(const Fitter& fitter,
   if (!plain.lambda.empty()) result.l_curve = plain.first_l_curve;
   result.state = plain.state;
   result.error = error(plain.state);
-  const double before = error(first);
+  const ModelState& kept = error(base) < error(first) ? base : first;
+  const double before = error(kept);
   if (!(result.error <= before)) {
     result.message += fmt::format(
         ", where the error on the damped lines, {:.3g}, is above the start's "
@@ -182,7 +199,7 @@ Fit plain_fit(const Fitter& fitter,
         result.error,
         before);
     result.converged = false;
-    result.state = first;
+    result.state = kept;
     result.error = before;
   }
   const Target used = used_lines(task.target, plain.use);

@@ -3,6 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "updating/base_error.hpp"
 #include "updating/kept_base.hpp"
+#include "updating/massless_dofs.hpp"
 #include "updating/mesh_factors.hpp"
 #include "updating/released_system.hpp"
 #include "updating/static_answers.hpp"
@@ -35,8 +36,7 @@ using structure::SparseMatrix;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// What FRFs through the base may be off those of the whole model, and how many
-// orders of responses are tried to get there.
+// What FRFs may be off the whole model's, and orders of responses tried for it.
 constexpr double exact_enough = 1e-6;
 constexpr std::size_t most_orders = 4;
 
@@ -52,13 +52,7 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
 }
 
 // Stiffness that elements keep, from all of it to next to none.
-StiffnessTerm loss_term() {
-  StiffnessTerm term;
-  term.included = term.absent = term.upper = 1.0;
-  term.start = 0.4;
-  term.lower = 0.04;
-  return term;
-}
+const StiffnessTerm loss_term = {{}, {}, 1.0, 1.0, 0.04, 0.4, 1.0};
 
 }  // namespace
 
@@ -105,10 +99,11 @@ BaseBuilder::BaseBuilder(
   points.insert(options.points.begin(), options.points.end());
   m.options.points.assign(points.begin(), points.end());
   m.original_grids = static_cast<Index>(deck.grids.size());
-  m.mesh.deck = deck;
-  if (options.split) m.mesh = structure::refine_mesh(deck);
+  m.mesh = options.split ? structure::refine_mesh(deck)
+                         : structure::RefinedDeck{deck, {}, {}};
   progress("model: assembling", 0.0);
   m.system = structure::assemble(m.mesh.deck);
+  lend_mass(m.system, m.options.points, options.high_hz);
   m.motions = structure::free_motions(m.system);
   if (m.motions.free.empty()) {
     throw InputError("the model has no free degree of freedom",
@@ -210,6 +205,11 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
   for (std::size_t orders = 2; orders <= most_orders; ++orders) {
     V = join(
         {u, beyond(system.M, u, answers->to_points(options.points, orders))});
+    if (V.cols() == 0) {
+      throw InputError("no mode is in reach of the band, no point moves",
+                       deck.path.string(),
+                       "check units, supports and the points' directions");
+    }
     const MatrixXd projected = V.transpose() * (system.K * V);
     V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
             .eval();
@@ -388,7 +388,7 @@ ReducedBase BaseBuilder::build(
   ReducedBase base = m.extend(join(blocks), released);
   for (std::size_t k = 0; k < changes.size(); ++k) {
     StiffnessTerm term = changes[k].kind == ChangeKind::Elements
-                             ? loss_term()
+                             ? loss_term
                              : m.spring_term(released, released.S[k]);
     term.of = changes[k].of;
     term.S = std::move(base.terms[k].S);

@@ -2,6 +2,7 @@
 
 #include "acquisition/channel_names.hpp"
 #include "modal/sensor_shifts.hpp"
+#include "updating/base_error.hpp"
 #include "updating/compare.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effect_stack.hpp"
@@ -371,6 +372,8 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
   std::vector<std::string> warnings = impl_->model->unsplit().warnings();
   std::string high = floor_warning(base_comparison(progress));
   if (!high.empty()) warnings.push_back(std::move(high));
+  std::string poor = base_error_warning(impl_->model->builder.error());
+  if (!poor.empty()) warnings.push_back(std::move(poor));
   return warnings;
 }
 

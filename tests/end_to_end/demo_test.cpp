@@ -174,16 +174,23 @@ TEST_F(Demo, ReadyFrfsAreUpdatedAsRecordingsAre) {
   std::ofstream(folder / "test.json") << test;
   const auto result = run_tapfit(
       fmt::format("update '{}' --effect soft-support --effect sensor-mass "
-                  "--json",
+                  "--effect sensor-cable --json",
                   folder.string()));
   ASSERT_EQ(result.exit_status, 0) << result.err;
   const json found = json::parse(result.out);
   EXPECT_LT(found["error"]["best"].get<double>(), 0.05);
   const json& rungs = found["ladder"];
-  ASSERT_EQ(rungs.size(), 2U);
+  ASSERT_EQ(rungs.size(), 3U);
+  // Rungs are as they were added: the masses still without the cables, which
+  // pull on the modes that tell them.
   ASSERT_EQ(rungs[1]["added"], "sensor-mass");
   EXPECT_NEAR(
-      rungs[1]["parameters"]["mass_kg"]["value"].get<double>(), 0.020, 0.001);
+      rungs[1]["parameters"]["mass_kg"]["value"].get<double>(), 0.020, 0.002);
+  ASSERT_EQ(rungs[2]["added"], "sensor-cable");
+  EXPECT_NEAR(
+      rungs[2]["parameters"]["stiffness_n_per_m"]["value"].get<double>(),
+      0.6,
+      0.1);
 }
 
 }  // namespace

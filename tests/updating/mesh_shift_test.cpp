@@ -42,6 +42,23 @@ TEST(MeshShiftTest, AMeshWithoutModesMovesNone) {
   EXPECT_EQ(mesh_shift(finer, {MatrixXd(6, 0), {}}).K(0, 0), 0.0);
 }
 
+// Thirty modes that each take a little of one more would leave a mass that is
+// not positive once the factor is far from 1: then only frequencies change.
+TEST(MeshShiftTest, LeavesTheMassPositive) {
+  constexpr Index n = 31;
+  MeshModes finer{MatrixXd::Zero(6 * n, n), VectorXd::LinSpaced(n, 10, 40)};
+  for (Index r = 0; r < n; ++r) finer.rows(6 * r + 2, r) = 1.0;
+  MeshModes coarser = finer;
+  coarser.hz *= 0.99;
+  coarser.rows.row(6 * (n - 1) + 2).head(3).setConstant(-0.1);
+  EXPECT_GT(mesh_shift(finer, coarser).M.norm(), 0.1);
+  coarser.rows.row(6 * (n - 1) + 2).head(n - 1).setConstant(-0.1);
+  const MeshShift shift = mesh_shift(finer, coarser);
+  EXPECT_EQ(shift.M.norm(), 0.0);
+  EXPECT_GT(shift.K(0, 0), 0.0);
+  EXPECT_EQ(shift.K(0, n - 1), 0.0);
+}
+
 MeshModes modes_of(const structure::Deck& deck, Index grids) {
   const structure::System system = structure::assemble(deck);
   const structure::FreeMotions motions = structure::free_motions(system);

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace tapfit::updating {
@@ -214,7 +215,11 @@ Fit plain(const PlateExperiment& test,
   task.options.properties = 1;
   task.damping_ratio = Eigen::VectorXd(4);
   task.damping_ratio << 0.006, 0.010, 0.006, 0.010;
-  return plain_fit(test.fitter(), task, start, test.fitter().model_for(start));
+  const auto model = test.fitter().model_for(start);
+  const ModelState state = test.fitter().first_state(*model, start);
+  task.options.measured_hz =
+      model->base_modes(state).omega.head(4) / (2.0 * std::numbers::pi);
+  return plain_fit(test.fitter(), task, start, model);
 }
 
 TEST(PlainFitTest, FindsWhatWasBuiltInAndTellsHow) {

@@ -6,6 +6,7 @@
 #include "updating/structure/free_motions.hpp"
 #include "updating/structure/listed.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -42,12 +43,30 @@ std::vector<std::string> negative_springs(const Deck& deck) {
   return cards;
 }
 
+bool is_positive(const PointMass& e) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      e.inertia, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d I = solver.eigenvalues();
+  return e.mass >= 0.0 && I(0) >= -1e-9 * I.cwiseAbs().maxCoeff();
+}
+
 std::vector<std::string> negative_masses(const Deck& deck) {
   std::vector<std::string> cards;
   for (const ScalarElement& e : deck.scalars) {
     if (e.mass >= 0.0) continue;
     cards.push_back(
         fmt::format("{} (M = {:.6g})", place(deck, {"CMASS2"}, e.id), e.mass));
+  }
+  for (const PointMass& e : deck.masses) {
+    if (is_positive(e)) continue;
+    cards.push_back(
+        fmt::format("{} (M = {:.6g}, I11 = {:.6g}, I22 = {:.6g}, "
+                    "I33 = {:.6g})",
+                    place(deck, {"CONM2"}, e.id),
+                    e.mass,
+                    e.inertia(0, 0),
+                    e.inertia(1, 1),
+                    e.inertia(2, 2)));
   }
   return cards;
 }
@@ -106,7 +125,9 @@ void refuse_negative_cards(const Deck& deck, const System& system) {
       std::any_of(deck.bushes.begin(), deck.bushes.end(), [](const Bush& e) {
         return *std::min_element(e.stiffness.begin(), e.stiffness.end()) < 0.0;
       });
-  const bool masses = any([](const ScalarElement& e) { return e.mass < 0.0; });
+  const bool masses =
+      any([](const ScalarElement& e) { return e.mass < 0.0; }) ||
+      !std::all_of(deck.masses.begin(), deck.masses.end(), is_positive);
   if (!springs && !masses) return;
   const FreeMotions motions = free_motions(system);
   if (springs && is_indefinite(motions.reduce(system.K))) {

@@ -119,7 +119,7 @@ Lost lost_motions(const Deck& deck, const System& system) {
     const auto at = static_cast<std::size_t>(i);
     if (!system.inactive[at] || system.fixed[at] || !without[at]) continue;
     if (!(mass(i) > kRounding * beside(i))) continue;
-    if (!attached.contains(deck.grids[at / 6].id)) continue;
+    if (!deck.given && !attached.contains(deck.grids[at / 6].id)) continue;
     if (lost.count++ == 0) lost.first = i;
     ++lost.grids[at % 6];
   }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -61,6 +62,16 @@ class MarketReader {
     fail("the file ends too early");
   }
 
+  /// Throws where numbers follow.
+  void end() {
+    std::string text;
+    while (std::getline(file_, text)) {
+      ++line_;
+      if (trimmed(text).empty() || text.front() == '%') continue;
+      fail("there are more entries than the size line says");
+    }
+  }
+
   std::string header() {
     std::string text;
     std::getline(file_, text);
@@ -82,6 +93,25 @@ class MarketReader {
 };
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// An entry that stands twice would count twice; so would both triangles of a
+// symmetric matrix.
+void check_single(const Triplets& triplets, const std::filesystem::path& path) {
+  std::vector<std::pair<int, int>> places;
+  places.reserve(triplets.size());
+  for (const auto& entry : triplets) {
+    places.emplace_back(entry.row(), entry.col());
+  }
+  std::ranges::sort(places);
+  const auto twice = std::ranges::adjacent_find(places);
+  if (twice == places.end()) return;
+  throw InputError(
+      fmt::format("the entry of row {} and column {} is given twice",
+                  twice->first + 1,
+                  twice->second + 1),
+      path.filename().string(),
+      "give each entry once, of a symmetric matrix one triangle alone");
+}
 
 void add(Eigen::Index i,
          Eigen::Index j,
@@ -219,6 +249,11 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
   if (size[0] < 1.0 || size[0] != size[1]) {
     reader.fail("the matrix is not square");
   }
+  constexpr double most_rows = 5e6;
+  if (size[0] > most_rows || size[0] != std::floor(size[0])) {
+    reader.fail(fmt::format(
+        "{} is no number of rows (up to {:.0e})", size[0], most_rows));
+  }
   const Eigen::Index n = static_cast<Eigen::Index>(size[0]);
   Triplets triplets;
   if (dense) {
@@ -237,6 +272,8 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
           triplets);
     }
   }
+  reader.end();
+  check_single(triplets, path);
   SparseMatrix A(n, n);
   A.setFromTriplets(triplets.begin(), triplets.end());
   return A;

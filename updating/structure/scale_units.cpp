@@ -99,8 +99,9 @@ void scale_to_si(Deck& deck, const std::string& units) {
   }
   const Units to{1e-3, 1e3};
   scale_elements(deck, to);
-  scale_properties(deck, to);
-  if (deck.given) {
+  if (!deck.given) {
+    scale_properties(deck, to);
+  } else {
     deck.given = std::make_shared<const GivenMatrices>(
         GivenMatrices{scaled(deck.given->K, to), scaled(deck.given->M, to)});
   }

@@ -79,6 +79,16 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
   refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 1 nan\n");
   refused("%%MatrixMarket matrix coordinate real general\n2 2 1\n1 2 5.\n");
   refused("%%MatrixMarket matrix coordinate real general\n3 3 0\n");
+  // Both triangles of a symmetric matrix; more entries than are counted; sizes
+  // beyond all memory.
+  refused(
+      "%%MatrixMarket matrix coordinate real symmetric\n"
+      "2 2 4\n1 1 3.\n2 1 -1.\n1 2 -1.\n2 2 1.\n");
+  refused(
+      "%%MatrixMarket matrix coordinate real symmetric\n"
+      "2 2 1\n1 1 3.\n2 2 1.\n");
+  refused("%%MatrixMarket matrix coordinate real general\n3+9 3+9 0\n");
+  refused("%%MatrixMarket matrix array real general\n1+300 1+300\n");
   const std::filesystem::path K = write_text("K.mtx", kStiffness);
   for (const char* bad : {"1,1\n1,1\n", "1,1\n", "1,1\n1,9\n", "1,1\nx,2\n"}) {
     EXPECT_THROW(

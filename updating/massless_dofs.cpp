@@ -1,0 +1,29 @@
+#include "updating/massless_dofs.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::updating {
+
+using structure::SparseMatrix;
+
+void lend_mass(structure::System& system,
+               const std::vector<int>& points,
+               double high_hz) {
+  constexpr double decades = 1e5;
+  const double square = std::pow(2.0 * std::numbers::pi * decades * high_hz, 2);
+  const Eigen::VectorXd K = system.K.diagonal();
+  const Eigen::VectorXd M = system.M.diagonal();
+  std::vector<Eigen::Triplet<double>> lent;
+  for (const int i : points) {
+    const bool held = system.inactive[static_cast<std::size_t>(i)];
+    if (M(i) != 0.0 || !(K(i) > 0.0) || held) continue;
+    lent.emplace_back(i, i, K(i) / square);
+  }
+  if (lent.empty()) return;
+  SparseMatrix added(M.size(), M.size());
+  added.setFromTriplets(lent.begin(), lent.end());
+  system.M += added;
+}
+
+}  // namespace tapfit::updating

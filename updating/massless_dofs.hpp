@@ -1,0 +1,24 @@
+// Degrees of freedom with stiffness but no mass, such as a grid between two
+// springs. A base that is orthonormal in the mass has no room for what they do:
+// they are lent so little of it that their own frequency,
+//
+//   omega_i^2 = K_ii / m_i,
+//
+// lies five decades above the band, where all they do is follow.
+#pragma once
+
+#include "updating/structure/system.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Adds the mass to the system's diagonal.
+/// @param points degrees of freedom that are hit or measured; others without
+///   mass stay so: where nothing holds them they are a mechanism
+/// @param high_hz top of the band; FRFs up to it change by some 1e-10
+void lend_mass(structure::System& system,
+               const std::vector<int>& points,
+               double high_hz);
+
+}  // namespace tapfit::updating
