@@ -60,6 +60,22 @@ Eigen::VectorXd running_median(const Eigen::VectorXd& x, Eigen::Index half) {
   return result;
 }
 
+/// Names the widest step, where a line may be missing.
+[[noreturn]] void refuse_spacing(const Eigen::VectorXcd& s) {
+  const Eigen::VectorXd hz = s.imag() / (2.0 * std::numbers::pi);
+  const Eigen::VectorXd steps = hz.tail(hz.size() - 1) - hz.head(hz.size() - 1);
+  Eigen::Index widest = 0;
+  steps.maxCoeff(&widest);
+  throw InputError(
+      "the frequency lines are not evenly spaced on one sigma",
+      fmt::format("FRFs, line {}: {:.6g} Hz is followed by {:.6g} Hz",
+                  widest + 1,
+                  hz(widest),
+                  hz(widest + 1)),
+      "if a value there could not be read, mend the file or look at a band on "
+      "one side of it; else estimate the FRFs on the lines of one block");
+}
+
 void check_lines(const Eigen::VectorXcd& s) {
   if (s.size() < kFewestLines) {
     throw InputError(
@@ -79,9 +95,7 @@ void check_lines(const Eigen::VectorXcd& s) {
     const double expected = s(0).imag() + static_cast<double>(k) * spacing;
     if (spacing <= 0.0 || std::abs(s(k).imag() - expected) > 1e-3 * spacing ||
         std::abs(s(k).real() - sigma) > 1e-9 * std::abs(s(s.size() - 1))) {
-      throw InputError("the frequency lines are not evenly spaced on one sigma",
-                       fmt::format("FRFs, line {}", k + 1),
-                       "estimate the FRFs on the lines of one block");
+      refuse_spacing(s);
     }
   }
 }

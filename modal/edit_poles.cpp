@@ -16,6 +16,7 @@ using Eigen::Index;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kNear = 0.02;          // relative
+constexpr double kSamePole = 0.05;      // half bandwidths
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
 
 void drop(const Curves& curves, double hz, ModalFit& fit) {
@@ -72,6 +73,17 @@ void add(const Curves& curves,
                     -last.real() / std::abs(last)),
         "modes",
         "choose a frequency at which the stabilisation diagram has poles");
+  }
+  const Eigen::VectorXcd others = trial.poles.head(trial.poles.size() - 1);
+  const double near = -kSamePole * last.real();
+  if (others.size() > 0 && (others.array() - last).abs().minCoeff() < near) {
+    throw InputError(
+        fmt::format("the pole put in at {:.6g} Hz falls on the mode that is at "
+                    "{:.6g} Hz already",
+                    hz,
+                    std::abs(last) / kTwoPi),
+        "modes",
+        "drop that one first, or choose another frequency");
   }
   fit = std::move(trial);
 }

@@ -70,6 +70,8 @@ std::vector<int> largest_part(const std::vector<std::pair<int, int>>& edges,
 }
 
 /// phi by propagation along the strongest FRFs, starting with 1 at the root.
+/// Only from one side to the other: what is left open is then one factor t on
+/// one side and 1 / t on the other, which fix_scale() can find.
 Eigen::VectorXcd propagate(const ShapeGraph& graph,
                            const Eigen::VectorXcd& P,
                            const Eigen::VectorXd& weight) {
@@ -99,6 +101,10 @@ Eigen::VectorXcd propagate(const ShapeGraph& graph,
       const bool ka = known[static_cast<std::size_t>(a)];
       const bool kb = known[static_cast<std::size_t>(b)];
       if (ka == kb) continue;
+      if (graph.side[static_cast<std::size_t>(a)] ==
+          graph.side[static_cast<std::size_t>(b)]) {
+        continue;
+      }
       if (best < 0 ||
           std::abs(P(f)) * weight(f) > std::abs(P(best)) * weight(best)) {
         best = f;

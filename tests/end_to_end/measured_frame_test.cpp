@@ -91,7 +91,7 @@ TEST(MeasuredFrameModes, ItsFourthPoleIsInAnotherRecordToo) {
     std::array<double, 3> shape{};
   };
   const auto fourth = [&](const std::string& file, const std::string& more) {
-    const fs::path bundle = imported(file, how);
+    const fs::path bundle = imported(file, how + " --overwrite");
     const json modes =
         json_of(fmt::format("modes '{}' {} --json", bundle.string(), more))
             .at("modes");

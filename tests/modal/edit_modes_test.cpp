@@ -64,6 +64,9 @@ TEST(EditModes, SaysWhereThereIsNothingToDropOrAdd) {
   } catch (const InputError& error) {
     EXPECT_NE(error.remedy().find("41"), std::string::npos) << error.remedy();
   }
+  options.edits = {{What::Add, 41.0}};  // a mode is there, and no noise to fit
+  EXPECT_THROW((void)modal::identify_modes(four_modes(0.0), options),
+               InputError);
   options.edits = {{What::Add, 400.0}};
   EXPECT_THROW((void)modal::identify_modes(frfs, options), InputError);
 }

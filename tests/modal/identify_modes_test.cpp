@@ -305,6 +305,28 @@ TEST(IdentifyModes, RefusesWhatIsNotFinite) {
   EXPECT_THROW((void)modal::identify_modes(frfs, {}), InputError);
 }
 
+TEST(IdentifyModes, NamesTheLineThatIsMissing) {
+  std::mt19937_64 random(4);
+  const SyntheticSystem system = random_system(3, 4, 0.005, 0.01, random);
+  signal::FrfSet frfs = test::roving_hammer(
+      system, {1}, test::line_points(10, 59, 50, 0.0), 0.0, random);
+  const auto without = [](const Eigen::VectorXcd& x) {
+    Eigen::VectorXcd rest(x.size() - 1);
+    rest << x.head(20), x.tail(x.size() - 21);
+    return rest;
+  };
+  frfs.s = without(frfs.s);
+  for (signal::Frf& frf : frfs.frfs) frf.H = without(frf.H);
+  try {
+    (void)modal::identify_modes(frfs, {});
+    FAIL() << "30 Hz is missing";
+  } catch (const InputError& error) {
+    EXPECT_NE(error.where().find("29 Hz is followed by 31 Hz"),
+              std::string::npos)
+        << error.where();
+  }
+}
+
 TEST(IdentifyModes, RefusesUnevenLines) {
   std::mt19937_64 random(4);
   const SyntheticSystem system = random_system(2, 3, 0.005, 0.01, random);
