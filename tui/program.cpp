@@ -20,6 +20,7 @@
 namespace tapfit::tui {
 namespace {
 
+constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
 /// Keys that people press to be rid of a box; the others also do their work.
@@ -210,9 +211,9 @@ void Program::press_global(Key key) {
   } else if (key == U'/' && page().list() != nullptr) {
     mode_ = Mode::Filter;
   } else if (key == U'u') {
-    act(undo());
+    act(current_ == modes_screen ? undo_modes() : undo());
   } else if (key == Key(U'r', true)) {
-    act(redo());
+    act(current_ == modes_screen ? redo_modes() : redo());
   } else if (key == U'r') {
     retry();
   } else if (key == keys::escape || key == Key(U'c', true)) {

@@ -80,6 +80,13 @@ TEST(Program, AddsTheCandidateAndTakesItOffAgain) {
 TEST(Program, DropsAndPutsInModesAsTyped) {
   const std::string dropped = played("3\nwait\n:drop 12\n<Enter>\nwait");
   EXPECT_TRUE(holds(dropped, "dropped the mode at 12 Hz: 2 modes")) << dropped;
+  // On this screen u and Ctrl-R are about the modes.
+  const std::string undone =
+      played("3\nwait\n:drop 12\n<Enter>\nwait\nu\nwait");
+  EXPECT_TRUE(holds(undone, "undone: 3 modes")) << undone;
+  const std::string redone =
+      played("3\nwait\n:drop 12\n<Enter>\nwait\nu\nwait\n<C-r>\nwait");
+  EXPECT_TRUE(holds(redone, "redone: 2 modes")) << redone;
   const std::string picked = played("3\nwait\n:pick 33\n<Enter>\nwait");
   EXPECT_TRUE(holds(picked, "put a mode in at 33 Hz: 4 modes")) << picked;
   const std::string band = played("3\nwait\n:band 5 20\n<Enter>\nwait");
