@@ -190,6 +190,19 @@ Fit plain_fit(const Fitter& fitter,
   if (!plain.lambda.empty()) result.l_curve = plain.first_l_curve;
   result.state = plain.state;
   result.error = error(plain.state);
+  const Target used = used_lines(task.target, plain.use);
+  const auto distance = [&] {
+    const bool any = used.s.size() > 0 && !plain.packed.empty();
+    return any ? look_back(used, *model, plain.packed, result) : 0.0;
+  };
+  const double apart = distance();
+  if (result.converged && apart > arrived) {
+    result.converged = false;
+    result.message = fmt::format(
+        "held by lambda {:.2g} standard errors from where the data want the "
+        "parameters: try a smaller --lambda",
+        apart);
+  }
   const ModelState& kept = error(base) < error(first) ? base : first;
   const double before = error(kept);
   if (!(result.error <= before)) {
@@ -201,17 +214,7 @@ Fit plain_fit(const Fitter& fitter,
     result.converged = false;
     result.state = kept;
     result.error = before;
-  }
-  const Target used = used_lines(task.target, plain.use);
-  const bool any = used.s.size() > 0 && !plain.packed.empty();
-  const double apart =
-      any ? look_back(used, *model, plain.packed, result) : 0.0;
-  if (result.converged && apart > arrived) {
-    result.converged = false;
-    result.message = fmt::format(
-        "held by lambda {:.2g} standard errors from where the data want the "
-        "parameters: try a smaller --lambda",
-        apart);
+    static_cast<void>(distance());  // standard errors are of what is kept
   }
   fit.effects = result.state.effects;
   fit.model = std::move(model);
