@@ -159,18 +159,19 @@ Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out,
   return filled;
 }
 
-Eigen::MatrixXd room_for(const AudioReader& reader,
+Eigen::MatrixXd room_for(Eigen::Index samples,
+                         Eigen::Index channels,
                          const std::filesystem::path& file) {
   try {
-    Eigen::MatrixXd room(reader.samples(), reader.channels());
+    Eigen::MatrixXd room(samples, channels);
     prefer_large_pages(room);
     return room;
   } catch (const std::bad_alloc&) {
     throw InputError(
         fmt::format("announces {} samples of {} channels, more than memory "
                     "holds",
-                    reader.samples(),
-                    reader.channels()),
+                    samples,
+                    channels),
         file.string(),
         "work through it with tapfit replay; or, if it is not that long, it is "
         "damaged: copy it again");
@@ -181,7 +182,7 @@ Audio read_audio(const std::filesystem::path& file) {
   AudioReader reader(file);
   Audio audio;
   audio.sample_rate_hz = reader.sample_rate_hz();
-  audio.samples = room_for(reader, file);
+  audio.samples = room_for(reader.samples(), reader.channels(), file);
   reader.read(audio.samples, Eigen::RowVectorXd::Ones(reader.channels()));
   return audio;
 }

@@ -52,7 +52,8 @@ class AudioReader {
 
 /// Room for all samples of a file, not yet filled.
 /// @throws InputError where memory does not hold them
-[[nodiscard]] Eigen::MatrixXd room_for(const AudioReader& reader,
+[[nodiscard]] Eigen::MatrixXd room_for(Eigen::Index samples,
+                                       Eigen::Index channels,
                                        const std::filesystem::path& file);
 
 enum class AudioFormat { Flac24, Wav24, WavFloat64 };

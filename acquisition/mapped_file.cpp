@@ -31,6 +31,8 @@ MappedFile::MappedFile(const std::filesystem::path& file) {
   }
   ::close(handle);
   if (ignored || bytes == MAP_FAILED) throw unreadable(file);
+  // Read ahead further than usual; what it answers does not matter.
+  if (size > 0) (void)::madvise(bytes, size, MADV_SEQUENTIAL);
   if (bytes != nullptr) text_ = {static_cast<const char*>(bytes), size};
 }
 

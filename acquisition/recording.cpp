@@ -46,7 +46,7 @@ Recording read_sound(const TestBundle& bundle, const Run& run) {
   const Eigen::RowVectorXd scale = full_scales(bundle);
   Recording recording;
   recording.sample_rate_hz = reader.sample_rate_hz();
-  recording.samples = room_for(reader, run.file);
+  recording.samples = room_for(reader.samples(), reader.channels(), run.file);
   constexpr Eigen::Index at_once = 1 << 12;
   for (Eigen::Index done = 0; done < reader.samples(); done += at_once) {
     auto piece = recording.samples.middleRows(

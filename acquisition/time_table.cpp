@@ -57,7 +57,7 @@ TimeTable read_uff_table(const std::filesystem::path& path,
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const UffDataset& dataset = pick(records, columns[k], file.name);
     const UffFunction record = read_function(dataset);
-    const double rate = whole_rate_of(record.step);
+    const double rate = rate_of(record);
     if (k == 0) {
       table.rate_hz = rate;
       table.values.resize(record.count, static_cast<Index>(columns.size()));

@@ -1,7 +1,9 @@
 #include "acquisition/uff_bundle.hpp"
 
+#include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/uff_function.hpp"
+#include "acquisition/uff_records.hpp"
 #include "acquisition/uff_units.hpp"
 #include "acquisition/units.hpp"
 
@@ -29,6 +31,7 @@ struct Record {
   double unit_to_si = 1.0;
   double step = 0.0;
   Eigen::Index count = 0;
+  std::optional<double> full_scale;  ///< [SI], where an ID line says one
 
   [[nodiscard]] bool force() const { return quantity == Quantity::Force; }
 };
@@ -68,6 +71,8 @@ std::optional<Record> record_of(const UffHeader& header,
     reason = "it is a rotation";
   } else if (!header.even || !(header.step > 0.0) || header.count < 2) {
     reason = "its sampling is uneven";
+  } else if (header.complex) {
+    reason = "its values are complex";
   }
   if (!reason.empty()) return std::nullopt;
   Record record;
@@ -81,13 +86,22 @@ std::optional<Record> record_of(const UffHeader& header,
           : 1.0 / (*quantity == Quantity::Force ? units.force : units.length);
   record.step = header.step;
   record.count = header.count;
+  record.full_scale = number_in_id(header.id, "FULL SCALE =");
   return record;
+}
+
+std::optional<std::array<double, 2>> band_in(const UffHeader& header) {
+  const auto low = number_in_id(header.id, "BAND =");
+  const auto high = number_in_id(header.id, "TO =");
+  if (!low || !high || !(*low > 0.0) || !(*high > *low)) return std::nullopt;
+  return std::array{*low, *high};
 }
 
 // What the file holds, as far as a bundle needs it.
 struct Contents {
   std::vector<Record> records;
   std::string title;
+  std::optional<std::array<double, 2>> band_hz;  ///< of an ID line
   bool frfs = false;
   std::vector<std::string> skipped;
 };
@@ -106,7 +120,9 @@ Contents contents_of(const UffFile& file) {
     found.frfs = found.frfs || type == frf;
     if (type != time_record) continue;
     std::string reason;
-    if (auto record = record_of(read_header(dataset), units, reason)) {
+    const UffHeader header = read_header(dataset);
+    if (!found.band_hz) found.band_hz = band_in(header);
+    if (auto record = record_of(header, units, reason)) {
       record->dataset = k;
       found.records.push_back(*record);
     } else {
@@ -159,7 +175,10 @@ Channel channel_of(const Record& record, std::size_t number) {
   channel.quantity = record.quantity;
   channel.unit = record.unit.empty() ? plain.at(kind) : record.unit;
   channel.unit_to_si = record.unit_to_si;
-  channel.full_scale_volts = std::numeric_limits<double>::infinity();
+  // A sensitivity of 1: volts are the channel's own unit.
+  channel.full_scale_volts = record.full_scale
+                                 ? *record.full_scale / record.unit_to_si
+                                 : std::numeric_limits<double>::infinity();
   return channel;
 }
 
@@ -227,6 +246,7 @@ TestBundle read_uff_bundle(const std::filesystem::path& path) {
   bundle.folder = path.parent_path();
   bundle.title = found.title.empty() ? path.stem().string() : found.title;
   bundle.uff = path;
+  bundle.band_hz = found.band_hz;
   bundle.warnings = found.skipped;
   for (const Group& group : groups_of(found.records)) {
     if (is_run(group)) {
@@ -250,20 +270,30 @@ double whole_rate_of(double step) {
   return std::abs(rate - whole) <= 5e-6 * rate ? whole : rate;
 }
 
+double rate_of(const UffHeader& header) {
+  const double rate = whole_rate_of(header.step);
+  const auto said = number_in_id(header.id, "RATE =");
+  // Unless record 7 was changed and the line was not.
+  return said && std::abs(*said * header.step - 1.0) <= 1e-5 ? *said : rate;
+}
+
 Recording read_uff_run(const UffFile& file,
                        const Run& run,
                        std::size_t channels) {
   Recording recording;
   for (const UffSource& source : run.datasets) {
     const UffDataset& dataset = file.datasets.at(source.dataset);
-    const UffFunction function = read_function(dataset);
+    const UffHeader header = read_header(dataset);
     if (recording.samples.size() == 0) {
-      recording.sample_rate_hz = whole_rate_of(function.step);
-      recording.samples = Eigen::MatrixXd::Zero(
-          function.y.size(), static_cast<Eigen::Index>(channels));
+      recording.sample_rate_hz = rate_of(header);
+      recording.samples = room_for(
+          header.count, static_cast<Eigen::Index>(channels), file.name);
+      if (run.datasets.size() < channels) recording.samples.setZero();
     }
-    recording.samples.col(static_cast<Eigen::Index>(source.channel)) =
-        source.unit_to_si * function.y.real();
+    auto column =
+        recording.samples.col(static_cast<Eigen::Index>(source.channel));
+    read_values(dataset, header, column);
+    if (source.unit_to_si != 1.0) column *= source.unit_to_si;
   }
   return recording;
 }

@@ -11,6 +11,7 @@
 #include "acquisition/recording.hpp"
 #include "acquisition/test_bundle.hpp"
 #include "acquisition/uff_datasets.hpp"
+#include "acquisition/uff_function.hpp"
 
 #include <filesystem>
 
@@ -30,8 +31,9 @@ struct UffFile {
 [[nodiscard]] bool is_uff(const std::filesystem::path& file);
 
 /// The bundle in a universal file. With a force and motions in it, it is a
-/// bundle of recordings (full scales are not declared, so infinite); else one
-/// of ready FRFs. What is left out is in the warnings.
+/// bundle of recordings (full scales are infinite unless an ID line declares
+/// them, see uff_records.hpp); else one of ready FRFs. What is left out is in
+/// the warnings.
 ///
 /// @throws InputError when it holds neither
 [[nodiscard]] TestBundle read_uff_bundle(const std::filesystem::path& path);
@@ -39,6 +41,10 @@ struct UffFile {
 /// Sampling rate of a step [s] that was written with six digits: a whole number
 /// where one lies within them [Hz].
 [[nodiscard]] double whole_rate_of(double step);
+
+/// Sampling rate of a time record: of its ID line, where that agrees with its
+/// step, else whole_rate_of() the step [Hz].
+[[nodiscard]] double rate_of(const UffHeader& header);
 
 /// The samples of one run [SI], channels in the bundle's order; a channel that
 /// has no place in the run is zero.

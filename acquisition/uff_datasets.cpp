@@ -90,6 +90,18 @@ bool to_value(const std::string& plain, double& value) {
   return result.ec == std::errc() && result.ptr == end;
 }
 
+// The usual case: a finite number as C++ knows them, and nothing else.
+bool is_plain(std::string_view text, double& value) {
+  const char* end = text.data() + text.size();
+  double plain = 0.0;
+  const auto result = std::from_chars(text.data(), end, plain);
+  if (result.ec != std::errc() || result.ptr != end || !std::isfinite(plain)) {
+    return false;
+  }
+  value = plain;
+  return true;
+}
+
 // Number at the start of a text and how many characters it takes, 0 for none.
 // An exponent may follow E, D or its sign alone.
 std::size_t scan_number(std::string_view text, double& value) {
@@ -191,6 +203,7 @@ std::string_view column(std::string_view line,
 
 bool parse_number(std::string_view text, double& value) {
   if (text.empty()) return false;
+  if (is_plain(text, value)) return true;
   std::string lower;
   for (const char c : text.substr(0, 4))
     if (c != '+' && c != '-')

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -98,19 +99,63 @@ std::vector<double> binary_values(const UffDataset& dataset,
   return values;
 }
 
+// Adds the numbers of a data line.
+void take_line(const UffDataset& dataset,
+               std::size_t i,
+               const UffHeader& shape,
+               std::vector<double>& values) {
+  if (numbers(dataset.lines[i], shape.is_double ? 20 : 13, values)) return;
+  throw InputError(
+      fmt::format("\"{}\" is no line of numbers", dataset.lines[i]),
+      fmt::format("{}, data line {}", dataset.place, i - header_lines + 1),
+      "export the function anew");
+}
+
 std::vector<double> text_values(const UffDataset& dataset,
                                 const UffHeader& shape) {
-  const std::size_t width = shape.is_double ? 20 : 13;
   std::vector<double> values;
   values.reserve(all_values(shape));
   for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
-    if (numbers(dataset.lines[i], width, values)) continue;
-    throw InputError(
-        fmt::format("\"{}\" is no line of numbers", dataset.lines[i]),
-        fmt::format("{}, data line {}", dataset.place, i - header_lines + 1),
-        "export the function anew");
+    take_line(dataset, i, shape, values);
   }
   return values;
+}
+
+// How many of the values a text holds; more than wanted are passed over.
+Eigen::Index text_into(const UffDataset& dataset,
+                       const UffHeader& shape,
+                       Eigen::Ref<Eigen::VectorXd> values) {
+  std::vector<double> line;
+  Eigen::Index done = 0;
+  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
+    line.clear();
+    take_line(dataset, i, shape, line);
+    for (const double value : line) {
+      if (done < values.size()) values[done++] = value;
+    }
+  }
+  return done;
+}
+
+template <class Float, class Bits>
+Eigen::Index bytes_into(const UffDataset& dataset,
+                        Eigen::Ref<Eigen::VectorXd> values) {
+  const auto there =
+      static_cast<Eigen::Index>(dataset.bytes.size() / sizeof(Bits));
+  const Eigen::Index count = std::min(there, values.size());
+  const char* at = dataset.bytes.data();
+  for (Eigen::Index i = 0; i < count; ++i, at += sizeof(Bits)) {
+    values[i] = from_bytes<Float, Bits>(at, dataset.big_endian);
+  }
+  return count;
+}
+
+InputError too_few(const UffDataset& dataset,
+                   std::size_t there,
+                   std::size_t wanted) {
+  return {fmt::format("{} of {} numbers are there", there, wanted),
+          dataset.place,
+          "the file is cut off; export it anew"};
 }
 
 void take_values(const std::vector<double>& values, UffFunction& function) {
@@ -157,17 +202,27 @@ UffHeader read_header(const UffDataset& dataset) {
   return header;
 }
 
+void read_values(const UffDataset& dataset,
+                 const UffHeader& header,
+                 Eigen::Ref<Eigen::VectorXd> values) {
+  assert(header.even && !header.complex && values.size() == header.count);
+  const Eigen::Index there =
+      !dataset.binary    ? text_into(dataset, header, values)
+      : header.is_double ? bytes_into<double, std::uint64_t>(dataset, values)
+                         : bytes_into<float, std::uint32_t>(dataset, values);
+  if (there < header.count)
+    throw too_few(dataset,
+                  static_cast<std::size_t>(there),
+                  static_cast<std::size_t>(header.count));
+}
+
 UffFunction read_function(const UffDataset& dataset) {
   UffFunction function{read_header(dataset), {}, {}};
   const std::vector<double> values = dataset.binary
                                          ? binary_values(dataset, function)
                                          : text_values(dataset, function);
   if (values.size() < all_values(function))
-    throw InputError(
-        fmt::format(
-            "{} of {} numbers are there", values.size(), all_values(function)),
-        dataset.place,
-        "the file is cut off; export it anew");
+    throw too_few(dataset, values.size(), all_values(function));
   take_values(values, function);
   return function;
 }

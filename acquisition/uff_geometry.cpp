@@ -1,9 +1,14 @@
 #include "acquisition/uff_geometry.hpp"
 
+#include "acquisition/uff_header.hpp"
 #include "acquisition/uff_lines.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <array>
+#include <ostream>
 
 namespace tapfit::acquisition {
 namespace {
@@ -59,7 +64,46 @@ void add_elements(UffLines lines, UffGeometry& geometry) {
   }
 }
 
+void write_nodes(const UffGeometry& geometry, std::ostream& out) {
+  fmt::print(out, "{}{:6}\n", uff_fence, 2411);
+  for (const auto& [label, x] : geometry.nodes) {
+    fmt::print(out, "{:10}{:10}{:10}{:10}\n", label, 1, 1, 11);
+    std::string line =
+        fmt::format("{:25.16E}{:25.16E}{:25.16E}", x[0], x[1], x[2]);
+    std::replace(line.begin(), line.end(), 'E', 'D');
+    out << line << '\n';
+  }
+  out << uff_fence;
+}
+
+// All pieces as one line, the pen lifted between them.
+void write_trace_lines(const UffGeometry& geometry, std::ostream& out) {
+  std::vector<int> nodes;
+  for (const std::vector<int>& piece : geometry.trace_lines) {
+    if (!nodes.empty()) nodes.push_back(0);
+    nodes.insert(nodes.end(), piece.begin(), piece.end());
+  }
+  fmt::print(out,
+             "{}{:6}\n{:10}{:10}{:10}\nlines of the model\n",
+             uff_fence,
+             82,
+             1,
+             nodes.size(),
+             11);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    fmt::print(out, "{:10}", nodes[i]);
+    if (i % 8 == 7 || i + 1 == nodes.size()) out << '\n';
+  }
+  out << uff_fence;
+}
+
 }  // namespace
+
+void write_geometry(const UffGeometry& geometry, std::ostream& out) {
+  if (geometry.nodes.empty()) return;
+  write_nodes(geometry, out);
+  if (!geometry.trace_lines.empty()) write_trace_lines(geometry, out);
+}
 
 void add_geometry(const UffDataset& dataset, UffGeometry& geometry) {
   const UffLines lines(dataset);

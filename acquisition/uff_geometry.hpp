@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -38,5 +39,10 @@ struct UffGeometry {
 /// @throws InputError with the line for text that is no number and for a
 ///   dataset that ends within an entry
 void add_geometry(const UffDataset& dataset, UffGeometry& geometry);
+
+/// Writes the nodes as dataset 2411 (15 has six digits only) and the trace
+/// lines as one 82, the pen lifted between them. Elements are not written.
+/// Nothing is written for no nodes.
+void write_geometry(const UffGeometry& geometry, std::ostream& out);
 
 }  // namespace tapfit::acquisition

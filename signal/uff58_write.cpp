@@ -1,58 +1,23 @@
 // Writing FRFs to a universal file: datasets 151, 164, then a 58 (and with an
 // exponential window a 1858) per FRF.
 #include "acquisition/input_error.hpp"
+#include "acquisition/uff_header.hpp"
 #include "signal/uff58.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <array>
 #include <cmath>
-#include <ctime>
 #include <fstream>
 #include <ostream>
 
 namespace tapfit::signal {
 namespace {
 
-constexpr std::string_view fence = "    -1\n";
+using acquisition::time_stamp;
+using acquisition::write_uff_axis;
 
-struct TimeStamp {
-  std::string date;  // DD-MMM-YY, months in English whatever the locale
-  std::string clock;
-};
-
-TimeStamp time_stamp() {
-  constexpr std::array<std::string_view, 12> months{"Jan",
-                                                    "Feb",
-                                                    "Mar",
-                                                    "Apr",
-                                                    "May",
-                                                    "Jun",
-                                                    "Jul",
-                                                    "Aug",
-                                                    "Sep",
-                                                    "Oct",
-                                                    "Nov",
-                                                    "Dec"};
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  return {
-      fmt::format("{:02}-{}-{:02}",
-                  utc.tm_mday,
-                  months[static_cast<std::size_t>(utc.tm_mon)],
-                  utc.tm_year % 100),
-      fmt::format("{:02}:{:02}:{:02}", utc.tm_hour, utc.tm_min, utc.tm_sec)};
-}
-
-// One line of at most 80 characters without anything that would end it.
-std::string one_line(std::string text) {
-  text = text.substr(0, 80);
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return text.empty() ? "NONE" : text;
-}
+constexpr std::string_view fence = acquisition::uff_fence;
 
 int direction(const Dof& dof) { return dof.sign * dof.component; }
 
@@ -76,36 +41,6 @@ double one_sigma(const FrfSet& set) {
                      "UFF 58 output",
                      "write FRFs that share one exponential window");
   return sigma;
-}
-
-void write_header(const std::string& title, std::ostream& out) {
-  const auto [date, clock] = time_stamp();
-  fmt::print(out,
-             "{}   151\n{}\nFRFs from a hammer test\ntapfit\n",
-             fence,
-             one_line(title));
-  fmt::print(out, "{:<10}{:<10}{:10}{:10}{:10}\n", date, clock, 0, 0, 0);
-  fmt::print(out,
-             "{:<10}{:<10}\ntapfit\n{:<10}{:<10}\n{}",
-             date,
-             clock,
-             date,
-             clock,
-             fence);
-  fmt::print(out, "{}   164\n{:10}{:<20}{:10}\n", fence, 1, "SI: m, N", 2);
-  fmt::print(out,
-             "  1.00000000000000000D+00  1.00000000000000000D+00"
-             "  1.00000000000000000D+00\n"
-             "  2.73149999999999977D+02\n{}",
-             fence);
-}
-
-void write_axis(int type,
-                std::string_view name,
-                std::string_view unit,
-                std::ostream& out) {
-  fmt::print(
-      out, "{:10}{:5}{:5}{:5} {:<20} {:<20}\n", type, 0, 0, 0, name, unit);
 }
 
 void write_values(const Eigen::VectorXd& f,
@@ -182,10 +117,10 @@ void write_frf(const FrfSet& set,
              f(0),
              even ? step : 0.0,
              0.0);
-  write_axis(18, "Frequency", "Hz", out);
-  write_axis(as.type, as.name, as.unit, out);
-  write_axis(13, "Force", "N", out);
-  write_axis(0, "NONE", "NONE", out);
+  write_uff_axis(18, "Frequency", "Hz", out);
+  write_uff_axis(as.type, as.name, as.unit, out);
+  write_uff_axis(13, "Force", "N", out);
+  write_uff_axis(0, "NONE", "NONE", out);
   write_values(f, convert(frf.H, set.s, FrfForm::Accelerance, form), even, out);
   out << fence;
 }
@@ -220,7 +155,7 @@ void write_frfs_uff(const FrfSet& set,
                     std::ostream& out,
                     FrfForm form) {
   const double sigma = one_sigma(set);
-  write_header(title, out);
+  acquisition::write_uff_header(title, "FRFs from a hammer test", out);
   if (set.lines() == 0) return;
   int number = 0;
   for (const Frf& frf : set.frfs) {

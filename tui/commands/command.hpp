@@ -60,13 +60,15 @@ struct HandChoices {
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
-  std::optional<std::filesystem::path> uff;     ///< universal file to write
-  std::optional<std::filesystem::path> deck;    ///< bulk data to write
-  std::optional<std::filesystem::path> output;  ///< file or folder to write
-  std::optional<std::filesystem::path> saved;   ///< session to do again
-  std::vector<std::string> effects;             ///< "added-mass@201", in order
-  std::vector<std::string> free;                ///< "acc1=0.02", masses to free
-  std::string lines = "damped";                 ///< see updating/line_rule.hpp
+  std::optional<std::filesystem::path> uff;      ///< universal file to write
+  std::optional<std::filesystem::path> deck;     ///< bulk data to write
+  std::optional<std::filesystem::path> output;   ///< file or folder to write
+  std::optional<std::filesystem::path> records;  ///< time records to write
+  bool text_records = false;                     ///< these not as binary
+  std::optional<std::filesystem::path> saved;    ///< session to do again
+  std::vector<std::string> effects;              ///< "added-mass@201", in order
+  std::vector<std::string> free;  ///< "acc1=0.02", masses to free
+  std::string lines = "damped";   ///< see updating/line_rule.hpp
   std::string lambda;    ///< a number or "l-curve"; empty: not asked for
   int modes = 10;        ///< of the model
   int node = 0;          ///< grid id

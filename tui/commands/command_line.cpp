@@ -4,6 +4,7 @@
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
+#include "tui/commands/export_options.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hand_choices.hpp"
@@ -202,10 +203,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if ((entry.extras & Uff) != 0) {
     command->add_option("--uff", options.uff, "Universal file to write");
   }
-  if ((entry.extras & DeckFile) != 0) {
-    command->add_option(
-        "--deck,--bdf", options.deck, "Bulk data file to write");
-  }
+  if ((entry.extras & DeckFile) != 0) add_export_options(*command, options);
   if ((entry.extras & Output) != 0) {
     command->add_option("-o,--output", options.output, "Where to write");
   }

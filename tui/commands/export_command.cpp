@@ -1,6 +1,8 @@
 #include "tui/commands/export_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/uff_geometry.hpp"
+#include "acquisition/uff_records.hpp"
 #include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/add_diagnosed.hpp"
@@ -47,6 +49,61 @@ void check_deck_path(updating::Session& session,
   }
 }
 
+void add_piece(const std::vector<int>& grids,
+               bool closed,
+               acquisition::UffGeometry& geometry) {
+  geometry.trace_lines.push_back(grids);
+  if (closed) geometry.trace_lines.back().push_back(grids.front());
+}
+
+// Grids and element edges of the deck; nothing without one.
+acquisition::UffGeometry geometry_of(updating::Session& session) {
+  acquisition::UffGeometry geometry;
+  if (!session.bundle().deck) return geometry;
+  const structure::Deck& deck = session.deck();
+  for (const structure::Grid& grid : deck.grids) {
+    geometry.nodes[grid.id] = grid.position;
+  }
+  for (const auto& shell : deck.shells) add_piece(shell.grids, true, geometry);
+  for (const auto& bar : deck.bars) {
+    add_piece({bar.grids[0], bar.grids[1]}, false, geometry);
+  }
+  for (const auto& rod : deck.rods) {
+    add_piece({rod.grids[0], rod.grids[1]}, false, geometry);
+  }
+  return geometry;
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  if (file.flush()) return;
+  throw InputError(
+      "cannot be written", path.string(), "check folder and permissions");
+}
+
+void write_records(updating::Session& session,
+                   const CommandOptions& options,
+                   const std::filesystem::path& path) {
+  const acquisition::TestBundle& bundle = session.bundle();
+  if (bundle.runs.empty()) {
+    throw InputError("the bundle holds ready FRFs and no recording",
+                     options.input.string(),
+                     "write its FRFs with --uff");
+  }
+  std::error_code missing;
+  if (bundle.uff && std::filesystem::equivalent(*bundle.uff, path, missing)) {
+    throw InputError("is the recording itself",
+                     path.string(),
+                     "give the time records another name");
+  }
+  std::ofstream file(path, std::ios::binary);
+  write_uff_records(bundle,
+                    options.text_records ? acquisition::UffEncoding::Text
+                                         : acquisition::UffEncoding::Binary,
+                    file);
+  write_geometry(geometry_of(session), file);
+  finish(file, path);
+}
+
 void write_uff(updating::Session& session,
                const std::filesystem::path& path,
                const Progress& progress) {
@@ -56,26 +113,28 @@ void write_uff(updating::Session& session,
   std::ofstream file(path);
   signal::write_frfs_uff(frfs, title, file);
   file << modal::modes_as_uff(modes, title);
-  if (!file.flush()) {
-    throw InputError(
-        "cannot be written", path.string(), "check folder and permissions");
-  }
+  write_geometry(geometry_of(session), file);
+  finish(file, path);
 }
 
 }  // namespace
 
 std::string export_command(const CommandOptions& options,
                            const Progress& progress) {
-  if (!options.uff && !options.deck) {
+  if (!options.uff && !options.deck && !options.records) {
     throw InputError("nothing to export",
                      "tapfit export",
-                     "name a file with --uff, --deck or both");
+                     "name a file with --uff, --records, --deck or several");
   }
   updating::Session session = open_bundle(options.input);
   std::vector<std::string> written;
   if (options.uff) {
     write_uff(session, *options.uff, progress);
     written.push_back(options.uff->string());
+  }
+  if (options.records) {
+    write_records(session, options, *options.records);
+    written.push_back(options.records->string());
   }
   if (options.deck) {
     check_deck_path(session, *options.deck);

@@ -5,9 +5,11 @@
 
 namespace tapfit::tui {
 
-/// --uff writes the measured FRFs and modes (datasets 58 and 55), --deck the
-/// bulk data with the cards of the effects named by --effect (without any:
-/// those that the diagnosis supports).
+/// --uff writes the measured FRFs and modes (datasets 58 and 55), --records the
+/// recordings (58b, or 58 with --text), both with the grids and lines of the
+/// model where there is one (2411 and 82); --deck the bulk data with the cards
+/// of the effects named by --effect (without any: those that the diagnosis
+/// supports).
 ///
 /// @throws InputError when neither is asked for, when a file cannot be
 ///   written, for a deck where the bundle has none; Stopped
