@@ -295,6 +295,25 @@ void read_options(const json& document, TestBundle& bundle) {
   }
 }
 
+// A file that was named instead of a bundle and begins like no JSON object.
+void refuse_foreign(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  char first = ' ';
+  // A byte order mark may stand in front; an empty file is told of later.
+  std::string mark(3, ' ');
+  if (!in.read(mark.data(), 3) || mark != "\xef\xbb\xbf") {
+    in.clear();
+    in.seekg(0);
+  }
+  if (!(in >> first) || first == '{') return;
+  throw InputError(
+      "is no test bundle: neither a folder with a test.json, nor a test.json "
+      "(JSON), nor a universal file (a line of \"    -1\" first)",
+      file.string(),
+      "give the bundle's folder; `tapfit import` makes a bundle of CSV, MATLAB "
+      "and SEP-005 files, and recordings are named in a test.json");
+}
+
 }  // namespace
 
 TestBundle read_test_bundle(const fs::path& folder) {
@@ -303,6 +322,7 @@ TestBundle read_test_bundle(const fs::path& folder) {
   const bool is_folder = fs::is_directory(folder, ignored);
   const fs::path file = is_folder ? folder / "test.json" : folder;
   const Source source{file.parent_path(), file.filename().string()};
+  if (!is_folder) refuse_foreign(file);
 
   const json document = parse_json(read_text(file), source.name);
   check_against_schema(document, source.name);

@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/parallel.hpp"
+#include "signal/block_advice.hpp"
 #include "signal/frf_average.hpp"
 #include "signal/level_dependence.hpp"
 #include "signal/spectra.hpp"
@@ -10,10 +11,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <thread>
 #include <tuple>
 
@@ -32,6 +35,10 @@ struct Plan {
   BlockOptions blocks;
   Estimator estimator = Estimator::H1;
   std::function<Spectra(const HitBlocks&)> transform;
+  /// Where it is to be seen whether responses die within the block; empty:
+  /// nowhere.
+  std::optional<std::array<double, 2>> lasting_hz;
+  double sigma = 0.0;
 };
 
 // Mean coherence below which a sensor hears little of the hits: more than half
@@ -53,6 +60,7 @@ void state_noise(const Frf& frf, std::vector<std::string>& statements) {
 struct RunResult {
   std::vector<Frf> frfs;
   LevelDependence levels;
+  Lasting lasting;
 };
 
 RunResult estimate_run(const TestBundle& bundle,
@@ -63,11 +71,32 @@ RunResult estimate_run(const TestBundle& bundle,
   if (blocks.force.cols() == 0) return result;
   const Spectra spectra = plan.transform(blocks);
   result.levels.add(spectra);
+  if (plan.lasting_hz) {
+    result.lasting = lasting_response(blocks, *plan.lasting_hz);
+  }
   RunAverage average;
   average.s = plan.s;
   add_hits(blocks, spectra, average);
   result.frfs = average_frfs(average, bundle, run, plan.estimator);
   return result;
+}
+
+std::vector<std::string> statements_of(const Lasting& lasting,
+                                       const std::vector<Recording>& recordings,
+                                       const HitSet& hits,
+                                       const std::array<double, 2>& band_hz,
+                                       double sigma) {
+  std::vector<Index> samples;
+  for (const Recording& recording : recordings) {
+    samples.push_back(recording.samples.rows());
+  }
+  std::vector<std::string> said;
+  if (const auto advice = advise_block(lasting, hits, samples, band_hz)) {
+    said.push_back(statement(*advice, sigma));
+  }
+  const std::string hum = hum_statement(lasting);
+  if (!hum.empty()) said.push_back(hum);
+  return said;
 }
 
 // Joins the runs in their order.
@@ -122,7 +151,14 @@ FrfSet estimate_all(const TestBundle& bundle,
     ++done;
   });
   progress("FRFs", 1.0);
-  return joined(bundle, runs, plan);
+  FrfSet set = joined(bundle, runs, plan);
+  if (!plan.lasting_hz) return set;
+  Lasting lasting;
+  for (const RunResult& run : runs) lasting.join(run.lasting);
+  const std::vector<std::string> said =
+      statements_of(lasting, recordings, hits, *plan.lasting_hz, plan.sigma);
+  set.statements.insert(set.statements.begin(), said.begin(), said.end());
+  return set;
 }
 
 void check_blocks(const TestBundle& bundle, const HitSet& hits) {
@@ -162,6 +198,11 @@ double ringing_time(const HitSet& hits) {
 double lowest_hz(const Eigen::VectorXcd& s, const HitSet& hits) {
   return std::max(s.imag().cwiseAbs().minCoeff() / (2.0 * std::numbers::pi),
                   1.0 / ringing_time(hits));
+}
+
+std::array<double, 2> band_of(const Eigen::VectorXcd& s) {
+  return {s(0).imag() / (2.0 * std::numbers::pi),
+          s(s.size() - 1).imag() / (2.0 * std::numbers::pi)};
 }
 
 // FFT lines inside the band; line 0 is left out, an accelerance holds
@@ -211,6 +252,33 @@ FrfPlan plan_frfs(const TestBundle& bundle,
   return plan;
 }
 
+std::vector<std::string> block_statements(
+    const TestBundle& bundle,
+    const std::vector<Recording>& recordings,
+    const HitSet& hits,
+    const FrfOptions& options) {
+  check(bundle, recordings, hits);
+  const std::array<double, 2> band_hz =
+      bundle.band_hz.value_or(std::array{0.0, 0.5 * hits.sample_rate_hz});
+  const BlockOptions blocks{options.window.force_window,
+                            std::max(band_hz[0], 1.0 / ringing_time(hits)),
+                            options.ringing_poles};
+  std::vector<Lasting> lasting(bundle.runs.size());
+  for_each_parallel(lasting.size(), [&](std::size_t r) {
+    lasting[r] = lasting_response(
+        cut_hits(bundle.runs[r], recordings[r], hits, hits.runs[r], blocks),
+        band_hz);
+  });
+  Lasting all;
+  for (const Lasting& of : lasting) all.join(of);
+  return statements_of(
+      all,
+      recordings,
+      hits,
+      band_hz,
+      decay_rate(options.window.end_value, ringing_time(hits)));
+}
+
 FrfSet estimate_frfs(const TestBundle& bundle,
                      const std::vector<Recording>& recordings,
                      const HitSet& hits,
@@ -220,6 +288,8 @@ FrfSet estimate_frfs(const TestBundle& bundle,
   const FrfPlan fft = plan_frfs(bundle, hits, options);
   Plan plan;
   plan.s = fft.s;
+  plan.lasting_hz = band_of(fft.s);
+  plan.sigma = fft.sigma;
   plan.blocks = fft.blocks;
   plan.estimator = options.estimator;
   const RealFft transform(hits.block);

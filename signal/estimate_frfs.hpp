@@ -35,7 +35,9 @@ struct FrfOptions {
 /// One FRF per run and sensor, signs of the degrees of freedom as the bundle
 /// gives them; runs without an accepted hit are left out (and stated). Velocity
 /// and displacement are made accelerances by s and s^2. Lines are those inside
-/// TestBundle::band_hz; without it all but line 0.
+/// TestBundle::band_hz; without it all but line 0. Where the response lasts
+/// longer than the block, a longer one or a narrower band is proposed first
+/// among the statements.
 ///
 /// @throws InputError when no hit is accepted or no line lies in the band
 [[nodiscard]] FrfSet estimate_frfs(
@@ -44,6 +46,14 @@ struct FrfOptions {
     const acquisition::HitSet& hits,
     const FrfOptions& options,
     const Progress& progress = {});
+
+/// What estimate_frfs() says of blocks that are too short for the response
+/// (signal/block_advice.hpp), without estimating; nothing where they are not.
+[[nodiscard]] std::vector<std::string> block_statements(
+    const acquisition::TestBundle& bundle,
+    const std::vector<acquisition::Recording>& recordings,
+    const acquisition::HitSet& hits,
+    const FrfOptions& options);
 
 /// What estimate_frfs() does with each run's blocks.
 struct FrfPlan {

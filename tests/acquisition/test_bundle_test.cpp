@@ -120,6 +120,27 @@ TEST_F(Bundle, NamesLineAndColumnOfASyntaxError) {
   }
 }
 
+TEST_F(Bundle, RefusesAForeignFileByWhatItIs) {
+  for (const char* text :
+       {"Meeting at ten\n", "RIFFxxxxWAVE", "[1, 2]", "0;1"}) {
+    const auto file = folder_.write("notes.txt", text);
+    try {
+      (void)read_test_bundle(file);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.where(), file.string());
+      EXPECT_NE(std::string(error.what()).find("is no test bundle"),
+                std::string::npos);
+      EXPECT_NE(error.remedy().find("tapfit import"), std::string::npos);
+    }
+  }
+}
+
+TEST_F(Bundle, TakesAByteOrderMark) {
+  folder_.write("test.json", "\xef\xbb\xbf" + good().dump());
+  EXPECT_NO_THROW((void)read_test_bundle(folder_.path() / "test.json"));
+}
+
 TEST_F(Bundle, SurvivesEveryTruncation) {
   const std::string text = good().dump(1);
   for (std::size_t n = 0; n + 1 < text.size(); n += 7) {

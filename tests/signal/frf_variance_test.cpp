@@ -100,6 +100,10 @@ TEST(FrfVariance, CoversForThreeHitsOnADampedLine) {
   expect_covered(coverage(noisy(3), true, 60));
 }
 
+TEST(FrfVariance, CoversForFiveHits) {
+  expect_covered(coverage(noisy(5), false, 30));
+}
+
 TEST(FrfVariance, CoversForTenHits) {
   expect_covered(coverage(noisy(10), false, 15));
 }

@@ -1,5 +1,6 @@
 #include "tui/commands/hits_command.hpp"
 
+#include "signal/estimate_frfs.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
@@ -107,7 +108,11 @@ std::string hits_text(const acquisition::TestBundle& bundle,
 std::string hits_command(const CommandOptions& options,
                          const Progress& progress) {
   updating::Session session = open_bundle(options.input);
-  const acquisition::HitSet& hits = session.hits(progress);
+  acquisition::HitSet hits = session.hits(progress);
+  for (std::string& said : signal::block_statements(
+           session.bundle(), session.recordings(progress), hits, {})) {
+    hits.statements.push_back(std::move(said));
+  }
   return options.json ? hits_json(session.bundle(), hits).dump(2) + "\n"
                       : hits_text(session.bundle(), hits);
 }

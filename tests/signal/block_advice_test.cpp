@@ -1,0 +1,158 @@
+// Modes with known time constants in the block: what lasts is found with its
+// frequency and rate, and what is proposed holds.
+#include "signal/block_advice.hpp"
+
+#include "signal/estimate_frfs.hpp"
+#include "tests/signal/generated_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit::signal {
+namespace {
+
+using std::numbers::pi;
+
+double block_seconds(const GeneratedOptions& o) {
+  return static_cast<double>(o.block - o.pre_trigger) / o.fs;
+}
+
+// A mode that falls by exp(-time_constants) within the block.
+TestMode mode_with(double hz,
+                   double time_constants,
+                   const GeneratedOptions& o) {
+  return {hz, time_constants / (2.0 * pi * hz * block_seconds(o)), 1.0};
+}
+
+GeneratedOptions noisy() {
+  GeneratedOptions o;
+  o.hits = 3;
+  o.gap = 6000;
+  o.response_noise = 0.002;
+  o.force_noise = 0.002;
+  return o;
+}
+
+struct Seen {
+  Lasting lasting;
+  std::optional<BlockAdvice> advice;
+};
+
+Seen look(const GeneratedTest& test) {
+  const std::array<double, 2> band = *test.bundle.band_hz;
+  const BlockOptions options{true, band[0], {}};
+  Seen seen;
+  seen.lasting = lasting_response(cut_hits(test.bundle.runs[0],
+                                           test.recordings[0],
+                                           test.hits,
+                                           test.hits.runs[0],
+                                           options),
+                                  band);
+  seen.advice = advise_block(
+      seen.lasting, test.hits, {test.recordings[0].samples.rows()}, band);
+  return seen;
+}
+
+TEST(BlockAdvice, FindsWhatLastsAndHowLong) {
+  for (const double time_constants : {0.5, 1.5, 3.0, 4.5}) {
+    const GeneratedOptions o = noisy();
+    GeneratedTest test = generate_test(
+        {mode_with(20.0, time_constants, o), mode_with(61.0, 15.0, o)}, o);
+    test.bundle.band_hz = {5.0, 95.0};
+    const Seen seen = look(test);
+    ASSERT_TRUE(seen.advice) << time_constants;
+    // Noise of 0.002 under a response of some 0.05 that rings on from hit to
+    // hit: a tenth of a time constant, more where more has gone.
+    EXPECT_NEAR(seen.lasting.time_constants,
+                time_constants,
+                0.05 + 0.1 * time_constants);
+    // Lines of half a block lie 0.25 Hz apart.
+    EXPECT_NEAR(seen.lasting.hz, 20.0, 0.26) << time_constants;
+    EXPECT_LT(seen.lasting.high_hz, 25.0);
+    const double needed = 6.0 / (time_constants / block_seconds(o));
+    EXPECT_NEAR(seen.advice->block_s - 0.125, needed, 0.2 * needed);
+    ASSERT_TRUE(seen.advice->band_hz);
+    EXPECT_GT((*seen.advice->band_hz)[0], 25.0);
+    EXPECT_EQ((*seen.advice->band_hz)[1], 95.0);
+  }
+}
+
+TEST(BlockAdvice, IsSilentWhereAllHasDecayed) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    GeneratedOptions o = noisy();
+    o.seed = seed;
+    GeneratedTest test =
+        generate_test({mode_with(20.0, 8.0, o), mode_with(61.0, 15.0, o)}, o);
+    test.bundle.band_hz = {5.0, 95.0};
+    EXPECT_FALSE(look(test).advice) << seed;
+  }
+}
+
+TEST(BlockAdvice, CountsTheHitsThatHaveRoom) {
+  GeneratedOptions o = noisy();
+  o.gap = 12000;  // 23 s; the last hit has but the block
+  GeneratedTest test = generate_test({mode_with(20.0, 3.0, o)}, o);
+  test.bundle.band_hz = {5.0, 95.0};
+  const Seen seen = look(test);
+  ASSERT_TRUE(seen.advice);
+  EXPECT_EQ(seen.advice->accepted, 3);
+  EXPECT_EQ(seen.advice->with_room, 2);
+  EXPECT_TRUE(seen.advice->every_run);
+  EXPECT_NE(statement(*seen.advice, 0.0).find("2 of 3 hits"),
+            std::string::npos);
+  o.gap = 4100;
+  test = generate_test({mode_with(20.0, 3.0, o)}, o);
+  test.bundle.band_hz = {5.0, 95.0};
+  const Seen narrow = look(test);
+  ASSERT_TRUE(narrow.advice);
+  EXPECT_FALSE(narrow.advice->every_run);
+  EXPECT_NE(statement(*narrow.advice, 0.0).find("wait longer"),
+            std::string::npos);
+}
+
+TEST(BlockAdvice, HumIsNotTakenForAMode) {
+  GeneratedOptions o = noisy();
+  o.hum = 0.05;
+  GeneratedTest test = generate_test({mode_with(20.0, 8.0, o)}, o);
+  test.bundle.band_hz = {5.0, 95.0};
+  Seen seen = look(test);
+  EXPECT_FALSE(seen.advice);
+  EXPECT_NEAR(seen.lasting.hum_hz, 50.0, 1.0);
+  EXPECT_NE(hum_statement(seen.lasting).find("hum"), std::string::npos);
+  // A mode that lasts is found beside it.
+  test = generate_test({mode_with(20.0, 3.0, o)}, o);
+  test.bundle.band_hz = {5.0, 95.0};
+  seen = look(test);
+  ASSERT_TRUE(seen.advice);
+  EXPECT_NEAR(seen.lasting.time_constants, 3.0, 0.35);
+  EXPECT_NEAR(seen.lasting.hz, 20.0, 0.26);
+  EXPECT_LT(seen.lasting.high_hz, 25.0);
+  EXPECT_NEAR(seen.lasting.hum_hz, 50.0, 1.0);
+}
+
+// The proposal comes before what the window costs, and taking it works: with
+// the block proposed there is nothing more to say.
+TEST(BlockAdvice, ComesFirstAndHolds) {
+  GeneratedOptions o = noisy();
+  o.gap = 12000;
+  const std::vector<TestMode> modes{mode_with(20.0, 3.0, o)};
+  GeneratedTest test = generate_test(modes, o);
+  test.bundle.band_hz = {5.0, 95.0};
+  const FrfSet set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
+  ASSERT_FALSE(set.statements.empty());
+  const std::string& said = set.statements.front();
+  EXPECT_LT(said.find("a block of"), said.find("window widens"));
+  EXPECT_EQ(
+      said,
+      block_statements(test.bundle, test.recordings, test.hits, {}).front());
+  const Seen seen = look(test);
+  test.hits.block =
+      static_cast<Eigen::Index>(1.05 * o.fs * seen.advice->block_s);
+  test.hits.runs[0].back().accepted = false;  // ends with the file
+  EXPECT_TRUE(
+      block_statements(test.bundle, test.recordings, test.hits, {}).empty());
+}
+
+}  // namespace
+}  // namespace tapfit::signal
