@@ -85,6 +85,19 @@ void refuse_cut_file(SNDFILE* handle, const std::filesystem::path& file) {
       "copy the file again, or save it anew with the recording program");
 }
 
+// No format takes less than 11 bytes for 65,535 samples (FLAC, of silence).
+// Room for more than that must not be made.
+void refuse_tall_tale(sf_count_t frames, const std::filesystem::path& file) {
+  std::error_code ignored;
+  const auto size =
+      static_cast<double>(std::filesystem::file_size(file, ignored));
+  if (ignored || static_cast<double>(frames) <= 6000.0 * size) return;
+  throw InputError(
+      fmt::format("announces {} samples in {} bytes", frames, size),
+      file.string(),
+      "it is damaged: copy it again, or save it anew");
+}
+
 InputError ends_early(const std::filesystem::path& file,
                       Eigen::Index done,
                       Eigen::Index announced) {
@@ -113,6 +126,7 @@ AudioReader::AudioReader(const std::filesystem::path& file)
   if (state_->info.frames <= 0 || state_->info.samplerate <= 0) {
     throw InputError("holds no samples", file.string(), "record it again");
   }
+  refuse_tall_tale(state_->info.frames, file);
 }
 
 AudioReader::~AudioReader() = default;

@@ -6,8 +6,11 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -28,7 +31,47 @@ using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 // matio's own messages go nowhere; what is wrong is said by InputError.
 void say_nothing(int, char*) {}
 
+// A file of version 5 to 7 is a header of 128 bytes, which ends with "IM" for
+// little endian, and elements of a type, a length and as many bytes. One that
+// is longer than the file is not tried: matio makes room for what it announces.
+void refuse_cut_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<unsigned char, 128> header{};
+  in.read(reinterpret_cast<char*>(header.data()), header.size());
+  const std::string mark(header.begin() + 126, header.end());
+  const bool little = mark == "IM";
+  // Another version (4 has no header, 7.3 is HDF5).
+  if (!in || (!little && mark != "MI") || header[little ? 125 : 124] != 1)
+    return;
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+  const auto number = [&](const unsigned char* at) {
+    std::uint32_t value = 0;
+    for (int k = 0; k < 4; ++k) value = value << 8U | at[little ? 3 - k : k];
+    return value;
+  };
+  for (std::uintmax_t at = 128; at + 8 <= size;) {
+    std::array<unsigned char, 8> tag{};
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(reinterpret_cast<char*>(tag.data()), tag.size());
+    if (!in) return;
+    const std::uint32_t type = number(tag.data());
+    // Small elements hold length and bytes within their tag.
+    const std::uintmax_t length = type >> 16U != 0 ? 0 : number(tag.data() + 4);
+    if (length > size - at - 8) {
+      throw InputError(
+          fmt::format("ends early: {} bytes are announced, {} are there",
+                      length,
+                      size - at - 8),
+          fmt::format("{}, byte {}", file.string(), at),
+          "copy the file again, or save it anew");
+    }
+    at += 8 + length;
+  }
+}
+
 File open_mat(const std::filesystem::path& file) {
+  refuse_cut_file(file);
   Mat_LogInitFunc("tapfit", say_nothing);
   File handle(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
   if (handle) return handle;

@@ -2,11 +2,11 @@
 # never with -I: signal/ on an include path would shadow <signal.h>.
 add_library(tapfit_flags INTERFACE)
 # Complex products without the standard's detour for infinities: no result here
-# may be infinite, and that detour costs half of every FRF. clang-tidy reads the
-# same command line and does not know the option.
-set(plain_complex -fcx-limited-range)
-if(CMAKE_CXX_CLANG_TIDY)
-  set(plain_complex)
+# may be infinite, and that detour costs half of every FRF. clang does not know
+# the option, and clang-tidy reads the same command line.
+set(plain_complex)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_CLANG_TIDY)
+  set(plain_complex -fcx-limited-range)
 endif()
 target_compile_options(tapfit_flags INTERFACE
   "SHELL:-iquote ${PROJECT_SOURCE_DIR}"

@@ -1,0 +1,62 @@
+// Inputs that brought a reader down or made it wait, as libFuzzer found them.
+#include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+#include "acquisition/mat_file.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+std::string bytes(const std::string& hex) {
+  std::string result;
+  for (std::size_t i = 0; i < hex.size(); i += 2) {
+    result += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  }
+  return result;
+}
+
+// 65 thousand million samples of four channels in 230 bytes.
+constexpr const char* tall_tale =
+    "664c6143000000dea97bd4169487e0d93d4dd46d66ff1f1010329a68efc003da5f81e4"
+    "6b3422ed124ab028a07a0f7cd9a274225fa55a9c432a5138db6e65a640ddca18a8658a"
+    "47f3b57dc58951cb1cf8b57d5d3757eb3a715ccf3d6358974715e692827629c472fd21"
+    "4ea31ca2a0a6cd2b05577e79c56ff089de514d4a8caf2a63679e8096b7ea0a96424926"
+    "bd18c5b041214b685dff765667a2095c0eef0f1b6d4426253e34a0d79044521bebeaec"
+    "98c1cb47d1f8fbb005293818ed3d45ca868d13138e95cf655235f890fae87980cd2749"
+    "3cbd06aab29cd40228b466399434beff5146594c";
+
+// A compressed variable of 85 bytes, of which 43 are there; matio took 1.6 GB
+// for it. Behind the 124 characters of text that such a file begins with.
+constexpr const char* half_a_variable =
+    "0001494d0f00000055000000789ce36360604800623620e680d220c00ae5b300312314"
+    "f3ff71496a71497c5a516a61696a5e722523004d";
+
+TEST(FoundByFuzzing, SoundFileThatAnnouncesMoreThanItCanHold) {
+  const testing::TemporaryFolder folder;
+  try {
+    (void)read_audio(folder.write("tall.flac", bytes(tall_tale)));
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("in 230 bytes"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(FoundByFuzzing, MatlabVariableThatEndsEarly) {
+  const testing::TemporaryFolder folder;
+  const std::string text = std::string(124, ' ') + bytes(half_a_variable);
+  try {
+    (void)read_mat_columns(folder.write("half.mat", text), {"force"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("85 bytes are announced, 43"),
+              std::string::npos)
+        << error.what();
+    EXPECT_NE(error.where().find("byte 128"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
