@@ -69,13 +69,23 @@ bool toggle_hit(Workbench& bench,
 
 }  // namespace
 
-Job overrule_hit(std::size_t run, std::size_t hit) {
+Job overrule_hits(
+    const std::vector<std::pair<std::size_t, std::size_t>>& hits) {
   return {"overruling the hit",
-          [run, hit](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!toggle_hit(bench, known, p, run, hit)) {
-              return std::string("a truncated hit stays rejected");
+          [hits](Workbench& bench, Snapshot& known, const Progress& p) {
+            std::size_t firm = 0;
+            for (const auto& [run, hit] : hits) {
+              if (!toggle_hit(bench, known, p, run, hit)) ++firm;
             }
-            return saved(bench, p, "");
+            std::string told;
+            if (hits.size() > 1) {
+              told = fmt::format("{} hits overruled", hits.size() - firm);
+            }
+            if (firm > 0) {
+              told += fmt::format("{}a truncated hit stays rejected",
+                                  told.empty() ? "" : "; ");
+            }
+            return saved(bench, p, told);
           },
           std::nullopt};
 }
@@ -125,6 +135,14 @@ Job toggle_effect(std::size_t effect) {
                 fmt::format("{} {}",
                             switched.ref.effect,
                             switched.on ? "switched on" : "switched off"));
+          },
+          std::nullopt};
+}
+
+Job write_output(Output what, const std::filesystem::path& to) {
+  return {"writing",
+          [what, to](Workbench& bench, Snapshot&, const Progress& p) {
+            return "written: " + bench.write(what, to, p).string();
           },
           std::nullopt};
 }

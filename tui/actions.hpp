@@ -3,11 +3,16 @@
 
 #include "tui/worker.hpp"
 
+#include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace tapfit::tui {
 
-[[nodiscard]] Job overrule_hit(std::size_t run, std::size_t hit);
+/// Hits as run and number, counted from 0.
+[[nodiscard]] Job overrule_hits(
+    const std::vector<std::pair<std::size_t, std::size_t>>& hits);
 /// Takes the last overruling back.
 [[nodiscard]] Job restore_hit();
 [[nodiscard]] Job add_effect(const updating::EffectRef& effect);
@@ -15,6 +20,8 @@ namespace tapfit::tui {
 [[nodiscard]] Job add_effect(const std::string& effect);
 /// Switches an added effect off or on, counted from 0.
 [[nodiscard]] Job toggle_effect(std::size_t effect);
+/// To a file, or where that is empty to the usual one.
+[[nodiscard]] Job write_output(Output what, const std::filesystem::path& to);
 [[nodiscard]] Job undo();
 [[nodiscard]] Job redo();
 

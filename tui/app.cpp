@@ -1,5 +1,6 @@
 #include "tui/app.hpp"
 
+#include "tui/glyphs.hpp"
 #include "tui/key_script.hpp"
 #include "tui/program.hpp"
 #include "tui/replay.hpp"
@@ -57,11 +58,17 @@ bool let_go(Program& program) {
 
 void run_in_terminal(std::unique_ptr<Workbench> bench,
                      const AppOptions& options,
-                     bool ascii) {
+                     Glyphs glyphs) {
+  const char* variable = std::getenv("COLORFGBG");
+  const std::string said = variable != nullptr ? variable : "";
   auto terminal = std::make_unique<Terminal>(
-      TerminalOptions{options.no_colour, options.no_mouse});
-  Program program(std::move(bench),
-                  {terminal->width(), terminal->height(), ascii});
+      TerminalOptions{options.no_colour,
+                      options.no_mouse,
+                      glyphs == Glyphs::Blocks,
+                      options.light || (!options.dark && is_light(said))});
+  Program program(
+      std::move(bench),
+      {terminal->width(), terminal->height(), glyphs == Glyphs::Ascii});
   converse(*terminal, program);
   terminal.reset();  // the shell's again, whatever is still to be awaited
   if (!let_go(program)) {
@@ -70,13 +77,23 @@ void run_in_terminal(std::unique_ptr<Workbench> bench,
   }
 }
 
+Glyphs wanted_glyphs(const AppOptions& options) {
+  const bool utf8 = locale_is_utf8();
+  if (options.ascii || !utf8) return Glyphs::Ascii;
+  if (options.blocks) return Glyphs::Blocks;
+  if (options.keys_file) return Glyphs::Braille;
+  const char* terminal = std::getenv("TERM");
+  return glyphs_of(terminal != nullptr ? terminal : "", utf8);
+}
+
 }  // namespace
 
 int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
-  const bool ascii = options.ascii || !locale_is_utf8();
+  const Glyphs glyphs = wanted_glyphs(options);
+  const bool ascii = glyphs == Glyphs::Ascii;
   std::unique_ptr<Workbench> bench = open_session(bundle);
   if (!options.keys_file) {
-    run_in_terminal(std::move(bench), options, ascii);
+    run_in_terminal(std::move(bench), options, glyphs);
     return 0;
   }
   const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);

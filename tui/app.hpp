@@ -10,6 +10,9 @@ struct AppOptions {
   bool ascii = false;      ///< only ASCII glyphs, whatever the locale
   bool no_colour = false;  ///< as if NO_COLOR were set
   bool no_mouse = false;
+  bool blocks = false;  ///< no braille dots
+  bool light = false;   ///< the terminal's background is light ...
+  bool dark = false;    ///< ... or dark, whatever COLORFGBG says
   /// A key script (key_script.hpp) replayed without a terminal; the screens
   /// it asks for, or else the last one, go to standard output as text.
   std::optional<std::filesystem::path> keys_file;

@@ -1,10 +1,14 @@
 #include "tui/colon_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/effects/catalogue.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 namespace tapfit::tui {
@@ -12,7 +16,7 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 14> commands{{
+constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
     {"quit", Kind::Quit},
     {"help", Kind::Help},
     {"add", Kind::Add},
@@ -24,6 +28,10 @@ constexpr std::array<std::pair<std::string_view, Kind>, 14> commands{{
     {"pair", Kind::Pair},
     {"band", Kind::Band},
     {"screen", Kind::Screen},
+    {"run", Kind::Run},
+    {"report", Kind::Report},
+    {"deck", Kind::Deck},
+    {"uff", Kind::Uff},
     {"stop", Kind::Stop},
     {"retry", Kind::Retry},
     {"exit", Kind::Quit},
@@ -32,8 +40,9 @@ constexpr std::array<std::pair<std::string_view, Kind>, 14> commands{{
 [[noreturn]] void refuse(std::string_view text) {
   throw InputError(fmt::format("no such command: {}", text),
                    "after ':'",
-                   "there are :q :help :add EFFECT@PLACE :undo :redo :drop HZ "
-                   ":pick HZ :pair I:K :band LOW HIGH :screen N :stop :retry");
+                   "there are :q :help :add EFFECT@PLACE :toggle N :undo :redo "
+                   ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
+                   ":run N :report :deck :uff :stop :retry");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -80,6 +89,14 @@ ColonCommand parse_colon_command(std::string_view text) {
     }
     command.number = digit(rest[0]);
   }
+  if (command.kind == Kind::Run) {
+    const char* end = rest.data() + rest.size();
+    const auto [read, error] =
+        std::from_chars(rest.data(), end, command.number);
+    if (error != std::errc() || read != end || command.number == 0) {
+      throw InputError("which run?", ":run", "write its number");
+    }
+  }
   if (command.kind == Kind::Toggle) {
     if (rest.size() != 1 || rest[0] < '1' || rest[0] > '9') {
       throw InputError(
@@ -88,6 +105,40 @@ ColonCommand parse_colon_command(std::string_view text) {
     command.number = digit(rest[0]);
   }
   return command;
+}
+
+std::vector<std::string> completions(std::string_view text) {
+  std::vector<std::string> found;
+  const std::size_t space = text.find(' ');
+  if (space == std::string_view::npos) {
+    for (const auto& [name, kind] : commands) {
+      if (name.starts_with(text)) found.emplace_back(name);
+    }
+    return found;
+  }
+  const std::string_view word = text.substr(0, space);
+  const std::string_view rest = text.substr(space + 1);
+  if (word != "add") return found;
+  for (const auto& effect : effects::catalogue()) {
+    const std::string name = effect->name();
+    if (name.starts_with(rest)) found.push_back("add " + name);
+  }
+  return found;
+}
+
+std::string completed(std::string_view text) {
+  const std::vector<std::string> all = completions(text);
+  if (all.empty()) return std::string(text);
+  std::string common = all.front();
+  for (const std::string& one : all) {
+    const auto apart =
+        std::mismatch(common.begin(), common.end(), one.begin(), one.end());
+    common.erase(apart.first, common.end());
+  }
+  // One that takes something after it goes on to that.
+  const bool takes = common == "add" || common == "toggle" ||
+                     common == "screen" || common == "run";
+  return all.size() == 1 && takes ? common + " " : common;
 }
 
 }  // namespace tapfit::tui

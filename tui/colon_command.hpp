@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -19,19 +20,32 @@ struct ColonCommand {
     Pair,
     Band,
     Screen,
+    Run,
+    Report,
+    Deck,
+    Uff,
     Stop,
-    Retry,
+    Retry
   };
   Kind kind = Kind::Help;
-  std::string argument;    ///< the effect of Add; what follows Drop to Band
-  std::size_t number = 0;  ///< 1..7 of Screen; effect of Toggle, from 1
+  /// Effect of Add; what follows Drop to Band; file of Report, Deck and Uff.
+  std::string argument;
+  std::size_t number = 0;  ///< of Screen, Run, Toggle; from 1
 };
 
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
-/// "3", "stop", "retry", "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60";
-/// a name may be cut short while it is clear ("sc 3").
+/// "3", "run 12", "report", "deck FILE", "uff", "stop", "retry", "drop 12.98",
+/// "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut short while it is
+/// clear ("sc 3").
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
+
+/// What the text may be going on to: commands by their names, after "add " the
+/// effects of the catalogue. Empty where nothing fits.
+[[nodiscard]] std::vector<std::string> completions(std::string_view text);
+
+/// The text and what all of its completions have in common beyond it.
+[[nodiscard]] std::string completed(std::string_view text);
 
 }  // namespace tapfit::tui

@@ -17,6 +17,13 @@ std::string entry(double value) {
   return fmt::format("{:.0f}", std::max(hundredths, 0.0));
 }
 
+/// ".998", "1.00": how much is lacking shows in the third decimal.
+std::string share_entry(double value) {
+  if (!std::isfinite(value)) return "–";
+  if (value >= 0.9995) return "1.00";
+  return fmt::format("{:.3f}", std::max(value, 0.0)).substr(1);
+}
+
 int name_width(const HeatMap& map) {
   int width = 0;
   for (const std::string& name : map.row_names) {
@@ -84,11 +91,16 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
       const double value = map.values(row, map.left + c);
       const int x = rect.x + names + 2 + static_cast<int>(c) * entry_width;
       Style style;
-      style.heat = static_cast<std::uint8_t>(heat_of(value, map.scale));
+      style.heat = static_cast<std::uint8_t>(
+          heat_of(map.shortfall ? 1.0 - value : value, map.scale));
       style.bold = style.heat >= 5;
+      style.reverse = marked && map.left + c == map.column;
       screen.fill({x, y, entry_width, 1}, U' ', style);
-      screen.text_right(
-          x + entry_width - 1, y, entry(value), style, entry_width - 1);
+      screen.text_right(x + entry_width - 1,
+                        y,
+                        map.shortfall ? share_entry(value) : entry(value),
+                        style,
+                        entry_width - 1);
       screen.zone({.rect = {x, y, entry_width, 1},
                    .kind = Zone::Kind::Entry,
                    .index = static_cast<std::size_t>(row),

@@ -14,10 +14,14 @@ struct HeatMap {
   Eigen::MatrixXd values;
   std::vector<std::string> row_names;
   std::vector<std::string> column_names;
-  double scale = 1.0;   ///< the value that is shown hottest
-  int top = 0;          ///< first row shown
-  int left = 0;         ///< first column shown
-  int selected = -1;    ///< row to mark
+  double scale = 1.0;  ///< the value that is shown hottest
+  int top = 0;         ///< first row shown
+  int left = 0;        ///< first column shown
+  int selected = -1;   ///< row to mark
+  int column = -1;     ///< entry of that row to mark
+  /// The other way round: 1 is cold, 1 - scale hottest (coherence, MAC of
+  /// pairs); entries then have three decimals where there is room for them.
+  bool shortfall = false;
   int entry_width = 5;  ///< cells per entry, 4 at least
 };
 

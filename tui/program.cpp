@@ -33,11 +33,15 @@ bool only_closes(Key key) {
 
 Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
     : canvas_(canvas), worker_(std::move(bench)) {
+  auto recording_page = std::make_unique<RecordingPage>();
+  recording_page_ = recording_page.get();
   auto frf_page = std::make_unique<FrfPage>();
   frf_page_ = frf_page.get();
-  pages_ = {std::make_unique<RecordingPage>(),
+  auto modes_page = std::make_unique<ModesPage>();
+  modes_page_ = modes_page.get();
+  pages_ = {std::move(recording_page),
             std::move(frf_page),
-            std::make_unique<ModesPage>(),
+            std::move(modes_page),
             std::make_unique<ComparePage>(),
             std::make_unique<DiagnosePage>(),
             std::make_unique<UpdatePage>(),
@@ -122,7 +126,8 @@ bool Program::tick() {
   }
   WorkerStatus status = worker_.status();
   const long seconds = seconds_of(status);
-  if (status.stage != shown_.stage || status.fraction != shown_.fraction ||
+  if (status.errors.size() != shown_.errors.size() ||
+      status.stage != shown_.stage || status.fraction != shown_.fraction ||
       status.busy != shown_.busy || seconds != shown_seconds_) {
     changed_ = true;
   }
@@ -159,9 +164,9 @@ void Program::leave() {
 }
 
 void Program::ask_to_quit() {
-  const bool acting = !actions_.empty() || (running_ && !running_need_);
-  quit_ = !acting || quit_warned_;
-  quit_warned_ = acting;
+  const bool would_lose = !actions_.empty() || acting();
+  quit_ = !would_lose || quit_warned_;
+  quit_warned_ = would_lose;
   if (quit_) return;
   const std::string what =
       actions_.empty() ? shown_.title : actions_.back().title;
@@ -169,7 +174,21 @@ void Program::ask_to_quit() {
        true);
 }
 
+void Program::go_to(std::size_t index) {
+  crumbs_.push_back(current_);
+  current_ = index;
+  mode_ = Mode::Normal;
+}
+
+bool Program::go_back() {
+  if (crumbs_.empty()) return false;
+  current_ = crumbs_.back();
+  crumbs_.pop_back();
+  return true;
+}
+
 void Program::show_screen(std::size_t index) {
+  crumbs_.clear();
   current_ = index;
   mode_ = Mode::Normal;
 }
@@ -214,6 +233,9 @@ void Program::press_global(Key key) {
     act(current_ == modes_screen ? undo_modes() : undo());
   } else if (key == Key(U'r', true)) {
     act(current_ == modes_screen ? redo_modes() : redo());
+  } else if (key == U'S' && acting()) {
+    worker_.keep();
+    tell("ending with what is reached …");
   } else if (key == U'r') {
     retry();
   } else if (key == keys::escape || key == Key(U'c', true)) {
@@ -221,7 +243,9 @@ void Program::press_global(Key key) {
   } else if (key == keys::back_tab) {
     show_screen((current_ + pages_.size() - 1) % pages_.size());
   } else if (key.code < 0xE000 && !key.ctrl) {
-    tell(fmt::format("{} does nothing here; ? shows the keys", name(key)));
+    tell(ready() || !running_
+             ? fmt::format("{} does nothing here; ? shows the keys", name(key))
+             : fmt::format("{} has to wait for the result", name(key)));
   }
 }
 
@@ -233,7 +257,9 @@ void Program::escape() {
     return tell("stopping …");
   }
   ListState* list = page().list();
-  if (list != nullptr) list->filter.clear();
+  const bool filtered = list != nullptr && !list->filter.empty();
+  if (filtered) list->filter.clear();
+  if (filtered || go_back()) return;
   tell("q quits");
 }
 
@@ -257,6 +283,10 @@ void Program::press_colon(Key key) {
   } else if (key == keys::enter) {
     mode_ = Mode::Normal;
     run_colon(typed_);
+  } else if (key == keys::tab) {
+    typed_ = completed(typed_);
+  } else if (key == keys::up && !typed_before_.empty()) {
+    typed_ = typed_before_;
   } else if (key == keys::backspace) {
     if (typed_.empty()) {
       mode_ = Mode::Normal;
@@ -270,6 +300,7 @@ void Program::press_colon(Key key) {
 
 void Program::run_colon(const std::string& text) {
   if (text.empty()) return;
+  typed_before_ = text;
   using Kind = ColonCommand::Kind;
   ColonCommand command;
   try {
@@ -287,6 +318,15 @@ void Program::run_colon(const std::string& text) {
       return act(add_effect(command.argument));
     case Kind::Toggle:
       return act(toggle_effect(command.number - 1));
+    case Kind::Run:
+      recording_page_->select(command.number - 1);
+      return show_screen(0);
+    case Kind::Report:
+      return act(write_output(Output::Report, command.argument));
+    case Kind::Deck:
+      return act(write_output(Output::Deck, command.argument));
+    case Kind::Uff:
+      return act(write_output(Output::Uff, command.argument));
     case Kind::Undo:
       return act(undo());
     case Kind::Redo:
@@ -324,16 +364,24 @@ void Program::carry_out(const Command& command) {
     case Command::Kind::None:
       return;
     case Command::Kind::OverruleHit:
-      return act(overrule_hit(command.run, command.hit));
+      return act(overrule_hits(command.hits));
     case Command::Kind::RestoreHit:
       return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effect(command.effect));
     case Command::Kind::Toggle:
       return act(toggle_effect(command.added));
+    case Command::Kind::Write:
+      return act(write_output(command.output, {}));
+    case Command::Kind::ShowRun:
+      recording_page_->select(command.run);
+      return go_to(0);
+    case Command::Kind::ShowMode:
+      modes_page_->select(command.mode, command.model_mode);
+      return go_to(2);
     case Command::Kind::ShowFrf:
-      frf_page_->select(command.frf);
-      return show_screen(1);
+      frf_page_->select(command.frf, command.hz);
+      return go_to(1);
   }
 }
 

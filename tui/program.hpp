@@ -19,6 +19,8 @@
 namespace tapfit::tui {
 
 class FrfPage;
+class ModesPage;
+class RecordingPage;
 
 /// How long the running job has been at it; 0 when there is none.
 [[nodiscard]] long seconds_of(const WorkerStatus& status);
@@ -61,10 +63,15 @@ class Program {
   void escape();
   void mouse(Key key);
   void show_screen(std::size_t index);
+  /// The same, with a way back by Esc.
+  void go_to(std::size_t index);
+  bool go_back();
   void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
   void carry_out(const Command& command);
   void act(Job job);
+  /// What runs is what the user asked for, and not a screen's need.
+  [[nodiscard]] bool acting() const { return running_ && !running_need_; }
   void retry();
   void tell(const std::string& text, bool error = false);
 
@@ -74,15 +81,20 @@ class Program {
   void draw_tabs(Screen& screen) const;
   void draw_line(Screen& screen, int y) const;
   void draw_work(Screen& screen, int y) const;
+  void draw_live(Screen& screen) const;
   void draw_keys(Screen& screen, int y) const;
 
   Canvas canvas_;
   Snapshot known_;
   std::array<std::unique_ptr<Page>, 7> pages_;
-  FrfPage* frf_page_ = nullptr;  ///< one of pages_
+  RecordingPage* recording_page_ = nullptr;  ///< one of pages_
+  FrfPage* frf_page_ = nullptr;              ///< another
+  ModesPage* modes_page_ = nullptr;          ///< another
   std::size_t current_ = 0;
   Mode mode_ = Mode::Normal;
-  std::string typed_;  ///< after ':'
+  std::vector<std::size_t> crumbs_;  ///< screens that led here
+  std::string typed_;                ///< after ':'
+  std::string typed_before_;         ///< and what was carried out last
   std::string message_;
   bool message_is_error_ = false;
   bool message_open_ = false;  ///< in a box, as it does not fit the line

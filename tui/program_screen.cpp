@@ -2,8 +2,10 @@
 // progress, the key bar below.
 #include "tui/bars.hpp"
 #include "tui/layout.hpp"
+#include "tui/number.hpp"
 #include "tui/program.hpp"
 #include "tui/text.hpp"
+#include "tui/views/update_panels.hpp"
 
 #include <fmt/format.h>
 
@@ -90,6 +92,31 @@ int draw_key(Screen& screen, int x, int y, const KeyHelp& key) {
   return x + 2;
 }
 
+/// Keys and what they do, in columns as wide as the longest but few.
+std::vector<std::string> key_lines(const std::vector<KeyHelp>& keys,
+                                   int width) {
+  const int columns = std::max(width / 24, 1);
+  const int room = width / columns;
+  std::vector<std::string> lines;
+  int used = width;
+  for (const KeyHelp& key : keys) {
+    std::string entry = key.key + " ";
+    entry.append(static_cast<std::size_t>(std::max(7 - text_width(entry), 0)),
+                 ' ');
+    entry += key.what;
+    const int cells = (text_width(entry) / room + 1) * room;
+    if (used + text_width(entry) > width) {
+      lines.emplace_back();
+      used = 0;
+    }
+    lines.back() += entry;
+    used += cells;
+    const int gap = std::min(used, width) - text_width(lines.back());
+    lines.back().append(static_cast<std::size_t>(std::max(gap, 0)), ' ');
+  }
+  return lines;
+}
+
 std::string work_text(const WorkerStatus& status) {
   std::string text = status.title;
   if (status.stage.starts_with(status.title)) return status.stage;
@@ -153,6 +180,7 @@ Screen Program::draw() const {
 
 Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
+  draw_live(screen);
   if (message_open_) {
     draw_box(screen,
              "message (any key closes)",
@@ -160,6 +188,23 @@ Screen Program::body(const Canvas& canvas) const {
              {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
   return screen;
+}
+
+/// How a fit that was asked for converges, in the lower right corner.
+void Program::draw_live(Screen& screen) const {
+  if (!acting() || shown_.errors.size() < 2) return;
+  const Rect rect{screen.width() - 50, screen.height() - 13, 50, 13};
+  screen.fill(rect, U' ');
+  screen.box(rect, shown_.title, {.colour = Colour::Yellow});
+  const auto [plot, lines] = split_top(inside(rect), 10);
+  draw_live_error(screen, plot, shown_.errors);
+  screen.text(lines.x + 1,
+              lines.y,
+              fmt::format("step {}, {} now; S keeps, Esc discards",
+                          shown_.errors.size(),
+                          percent(shown_.errors.back())),
+              {},
+              lines.width - 1);
 }
 
 Screen Program::waiting(const Canvas& canvas) const {
@@ -211,7 +256,9 @@ Screen Program::help(const Canvas& canvas) const {
                                         {"u", "undo"},
                                         {"Ctrl-R", "redo"},
                                         {"r", "try again"},
-                                        {"Esc Ctrl-C", "stop work"},
+                                        {"Esc", "back, stop work"},
+                                        {"S", "end a fit, keep it"},
+                                        {"Ctrl-Z", "to the shell, fg back"},
                                         {"/", "filter the list"},
                                         {"q", "quit"}};
   for (const KeyHelp& key : everywhere) {
@@ -221,17 +268,15 @@ Screen Program::help(const Canvas& canvas) const {
         });
     if (!known) all.push_back(key);
   }
-  const std::size_t half = (all.size() + 1) / 2;
-  for (std::size_t i = 0; i < half; ++i) {
-    std::string line = fmt::format("{:<11}{:<24}", all[i].key, all[i].what);
-    if (i + half < all.size()) {
-      line += fmt::format("{:<11}{}", all[i + half].key, all[i + half].what);
-    }
-    lines.push_back(line);
-  }
+  for (const std::string& line : key_lines(all, width)) lines.push_back(line);
   lines.emplace_back();
-  lines.emplace_back(":q :help :add EFFECT@PLACE :undo :redo :screen N :stop");
+  lines.emplace_back(
+      ":q :help :add EFFECT@PLACE :toggle N :undo :redo :screen N :run N");
+  lines.emplace_back(":report [FILE] :deck [FILE] :uff [FILE] :stop :retry");
   lines.emplace_back(":drop HZ :pick HZ :band LOW HIGH :pair I:K  (modes)");
+  if (static_cast<int>(lines.size()) > canvas.height - 2) {
+    std::erase_if(lines, [](const std::string& line) { return line.empty(); });
+  }
   draw_box(screen,
            page().title() + " (any key closes)",
            lines,
@@ -252,12 +297,15 @@ void Program::draw_tabs(Screen& screen) const {
                  .index = U'1' + i});
   }
   const int room = screen.width() - x - 1;
-  if (known_.bundle && room > 12) {
-    screen.text_right(screen.width() - 1,
-                      0,
-                      known_.bundle->title,
-                      {.colour = Colour::Grey},
-                      room);
+  std::string words = known_.bundle ? known_.bundle->title : "";
+  if (!crumbs_.empty()) {
+    words.clear();
+    for (const std::size_t i : crumbs_) words += pages_[i]->title() + " > ";
+    words += page().title() + " (Esc back)";
+  }
+  if (room > 12) {
+    screen.text_right(
+        screen.width() - 1, 0, words, {.colour = Colour::Grey}, room);
   }
 }
 
@@ -277,6 +325,13 @@ void Program::draw_line(Screen& screen, int y) const {
   if (mode_ == Mode::Colon) {
     const int x = screen.text(0, y, ":" + typed_, {}, width);
     screen.put(x, y, U' ', {.reverse = true});
+    std::string hint;
+    for (const std::string& one : completions(typed_)) hint += one + "  ";
+    screen.text(x + 3,
+                y,
+                hint.empty() ? hint : "Tab: " + hint,
+                {.colour = Colour::Grey},
+                width - x - 3);
     return;
   }
   const ListState* list = page().list();

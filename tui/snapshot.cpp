@@ -13,22 +13,30 @@ std::string name(Stage stage) {
       return "recordings";
     case Stage::Hits:
       return "hits";
+    case Stage::RunLook:
+      return "windows and averages of the run";
     case Stage::Frfs:
       return "FRFs";
     case Stage::FrfChecks:
       return "checks of the FRFs";
     case Stage::Modes:
       return "modes";
+    case Stage::Cmif:
+      return "mode indicator";
     case Stage::BaseComparison:
       return "comparison with the base model";
     case Stage::Comparison:
       return "comparison";
     case Stage::Ladder:
       return "parameters";
+    case Stage::Records:
+      return "record of the fits";
     case Stage::Diagnosis:
       return "diagnosis";
     case Stage::Signature:
       return "signature";
+    case Stage::SignatureMap:
+      return "signature of every grid";
   }
   return "?";
 }
@@ -41,22 +49,30 @@ bool Snapshot::has(const Need& need) const {
       return traces != nullptr;
     case Stage::Hits:
       return hits != nullptr;
+    case Stage::RunLook:
+      return run_looks.contains(need.node);
     case Stage::Frfs:
       return frfs != nullptr;
     case Stage::FrfChecks:
       return frf_checks != nullptr;
     case Stage::Modes:
       return modes != nullptr;
+    case Stage::Cmif:
+      return cmif != nullptr;
     case Stage::BaseComparison:
       return base_comparison != nullptr;
     case Stage::Comparison:
       return comparison != nullptr;
     case Stage::Ladder:
       return ladder != nullptr;
+    case Stage::Records:
+      return records != nullptr;
     case Stage::Diagnosis:
       return diagnosis != nullptr;
     case Stage::Signature:
       return signatures.contains(need.node);
+    case Stage::SignatureMap:
+      return signature_map != nullptr;
   }
   return true;
 }
@@ -66,8 +82,10 @@ void Snapshot::forget_model_results() {
   comparison.reset();
   ladder.reset();
   parameters.reset();
+  records.reset();
   diagnosis.reset();
   signatures.clear();
+  signature_map.reset();
 }
 
 Snapshot::Effects Snapshot::effects_on() const {
@@ -109,8 +127,10 @@ void Snapshot::forget_from_modes() {
 void Snapshot::forget_from_hits() {
   forget_from_modes();
   hits.reset();
+  run_looks.clear();
   frfs.reset();
   frf_checks.reset();
+  cmif.reset();
 }
 
 void Snapshot::forget_pairs() {

@@ -2,6 +2,7 @@
 // and the screens draw.
 #pragma once
 
+#include "tui/run_look.hpp"
 #include "tui/trace.hpp"
 #include "tui/views/frf_checks_view.hpp"
 #include "tui/wireframe.hpp"
@@ -20,23 +21,27 @@ enum class Stage {
   Model,  ///< the deck and its wireframe
   Traces,
   Hits,
+  RunLook,  ///< of one run
   Frfs,
   FrfChecks,
   Modes,
+  Cmif,
   BaseComparison,
   Comparison,
-  Ladder,  ///< and the model's parameters
+  Ladder,   ///< and the model's parameters
+  Records,  ///< how the ladder's fits came about
   Diagnosis,
   Signature,
+  SignatureMap,
 };
 
 /// "hits", "diagnosis": for progress and messages.
 [[nodiscard]] std::string name(Stage stage);
 
-/// One result; `node` only for signatures.
+/// One result.
 struct Need {
   Stage stage = Stage::Hits;
-  int node = 0;
+  int node = 0;  ///< of a signature; of a run's look: the run
 
   auto operator<=>(const Need&) const = default;
 };
@@ -54,19 +59,26 @@ struct Snapshot {
   Shared<acquisition::HitSet> hits;
   /// Judgements that were overruled, the last one last.
   std::vector<updating::OverruledHit> overruled;
+  std::map<int, Shared<RunLook>> run_looks;
   Shared<signal::FrfSet> frfs;
   Shared<FrfChecks> frf_checks;
   Shared<modal::ModeSet> modes;
+  /// Lines x singular values, or one column of summed FRFs where no matrix of
+  /// FRFs is complete.
+  Shared<Eigen::MatrixXd> cmif;
   Shared<updating::Comparison> base_comparison;
   Shared<updating::Comparison> comparison;
   Shared<updating::Comparison> previous;  ///< before the last add or undo
   Shared<std::vector<updating::Rung>> ladder;
   Shared<std::vector<updating::Estimate>> parameters;
+  Shared<std::vector<updating::UpdateRecord>> records;
   Shared<updating::Diagnosis> diagnosis;
   std::vector<updating::AddedEffect> effects;
   /// What was found on the way, with the effects that were in the model then.
   std::vector<std::pair<Effects, Shared<updating::Diagnosis>>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
+  /// How well each grid alone explains what is missing, the best first.
+  Shared<std::vector<updating::GridShare>> signature_map;
 
   [[nodiscard]] bool has(const Need& need) const;
   /// Drops what depends on the hits.

@@ -1,6 +1,7 @@
 #include "tui/terminal.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/glyphs.hpp"
 
 #include <ncurses.h>
 
@@ -56,7 +57,9 @@ bool wants_no_colour(const TerminalOptions& options) {
 // Terminal colours of Colour, in 256, 16 and 8 colours; -1 is its own.
 using Palette = std::array<short, colour_count>;
 constexpr Palette palette_256{-1, 33, 214, 36, 202, 175, 117, 227, 245};
+constexpr Palette light_256{-1, 25, 166, 29, 160, 90, 31, 136, 243};
 constexpr Palette palette_16{-1, 12, 3, 2, 9, 13, 14, 11, 8};
+constexpr Palette light_16{-1, 4, 3, 2, 1, 5, 6, 3, 8};
 constexpr Palette palette_8{-1, 4, 3, 2, 1, 5, 6, 3, -1};
 // Dark blue to yellow, light text stays readable up to the fourth.
 constexpr std::array<short, heat_levels + 1> heat_256{
@@ -77,11 +80,12 @@ short pair_number(Colour colour, int heat) {
   return static_cast<short>(1 + static_cast<int>(colour) + heat * colour_count);
 }
 
-void make_pairs(Colours colours) {
+void make_pairs(Colours colours, bool light) {
   if (colours == Colours::None) return;
-  const Palette& palette = colours == Colours::Many      ? palette_256
-                           : colours == Colours::Sixteen ? palette_16
-                                                         : palette_8;
+  const Palette& palette =
+      colours == Colours::Many      ? (light ? light_256 : palette_256)
+      : colours == Colours::Sixteen ? (light ? light_16 : palette_16)
+                                    : palette_8;
   for (int c = 0; c < colour_count; ++c) {
     const auto colour = static_cast<Colour>(c);
     const short ink = palette[static_cast<std::size_t>(c)];
@@ -210,6 +214,7 @@ class HeldErrors {
 struct Terminal::Impl {
   std::optional<HeldErrors> errors;
   Colours colours = Colours::None;
+  bool blocks = false;
 };
 
 Terminal::Terminal(const TerminalOptions& options)
@@ -241,7 +246,8 @@ Terminal::Terminal(const TerminalOptions& options)
     mousemask(BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED, nullptr);
   }
   impl_->colours = start_colours(options);
-  make_pairs(impl_->colours);
+  impl_->blocks = options.blocks;
+  make_pairs(impl_->colours, options.light);
   end_asked = 0;
   for (const int ending : endings) set_handler(ending, ask_to_end);
   for (const int crash : crashes) set_handler(crash, restore_and_die);
@@ -262,14 +268,20 @@ void Terminal::show(const Screen& screen) {
   for (int y = 0; y < std::min(screen.height(), LINES); ++y) {
     for (int x = 0; x < std::min(screen.width(), COLS); ++x) {
       const Cell& cell = screen.at(x, y);
-      const std::array<wchar_t, 2> glyph{static_cast<wchar_t>(cell.glyph), 0};
+      const char32_t shown =
+          impl_->blocks ? block_glyph(cell.glyph) : cell.glyph;
+      const std::array<wchar_t, 2> glyph{static_cast<wchar_t>(shown), 0};
       const bool heated = impl_->colours == Colours::Many;
       const short pair =
           impl_->colours == Colours::None
               ? short{0}
               : pair_number(cell.style.colour, heated ? cell.style.heat : 0);
       cchar_t drawn;
-      setcchar(&drawn, glyph.data(), attributes(cell.style), pair, nullptr);
+      // Where there are too few colours for heat, the hottest stand out.
+      const bool hottest = !heated && cell.style.heat >= 5;
+      const attr_t bits =
+          attributes(cell.style) ^ (hottest ? A_REVERSE : A_NORMAL);
+      setcchar(&drawn, glyph.data(), bits, pair, nullptr);
       mvadd_wch(y, x, &drawn);
     }
   }

@@ -13,6 +13,8 @@ namespace tapfit::tui {
 struct TerminalOptions {
   bool no_colour = false;  ///< also when NO_COLOR is set and not empty
   bool no_mouse = false;
+  bool blocks = false;  ///< quarter blocks stand in for braille dots
+  bool light = false;   ///< colours that are seen on a light background
 };
 
 /// There is at most one at a time. What other code writes to standard error

@@ -181,6 +181,8 @@ void draw_marks(Screen& screen,
     const int room = rect.x + rect.width - x - 1;
     if (text_width(mark.label) <= room) {
       screen.text(x + 1, y, mark.label, mark.style, room);
+    } else {
+      screen.text_right(x, y, mark.label, mark.style, x - rect.x);
     }
   }
 }

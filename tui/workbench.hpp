@@ -6,10 +6,14 @@
 #include "acquisition/progress.hpp"
 #include "updating/session.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace tapfit::tui {
+
+/// What can be written for others to read.
+enum class Output { Report, Uff, Deck };
 
 /// As updating::Session; every call may take long and is made on the worker's
 /// thread only, but for those without Progress, which are quick.
@@ -32,6 +36,9 @@ class Workbench {
   virtual const updating::Comparison& base_comparison(const Progress&) = 0;
   virtual const updating::Diagnosis& diagnosis(const Progress&) = 0;
   virtual updating::Signature signature(int node, const Progress&) = 0;
+  virtual std::vector<updating::GridShare> signature_map(const Progress&) = 0;
+  virtual std::vector<updating::UpdateRecord> update_records(
+      const Progress&) = 0;
   virtual std::vector<updating::Rung> ladder(const Progress&) = 0;
   virtual std::vector<updating::Estimate> model_parameters(const Progress&) = 0;
 
@@ -49,6 +56,11 @@ class Workbench {
   virtual std::vector<updating::AddedEffect> effects() = 0;
   virtual std::vector<updating::OverruledHit> overruled() = 0;
 
+  /// Writes to the file named, or where nothing is named to report.md,
+  /// measured.uff or updated.bdf beside the saved session; says where.
+  virtual std::filesystem::path write(Output what,
+                                      const std::filesystem::path& to,
+                                      const Progress&) = 0;
   /// Writes down what was done so far; returns what went wrong, if anything.
   virtual std::string save(const Progress&) = 0;
 };

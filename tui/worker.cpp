@@ -1,6 +1,9 @@
 #include "tui/worker.hpp"
 
+#include "acquisition/input_error.hpp"
+#include "modal/cmif.hpp"
 #include "tui/number.hpp"
+#include "updating/fit_watch.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +69,15 @@ void make_model(Workbench& bench, Snapshot& known, const Progress& progress) {
   known.wire = shared(wireframe(*known.deck));
 }
 
+Eigen::MatrixXd indicator(const signal::FrfSet& frfs) {
+  try {
+    Eigen::MatrixXd values = modal::cmif(frfs);
+    if (values.rows() == frfs.lines() && values.cols() > 0) return values;
+  } catch (const InputError&) {  // too little for it; the sum always is
+  }
+  return modal::summed_frf(frfs);
+}
+
 void make_traces(Workbench& bench, Snapshot& known, const Progress& progress) {
   std::vector<Trace> traces;
   for (const acquisition::Recording& r : bench.recordings(progress)) {
@@ -86,6 +98,13 @@ void make_result(Workbench& bench,
     case Stage::Hits:
       known.hits = shared(bench.hits(progress));
       return;
+    case Stage::RunLook:
+      known.run_looks[need.node] =
+          shared(look_at_run(bench.bundle(),
+                             bench.recordings(progress),
+                             bench.hits(progress),
+                             static_cast<std::size_t>(need.node)));
+      return;
     case Stage::Frfs:
       known.frfs = shared(bench.frfs(progress));
       return;
@@ -94,6 +113,9 @@ void make_result(Workbench& bench,
       return;
     case Stage::Modes:
       known.modes = shared(bench.modes(progress));
+      return;
+    case Stage::Cmif:
+      known.cmif = shared(indicator(bench.frfs(progress)));
       return;
     case Stage::BaseComparison:
       known.base_comparison = shared(bench.base_comparison(progress));
@@ -105,12 +127,18 @@ void make_result(Workbench& bench,
       known.ladder = shared(bench.ladder(progress));
       known.parameters = shared(bench.model_parameters(progress));
       return;
+    case Stage::Records:
+      known.records = shared(bench.update_records(progress));
+      return;
     case Stage::Diagnosis:
       known.diagnosis = shared(bench.diagnosis(progress));
       return;
     case Stage::Signature:
       known.signatures[need.node] =
           shared(bench.signature(need.node, progress));
+      return;
+    case Stage::SignatureMap:
+      known.signature_map = shared(bench.signature_map(progress));
       return;
   }
 }
@@ -141,8 +169,10 @@ Worker::~Worker() { stop(); }
 void Worker::start(Job job) {
   const std::lock_guard lock(mutex_);
   assert(!status_.busy && !next_ && !finished_);
-  status_ = {true, job.title, "", 0.0, {}, std::chrono::steady_clock::now()};
+  status_ = {
+      true, job.title, "", 0.0, {}, std::chrono::steady_clock::now(), {}};
   stop_ = std::stop_source();
+  keep_ = false;
   next_ = std::move(job);
   wake_.notify_one();
 }
@@ -151,6 +181,8 @@ void Worker::stop() {
   const std::lock_guard lock(mutex_);
   stop_.request_stop();
 }
+
+void Worker::keep() { keep_ = true; }
 
 WorkerStatus Worker::status() const {
   const std::lock_guard lock(mutex_);
@@ -190,10 +222,17 @@ void Worker::loop(const std::stop_token& leave) {
 }
 
 void Worker::run(Job& job) {
-  Progress progress;
-  progress.report = [this](std::string_view stage, double fraction) {
+  updating::FitWatch watch;
+  watch.report = [this](std::string_view stage, double fraction) {
     report(stage, fraction);
   };
+  watch.step = [this](const updating::UpdateStep& step) {
+    const std::lock_guard lock(mutex_);
+    status_.errors.push_back(step.error);
+  };
+  watch.enough = [this] { return keep_.load(); };
+  Progress progress;
+  progress.report = std::move(watch);
   {
     const std::lock_guard lock(mutex_);
     progress.stop = stop_.get_token();

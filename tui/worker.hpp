@@ -5,6 +5,7 @@
 #include "tui/snapshot.hpp"
 #include "tui/workbench.hpp"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -44,6 +45,7 @@ struct WorkerStatus {
   double fraction = 0.0;
   std::vector<std::string> done;  ///< stages that were reported before
   std::chrono::steady_clock::time_point since{};  ///< when the job began
+  std::vector<double> errors;  ///< of the fit that runs, step by step
 };
 
 class Worker {
@@ -58,6 +60,8 @@ class Worker {
   void start(Job job);
   /// Asks the running job to stop; its end is still told.
   void stop();
+  /// Asks a running fit to end with what it has reached.
+  void keep();
   [[nodiscard]] WorkerStatus status() const;
   /// The end of a job, once.
   [[nodiscard]] std::optional<Finished> take_finished();
@@ -76,6 +80,7 @@ class Worker {
   std::optional<Finished> finished_;
   WorkerStatus status_;
   std::stop_source stop_;
+  std::atomic<bool> keep_ = false;
   std::jthread thread_;  // last: it uses all of the above
 };
 

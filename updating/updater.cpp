@@ -1,5 +1,6 @@
 #include "updating/updater.hpp"
 
+#include "updating/fit_watch.hpp"
 #include "updating/parameter_uncertainty.hpp"
 
 #include <Eigen/Cholesky>
@@ -132,6 +133,7 @@ UpdateResult update(const FrfModel& model,
     }
     if (improved) {
       result.history.push_back({at->r.norm(), moved, used, at->theta});
+      tell(progress, result.history.back());
     }
     // A short step under heavy damping gains little wherever it is.
     result.converged =
@@ -141,6 +143,10 @@ UpdateResult update(const FrfModel& model,
       result.message = "no step, however short, lowers the error any more";
     }
     if (result.converged || !improved) break;
+    if (is_enough(progress)) {
+      result.message = "stopped by hand";
+      break;
+    }
   }
   result.state = unpack(start, at->theta);
   result.error = at->r.norm();

@@ -53,6 +53,8 @@ class PseudoTerminal {
   /// The status as of waitpid(), empty when it has not ended in time.
   [[nodiscard]] std::optional<int> ends(std::chrono::milliseconds within);
 
+  [[nodiscard]] pid_t program() const { return program_; }
+
   /// Line modes of the terminal as they are now.
   [[nodiscard]] termios modes() const;
   /// And as they were before the program began.

@@ -275,6 +275,31 @@ class FakeWorkbench final : public Workbench {
   updating::Signature signature(int node, const Progress&) override {
     return fake_signature(node);
   }
+  std::vector<updating::GridShare> signature_map(const Progress&) override {
+    return {{5, 0.97}, {6, 0.9}, {3, 0.6}, {1, 0.01}};
+  }
+  std::vector<updating::UpdateRecord> update_records(const Progress&) override {
+    if (added_.empty()) return {};
+    updating::UpdateRecord record;
+    record.added = "added-mass";
+    record.lines = "the damped line";
+    record.converged = true;
+    record.message = "converged";
+    record.parameters = {"E:1", "added-mass mass_kg"};
+    record.steps = {{0, 0.4, 0.0, 0.001, Eigen::Vector2d(6.0e10, 0.02)},
+                    {0, 0.1, 0.3, 0.001, Eigen::Vector2d(7.0e10, 0.07)},
+                    {1, 0.05, 0.1, 0.001, Eigen::Vector2d(7.07e10, 0.0785)}};
+    record.correlation = Eigen::Matrix2d{{1.0, -0.42}, {-0.42, 1.0}};
+    return {record};
+  }
+  std::filesystem::path write(Output what,
+                              const std::filesystem::path& to,
+                              const Progress&) override {
+    return !to.empty()              ? to
+           : what == Output::Report ? "report.md"
+           : what == Output::Deck   ? "updated.bdf"
+                                    : "measured.uff";
+  }
   std::vector<updating::Rung> ladder(const Progress&) override {
     std::vector<updating::Rung> rungs{{"base", {}, base_.error, {}}};
     for (const updating::AddedEffect& e : added_) {

@@ -295,6 +295,89 @@ TEST(Program, TakesClicksWhereTheyMeanSomething) {
   EXPECT_FALSE(program.quit());
 }
 
+TEST(Program, GoesFromNumbersToTheirCurvesAndBack) {
+  // The map: a band of the first FRF, its curves, then the FRF by itself.
+  const std::string band = played("4\nwait\n<Tab>l<Enter>\nwait");
+  EXPECT_TRUE(holds(band, "error in %, bands up to Hz")) << band;
+  const std::string frf = played("4\nwait\n<Tab>l<Enter><Enter>\nwait");
+  EXPECT_TRUE(holds(frf, "FRF (Esc back)") || holds(frf, "peak")) << frf;
+  const std::string wide =
+      played("4\nwait\n<Tab>l<Enter><Enter>\nwait", {120, 35});
+  EXPECT_TRUE(holds(wide, "Compare > FRF (Esc back)")) << wide;
+  const std::string back =
+      played("4\nwait\n<Tab>l<Enter><Enter>\nwait\n<Esc>\nwait");
+  EXPECT_TRUE(holds(back, "error 38.8 %")) << back;
+  // From an FRF to the hits behind it.
+  const std::string hits = played("2\nwait\njj<Enter>\nwait", {120, 35});
+  EXPECT_TRUE(holds(hits, "run 2 of 2")) << hits;
+  EXPECT_TRUE(holds(hits, "FRF > Recording (Esc back)")) << hits;
+  // From the MAC to the shapes.
+  const std::string shapes =
+      played("4\nwait\n<Tab><Tab><Tab><Enter>\nwait", {120, 35});
+  EXPECT_TRUE(holds(shapes, "Compare > Modes (Esc back)")) << shapes;
+  EXPECT_TRUE(holds(shapes, "over model")) << shapes;
+}
+
+TEST(Program, TagsHitsAndActsOnThem) {
+  const std::string text = played("wait\ntt \nwait", {120, 35});
+  EXPECT_TRUE(holds(text, "2 hits overruled")) << text;
+  EXPECT_TRUE(holds(text, "3 hits, 2 accepted")) << text;  // one out, one in
+  EXPECT_TRUE(holds(played("wait\n*", {120, 35}), "3 tagged"));
+  EXPECT_FALSE(holds(played("wait\n*T", {120, 35}), "tagged"));
+  // The next rejected hit, of this run and then of the next.
+  EXPECT_TRUE(holds(played("wait\nN", {120, 35}), "▸2"));
+  EXPECT_TRUE(holds(played("wait\nNN", {120, 35}), "run 2 of 2"));
+}
+
+TEST(Program, ReplaysARunAsItCame) {
+  Program program(testing::fake_workbench(), {120, 35, false});
+  wait_until_idle(program);
+  program.press(Key(U'R'));
+  EXPECT_TRUE(holds(program.draw().to_text(), "replay 0.0 of 10.0 s"));
+  EXPECT_TRUE(holds(program.draw().to_text(), "average: no hit yet"));
+  // Ten times as fast, 25 frames a second: 0.4 s a frame. The first block is
+  // complete after 246 + 700 samples at 256 Hz = 3.7 s.
+  for (int frame = 0; frame < 9; ++frame) program.animate();
+  EXPECT_TRUE(holds(program.draw().to_text(), "0 hits"));
+  program.animate();
+  EXPECT_TRUE(holds(program.draw().to_text(), "1 hits"));
+  program.press(Key(U'R'));  // paused
+  EXPECT_FALSE(program.animate());
+  program.press(Key(U'_'));
+  EXPECT_TRUE(holds(program.draw().to_text(), "3 hits, 2 accepted"));
+}
+
+TEST(Program, CompletesCommands) {
+  EXPECT_TRUE(holds(played(":re"), "Tab: redo  report  retry"))
+      << played(":re");
+  EXPECT_TRUE(holds(played(":rep<Tab>"), "\n:report"));
+  EXPECT_TRUE(holds(played(":ad<Tab>added-m<Tab>"), "\n:add added-mass"));
+  EXPECT_TRUE(holds(played("wait\n:run 2<Enter>\nwait"), "run 2 of 2"));
+  EXPECT_TRUE(holds(played("wait\n:run x<Enter>"), "which run?"));
+  EXPECT_TRUE(
+      holds(played("wait\n:report out.md<Enter>\nwait"), "written: out.md"));
+  EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.md"));
+}
+
+TEST(Program, ShowsHowTheFitCameAbout) {
+  const std::string added = "5\nwait\na\nwait\n";
+  const Canvas canvas{120, 35, false};
+  EXPECT_TRUE(holds(played(added + "<Tab>\nwait", canvas),
+                    "fit with added-mass: 3 steps on the damped line, "
+                    "converged"));
+  const std::string correlation = played(added + "<Tab><Tab>\nwait", canvas);
+  EXPECT_TRUE(holds(correlation, "  42")) << correlation;
+  EXPECT_TRUE(holds(correlation, "tell all parameters apart"));
+  EXPECT_TRUE(holds(played(added + "<Tab><Tab><Tab>\nwait", canvas),
+                    "no lambda to choose"));
+}
+
+TEST(Program, MapsTheSignatureOfEveryGrid) {
+  const std::string text = played("5\nwait\nm\nwait", {120, 35});
+  EXPECT_TRUE(holds(text, "alone explain: 5 97.0 %, 6 90.0 %, 3 60.0 %"))
+      << text;
+}
+
 TEST(Program, Quits) {
   Program program(testing::fake_workbench(), {});
   program.press(Key(U'q'));

@@ -1,6 +1,7 @@
 #include "tui/commands/command_line.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/commands/app_options.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
@@ -111,7 +112,7 @@ constexpr std::array<Entry, 17> entries{{
     {"session",
      "Do again what was saved in the terminal",
      session_command,
-     SavedFile},
+     SavedFile | Output},
     {"report",
      "A Markdown report of the finished work",
      report_command,
@@ -335,22 +336,6 @@ void add_own(CLI::App& app,
     invocation.name = name;
     invocation.passed_on = command->remaining();
   });
-}
-
-void add_terminal_options(CLI::App& app, Invocation& invocation) {
-  app.add_option("BUNDLE",
-                 invocation.options.input,
-                 "Test bundle to open in the terminal");
-  app.add_flag("--ascii", invocation.app.ascii, "Only ASCII characters");
-  app.add_flag("--no-colour,--no-color",
-               invocation.app.no_colour,
-               "No colours (as NO_COLOR)");
-  app.add_flag("--no-mouse", invocation.app.no_mouse, "Leave the mouse alone");
-  app.add_option("--keys",
-                 invocation.app.keys_file,
-                 "Replay a key script without a terminal");
-  app.add_option("--width", invocation.app.width, "Columns of the replay");
-  app.add_option("--height", invocation.app.height, "Rows of the replay");
 }
 
 }  // namespace

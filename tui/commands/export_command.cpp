@@ -31,8 +31,8 @@ void add_effects(updating::Session& session,
   if (options.effects.empty()) add_diagnosed(session, progress);
 }
 
-// The deck that was read is the engineer's own: it is never written over. A
-// model given as matrices has none.
+}  // namespace
+
 void check_deck_path(updating::Session& session,
                      const std::filesystem::path& path) {
   if (session.bundle().matrices) {
@@ -48,6 +48,8 @@ void check_deck_path(updating::Session& session,
                      "give the updated deck another name");
   }
 }
+
+namespace {
 
 void add_piece(const std::vector<int>& grids,
                bool closed,
@@ -104,9 +106,11 @@ void write_records(updating::Session& session,
   finish(file, path);
 }
 
-void write_uff(updating::Session& session,
-               const std::filesystem::path& path,
-               const Progress& progress) {
+}  // namespace
+
+void write_measured_uff(updating::Session& session,
+                        const std::filesystem::path& path,
+                        const Progress& progress) {
   const std::string& title = session.bundle().title;
   const signal::FrfSet& frfs = session.frfs(progress);
   const modal::ModeSet& modes = session.modes(progress);
@@ -116,8 +120,6 @@ void write_uff(updating::Session& session,
   write_geometry(geometry_of(session), file);
   finish(file, path);
 }
-
-}  // namespace
 
 std::string export_command(const CommandOptions& options,
                            const Progress& progress) {
@@ -129,7 +131,7 @@ std::string export_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   std::vector<std::string> written;
   if (options.uff) {
-    write_uff(session, *options.uff, progress);
+    write_measured_uff(session, *options.uff, progress);
     written.push_back(options.uff->string());
   }
   if (options.records) {

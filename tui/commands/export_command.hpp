@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tui/commands/command.hpp"
+#include "updating/session.hpp"
 
 namespace tapfit::tui {
 
@@ -15,5 +16,17 @@ namespace tapfit::tui {
 ///   written, for a deck where the bundle has none; Stopped
 [[nodiscard]] std::string export_command(const CommandOptions& options,
                                          const Progress& progress);
+
+/// FRFs (dataset 58) and modes (dataset 55) in one universal file.
+/// @throws InputError where it cannot be written; Stopped
+void write_measured_uff(updating::Session& session,
+                        const std::filesystem::path& path,
+                        const Progress& progress);
+
+/// The deck that was read is the engineer's own: it is never written over. A
+/// model given as matrices has none.
+/// @throws InputError
+void check_deck_path(updating::Session& session,
+                     const std::filesystem::path& path);
 
 }  // namespace tapfit::tui

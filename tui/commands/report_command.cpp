@@ -1,17 +1,16 @@
 #include "tui/commands/report_command.hpp"
 
-#include "acquisition/input_error.hpp"
 #include "tui/commands/add_diagnosed.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
+#include "tui/session_report.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 
 namespace tapfit::tui {
@@ -60,15 +59,6 @@ std::string model_sections(updating::Session& session,
          before_after_table(before, session.comparison(progress));
 }
 
-void write_text(const std::string& text, const std::filesystem::path& path) {
-  std::ofstream file(path);
-  file << text;
-  if (!file.flush()) {
-    throw InputError(
-        "cannot be written", path.string(), "check folder and permissions");
-  }
-}
-
 }  // namespace
 
 std::string before_after_table(const updating::Comparison& before,
@@ -98,7 +88,7 @@ std::string report_command(const CommandOptions& options,
               ? model_sections(session, progress)
               : "\nThe bundle names no model: the work ends with the modes.\n";
   if (!options.output) return text;
-  write_text(text, *options.output);
+  write_text_file(text, *options.output);
   return fmt::format("Report written to {}\n", options.output->string());
 }
 

@@ -4,6 +4,7 @@
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "tui/session_file.hpp"
+#include "tui/session_report.hpp"
 
 #include <fmt/format.h>
 
@@ -76,6 +77,9 @@ std::string session_command(const CommandOptions& options,
   session.take_up(then);
   static_cast<void>(session.ladder(progress));
   const updating::SavedSession now = session.saved(progress);
+  if (options.output) {
+    write_text_file(session_report(session, progress), *options.output);
+  }
   if (options.json) return updating::as_text(now);
   const std::string other = differences(then, now);
   return session_text(now) +

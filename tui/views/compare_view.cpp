@@ -16,39 +16,14 @@
 namespace tapfit::tui {
 namespace {
 
+/// What the keys move in stands out.
+Style heading(bool focused) {
+  return focused ? Style{.colour = Colour::Sky, .bold = true}
+                 : Style{.colour = Colour::Grey};
+}
+
 double value_or_nan(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : std::nan("");
-}
-
-Table frf_table(const CompareInput& input) {
-  Table table{{{"FRF"}, {"error", true}, {"FRAC", true}}, {}};
-  for (std::size_t i = 0; i < input.frfs.frfs.size(); ++i) {
-    table.rows.push_back({{signal::name(input.frfs.frfs[i]),
-                           percent(value_or_nan(input.comparison.frf_error, i)),
-                           fixed(value_or_nan(input.comparison.frac, i), 3)},
-                          {}});
-  }
-  return table;
-}
-
-Table pair_table(const updating::Comparison& c) {
-  Table table{{{"measured Hz", true},
-               {"model Hz", true},
-               {"error %", true},
-               {"MAC", true}},
-              {}};
-  for (const updating::ModePair& pair : c.pairs) {
-    Style style;
-    if (pair.mac < 0.9) style.colour = Colour::Orange;
-    table.rows.push_back({{fixed(pair.measured_hz, 3),
-                           fixed(pair.model_hz, 3),
-                           fmt::format("{}{}",
-                                       pair.error_percent > 0 ? "+" : "",
-                                       fixed(pair.error_percent, 2)),
-                           fixed(pair.mac, 3)},
-                          style});
-  }
-  return table;
 }
 
 /// At most three cells, to stand above a narrow column.
@@ -73,7 +48,9 @@ void name_bands(HeatMap& map,
 void draw_error_map(Screen& screen,
                     const Rect& rect,
                     const CompareInput& input,
-                    std::size_t selected) {
+                    std::size_t selected,
+                    std::size_t band,
+                    bool focused) {
   const updating::Comparison& c = input.comparison;
   if (c.frf_band_error.size() == 0) return;
   HeatMap map;
@@ -89,35 +66,118 @@ void draw_error_map(Screen& screen,
   map.scale = std::max(largest, 1e-12);
   const int rows = rect.height - 2;
   map.selected = static_cast<int>(selected);
+  if (focused) map.column = static_cast<int>(band);
   map.top = std::clamp(map.selected - rows / 2,
                        0,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
   screen.text(rect.x + 1,
               rect.y,
               "error in %, bands up to Hz",
-              {.colour = Colour::Grey},
+              heading(focused),
               rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);
+}
+
+/// Four steps from the best to the worst point.
+Colour error_colour(double error, double largest) {
+  const double share = largest > 0.0 ? error / largest : 0.0;
+  return share > 0.75   ? Colour::Red
+         : share > 0.5  ? Colour::Orange
+         : share > 0.25 ? Colour::Yellow
+                        : Colour::Green;
 }
 
 void draw_points(Screen& screen,
                  const Rect& rect,
                  const CompareInput& input,
                  const CompareState& state) {
-  if (input.wire == nullptr) return;
+  const auto points = worst_points(input.comparison);
+  if (input.wire == nullptr || points.empty()) return;
+  const std::size_t selected = std::min(state.point, points.size() - 1);
   Scene scene;
-  double largest = 1e-12;
-  for (const auto& [node, error] : input.comparison.point_error) {
-    if (std::isfinite(error)) largest = std::max(largest, error);
+  for (std::size_t i = points.size(); i-- > 0;) {
+    const auto& [node, error] = points[i];
+    Mark mark{
+        node, U'●', {.colour = error_colour(error, points[0].second)}, ""};
+    mark.style.reverse = i == selected;
+    mark.style.bold = i == selected;
+    if (i == selected) mark.label = fmt::format("{}: {}", node, percent(error));
+    scene.marks.push_back(std::move(mark));
   }
-  for (const auto& [node, error] : input.comparison.point_error) {
-    const bool bad = error > 0.7 * largest;
-    scene.marks.push_back({node,
-                           U'●',
-                           {.colour = bad ? Colour::Red : Colour::Green},
-                           fmt::format("{}:{}", node, percent(error))});
+  // The selected one on top, so that its label is not drawn over.
+  std::stable_partition(scene.marks.begin(),
+                        scene.marks.end(),
+                        [](const Mark& m) { return m.label.empty(); });
+  screen.text(rect.x + 1,
+              rect.y,
+              "error at the measured points",
+              heading(true),
+              rect.width - 1);
+  const auto [body, lines] =
+      split_top(split_top(rect, 1).second, rect.height - 3);
+  draw_wireframe(screen, body, *input.wire, scene, state.pose);
+  std::string words = "worst: ";
+  for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 3); ++i) {
+    words += fmt::format("{}{} {}",
+                         i == 0 ? "" : ", ",
+                         points[i].first,
+                         percent(points[i].second));
   }
-  draw_wireframe(screen, rect, *input.wire, scene, state.pose);
+  screen.text(
+      lines.x + 1, lines.y, words, {.colour = Colour::Grey}, lines.width - 1);
+  int x = lines.x + 1;
+  for (const auto& [share, words_of] :
+       {std::pair{0.2, "to 1/4"}, {0.4, "1/2"}, {0.6, "3/4"}, {1.0, "worst"}}) {
+    screen.put(x, lines.y + 1, U'●', {.colour = error_colour(share, 1.0)});
+    x = screen.text(x + 1, lines.y + 1, words_of, {.colour = Colour::Grey}) + 1;
+  }
+}
+
+void draw_mac(Screen& screen,
+              const Rect& rect,
+              const updating::Comparison& c,
+              const CompareState& state) {
+  screen.text(rect.x + 1,
+              rect.y,
+              "MAC in %: measured (rows, Hz) with model",
+              heading(true),
+              rect.width - 1);
+  HeatMap map;
+  map.values = c.mac;
+  map.row_names.resize(static_cast<std::size_t>(c.mac.rows()), "–");
+  for (const updating::ModePair& pair : c.pairs) {
+    if (pair.measured < c.mac.rows()) {
+      map.row_names[static_cast<std::size_t>(pair.measured)] =
+          fixed(pair.measured_hz, 2);
+    }
+  }
+  for (const double f : c.modes.frequency_hz) {
+    map.column_names.push_back(number(f, 3));
+  }
+  map.selected = static_cast<int>(state.mac_row);
+  map.column = static_cast<int>(state.mac_column);
+  const Rect body = split_top(rect, 1).second;
+  map.left = std::max(map.column - fitting_columns(body, map) + 1, 0);
+  map.top = std::max(map.selected - body.height + 2, 0);
+  draw_heat_map(screen, body, map);
+}
+
+void draw_right(Screen& screen,
+                const Rect& rect,
+                const CompareInput& input,
+                const CompareState& state) {
+  using Focus = CompareState::Focus;
+  if (state.focus == Focus::Structure) {
+    draw_points(screen, rect, input, state);
+  } else if (state.focus == Focus::Mac) {
+    draw_mac(screen, rect, input.comparison, state);
+  } else {
+    draw_table(screen,
+               rect,
+               compared_pairs(input.comparison),
+               state.pairs,
+               state.focus == Focus::Pairs);
+  }
 }
 
 void draw_overlay(Screen& screen,
@@ -155,6 +215,50 @@ void draw_overlay(Screen& screen,
 
 }  // namespace
 
+Table compared_frfs(const CompareInput& input) {
+  Table table{{{"FRF"}, {"error", true}, {"FRAC", true}}, {}};
+  for (std::size_t i = 0; i < input.frfs.frfs.size(); ++i) {
+    table.rows.push_back({{signal::name(input.frfs.frfs[i]),
+                           percent(value_or_nan(input.comparison.frf_error, i)),
+                           fixed(value_or_nan(input.comparison.frac, i), 3)},
+                          {}});
+  }
+  return table;
+}
+
+Table compared_pairs(const updating::Comparison& c) {
+  Table table{{{"measured Hz", true},
+               {"model Hz", true},
+               {"error %", true},
+               {"MAC", true}},
+              {}};
+  for (const updating::ModePair& pair : c.pairs) {
+    Style style;
+    if (pair.mac < 0.9) style.colour = Colour::Orange;
+    table.rows.push_back({{fixed(pair.measured_hz, 3),
+                           fixed(pair.model_hz, 3),
+                           fmt::format("{}{}",
+                                       pair.error_percent > 0 ? "+" : "",
+                                       fixed(pair.error_percent, 2)),
+                           fixed(pair.mac, 3)},
+                          style});
+  }
+  return table;
+}
+
+std::vector<std::pair<int, double>> worst_points(
+    const updating::Comparison& c) {
+  std::vector<std::pair<int, double>> points;
+  for (const auto& [node, error] : c.point_error) {
+    if (std::isfinite(error)) points.emplace_back(node, error);
+  }
+  std::stable_sort(
+      points.begin(), points.end(), [](const auto& a, const auto& b) {
+        return a.second > b.second;
+      });
+  return points;
+}
+
 std::string error_sentence(const updating::Comparison& c) {
   return fmt::format("error {} (floor {}: noise {}, mesh {})",
                      percent(c.error),
@@ -176,7 +280,7 @@ Screen compare_view(const CompareInput& input,
                  c.floor,
                  std::max({1.2 * c.error, 2.0 * c.floor, 1e-9}));
   if (input.frfs.frfs.empty()) return screen;
-  const Table table = frf_table(input);
+  const Table table = compared_frfs(input);
   const std::size_t selected = settled(table, state.list);
   const Rect body{0, 1, canvas.width, canvas.height - 1};
   const auto [upper, lower] = split_top(body, body.height * 9 / 20);
@@ -184,60 +288,15 @@ Screen compare_view(const CompareInput& input,
   const auto [first, rest] = split_left(upper, wide ? 32 : 0);
   if (wide) draw_table(screen, first, table, state.list, true);
   const auto [map, pairs] = split_left(rest, rest.width - 40);
-  draw_error_map(screen, map, input, selected);
-  if (state.structure) {
-    draw_points(screen, pairs, input, state);
-  } else {
-    draw_table(screen, pairs, pair_table(c), {}, false);
-  }
+  draw_error_map(screen,
+                 map,
+                 input,
+                 selected,
+                 state.band,
+                 state.focus == CompareState::Focus::Map);
+  draw_right(screen, pairs, input, state);
   draw_overlay(screen, lower, input, state, selected);
   return screen;
-}
-
-Screen ComparePage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return compare_view(
-      {*known.comparison, *known.frfs, known.wire.get()}, state_, canvas);
-}
-
-bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
-  const CompareInput input{*known.comparison, *known.frfs, known.wire.get()};
-  const Table table = frf_table(input);
-  if (key == U'x') {
-    state_.log = !state_.log;
-  } else if (key == keys::tab || key == U'm') {
-    state_.structure = !state_.structure;
-  } else if (key == keys::enter) {
-    command.kind = Command::Kind::ShowFrf;
-    command.frf = settled(table, state_.list);
-  } else if (!list_key(state_.list, table, key) &&
-             !pose_key(state_.pose, key)) {
-    const FrequencySpan span = frequency_span(*known.frfs);
-    return range_key(
-        state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
-  }
-  return true;
-}
-
-std::vector<KeyHelp> ComparePage::keys() const {
-  return {{"j k", "FRF"},
-          {"h l", "cursor"},
-          {"Tab", "pairs/structure"},
-          {"x", "log/linear"},
-          {"Enter", "FRF screen"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"< > ( )", "turn"},
-          {"_", "whole band"},
-          {"/", "filter"}};
-}
-
-std::string ComparePage::help() const {
-  return "The error is the root mean square of measured minus model over all "
-         "FRFs and lines, each line divided by its mean measured magnitude, "
-         "so that resonances and valleys count alike. The floor is what the "
-         "scatter over hits and the mesh allow; a bar is green once it is "
-         "within 1.3 of its floor. The map says which FRF fails in which "
-         "band, the table which mode, the structure which point.";
 }
 
 }  // namespace tapfit::tui

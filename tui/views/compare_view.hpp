@@ -1,4 +1,5 @@
-// Screen 4: the model over the measurement, and where it fails.
+// Screen 4: where the model fails: error per FRF and band, per mode, per
+// measured point; the curves behind each number below.
 #pragma once
 
 #include "tui/plot_range.hpp"
@@ -15,17 +16,30 @@ struct CompareInput {
 struct CompareState {
   ListState list;   ///< FRFs
   PlotRange range;  ///< [Hz]
-  Pose pose;
   bool log = true;
-  bool structure = false;  ///< error per point instead of the pairs
+  /// What the keys move in.
+  enum class Focus { Frfs, Map, Pairs, Mac, Structure } focus = Focus::Frfs;
+  std::size_t band = 0;  ///< column of the map
+  ListState pairs;
+  std::size_t mac_row = 0;
+  std::size_t mac_column = 0;
+  std::size_t point = 0;  ///< of the measured points, the worst first
+  Pose pose;
 };
 
 [[nodiscard]] Screen compare_view(const CompareInput& input,
                                   const CompareState& state,
                                   const Canvas& canvas);
 
-/// "error 38.8 % (floor 3.1 %: noise 0.9 %, mesh 2.9 %)".
+/// "error 38.8 % (floor 3.1 %: noise 1.0 %, mesh 3.0 %)"
 [[nodiscard]] std::string error_sentence(const updating::Comparison& c);
+
+/// Measured grids with their error, the worst first.
+[[nodiscard]] std::vector<std::pair<int, double>> worst_points(
+    const updating::Comparison& c);
+
+[[nodiscard]] Table compared_frfs(const CompareInput& input);
+[[nodiscard]] Table compared_pairs(const updating::Comparison& c);
 
 class ComparePage final : public Page {
  public:
@@ -39,12 +53,18 @@ class ComparePage final : public Page {
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool click(const Snapshot& known, const Zone& zone, int x) override;
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 
  private:
+  bool move(const CompareInput& input, Key key);
+  void enter(const CompareInput& input, Command& command);
+  void look_at(const CompareInput& input, double low_hz, double high_hz);
+  [[nodiscard]] bool looks_at(double low_hz, double high_hz) const;
+
   CompareState state_;
 };
 

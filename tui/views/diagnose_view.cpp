@@ -56,15 +56,17 @@ Table wide_table(const updating::Diagnosis& d, int width, bool ascii) {
   return table;
 }
 
-Table narrow_table(const updating::Diagnosis& d) {
+Table narrow_table(const updating::Diagnosis& d, bool ascii) {
   Table table{
-      {{"prob", true}, {"effect"}, {"where"}, {"error", true}, {"size"}}, {}};
+      {{"prob", true}, {""}, {"effect"}, {"where"}, {"error", true}, {"size"}},
+      {}};
   for (const Candidate& c : d.candidates) {
     table.rows.push_back({{probability(c.probability),
+                           bar(c.probability, 4, ascii),
                            c.effect,
-                           clipped(place(c.where), 18),
+                           clipped(place(c.where), 15),
                            percent(c.error),
-                           first_size(c, false, 22)},
+                           first_size(c, false, 20)},
                           {}});
   }
   return table;
@@ -72,8 +74,11 @@ Table narrow_table(const updating::Diagnosis& d) {
 
 bool is_wide(int width) { return width >= 110; }
 
+}  // namespace
+
 Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
-  Table table = is_wide(width) ? wide_table(d, width, ascii) : narrow_table(d);
+  Table table =
+      is_wide(width) ? wide_table(d, width, ascii) : narrow_table(d, ascii);
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
     if (!d.candidates[i].indistinguishable_from.empty()) {
       table.rows[i].style.colour = Colour::Yellow;
@@ -81,6 +86,8 @@ Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
   }
   return table;
 }
+
+namespace {
 
 std::string look_alikes(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return "told apart from all others";
@@ -135,7 +142,7 @@ void draw_signature(Screen& screen,
     return;
   }
   const Signature& s = *found->second;
-  const Plot plot = signature_plot(s, state.range);
+  const Plot plot = signature_plot(s, state.range, state.all_laws);
   const auto parts = split_top(rect, rect.height - 3);
   const Rect& body = parts.first;
   const Rect& text = parts.second;
@@ -177,6 +184,56 @@ void draw_place(Screen& screen,
   }
   scene.highlighted = grids;
   draw_wireframe(screen, rect, *input.wire, scene, state.pose);
+}
+
+/// Grids by how well each alone explains what is missing: those that come
+/// near the best one.
+void draw_map(Screen& screen,
+              const Rect& rect,
+              const DiagnoseInput& input,
+              const DiagnoseState& state) {
+  if (input.wire == nullptr) return;
+  if (input.map == nullptr || input.map->empty()) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                "signature of every grid …",
+                {.colour = Colour::Grey});
+    return;
+  }
+  const std::vector<updating::GridShare>& map = *input.map;
+  const double best = std::max(map.front().explained, 1e-9);
+  Scene scene;
+  for (std::size_t i = map.size(); i-- > 0;) {
+    const double share = map[i].explained / best;
+    if (share < 0.5) continue;
+    const Colour colour = share > 0.95   ? Colour::Red
+                          : share > 0.85 ? Colour::Orange
+                          : share > 0.7  ? Colour::Yellow
+                                         : Colour::Green;
+    scene.marks.push_back(
+        {map[i].node,
+         U'●',
+         {.colour = colour, .bold = i == 0},
+         i == 0 ? fmt::format("{}: {}", map[i].node, percent(map[i].explained))
+                : std::string()});
+  }
+  const auto [body, lines] = split_top(rect, rect.height - 2);
+  draw_wireframe(screen, body, *input.wire, scene, state.pose);
+  std::string words = "alone explain: ";
+  for (std::size_t i = 0; i < std::min<std::size_t>(map.size(), 3); ++i) {
+    words += fmt::format(
+        "{}{} {}", i == 0 ? "" : ", ", map[i].node, percent(map[i].explained));
+  }
+  screen.text(
+      lines.x + 1, lines.y, words, {.colour = Colour::Grey}, lines.width - 1);
+  int x = lines.x + 1;
+  for (const auto& [colour, what] : {std::pair{Colour::Red, "95 % of the best"},
+                                     {Colour::Orange, "85"},
+                                     {Colour::Yellow, "70"},
+                                     {Colour::Green, "50"}}) {
+    screen.put(x, lines.y + 1, U'●', {.colour = colour});
+    x = screen.text(x + 1, lines.y + 1, what, {.colour = Colour::Grey}) + 1;
+  }
 }
 
 /// Lines below each other from row y; returns the row after them.
@@ -269,71 +326,12 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
   draw_signature(screen, left, input, state, grids);
-  draw_place(screen, right, input, state, grids);
+  if (state.map) {
+    draw_map(screen, right, input, state);
+  } else {
+    draw_place(screen, right, input, state, grids);
+  }
   return screen;
-}
-
-std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
-  std::vector<Need> needs{{Stage::Model}};
-  const updating::Diagnosis& d = *known.diagnosis;
-  if (d.candidates.empty()) return needs;
-  const Table table = candidate_table(d, 80, true);
-  const Candidate& c = d.candidates[settled(table, state_.list)];
-  const std::vector<int> grids = grids_of(*known.bundle, c.where);
-  if (!grids.empty()) needs.push_back({Stage::Signature, grids[0]});
-  return needs;
-}
-
-Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return diagnose_view(
-      {*known.bundle, *known.diagnosis, known.signatures, known.wire.get()},
-      state_,
-      canvas);
-}
-
-bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
-  const updating::Diagnosis& d = *known.diagnosis;
-  const Table table = candidate_table(d, 80, true);
-  if (key == U'a' || key == keys::enter) {
-    if (d.candidates.empty()) return true;
-    const Candidate& c = d.candidates[settled(table, state_.list)];
-    command.kind = Command::Kind::Add;
-    command.effect = {c.effect, c.where};
-    return true;
-  }
-  if (list_key(state_.list, table, key)) return true;
-  if (pose_key(state_.pose, key)) return true;
-  for (const auto& [node, signature] : known.signatures) {
-    const Eigen::VectorXd& f = signature->frequency_hz;
-    if (f.size() > 1) {
-      return range_key(state_.range, key, f[0], f[f.size() - 1]);
-    }
-  }
-  return false;
-}
-
-std::vector<KeyHelp> DiagnosePage::keys() const {
-  return {{"j k", "candidate"},
-          {"a", "add it"},
-          {"u", "undo"},
-          {"^R", "redo"},
-          {"h l", "cursor"},
-          {"< > ( )", "turn"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"/", "filter"}};
-}
-
-std::string DiagnosePage::help() const {
-  return "Physical effects that may be missing from the model, most probable "
-         "first: where, how large (± one standard deviation), the error left "
-         "after adding it, and, for the best, the error on data left out of "
-         "the fit. Yellow ones can't be told apart from others with these "
-         "points. The plot is "
-         "the missing dynamic stiffness at the place: a mass falls with the "
-         "square of frequency, a spring is constant, a dashpot is imaginary "
-         "and rises. The dashed curve is the law that fits best. a adds the "
-         "candidate to the model and identifies all parameters anew.";
 }
 
 }  // namespace tapfit::tui

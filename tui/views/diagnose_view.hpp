@@ -13,14 +13,21 @@ struct DiagnoseInput {
   const updating::Diagnosis& diagnosis;
   const std::map<int, std::shared_ptr<const updating::Signature>>& signatures;
   const Wireframe* wire = nullptr;
+  /// How well each grid alone explains what is missing, once it is known.
+  const std::vector<updating::GridShare>* map = nullptr;
 };
 
 struct DiagnoseState {
   ListState list;   ///< candidates
   PlotRange range;  ///< [Hz], of the signature
   Pose pose;
-  bool log = false;
+  bool map = false;       ///< all grids instead of the candidate's place
+  bool all_laws = false;  ///< mass, spring and dashpot, not the best alone
 };
+
+[[nodiscard]] Table candidate_table(const updating::Diagnosis& d,
+                                    int width,
+                                    bool ascii);
 
 [[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
                                    const DiagnoseState& state,

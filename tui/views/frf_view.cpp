@@ -227,9 +227,15 @@ bool FrfPage::press_band(const FrfSet& frfs, Key key) {
   return true;
 }
 
-bool FrfPage::press(const Snapshot& known, Key key, Command&) {
+bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
   const FrfSet& frfs = *known.frfs;
   if (frfs.frfs.empty()) return false;
+  if (key == keys::enter && !known.bundle->runs.empty()) {
+    command.kind = Command::Kind::ShowRun;
+    command.run =
+        frfs.frfs[settled(frf_table(frfs, state_.tagged), state_.list)].run;
+    return true;
+  }
   if (press_view(known, key) || press_band(frfs, key)) return true;
   const Table table = state_.checks && known.frf_checks
                           ? check_table(frfs, *known.frf_checks)
@@ -247,6 +253,7 @@ std::vector<KeyHelp> FrfPage::keys() const {
           {"n p", "peak"},
           {"d", "checks"},
           {"m", "band cursor"},
+          {"Enter", "its hits"},
           {"x", "log/linear"},
           {"z", "zoom to band"},
           {"+ -", "zoom"},

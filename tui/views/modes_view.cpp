@@ -1,8 +1,6 @@
 #include "tui/views/modes_view.hpp"
 
-#include "acquisition/channel_names.hpp"
 #include "modal/mac.hpp"
-#include "modal/sensor_shifts.hpp"
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
@@ -21,21 +19,6 @@
 namespace tapfit::tui {
 namespace {
 
-Table mode_table(const modal::ModeSet& modes) {
-  Table table{{{"#", true}, {"f Hz", true}, {"damping %", true}, {"MPC", true}},
-              {}};
-  for (std::size_t i = 0; i < modes.modes.size(); ++i) {
-    const modal::Mode& mode = modes.modes[i];
-    table.rows.push_back(
-        {{std::to_string(i + 1),
-          with_sd(mode.frequency_hz, mode.frequency_sd_hz, 1),
-          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd, 1),
-          fixed(mode.mpc, 3)},
-         {}});
-  }
-  return table;
-}
-
 /// Turns a complex shape so that its real part is as large as possible:
 /// the angle is half that of sum phi^2.
 Eigen::VectorXd realised(const Eigen::VectorXcd& shape) {
@@ -51,24 +34,32 @@ Colour letter_colour(char letter) {
   return Colour::Grey;
 }
 
-/// The mean magnitude of all FRFs, scaled into the diagram's orders.
-Curve background(const signal::FrfSet& frfs, double orders) {
-  Curve curve{"", frfs.frequency_hz(), {}, {}, {}, {Colour::Grey}};
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(curve.x.size());
-  for (const signal::Frf& frf : frfs.frfs) {
-    if (frf.H.size() == mean.size()) mean += frf.H.cwiseAbs();
+/// Curves on a logarithmic scale of their own, laid into the diagram's orders.
+std::vector<Curve> background(const ModesInput& input, double orders) {
+  const Eigen::VectorXd f = input.frfs->frequency_hz();
+  Eigen::MatrixXd values;
+  if (input.cmif != nullptr && input.cmif->rows() == f.size()) {
+    values =
+        input.cmif->leftCols(std::min<Eigen::Index>(input.cmif->cols(), 3));
+  } else {
+    values = Eigen::MatrixXd::Zero(f.size(), 1);
+    for (const signal::Frf& frf : input.frfs->frfs) {
+      if (frf.H.size() == f.size()) values.col(0) += frf.H.cwiseAbs();
+    }
   }
-  if (mean.size() == 0 || !(mean.maxCoeff() > 0.0)) return {};
-  const double top = std::log10(mean.maxCoeff());
-  const double bottom =
-      std::log10(std::max(mean.minCoeff(), 1e-6 * mean.maxCoeff()));
-  const double span = std::max(top - bottom, 1e-9);
-  curve.y.resize(mean.size());
-  for (Eigen::Index i = 0; i < mean.size(); ++i) {
-    const double level = std::log10(std::max(mean[i], 1e-300)) - bottom;
-    curve.y[i] = orders * std::max(level, 0.0) / span;
+  if (values.size() == 0 || !(values.col(0).maxCoeff() > 0.0)) return {};
+  const double top = std::log10(values.maxCoeff());
+  const double lowest = std::max(values.minCoeff(), 1e-5 * values.maxCoeff());
+  const double span = std::max(top - std::log10(lowest), 1e-9);
+  std::vector<Curve> curves;
+  for (Eigen::Index c = 0; c < values.cols(); ++c) {
+    Curve curve{"", f, {}, {}, {}, {Colour::Grey, Pattern::Solid, '.', c > 0}};
+    const Eigen::ArrayXd level =
+        values.col(c).array().max(1e-300).log10() - std::log10(lowest);
+    curve.y = orders * level.max(0.0) / span;
+    curves.push_back(std::move(curve));
   }
-  return curve;
+  return curves;
 }
 
 void draw_diagram(Screen& screen,
@@ -90,12 +81,13 @@ void draw_diagram(Screen& screen,
   }
   if (input.frfs != nullptr && input.frfs->lines() > 1) {
     span = frequency_span(*input.frfs);
-    plot.curves.push_back(background(*input.frfs, orders));
+    plot.curves = background(input, orders);
   }
   const PlotRange shown = resolved(state.range, span.lo, span.hi);
   plot.x = {"f", "Hz", shown.lo, shown.hi, false};
   plot.y = {"order", "", 0.0, orders + 1.0, false};
-  plot.title = "stabilisation";
+  const bool cmif = input.cmif != nullptr && input.cmif->size() > 0;
+  plot.title = cmif ? "stabilisation over CMIF" : "stabilisation over mean |H|";
   if (shown.cursor_set) plot.cursor = shown.cursor;
   for (std::size_t i = 0; i < input.modes.modes.size(); ++i) {
     Style style{.colour = Colour::Yellow, .bold = true};
@@ -128,19 +120,51 @@ void draw_shape_bars(Screen& screen,
   }
 }
 
+/// The one asked for, else the one that is paired.
+std::optional<std::size_t> model_mode_of(const ModesInput& input,
+                                         const ModesState& state,
+                                         std::size_t selected) {
+  if (input.comparison == nullptr || input.wire == nullptr) return {};
+  const updating::Comparison& c = *input.comparison;
+  if (static_cast<Eigen::Index>(selected) >= c.mac.rows()) return {};
+  const auto count = static_cast<std::size_t>(
+      std::min(c.mac.cols(), c.modes.frequency_hz.size()));
+  if (state.model_mode && *state.model_mode < count) return state.model_mode;
+  for (const updating::ModePair& pair : c.pairs) {
+    if (pair.measured == static_cast<int>(selected) && pair.model >= 0 &&
+        static_cast<std::size_t>(pair.model) < count) {
+      return static_cast<std::size_t>(pair.model);
+    }
+  }
+  return std::nullopt;
+}
+
 void draw_shape(Screen& screen,
                 const Rect& rect,
                 const ModesInput& input,
                 const ModesState& state,
                 std::size_t selected) {
   const modal::Mode& mode = input.modes.modes[selected];
-  screen.text(
+  int x = screen.text(
       rect.x,
       rect.y,
-      fmt::format(
-          "mode {} at {} Hz", selected + 1, number(mode.frequency_hz, 5)),
-      {.bold = true},
+      fmt::format("mode {}: {} Hz", selected + 1, number(mode.frequency_hz, 5)),
+      {.colour = Colour::Orange, .bold = true},
       rect.width);
+  const std::optional<std::size_t> model =
+      state.model ? model_mode_of(input, state, selected) : std::nullopt;
+  if (model) {
+    const updating::Comparison& c = *input.comparison;
+    const auto row = static_cast<Eigen::Index>(selected);
+    const auto column = static_cast<Eigen::Index>(*model);
+    screen.text(x,
+                rect.y,
+                fmt::format(" over model {} Hz, MAC {}",
+                            number(c.modes.frequency_hz[column], 5),
+                            fixed(c.mac(row, column), 3)),
+                {.colour = Colour::Blue},
+                rect.x + rect.width - x);
+  }
   const Rect body = split_top(rect, 1).second;
   if (input.wire == nullptr) {
     draw_shape_bars(screen, body, input.modes, selected);
@@ -148,6 +172,9 @@ void draw_shape(Screen& screen,
   }
   Scene scene;
   scene.stems = stems(input.modes, selected);
+  if (model) {
+    scene.shape = model_shape(input.modes, selected, *input.comparison, *model);
+  }
   scene.phase = state.phase;
   draw_wireframe(screen, body, *input.wire, scene, state.pose);
 }
@@ -212,15 +239,22 @@ int draw_warning(Screen& screen, const ModesInput& input) {
   return rows;
 }
 
-std::string shift_statement(const Snapshot& known) {
-  if (!modal::is_telling(known.modes->shifts)) return {};
-  return modal::statement(*known.modes->shifts,
-                          known.bundle
-                              ? acquisition::channel_names(*known.bundle)
-                              : std::vector<std::string>{});
-}
-
 }  // namespace
+
+Table mode_table(const modal::ModeSet& modes) {
+  Table table{{{"#", true}, {"f Hz", true}, {"damping %", true}, {"MPC", true}},
+              {}};
+  for (std::size_t i = 0; i < modes.modes.size(); ++i) {
+    const modal::Mode& mode = modes.modes[i];
+    table.rows.push_back(
+        {{std::to_string(i + 1),
+          with_sd(mode.frequency_hz, mode.frequency_sd_hz, 1),
+          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd, 1),
+          fixed(mode.mpc, 3)},
+         {}});
+  }
+  return table;
+}
 
 std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
                                      std::size_t mode) {
@@ -236,6 +270,25 @@ std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
         dof.sign * shape[static_cast<Eigen::Index>(i)];
   }
   return found;
+}
+
+Eigen::Matrix3Xd model_shape(const modal::ModeSet& modes,
+                             std::size_t measured,
+                             const updating::Comparison& c,
+                             std::size_t model) {
+  const auto column = static_cast<Eigen::Index>(model);
+  const Eigen::VectorXd shape = realised(modes.modes.at(measured).shape);
+  if (column >= c.modes.at_grids.cols() || column >= c.modes.at_dofs.cols() ||
+      c.modes.at_dofs.rows() != shape.size() ||
+      c.modes.at_grids.rows() % 3 != 0) {
+    return {};
+  }
+  const Eigen::VectorXd at_dofs = c.modes.at_dofs.col(column);
+  const double size = at_dofs.squaredNorm();
+  if (!(size > 0.0)) return {};
+  const Eigen::VectorXd scaled =
+      at_dofs.dot(shape) / size * c.modes.at_grids.col(column);
+  return scaled.reshaped(3, scaled.size() / 3);
 }
 
 Screen modes_view(const ModesInput& input,
@@ -266,68 +319,6 @@ Screen modes_view(const ModesInput& input,
   draw_shape(screen, shape, input, state, selected);
   draw_diagram(screen, lower, input, state, selected);
   return screen;
-}
-
-std::vector<Need> ModesPage::welcome(const Snapshot& known) const {
-  std::vector<Need> needs;
-  if (known.has_model) needs.push_back({Stage::Model});
-  if (known.has_model && state_.mac) needs.push_back({Stage::Comparison});
-  return needs;
-}
-
-Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return modes_view({*known.modes,
-                     known.frfs.get(),
-                     known.wire.get(),
-                     known.comparison.get(),
-                     shift_statement(known)},
-                    state_,
-                    canvas);
-}
-
-bool ModesPage::press(const Snapshot& known, Key key, Command&) {
-  if (key == U'm') {
-    state_.mac = !state_.mac;
-  } else if (key == U' ') {
-    state_.moving = !state_.moving;
-    if (!state_.moving) state_.phase = 1.0;
-  } else if (!list_key(state_.list, mode_table(*known.modes), key) &&
-             !pose_key(state_.pose, key)) {
-    const FrequencySpan span = frequency_span(*known.frfs);
-    return range_key(state_.range, key, span.lo, span.hi);
-  }
-  return true;
-}
-
-bool ModesPage::animate(const Snapshot&) {
-  if (!state_.moving) return false;
-  constexpr int frames = 24;  // of one swing
-  state_.frame = (state_.frame + 1) % frames;
-  state_.phase = std::cos(2.0 * std::numbers::pi * state_.frame / frames);
-  return true;
-}
-
-std::vector<KeyHelp> ModesPage::keys() const {
-  return {{"j k", "mode"},
-          {"m", "MAC"},
-          {"Space", "animate"},
-          {"< >", "turn"},
-          {"( )", "tilt"},
-          {"{ }", "size"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"h l", "cursor"},
-          {"/", "filter"}};
-}
-
-std::string ModesPage::help() const {
-  return "Modes identified from the FRFs, with one standard deviation. MPC is "
-         "1 for a real shape. The diagram shows the poles of every model "
-         "order: o new, f stable in frequency, d also in damping, v also in "
-         "the vector, s in all; ▼ marks the modes that were taken, the grey "
-         "curve is the mean magnitude of the FRFs. The shape is drawn as "
-         "stems at the measured points. m shows the MAC with the model, "
-         "or of the measured modes among themselves where there is no model.";
 }
 
 }  // namespace tapfit::tui

@@ -14,6 +14,8 @@ struct ModesInput {
   const Wireframe* wire = nullptr;                   ///< empty: bars
   const updating::Comparison* comparison = nullptr;  ///< for MAC with the model
   std::string shifts{};  ///< what moves the poles between set-ups; or empty
+  /// Behind the diagram: lines x singular values; empty: the mean |H|.
+  const Eigen::MatrixXd* cmif = nullptr;
 };
 
 struct ModesState {
@@ -22,7 +24,11 @@ struct ModesState {
   Pose pose;
   bool mac = false;     ///< MAC instead of shape and diagram
   bool moving = false;  ///< the shape swings
-  double phase = 1.0;   ///< factor on the shape, -1 .. 1
+  bool turning = false;
+  bool model = true;  ///< the model's shape below the measured one
+  /// The model's mode to compare with, where it was asked for.
+  std::optional<std::size_t> model_mode;
+  double phase = 1.0;  ///< factor on the shape, -1 .. 1
   int frame = 0;
 };
 
@@ -30,10 +36,23 @@ struct ModesState {
                                 const ModesState& state,
                                 const Canvas& canvas);
 
+/// Frequency, damping, MPC.
+[[nodiscard]] Table mode_table(const modal::ModeSet& modes);
+
 /// Displacements of a mode at its grids, real part after the shape was turned
 /// to be as real as it gets; summed over the directions measured there.
 [[nodiscard]] std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
                                                    std::size_t mode);
+
+/// The model's shape at the deck's grids, scaled so that it fits the measured
+/// one best at the measured degrees of freedom (least squares).
+///
+/// @param model index of the model's mode
+/// @return 3 x n_grids; empty where the model has no such mode or shape
+[[nodiscard]] Eigen::Matrix3Xd model_shape(const modal::ModeSet& modes,
+                                           std::size_t measured,
+                                           const updating::Comparison& c,
+                                           std::size_t model);
 
 class ModesPage final : public Page {
  public:
@@ -46,6 +65,8 @@ class ModesPage final : public Page {
   bool press(const Snapshot& known, Key key, Command& command) override;
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
+  /// Shows a measured mode over a mode of the model.
+  void select(std::size_t measured, std::size_t model);
   bool animate(const Snapshot& known) override;
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;

@@ -6,19 +6,36 @@
 #include "tui/screen.hpp"
 #include "tui/snapshot.hpp"
 #include "tui/table.hpp"
+#include "tui/workbench.hpp"
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
 
 /// What a key asks for beyond the screen itself.
 struct Command {
-  enum class Kind { None, OverruleHit, RestoreHit, Add, Toggle, ShowFrf };
+  enum class Kind {
+    None,
+    OverruleHit,
+    RestoreHit,
+    Add,
+    Toggle,
+    ShowRun,
+    ShowFrf,
+    ShowMode,
+    Write
+  };
   Kind kind = Kind::None;
+  std::vector<std::pair<std::size_t, std::size_t>> hits;  ///< run, hit
   std::size_t run = 0;
-  std::size_t hit = 0;
   std::size_t frf = 0;
+  std::optional<double> hz;    ///< of ShowFrf: where to look
+  std::size_t mode = 0;        ///< of ShowMode: measured ...
+  std::size_t model_mode = 0;  ///< ... and the model's beside it
+  Output output = Output::Report;
   updating::EffectRef effect;
   std::size_t added = 0;  ///< of Toggle: which of those added
   std::string message;    ///< for the message line, if not empty

@@ -1,9 +1,11 @@
 #include "tui/views/recording_view.hpp"
 
+#include "tui/bars.hpp"
+#include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
-#include "tui/plot.hpp"
 #include "tui/text.hpp"
+#include "tui/views/recording_plots.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +34,8 @@ std::string verdict(const Hit& hit) {
       "{} {}", hit.accepted ? "✓" : "✗", fmt::join(reasons, ", "));
 }
 
-Table hit_table(const std::vector<Hit>& hits) {
+Table hit_table(const RecordingInput& input, const RecordingState& state) {
+  const std::vector<Hit>& hits = input.hits.runs[state.run];
   Table table{{{"#", true},
                {"time s", true},
                {"peak N", true},
@@ -41,7 +44,8 @@ Table hit_table(const std::vector<Hit>& hits) {
               {}};
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const Hit& hit = hits[i];
-    Row row{{std::to_string(i + 1),
+    const bool tagged = state.tagged.contains({state.run, i});
+    Row row{{fmt::format("{}{}", tagged ? "*" : "", i + 1),
              fixed(hit.time_s, 3),
              fixed(hit.peak_n, 1),
              fixed(1e3 * hit.pulse_s, 1),
@@ -50,59 +54,6 @@ Table hit_table(const std::vector<Hit>& hits) {
     table.rows.push_back(std::move(row));
   }
   return table;
-}
-
-std::string unit_of(acquisition::Quantity quantity) {
-  switch (quantity) {
-    case acquisition::Quantity::Force:
-      return "N";
-    case acquisition::Quantity::Acceleration:
-      return "m/s²";
-    case acquisition::Quantity::Velocity:
-      return "m/s";
-    case acquisition::Quantity::Displacement:
-      return "m";
-  }
-  return "";
-}
-
-Plot channel_plot(const RecordingInput& input,
-                  const RecordingState& state,
-                  std::size_t channel,
-                  int columns) {
-  const Trace& trace = input.traces[state.run];
-  const PlotRange shown = resolved(state.range, 0.0, trace.duration_s());
-  Plot plot;
-  plot.x = {"t", "s", shown.lo, shown.hi, false};
-  if (shown.cursor_set) plot.cursor = shown.cursor;
-  if (channel < input.bundle.channels.size()) {
-    const acquisition::Channel& c = input.bundle.channels[channel];
-    plot.y = {c.name, unit_of(c.quantity), 0.0, 0.0, false};
-  }
-  const Envelope e = envelope(trace,
-                              static_cast<Eigen::Index>(channel),
-                              shown.lo,
-                              shown.hi,
-                              2 * std::max(columns, 1));
-  plot.curves.push_back({"", e.time_s, {}, e.low, e.high, {Colour::Sky}});
-  return plot;
-}
-
-void mark_hits(Plot& plot,
-               const RecordingInput& input,
-               const std::vector<Hit>& hits,
-               std::size_t selected) {
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    const Hit& hit = hits[i];
-    Style style{.colour = hit.accepted ? Colour::Green : Colour::Red};
-    style.reverse = i == selected;
-    plot.markers.push_back({hit.time_s, hit.accepted ? U'▼' : U'✗', style});
-  }
-  if (selected >= hits.size() || !(input.hits.sample_rate_hz > 0.0)) return;
-  const double rate = input.hits.sample_rate_hz;
-  const double begin = static_cast<double>(hits[selected].begin) / rate;
-  const double block = static_cast<double>(input.hits.block) / rate;
-  plot.shades.push_back({begin, begin + block, {.colour = Colour::Grey}});
 }
 
 std::string run_line(const RecordingInput& input, const RecordingState& state) {
@@ -122,47 +73,133 @@ std::string run_line(const RecordingInput& input, const RecordingState& state) {
   return text;
 }
 
-/// What was decided about the recordings, on lines that fit beside the plots
-/// and leave half of the height to the hits.
-std::vector<std::string> statement_lines(const RecordingInput& input,
-                                         const Rect& side) {
-  std::vector<std::string> lines;
-  for (const std::string& statement : input.hits.statements) {
-    const std::vector<std::string> its = wrapped(statement, side.width - 1);
-    lines.insert(lines.end(), its.begin(), its.end());
+std::string hits_line(const RecordingInput& input,
+                      const RecordingState& state) {
+  const std::vector<Hit>& hits = input.hits.runs[state.run];
+  const auto accepted = std::count_if(
+      hits.begin(), hits.end(), [](const Hit& h) { return h.accepted; });
+  std::string text =
+      fmt::format("{} hits, {} accepted   block {} s, trigger {} N",
+                  hits.size(),
+                  accepted,
+                  number(static_cast<double>(input.hits.block) /
+                         std::max(input.hits.sample_rate_hz, 1e-9)),
+                  number(input.hits.trigger_n));
+  if (!state.tagged.empty()) {
+    text += fmt::format("   {} tagged", state.tagged.size());
   }
-  const auto room = static_cast<std::size_t>(std::max(side.height / 2, 0));
-  if (lines.size() > room) {
-    lines.resize(room);
-    if (room > 0) lines.back() = clipped(lines.back(), side.width - 3) + " …";
-  }
-  return lines;
+  return text;
 }
 
-void draw_plots(Screen& screen,
-                const Rect& area,
-                const RecordingInput& input,
-                const RecordingState& state,
-                const std::vector<Hit>& hits,
-                std::size_t selected) {
+/// How far the replay is, instead of the line about the hits.
+void draw_replay_line(Screen& screen,
+                      const RecordingInput& input,
+                      const RecordingState& state) {
+  const double length = input.traces[state.run].duration_s();
+  const std::string words =
+      fmt::format("{} {} of {} s, {} times as fast, {} hits  ",
+                  state.playing.paused ? "paused at" : "replay",
+                  fixed(state.playing.time_s, 1),
+                  fixed(length, 1),
+                  number(state.playing.speed, 3),
+                  hits_by(input, state.run, state.playing.time_s));
+  const int x = screen.text(1, 1, words, {.colour = Colour::Yellow});
+  screen.text(x,
+              1,
+              bar(length > 0.0 ? state.playing.time_s / length : 0.0,
+                  std::min(30, screen.width() - x - 1),
+                  screen.ascii()),
+              {.colour = Colour::Yellow});
+}
+
+/// Rows: sensors; columns: accepted hits.
+HeatMap coherence_map(const RecordingInput& input,
+                      const RecordingState& state,
+                      std::size_t selected) {
+  HeatMap map;
+  map.values = input.look->coherence.with_others;
+  map.shortfall = true;
+  map.scale = 0.1;
   const acquisition::Run& run = input.bundle.runs[state.run];
-  const auto [upper, lower] = split_top(area, area.height / 2 - 1);
-  Plot force = channel_plot(input, state, run.hammer.channel, area.width);
-  force.x_labels = false;
-  force.title = "hammer";
-  mark_hits(force, input, hits, selected);
-  draw_plot(screen, upper, force);
-  if (run.sensors.empty()) return;
-  const std::size_t at = state.sensor % run.sensors.size();
-  Plot response =
-      channel_plot(input, state, run.sensors[at].channel, area.width);
-  response.title = fmt::format(
-      "{} ({} of {})", name(run.sensors[at].dof), at + 1, run.sensors.size());
-  mark_hits(response, input, hits, selected);
-  draw_plot(screen, lower, response);
+  for (const acquisition::Placement& sensor : run.sensors) {
+    map.row_names.push_back(input.bundle.channels.at(sensor.channel).name);
+  }
+  const std::vector<std::size_t>& hits = input.look->coherence.hits;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    map.column_names.push_back(fmt::format("#{}", hits[k] + 1));
+    if (hits[k] == selected) map.column = static_cast<int>(k);
+  }
+  if (!run.sensors.empty()) {
+    map.selected = static_cast<int>(state.sensor % run.sensors.size());
+  }
+  return map;
+}
+
+void draw_statements(Screen& screen,
+                     const Rect& rect,
+                     const acquisition::HitSet& hits) {
+  int y = rect.y;
+  for (const std::string& statement : hits.statements) {
+    for (const std::string& line : wrapped(statement, rect.width - 1)) {
+      if (y >= rect.y + rect.height) return;
+      screen.text(rect.x + 1, y++, line, {.colour = Colour::Grey}, rect.width);
+    }
+  }
+}
+
+/// Hits, their coherence, and below what is left: the average.
+void draw_side(Screen& screen,
+               const Rect& side,
+               const RecordingInput& input,
+               const RecordingState& state,
+               const Table& table) {
+  const std::size_t selected = settled(table, state.list);
+  const bool agree = input.look != nullptr && !state.playing.on &&
+                     input.look->coherence.with_others.cols() > 1;
+  const int map_rows =
+      agree ? static_cast<int>(input.look->coherence.with_others.rows()) + 2
+            : 0;
+  const int plot_rows =
+      std::max(side.height / 3, std::min(10, side.height / 2));
+  const int list_rows =
+      std::clamp(static_cast<int>(table.rows.size()) + 1,
+                 3,
+                 std::max(side.height - map_rows - plot_rows, 3));
+  const auto [list, rest] = split_top(side, list_rows);
+  draw_table(screen, list, table, state.list, true);
+  const auto [map, plot] =
+      split_top(rest, rest.height - map_rows >= 6 ? map_rows : 0);
+  if (!map.empty()) {
+    screen.text(map.x + 1,
+                map.y,
+                "coherence of each hit with the others",
+                {.colour = Colour::Grey},
+                map.width - 1);
+    draw_heat_map(screen,
+                  split_top(map, 1).second,
+                  coherence_map(input, state, selected));
+  }
+  if (state.statements) {
+    draw_statements(screen, plot, input.hits);
+  } else {
+    draw_average(screen, plot, input, state);
+  }
 }
 
 }  // namespace
+
+std::size_t hits_by(const RecordingInput& input,
+                    std::size_t run,
+                    double time_s) {
+  const std::vector<Hit>& hits = input.hits.runs[run];
+  const auto complete = [&](const Hit& hit) {
+    const Eigen::Index end =
+        std::min(hit.begin + input.hits.block, input.traces[run].samples);
+    return static_cast<double>(end) <= time_s * input.hits.sample_rate_hz;
+  };
+  return static_cast<std::size_t>(
+      std::count_if(hits.begin(), hits.end(), complete));
+}
 
 Screen recording_view(const RecordingInput& input,
                       const RecordingState& state,
@@ -175,112 +212,25 @@ Screen recording_view(const RecordingInput& input,
   }
   RecordingState at = state;
   at.run = std::min(at.run, run_count(input) - 1);
-  const std::vector<Hit>& hits = input.hits.runs[at.run];
-  const Table table = hit_table(hits);
+  Table table = hit_table(input, at);
   const std::size_t selected = settled(table, at.list);
+  if (at.playing.on) {
+    table.rows.resize(hits_by(input, at.run, at.playing.time_s));
+    at.list.selected = table.rows.empty() ? 0 : table.rows.size() - 1;
+  }
   screen.text(1, 0, run_line(input, at), {.bold = true}, canvas.width - 2);
-  const auto accepted = std::count_if(
-      hits.begin(), hits.end(), [](const Hit& h) { return h.accepted; });
-  screen.text(1,
-              1,
-              fmt::format("{} hits, {} accepted   block {} s, trigger {} N",
-                          hits.size(),
-                          accepted,
-                          number(static_cast<double>(input.hits.block) /
-                                 std::max(input.hits.sample_rate_hz, 1e-9)),
-                          number(input.hits.trigger_n)),
-              {},
-              canvas.width - 2);
+  if (at.playing.on) {
+    draw_replay_line(screen, input, at);
+  } else {
+    screen.text(1, 1, hits_line(input, at), {}, canvas.width - 2);
+  }
   const int list_width = canvas.width >= 110 ? 46 : 36;
   const Rect body{0, 2, canvas.width, canvas.height - 2};
   const auto [plots, side] = split_left(body, canvas.width - list_width);
-  draw_plots(screen, plots, input, at, hits, selected);
-  const std::vector<std::string> statements = statement_lines(input, side);
-  const auto [list, notes] =
-      split_top(side, side.height - static_cast<int>(statements.size()));
-  draw_table(screen, list, table, at.list, true);
-  for (int i = 0; i < notes.height; ++i) {
-    screen.text(notes.x + 1,
-                notes.y + i,
-                statements[static_cast<std::size_t>(i)],
-                {.colour = Colour::Grey},
-                notes.width - 1);
-  }
+  draw_channels(
+      screen, plots, input, at, at.playing.on ? at.list.selected : selected);
+  draw_side(screen, side, input, at, table);
   return screen;
-}
-
-std::vector<Need> RecordingPage::essential() const {
-  return {{Stage::Traces}, {Stage::Hits}};
-}
-
-Screen RecordingPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return recording_view(
-      {*known.bundle, *known.traces, *known.hits}, state_, canvas);
-}
-
-bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
-  const RecordingInput input{*known.bundle, *known.traces, *known.hits};
-  const std::size_t runs = run_count(input);
-  if (runs == 0) return false;
-  state_.run = std::min(state_.run, runs - 1);
-  const std::vector<Hit>& hits = input.hits.runs[state_.run];
-  const Table table = hit_table(hits);
-  if (key == U'n' || key == U'p') {
-    state_.run = (state_.run + (key == U'n' ? 1 : runs - 1)) % runs;
-    state_.list = {};
-    return true;
-  }
-  if (key == keys::tab || key == U'c') {
-    ++state_.sensor;
-    return true;
-  }
-  if (key == U' ') {
-    if (hits.empty()) return true;
-    command.kind = Command::Kind::OverruleHit;
-    command.run = state_.run;
-    command.hit = settled(table, state_.list);
-    return true;
-  }
-  if (key == U'u') {
-    command.kind = Command::Kind::RestoreHit;
-    return true;
-  }
-  if (key == keys::enter && !hits.empty()) {
-    const Hit& hit = hits[settled(table, state_.list)];
-    state_.range = {hit.time_s - 2.0 * std::max(hit.pulse_s, 1e-3),
-                    hit.time_s + 6.0 * std::max(hit.pulse_s, 1e-3),
-                    hit.time_s,
-                    true};
-    return true;
-  }
-  if (list_key(state_.list, table, key)) return true;
-  return range_key(
-      state_.range, key, 0.0, input.traces[state_.run].duration_s());
-}
-
-std::vector<KeyHelp> RecordingPage::keys() const {
-  return {{"Space", "accept/reject"},
-          {"u", "undo that"},
-          {"n p", "run"},
-          {"Tab", "sensor"},
-          {"Enter", "zoom on hit"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"_", "whole run"},
-          {"h l", "cursor"},
-          {"j k", "hit"},
-          {"/", "filter"}};
-}
-
-std::string RecordingPage::help() const {
-  return "The hammer's force above, one response below. ▼ is an accepted hit, "
-         "✗ one that was judged out; the list says why: double (the hammer "
-         "struck twice), overload (clipped samples), weak, soft (no force at "
-         "the band's end), truncated, outlier. Space overrules the judgement, "
-         "u "
-         "takes the last overruling back; FRFs and all that follows are then "
-         "computed anew. The grey stretch "
-         "is the block that is cut out for the selected hit.";
 }
 
 }  // namespace tapfit::tui

@@ -270,12 +270,17 @@ Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
   return report_view(input_of(known), first_row_, canvas);
 }
 
-bool ReportPage::press(const Snapshot& known, Key key, Command&) {
+bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
   const int rows = report_sheet(input_of(known), 80, false).height();
   if (key == keys::down || key == U'j' || key == keys::wheel_down) {
     ++first_row_;
   } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
     --first_row_;
+  } else if (key == U'w' || key == U'e' || key == U'f') {
+    command.kind = Command::Kind::Write;
+    command.output = key == U'w'   ? Output::Report
+                     : key == U'e' ? Output::Deck
+                                   : Output::Uff;
   } else if (key == keys::page_down || key == U' ') {
     first_row_ += 10;
   } else if (key == keys::page_up) {
@@ -295,6 +300,9 @@ std::vector<KeyHelp> ReportPage::keys() const {
   return {{"j k", "scroll"},
           {"PgUp PgDn", "page"},
           {"g G", "top, end"},
+          {"w", "write report"},
+          {"e", "write deck"},
+          {"f", "write UFF"},
           {"u", "undo"},
           {"^R", "redo"}};
 }
@@ -302,7 +310,12 @@ std::vector<KeyHelp> ReportPage::keys() const {
 std::string ReportPage::help() const {
   return "What was found, on one sheet: the error with each effect that was "
          "added, the frequencies and MAC of the base model and the current "
-         "one against the measurement, and every warning that was given.";
+         "one against the measurement, and every warning that was given. w "
+         "writes "
+         "it with hits, FRFs and modes to report.md beside the bundle's "
+         "test.json, e the deck with what was identified to updated.bdf, f "
+         "FRFs and modes to measured.uff; :report FILE, :deck FILE and :uff "
+         "FILE write elsewhere.";
 }
 
 }  // namespace tapfit::tui

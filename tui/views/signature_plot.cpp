@@ -26,7 +26,7 @@ Curve law_curve(const std::string& label,
 
 /// The parts of z; stretches whose deviation is beyond the plot's sense are
 /// left in, since the eye weighs them by their scatter.
-Plot laws_plot(const Signature& s, const PlotRange& range) {
+Plot laws_plot(const Signature& s, const PlotRange& range, bool all_laws) {
   Plot plot;
   const Eigen::Index n = s.frequency_hz.size();
   const double lo = n > 1 ? s.frequency_hz[0] : 0.0;
@@ -46,16 +46,24 @@ Plot laws_plot(const Signature& s, const PlotRange& range) {
   plot.curves = {real, imaginary};
   const double best = std::min(
       {s.mass_unexplained, s.spring_unexplained, s.dashpot_unexplained});
-  const Pen pen{Colour::Orange, Pattern::Dashed, 'o'};
-  if (best == s.mass_unexplained) {
-    plot.curves.push_back(
-        law_curve("mass law", s.frequency_hz, pen, s.mass_kg, 0.0, 0.0));
-  } else if (best == s.spring_unexplained) {
-    plot.curves.push_back(law_curve(
-        "spring law", s.frequency_hz, pen, 0.0, s.spring_n_per_m, 0.0));
-  } else {
-    plot.curves.push_back(law_curve(
-        "dashpot law", s.frequency_hz, pen, 0.0, 0.0, s.dashpot_ns_per_m));
+  const auto wanted = [&](double left) { return all_laws || left == best; };
+  const auto add = [&](const std::string& label,
+                       const Pen& pen,
+                       double m,
+                       double k,
+                       double c) {
+    plot.curves.push_back(law_curve(label, s.frequency_hz, pen, m, k, c));
+  };
+  const Pen first{Colour::Orange, Pattern::Dashed, 'o'};
+  if (wanted(s.mass_unexplained)) add("mass law", first, s.mass_kg, 0.0, 0.0);
+  if (wanted(s.spring_unexplained)) {
+    const Pen pen = all_laws ? Pen{Colour::Green, Pattern::Dashed, 'k'} : first;
+    add("spring law", pen, 0.0, s.spring_n_per_m, 0.0);
+  }
+  if (wanted(s.dashpot_unexplained)) {
+    const Pen pen =
+        all_laws ? Pen{Colour::Yellow, Pattern::Dashed, 'c'} : first;
+    add("dashpot law", pen, 0.0, 0.0, s.dashpot_ns_per_m);
   }
   return plot;
 }
@@ -81,8 +89,10 @@ void hold_inner_range(Plot& plot) {
 
 }  // namespace
 
-Plot signature_plot(const Signature& signature, const PlotRange& range) {
-  Plot plot = laws_plot(signature, range);
+Plot signature_plot(const Signature& signature,
+                    const PlotRange& range,
+                    bool all_laws) {
+  Plot plot = laws_plot(signature, range, all_laws);
   hold_inner_range(plot);
   return plot;
 }

@@ -1,5 +1,5 @@
 // The missing dynamic stiffness at a place against frequency, with the law
-// that fits it best.
+// that fits it best, or all three.
 #pragma once
 
 #include "tui/plot.hpp"
@@ -9,6 +9,7 @@
 namespace tapfit::tui {
 
 [[nodiscard]] Plot signature_plot(const updating::Signature& signature,
-                                  const PlotRange& range);
+                                  const PlotRange& range,
+                                  bool all_laws = false);
 
 }  // namespace tapfit::tui

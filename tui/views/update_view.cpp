@@ -6,6 +6,7 @@
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/views/update_panels.hpp"
 
 #include <fmt/format.h>
 
@@ -193,6 +194,35 @@ Plot overlay(const UpdateInput& input,
   return plot;
 }
 
+/// Of the marked effect's fit, or the last one.
+void draw_record(Screen& screen,
+                 const Rect& rect,
+                 const UpdateInput& input,
+                 const UpdateState& state) {
+  if (input.records == nullptr || input.records->empty()) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                input.records == nullptr
+                    ? "record of the fits …"
+                    : "nothing was identified yet: 5 finds what to add",
+                {.colour = Colour::Grey});
+    return;
+  }
+  const std::vector<updating::UpdateRecord>& records = *input.records;
+  const auto off =
+      records.size() - std::min(records.size(), input.effects.size());
+  const updating::UpdateRecord& record = records[std::min(
+      off + selected_effect(input.effects, state), records.size() - 1)];
+  using Panel = UpdateState::Panel;
+  if (state.panel == Panel::Convergence) {
+    draw_convergence(screen, rect, record);
+  } else if (state.panel == Panel::Correlation) {
+    draw_correlation(screen, rect, record);
+  } else {
+    draw_l_curve(screen, rect, record);
+  }
+}
+
 Table frf_names(const signal::FrfSet& frfs) {
   Table table{{{"FRF"}}, {}};
   for (const signal::Frf& frf : frfs.frfs) {
@@ -220,6 +250,10 @@ Screen update_view(const UpdateInput& input,
   draw_table(screen, left, parameters, {}, false);
   draw_ladder(screen, right, input, selected_effect(input.effects, state));
   if (input.frfs.frfs.empty()) return screen;
+  if (state.panel != UpdateState::Panel::Curves) {
+    draw_record(screen, lower, input, state);
+    return screen;
+  }
   const std::size_t selected = settled(frf_names(input.frfs), state.list);
   const Plot plot = overlay(input, state, selected);
   const auto [area, line] = split_top(lower, lower.height - 1);
@@ -247,7 +281,8 @@ Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
                       known.effects,
                       known.base_comparison.get(),
                       known.comparison.get(),
-                      known.previous.get()},
+                      known.previous.get(),
+                      known.records.get()},
                      state_,
                      canvas);
 }
@@ -256,6 +291,10 @@ bool UpdatePage::press(const Snapshot& known, Key key, Command& command) {
   const std::size_t effect = selected_effect(known.effects, state_);
   if (key == U'x') {
     state_.log = !state_.log;
+  } else if (key == keys::tab) {
+    constexpr int panels = static_cast<int>(UpdateState::Panel::LCurve) + 1;
+    state_.panel = static_cast<UpdateState::Panel>(
+        (static_cast<int>(state_.panel) + 1) % panels);
   } else if (key == U' ') {
     state_.slide = 0.0;
   } else if (key == U'n') {
@@ -286,6 +325,7 @@ bool UpdatePage::animate(const Snapshot& known) {
 
 std::vector<KeyHelp> UpdatePage::keys() const {
   return {{"j k", "FRF"},
+          {"Tab", "curves/fit"},
           {"u", "undo"},
           {"^R", "redo"},
           {"t", "effect off/on"},
@@ -305,7 +345,10 @@ std::string UpdatePage::help() const {
          "with each effect (the mark on a bar is the floor). Below, the "
          "updated model over the measurement, with the base model for "
          "comparison. u takes the last change back, Ctrl-R does it again. t "
-         "switches the marked effect off or on, n and p mark another.";
+         "switches the marked effect off or on, n and p mark another. Tab "
+         "shows "
+         "how its fit came about: convergence, correlations, L-curve. While a "
+         "fit runs, S ends it and keeps what it has reached, Esc discards it.";
 }
 
 }  // namespace tapfit::tui

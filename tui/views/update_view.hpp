@@ -4,6 +4,7 @@
 
 #include "tui/plot_range.hpp"
 #include "tui/views/page.hpp"
+#include "updating/update_record.hpp"
 
 namespace tapfit::tui {
 
@@ -15,6 +16,8 @@ struct UpdateInput {
   const updating::Comparison* base = nullptr;
   const updating::Comparison* current = nullptr;
   const updating::Comparison* previous = nullptr;  ///< where to slide from
+  /// How the ladder's fits came about, once it is known.
+  const std::vector<updating::UpdateRecord>* records = nullptr;
 };
 
 struct UpdateState {
@@ -22,6 +25,12 @@ struct UpdateState {
   std::size_t effect = 0;  ///< of those added: the one that t switches
   PlotRange range;         ///< [Hz]
   bool log = true;
+  enum class Panel {
+    Curves,
+    Convergence,
+    Correlation,
+    LCurve
+  } panel = Panel::Curves;
   double slide = 1.0;  ///< 0: the previous model's curve, 1: the current one
 };
 
@@ -37,7 +46,11 @@ class UpdatePage final : public Page {
     return {{Stage::Frfs}, {Stage::Ladder}};
   }
   std::vector<Need> welcome(const Snapshot&) const override {
-    return {{Stage::Comparison}, {Stage::BaseComparison}};
+    std::vector<Need> needs{{Stage::Comparison}, {Stage::BaseComparison}};
+    if (state_.panel != UpdateState::Panel::Curves) {
+      needs.push_back({Stage::Records});
+    }
+    return needs;
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;

@@ -1,0 +1,209 @@
+// What the keys of the Compare screen do: from any number to its curves.
+#include "tui/views/compare_view.hpp"
+#include "tui/views/frf_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+using Focus = CompareState::Focus;
+
+/// One step in 0 .. count - 1, or nothing for other keys.
+bool step(std::size_t& at, std::size_t count, Key key, bool across) {
+  const bool back =
+      across ? key == U'h' || key == keys::left
+             : key == U'k' || key == keys::up || key == keys::wheel_up;
+  const bool on =
+      across ? key == U'l' || key == keys::right
+             : key == U'j' || key == keys::down || key == keys::wheel_down;
+  if (!back && !on) return false;
+  if (count == 0) return true;
+  at = std::min(at, count - 1);
+  if (back && at > 0) --at;
+  if (on && at + 1 < count) ++at;
+  return true;
+}
+
+/// The FRF that answers most between the two frequencies.
+std::size_t loudest(const signal::FrfSet& frfs, double low, double high) {
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  std::size_t found = 0;
+  double largest = -1.0;
+  for (std::size_t i = 0; i < frfs.frfs.size(); ++i) {
+    for (Eigen::Index k = 0; k < f.size(); ++k) {
+      if (f[k] < low || f[k] > high) continue;
+      const double size = std::abs(frfs.frfs[i].H[k]);
+      if (size <= largest) continue;
+      largest = size;
+      found = i;
+    }
+  }
+  return found;
+}
+
+/// The FRF of that grid that fits worst.
+std::size_t worst_of(const CompareInput& input,
+                     int node,
+                     std::size_t otherwise) {
+  double largest = -1.0;
+  for (std::size_t i = 0; i < input.frfs.frfs.size(); ++i) {
+    const signal::Frf& frf = input.frfs.frfs[i];
+    if (frf.response.node != node && frf.reference.node != node) continue;
+    if (i >= input.comparison.frf_error.size()) continue;
+    if (!(input.comparison.frf_error[i] > largest)) continue;
+    largest = input.comparison.frf_error[i];
+    otherwise = i;
+  }
+  return otherwise;
+}
+
+CompareInput input_of(const Snapshot& known) {
+  return {*known.comparison, *known.frfs, known.wire.get()};
+}
+
+}  // namespace
+
+Screen ComparePage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return compare_view(input_of(known), state_, canvas);
+}
+
+void ComparePage::look_at(const CompareInput& input, double low, double high) {
+  const FrequencySpan span = frequency_span(input.frfs);
+  state_.range = {std::max(low, span.lo), std::min(high, span.hi), 0.0, false};
+}
+
+bool ComparePage::looks_at(double low, double high) const {
+  const double near = 0.02 * (high - low);
+  return std::abs(state_.range.lo - low) < near &&
+         std::abs(state_.range.hi - high) < near;
+}
+
+/// The curves behind the number that the cursor is on; once more the FRF
+/// screen.
+void ComparePage::enter(const CompareInput& input, Command& command) {
+  const updating::Comparison& c = input.comparison;
+  std::optional<double> hz;
+  if (state_.focus == Focus::Map && state_.band < c.bands.size()) {
+    const updating::BandError& band = c.bands[state_.band];
+    const FrequencySpan span = frequency_span(input.frfs);
+    const double low = std::max(band.low_hz, span.lo);
+    const double high = std::min(band.high_hz, span.hi);
+    if (!looks_at(low, high)) return look_at(input, low, high);
+    hz = 0.5 * (low + high);
+  } else if (state_.focus == Focus::Pairs && !c.pairs.empty()) {
+    const auto& pair = c.pairs[settled(compared_pairs(c), state_.pairs)];
+    const double low = 0.9 * std::min(pair.measured_hz, pair.model_hz);
+    const double high = 1.1 * std::max(pair.measured_hz, pair.model_hz);
+    const std::size_t best = loudest(input.frfs, low, high);
+    if (!looks_at(low, high)) {
+      state_.list = {best, ""};
+      return look_at(input, low, high);
+    }
+    hz = pair.measured_hz;
+  } else if (state_.focus == Focus::Mac) {
+    command.kind = Command::Kind::ShowMode;
+    command.mode = state_.mac_row;
+    command.model_mode = state_.mac_column;
+    return;
+  } else if (state_.focus == Focus::Structure) {
+    const auto points = worst_points(c);
+    if (points.empty()) return;
+    const int node = points[std::min(state_.point, points.size() - 1)].first;
+    const std::size_t before = settled(compared_frfs(input), state_.list);
+    const std::size_t worst = worst_of(input, node, before);
+    if (worst != before) {
+      state_.list = {worst, ""};
+      return;
+    }
+  }
+  command.kind = Command::Kind::ShowFrf;
+  command.frf = settled(compared_frfs(input), state_.list);
+  command.hz = hz;
+}
+
+bool ComparePage::move(const CompareInput& input, Key key) {
+  const updating::Comparison& c = input.comparison;
+  if (state_.focus == Focus::Map &&
+      step(state_.band, c.bands.size(), key, true)) {
+    return true;
+  }
+  if (state_.focus == Focus::Pairs) {
+    return list_key(state_.pairs, compared_pairs(c), key);
+  }
+  if (state_.focus == Focus::Mac) {
+    const auto rows = static_cast<std::size_t>(c.mac.rows());
+    const auto columns = static_cast<std::size_t>(c.mac.cols());
+    return step(state_.mac_row, rows, key, false) ||
+           step(state_.mac_column, columns, key, true);
+  }
+  if (state_.focus == Focus::Structure) {
+    return step(state_.point, c.point_error.size(), key, false);
+  }
+  return list_key(state_.list, compared_frfs(input), key);
+}
+
+bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
+  const CompareInput input = input_of(known);
+  if (key == U'x') {
+    state_.log = !state_.log;
+  } else if (key == keys::tab) {
+    constexpr int all = static_cast<int>(Focus::Structure) + 1;
+    state_.focus =
+        static_cast<Focus>((static_cast<int>(state_.focus) + 1) % all);
+  } else if (key == keys::enter) {
+    enter(input, command);
+  } else if (!move(input, key) && !pose_key(state_.pose, key)) {
+    const FrequencySpan span = frequency_span(*known.frfs);
+    return range_key(
+        state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
+  }
+  return true;
+}
+
+bool ComparePage::click(const Snapshot& known, const Zone& zone, int x) {
+  if (zone.kind == Zone::Kind::Entry && state_.focus == Focus::Mac &&
+      zone.index < static_cast<std::size_t>(known.comparison->mac.rows())) {
+    state_.mac_row = zone.index;
+    state_.mac_column = zone.column;
+    return true;
+  }
+  if (zone.kind == Zone::Kind::Entry) {
+    state_.focus = Focus::Map;
+    state_.list.selected = zone.index;
+    state_.band = zone.column;
+    return true;
+  }
+  return Page::click(known, zone, x);
+}
+
+std::vector<KeyHelp> ComparePage::keys() const {
+  const char* what = state_.focus == Focus::Map         ? "FRF, band"
+                     : state_.focus == Focus::Pairs     ? "mode"
+                     : state_.focus == Focus::Mac       ? "entry"
+                     : state_.focus == Focus::Structure ? "point"
+                                                        : "FRF, cursor";
+  return {{"Tab", "next pane"},
+          {"j k h l", what},
+          {"Enter", "curves behind it"},
+          {"x", "log/linear"},
+          {"+ -", "zoom"},
+          {"_", "whole band"},
+          {"[ ]", "pan"},
+          {"< > ( )", "turn"},
+          {"/", "filter"}};
+}
+
+std::string ComparePage::help() const {
+  return "The error is the root mean square of measured minus model over all "
+         "FRFs and lines, each line divided by its mean measured magnitude, "
+         "so that resonances and valleys count alike. The floor is what the "
+         "scatter over hits and the mesh allow; a bar is green once it is "
+         "within 1.3 of its floor. Tab goes from the list of FRFs to the map "
+         "(which FRF fails in which band), the modes, the MAC and the "
+         "structure (which point). Enter shows the curves behind the number "
+         "that is marked, once more the FRF by itself; Esc comes back.";
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,90 @@
+// What the keys of the Diagnose screen do.
+#include "tui/views/diagnose_view.hpp"
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Candidate;
+
+}  // namespace
+
+std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
+  std::vector<Need> needs{{Stage::Model}};
+  const updating::Diagnosis& d = *known.diagnosis;
+  if (d.candidates.empty()) return needs;
+  const Table table = candidate_table(d, 80, true);
+  const Candidate& c = d.candidates[settled(table, state_.list)];
+  const std::vector<int> grids = grids_of(*known.bundle, c.where);
+  if (!grids.empty()) needs.push_back({Stage::Signature, grids[0]});
+  if (state_.map) needs.push_back({Stage::SignatureMap});
+  return needs;
+}
+
+Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return diagnose_view({*known.bundle,
+                        *known.diagnosis,
+                        known.signatures,
+                        known.wire.get(),
+                        known.signature_map.get()},
+                       state_,
+                       canvas);
+}
+
+bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
+  const updating::Diagnosis& d = *known.diagnosis;
+  const Table table = candidate_table(d, 80, true);
+  if (key == U'a' || key == keys::enter) {
+    if (d.candidates.empty()) return true;
+    const Candidate& c = d.candidates[settled(table, state_.list)];
+    command.kind = Command::Kind::Add;
+    command.effect = {c.effect, c.where};
+    return true;
+  }
+  if (key == keys::tab || key == U'm') {
+    state_.map = !state_.map;
+    return true;
+  }
+  if (key == U'f') {
+    state_.all_laws = !state_.all_laws;
+    return true;
+  }
+  if (list_key(state_.list, table, key)) return true;
+  if (pose_key(state_.pose, key)) return true;
+  for (const auto& [node, signature] : known.signatures) {
+    const Eigen::VectorXd& f = signature->frequency_hz;
+    if (f.size() > 1) {
+      return range_key(state_.range, key, f[0], f[f.size() - 1]);
+    }
+  }
+  return false;
+}
+
+std::vector<KeyHelp> DiagnosePage::keys() const {
+  return {{"j k", "candidate"},
+          {"a", "add it"},
+          {"m", "place/map"},
+          {"f", "all laws"},
+          {"u", "undo"},
+          {"^R", "redo"},
+          {"h l", "cursor"},
+          {"< > ( )", "turn"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"/", "filter"}};
+}
+
+std::string DiagnosePage::help() const {
+  return "Physical effects that may be missing from the model, most probable "
+         "first: where, how large (± one standard deviation), the error left "
+         "after adding it, and, for the best, the error on data left out of "
+         "the fit. Yellow ones can't be told apart from others with these "
+         "points. The plot is "
+         "the missing dynamic stiffness at the place: a mass falls with the "
+         "square of frequency, a spring is constant, a dashpot is imaginary "
+         "and rises. The dashed curve is the law that fits best, f shows all "
+         "three. m "
+         "maps how well each grid alone explains what is missing. a adds the "
+         "candidate to the model and identifies all parameters anew.";
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,108 @@
+// What the keys of the Modes screen do.
+#include "acquisition/channel_names.hpp"
+#include "modal/sensor_shifts.hpp"
+#include "tui/views/frf_curves.hpp"
+#include "tui/views/modes_view.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::tui {
+namespace {
+
+std::string shift_statement(const Snapshot& known) {
+  if (!modal::is_telling(known.modes->shifts)) return {};
+  return modal::statement(*known.modes->shifts,
+                          known.bundle
+                              ? acquisition::channel_names(*known.bundle)
+                              : std::vector<std::string>{});
+}
+
+}  // namespace
+
+std::vector<Need> ModesPage::welcome(const Snapshot& known) const {
+  std::vector<Need> needs;
+  if (known.has_model) needs.push_back({Stage::Model});
+  needs.push_back({Stage::Cmif});
+  if (known.has_model && (state_.mac || state_.model)) {
+    needs.push_back({Stage::Comparison});
+  }
+  return needs;
+}
+
+Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
+  return modes_view({*known.modes,
+                     known.frfs.get(),
+                     known.wire.get(),
+                     known.comparison.get(),
+                     shift_statement(known),
+                     known.cmif.get()},
+                    state_,
+                    canvas);
+}
+
+bool ModesPage::press(const Snapshot& known, Key key, Command&) {
+  if (key == U'm') {
+    state_.mac = !state_.mac;
+  } else if (key == U'o') {
+    state_.model = !state_.model;
+  } else if (key == U'R') {
+    state_.turning = !state_.turning;
+  } else if (key == U' ') {
+    state_.moving = !state_.moving;
+    if (!state_.moving) state_.phase = 1.0;
+  } else if (list_key(state_.list, mode_table(*known.modes), key)) {
+    state_.model_mode.reset();
+  } else if (!pose_key(state_.pose, key)) {
+    const FrequencySpan span = frequency_span(*known.frfs);
+    return range_key(state_.range, key, span.lo, span.hi);
+  }
+  return true;
+}
+
+bool ModesPage::animate(const Snapshot&) {
+  if (state_.turning) {
+    state_.pose.azimuth_deg = std::fmod(state_.pose.azimuth_deg + 2.0, 360.0);
+  }
+  if (!state_.moving) return state_.turning;
+  constexpr int frames = 24;  // of one swing
+  state_.frame = (state_.frame + 1) % frames;
+  state_.phase = std::cos(2.0 * std::numbers::pi * state_.frame / frames);
+  return true;
+}
+
+std::vector<KeyHelp> ModesPage::keys() const {
+  return {{"j k", "mode"},
+          {"m", "MAC"},
+          {"Space", "animate"},
+          {"R", "rotate"},
+          {"o", "model's shape"},
+          {"< >", "turn"},
+          {"( )", "tilt"},
+          {"{ }", "size"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"h l", "cursor"},
+          {"/", "filter"}};
+}
+
+std::string ModesPage::help() const {
+  return "Modes identified from the FRFs, with one standard deviation. MPC is "
+         "1 for a real shape. The diagram shows the poles of every model "
+         "order: o new, f stable in frequency, d also in damping, v also in "
+         "the vector, s in all; ▼ marks the modes that were taken, the grey "
+         "curves are the complex mode indicator function: where two rise, two "
+         "modes are close. The measured shape is drawn as stems, over the "
+         "shape of the model's mode that is paired with it. m shows the MAC "
+         "with the model, or of the measured modes among themselves where "
+         "there is no model.";
+}
+
+void ModesPage::select(std::size_t measured, std::size_t model) {
+  state_.list = {measured, ""};
+  state_.model_mode = model;
+  state_.mac = false;
+  state_.model = true;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,260 @@
+// What the keys of the Recording screen do.
+#include "tui/layout.hpp"
+#include "tui/views/recording_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::tui {
+namespace {
+
+using acquisition::Hit;
+
+std::size_t run_count(const RecordingInput& input) {
+  return std::min(
+      {input.bundle.runs.size(), input.traces.size(), input.hits.runs.size()});
+}
+
+/// Only as many rows as there are hits: enough to move about in.
+Table rows_of(const std::vector<Hit>& hits) {
+  Table table{{{"verdict"}}, {}};
+  for (const Hit& hit : hits) {
+    std::string words = hit.accepted ? "✓" : "✗";
+    for (const auto fault : hit.reasons) words += acquisition::name(fault);
+    table.rows.push_back({{std::move(words)}, {}});
+  }
+  return table;
+}
+
+RecordingInput input_of(const Snapshot& known) {
+  return {*known.bundle, *known.traces, *known.hits, nullptr};
+}
+
+}  // namespace
+
+std::vector<Need> RecordingPage::essential() const {
+  return {{Stage::Traces}, {Stage::Hits}};
+}
+
+std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
+  if (state_.run >= known.hits->runs.size()) return {};
+  return {{Stage::RunLook, static_cast<int>(state_.run)}};
+}
+
+Screen RecordingPage::draw(const Snapshot& known, const Canvas& canvas) const {
+  RecordingInput input = input_of(known);
+  const auto look = known.run_looks.find(static_cast<int>(state_.run));
+  if (look != known.run_looks.end()) input.look = look->second.get();
+  return recording_view(input, state_, canvas);
+}
+
+void RecordingPage::select(std::size_t run) {
+  state_ = {};
+  state_.run = run;
+}
+
+bool RecordingPage::press_run(const RecordingInput& input, Key key) {
+  const std::size_t runs = run_count(input);
+  if (key == U'n' || key == U'p') {
+    state_.run = (state_.run + (key == U'n' ? 1 : runs - 1)) % runs;
+    state_.list = {};
+    state_.playing.time_s = 0.0;
+    if (state_.zoom != 0) state_.range = {};
+    state_.zoom = 0;
+  } else if (key == U'N') {
+    next_rejected(input);
+  } else if (key == keys::tab || key == U'c') {
+    ++state_.sensor;
+  } else if (key == U'i') {
+    state_.statements = !state_.statements;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Among the hits after the selected one, then from the first again.
+void RecordingPage::next_rejected(const RecordingInput& input) {
+  const std::size_t runs = run_count(input);
+  std::size_t run = state_.run;
+  std::size_t hit = state_.list.selected + 1;
+  for (std::size_t tried = 0; tried <= runs; ++tried) {
+    const std::vector<Hit>& hits = input.hits.runs[run];
+    for (; hit < hits.size(); ++hit) {
+      if (hits[hit].accepted) continue;
+      state_.run = run;
+      state_.list = {hit, ""};
+      if (state_.zoom != 0) zoom_on_hit(input);
+      return;
+    }
+    run = (run + 1) % runs;
+    hit = 0;
+  }
+}
+
+void RecordingPage::zoom_on_hit(const RecordingInput& input) {
+  const std::vector<Hit>& hits = input.hits.runs[state_.run];
+  if (hits.empty() || !(input.hits.sample_rate_hz > 0.0)) return;
+  const Hit& hit = hits[settled(rows_of(hits), state_.list)];
+  if (state_.zoom == 1) {
+    const double width = std::max(hit.pulse_s, 1e-3);
+    state_.range = {
+        hit.time_s - 2.0 * width, hit.time_s + 6.0 * width, hit.time_s, true};
+  } else {
+    const double rate = input.hits.sample_rate_hz;
+    const double begin = static_cast<double>(hit.begin) / rate;
+    state_.range = {begin,
+                    begin + static_cast<double>(input.hits.block) / rate,
+                    hit.time_s,
+                    false};
+  }
+}
+
+bool RecordingPage::press_hit(const RecordingInput& input,
+                              Key key,
+                              Command& command) {
+  const std::vector<Hit>& hits = input.hits.runs[state_.run];
+  const Table table = rows_of(hits);
+  const std::size_t selected = settled(table, state_.list);
+  if (key == U' ') {
+    if (hits.empty()) return true;
+    command.kind = Command::Kind::OverruleHit;
+    command.hits.assign(state_.tagged.begin(), state_.tagged.end());
+    if (command.hits.empty()) command.hits = {{state_.run, selected}};
+    state_.tagged.clear();
+  } else if (key == U'u') {
+    command.kind = Command::Kind::RestoreHit;
+  } else if (key == U't') {
+    if (hits.empty()) return true;
+    const RecordingState::HitAt at{state_.run, selected};
+    if (state_.tagged.erase(at) == 0) state_.tagged.insert(at);
+    state_.list.selected = std::min(selected + 1, hits.size() - 1);
+  } else if (key == U'*') {
+    for (const std::size_t row : visible_rows(table, state_.list.filter)) {
+      state_.tagged.insert({state_.run, row});
+    }
+  } else if (key == U'T') {
+    state_.tagged.clear();
+  } else if (key == keys::enter) {
+    if (hits.empty()) return true;
+    state_.zoom = state_.zoom % 2 + 1;
+    zoom_on_hit(input);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool RecordingPage::press_replay(Key key) {
+  Playing& playing = state_.playing;
+  if (key == U'R') {
+    if (playing.on) {
+      playing.paused = !playing.paused;
+    } else {
+      playing.on = true;
+      playing.paused = false;
+      playing.time_s = 0.0;
+      state_.range = {};
+      state_.zoom = 0;
+    }
+  } else if (!playing.on) {
+    return false;
+  } else if (key == U'>') {
+    playing.speed = std::min(playing.speed * 2.0, 640.0);
+  } else if (key == U'<') {
+    playing.speed = std::max(playing.speed / 2.0, 1.0);
+  } else if (key == keys::escape || key == U'_') {
+    playing.on = false;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
+  const RecordingInput input = input_of(known);
+  const std::size_t runs = run_count(input);
+  if (runs == 0) return false;
+  state_.run = std::min(state_.run, runs - 1);
+  if (press_replay(key) || press_run(input, key)) return true;
+  if (press_hit(input, key, command)) return true;
+  const std::vector<Hit>& hits = input.hits.runs[state_.run];
+  if (list_key(state_.list, rows_of(hits), key)) {
+    if (state_.zoom != 0) zoom_on_hit(input);
+    return true;
+  }
+  if (key == U'_') state_.zoom = 0;
+  return range_key(
+      state_.range, key, 0.0, input.traces[state_.run].duration_s());
+}
+
+bool RecordingPage::click(const Snapshot& known, const Zone& zone, int x) {
+  const auto look = known.run_looks.find(static_cast<int>(state_.run));
+  if (zone.kind == Zone::Kind::Entry && look != known.run_looks.end()) {
+    const std::vector<std::size_t>& hits = look->second->coherence.hits;
+    if (zone.column < hits.size()) state_.list.selected = hits[zone.column];
+    state_.sensor = zone.index;
+    return true;
+  }
+  return Page::click(known, zone, x);
+}
+
+bool RecordingPage::animate(const Snapshot& known) {
+  Playing& playing = state_.playing;
+  if (!playing.on || playing.paused) return false;
+  const RecordingInput input = input_of(known);
+  if (state_.run >= run_count(input)) return false;
+  const double length = input.traces[state_.run].duration_s();
+  constexpr double frame_s = 0.04;
+  playing.time_s += frame_s * playing.speed;
+  if (playing.time_s < length) return true;
+  if (state_.run + 1 < run_count(input)) {
+    ++state_.run;
+    playing.time_s = 0.0;
+  } else {
+    playing = {};
+  }
+  return true;
+}
+
+std::vector<KeyHelp> RecordingPage::keys() const {
+  if (state_.playing.on) {
+    return {{"R", state_.playing.paused ? "go on" : "pause"},
+            {"< >", "slower, faster"},
+            {"_", "end of replay"},
+            {"n p", "run"},
+            {"Tab", "sensor"}};
+  }
+  return {{"Space", "accept/reject"},
+          {"u", "undo that"},
+          {"n p", "run"},
+          {"Enter", "zoom on hit"},
+          {"N", "next rejected"},
+          {"Tab", "sensor"},
+          {"R", "replay"},
+          {"j k", "hit"},
+          {"t", "tag"},
+          {"*", "tag all listed"},
+          {"T", "tags off"},
+          {"i", "what was chosen"},
+          {"+ -", "zoom"},
+          {"[ ]", "pan"},
+          {"_", "whole run"},
+          {"h l", "cursor"},
+          {"/", "filter"}};
+}
+
+std::string RecordingPage::help() const {
+  return "The hammer's force above, responses below. ▼ is an accepted hit, ✗ "
+         "one that was judged out; the list says why: double (the hammer "
+         "struck twice), overload (clipped samples), weak, soft (no force at "
+         "the band's end), truncated, outlier. Space overrules the judgement "
+         "of the selected hit, or of all that are tagged; the average at the "
+         "side, FRFs and all that follows are computed anew. A low row of the "
+         "coherences is a bad sensor, a low column a bad hit. Enter zooms on "
+         "the pulse with its force window, once more on the block with the "
+         "exponential window. R replays the run as if it were measured.";
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,258 @@
+#include "tui/views/recording_plots.hpp"
+
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/views/frf_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace tapfit::tui {
+namespace {
+
+using acquisition::Hit;
+
+std::string unit_of(acquisition::Quantity quantity) {
+  switch (quantity) {
+    case acquisition::Quantity::Force:
+      return "N";
+    case acquisition::Quantity::Acceleration:
+      return "m/s²";
+    case acquisition::Quantity::Velocity:
+      return "m/s";
+    case acquisition::Quantity::Displacement:
+      return "m";
+  }
+  return "";
+}
+
+/// What has been measured by then.
+void cut_off(Curve& curve, double time_s) {
+  Eigen::Index n = 0;
+  while (n < curve.x.size() && curve.x[n] <= time_s) ++n;
+  for (Eigen::VectorXd* values : {&curve.x, &curve.y, &curve.low, &curve.high})
+    if (values->size() >= n) values->conservativeResize(n);
+}
+
+/// Every sample on show, joined; nothing where there are more than columns.
+std::optional<Curve> sample_curve(const Trace& trace,
+                                  Eigen::Index channel,
+                                  const PlotRange& shown,
+                                  int columns) {
+  if (trace.stretch != 1 || channel >= trace.low.cols()) return {};
+  const auto first = std::max<Eigen::Index>(
+      static_cast<Eigen::Index>(shown.lo * trace.sample_rate_hz) - 1, 0);
+  const auto last = std::min<Eigen::Index>(
+      static_cast<Eigen::Index>(shown.hi * trace.sample_rate_hz) + 2,
+      trace.low.rows());
+  const Eigen::Index n = last - first;
+  if (n < 2 || n > columns) return std::nullopt;
+  Curve curve{"", {}, {}, {}, {}, {Colour::Sky}};
+  curve.x.resize(n);
+  curve.y.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    curve.x[i] = static_cast<double>(first + i) / trace.sample_rate_hz;
+    curve.y[i] = trace.low(first + i, channel);
+  }
+  return curve;
+}
+
+Plot channel_plot(const RecordingInput& input,
+                  const RecordingState& state,
+                  std::size_t channel,
+                  int columns) {
+  const Trace& trace = input.traces[state.run];
+  const PlotRange shown = resolved(state.range, 0.0, trace.duration_s());
+  Plot plot;
+  plot.x = {"t", "s", shown.lo, shown.hi, false};
+  if (shown.cursor_set) plot.cursor = shown.cursor;
+  if (channel < input.bundle.channels.size()) {
+    const acquisition::Channel& c = input.bundle.channels[channel];
+    plot.y = {c.name, unit_of(c.quantity), 0.0, 0.0, false};
+  }
+  const Envelope e = envelope(trace,
+                              static_cast<Eigen::Index>(channel),
+                              shown.lo,
+                              shown.hi,
+                              2 * std::max(columns, 1));
+  Curve curve{"", e.time_s, {}, e.low, e.high, {Colour::Sky}};
+  if (e.time_s.size() > 0) {
+    // The scale stays while samples come in.
+    const double low = std::min(e.low.minCoeff(), 0.0);
+    const double high = std::max(e.high.maxCoeff(), 0.0);
+    const double room = 0.05 * (high - low);
+    plot.y.lo = low - room;
+    plot.y.hi = high + room;
+  }
+  if (auto samples = sample_curve(
+          trace, static_cast<Eigen::Index>(channel), shown, columns)) {
+    curve = std::move(*samples);
+  }
+  if (state.playing.on) {
+    cut_off(curve, state.playing.time_s);
+    plot.cursor = state.playing.time_s;
+  }
+  plot.curves.push_back(std::move(curve));
+  return plot;
+}
+
+void mark_hits(Plot& plot,
+               const RecordingInput& input,
+               const RecordingState& state,
+               std::size_t selected) {
+  const std::vector<Hit>& hits = input.hits.runs[state.run];
+  std::size_t known = hits.size();
+  if (state.playing.on) {
+    known = hits_by(input, state.run, state.playing.time_s);
+  }
+  for (std::size_t i = 0; i < known; ++i) {
+    const Hit& hit = hits[i];
+    Style style{.colour = hit.accepted ? Colour::Green : Colour::Red};
+    style.reverse = i == selected;
+    plot.markers.push_back({hit.time_s, hit.accepted ? U'▼' : U'✗', style});
+  }
+  if (selected >= known || !(input.hits.sample_rate_hz > 0.0)) return;
+  if (state.zoom != 0) return;  // the block is all there is to see
+  const double rate = input.hits.sample_rate_hz;
+  const double begin = static_cast<double>(hits[selected].begin) / rate;
+  const double block = static_cast<double>(input.hits.block) / rate;
+  plot.shades.push_back({begin, begin + block, {.colour = Colour::Grey}});
+}
+
+const HitWindow* window_of(const RecordingInput& input, std::size_t hit) {
+  if (input.look == nullptr || hit >= input.look->windows.size())
+    return nullptr;
+  const std::optional<HitWindow>& window = input.look->windows[hit];
+  return window ? &*window : nullptr;
+}
+
+constexpr Pen window_pen{Colour::Orange, Pattern::Dashed, 'o'};
+
+/// The force window, as high as the plot.
+void add_force_window(Plot& plot, const HitWindow& window) {
+  const Eigen::Index n = window.pulse.size();
+  Curve curve{"force window", {}, {}, {}, {}, window_pen};
+  curve.x.resize(n + 4);
+  curve.y = Eigen::VectorXd::Zero(n + 4);
+  const double end = window.pulse_s + window.step_s * static_cast<double>(n);
+  curve.x[0] = window.begin_s;
+  curve.x[1] = window.pulse_s - window.step_s;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    curve.x[i + 2] = window.pulse_s + window.step_s * static_cast<double>(i);
+    curve.y[i + 2] = window.pulse[i];
+  }
+  curve.x[n + 2] = end;
+  curve.x[n + 3] = window.end_s;
+  curve.y *= plot.y.hi / 1.05;
+  plot.curves.push_back(std::move(curve));
+}
+
+/// What the response is multiplied with: as high as the plot at the trigger.
+void add_exponential_window(Plot& plot, const HitWindow& window) {
+  constexpr Eigen::Index points = 200;
+  Curve curve{"exponential window", {}, {}, {}, {}, window_pen};
+  curve.x = Eigen::VectorXd::LinSpaced(
+      points, std::max(window.begin_s, window.trigger_s), window.end_s);
+  curve.y.resize(points);
+  for (Eigen::Index i = 0; i < points; ++i) {
+    curve.y[i] = plot.y.hi / 1.05 * window.exponential(curve.x[i]);
+  }
+  plot.curves.push_back(std::move(curve));
+}
+
+}  // namespace
+
+void draw_channels(Screen& screen,
+                   const Rect& rect,
+                   const RecordingInput& input,
+                   const RecordingState& state,
+                   std::size_t selected) {
+  const acquisition::Run& run = input.bundle.runs[state.run];
+  constexpr int least = 8;
+  const int sensors = static_cast<int>(run.sensors.size());
+  const int panes = 1 + std::clamp(rect.height / least - 1, 1, sensors);
+  const HitWindow* window =
+      state.zoom != 0 ? window_of(input, selected) : nullptr;
+  Rect left = rect;
+  for (int pane = 0; pane < panes && !left.empty(); ++pane) {
+    const bool last = pane + 1 == panes;
+    const int rows = last ? left.height : (rect.height - 2) / panes;
+    const auto [here, below] = split_top(left, rows);
+    left = below;
+    const std::size_t sensor =
+        sensors == 0 ? 0
+                     : (state.sensor + static_cast<std::size_t>(pane - 1)) %
+                           run.sensors.size();
+    if (pane > 0 && sensors == 0) break;
+    const acquisition::Placement& at =
+        pane == 0 ? run.hammer : run.sensors[sensor];
+    Plot plot = channel_plot(input, state, at.channel, here.width);
+    plot.x_labels = last;
+    plot.title =
+        pane == 0
+            ? "hammer " + name(at.dof)
+            : fmt::format("{} ({} of {})", name(at.dof), sensor + 1, sensors);
+    mark_hits(plot, input, state, selected);
+    if (window != nullptr && pane == 0) add_force_window(plot, *window);
+    if (window != nullptr && pane > 0) add_exponential_window(plot, *window);
+    draw_plot(screen, here, plot);
+  }
+}
+
+void draw_average(Screen& screen,
+                  const Rect& rect,
+                  const RecordingInput& input,
+                  const RecordingState& state) {
+  if (input.look == nullptr) {
+    screen.text(rect.x + 1, rect.y, "average …", {.colour = Colour::Grey});
+    return;
+  }
+  const std::vector<Hit>& hits = input.hits.runs[state.run];
+  std::size_t count = input.look->averages.size();
+  if (state.playing.on) {
+    const auto end =
+        hits.begin() + static_cast<std::ptrdiff_t>(
+                           hits_by(input, state.run, state.playing.time_s));
+    count = std::min<std::size_t>(
+        count,
+        static_cast<std::size_t>(std::count_if(
+            hits.begin(), end, [](const Hit& h) { return h.accepted; })));
+  }
+  if (count == 0) {
+    screen.text(rect.x + 1,
+                rect.y,
+                state.playing.on ? "average: no hit yet"
+                                 : "average: no hit is accepted",
+                {.colour = Colour::Grey},
+                rect.width - 1);
+    return;
+  }
+  const auto curve_after = [&](std::size_t n, const Pen& pen, bool band) {
+    const std::vector<signal::Frf>& frfs = input.look->averages[n - 1];
+    const signal::Frf& frf = frfs[state.sensor % frfs.size()];
+    const Eigen::VectorXd f = input.look->s.imag() / (2.0 * std::numbers::pi);
+    Curve curve = measured_curve("", f, frf, band);
+    curve.pen = pen;
+    return curve;
+  };
+  Plot plot;
+  const signal::Frf& frf =
+      input.look->averages[count - 1][state.sensor %
+                                      input.look->averages[count - 1].size()];
+  plot.x = {"f", "Hz", 0.0, 0.0, false};
+  plot.y = {"|H|", accelerance_unit, 0.0, 0.0, true};
+  plot.title = fmt::format("{}: {} hit{}, coh {}",
+                           signal::name(frf),
+                           count,
+                           count == 1 ? "" : "s",
+                           fixed(frf.coherence.mean(), 4));
+  plot.curves.push_back(curve_after(count, {Colour::Sky}, count > 1));
+  draw_plot(screen, rect, plot);
+}
+
+}  // namespace tapfit::tui

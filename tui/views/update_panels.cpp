@@ -1,0 +1,191 @@
+#include "tui/views/update_panels.hpp"
+
+#include "tui/heat_map.hpp"
+#include "tui/layout.hpp"
+#include "tui/number.hpp"
+#include "tui/plot.hpp"
+#include "tui/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::RecordedStep;
+using updating::UpdateRecord;
+
+Plot error_plot(const std::vector<double>& errors) {
+  const auto n = static_cast<Eigen::Index>(errors.size());
+  Plot plot;
+  plot.x = {"step",
+            "",
+            0.0,
+            std::max<double>(static_cast<double>(n) - 1, 1.0),
+            false};
+  plot.y = {"error of the fit", "", 0.0, 0.0, true};
+  Curve curve{"",
+              Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0),
+              {},
+              {},
+              {},
+              {Colour::Sky}};
+  curve.y = Eigen::Map<const Eigen::VectorXd>(errors.data(), n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    plot.spots.push_back(
+        {curve.x[i], curve.y[i], U'●', {.colour = Colour::Sky}});
+  }
+  plot.curves.push_back(std::move(curve));
+  return plot;
+}
+
+Pen pen_of(std::size_t i) {
+  static constexpr std::array<Pen, 6> pens{{
+      {Colour::Orange, Pattern::Solid, 'a'},
+      {Colour::Sky, Pattern::Dashed, 'b'},
+      {Colour::Green, Pattern::Solid, 'c'},
+      {Colour::Purple, Pattern::Dashed, 'd'},
+      {Colour::Yellow, Pattern::Solid, 'e'},
+      {Colour::Red, Pattern::Dashed, 'f'},
+  }};
+  return pens[i % pens.size()];
+}
+
+Plot parameter_plot(const UpdateRecord& record) {
+  Plot plot;
+  const auto n = static_cast<Eigen::Index>(record.steps.size());
+  plot.x = {"step",
+            "",
+            0.0,
+            std::max<double>(static_cast<double>(n) - 1, 1.0),
+            false};
+  plot.y = {"over its end", "", 0.0, 0.0, false};
+  for (std::size_t p = 0; p < record.parameters.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(p);
+    const Eigen::VectorXd& last = record.steps.back().values;
+    if (at >= last.size() || last[at] == 0.0) continue;
+    Curve curve{record.parameters[p], {}, {}, {}, {}, pen_of(p)};
+    curve.x = Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0);
+    curve.y.resize(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Eigen::VectorXd& values =
+          record.steps[static_cast<std::size_t>(i)].values;
+      curve.y[i] = at < values.size() ? values[at] / last[at] : std::nan("");
+    }
+    plot.curves.push_back(std::move(curve));
+  }
+  return plot;
+}
+
+}  // namespace
+
+void draw_live_error(Screen& screen,
+                     const Rect& rect,
+                     const std::vector<double>& errors) {
+  draw_plot(screen, rect, error_plot(errors));
+}
+
+void draw_convergence(Screen& screen,
+                      const Rect& rect,
+                      const UpdateRecord& record) {
+  const auto [line, body] = split_top(rect, 1);
+  screen.text(line.x + 1,
+              line.y,
+              fmt::format("fit with {}: {} steps on {}, {}",
+                          record.added,
+                          record.steps.size(),
+                          record.lines,
+                          record.message),
+              {},
+              line.width - 2);
+  if (record.steps.empty()) return;
+  std::vector<double> errors;
+  for (const RecordedStep& step : record.steps) errors.push_back(step.error);
+  const auto [upper, lower] = split_top(body, body.height / 2);
+  Plot plot = error_plot(errors);
+  // Each stage of a fit is on other lines: its error starts anew.
+  for (std::size_t i = 1; i < record.steps.size(); ++i) {
+    if (record.steps[i].stage == record.steps[i - 1].stage) continue;
+    plot.markers.push_back(
+        {static_cast<double>(i), U'▼', {.colour = Colour::Yellow}});
+    plot.title = "▼ other lines";
+  }
+  plot.x_labels = false;
+  draw_plot(screen, upper, plot);
+  draw_plot(screen, lower, parameter_plot(record));
+}
+
+void draw_correlation(Screen& screen,
+                      const Rect& rect,
+                      const UpdateRecord& record) {
+  const auto [line, rest] = split_top(rect, 1);
+  screen.text(line.x + 1,
+              line.y,
+              "|correlation| of the estimates in %",
+              {.bold = true},
+              line.width - 2);
+  HeatMap map;
+  map.values = record.correlation.cwiseAbs();
+  for (std::size_t i = 0; i < record.parameters.size(); ++i) {
+    map.row_names.push_back(fmt::format("{} {}", i + 1, record.parameters[i]));
+    map.column_names.push_back(std::to_string(i + 1));
+  }
+  const int rows = static_cast<int>(map.values.rows()) + 1;
+  const auto [body, below] =
+      split_top(rest, std::min(rows, std::max(rest.height - 2, 0)));
+  draw_heat_map(screen, body, map);
+  std::string words = record.confounded.empty()
+                          ? "The data tell all parameters apart."
+                          : "The data cannot tell apart:";
+  for (const auto& group : record.confounded) {
+    words += fmt::format(" {};", fmt::join(group, " and "));
+  }
+  int y = below.y + 1;
+  for (const std::string& one : wrapped(words, rect.width - 2)) {
+    screen.text(rect.x + 1,
+                y++,
+                one,
+                {.colour = record.confounded.empty() ? Colour::Default
+                                                     : Colour::Yellow},
+                rect.width - 2);
+  }
+}
+
+void draw_l_curve(Screen& screen,
+                  const Rect& rect,
+                  const UpdateRecord& record) {
+  if (!record.l_curve || record.l_curve->lambda.size() < 2) {
+    int y = rect.y + 1;
+    for (const std::string& line :
+         wrapped("This fit had the priors of `uncertain` as regularisation, so "
+                 "that there was no lambda to choose. With --lambda l-curve "
+                 "`tapfit update` chooses it at the L-curve's corner.",
+                 rect.width - 2)) {
+      screen.text(rect.x + 1, y++, line, {}, rect.width - 2);
+    }
+    return;
+  }
+  const updating::LCurve& l = *record.l_curve;
+  Plot plot;
+  plot.title = fmt::format("L-curve, corner at lambda {}",
+                           number(l.lambda[l.corner], 3));
+  plot.x = {"|S x - d|",
+            "",
+            l.residual_norm.minCoeff() / 1.05,
+            1.05 * l.residual_norm.maxCoeff(),
+            true};
+  plot.y = {"|x|", "", 0.0, 0.0, true};
+  plot.curves.push_back(
+      {"", l.residual_norm, l.solution_norm, {}, {}, {Colour::Sky}});
+  plot.spots.push_back({l.residual_norm[l.corner],
+                        l.solution_norm[l.corner],
+                        U'●',
+                        {.colour = Colour::Orange, .bold = true}});
+  draw_plot(screen, rect, plot);
+}
+
+}  // namespace tapfit::tui

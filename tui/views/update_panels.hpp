@@ -1,0 +1,33 @@
+// How the last fit came about: convergence, correlations, the L-curve.
+#pragma once
+
+#include "tui/screen.hpp"
+#include "updating/update_record.hpp"
+
+#include <vector>
+
+namespace tapfit::tui {
+
+/// Error over the steps, and below it every parameter relative to where it
+/// ended.
+void draw_convergence(Screen& screen,
+                      const Rect& rect,
+                      const updating::UpdateRecord& record);
+
+/// |correlation| of the estimates in %, and what the data cannot tell apart.
+void draw_correlation(Screen& screen,
+                      const Rect& rect,
+                      const updating::UpdateRecord& record);
+
+/// ||x|| over ||S x - d||, both logarithmic, with its corner; or why there is
+/// none.
+void draw_l_curve(Screen& screen,
+                  const Rect& rect,
+                  const updating::UpdateRecord& record);
+
+/// Errors of a fit that runs still, one per step.
+void draw_live_error(Screen& screen,
+                     const Rect& rect,
+                     const std::vector<double>& errors);
+
+}  // namespace tapfit::tui
