@@ -1,39 +1,12 @@
 #include "tui/program.hpp"
 
-#include "tests/tui/fake_workbench.hpp"
-#include "tui/replay.hpp"
-#include "tui/text.hpp"
+#include "tests/tui/play.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 namespace tapfit::tui {
 namespace {
-
-using testing::FakeOptions;
-
-std::string played(const std::string& script,
-                   const Canvas& canvas = {},
-                   const FakeOptions& options = {}) {
-  Program program(testing::fake_workbench(options), canvas);
-  return replay(program, parse_key_script(script));
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-void expect_fits(const std::string& text, int width) {
-  std::istringstream lines(text);
-  std::string line;
-  while (std::getline(lines, line)) {
-    EXPECT_LE(text_width(line), width) << line;
-  }
-  EXPECT_FALSE(holds(text, "nan")) << text;
-  EXPECT_FALSE(holds(text, "inf ")) << text;
-}
 
 TEST(Program, WalksAllSevenScreens) {
   const std::vector<std::string> shown{"run-01.wav",
@@ -316,35 +289,6 @@ TEST(Program, GoesFromNumbersToTheirCurvesAndBack) {
       played("4\nwait\n<Tab><Tab><Tab><Enter>\nwait", {120, 35});
   EXPECT_TRUE(holds(shapes, "Compare > Modes (Esc back)")) << shapes;
   EXPECT_TRUE(holds(shapes, "over model")) << shapes;
-}
-
-TEST(Program, TagsHitsAndActsOnThem) {
-  const std::string text = played("wait\ntt \nwait", {120, 35});
-  EXPECT_TRUE(holds(text, "2 hits overruled")) << text;
-  EXPECT_TRUE(holds(text, "3 hits, 2 accepted")) << text;  // one out, one in
-  EXPECT_TRUE(holds(played("wait\n*", {120, 35}), "3 tagged"));
-  EXPECT_FALSE(holds(played("wait\n*T", {120, 35}), "tagged"));
-  // The next rejected hit, of this run and then of the next.
-  EXPECT_TRUE(holds(played("wait\nN", {120, 35}), "▸2"));
-  EXPECT_TRUE(holds(played("wait\nNN", {120, 35}), "run 2 of 2"));
-}
-
-TEST(Program, ReplaysARunAsItCame) {
-  Program program(testing::fake_workbench(), {120, 35, false});
-  wait_until_idle(program);
-  program.press(Key(U'R'));
-  EXPECT_TRUE(holds(program.draw().to_text(), "replay 0.0 of 10.0 s"));
-  EXPECT_TRUE(holds(program.draw().to_text(), "average: no hit yet"));
-  // Ten times as fast, 25 frames a second: 0.4 s a frame. The first block is
-  // complete after 246 + 700 samples at 256 Hz = 3.7 s.
-  for (int frame = 0; frame < 9; ++frame) program.animate();
-  EXPECT_TRUE(holds(program.draw().to_text(), "0 hits"));
-  program.animate();
-  EXPECT_TRUE(holds(program.draw().to_text(), "1 hits"));
-  program.press(Key(U'R'));  // paused
-  EXPECT_FALSE(program.animate());
-  program.press(Key(U'_'));
-  EXPECT_TRUE(holds(program.draw().to_text(), "3 hits, 2 accepted"));
 }
 
 TEST(Program, CompletesCommands) {

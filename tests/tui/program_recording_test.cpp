@@ -1,0 +1,39 @@
+// The Recording screen of the whole program.
+#include "tests/tui/play.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+TEST(ProgramRecording, TagsHitsAndActsOnThem) {
+  const std::string text = played("wait\ntt \nwait", {120, 35});
+  EXPECT_TRUE(holds(text, "2 hits overruled")) << text;
+  EXPECT_TRUE(holds(text, "3 hits, 2 accepted")) << text;  // one out, one in
+  EXPECT_TRUE(holds(played("wait\n*", {120, 35}), "3 tagged"));
+  EXPECT_FALSE(holds(played("wait\n*T", {120, 35}), "tagged"));
+  // The next rejected hit, of this run and then of the next.
+  EXPECT_TRUE(holds(played("wait\nN", {120, 35}), "▸2"));
+  EXPECT_TRUE(holds(played("wait\nNN", {120, 35}), "run 2 of 2"));
+}
+
+TEST(ProgramRecording, ReplaysARunAsItCame) {
+  Program program(testing::fake_workbench(), {120, 35, false});
+  wait_until_idle(program);
+  program.press(Key(U'R'));
+  EXPECT_TRUE(holds(program.draw().to_text(), "replay 0.0 of 10.0 s"));
+  EXPECT_TRUE(holds(program.draw().to_text(), "average: no hit yet"));
+  // Ten times as fast, 25 frames a second: 0.4 s a frame. The first block is
+  // complete after 246 + 700 samples at 256 Hz = 3.7 s.
+  for (int frame = 0; frame < 9; ++frame) program.animate();
+  EXPECT_TRUE(holds(program.draw().to_text(), "0 hits"));
+  program.animate();
+  EXPECT_TRUE(holds(program.draw().to_text(), "1 hits"));
+  program.press(Key(U'R'));  // paused
+  EXPECT_FALSE(program.animate());
+  program.press(Key(U'_'));
+  EXPECT_TRUE(holds(program.draw().to_text(), "3 hits, 2 accepted"));
+}
+
+}  // namespace
+}  // namespace tapfit::tui
