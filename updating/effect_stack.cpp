@@ -15,6 +15,15 @@ bool same_place(const PlacedEffect& a, const PlacedEffect& b) {
   return a.effect == b.effect && a.where == b.where;
 }
 
+// Says so where a fit leaves as much as the one before it.
+Fit judged(Fit fit, const Fit& before) {
+  if (!(fit.result.error < before.result.error)) {
+    fit.result.message +=
+        ", but the error does not fall: the data do not ask for it";
+  }
+  return fit;
+}
+
 }  // namespace
 
 EffectStack::EffectStack(Fit base, bool uncertain) : uncertain_(uncertain) {
@@ -23,7 +32,7 @@ EffectStack::EffectStack(Fit base, bool uncertain) : uncertain_(uncertain) {
 
 void EffectStack::fit_uncertain(const StackFit& how, const Progress& progress) {
   if (fits_.size() > 1) return;
-  fits_.push_back(how.fit({}, progress));
+  fits_.push_back(judged(how.fit({}, progress), fits_.front()));
 }
 
 // Fits that stay true are kept: up to the first effect that differs.
@@ -37,7 +46,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
   if (fitted) {
     fits.push_back(fits_[1]);
   } else if (uncertain_) {
-    fits.push_back(how.fit({}, progress));
+    fits.push_back(judged(how.fit({}, progress), fits.front()));
   }
   bool same = true;
   std::vector<PlacedEffect> so_far;
@@ -49,7 +58,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
       fits.push_back(fits_[at]);
     } else {
       so_far.push_back(wanted[k]);
-      fits.push_back(how.fit(so_far, progress));
+      fits.push_back(judged(how.fit(so_far, progress), fits.back()));
     }
     so_far = fits.back().effects;
   }

@@ -95,6 +95,19 @@ TEST_F(EffectStackTest, SwitchingOffIsAsIfItHadNeverBeenAdded) {
   EXPECT_LT(error(), 1e-4);
 }
 
+TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
+  const std::string said = "the error does not fall";
+  stack_->add(mass_at(9), how(), {});
+  EXPECT_EQ(stack_->fits().back().result.message.find(said), std::string::npos);
+  // Again what is there.
+  StackFit again = how();
+  again.fit = [this](const auto&, const Progress&) {
+    return stack_->fits().back();
+  };
+  stack_->add(mass_at(30), again, {});
+  EXPECT_NE(stack_->fits().back().result.message.find(said), std::string::npos);
+}
+
 TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
   EXPECT_FALSE(stack_->undo(how(), none_));
   stack_->add(mass_at(9), how(), none_);

@@ -7,6 +7,7 @@
 #include "updating/property_cards.hpp"
 #include "updating/structure/release_constraints.hpp"
 #include "updating/structure/system.hpp"
+#include "updating/structure/weaken_cards.hpp"
 #include "updating/uncertain_property.hpp"
 
 #include <fmt/format.h>
@@ -86,6 +87,18 @@ IdentifiedCards identified_cards(
   return result;
 }
 
+std::vector<structure::WeakElements> weak_elements(
+    const std::vector<updating::Candidate>& added_effects) {
+  std::vector<structure::WeakElements> weak;
+  for (const auto& added : added_effects) {
+    const auto kind = effects::find(added.effect).changes_stiffness();
+    if (kind != updating::ChangeKind::Elements) continue;
+    weak.push_back({{added.where.elements.begin(), added.where.elements.end()},
+                    added.parameters.at(0).value});
+  }
+  return weak;
+}
+
 }  // namespace
 
 std::vector<std::string> effect_cards(
@@ -122,11 +135,15 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
     released.insert(released.end(), out.begin(), out.end());
   }
   const IdentifiedCards cards = identified_cards(bundle, deck, identified);
+  const structure::WeakenCards weak(deck, weak_elements(added_effects));
   std::vector<bool> done;
+  const structure::CardEdit rescale =
+      structure::rescale_cards(cards.scales, done);
   UpdatedDeck result;
   result.lines =
       structure::edit_cards(deck.path,
-                            {structure::rescale_cards(cards.scales, done),
+                            {weak.edit(cards.scales, done),
+                             rescale,
                              structure::release_constraints(deck, released)});
   result.added = effect_cards(added_effects, bundle, deck);
   for (std::size_t k = 0; k < cards.scales.size(); ++k) {

@@ -26,8 +26,8 @@ std::vector<ParameterSpec> StiffnessLoss::parameters(const Where&,
 std::vector<std::string> StiffnessLoss::bulk_data(
     const Where& where, const Setting&, const std::vector<double>& p) const {
   return {
-      fmt::format("$ Stiffness of elements {} times {:.4g}: give them a "
-                  "property and material of their own",
+      fmt::format("$ Stiffness of elements {} times {:.4g}: they have a "
+                  "property and material of their own above",
                   fmt::join(where.elements, ", "),
                   p[0])};
 }

@@ -25,18 +25,22 @@ bool is_meant(const Card& card, const CardScale& scale) {
 
 }  // namespace
 
+Card rescaled(const Card& card,
+              const std::vector<CardScale>& scales,
+              std::vector<bool>& done) {
+  Card scaled = card;
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    if (is_meant(card, scales[k]) && rescale(scaled, scales[k])) done[k] = true;
+  }
+  return scaled;
+}
+
 CardEdit rescale_cards(const std::vector<CardScale>& scales,
                        std::vector<bool>& done) {
   done.assign(scales.size(), false);
   return [&](const Card& card) -> std::optional<std::vector<std::string>> {
-    Card scaled = card;
-    bool changed = false;
-    for (std::size_t k = 0; k < scales.size(); ++k) {
-      if (!is_meant(card, scales[k]) || !rescale(scaled, scales[k])) continue;
-      done[k] = true;
-      changed = true;
-    }
-    if (!changed) return std::nullopt;
+    const Card scaled = rescaled(card, scales, done);
+    if (scaled.fields == card.fields) return std::nullopt;
     return large_field(scaled);
   };
 }

@@ -17,6 +17,13 @@ struct CardScale {
   double factor = 1.0;
 };
 
+/// The card with what the scales mean multiplied.
+///
+/// @param done one per scale, set where a number was changed
+[[nodiscard]] Card rescaled(const Card& card,
+                            const std::vector<CardScale>& scales,
+                            std::vector<bool>& done);
+
 /// Writes the cards that the scales mean with their numbers multiplied, in
 /// large field.
 ///
