@@ -33,8 +33,12 @@ void drop(const Curves& curves, double hz, ModalFit& fit) {
   }
   Eigen::VectorXcd rest(fit.poles.size() - 1);
   rest << fit.poles.head(nearest), fit.poles.tail(rest.size() - nearest);
-  fit = rest.size() > 0 ? refine_poles(curves, rest, 10)
-                        : fit_residues(curves, rest);
+  fit = fit_residues(curves, rest);
+  if (rest.size() == 0) return;
+  ModalFit refined = refine_poles(curves, rest, 10);
+  // A pole that goes where one was taken out would bring it back.
+  const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
+  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
 }
 
 /// The pole of the steadiest track near a frequency that is no mode yet.
