@@ -186,7 +186,7 @@ void FrfModel::set_damping(ModalState& shared) const {
   }
   const PlacedEffect* law = state.damping_law();
   DampingOfModes& damping = shared.damping;
-  damping.d = damping.by_k = damping.by_m = VectorXd::Zero(w.size());
+  damping.d = damping.slope = VectorXd::Zero(w.size());
   for (Index m = 0; m < w.size(); ++m) {
     effects::ModeDamping mode;
     if (law != nullptr) {
@@ -197,14 +197,11 @@ void FrfModel::set_damping(ModalState& shared) const {
       mode = {2.0 * zeta * w(m), 2.0 * zeta};
     }
     damping.d(m) = mode.c;
-    // c is homogeneous in k and m: c = k c_k + m c_m.
-    if (w(m) > 0.0) damping.by_k(m) = mode.slope / (2.0 * w(m));
-    damping.by_m(m) = mode.c - w(m) * w(m) * damping.by_k(m);
+    if (w(m) > 0.0) damping.slope(m) = mode.slope / (2.0 * w(m));
   }
 }
 
-ModalState FrfModel::modal_state(const ModelState& state,
-                                 bool derivatives) const {
+ModalState FrfModel::modal_state(const ModelState& state) const {
   ModalState shared;
   shared.state = &state;
   shared.modes = base_modes(state);
@@ -216,30 +213,39 @@ ModalState FrfModel::modal_state(const ModelState& state,
     shared.first.push_back(column);
     column += e.p.size();
   }
-  if (!derivatives) return shared;
-  const MatrixXd& phi = shared.modes.phi;
+  return shared;
+}
+
+void FrfModel::find_turning(ModalState& shared, double largest) const {
+  const ModelState& state = *shared.state;
+  const auto turn = [&](const MatrixXd& dK, const MatrixXd& dM) {
+    return ModeTurn(
+        shared.modes.phi, shared.modes.omega, shared.damping, dK, dM, largest);
+  };
   for (std::size_t j = 0; j < state.factor.size(); ++j) {
-    MatrixXd dK = MatrixXd::Zero(phi.rows(), phi.rows());
-    MatrixXd dM = dK;
+    MatrixXd dK;
+    MatrixXd dM;
+    const auto add = [](double c, const MatrixXd& part, MatrixXd& sum) {
+      if (part.isZero(0.0)) return;
+      if (sum.size() == 0) sum.setZero(part.rows(), part.cols());
+      sum += c * part;
+    };
     for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
       const double c = part_slope(base_.part_power[t], state.factor, j);
       if (c == 0.0) continue;
-      dK += c * base_.K_part[t];
-      dM += c * base_.M_part[t];
+      add(c, base_.K_part[t], dK);
+      add(c, base_.M_part[t], dM);
     }
-    ModalTerm term(phi, dK, &dM);
-    term.turn_damping(shared.modes.omega, shared.damping.d);
-    shared.terms.push_back({std::move(term), j, state.factor[j]});
+    shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed)) continue;
-      shared.terms.push_back(
-          {ModalTerm(phi, term.S, nullptr), shared.first[e], placed.p[0]});
+      shared.turning.push_back(
+          {turn(term.S, {}), shared.first[e], placed.p[0]});
     }
   }
-  return shared;
 }
 
 RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
@@ -320,7 +326,7 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
     const ModelState& state,
     const VectorXcd& s,
     const MatrixXd& candidates) const {
-  const ModalState shared = modal_state(state, false);
+  const ModalState shared = modal_state(state);
   const MatrixXd& phi = shared.modes.phi;
   const bool same = phi.isIdentity(0.0);
   const MatrixXd of = phi.transpose() * candidates;
@@ -342,8 +348,8 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
         own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
       }
       walk.own.row(line) = own.transpose();
-      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
-      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
+      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses).X;
+      const MatrixXcd Xi = lines.columns(g, coupled, lines.references).X;
       walk.Xo.push_back(same ? Xo : phi * Xo);
       walk.Xi.push_back(same ? Xi : phi * Xi);
     }
@@ -355,7 +361,8 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
 ModelResponse FrfModel::respond(const ModelState& state,
                                 const VectorXcd& s,
                                 bool derivatives) const {
-  const ModalState shared = modal_state(state, derivatives);
+  ModalState shared = modal_state(state);
+  if (derivatives) find_turning(shared, s.cwiseAbs().maxCoeff());
   ModelResponse out;
   const auto n = static_cast<Index>(pairs_.size());
   out.H.resize(s.size(), n);

@@ -98,8 +98,9 @@ class FrfModel {
   void set_reference(const ModelState& state);
 
  private:
-  [[nodiscard]] ModalState modal_state(const ModelState& state,
-                                       bool derivatives) const;
+  [[nodiscard]] ModalState modal_state(const ModelState& state) const;
+  // By which parameters the modes turn, and how.
+  void find_turning(ModalState& shared, double largest) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
   [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;

@@ -1,7 +1,7 @@
 #include "updating/hypotheses.hpp"
 
+#include "acquisition/parallel.hpp"
 #include "updating/effects/catalogue.hpp"
-#include "updating/parallel.hpp"
 #include "updating/screening.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "updating/place_patterns.hpp"
 
-#include "updating/parallel.hpp"
+#include "acquisition/parallel.hpp"
 
 namespace tapfit::updating {
 

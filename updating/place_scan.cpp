@@ -1,6 +1,6 @@
 #include "updating/place_scan.hpp"
 
-#include "updating/parallel.hpp"
+#include "acquisition/parallel.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/frf_model.hpp"
+#include "updating/mode_turn.hpp"
 
 #include <Eigen/Core>
 
@@ -19,43 +20,9 @@ struct Actor {
   double weight = 1.0;
 };
 
-/// Of every mode of unit mass: d = 2 zeta omega, and what it gains with modal
-/// stiffness and mass.
-struct DampingOfModes {
-  Eigen::VectorXd d;
-  Eigen::VectorXd by_k;  ///< d d / d k
-  Eigen::VectorXd by_m;  ///< d d / d m
-};
-
-/// d Z / d f of a matrix term, in modal coordinates; diagonal where it can be.
-class ModalTerm {
- public:
-  ModalTerm(const Eigen::MatrixXd& phi,
-            const Eigen::MatrixXd& K,
-            const Eigen::MatrixXd* M);
-
-  /// Lets modal damping turn with the modes. With Phi' = Phi A the matrix
-  /// C = Phi^-T D Phi^-1, D = diag(2 zeta omega), changes off the diagonal by
-  ///   -(A' D + D A)_ij = (k_ij (d_j - d_i) + m_ij (l_j d_i - l_i d_j))
-  ///                      / (l_j - l_i),   l = omega^2;
-  /// A after R. L. Fox, M. P. Kapoor, AIAA Journal 6(12), 1968, p. 2426.
-  void turn_damping(const Eigen::VectorXd& omega, const Eigen::VectorXd& d);
-
-  /// d Z / d f times X; damping follows the frequencies.
-  /// @param s the line of each column of X [rad/s]
-  [[nodiscard]] Eigen::MatrixXcd times(const Eigen::VectorXcd& s,
-                                       const DampingOfModes& damping,
-                                       const Eigen::MatrixXcd& X) const;
-
- private:
-  Eigen::VectorXd k_, m_;  // diagonals
-  Eigen::MatrixXd K_, M_;  // full; empty where diagonal
-  Eigen::MatrixXd C_;      // off the diagonal; empty where it does not turn
-};
-
-/// A matrix term and the parameter (position in pack()) that scales it.
-struct ScaledTerm {
-  ModalTerm term;
+/// What a parameter does to the modes, and its position in pack().
+struct TurningParameter {
+  ModeTurn turn;
   std::size_t column = 0;
   double scale = 1.0;  ///< d / d ln p = p d / d p
 };
@@ -66,7 +33,7 @@ struct ModalState {
   BaseModes modes;
   DampingOfModes damping;
   std::vector<int> owner;  ///< of state->zeta, of each mode; or -1
-  std::vector<ScaledTerm> terms;
+  std::vector<TurningParameter> turning;
   std::vector<std::size_t> first;  ///< column of each effect's parameters
   std::size_t first_zeta = 0;
 };
@@ -86,10 +53,14 @@ struct RunLines {
   /// D (I + B' H B D)^-1 of eq. 15.
   [[nodiscard]] Eigen::MatrixXcd coupling(std::complex<double> s,
                                           const Eigen::VectorXcd& g) const;
-  /// X = H* e for the points (eq. 15).
-  [[nodiscard]] Eigen::MatrixXcd columns(const Eigen::VectorXcd& g,
-                                         const Eigen::MatrixXcd& coupled,
-                                         const Eigen::MatrixXd& points) const;
+  /// X = H* e for the points (eq. 15), X = H (points - B u).
+  struct Columns {
+    Eigen::MatrixXcd X;  ///< modes x points
+    Eigen::MatrixXcd u;  ///< actors x points; empty without actors
+  };
+  [[nodiscard]] Columns columns(const Eigen::VectorXcd& g,
+                                const Eigen::MatrixXcd& coupled,
+                                const Eigen::MatrixXd& points) const;
   /// Fills the response of these pairs, with derivatives where out.dH is made.
   /// @param flexible modes x lines, see flexibility()
   void respond(const Eigen::VectorXcd& s,
@@ -97,26 +68,27 @@ struct RunLines {
                ModelResponse& out) const;
 
  private:
-  // X of the response and of the reference points on one line.
-  struct Columns {
-    Eigen::MatrixXcd o;
-    Eigen::MatrixXcd i;
+  // Of one line.
+  struct Line {
+    std::complex<double> s;
+    Eigen::Index at = 0;
+    Columns o;  // of the response points
+    Columns i;  // of the reference points
   };
-  void derive_terms(const Eigen::VectorXcd& s,
-                    const std::vector<Columns>& X,
-                    ModelResponse& out) const;
-  void derive_law(std::complex<double> s,
-                  Eigen::Index line,
-                  const Columns& X,
-                  ModelResponse& out) const;
-  void derive_damping(std::complex<double> s,
-                      Eigen::Index line,
-                      const Columns& X,
+  // What the parameters that turn the modes change of the modal rows, those of
+  // one parameter after those of the other.
+  struct Turned {
+    Eigen::MatrixXd responses;
+    Eigen::MatrixXd references;
+    Eigen::MatrixXd B;
+  };
+  [[nodiscard]] Turned turned_rows() const;
+  void derive_turning(const Line& line,
+                      const Turned& turned,
                       ModelResponse& out) const;
-  void derive_effects(std::complex<double> s,
-                      Eigen::Index line,
-                      const Columns& X,
-                      ModelResponse& out) const;
+  void derive_law(const Line& line, ModelResponse& out) const;
+  void derive_damping(const Line& line, ModelResponse& out) const;
+  void derive_effects(const Line& line, ModelResponse& out) const;
 };
 
 }  // namespace tapfit::updating

@@ -1,9 +1,9 @@
 #include "updating/screening.hpp"
 
+#include "acquisition/parallel.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/misfit_scan.hpp"
-#include "updating/parallel.hpp"
 #include "updating/place_rows.hpp"
 #include "updating/place_scan.hpp"
 

@@ -1,5 +1,5 @@
 #include "acquisition/input_error.hpp"
-#include "updating/parallel.hpp"
+#include "acquisition/parallel.hpp"
 #include "updating/structure/constraint_axes.hpp"
 #include "updating/structure/definiteness.hpp"
 #include "updating/structure/element_matrices.hpp"
@@ -99,7 +99,7 @@ Entries structural(const Deck& deck, const Wanted& wanted) {
   const std::size_t count =
       deck.shells.size() + deck.bars.size() + deck.rods.size();
   std::vector<Entries> pieces((count + kPiece - 1) / kPiece);
-  updating::for_each_parallel(pieces.size(), [&](std::size_t piece) {
+  for_each_parallel(pieces.size(), [&](std::size_t piece) {
     const std::size_t end = std::min(count, (piece + 1) * kPiece);
     for (std::size_t k = piece * kPiece; k < end; ++k) {
       take_structural(deck, k, wanted, pieces[piece]);
