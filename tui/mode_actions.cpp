@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -59,8 +60,11 @@ std::vector<double> numbers(const std::string& text, const std::string& word) {
   std::vector<double> values;
   double value = 0.0;
   while (stream >> value) values.push_back(value);
-  const bool positive = std::isfinite(value) && value > 0.0;
-  if (!stream.eof() || values.empty() || !positive) refuse(word);
+  const auto positive = [](double hz) { return std::isfinite(hz) && hz > 0.0; };
+  if (!stream.eof() || values.empty() ||
+      !std::all_of(values.begin(), values.end(), positive)) {
+    refuse(word);
+  }
   return values;
 }
 

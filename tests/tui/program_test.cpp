@@ -70,6 +70,8 @@ TEST(Program, DropsAndPutsInModesAsTyped) {
   EXPECT_TRUE(holds(wrong, "there is no measured mode 9")) << wrong;
   const std::string bad = played("3\nwait\n:drop x\n<Enter>\nwait");
   EXPECT_TRUE(holds(bad, ":drop 12.98")) << bad;
+  const std::string below = played("3\nwait\n:band -5 20\n<Enter>\nwait");
+  EXPECT_TRUE(holds(below, ":band 10 60")) << below;
 }
 
 TEST(Program, SwitchesAnEffectOffAndOn) {
