@@ -7,9 +7,9 @@ namespace tapfit::updating {
 
 using structure::SparseMatrix;
 
-void lend_mass(structure::System& system,
-               const std::vector<int>& points,
-               double high_hz) {
+SparseMatrix lent_mass(const structure::System& system,
+                       const std::vector<int>& points,
+                       double high_hz) {
   constexpr double decades = 1e5;
   const double square = std::pow(2.0 * std::numbers::pi * decades * high_hz, 2);
   const Eigen::VectorXd K = system.K.diagonal();
@@ -20,10 +20,10 @@ void lend_mass(structure::System& system,
     if (M(i) != 0.0 || !(K(i) > 0.0) || held) continue;
     lent.emplace_back(i, i, K(i) / square);
   }
-  if (lent.empty()) return;
+  if (lent.empty()) return {};
   SparseMatrix added(M.size(), M.size());
   added.setFromTriplets(lent.begin(), lent.end());
-  system.M += added;
+  return added;
 }
 
 }  // namespace tapfit::updating

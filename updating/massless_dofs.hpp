@@ -13,12 +13,13 @@
 
 namespace tapfit::updating {
 
-/// Adds the mass to the system's diagonal.
-/// @param points degrees of freedom that are hit or measured; others without
-///   mass stay so: where nothing holds them they are a mechanism
+/// The mass lent, on the diagonal.
+/// @param points degrees of freedom that are hit, measured or acted on; others
+///   without mass stay so: where nothing holds them they are a mechanism
 /// @param high_hz top of the band; FRFs up to it change by some 1e-10
-void lend_mass(structure::System& system,
-               const std::vector<int>& points,
-               double high_hz);
+/// @return n x n; empty where none of the points is without mass
+[[nodiscard]] structure::SparseMatrix lent_mass(const structure::System& system,
+                                                const std::vector<int>& points,
+                                                double high_hz);
 
 }  // namespace tapfit::updating

@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/base_error.hpp"
+#include "updating/changed_motions.hpp"
 #include "updating/kept_base.hpp"
 #include "updating/massless_dofs.hpp"
 #include "updating/mesh_factors.hpp"
@@ -80,8 +81,9 @@ struct BaseBuilder::Impl {
 
   [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd constraint_modes(const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd loss_modes(const SparseMatrix& S) const;
+  [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
+                                const std::vector<StiffnessChange>& changes,
+                                const std::vector<int>& fresh) const;
   [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
                                           const SparseMatrix& S) const;
 };
@@ -103,7 +105,11 @@ BaseBuilder::BaseBuilder(
                          : structure::RefinedDeck{deck, {}, {}};
   progress("model: assembling", 0.0);
   m.system = structure::assemble(m.mesh.deck);
-  lend_mass(m.system, m.options.points, options.high_hz);
+  if (const SparseMatrix lent =
+          lent_mass(m.system, m.options.points, options.high_hz);
+      lent.size() > 0) {
+    m.system.M += lent;
+  }
   m.motions = structure::free_motions(m.system);
   if (m.motions.free.empty()) {
     throw InputError("the model has no free degree of freedom",
@@ -229,53 +235,6 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
   return solved;
 }
 
-// The structure's answer to a unit of each released degree of freedom, the
-// others at zero. With the modes of the structure held (which V0 has) they
-// span every stiffness of the springs, from rigid to none (Craig and Bampton).
-MatrixXd BaseBuilder::Impl::constraint_modes(
-    const ReleasedSystem& released) const {
-  std::vector<int> loose;
-  std::set_difference(released.active.begin(),
-                      released.active.end(),
-                      motions.free.begin(),
-                      motions.free.end(),
-                      std::back_inserter(loose));
-  // The system's own come first; what follows a rigid element goes with them.
-  const auto joints = std::lower_bound(
-      loose.begin(), loose.end(), static_cast<int>(system.dofs()));
-  const structure::FreeMotions supports =
-      structure::free_motions(system.T, {loose.begin(), joints}, system.dofs());
-  MatrixXd unit =
-      MatrixXd::Zero(released.dofs(), static_cast<Index>(loose.size()));
-  unit.topLeftCorner(system.dofs(), supports.size()) =
-      supports.expand(MatrixXd::Identity(supports.size(), supports.size()));
-  for (auto q = joints; q != loose.end(); ++q) {
-    unit(*q, q - loose.begin()) = 1.0;
-  }
-  const MatrixXd forces = released.K * unit + shift * (released.M * unit);
-  unit.topRows(system.dofs()) -= answers->to(forces.topRows(system.dofs()));
-  return unit;
-}
-
-// What the modes become when elements soften: (A^-1 S)^k phi, the vectors of
-// combined approximations (U. Kirsch), without a factorisation of their own.
-MatrixXd BaseBuilder::Impl::loss_modes(const SparseMatrix& S) const {
-  constexpr int orders = 4;
-  const Index count =
-      std::count_if(modes_hz.begin(), modes_hz.end(), [this](double f) {
-        return f < 1.5 * options.high_hz;
-      });
-  std::vector<MatrixXd> terms;
-  MatrixXd last = modes.leftCols(count);
-  for (int k = 0; k < orders; ++k) {
-    last = answers->to(S * last);
-    terms.push_back(last);
-    // Alone they would all turn to the softest motion of the patch.
-    last = orthonormalise(system.M, last, 1e-10);
-  }
-  return orthonormalise(system.M, join(terms), 1e-10);
-}
-
 // How stiff is stiff: to first order springs of stiffness k per metre lower
 // omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
 // asks of them.
@@ -356,6 +315,29 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
   return base;
 }
 
+// What the fixed basis lacks, as columns over the released dofs.
+MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
+                                   const std::vector<StiffnessChange>& changes,
+                                   const std::vector<int>& fresh) const {
+  const auto padded = [&released](const MatrixXd& block) {
+    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
+    whole.topRows(block.rows()) = block;
+    return whole;
+  };
+  const VectorXd stiffness = fixed.K.diagonal();
+  const HeldBase held = {
+      system, motions, *answers, V0, stiffness, shift, options.high_hz};
+  std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
+  if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  const Index n = system.dofs();
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (changes[k].kind != ChangeKind::Elements) continue;
+    const SparseMatrix S = released.S[k].topLeftCorner(n, n);
+    blocks.push_back(padded(loss_modes(held, S, loss_term.lower)));
+  }
+  return join(blocks);
+}
+
 ReducedBase BaseBuilder::build(
     const std::vector<int>& points,
     const std::vector<StiffnessChange>& changes) const {
@@ -366,26 +348,19 @@ ReducedBase BaseBuilder::build(
                       m.options.points.begin(),
                       m.options.points.end(),
                       std::back_inserter(fresh));
-  const MatrixXd points_moved = m.answers->to_points(fresh);
-  if (changes.empty()) {
-    return fresh.empty() ? m.fixed : m.extend(points_moved, m.plain);
+  if (changes.empty() && fresh.empty()) return m.fixed;
+  std::optional<ReleasedSystem> own;  // where it is not the plain one
+  if (!changes.empty()) {
+    own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
   }
-  const ReleasedSystem released =
-      release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
-  const auto padded = [&released](const MatrixXd& block) {
-    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
-    whole.topRows(block.rows()) = block;
-    return whole;
-  };
-  std::vector<MatrixXd> blocks = {padded(points_moved),
-                                  m.constraint_modes(released)};
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (changes[k].kind != ChangeKind::Elements) continue;
-    const Index n = m.system.dofs();
-    blocks.push_back(
-        padded(m.loss_modes(SparseMatrix(released.S[k].topLeftCorner(n, n)))));
+  SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
+  if (lent.size() > 0) {
+    if (!own) own = m.plain;
+    lent.conservativeResize(own->dofs(), own->dofs());
+    own->M += lent;
   }
-  ReducedBase base = m.extend(join(blocks), released);
+  const ReleasedSystem& released = own ? *own : m.plain;
+  ReducedBase base = m.extend(m.needed(released, changes, fresh), released);
   for (std::size_t k = 0; k < changes.size(); ++k) {
     StiffnessTerm term = changes[k].kind == ChangeKind::Elements
                              ? loss_term

@@ -177,9 +177,8 @@ TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
     const ModelState state = undamped(*fitter_, *model, {clamp(k)});
     const MatrixXcd H = model->respond(state, s_, false).H;
     const MatrixXcd exact = direct(deck_, pairs_, {}, s_, rotations, k);
-    // Constraint modes and modes to four times the band: 0.02 % at the
-    // softest.
-    EXPECT_LT(difference(H, exact), 5e-4) << "k = " << k;
+    // What the basis is made for, see changed_motions.hpp.
+    EXPECT_LT(difference(H, exact), 1e-6) << "k = " << k;
   }
 }
 
@@ -207,8 +206,8 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
     const ModelState state =
         undamped(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
-    // Four terms of the series leave 0.2 % when next to nothing is left.
-    EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 4e-3)
+    // See changed_motions.hpp.
+    EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 5e-4)
         << "factor " << factor;
   }
 }
