@@ -3,8 +3,10 @@
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/update_command.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/effects/joint_cards.hpp"
 #include "updating/fit_setting.hpp"
 #include "updating/property_cards.hpp"
+#include "updating/structure/move_elements.hpp"
 #include "updating/structure/release_constraints.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/structure/weaken_cards.hpp"
@@ -50,6 +52,7 @@ std::vector<double> values(const std::vector<updating::Estimate>& identified,
 void take_id(const std::string& card, structure::Deck& deck) {
   const std::size_t comma = card.find(',');
   if (card.starts_with('$') || comma == std::string::npos) return;
+  if (card.starts_with("CORD")) return deck.cards.push_back(card);
   int id = 0;
   const char* first = card.data() + comma + 1;
   std::from_chars(first, card.data() + card.size(), id);
@@ -99,29 +102,67 @@ std::vector<structure::WeakElements> weak_elements(
   return weak;
 }
 
+/// Effects as cards to add and as elements on other grids.
+struct EffectCards {
+  std::vector<std::string> added;
+  structure::GridMoves moves;
+};
+
+/// The elements beside a joint take its doubled grids; false where another
+/// joint has moved one of them there already.
+bool move_side(const updating::JointLine& line,
+               const std::map<int, int>& doubles,
+               structure::GridMoves& moves) {
+  structure::GridMoves all = moves;
+  for (const int element : line.side) {
+    for (const auto& [grid, twin] : doubles) {
+      if (!all[element].try_emplace(grid, twin).second) return false;
+    }
+  }
+  moves = std::move(all);
+  return true;
+}
+
+EffectCards cards_of(const std::vector<updating::Candidate>& added_effects,
+                     const acquisition::TestBundle& bundle,
+                     const structure::Deck& deck) {
+  structure::Deck with_ids = deck;
+  effects::Setting setting = setting_of(bundle, deck);
+  setting.deck = &with_ids;
+  EffectCards cards;
+  for (const auto& added : added_effects) {
+    const effects::Effect& effect = effects::find(added.effect);
+    cards.added.push_back(fmt::format("$ {}: {}",
+                                      effect_text(added.effect, added.where),
+                                      parameters_text(added.parameters)));
+    const auto p =
+        values(added.parameters, effect.parameters(added.where, setting));
+    if (effect.changes_stiffness() == updating::ChangeKind::Joint) {
+      const updating::JointLine line =
+          effects::joint_at(with_ids, added.where, setting.component);
+      const auto doubles =
+          effects::joint_cards(with_ids, line, p.front()).doubles;
+      if (!move_side(line, doubles, cards.moves)) {
+        cards.added.emplace_back(
+            "$ not written: it crosses another joint at a grid");
+        continue;
+      }
+    }
+    for (std::string& card : effect.bulk_data(added.where, setting, p)) {
+      take_id(card, with_ids);
+      cards.added.push_back(std::move(card));
+    }
+  }
+  return cards;
+}
+
 }  // namespace
 
 std::vector<std::string> effect_cards(
     const std::vector<updating::Candidate>& added_effects,
     const acquisition::TestBundle& bundle,
     const structure::Deck& deck) {
-  structure::Deck with_ids = deck;
-  effects::Setting setting = setting_of(bundle, deck);
-  setting.deck = &with_ids;
-  std::vector<std::string> cards;
-  for (const auto& added : added_effects) {
-    const effects::Effect& effect = effects::find(added.effect);
-    cards.push_back(fmt::format("$ {}: {}",
-                                effect_text(added.effect, added.where),
-                                parameters_text(added.parameters)));
-    const auto p =
-        values(added.parameters, effect.parameters(added.where, setting));
-    for (std::string& card : effect.bulk_data(added.where, setting, p)) {
-      take_id(card, with_ids);
-      cards.push_back(std::move(card));
-    }
-  }
-  return cards;
+  return cards_of(added_effects, bundle, deck).added;
 }
 
 UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
@@ -136,16 +177,18 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
   }
   const IdentifiedCards cards = identified_cards(bundle, deck, identified);
   const structure::WeakenCards weak(deck, weak_elements(added_effects));
+  EffectCards written = cards_of(added_effects, bundle, deck);
   std::vector<bool> done;
   const structure::CardEdit rescale =
       structure::rescale_cards(cards.scales, done);
   UpdatedDeck result;
   result.lines =
       structure::edit_cards(deck.path,
-                            {weak.edit(cards.scales, done),
+                            {structure::move_elements(written.moves, weak),
+                             weak.edit(cards.scales, done),
                              rescale,
                              structure::release_constraints(deck, released)});
-  result.added = effect_cards(added_effects, bundle, deck);
+  result.added = std::move(written.added);
   for (std::size_t k = 0; k < cards.scales.size(); ++k) {
     if (done[k]) continue;
     const updating::Estimate& estimate = cards.estimates[k];

@@ -10,56 +10,6 @@
 namespace tapfit::effects {
 namespace {
 
-int free_id(const structure::Deck& deck, int offset) {
-  int highest = 0;
-  const auto scan = [&highest](const auto& elements) {
-    for (const auto& element : elements) {
-      highest = std::max(highest, element.id);
-    }
-  };
-  scan(deck.shells);
-  scan(deck.bars);
-  scan(deck.rods);
-  scan(deck.masses);
-  scan(deck.scalars);
-  scan(deck.bushes);
-  scan(deck.rigids);
-  return highest + 1 + offset;
-}
-
-// Force by length is mass by time squared; a rotation has a length at either
-// end.
-double file_stiffness(const structure::Deck& deck, int component, double si) {
-  const double length = component > 3 ? deck.file_length_m : 1.0;
-  return si / (deck.file_mass_kg * length * length);
-}
-
-// A real in bulk data needs a point or an exponent with one.
-std::string real(double value) { return fmt::format("{:#.7g}", value); }
-
-int free_grid(const structure::Deck& deck, int offset) {
-  int highest = 0;
-  for (const structure::Grid& grid : deck.grids) {
-    highest = std::max(highest, grid.id);
-  }
-  return highest + 1 + offset;
-}
-
-// A grid at the place of another one, along basic axes.
-std::string grid_card(const structure::Deck& deck,
-                      int id,
-                      int like,
-                      const std::string& held) {
-  const Eigen::Vector3d at =
-      deck.grids[deck.grid_index(like)].position / deck.file_length_m;
-  return fmt::format("GRID,{},,{},{},{},,{}",
-                     id,
-                     real(at.x()),
-                     real(at.y()),
-                     real(at.z()),
-                     held);
-}
-
 // Cosine between a grid's own axis and a basic one.
 double cosine(const structure::Deck& deck, int node, int own, int basic) {
   return deck.grids[deck.grid_index(node)].axes((basic - 1) % 3, own % 3);
@@ -89,7 +39,8 @@ Hold hold_of(const structure::Deck& deck,
       grid,
       component,
       {grid_card(deck, grid, node, ""),
-       fmt::format("RBE2,{},{},123456,{}", free_id(deck, offset), node, grid)}};
+       fmt::format(
+           "RBE2,{},{},123456,{}", free_element(deck, offset), node, grid)}};
 }
 
 std::vector<std::string> ground_cards(const char* card,
@@ -98,17 +49,65 @@ std::vector<std::string> ground_cards(const char* card,
                                       const Dof& dof,
                                       double size) {
   Hold hold = hold_of(deck, offset, dof.node, dof.component, Sense::Either);
-  hold.cards.push_back(
-      fmt::format("{},{},{},{},{}",
-                  card,
-                  free_id(deck, offset + static_cast<int>(hold.cards.size())),
-                  real(file_stiffness(deck, dof.component, size)),
-                  hold.node,
-                  hold.component));
+  hold.cards.push_back(fmt::format(
+      "{},{},{},{},{}",
+      card,
+      free_element(deck, offset + static_cast<int>(hold.cards.size())),
+      card_real(file_stiffness(deck, dof.component, size)),
+      hold.node,
+      hold.component));
   return std::move(hold.cards);
 }
 
 }  // namespace
+
+int free_element(const structure::Deck& deck, int offset) {
+  int highest = 0;
+  const auto scan = [&highest](const auto& elements) {
+    for (const auto& element : elements) {
+      highest = std::max(highest, element.id);
+    }
+  };
+  scan(deck.shells);
+  scan(deck.bars);
+  scan(deck.rods);
+  scan(deck.masses);
+  scan(deck.scalars);
+  scan(deck.bushes);
+  scan(deck.rigids);
+  return highest + 1 + offset;
+}
+
+double file_stiffness(const structure::Deck& deck, int component, double si) {
+  const double length = component > 3 ? deck.file_length_m : 1.0;
+  return si / (deck.file_mass_kg * length * length);
+}
+
+std::string card_real(double value) { return fmt::format("{:#.7g}", value); }
+
+int free_grid(const structure::Deck& deck, int offset) {
+  int highest = 0;
+  for (const structure::Grid& grid : deck.grids) {
+    highest = std::max(highest, grid.id);
+  }
+  return highest + 1 + offset;
+}
+
+std::string grid_card(const structure::Deck& deck,
+                      int id,
+                      int like,
+                      const std::string& held,
+                      int axes) {
+  const Eigen::Vector3d at =
+      deck.grids[deck.grid_index(like)].position / deck.file_length_m;
+  return fmt::format("GRID,{},0,{},{},{},{},{}",
+                     id,
+                     card_real(at.x()),
+                     card_real(at.y()),
+                     card_real(at.z()),
+                     axes,
+                     held.empty() ? "0" : held);
+}
 
 std::optional<int> card_component(const structure::Deck& deck,
                                   int node,
@@ -127,10 +126,11 @@ std::string point_mass_card(const structure::Deck& deck,
                             int offset,
                             int node,
                             double mass_kg) {
-  return fmt::format("CONM2,{},{},,{}",
-                     free_id(deck, offset),
-                     node,
-                     real(mass_kg / (deck.file_mass_kg * deck.weight_to_mass)));
+  return fmt::format(
+      "CONM2,{},{},,{}",
+      free_element(deck, offset),
+      node,
+      card_real(mass_kg / (deck.file_mass_kg * deck.weight_to_mass)));
 }
 
 std::vector<std::string> ground_spring_cards(const structure::Deck& deck,
@@ -163,14 +163,15 @@ std::vector<std::string> absorber_cards(const structure::Deck& deck,
   cards.push_back(grid_card(deck, own, node, held));
   cards.push_back(point_mass_card(deck, 0, own, mass_kg));
   const auto link = [&](const char* card, int offset, double size) {
-    cards.push_back(fmt::format("{},{},{},{},{},{},{}",
-                                card,
-                                free_id(deck, offset),
-                                real(file_stiffness(deck, component, size)),
-                                hold.node,
-                                hold.component,
-                                own,
-                                component));
+    cards.push_back(
+        fmt::format("{},{},{},{},{},{},{}",
+                    card,
+                    free_element(deck, offset),
+                    card_real(file_stiffness(deck, component, size)),
+                    hold.node,
+                    hold.component,
+                    own,
+                    component));
   };
   link("CELAS2", 1, stiffness);
   link("CDAMP2", 2, damping);

@@ -13,6 +13,29 @@
 
 namespace tapfit::effects {
 
+/// The `offset`-th element (or grid) id that the deck has not (0, 1, ...).
+[[nodiscard]] int free_element(const structure::Deck& deck, int offset);
+[[nodiscard]] int free_grid(const structure::Deck& deck, int offset);
+
+/// A real in bulk data needs a point or an exponent with one.
+[[nodiscard]] std::string card_real(double value);
+
+/// A stiffness, damping [SI] in the file's units: force by length is mass by
+/// time squared; a rotation (component 4..6) has a length at either end.
+[[nodiscard]] double file_stiffness(const structure::Deck& deck,
+                                    int component,
+                                    double si);
+
+/// GRID at the place of another one. Zeros stand where blanks would take what
+/// GRDSET says.
+/// @param held components of its own constraint, or none
+/// @param axes coordinate system of its displacements (CD)
+[[nodiscard]] std::string grid_card(const structure::Deck& deck,
+                                    int id,
+                                    int like,
+                                    const std::string& held,
+                                    int axes = 0);
+
 /// CONM2 with the `offset`-th free element id of the deck (0, 1, ...).
 [[nodiscard]] std::string point_mass_card(const structure::Deck& deck,
                                           int offset,

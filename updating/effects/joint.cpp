@@ -1,8 +1,7 @@
 #include "updating/effects/joint.hpp"
 
+#include "updating/effects/joint_cards.hpp"
 #include "updating/joint_line.hpp"
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
@@ -50,16 +49,11 @@ std::vector<Effect::Derived> Joint::derived(const Where& where,
 }
 
 std::vector<std::string> Joint::bulk_data(const Where& where,
-                                          const Setting&,
+                                          const Setting& setting,
                                           const std::vector<double>& p) const {
-  return {
-      fmt::format("$ Joint along {} grids from {} to {}: double the grids, "
-                  "CELAS2 of {:.4g} "
-                  "N m/rad per metre between the rotations",
-                  where.nodes.size(),
-                  where.nodes.front(),
-                  where.nodes.back(),
-                  p[0])};
+  const updating::JointLine line =
+      joint_at(*setting.deck, where, setting.component);
+  return joint_cards(*setting.deck, line, p[0]).added;
 }
 
 }  // namespace tapfit::effects

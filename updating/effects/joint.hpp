@@ -26,6 +26,7 @@ class Joint final : public StiffnessEffect {
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<Derived> derived(
       const Where& where, const Setting& setting) const override;
+  /// Of what the elements on one side need besides: see joint_cards.hpp.
   [[nodiscard]] std::vector<std::string> bulk_data(
       const Where& where,
       const Setting& setting,

@@ -9,11 +9,15 @@ namespace {
 
 // Positions of the MSC Nastran Quick Reference Guide, the name at 0.
 const std::map<std::string, std::vector<std::size_t>> material_fields = {
-    {"PSHELL", {2, 4, 6}}, {"PBAR", {2}}, {"PBARL", {2}}, {"PROD", {2}}};
+    {"PSHELL", {2, 4, 6}},
+    {"PBAR", {2}},
+    {"PBARL", {2}},
+    {"PBEAM", {2}},
+    {"PROD", {2}}};
 const std::map<std::string, std::vector<std::size_t>> modulus_fields = {
     {"MAT1", {2, 3}}, {"MAT8", {2, 3, 5, 6, 7}}};
 const std::set<std::string> element_names = {
-    "CQUAD4", "CTRIA3", "CBAR", "CROD"};
+    "CQUAD4", "CTRIA3", "CBAR", "CBEAM", "CROD"};
 
 int id_of(const Card& card) {
   if (card.fields.size() < 2) return 0;
@@ -92,7 +96,6 @@ std::map<int, int> WeakenCards::copied_materials(const std::set<int>& ids,
   return copied;
 }
 
-// An element's card on its new property.
 std::optional<Card> WeakenCards::moved(const Card& card) const {
   if (!element_names.contains(card.name())) return std::nullopt;
   const auto own = property_of_.find(id_of(card));

@@ -1,7 +1,7 @@
 // Elements of a deck on properties and materials of their own, softer than the
-// rest by a factor: copies of the PSHELL, PBAR, PBARL or PROD and of the MAT1
-// or MAT8 behind it, with every modulus multiplied; the elements' cards name
-// the copy.
+// rest by a factor: copies of the PSHELL, PBAR, PBARL, PBEAM or PROD and of the
+// MAT1 or MAT8 behind it, with every modulus multiplied; the elements' cards
+// name the copy.
 #pragma once
 
 #include "updating/structure/deck.hpp"
@@ -29,6 +29,9 @@ class WeakenCards {
   [[nodiscard]] CardEdit edit(const std::vector<CardScale>& scales,
                               std::vector<bool>& done) const;
 
+  /// An element's card on its new property; nothing for other cards.
+  [[nodiscard]] std::optional<Card> moved(const Card& card) const;
+
  private:
   struct Copy {
     int id = 0;
@@ -36,7 +39,6 @@ class WeakenCards {
     std::map<int, int> materials;  ///< of a property: old to new
   };
   void place(const Deck& deck, const WeakElements& weak);
-  [[nodiscard]] std::optional<Card> moved(const Card& card) const;
   [[nodiscard]] std::vector<Card> copies(const Card& card) const;
   [[nodiscard]] std::map<int, int> copied_materials(const std::set<int>& ids,
                                                     double factor);

@@ -1,0 +1,43 @@
+// A joint in bulk data: the elements on one side of the line take doubles of
+// its grids, which follow them in all but the turn about the line, and a spring
+// between the two turns.
+//
+//   about an axis of the deck   GRID d; RBE2 g -> d but for component c;
+//                               CELAS2 k l between d and g in c
+//   about any other             CORD2R with its z axis there; hinge grids a and
+//                               b of its axes; RBE2 g -> a; RBE2 a -> b but for
+//                               6; RBE2 b -> d; CELAS2 k l between b and a in 6
+#pragma once
+
+#include "updating/diagnosis.hpp"
+#include "updating/joint_line.hpp"
+#include "updating/structure/deck.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace tapfit::effects {
+
+/// The line that a joint's place means.
+/// @param component 1..3, the direction measured
+[[nodiscard]] updating::JointLine joint_at(const structure::Deck& deck,
+                                           const updating::Where& where,
+                                           int component);
+
+struct JointCards {
+  std::vector<std::string> added;
+  std::map<int, int>
+      doubles;  ///< grid -> the one that the side's elements take
+};
+
+/// @param stiffness k per metre of the line, or of the bar's end [N m/rad per m
+///   or N m/rad]
+/// @return no doubles, and a comment, where a grid has displacement axes (CD)
+/// of
+///   its own: what they mean to the elements there a double would have to share
+[[nodiscard]] JointCards joint_cards(const structure::Deck& deck,
+                                     const updating::JointLine& joint,
+                                     double stiffness);
+
+}  // namespace tapfit::effects
