@@ -127,7 +127,8 @@ void add(Eigen::Index i,
 struct Row {
   int node = 0;
   int component = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  std::optional<Eigen::Vector3d> position;
+  std::string where;  // file and line
 };
 
 std::optional<int> component_of(const std::string& text) {
@@ -141,6 +142,22 @@ std::optional<int> component_of(const std::string& text) {
   return digit;
 }
 
+// Coordinates that the table leaves out are zero, all of them or the last ones
+// (a structure in a plane); nothing where it has none.
+std::optional<Eigen::Vector3d> parse_position(
+    const std::vector<std::string>& cells, bool& good) {
+  std::optional<Eigen::Vector3d> position;
+  for (std::size_t i = 2; i < cells.size(); ++i) {
+    if (cells[i].empty()) continue;
+    const std::optional<double> x = parse_real(cells[i]);
+    good = good && x && i < 5;
+    if (!good) return std::nullopt;
+    if (!position) position = Eigen::Vector3d::Zero();
+    (*position)(static_cast<Eigen::Index>(i) - 2) = *x;
+  }
+  return position;
+}
+
 Row parse_row(const std::string& text, const std::string& where) {
   std::vector<std::string> cells;
   std::istringstream line(text);
@@ -150,23 +167,18 @@ Row parse_row(const std::string& text, const std::string& where) {
   cells.resize(std::max<std::size_t>(cells.size(), 2));
   const std::optional<int> node = parse_integer(cells[0]);
   const std::optional<int> component = component_of(upper(cells[1]));
-  Row row;
   bool good = node && *node > 0 && component;
-  if (good) {
-    row.node = *node;
-    row.component = *component;
-  }
-  for (std::size_t i = 0; good && cells.size() >= 5 && i < 3; ++i) {
-    const std::optional<double> x = parse_real(cells[2 + i]);
-    good = x.has_value();
-    if (good) row.position(static_cast<Eigen::Index>(i)) = *x;
-  }
+  Row row;
+  row.position = parse_position(cells, good);
   if (!good) {
     throw InputError(fmt::format("\"{}\" is not a degree of freedom", text),
                      where,
                      "Write node,component or node,component,x,y,z with "
                      "components 1 to 6 or X, Y, Z, RX, RY, RZ.");
   }
+  row.node = *node;
+  row.component = *component;
+  row.where = where;
   return row;
 }
 
@@ -218,14 +230,38 @@ SparseMatrix scatter(const SparseMatrix& A,
   return result;
 }
 
+// Where each node is: its rows say the same, or nothing.
+std::unordered_map<int, Eigen::Vector3d> positions(
+    const std::vector<Row>& rows) {
+  std::unordered_map<int, Eigen::Vector3d> known;
+  for (const Row& row : rows) {
+    if (!row.position) continue;
+    const auto [at, is_new] = known.try_emplace(row.node, *row.position);
+    // What programs that print six digits keep.
+    const double slack = 1e-5 * row.position->norm();
+    if (is_new || (at->second - *row.position).norm() <= slack) continue;
+    throw InputError(
+        fmt::format("node {} is elsewhere in a line above", row.node),
+        row.where,
+        "Give the lines of one node the same x, y, z, or all but one none.");
+  }
+  return known;
+}
+
 // Makes the grids and tells where each row goes.
 std::vector<int> place_rows(const std::vector<Row>& rows, Deck& deck) {
+  const std::unordered_map<int, Eigen::Vector3d> known = positions(rows);
   std::unordered_map<int, int> index;
   std::vector<int> place;
   for (const Row& row : rows) {
     const auto [found, is_new] =
         index.try_emplace(row.node, static_cast<int>(deck.grids.size()));
-    if (is_new) deck.grids.push_back({row.node, row.position});
+    if (is_new) {
+      const auto at = known.find(row.node);
+      deck.grids.push_back(
+          {row.node,
+           at == known.end() ? Eigen::Vector3d(0.0, 0.0, 0.0) : at->second});
+    }
     place.push_back(6 * found->second + row.component - 1);
   }
   return place;
@@ -296,7 +332,7 @@ Deck read_matrix_model(const std::filesystem::path& stiffness,
   check_symmetric(K, stiffness);
   check_symmetric(M, mass);
   Deck deck;
-  deck.path = stiffness;
+  deck.path = dofs;  // what names the grids
   deck.materials[1] = {.id = 1, .E = 1.0, .rho = 1.0};
   const std::vector<int> place = place_rows(rows, deck);
   const auto size = 6 * static_cast<Eigen::Index>(deck.grids.size());

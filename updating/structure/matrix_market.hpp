@@ -24,12 +24,14 @@ struct GivenMatrices {
     const std::filesystem::path& path);
 
 /// @param dofs CSV, one line per matrix row in order: node, component and
-///   optionally x, y, z [m]. The component is 1 to 6 or X, Y, Z, RX, RY, RZ. A
+///   optionally x, y, z [m], of which the last may be left out, on all of a
+///   node's lines or any. The component is 1 to 6 or X, Y, Z, RX, RY, RZ. A
 ///   first line that does not begin with a number is a heading.
-/// @return grids (positions zero where the table has none) and matrices;
+/// @return grids (positions zero where the table has none) and matrices, the
+///   table as the deck's path;
 ///   material 1 stands for all of them, its E and rho are 1
 /// @throws InputError for sizes that do not agree, a matrix that is not
-///   symmetric, a degree of freedom named twice
+///   symmetric, a degree of freedom named twice, a node in two places
 [[nodiscard]] Deck read_matrix_model(const std::filesystem::path& stiffness,
                                      const std::filesystem::path& mass,
                                      const std::filesystem::path& dofs);

@@ -1,6 +1,7 @@
 #include "acquisition/input_error.hpp"
 #include "updating/structure/attached_grids.hpp"
 #include "updating/structure/bulk_cards.hpp"
+#include "updating/structure/bulk_lines.hpp"
 #include "updating/structure/card_defaults.hpp"
 #include "updating/structure/deck.hpp"
 #include "updating/structure/deck_builder.hpp"
@@ -10,6 +11,8 @@
 #include "updating/structure/weak_properties.hpp"
 
 #include <fmt/format.h>
+
+#include <fstream>
 
 namespace tapfit::structure {
 namespace {
@@ -41,9 +44,24 @@ void warn_other_subcases(const BulkData& bulk, Deck& deck) {
                   *bulk.spc_set));
 }
 
+// A matrix says nothing without the other one and the table of its rows.
+void refuse_matrix(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string first;
+  std::getline(file, first);
+  if (!upper(first).starts_with("%%MATRIXMARKET")) return;
+  throw InputError(
+      "this is a matrix (Matrix Market), not a Nastran deck",
+      path.string(),
+      "Give the folder of a test.json that names stiffness, mass and a table "
+      "of their rows: \"model\": {\"stiffness\": \"K.mtx\", \"mass\": "
+      "\"M.mtx\", \"dofs\": \"dofs.csv\"}");
+}
+
 }  // namespace
 
 Deck read_deck(const std::filesystem::path& path) {
+  refuse_matrix(path);
   BulkData bulk = read_bulk_data(path);
   fill_defaults(bulk);
   const std::vector<CardTable> passes{coordinate_cards(),

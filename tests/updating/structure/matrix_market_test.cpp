@@ -37,6 +37,35 @@ TEST(MatrixMarket, PlacesRowsByTheTable) {
   EXPECT_NEAR(f(1), std::sqrt(200.0) / (2 * M_PI), 1e-9);
 }
 
+// x, y of a structure in a plane; once for a node is enough.
+TEST(MatrixMarket, TakesWhatCoordinatesThereAre) {
+  const auto read = [](const std::string& table) {
+    return read_matrix_model(write_text("K.mtx", kStiffness),
+                             write_text("M.mtx", kMass),
+                             write_text("dofs.csv", table));
+  };
+  const Deck plane = read("node,component,x,y\n7,Z,0.1,0.3\n3,3,0.2,0.4\n");
+  EXPECT_EQ(plane.grids[0].position, Eigen::Vector3d(0.1, 0.3, 0.0));
+  EXPECT_EQ(plane.grids[1].position, Eigen::Vector3d(0.2, 0.4, 0.0));
+  const Deck once = read("7,X\n7,Y,0.1,0.3,0.2\n");
+  ASSERT_EQ(once.grids.size(), 1U);
+  EXPECT_EQ(once.grids[0].position, Eigen::Vector3d(0.1, 0.3, 0.2));
+  EXPECT_EQ(read("7,X,,,\n3,Y,,,\n").grids[0].position.norm(), 0.0);
+  EXPECT_THROW(read("7,X,0,0,0\n7,Y,0,0,1\n"), InputError);
+  EXPECT_THROW(read("7,X,0,0,0,1\n3,X,0,0,0\n"), InputError);
+}
+
+TEST(MatrixMarket, IsNoDeck) {
+  try {
+    static_cast<void>(read_deck(write_text("K.mtx", kStiffness)));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("not a Nastran deck"), std::string::npos) << what;
+    EXPECT_NE(what.find("\"stiffness\""), std::string::npos) << what;
+  }
+}
+
 // The same two springs in millimetres and tonnes, one of them against a turn.
 TEST(MatrixMarket, IsScaledToSi) {
   const std::filesystem::path table = write_text("dofs.csv", "1,X\n1,RZ\n");
