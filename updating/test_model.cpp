@@ -1,6 +1,7 @@
 #include "updating/test_model.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "signal/uff58.hpp"
 #include "updating/structure/matrix_market.hpp"
 #include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/scale_units.hpp"
@@ -12,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -67,35 +69,50 @@ class Held {
   std::set<Eigen::Index> absent_;  // without a row in given matrices
 };
 
-void check_point(structure::Deck& deck,
-                 const Held& held,
-                 const Dof& dof,
-                 const std::string& place) {
-  check_grid(deck, dof, place);
-  if (!held.holds(dof)) return;
-  deck.warnings.push_back(
-      fmt::format("{}: the model holds {} at zero, so that its FRFs there are "
-                  "zero whatever was measured; move the point, or free the "
-                  "grid",
-                  place,
-                  name(dof)));
+// A point of the test and where that says so.
+struct Point {
+  Dof dof;
+  std::string place;
+};
+
+std::vector<Point> points_of(const acquisition::TestBundle& bundle) {
+  std::vector<Point> points;
+  if (bundle.frfs) {
+    const std::string file = bundle.frfs->filename().string();
+    for (const signal::Frf& frf :
+         signal::read_frfs_uff(*bundle.frfs).set.frfs) {
+      points.push_back({frf.response, file});
+      points.push_back({frf.reference, file});
+    }
+    return points;
+  }
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    const acquisition::Run& run = bundle.runs[r];
+    points.push_back(
+        {run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r)});
+    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
+      points.push_back({run.sensors[k].dof,
+                        fmt::format("test.json: runs[{}].sensors[{}]", r, k)});
+    }
+  }
+  return points;
 }
 
+// Each degree of freedom is named where it is first.
 void check_points(const acquisition::TestBundle& bundle,
                   structure::Deck& deck) {
   const Held held(deck);
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    const acquisition::Run& run = bundle.runs[r];
-    check_point(deck,
-                held,
-                run.hammer.dof,
-                fmt::format("test.json: runs[{}].hammer", r));
-    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
-      check_point(deck,
-                  held,
-                  run.sensors[k].dof,
-                  fmt::format("test.json: runs[{}].sensors[{}]", r, k));
-    }
+  std::set<std::pair<int, int>> seen;
+  for (const auto& [dof, place] : points_of(bundle)) {
+    if (!seen.emplace(dof.node, dof.component).second) continue;
+    check_grid(deck, dof, place);
+    if (!held.holds(dof)) continue;
+    deck.warnings.push_back(fmt::format(
+        "{}: the model holds {} at zero, so that its FRFs there are "
+        "zero whatever was measured; move the point, or free the "
+        "grid",
+        place,
+        name(dof)));
   }
 }
 

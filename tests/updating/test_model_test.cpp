@@ -1,9 +1,12 @@
 #include "updating/test_model.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "signal/uff58.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+
+#include <sstream>
 
 namespace tapfit::updating {
 namespace {
@@ -42,6 +45,59 @@ TEST_F(TestModel, WarnsOfAPointThatTheModelHolds) {
   EXPECT_NE(deck.warnings[0].find("1Z-"), std::string::npos);
 }
 
+// The same sensor in two runs.
+TEST_F(TestModel, NamesAHeldPointOnce) {
+  folder_.write("model.bdf", bar);
+  acquisition::TestBundle bundle;
+  bundle.deck = folder_.path() / "model.bdf";
+  acquisition::Run run;
+  run.hammer = {0, {2, 3, 1}};
+  run.sensors = {{1, {1, 3, 1}}};
+  bundle.runs = {run, run};
+  EXPECT_EQ(read_test_model(bundle).warnings.size(), 1U);
+}
+
+class ReadyFrfs : public TestModel {
+ protected:
+  structure::Deck read(const Dof& response) {
+    signal::Frf frf;
+    frf.response = response;
+    frf.reference = {2, 3, 1};
+    signal::FrfSet set;
+    set.s.resize(3);
+    frf.H.resize(3);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      set.s(k) = {0.0, 10.0 * static_cast<double>(k + 1)};
+      frf.H(k) = {1.0, 0.1};
+    }
+    set.frfs = {frf};
+    std::ostringstream text;
+    signal::write_frfs_uff(set, "bar", text);
+    folder_.write("model.bdf", bar);
+    acquisition::TestBundle bundle;
+    bundle.deck = folder_.path() / "model.bdf";
+    bundle.frfs = folder_.write("measured.uff", text.str());
+    return read_test_model(bundle);
+  }
+};
+
+TEST_F(ReadyFrfs, AreWarnedOfWhereTheModelHoldsThem) {
+  EXPECT_TRUE(read({2, 2, 1}).warnings.empty());
+  const structure::Deck deck = read({1, 3, -1});
+  ASSERT_EQ(deck.warnings.size(), 1U);
+  EXPECT_NE(deck.warnings[0].find("measured.uff"), std::string::npos);
+  EXPECT_NE(deck.warnings[0].find("1Z-"), std::string::npos);
+}
+
+TEST_F(ReadyFrfs, AreRefusedAtAGridThatTheModelLacks) {
+  try {
+    static_cast<void>(read({9, 3, 1}));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "measured.uff");
+  }
+}
+
 TEST_F(TestModel, TakesDampersWithoutAWarning) {
   const structure::Deck deck = read({2, 3, 1}, {2, 2, 1}, "CDAMP2,7,3.5,2,3\n");
   EXPECT_TRUE(deck.warnings.empty());
@@ -73,6 +129,24 @@ TEST_F(TestModel, WarnsOfAPointWithoutARowInGivenMatrices) {
   const structure::Deck deck = read_test_model(bundle);
   ASSERT_EQ(deck.warnings.size(), 1U);
   EXPECT_NE(deck.warnings[0].find("7X+"), std::string::npos);
+}
+
+TEST_F(TestModel, BlamesTheTableForANodeThatItLacks) {
+  const std::string one = "%%MatrixMarket matrix array real general\n1 1\n2.\n";
+  acquisition::TestBundle bundle;
+  bundle.matrices = {folder_.write("K.mtx", one),
+                     folder_.write("M.mtx", one),
+                     folder_.write("dofs.csv", "7,Z\n")};
+  acquisition::Run run;
+  run.hammer = {0, {8, 3, 1}};
+  bundle.runs = {run};
+  try {
+    static_cast<void>(read_test_model(bundle));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("dofs.csv"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST_F(TestModel, WarnsOfSupportsAlongTurnedAxes) {
