@@ -99,18 +99,39 @@ Eigen::MatrixXd acting(const Eigen::MatrixXd& forces) {
   return forces(Eigen::all, kept);
 }
 
+/// What of the columns lies outside the span of phi, normalised; what the modes
+/// span but for rounding is left out.
+Eigen::MatrixXd beyond_modes(const SparseMatrix& M,
+                             const Eigen::MatrixXd& phi,
+                             Eigen::MatrixXd R) {
+  constexpr double rounding = 1e-7;
+  const auto sizes = [&] {
+    return Eigen::VectorXd(
+        R.cwiseProduct(M * R).colwise().sum().cwiseMax(0.0).cwiseSqrt());
+  };
+  const Eigen::VectorXd whole = sizes();
+  R -= phi * (phi.transpose() * (M * R));
+  Eigen::VectorXd left = sizes();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < R.cols(); ++k) {
+    if (left(k) > rounding * whole(k)) kept.push_back(k);
+  }
+  R = Eigen::MatrixXd(R(Eigen::all, kept));
+  left = Eigen::VectorXd(left(kept));
+  R *= left.cwiseInverse().asDiagonal();
+  R -= phi * (phi.transpose() * (M * R));
+  return R * sizes().cwiseInverse().asDiagonal();
+}
+
 /// Static answers to unit forces, M-orthogonal to the modes and to each other,
-/// diagonal in K.
+/// diagonal in K. None where the modes are all that the structure has.
 structure::Eigenmodes residual_modes(const SparseMatrix& K,
                                      const SparseMatrix& M,
                                      const Eigen::MatrixXd& phi,
                                      const Eigen::MatrixXd& forces) {
-  Eigen::MatrixXd R = structure::Factor(K).solve(forces);
-  for (int pass = 0; pass < 2; ++pass) {
-    R -= phi * (phi.transpose() * (M * R));
-    R.array().rowwise() /=
-        (R.cwiseProduct(M * R)).colwise().sum().array().sqrt();
-  }
+  const Eigen::MatrixXd R =
+      beyond_modes(M, phi, structure::Factor(K).solve(forces));
+  if (R.cols() == 0) return {Eigen::VectorXd(0), R};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> gram(R.transpose() *
                                                             (M * R));
   const Eigen::VectorXd& size = gram.eigenvalues();

@@ -5,6 +5,7 @@
 #include "updating/virtual_support.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -106,6 +107,13 @@ void cut_joint(const VirtualModel& model,
   system.M = structure.M;
   const ReleasedSystem cut =
       release({fine, model.children, {}}, system, {}, {}, {change});
+  if (cut.dofs() == static_cast<Eigen::Index>(system.dofs())) {
+    throw InputError(
+        fmt::format("nothing turns at grids {}", fmt::join(effect.places, ":")),
+        "joint",
+        "Name two or more grids of a straight line of mesh edges across "
+        "shells, or one grid where bars across the tested direction meet.");
+  }
   structure.K = cut.K + effect.values[0] * cut.S.front();
   structure.M = cut.M;
   for (const int dof : cut.active) {

@@ -69,7 +69,8 @@ struct VirtualStructure {
 /// @param component 1..3, the direction that is tested: effects at a grid act
 ///   in it
 /// @throws InputError for an effect at a place that does not exist, a
-///   `soft-support` on a structure whose held grids form no line along an axis
+///   `soft-support` on a structure whose held grids form no line along an
+///   axis, a `joint` where nothing can turn
 [[nodiscard]] VirtualStructure build_virtual_structure(
     const VirtualModel& model,
     const std::vector<VirtualEffect>& effects,

@@ -1,6 +1,7 @@
 #include "updating/virtual_structure.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tests/updating/structure/deck_support.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/virtual_panel.hpp"
@@ -306,6 +307,52 @@ TEST(VirtualStructure, RefusesPlacesThatAreNotThere) {
   const Strip strip;
   EXPECT_THROW((void)strip.reduced({"added-mass@99999=0.1"}), InputError);
   EXPECT_THROW((void)strip.reduced({"stiffness-loss@99999=0.5"}), InputError);
+}
+
+TEST(VirtualStructure, RefusesAJointWhereNothingTurns) {
+  const Strip strip;
+  const structure::Deck& deck = strip.model.model;
+  const int middle = grid_at(deck, 0.15, 0.02);
+  const int corner = grid_at(deck, 0.30, 0.0);
+  EXPECT_THROW((void)strip.reduced({fmt::format("joint@{}=100", middle)}),
+               InputError);
+  EXPECT_THROW(
+      (void)strip.reduced({fmt::format("joint@{}:{}=100", middle, corner)}),
+      InputError);
+  EXPECT_LT(strip
+                .reduced({fmt::format("joint@{}:{}=100",
+                                      grid_at(deck, 0.15, 0.0),
+                                      grid_at(deck, 0.15, 0.04))})
+                .frequency_hz(0),
+            strip.reduced({}).frequency_hz(0));
+}
+
+// Beyond the modes of masses on springs, static answers are rounding.
+TEST(VirtualStructure, HasNoMoreModesThanItsDegreesOfFreedom) {
+  for (const int masses : {1, 3}) {
+    std::string text;
+    for (int k = 1; k <= masses; ++k) {
+      text += fmt::format("GRID,{},,{}.,0.,0.,,12456\n", k, k);
+      text += fmt::format("CELAS2,{},1.+4,{},3,{},3\n", k, k, k - 1);
+      text += fmt::format("CONM2,{},{},,1.\n", 20 + k, k);
+    }
+    VirtualModel model;
+    model.model = model.fine = structure::deck_of(text);
+    const Dof last{masses, 3, 1};
+    const ReducedTruth truth =
+        reduce_truth(build_virtual_structure(model, {}, 1.0, 3),
+                     {{"acc1", last}},
+                     {last, {1, 3, 1}},
+                     1000.0,
+                     {});
+    ASSERT_EQ(truth.system.K.rows(), masses);
+    // 2 sqrt(k / m) sin((2 r - 1) pi / (4 n + 2)).
+    for (int r = 1; r <= masses; ++r) {
+      const double w =
+          200.0 * std::sin((2 * r - 1) * M_PI / (4.0 * masses + 2.0));
+      EXPECT_NEAR(truth.frequency_hz(r - 1), w / two_pi, 1e-6 * w);
+    }
+  }
 }
 
 TEST(VirtualPoints, SensorsAreAmongWellSpreadPoints) {
