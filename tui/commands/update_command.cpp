@@ -5,10 +5,12 @@
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/hand_choices.hpp"
+#include "tui/commands/held_back.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/update_output.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -42,7 +44,8 @@ void take_final_values(updating::Diagnosis& diagnosis) {
 updating::Diagnosis diagnosis_of_named(
     const std::vector<updating::Rung>& ladder,
     const updating::Comparison& comparison,
-    const std::vector<updating::Estimate>& model_parameters) {
+    const std::vector<updating::Estimate>& model_parameters,
+    const std::vector<std::string>& held) {
   assert(!ladder.empty());
   updating::Diagnosis diagnosis;
   // The base, what is uncertain in it, then the effects.
@@ -79,11 +82,13 @@ updating::Diagnosis diagnosis_of_named(
         "probabilities compare them with nothing");
   }
   if (diagnosis.error_best > 3.0 * diagnosis.floor) {
-    diagnosis.warnings.push_back(fmt::format(
-        "an error of {:.3g} is left where the measurement supports {:.3g}: "
-        "something else is missing",
-        diagnosis.error_best,
-        diagnosis.floor));
+    diagnosis.warnings.push_back(
+        fmt::format("an error of {:.3g} is left where the measurement supports "
+                    "{:.3g}: {}{}something else is missing",
+                    diagnosis.error_best,
+                    diagnosis.floor,
+                    fmt::join(held, "; "),
+                    held.empty() ? "" : "; or "));
   }
   return diagnosis;
 }
@@ -114,11 +119,13 @@ std::string update_command(const CommandOptions& options,
   session.set_update(update_choice(options));
   session.fit_uncertain(progress);
   for (const auto& effect : effects) session.add(effect, progress);
-  updating::Diagnosis diagnosis =
-      diagnosis_of_named(session.ladder(progress),
-                         session.comparison(progress),
-                         session.model_parameters(progress));
   const auto records = session.update_records(progress);
+  const auto parameters = session.model_parameters(progress);
+  updating::Diagnosis diagnosis = diagnosis_of_named(
+      session.ladder(progress),
+      session.comparison(progress),
+      parameters,
+      held_back(session.deck(progress), session.bundle(), parameters, records));
   const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());

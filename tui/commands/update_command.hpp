@@ -10,11 +10,13 @@ namespace tapfit::tui {
 /// named: each is its own candidate, taken as given.
 ///
 /// @param ladder base rung first
-/// @param floor of the comparison
+/// @param comparison its floor counts
+/// @param held what else than the data holds the parameters: see held_back()
 [[nodiscard]] updating::Diagnosis diagnosis_of_named(
     const std::vector<updating::Rung>& ladder,
     const updating::Comparison& comparison,
-    const std::vector<updating::Estimate>& model_parameters);
+    const std::vector<updating::Estimate>& model_parameters,
+    const std::vector<std::string>& held = {});
 
 /// What --lines and --lambda ask for.
 /// @throws InputError for lines that are none
