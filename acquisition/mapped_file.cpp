@@ -41,6 +41,18 @@ MappedFile::~MappedFile() {
   ::munmap(const_cast<char*>(text_.data()), text_.size());
 }
 
+void MappedFile::forget(std::string_view part) const {
+  // Whole pages that lie in the part; those at its ends may be in use.
+  static const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+  const auto begin = static_cast<std::size_t>(part.data() - text_.data());
+  const std::size_t first = (begin + page - 1) / page * page;
+  const std::size_t last = (begin + part.size()) / page * page;
+  if (last <= first) return;
+  // Only a hint, and of a mapping that is never written to.
+  (void)::madvise(
+      const_cast<char*>(text_.data()) + first, last - first, MADV_DONTNEED);
+}
+
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : text_(std::exchange(other.text_, {})) {}
 

@@ -21,6 +21,10 @@ class MappedFile {
   /// All bytes; valid as long as this object (and what it was moved into).
   [[nodiscard]] std::string_view text() const { return text_; }
 
+  /// Gives back the memory that a part of the text takes; read again, it comes
+  /// from the file again.
+  void forget(std::string_view part) const;
+
  private:
   std::string_view text_;
 };

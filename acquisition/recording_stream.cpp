@@ -1,40 +1,59 @@
 #include "acquisition/recording_stream.hpp"
 
-#include "acquisition/input_error.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cassert>
 
 namespace tapfit::acquisition {
 
 using Eigen::Index;
 
-RecordingStream::RecordingStream(const TestBundle& bundle, const Run& run)
-    : bundle_(bundle), file_(run.file.string()) {
-  if (!run.datasets.empty()) {
-    whole_ = read_recording(bundle, run);
-    rate_ = whole_.sample_rate_hz;
-    samples_ = whole_.samples.rows();
-    return;
+RecordingStream::RecordingStream(const TestBundle& bundle,
+                                 const Run& run,
+                                 const UffFile* uff)
+    : bundle_(bundle), run_(run), uff_(uff) {
+  if (run.datasets.empty()) {
+    audio_.emplace(run.file);
+    rate_ = audio_->sample_rate_hz();
+    samples_ = audio_->samples();
+    check_channels(bundle, run, audio_->channels());
+  } else {
+    open_uff_records();
   }
-  audio_.emplace(run.file);
-  rate_ = audio_->sample_rate_hz();
-  samples_ = audio_->samples();
-  check_channels(bundle, run, audio_->channels());
-  check_band(bundle, rate_, file_);
+  check_band(bundle, rate_, run.file.string());
+}
+
+void RecordingStream::open_uff_records() {
+  assert(uff_ != nullptr);
+  for (const UffSource& source : run_.datasets) {
+    const UffDataset& dataset = uff_->datasets.at(source.dataset);
+    const UffHeader header = read_header(dataset);
+    rate_ = rate_of(header);
+    samples_ = header.count;
+    records_.emplace_back(dataset, header);
+  }
+}
+
+void RecordingStream::read_uff_records(Eigen::Ref<Eigen::MatrixXd> out) {
+  if (static_cast<Index>(records_.size()) < out.cols()) out.setZero();
+  for (std::size_t k = 0; k < records_.size(); ++k) {
+    const UffSource& source = run_.datasets[k];
+    auto column = out.col(static_cast<Index>(source.channel));
+    records_[k].read(column);
+    uff_->bytes.forget(records_[k].passed());
+    if (source.unit_to_si != 1.0) column *= source.unit_to_si;
+  }
 }
 
 Index RecordingStream::read(Eigen::Ref<Eigen::MatrixXd> out) {
-  if (!audio_) {
-    const Index count = std::min(out.rows(), samples_ - done_);
-    out.topRows(count) = whole_.samples.middleRows(done_, count);
-    done_ += count;
-    return count;
+  const Index count = std::min(out.rows(), samples_ - done_);
+  auto rows = out.topRows(count);
+  if (audio_) {
+    audio_->read(rows, full_scales(bundle_));
+  } else {
+    read_uff_records(rows);
   }
-  const Index count = audio_->read(out, full_scales(bundle_));
-  if (audio_->floating_point()) {
-    check_finite(out.topRows(count), done_, rate_, bundle_, file_);
+  if (!audio_ || audio_->floating_point()) {
+    check_finite(rows, done_, rate_, bundle_, run_.file.string());
   }
   done_ += count;
   return count;

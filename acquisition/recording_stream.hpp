@@ -3,16 +3,20 @@
 
 #include "acquisition/audio_file.hpp"
 #include "acquisition/recording.hpp"
+#include "acquisition/uff_bundle.hpp"
+#include "acquisition/uff_values.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace tapfit::acquisition {
 
 class RecordingStream {
  public:
-  /// A sound file is streamed; a universal file's run is read at once.
+  /// @param uff the bundle's universal file, where it is one; it has to outlive
+  ///   the stream
   /// @throws InputError as read_recording
-  RecordingStream(const TestBundle& bundle, const Run& run);
+  RecordingStream(const TestBundle& bundle, const Run& run, const UffFile* uff);
 
   [[nodiscard]] double sample_rate_hz() const { return rate_; }
   [[nodiscard]] Eigen::Index samples() const { return samples_; }
@@ -24,10 +28,14 @@ class RecordingStream {
   Eigen::Index read(Eigen::Ref<Eigen::MatrixXd> out);
 
  private:
+  void open_uff_records();
+  void read_uff_records(Eigen::Ref<Eigen::MatrixXd> out);
+
   const TestBundle& bundle_;
-  std::string file_;
+  const Run& run_;
+  const UffFile* uff_;
   std::optional<AudioReader> audio_;
-  Recording whole_;
+  std::vector<UffValues> records_;  ///< as Run::datasets
   double rate_ = 0.0;
   Eigen::Index samples_ = 0;
   Eigen::Index done_ = 0;

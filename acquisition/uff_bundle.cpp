@@ -5,6 +5,7 @@
 #include "acquisition/uff_function.hpp"
 #include "acquisition/uff_records.hpp"
 #include "acquisition/uff_units.hpp"
+#include "acquisition/uff_values.hpp"
 #include "acquisition/units.hpp"
 
 #include <fmt/format.h>
@@ -227,7 +228,10 @@ void refuse_empty(const TestBundle& bundle, const UffFile& file) {
 
 UffFile open_uff(const std::filesystem::path& file) {
   UffFile result{MappedFile(file), file.filename().string(), {}};
-  result.datasets = split_uff(result.bytes.text(), result.name);
+  result.datasets =
+      split_uff(result.bytes.text(), result.name, [&](std::string_view part) {
+        result.bytes.forget(part);
+      });
   return result;
 }
 
@@ -292,7 +296,13 @@ Recording read_uff_run(const UffFile& file,
     }
     auto column =
         recording.samples.col(static_cast<Eigen::Index>(source.channel));
-    read_values(dataset, header, column);
+    UffValues values(dataset, header);
+    // In pieces, so that the file's pages do not add to the samples.
+    constexpr Eigen::Index at_once = 1 << 20;
+    for (Eigen::Index i = 0; i < column.size(); i += at_once) {
+      values.read(column.segment(i, std::min(at_once, column.size() - i)));
+      file.bytes.forget(values.passed());
+    }
     if (source.unit_to_si != 1.0) column *= source.unit_to_si;
   }
   return recording;

@@ -24,17 +24,20 @@ std::string_view trim(std::string_view text) {
 // Walks through the text line by line.
 struct Lines {
   std::string_view text;
+  const std::function<void(std::string_view)>& passed;
   std::size_t at = 0;
+  std::size_t told = 0;
   int number = 0;
 
   [[nodiscard]] bool done() const { return at >= text.size(); }
   std::string_view next() {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = end + 1;
     ++number;
-    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    return line;
+    constexpr std::size_t now_and_then = 16 << 20;
+    if (passed && at - told > now_and_then) {
+      passed(text.substr(told, at - told));
+      told = at;
+    }
+    return next_line(text, at);
   }
 };
 
@@ -66,8 +69,35 @@ void read_binary(Lines& lines, std::string_view header, UffDataset& dataset) {
   const std::size_t bytes = static_cast<std::size_t>(size);
   // The last header line may have ended with the file, without a line end.
   lines.at = std::min(lines.at, lines.text.size());
-  dataset.bytes = lines.text.substr(lines.at, bytes);
+  dataset.data = lines.text.substr(lines.at, bytes);
   lines.at += bytes;
+  lines.told = lines.at;
+}
+
+// What stands in text up to the closing line.
+void read_text(Lines& lines, UffDataset& dataset) {
+  const bool function = dataset.type == 58;
+  std::size_t data = 0;
+  std::size_t line_begin = lines.at;
+  for (; !lines.done(); line_begin = lines.at) {
+    const std::string_view line = lines.next();
+    if (is_fence(line)) break;
+    if (!function || dataset.lines.size() < function_header_lines) {
+      dataset.lines.push_back(line);
+      data = lines.at;
+    }
+  }
+  if (!function) return;
+  // The last line may have ended with the file.
+  line_begin = std::min(line_begin, lines.text.size());
+  data = std::min(data, line_begin);
+  dataset.data = lines.text.substr(data, line_begin - data);
+}
+
+// A binary dataset's closing line.
+void pass_fence(Lines& lines) {
+  while (!lines.done() && !is_fence(lines.next())) {
+  }
 }
 
 bool is_sign(char c) { return c == '+' || c == '-'; }
@@ -165,10 +195,12 @@ bool by_signs(std::string_view line, std::vector<double>& values) {
 
 }  // namespace
 
-std::vector<UffDataset> split_uff(std::string_view text,
-                                  const std::string& name) {
+std::vector<UffDataset> split_uff(
+    std::string_view text,
+    const std::string& name,
+    const std::function<void(std::string_view)>& passed) {
   std::vector<UffDataset> datasets;
-  Lines lines{text};
+  Lines lines{text, passed};
   while (!lines.done()) {
     if (!is_fence(lines.next())) continue;
     std::string_view header = lines.done() ? "" : lines.next();
@@ -183,15 +215,23 @@ std::vector<UffDataset> split_uff(std::string_view text,
                        dataset.place,
                        "check that this is a universal file");
     const std::string_view mark = column(header, 6, 1);
-    if (mark == "b" || mark == "B") read_binary(lines, header, dataset);
-    while (!lines.done()) {
-      const std::string_view line = lines.next();
-      if (is_fence(line)) break;
-      if (!dataset.binary) dataset.lines.push_back(line);
+    if (mark == "b" || mark == "B") {
+      read_binary(lines, header, dataset);
+      pass_fence(lines);
+    } else {
+      read_text(lines, dataset);
     }
     datasets.push_back(std::move(dataset));
   }
   return datasets;
+}
+
+std::string_view next_line(std::string_view text, std::size_t& at) {
+  const std::size_t end = std::min(text.find('\n', at), text.size());
+  std::string_view line = text.substr(at, end - at);
+  at = end + 1;
+  while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  return line;
 }
 
 std::string_view column(std::string_view line,

@@ -9,6 +9,7 @@
 // Cincinnati.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,12 +18,17 @@ namespace tapfit::acquisition {
 
 struct UffDataset {
   int type = 0;
-  std::string place;                    ///< "file, line 12", for messages
-  std::vector<std::string_view> lines;  ///< after the type, line ends taken off
+  std::string place;  ///< "file, line 12", for messages
+  /// After the type, line ends taken off; of a function only the header.
+  std::vector<std::string_view> lines;
   bool binary = false;
   bool big_endian = false;
-  std::string_view bytes;  ///< binary data
+  /// A function's data: bytes, or text with its line ends.
+  std::string_view data;
 };
+
+/// Header lines of a function (dataset 58).
+inline constexpr std::size_t function_header_lines = 11;
 
 /// Takes a file apart. The views point into `text`, which has to outlive them.
 ///
@@ -30,10 +36,17 @@ struct UffDataset {
 /// closing line is kept. Line ends may be LF, CR LF or both mixed.
 ///
 /// @param name of the file, for messages
+/// @param passed told of each part of the text that was looked through
 /// @throws InputError for a dataset without a type, a binary one that is cut
 ///   off or in another float format than IEEE 754
-[[nodiscard]] std::vector<UffDataset> split_uff(std::string_view text,
-                                                const std::string& name);
+[[nodiscard]] std::vector<UffDataset> split_uff(
+    std::string_view text,
+    const std::string& name,
+    const std::function<void(std::string_view)>& passed = {});
+
+/// The line that begins at `at`, its end taken off; `at` goes to the next one.
+[[nodiscard]] std::string_view next_line(std::string_view text,
+                                         std::size_t& at);
 
 /// Columns [begin, begin + width) of a line, blanks at the ends taken off;
 /// empty where the line is shorter.

@@ -1,20 +1,15 @@
 #include "acquisition/uff_function.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/uff_values.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <bit>
-#include <cassert>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
+#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
-
-constexpr std::size_t header_lines = 11;
 
 // Numbers that make one value.
 std::size_t per_value(const UffHeader& header) {
@@ -57,26 +52,13 @@ void read_layout(const UffDataset& dataset, UffHeader& result) {
   }
   // A count that the file cannot hold must not be allocated: each value takes
   // two characters at least.
-  std::size_t size = dataset.bytes.size();
-  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i)
-    size += dataset.lines[i].size() + 1;
+  const std::size_t size = dataset.data.size();
   if (result.count <= 0 || all_values(result) > size)
     throw InputError(
         fmt::format(
             "{} values are announced, {} bytes are there", result.count, size),
         dataset.place,
         "the file is cut off or record 7 is wrong");
-}
-
-template <class Float, class Bits>
-double from_bytes(const char* at, bool big_endian) {
-  Bits bits = 0;
-  for (std::size_t i = 0; i < sizeof(Bits); ++i) {
-    const std::size_t place = big_endian ? sizeof(Bits) - 1 - i : i;
-    bits |= static_cast<Bits>(
-        static_cast<Bits>(static_cast<unsigned char>(at[i])) << (8 * place));
-  }
-  return static_cast<double>(std::bit_cast<Float>(bits));
 }
 
 // Binary data: an uneven abscissa is single precision, even beside doubles.
@@ -89,73 +71,28 @@ std::vector<double> binary_values(const UffDataset& dataset,
     const bool abscissa = !shape.even && i % per_value(shape) == 0;
     const bool wide = shape.is_double && !abscissa;
     const std::size_t size = wide ? 8 : 4;
-    if (at + size > dataset.bytes.size()) break;
-    const char* from = dataset.bytes.data() + at;
-    values.push_back(
-        wide ? from_bytes<double, std::uint64_t>(from, dataset.big_endian)
-             : from_bytes<float, std::uint32_t>(from, dataset.big_endian));
+    if (at + size > dataset.data.size()) break;
+    const char* from = dataset.data.data() + at;
+    values.push_back(wide ? uff_double(from, dataset.big_endian)
+                          : uff_single(from, dataset.big_endian));
     at += size;
   }
   return values;
-}
-
-// Adds the numbers of a data line.
-void take_line(const UffDataset& dataset,
-               std::size_t i,
-               const UffHeader& shape,
-               std::vector<double>& values) {
-  if (numbers(dataset.lines[i], shape.is_double ? 20 : 13, values)) return;
-  throw InputError(
-      fmt::format("\"{}\" is no line of numbers", dataset.lines[i]),
-      fmt::format("{}, data line {}", dataset.place, i - header_lines + 1),
-      "export the function anew");
 }
 
 std::vector<double> text_values(const UffDataset& dataset,
                                 const UffHeader& shape) {
   std::vector<double> values;
   values.reserve(all_values(shape));
-  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
-    take_line(dataset, i, shape, values);
+  int number = 0;
+  for (std::size_t at = 0; at < dataset.data.size();) {
+    take_uff_line(dataset,
+                  next_line(dataset.data, at),
+                  ++number,
+                  shape.is_double,
+                  values);
   }
   return values;
-}
-
-// How many of the values a text holds; more than wanted are passed over.
-Eigen::Index text_into(const UffDataset& dataset,
-                       const UffHeader& shape,
-                       Eigen::Ref<Eigen::VectorXd> values) {
-  std::vector<double> line;
-  Eigen::Index done = 0;
-  for (std::size_t i = header_lines; i < dataset.lines.size(); ++i) {
-    line.clear();
-    take_line(dataset, i, shape, line);
-    for (const double value : line) {
-      if (done < values.size()) values[done++] = value;
-    }
-  }
-  return done;
-}
-
-template <class Float, class Bits>
-Eigen::Index bytes_into(const UffDataset& dataset,
-                        Eigen::Ref<Eigen::VectorXd> values) {
-  const auto there =
-      static_cast<Eigen::Index>(dataset.bytes.size() / sizeof(Bits));
-  const Eigen::Index count = std::min(there, values.size());
-  const char* at = dataset.bytes.data();
-  for (Eigen::Index i = 0; i < count; ++i, at += sizeof(Bits)) {
-    values[i] = from_bytes<Float, Bits>(at, dataset.big_endian);
-  }
-  return count;
-}
-
-InputError too_few(const UffDataset& dataset,
-                   std::size_t there,
-                   std::size_t wanted) {
-  return {fmt::format("{} of {} numbers are there", there, wanted),
-          dataset.place,
-          "the file is cut off; export it anew"};
 }
 
 void take_values(const std::vector<double>& values, UffFunction& function) {
@@ -180,10 +117,10 @@ int function_type(const UffDataset& dataset) {
 }
 
 UffHeader read_header(const UffDataset& dataset) {
-  if (dataset.lines.size() < header_lines)
+  if (dataset.lines.size() < function_header_lines)
     throw InputError(fmt::format("a function has {} of {} header lines",
                                  dataset.lines.size(),
-                                 header_lines),
+                                 function_header_lines),
                      dataset.place,
                      "the file is cut off; export it anew");
   UffHeader header;
@@ -202,27 +139,13 @@ UffHeader read_header(const UffDataset& dataset) {
   return header;
 }
 
-void read_values(const UffDataset& dataset,
-                 const UffHeader& header,
-                 Eigen::Ref<Eigen::VectorXd> values) {
-  assert(header.even && !header.complex && values.size() == header.count);
-  const Eigen::Index there =
-      !dataset.binary    ? text_into(dataset, header, values)
-      : header.is_double ? bytes_into<double, std::uint64_t>(dataset, values)
-                         : bytes_into<float, std::uint32_t>(dataset, values);
-  if (there < header.count)
-    throw too_few(dataset,
-                  static_cast<std::size_t>(there),
-                  static_cast<std::size_t>(header.count));
-}
-
 UffFunction read_function(const UffDataset& dataset) {
   UffFunction function{read_header(dataset), {}, {}};
   const std::vector<double> values = dataset.binary
                                          ? binary_values(dataset, function)
                                          : text_values(dataset, function);
   if (values.size() < all_values(function))
-    throw too_few(dataset, values.size(), all_values(function));
+    throw uff_cut_off(dataset, values.size(), all_values(function));
   take_values(values, function);
   return function;
 }

@@ -63,13 +63,4 @@ struct UffFunction : UffHeader {
 ///   than announced, text that is no number
 [[nodiscard]] UffFunction read_function(const UffDataset& dataset);
 
-/// The values of a real function over an even abscissa, without further room.
-///
-/// @param header of the same dataset, real and even
-/// @param values header.count numbers
-/// @throws InputError as read_function
-void read_values(const UffDataset& dataset,
-                 const UffHeader& header,
-                 Eigen::Ref<Eigen::VectorXd> values);
-
 }  // namespace tapfit::acquisition

@@ -222,4 +222,19 @@ std::string hum_statement(const Lasting& lasting) {
       lasting.hum_hz);
 }
 
+std::vector<std::string> lasting_statements(
+    const Lasting& lasting,
+    const HitSet& hits,
+    const std::vector<Index>& samples,
+    const std::array<double, 2>& band_hz,
+    double sigma) {
+  std::vector<std::string> said;
+  if (const auto advice = advise_block(lasting, hits, samples, band_hz)) {
+    said.push_back(statement(*advice, sigma));
+  }
+  const std::string hum = hum_statement(lasting);
+  if (!hum.empty()) said.push_back(hum);
+  return said;
+}
+
 }  // namespace tapfit::signal

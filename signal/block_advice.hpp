@@ -74,4 +74,15 @@ struct BlockAdvice {
 /// What to say of the hum; empty where there is none.
 [[nodiscard]] std::string hum_statement(const Lasting& lasting);
 
+/// Advice and hum in words, as far as there is something to say.
+///
+/// @param samples, band_hz as for advise_block()
+/// @param sigma as for statement()
+[[nodiscard]] std::vector<std::string> lasting_statements(
+    const Lasting& lasting,
+    const acquisition::HitSet& hits,
+    const std::vector<Eigen::Index>& samples,
+    const std::array<double, 2>& band_hz,
+    double sigma);
+
 }  // namespace tapfit::signal

@@ -81,22 +81,12 @@ RunResult estimate_run(const TestBundle& bundle,
   return result;
 }
 
-std::vector<std::string> statements_of(const Lasting& lasting,
-                                       const std::vector<Recording>& recordings,
-                                       const HitSet& hits,
-                                       const std::array<double, 2>& band_hz,
-                                       double sigma) {
+std::vector<Index> lengths_of(const std::vector<Recording>& recordings) {
   std::vector<Index> samples;
   for (const Recording& recording : recordings) {
     samples.push_back(recording.samples.rows());
   }
-  std::vector<std::string> said;
-  if (const auto advice = advise_block(lasting, hits, samples, band_hz)) {
-    said.push_back(statement(*advice, sigma));
-  }
-  const std::string hum = hum_statement(lasting);
-  if (!hum.empty()) said.push_back(hum);
-  return said;
+  return samples;
 }
 
 // Joins the runs in their order.
@@ -155,8 +145,8 @@ FrfSet estimate_all(const TestBundle& bundle,
   if (!plan.lasting_hz) return set;
   Lasting lasting;
   for (const RunResult& run : runs) lasting.join(run.lasting);
-  const std::vector<std::string> said =
-      statements_of(lasting, recordings, hits, *plan.lasting_hz, plan.sigma);
+  const std::vector<std::string> said = lasting_statements(
+      lasting, hits, lengths_of(recordings), *plan.lasting_hz, plan.sigma);
   set.statements.insert(set.statements.begin(), said.begin(), said.end());
   return set;
 }
@@ -271,10 +261,10 @@ std::vector<std::string> block_statements(
   });
   Lasting all;
   for (const Lasting& of : lasting) all.join(of);
-  return statements_of(
+  return lasting_statements(
       all,
-      recordings,
       hits,
+      lengths_of(recordings),
       band_hz,
       decay_rate(options.window.end_value, ringing_time(hits)));
 }

@@ -3,14 +3,19 @@
 #include "acquisition/input_error.hpp"
 #include "acquisition/live_hits.hpp"
 #include "acquisition/recording_stream.hpp"
+#include "acquisition/uff_bundle.hpp"
+#include "signal/block_advice.hpp"
 #include "signal/frf_average.hpp"
 #include "signal/spectra.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <thread>
 
 namespace tapfit::signal {
@@ -26,29 +31,45 @@ using acquisition::Recording;
 using acquisition::RecordingStream;
 using acquisition::Run;
 using acquisition::TestBundle;
+using acquisition::UffFile;
 using Eigen::Index;
 
+/// Where the runs come from: files of their own, or one universal file, which
+/// is taken apart once.
+struct Source {
+  const TestBundle& bundle;
+  std::optional<UffFile> uff;
+
+  explicit Source(const TestBundle& of) : bundle(of) {
+    if (of.uff) uff.emplace(acquisition::open_uff(*of.uff));
+  }
+  [[nodiscard]] RecordingStream stream(std::size_t run) const {
+    return {bundle, bundle.runs.at(run), uff ? &*uff : nullptr};
+  }
+};
+
 // The beginning of a run, or all of it.
-Recording beginning(const TestBundle& bundle, const Run& run, Index samples) {
-  RecordingStream stream(bundle, run);
+Recording beginning(const Source& source, std::size_t run, Index samples) {
+  RecordingStream stream = source.stream(run);
   Recording recording;
   recording.sample_rate_hz = stream.sample_rate_hz();
   recording.samples.resize(std::min(samples, stream.samples()),
-                           static_cast<Index>(bundle.channels.size()));
+                           static_cast<Index>(source.bundle.channels.size()));
   stream.read(recording.samples);
   return recording;
 }
 
 // What is chosen from the beginnings, per run.
-std::vector<LiveSettings> trial(const TestBundle& bundle,
+std::vector<LiveSettings> trial(const Source& source,
                                 const ReplayOptions& options) {
+  const TestBundle& bundle = source.bundle;
   const auto runs = static_cast<Index>(bundle.runs.size());
   const auto channels = static_cast<Index>(bundle.channels.size());
   const Index each =
       options.trial_samples / std::max<Index>(1, runs * channels);
   std::vector<Recording> beginnings;
-  for (const Run& run : bundle.runs) {
-    beginnings.push_back(beginning(bundle, run, std::max<Index>(1024, each)));
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    beginnings.push_back(beginning(source, r, std::max<Index>(1024, each)));
   }
   HitSet set = acquisition::find_hits(bundle, beginnings, options.hits);
   set.runs.assign(bundle.runs.size(), {});
@@ -100,23 +121,26 @@ PieceLengths lengths_for(const HitSet& set, const FrfPlan& plan, Index room) {
 class Pace {
  public:
   explicit Pace(double speed) : speed_(speed) {}
-  void wait_until(double recording_s, const Progress& progress) const {
+  /// @param run_s since the run began
+  /// @param share of the run, for the progress
+  void wait_until(double run_s, double share, const Progress& progress) const {
     if (!(speed_ > 0.0)) return;
     using std::chrono::steady_clock;
     const auto due =
-        start_ + std::chrono::duration_cast<steady_clock::duration>(
-                     std::chrono::duration<double>(recording_s / speed_));
+        start_ +
+        std::chrono::duration_cast<steady_clock::duration>(
+            std::chrono::duration<double>((before_s_ + run_s) / speed_));
     constexpr std::chrono::milliseconds nap(50);
     while (steady_clock::now() < due) {
-      progress("replaying", progress_);
+      progress("replaying", share);
       std::this_thread::sleep_until(std::min(due, steady_clock::now() + nap));
     }
   }
-  void at(double share) { progress_ = share; }
+  void end_run(double run_s) { before_s_ += run_s; }
 
  private:
   double speed_;
-  double progress_ = 0.0;
+  double before_s_ = 0.0;
   std::chrono::steady_clock::time_point start_ =
       std::chrono::steady_clock::now();
 };
@@ -128,9 +152,13 @@ struct LiveRun {
   const LiveSettings& settings;
   const FrfPlan& plan;
   const RealFft& fft;
-  LiveHits known;
-  RunAverage average;
-  std::vector<Hit> hits;
+  std::array<double, 2> band_hz;
+  LiveHits known{};
+  RunAverage average{};
+  std::vector<Hit> hits{};
+  Index samples = 0;
+  double strongest_n = 0.0;  ///< of the accepted hits
+  Lasting lasting{};         ///< of that one
 };
 
 // Only the accepted new hits go into the average, one at a time, so that the
@@ -150,6 +178,9 @@ void average_hit(const LivePiece& piece,
            fft_spectra(
                blocks, run.fft, run.plan.sigma, run.plan.first, run.plan.last),
            run.average);
+  if (found.hits[k].peak_n <= run.strongest_n) return;
+  run.strongest_n = found.hits[k].peak_n;
+  run.lasting = lasting_response(blocks, run.band_hz);
 }
 
 void work_through(const LivePiece& piece,
@@ -168,13 +199,13 @@ void work_through(const LivePiece& piece,
   }
 }
 
-void stream_run(const PieceLengths& lengths,
+void stream_run(RecordingStream stream,
+                const PieceLengths& lengths,
                 const std::function<void(const LiveHit&)>& on_hit,
                 const Progress& progress,
-                Pace& pace,
-                double before_s,
+                const Pace& pace,
                 LiveRun& run) {
-  RecordingStream stream(run.bundle, run.bundle.runs[run.index]);
+  run.samples = stream.samples();
   const auto channels = static_cast<Index>(run.bundle.channels.size());
   LivePiece piece;
   piece.recording.sample_rate_hz = stream.sample_rate_hz();
@@ -185,14 +216,12 @@ void stream_run(const PieceLengths& lengths,
     filled += stream.read(samples.bottomRows(samples.rows() - filled));
     const bool ended = piece.start + filled >= stream.samples();
     if (filled < samples.rows()) samples.conservativeResize(filled, channels);
-    const double at_s =
-        static_cast<double>(piece.start + filled) / stream.sample_rate_hz();
-    pace.wait_until(before_s + at_s, progress);
+    const auto at = static_cast<double>(piece.start + filled);
+    const double share = at / static_cast<double>(stream.samples());
+    pace.wait_until(at / stream.sample_rate_hz(), share, progress);
     piece.own_end = ended ? filled : filled - lengths.tail;
     work_through(piece, on_hit, run);
-    progress("replaying",
-             static_cast<double>(piece.start + filled) /
-                 static_cast<double>(stream.samples()));
+    progress("replaying", share);
     if (ended) return;
     // What the next piece needs of this one goes to its front.
     const Index kept =
@@ -210,14 +239,39 @@ void stream_run(const PieceLengths& lengths,
   }
 }
 
-void check_rate(const TestBundle& bundle, const Run& run, const HitSet& set) {
-  const double rate = RecordingStream(bundle, run).sample_rate_hz();
-  if (rate == set.sample_rate_hz) return;
+std::array<double, 2> band_of(const FrfPlan& plan) {
+  return {plan.s(0).imag() / (2.0 * std::numbers::pi),
+          plan.s(plan.s.size() - 1).imag() / (2.0 * std::numbers::pi)};
+}
+
+void check_rate(const RecordingStream& stream,
+                const Run& run,
+                const HitSet& set) {
+  if (stream.sample_rate_hz() == set.sample_rate_hz) return;
   throw InputError(fmt::format("is sampled at {} Hz, the first run at {} Hz",
-                               rate,
+                               stream.sample_rate_hz(),
                                set.sample_rate_hz),
                    run.file.string(),
                    "resample the files to one rate, or make a bundle of each");
+}
+
+// What is said of the runs as a whole: blocks that are too short go first.
+void add_statements(const TestBundle& bundle,
+                    const FrfPlan& plan,
+                    const std::vector<Index>& samples,
+                    const Lasting& lasting,
+                    Replayed& result) {
+  std::vector<std::string>& said = result.frfs.statements;
+  said = lasting_statements(
+      lasting, result.hits, samples, band_of(plan), plan.sigma);
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    const auto& hits = result.hits.runs[r];
+    if (std::ranges::any_of(hits, &Hit::accepted)) continue;
+    said.push_back(
+        fmt::format("run {} ({}) is left out: none of its hits is accepted",
+                    r + 1,
+                    bundle.runs[r].file.filename().string()));
+  }
 }
 
 }  // namespace
@@ -226,7 +280,8 @@ Replayed replay(const TestBundle& bundle,
                 const ReplayOptions& options,
                 const std::function<void(const LiveHit&)>& on_hit,
                 const Progress& progress) {
-  const std::vector<LiveSettings> settings = trial(bundle, options);
+  const Source source(bundle);
+  const std::vector<LiveSettings> settings = trial(source, options);
   Replayed result;
   result.hits = settings.at(0).set;
   result.hits.runs.clear();
@@ -238,31 +293,33 @@ Replayed replay(const TestBundle& bundle,
   result.frfs.s = plan.s;
   const RealFft fft(result.hits.block);
   Pace pace(options.speed);
-  double before_s = 0.0;
+  Lasting lasting;
+  std::vector<Index> samples;
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    check_rate(bundle, bundle.runs[r], result.hits);
-    LiveRun run{bundle, r, settings[r], plan, fft, {}, {}, {}};
+    RecordingStream stream = source.stream(r);
+    check_rate(stream, bundle.runs[r], result.hits);
+    LiveRun run{.bundle = bundle,
+                .index = r,
+                .settings = settings[r],
+                .plan = plan,
+                .fft = fft,
+                .band_hz = band_of(plan)};
     run.average.s = plan.s;
-    stream_run(lengths, on_hit, progress, pace, before_s, run);
-    before_s +=
-        static_cast<double>(RecordingStream(bundle, bundle.runs[r]).samples()) /
-        result.hits.sample_rate_hz;
+    stream_run(std::move(stream), lengths, on_hit, progress, pace, run);
+    pace.end_run(static_cast<double>(run.samples) / result.hits.sample_rate_hz);
     std::vector<Frf> frfs =
         average_frfs(run.average, bundle, r, options.frf.estimator);
     std::move(frfs.begin(), frfs.end(), std::back_inserter(result.frfs.frfs));
-    if (frfs.empty()) {
-      result.frfs.statements.push_back(
-          fmt::format("run {} ({}) is left out: none of its hits is accepted",
-                      r + 1,
-                      bundle.runs[r].file.filename().string()));
-    }
     result.hits.runs.push_back(std::move(run.hits));
+    lasting.join(run.lasting);
+    samples.push_back(run.samples);
   }
   if (result.frfs.frfs.empty()) {
     throw InputError("no run has an accepted hit",
                      bundle.folder.string(),
                      "look at the reasons with tapfit hits");
   }
+  add_statements(bundle, plan, samples, lasting, result);
   return result;
 }
 

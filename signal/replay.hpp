@@ -37,8 +37,10 @@ struct Replayed {
 /// Replays all runs, one after the other.
 ///
 /// Level, block, pre-trigger and hold-off are chosen from the beginning of
-/// every run, as far as trial_samples go, and stay. A run in universal files is
-/// read as a whole.
+/// every run, as far as trial_samples go, and stay. Sound files and universal
+/// files are streamed alike. Where responses outlast the block, a longer one or
+/// a narrower band is proposed first among the statements of the FRFs, as
+/// estimate_frfs() does; of each run its strongest hit is looked at.
 ///
 /// @param on_hit called for each hit as soon as its block is complete
 /// @throws InputError as read_recording, find_hits and estimate_frfs

@@ -2,6 +2,8 @@
 
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/uff_bundle.hpp"
+#include "acquisition/uff_records.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 #include "tests/signal/generated_test.hpp"
 
@@ -108,6 +110,58 @@ TEST_F(Replay, GivesWhatTheWholeRecordGives) {
         (mine.variance.array() / other.variance.array() - 1.0).abs().maxCoeff(),
         0.2);
   }
+}
+
+// The same records in a universal file: streamed, binary or text, they give
+// what the sound files give. Text has 13 digits.
+TEST_F(Replay, StreamsUniversalFiles) {
+  const Replayed sound = replay(test_.bundle, options_, {});
+  for (const auto& [encoding, digits] :
+       {std::pair{acquisition::UffEncoding::Binary, 1e-14},
+        std::pair{acquisition::UffEncoding::Text, 1e-8}}) {
+    const auto path = folder_.path() / "records.uff";
+    {
+      std::ofstream file(path, std::ios::binary);
+      write_uff_records(test_.bundle, encoding, file);
+    }
+    const Replayed uff =
+        replay(acquisition::read_uff_bundle(path), options_, {});
+    ASSERT_EQ(uff.frfs.frfs.size(), 2U);
+    ASSERT_EQ(uff.hits.runs.size(), 2U);
+    for (std::size_t r = 0; r < 2; ++r) {
+      ASSERT_EQ(uff.hits.runs[r].size(), 40U);
+      for (std::size_t k = 0; k < 40; ++k) {
+        EXPECT_EQ(uff.hits.runs[r][k].trigger, sound.hits.runs[r][k].trigger);
+        EXPECT_EQ(uff.hits.runs[r][k].reasons, sound.hits.runs[r][k].reasons);
+      }
+      const Eigen::VectorXcd& H = sound.frfs.frfs[r].H;
+      ASSERT_EQ(uff.frfs.frfs[r].H.size(), H.size());
+      EXPECT_LE((uff.frfs.frfs[r].H - H).cwiseAbs().maxCoeff(),
+                digits * H.cwiseAbs().maxCoeff());
+    }
+  }
+}
+
+// 3 Hz with a damping ratio of 0.005 has 0.7 time constants in 8 s: replay
+// says so, first, as the whole recording does.
+TEST_F(Replay, ProposesALongerBlockBeforeAnyWindow) {
+  GeneratedOptions o;
+  o.hits = 10;
+  o.response_noise = 0.002;
+  const GeneratedTest lasting =
+      generate_test({{3.0, 0.005, 1.0}, {61.0, 0.008, -0.7}}, o);
+  test_.bundle.runs.pop_back();
+  write_audio(test_.bundle.runs[0].file,
+              lasting.recordings[0].samples / full_scale,
+              512,
+              acquisition::AudioFormat::WavFloat64);
+  const Replayed live = replay(test_.bundle, options_, {});
+  ASSERT_FALSE(live.frfs.statements.empty());
+  const FrfSet whole =
+      estimate_frfs(test_.bundle, lasting.recordings, live.hits, {});
+  ASSERT_FALSE(whole.statements.empty());
+  EXPECT_EQ(live.frfs.statements[0], whole.statements[0]);
+  EXPECT_NE(whole.statements[0].find("Before any window"), std::string::npos);
 }
 
 TEST_F(Replay, KeepsPaceWithTheSpeed) {
