@@ -31,43 +31,103 @@ using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 // matio's own messages go nowhere; what is wrong is said by InputError.
 void say_nothing(int, char*) {}
 
-// A file of version 5 to 7 is a header of 128 bytes, which ends with "IM" for
-// little endian, and elements of a type, a length and as many bytes. One that
-// is longer than the file is not tried: matio makes room for what it announces.
-void refuse_cut_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::array<unsigned char, 128> header{};
-  in.read(reinterpret_cast<char*>(header.data()), header.size());
-  const std::string mark(header.begin() + 126, header.end());
-  const bool little = mark == "IM";
-  // Another version (4 has no header, 7.3 is HDF5).
-  if (!in || (!little && mark != "MI") || header[little ? 125 : 124] != 1)
-    return;
-  std::error_code ignored;
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-  const auto number = [&](const unsigned char* at) {
-    std::uint32_t value = 0;
-    for (int k = 0; k < 4; ++k) value = value << 8U | at[little ? 3 - k : k];
-    return value;
-  };
+std::uint32_t number_at(const unsigned char* at, bool little) {
+  std::uint32_t value = 0;
+  for (int k = 0; k < 4; ++k) value = value << 8U | at[little ? 3 - k : k];
+  return value;
+}
+
+InputError ends_early(const std::filesystem::path& file,
+                      std::uintmax_t at,
+                      double announced,
+                      std::uintmax_t there) {
+  return {fmt::format("ends early: {:.0f} bytes are announced, {} are there",
+                      announced,
+                      there),
+          fmt::format("{}, byte {}", file.string(), at),
+          "copy the file again, or save it anew"};
+}
+
+InputError unreadable(const std::filesystem::path& file) {
+  return {"cannot be read as a MATLAB file",
+          file.string(),
+          "save it with save -v7 (or -v6), and check its name"};
+}
+
+// Versions 5 to 7: behind a header of 128 bytes elements of a type, a length
+// and as many bytes.
+void walk_elements(std::ifstream& in,
+                   const std::filesystem::path& file,
+                   std::uintmax_t size,
+                   bool little) {
   for (std::uintmax_t at = 128; at + 8 <= size;) {
     std::array<unsigned char, 8> tag{};
     in.seekg(static_cast<std::streamoff>(at));
     in.read(reinterpret_cast<char*>(tag.data()), tag.size());
     if (!in) return;
-    const std::uint32_t type = number(tag.data());
+    const std::uint32_t type = number_at(tag.data(), little);
     // Small elements hold length and bytes within their tag.
-    const std::uintmax_t length = type >> 16U != 0 ? 0 : number(tag.data() + 4);
+    const std::uintmax_t length =
+        type >> 16U != 0 ? 0 : number_at(tag.data() + 4, little);
     if (length > size - at - 8) {
-      throw InputError(
-          fmt::format("ends early: {} bytes are announced, {} are there",
-                      length,
-                      size - at - 8),
-          fmt::format("{}, byte {}", file.string(), at),
-          "copy the file again, or save it anew");
+      throw ends_early(file, at, static_cast<double>(length), size - at - 8);
     }
     at += 8 + length;
   }
+}
+
+// Version 4: variables of five numbers (type, rows, columns, imaginary part,
+// length of the name), the name and the values. The type's decimal digits are
+// byte order, 0, width of a value, kind of matrix.
+void walk_variables(std::ifstream& in,
+                    const std::filesystem::path& file,
+                    std::uintmax_t size) {
+  constexpr std::array<double, 6> widths{8, 4, 4, 2, 2, 1};
+  constexpr std::uint32_t largest_type = 4052;
+  for (std::uintmax_t at = 0; at + 20 <= size;) {
+    std::array<unsigned char, 20> header{};
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(reinterpret_cast<char*>(header.data()), header.size());
+    if (!in) return;
+    std::uint32_t type = number_at(header.data(), true);
+    if (type > largest_type) type = number_at(header.data(), false);
+    const std::size_t order = type / 1000;  // 0: little endian, 1: big
+    const std::size_t width = type / 10 % 10;
+    if (type > largest_type || order > 1 || width >= widths.size()) {
+      throw unreadable(file);
+    }
+    const auto number = [&](int k) {
+      return number_at(header.data() + 4 * k, order == 0);
+    };
+    const double values = static_cast<double>(number(1)) * number(2) *
+                          (number(3) != 0 ? 2.0 : 1.0);
+    const double length = number(4) + values * widths.at(width);
+    if (length > static_cast<double>(size - at - 20)) {
+      throw ends_early(file, at, length, size - at - 20);
+    }
+    at += 20 + static_cast<std::uintmax_t>(length);
+  }
+}
+
+// A file that is shorter than it says is not tried: matio makes room for what
+// is announced, and leaves zeros where nothing is.
+void refuse_cut_file(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<unsigned char, 128> header{};
+  in.read(reinterpret_cast<char*>(header.data()), header.size());
+  const bool whole = static_cast<bool>(in);
+  in.clear();
+  std::error_code ignored;
+  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
+  if (ignored) return;
+  const std::string mark(header.begin() + 126, header.end());
+  const bool little = mark == "IM";
+  if (!whole || (!little && mark != "MI")) {
+    walk_variables(in, file, size);
+  } else if (header[little ? 125 : 124] == 1) {
+    walk_elements(in, file, size, little);
+  }
+  // Else 7.3, which is HDF5 and looks after itself.
 }
 
 File open_mat(const std::filesystem::path& file) {
@@ -75,9 +135,7 @@ File open_mat(const std::filesystem::path& file) {
   Mat_LogInitFunc("tapfit", say_nothing);
   File handle(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
   if (handle) return handle;
-  throw InputError("cannot be read as a MATLAB file",
-                   file.string(),
-                   "save it with save -v7 (or -v6), and check its name");
+  throw unreadable(file);
 }
 
 std::string names_in(mat_t* file) {
@@ -100,7 +158,10 @@ void copy(const matvar_t& variable, Eigen::MatrixXd& values) {
 }
 
 // The variable's numbers; empty for what is no real matrix.
-std::optional<Eigen::MatrixXd> numbers_of(const matvar_t& variable) {
+//
+// @param most bytes that the file can hold, however well it is packed
+std::optional<Eigen::MatrixXd> numbers_of(const matvar_t& variable,
+                                          double most) {
   if (variable.rank != 2 || variable.data == nullptr ||
       variable.isComplex != 0) {
     return std::nullopt;
@@ -109,7 +170,8 @@ std::optional<Eigen::MatrixXd> numbers_of(const matvar_t& variable) {
   const std::size_t columns = variable.dims[1];
   const auto size = static_cast<std::size_t>(variable.data_size);
   if (rows == 0 || columns == 0 || size == 0 ||
-      variable.nbytes / size / columns < rows) {
+      variable.nbytes / size / columns < rows ||
+      static_cast<double>(variable.nbytes) > most) {
     return std::nullopt;
   }
   Eigen::MatrixXd values(static_cast<Index>(rows), static_cast<Index>(columns));
@@ -187,7 +249,11 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                      path.string(),
                      names_in(file));
   }
-  auto values = numbers_of(*found);
+  // Deflate packs a thousand bytes into one at most.
+  std::error_code ignored;
+  const auto size =
+      static_cast<double>(std::filesystem::file_size(path, ignored));
+  auto values = numbers_of(*found, 1100.0 * size);
   if (values) return *std::move(values);
   throw InputError(fmt::format("\"{}\" is no matrix of real numbers", text),
                    path.string(),

@@ -66,6 +66,23 @@ TEST_F(TimeTables, MatRefusesWithWhatIsThere) {
   EXPECT_THROW((void)read_mat_number(file, "force"), InputError);
 }
 
+// Version 4 has no check of its own: values that are not there would be zeros.
+TEST_F(TimeTables, MatRefusesCutFiles) {
+  const std::string whole =
+      testing::mat4_variable("force", Eigen::VectorXd::Ones(100));
+  for (const std::size_t bytes : {19U, 25U, 400U, 824U}) {
+    const fs::path file = folder_.write("cut.mat", whole.substr(0, bytes));
+    EXPECT_NE(refusal(file, {"force"}), "accepted") << bytes;
+  }
+  EXPECT_TRUE(
+      has(refusal(folder_.write("cut.mat", whole.substr(0, 400)), {"force"}),
+          "806 bytes are announced, 380 are there"));
+  std::string tall = whole;
+  tall.replace(4, 4, "\xff\xff\xff\x0f");  // 268 million rows
+  EXPECT_TRUE(
+      has(refusal(folder_.write("tall.mat", tall), {"force"}), "ends early"));
+}
+
 // A structure in a compressed version 5 file that others published.
 TEST_F(TimeTables, MatReadsPublishedFiles) {
   const fs::path file =

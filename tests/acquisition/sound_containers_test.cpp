@@ -1,0 +1,104 @@
+// Every container and width of number that a recorder may write, from files
+// made byte by byte: samples come back as they are, to the last bit.
+#include "acquisition/audio_file.hpp"
+#include "tests/acquisition/sound_text.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <sndfile.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+using testing::SoundNumber;
+
+// Full scale below zero, one step, and values in between, at the given bits.
+Eigen::MatrixXd steps(int bits) {
+  Eigen::MatrixXd x(600, 3);
+  const double step = std::ldexp(1.0, 1 - bits);
+  std::int64_t state = 12345;
+  for (double& value : x.reshaped()) {
+    state = (state * 48271) % 2147483647;
+    value =
+        std::floor((static_cast<double>(state) / 1073741824.0 - 1.0) / step) *
+        step;
+  }
+  x(0, 0) = -1.0;
+  x(1, 1) = step;
+  x(2, 2) = 1.0 - step;
+  return x;
+}
+
+class SoundContainers : public ::testing::Test {
+ protected:
+  void expect_back(const std::string& name,
+                   const std::string& bytes,
+                   const Eigen::MatrixXd& x,
+                   bool floating) {
+    const auto file = folder_.write(name, bytes);
+    const Audio audio = read_audio(file);
+    EXPECT_EQ(audio.sample_rate_hz, 51200.0) << name;
+    ASSERT_EQ(audio.samples.rows(), x.rows()) << name;
+    ASSERT_EQ(audio.samples.cols(), x.cols()) << name;
+    EXPECT_EQ(audio.samples, x) << name;
+    EXPECT_EQ(AudioReader(file).floating_point(), floating) << name;
+  }
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(SoundContainers, WholeNumbersOfEveryWidth) {
+  for (const int bits : {16, 24, 32}) {
+    const Eigen::MatrixXd x = steps(bits);
+    const SoundNumber as{bits, false, false};
+    const SoundNumber big{bits, false, true};
+    const std::string tag = "-" + std::to_string(bits);
+    expect_back("wav" + tag, wav_bytes(x, as, 51200), x, false);
+    expect_back("wavex" + tag, wavex_bytes(x, as, 51200), x, false);
+    expect_back("rf64" + tag, rf64_bytes(x, as, 51200), x, false);
+    expect_back("w64" + tag, w64_bytes(x, as, 51200), x, false);
+    expect_back("aiff" + tag, aiff_bytes(x, as, 51200), x, false);
+    expect_back("caf" + tag, caf_bytes(x, as, 51200), x, false);
+    expect_back("caf-big" + tag, caf_bytes(x, big, 51200), x, false);
+  }
+}
+
+TEST_F(SoundContainers, FloatingPointOfBothWidths) {
+  for (const int bits : {32, 64}) {
+    // Beyond full scale, too: floating point does not clip.
+    const Eigen::MatrixXd x = 3.0 * steps(16);
+    const SoundNumber as{bits, true, false};
+    const SoundNumber big{bits, true, true};
+    const std::string tag = "-f" + std::to_string(bits);
+    expect_back("wav" + tag, wav_bytes(x, as, 51200), x, true);
+    expect_back("wavex" + tag, wavex_bytes(x, as, 51200), x, true);
+    expect_back("rf64" + tag, rf64_bytes(x, as, 51200), x, true);
+    expect_back("w64" + tag, w64_bytes(x, as, 51200), x, true);
+    expect_back("aifc" + tag, aiff_bytes(x, as, 51200), x, true);
+    expect_back("caf" + tag, caf_bytes(x, as, 51200), x, true);
+    expect_back("caf-big" + tag, caf_bytes(x, big, 51200), x, true);
+  }
+}
+
+// FLAC is compressed: written by libsndfile itself.
+TEST_F(SoundContainers, FlacOf16And24Bits) {
+  for (const auto& [bits, format] :
+       {std::pair{16, SF_FORMAT_PCM_16}, std::pair{24, SF_FORMAT_PCM_24}}) {
+    const Eigen::MatrixXd x = steps(bits);
+    const auto file = folder_.path() / ("x" + std::to_string(bits) + ".flac");
+    SF_INFO info{};
+    info.samplerate = 51200;
+    info.channels = 3;
+    info.format = SF_FORMAT_FLAC | format;
+    SNDFILE* handle = sf_open(file.c_str(), SFM_WRITE, &info);
+    ASSERT_NE(handle, nullptr);
+    const Eigen::Matrix<int, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>
+        whole = (x * 2147483648.0).cast<int>();
+    ASSERT_EQ(sf_writef_int(handle, whole.data(), x.rows()), x.rows());
+    sf_close(handle);
+    const Audio audio = read_audio(file);
+    EXPECT_EQ(audio.samples, x) << bits;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
