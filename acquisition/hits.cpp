@@ -8,6 +8,7 @@
 #include "acquisition/input_error.hpp"
 #include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
+#include "acquisition/short_pulses.hpp"
 
 #include <fmt/format.h>
 
@@ -286,6 +287,8 @@ HitSet find_hits(const TestBundle& bundle,
   state_trigger(bundle, work, options, set);
   state_block(block, options, set);
   state_polarity(work, options, set);
+  const std::string too_short = short_pulse_statement(work, rate);
+  if (!too_short.empty()) set.statements.push_back(too_short);
   set.runs.resize(work.size());
   for_each_parallel(work.size(), [&](std::size_t r) {
     std::vector<Hit>& hits = set.runs[r];
