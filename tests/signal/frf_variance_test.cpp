@@ -1,7 +1,6 @@
 #include "signal/frf_variance.hpp"
 
-#include "signal/estimate_frfs.hpp"
-#include "tests/signal/generated_test.hpp"
+#include "tests/signal/band_coverage.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,52 +12,6 @@ namespace {
 
 const std::vector<TestMode> two_modes{{20.0, 0.01, 1.0}, {61.0, 0.008, -0.7}};
 
-struct Coverage {
-  double share = 0.0;  // of lines whose truth lies within 95 %
-  double bias = 0.0;   // mean error over mean |H|
-};
-
-// |dH|^2 / E|dH|^2 of circular Gaussian noise is exponential: 95 % of it lies
-// below ln 20.
-Coverage coverage(const GeneratedOptions& options,
-                  bool damped_line,
-                  int repeats) {
-  GeneratedOptions quiet = options;
-  quiet.response_noise = quiet.force_noise = quiet.spread = 0.0;
-  int inside = 0;
-  int lines = 0;
-  std::complex<double> sum = 0.0;
-  double size = 0.0;
-  const GeneratedTest clean = generate_test(two_modes, quiet);
-  for (int r = 0; r < repeats; ++r) {
-    GeneratedOptions o = options;
-    o.seed = options.seed + static_cast<unsigned>(r);
-    GeneratedTest test = generate_test(two_modes, o);
-    test.bundle.band_hz = {5.0, 100.0};
-    FrfSet set;
-    if (damped_line) {
-      Eigen::VectorXcd s(140);
-      s.real().setConstant(5.0);
-      s.imag().setLinSpaced(
-          140, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 100.0);
-      set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {});
-    } else {
-      set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
-    }
-    // Against the noise-free estimate, so that truncation is not counted.
-    const FrfSet truth =
-        estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s, {});
-    for (Eigen::Index i = 0; i < set.lines(); ++i) {
-      const std::complex<double> error = set.frfs[0].H(i) - truth.frfs[0].H(i);
-      inside += std::norm(error) <= std::log(20.0) * set.frfs[0].variance(i);
-      ++lines;
-      sum += error;
-      size += std::abs(truth.frfs[0].H(i));
-    }
-  }
-  return {static_cast<double>(inside) / lines, std::abs(sum) / size};
-}
-
 // Promised: 93 to 97 % of the truths in 95 % bands. Forty records of 140 to
 // 750 lines, of which about one in three is independent, leave 0.5 % of chance.
 void expect_covered(const Coverage& c) {
@@ -67,29 +20,18 @@ void expect_covered(const Coverage& c) {
   EXPECT_LT(c.share, 0.97);
 }
 
-GeneratedOptions noisy(int hits) {
-  GeneratedOptions o;
-  o.block = 2048;
-  o.gap = 4096;
-  o.hits = hits;
-  o.response_noise = 0.02;
-  o.force_noise = 0.01;
-  o.seed = 100;
-  return o;
-}
-
 TEST(FrfVariance, CoversForOneHit) {
-  const Coverage c = coverage(noisy(1), false, 40);
+  const Coverage c = coverage(two_modes, noisy(1), false, 40);
   expect_covered(c);
-  expect_covered(coverage(noisy(1), true, 60));
+  expect_covered(coverage(two_modes, noisy(1), true, 60));
 }
 
 TEST(FrfVariance, CoversForTwoHits) {
-  expect_covered(coverage(noisy(2), false, 40));
+  expect_covered(coverage(two_modes, noisy(2), false, 40));
 }
 
 TEST(FrfVariance, CoversForThreeHitsOnFftLines) {
-  const Coverage c = coverage(noisy(3), false, 40);
+  const Coverage c = coverage(two_modes, noisy(3), false, 40);
   expect_covered(c);
   // H1 is unbiased with noise on the response; the force's noise biases it by
   // Nf / |F|^2, 1e-5 here. The mean over 30,000 lines scatters by 1e-4.
@@ -97,15 +39,15 @@ TEST(FrfVariance, CoversForThreeHitsOnFftLines) {
 }
 
 TEST(FrfVariance, CoversForThreeHitsOnADampedLine) {
-  expect_covered(coverage(noisy(3), true, 60));
+  expect_covered(coverage(two_modes, noisy(3), true, 60));
 }
 
 TEST(FrfVariance, CoversForFiveHits) {
-  expect_covered(coverage(noisy(5), false, 30));
+  expect_covered(coverage(two_modes, noisy(5), false, 30));
 }
 
 TEST(FrfVariance, CoversForTenHits) {
-  expect_covered(coverage(noisy(10), false, 15));
+  expect_covered(coverage(two_modes, noisy(10), false, 15));
 }
 
 TEST(FrfVariance, CoversHitsThatDoNotRepeat) {
@@ -115,7 +57,7 @@ TEST(FrfVariance, CoversHitsThatDoNotRepeat) {
   GeneratedOptions o = noisy(5);
   o.spread = 0.03;
   o.response_noise = 0.002;
-  const Coverage c = coverage(o, false, 60);
+  const Coverage c = coverage(two_modes, o, false, 60);
   EXPECT_GT(c.share, 0.78);
   EXPECT_LT(c.share, 0.99);
 }

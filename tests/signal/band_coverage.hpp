@@ -1,0 +1,68 @@
+// How often the truth lies within the bands that estimates state. For tests and
+// the study over seeds.
+#pragma once
+
+#include "signal/estimate_frfs.hpp"
+#include "tests/signal/generated_test.hpp"
+
+namespace tapfit::signal {
+
+struct Coverage {
+  double share = 0.0;  // of lines whose truth lies within 95 %
+  double bias = 0.0;   // mean error over mean |H|
+};
+
+// |dH|^2 / E|dH|^2 of circular Gaussian noise is exponential: 95 % of it lies
+// below ln 20.
+inline Coverage coverage(const std::vector<TestMode>& modes,
+                         const GeneratedOptions& options,
+                         bool damped_line,
+                         int repeats) {
+  GeneratedOptions quiet = options;
+  quiet.response_noise = quiet.force_noise = quiet.spread = 0.0;
+  int inside = 0;
+  int lines = 0;
+  std::complex<double> sum = 0.0;
+  double size = 0.0;
+  const GeneratedTest clean = generate_test(modes, quiet);
+  for (int r = 0; r < repeats; ++r) {
+    GeneratedOptions o = options;
+    o.seed = options.seed + static_cast<unsigned>(r);
+    GeneratedTest test = generate_test(modes, o);
+    test.bundle.band_hz = {5.0, 100.0};
+    FrfSet set;
+    if (damped_line) {
+      Eigen::VectorXcd s(140);
+      s.real().setConstant(5.0);
+      s.imag().setLinSpaced(
+          140, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 100.0);
+      set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {});
+    } else {
+      set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
+    }
+    // Against the noise-free estimate, so that truncation is not counted.
+    const FrfSet truth =
+        estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s, {});
+    for (Eigen::Index i = 0; i < set.lines(); ++i) {
+      const std::complex<double> error = set.frfs[0].H(i) - truth.frfs[0].H(i);
+      inside += std::norm(error) <= std::log(20.0) * set.frfs[0].variance(i);
+      ++lines;
+      sum += error;
+      size += std::abs(truth.frfs[0].H(i));
+    }
+  }
+  return {static_cast<double>(inside) / lines, std::abs(sum) / size};
+}
+
+inline GeneratedOptions noisy(int hits) {
+  GeneratedOptions o;
+  o.block = 2048;
+  o.gap = 4096;
+  o.hits = hits;
+  o.response_noise = 0.02;
+  o.force_noise = 0.01;
+  o.seed = 100;
+  return o;
+}
+
+}  // namespace tapfit::signal

@@ -1,0 +1,109 @@
+// How often hits are judged rightly, over random records of the whole range:
+// pulses of 0.2 to 10 ms, blocks of 0.5 to 16 s, 256 Hz to 51.2 kHz, each drawn
+// evenly in its logarithm.
+//
+//   hit_judgement_study [SEED [COUNT]]
+//
+// COUNT records of each kind. Width counts as the hammer channel shows it: two
+// samples more than the blow's own, which the anti-alias filter adds.
+#include "tests/acquisition/judged_records.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace tapfit {
+namespace {
+
+using acquisition::is_overloaded;
+using testing::judged_double;
+using testing::make;
+using testing::Rate;
+using testing::Setting;
+
+double between(double low, double high, std::mt19937_64& random) {
+  return low *
+         std::pow(high / low, std::uniform_real_distribution<double>()(random));
+}
+
+// Whether some of the pulse's own width is left to be seen.
+enum class Width { SubSample, Resolved };
+
+Setting draw(Width width, std::mt19937_64& random) {
+  for (;;) {
+    const Setting s{between(256.0, 51200.0, random),
+                    between(0.2e-3, 10e-3, random),
+                    between(0.5, 16.0, random)};
+    const bool resolved = s.width_s * s.rate >= 0.5;
+    if (resolved == (width == Width::Resolved)) return s;
+  }
+}
+
+void say(const char* what, double value, const Rate& rate) {
+  fmt::print("{:<44} {:8.0e} {:7.2f} % of {}\n",
+             what,
+             value,
+             rate.percent(),
+             rate.all);
+  std::fflush(stdout);
+}
+
+void second_blows(unsigned seed, int count) {
+  for (const Width width : {Width::Resolved, Width::SubSample}) {
+    const bool resolved = width == Width::Resolved;
+    fmt::print("pulses of {} half a sample\n",
+               resolved ? "more than" : "below");
+    for (const double noise : {1e-5, 1e-3, 1e-2}) {
+      std::mt19937_64 random(seed);
+      Rate rate;
+      for (; rate.all < count; ++rate.all) {
+        const Setting s = draw(width, random);
+        rate.yes += judged_double(make(s, 0.0, noise, random)) ? 1 : 0;
+      }
+      say("  single blow called double, noise", noise, rate);
+    }
+    for (const double share : {0.05, 0.1, 0.3, 1.0}) {
+      std::mt19937_64 random(seed + 1);
+      Rate rate;
+      for (; rate.all < count; ++rate.all) {
+        const Setting s = draw(width, random);
+        rate.yes += judged_double(make(s, share, 1e-4, random)) ? 1 : 0;
+      }
+      say("  second blow found, share", share, rate);
+    }
+  }
+}
+
+void clipping(unsigned seed, int count) {
+  std::mt19937_64 random(seed + 2);
+  Rate alarms;
+  for (; alarms.all < count; ++alarms.all) {
+    const Eigen::VectorXd x = testing::decay16(
+        between(1.0, 1000.0, random), between(0.05, 0.95, random), 1.0);
+    const double noise = acquisition::difference_noise(x);
+    alarms.yes += is_overloaded(x, 1.0, noise) ? 1 : 0;
+  }
+  say("unclipped decay called overload", 0.0, alarms);
+  for (const double noise : {0.0, 1e-5, 1e-4, 1e-3}) {
+    Rate rate;
+    for (; rate.all < count; ++rate.all) {
+      const double clip = between(0.3, 0.9, random);
+      Eigen::VectorXd x = testing::decay16(
+          between(2.0, 400.0, random), between(1.2, 3.0, random) * clip, clip);
+      testing::add_noise(x, noise, random);
+      rate.yes += is_overloaded(x, 1.0, noise) ? 1 : 0;
+    }
+    say("clipped below full scale found, noise after", noise, rate);
+  }
+}
+
+}  // namespace
+}  // namespace tapfit
+
+int main(int argc, char** argv) {
+  const int seed = argc > 1 ? std::atoi(argv[1]) : 1;
+  const int count = argc > 2 ? std::atoi(argv[2]) : 500;
+  tapfit::second_blows(static_cast<unsigned>(seed), count);
+  tapfit::clipping(static_cast<unsigned>(seed), count);
+  return 0;
+}
