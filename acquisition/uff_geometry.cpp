@@ -64,7 +64,24 @@ void add_elements(UffLines lines, UffGeometry& geometry) {
   }
 }
 
-void write_nodes(const UffGeometry& geometry, std::ostream& out) {
+// Global axes throughout (0). Six digits move a point by 5e-6 of its distance.
+void write_nodes_15(const UffGeometry& geometry, std::ostream& out) {
+  fmt::print(out, "{}{:6}\n", uff_fence, 15);
+  for (const auto& [label, x] : geometry.nodes) {
+    fmt::print(out,
+               "{:10}{:10}{:10}{:10}{:13.5E}{:13.5E}{:13.5E}\n",
+               label,
+               0,
+               0,
+               11,
+               x[0],
+               x[1],
+               x[2]);
+  }
+  out << uff_fence;
+}
+
+void write_nodes_2411(const UffGeometry& geometry, std::ostream& out) {
   fmt::print(out, "{}{:6}\n", uff_fence, 2411);
   for (const auto& [label, x] : geometry.nodes) {
     fmt::print(out, "{:10}{:10}{:10}{:10}\n", label, 1, 1, 11);
@@ -99,9 +116,15 @@ void write_trace_lines(const UffGeometry& geometry, std::ostream& out) {
 
 }  // namespace
 
-void write_geometry(const UffGeometry& geometry, std::ostream& out) {
+void write_geometry(const UffGeometry& geometry,
+                    UffNodes as,
+                    std::ostream& out) {
   if (geometry.nodes.empty()) return;
-  write_nodes(geometry, out);
+  if (as == UffNodes::D15) {
+    write_nodes_15(geometry, out);
+  } else {
+    write_nodes_2411(geometry, out);
+  }
   if (!geometry.trace_lines.empty()) write_trace_lines(geometry, out);
 }
 

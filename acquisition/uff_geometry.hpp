@@ -40,9 +40,14 @@ struct UffGeometry {
 ///   dataset that ends within an entry
 void add_geometry(const UffDataset& dataset, UffGeometry& geometry);
 
-/// Writes the nodes as dataset 2411 (15 has six digits only) and the trace
-/// lines as one 82, the pen lifted between them. Elements are not written.
-/// Nothing is written for no nodes.
-void write_geometry(const UffGeometry& geometry, std::ostream& out);
+/// How nodes are written: 2411 has all digits, 15 has six and is what older
+/// programs read (those that know no 2411).
+enum class UffNodes { D15, D2411 };
+
+/// Writes the nodes and, as one dataset 82, the trace lines, the pen lifted
+/// between them. Elements are not written. Nothing is written for no nodes.
+void write_geometry(const UffGeometry& geometry,
+                    UffNodes as,
+                    std::ostream& out);
 
 }  // namespace tapfit::acquisition

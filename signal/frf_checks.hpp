@@ -4,7 +4,7 @@
 //   driving point:  Re M(s) >= 0 for Re(s) >= 0, M = A / s the mobility
 //                   (a positive real function); Im A > 0 at every peak
 //   reciprocity:    A_ab = A_ba
-//   lowest lines:   A = 1 / m (free: mass line) or s^2 / k (held: stiffness)
+//   lowest lines:   signal/low_line.hpp
 //   H1, H2:         H2 / H1 = 1 / coherence
 //
 // Sources: O. Brune, "Synthesis of a finite two-terminal network whose
@@ -14,29 +14,33 @@
 #pragma once
 
 #include "signal/frf_set.hpp"
+#include "signal/low_line.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace tapfit::signal {
 
-/// How a driving point behaves at the lowest lines.
-enum class LowLine { Neither, Mass, Stiffness };
-
 struct DrivingPoint {
   std::size_t frf = 0;  ///< index into the set
   int peaks = 0;        ///< of |A|
   int wrong_peaks = 0;  ///< with Im A below zero
   /// Share of lines with Re M below zero by more than three standard
-  /// deviations of it.
+  /// deviations of it (as stated or, if more, as the lines are rough).
   double active_share = 0.0;
   LowLine low = LowLine::Neither;
   double mass_kg = 0.0;            ///< with LowLine::Mass
   double stiffness_n_per_m = 0.0;  ///< with LowLine::Stiffness
+  /// FRF of the same blows, elsewhere in the set, that would pass as this
+  /// driving point where this one does not: two channels may be swapped.
+  std::optional<std::size_t> rather;
 
   /// Most peaks point the wrong way: the polarity of hammer or sensor is turned
   /// (or its point is another one).
   [[nodiscard]] bool turned() const { return 2 * wrong_peaks > peaks; }
+  /// Gives energy away at more than one line in twenty.
+  [[nodiscard]] bool active() const { return active_share > 0.05; }
+  [[nodiscard]] bool fair() const { return wrong_peaks == 0 && !active(); }
 };
 
 struct Reciprocal {
@@ -46,9 +50,16 @@ struct Reciprocal {
   double difference = 0.0;
   /// Least-squares factor of A_ba that fits A_ab best; 1 for a fair pair.
   double gain = 1.0;
+  /// What |A_ab - gain A_ba| leaves, relative to A_ab.
+  double shape_difference = 0.0;
   /// Mean of |A_ab - A_ba|^2 over their variances; about 1 for what scatter
   /// alone explains. 0 where variances are not known.
   double chi2 = 0.0;
+
+  /// Scatter explains the difference, or it is too little to matter.
+  [[nodiscard]] bool fair() const {
+    return (chi2 > 0.0 && chi2 < 4.0) || difference < 0.02;
+  }
 };
 
 /// FRFs whose response is where the hammer hits, in its direction.

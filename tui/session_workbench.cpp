@@ -149,7 +149,7 @@ std::filesystem::path SessionWorkbench::write(Output what,
   if (what == Output::Report) {
     write_text_file(session_report(session_, p), path);
   } else if (what == Output::Uff) {
-    write_measured_uff(session_, path, p);
+    write_measured_uff(session_, path, acquisition::UffNodes::D2411, p);
   } else {
     check_deck_path(session_, path);
     write_updated_deck(session_, path, p);

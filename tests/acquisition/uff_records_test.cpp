@@ -136,15 +136,36 @@ TEST(WriteGeometry, ComesBack) {
   geometry.nodes[1234567] = {1.0, 2.0, 3.0};
   geometry.nodes[8] = Eigen::Vector3d::Zero();
   geometry.trace_lines = {{7, 8, 1234567, 7}, {8, 7}};
-  std::ostringstream out;
-  write_geometry(geometry, out);
-  const std::string text = out.str();
-  UffGeometry back;
-  for (const UffDataset& dataset : split_uff(text, "g.uff")) {
-    add_geometry(dataset, back);
+  for (const UffNodes as : {UffNodes::D2411, UffNodes::D15}) {
+    std::ostringstream out;
+    write_geometry(geometry, as, out);
+    const std::string text = out.str();
+    UffGeometry back;
+    for (const UffDataset& dataset : split_uff(text, "g.uff")) {
+      add_geometry(dataset, back);
+    }
+    ASSERT_EQ(back.nodes.size(), geometry.nodes.size());
+    for (const auto& [label, x] : geometry.nodes) {
+      // 2411 has all digits, 15 six.
+      const double off = as == UffNodes::D15 ? 5e-6 * x.norm() : 0.0;
+      EXPECT_LE((back.nodes.at(label) - x).norm(), off) << label;
+    }
+    EXPECT_EQ(back.trace_lines, geometry.trace_lines);
   }
-  EXPECT_EQ(back.nodes, geometry.nodes);
-  EXPECT_EQ(back.trace_lines, geometry.trace_lines);
+}
+
+// 4I10,1P3E13.5, column by column, whatever the numbers.
+TEST(WriteGeometry, Dataset15KeepsItsColumns) {
+  UffGeometry geometry;
+  geometry.nodes[2147483647] = {-1.0 / 3.0, -2e-105, 1e100};
+  std::ostringstream out;
+  write_geometry(geometry, UffNodes::D15, out);
+  EXPECT_EQ(out.str(),
+            "    -1\n"
+            "    15\n"
+            "2147483647         0         0        11"
+            " -3.33333E-01-2.00000E-105 1.00000E+100\n"
+            "    -1\n");
 }
 
 }  // namespace

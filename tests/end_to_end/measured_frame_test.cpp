@@ -128,6 +128,65 @@ TEST(MeasuredFrameModes, ItsFourthPoleIsInAnotherRecordToo) {
   EXPECT_LT(likeness(weak.shape, third), 0.5);
 }
 
+// As the note says: the second floor's sensor is turned; with its sign the
+// other way the shapes are +++, ++-, +-+ (first floor to top). The base moves
+// by some per cent of the top at most.
+TEST(MeasuredFrameModes, TheirSignsShowTheTurnedSensor) {
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  for (const char* file : {"imp_ham_set1_nomass.CSV",
+                           "imp_ham_set2_nomass.CSV",
+                           "imp_ham_set3_no_mass.CSV"}) {
+    const fs::path bundle = imported(
+        file,
+        "--hammer CH8@3:+X,volts_per_unit=1 --sensor CH2@1:+X,unit=cm/s^2 "
+        "--sensor CH3@2:+X,unit=cm/s^2 --sensor CH5@3:+X,unit=cm/s^2 "
+        "--sensor CH6@4:+X,unit=cm/s^2 --band 1 20 --overwrite");
+    const json modes =
+        json_of(fmt::format("modes '{}' --json", bundle.string())).at("modes");
+    struct Noted {
+      double hz;
+      std::array<int, 3> signs;  // relative to the first floor's
+    };
+    for (const Noted& noted : {Noted{2.17, {1, 1, 1}},
+                               Noted{6.89, {1, 1, -1}},
+                               Noted{13.24, {1, -1, 1}}}) {
+      int seen = 0;
+      for (const json& mode : modes) {
+        const double hz = mode.at("frequency_hz").at("value");
+        if (std::abs(hz - noted.hz) > 0.01 * noted.hz) continue;
+        ++seen;
+        const auto at = [&](const char* dof) -> double {
+          return mode.at("shape").at(dof).at(0);
+        };
+        const double first = at("1X+");
+        const int second = -at("2X+") * first > 0.0 ? 1 : -1;
+        const int top = at("3X+") * first > 0.0 ? 1 : -1;
+        EXPECT_EQ(second, noted.signs[1]) << file << " " << hz;
+        EXPECT_EQ(top, noted.signs[2]) << file << " " << hz;
+        EXPECT_LT(std::abs(at("4X+")), 0.05 * std::abs(at("3X+")));
+      }
+      EXPECT_EQ(seen, 1) << file << " " << noted.hz;
+    }
+  }
+}
+
+// Pulses of one to three samples without a filter: the program says that scale
+// means nothing.
+TEST(MeasuredFrameHits, SayThatTheScaleMeansNothing) {
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  for (const char* file : {"imp_ham_set1_nomass.CSV",
+                           "imp_ham_set2_nomass.CSV",
+                           "imp_ham_set3_no_mass.CSV"}) {
+    const fs::path bundle = imported(
+        file,
+        "--hammer CH8@3:+X,volts_per_unit=1 --sensor CH5@3:+X,unit=cm/s^2 "
+        "--band 1 20 --overwrite");
+    const auto result = run_tapfit(fmt::format("hits '{}'", bundle.string()));
+    EXPECT_NE(result.out.find("show no anti-alias filter"), std::string::npos)
+        << file << result.out;
+  }
+}
+
 // The hammer's sensitivity in the file is 49 V/N of a mass of 2.5 kg: taken
 // with both, the body answers as that mass. Pulses of one or two samples leave
 // the gain to some per cent and say nothing of more.
@@ -142,6 +201,20 @@ TEST(MeasuredHammer, ItsCalibrationMassComesOut) {
           .at("calibration");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].at("gain").at("value").get<double>(), 1.0, 0.1);
+}
+
+// The second record has one blow, and another gain (0.65): nothing to enter.
+TEST(MeasuredHammer, TheSecondCalibrationIsNoMassAndGivesNoSensitivity) {
+  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  const fs::path bundle = imported("imp_ham_calib_set2.CSV",
+                                   "--hammer CH8@1:+X,volts_per_unit=49 "
+                                   "--sensor CH6@1:+X,unit=cm/s^2 --band 2 20");
+  const json found =
+      json_of(fmt::format("calibrate '{}' --mass 2.5 --json", bundle.string()))
+          .at("findings");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NE(found[0].at("what").get<std::string>().find("as a mass alone only"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -65,14 +65,15 @@ struct CommandOptions {
   std::optional<std::filesystem::path> output;   ///< file or folder to write
   std::optional<std::filesystem::path> records;  ///< time records to write
   bool text_records = false;                     ///< these not as binary
-  std::optional<std::filesystem::path> saved;    ///< session to do again
-  std::vector<std::string> effects;              ///< "added-mass@201", in order
-  std::vector<std::string> free;  ///< "acc1=0.02", masses to free
-  std::string lines = "damped";   ///< see updating/line_rule.hpp
+  int node_dataset = 2411;  ///< of these universal files: 15 or 2411
+  std::optional<std::filesystem::path> saved;  ///< session to do again
+  std::vector<std::string> effects;            ///< "added-mass@201", in order
+  std::vector<std::string> free;               ///< "acc1=0.02", masses to free
+  std::string lines = "damped";                ///< see updating/line_rule.hpp
   std::string lambda;    ///< a number or "l-curve"; empty: not asked for
   int modes = 10;        ///< of the model
   int node = 0;          ///< grid id
-  double mass_kg = 0.0;  ///< of a calibration's body
+  double mass_kg = 0.0;  ///< of a free body; 0: not said
   double speed = 0.0;    ///< of a replay, times real time; 0: all it can
   FrfArguments frf;
   ImportArguments imports;

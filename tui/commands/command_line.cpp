@@ -59,6 +59,7 @@ enum Extra : unsigned {
   Mass = 16384,
   ByHand = 32768,
   Pairs = 65536,
+  BodyMass = 131072,
 };
 
 struct Entry {
@@ -82,7 +83,7 @@ constexpr std::array<Entry, 17> entries{{
     {"quality",
      "What the measurement says about itself",
      quality_command,
-     None},
+     BodyMass},
     {"calibrate",
      "Sensors against the hammer, on a known mass",
      calibrate_command,
@@ -242,11 +243,11 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
     add_mode_choices(*command, options.by_hand);
   }
   if ((entry.extras & Pairs) != 0) add_pair_choices(*command, options.by_hand);
-  if ((entry.extras & Mass) != 0) {
+  if ((entry.extras & (Mass | BodyMass)) != 0) {
     command
         ->add_option(
-            "--mass", options.mass_kg, "Of the body with its sensors [kg]")
-        ->required()
+            "--mass", options.mass_kg, "Of the free body with its sensors [kg]")
+        ->required((entry.extras & Mass) != 0)
         ->check(CLI::PositiveNumber);
   }
   if ((entry.extras & Speed) != 0) {

@@ -98,6 +98,11 @@ std::string unwritten(const updating::Session& session) {
   return text;
 }
 
+acquisition::UffNodes nodes_as(const CommandOptions& options) {
+  return options.node_dataset == 15 ? acquisition::UffNodes::D15
+                                    : acquisition::UffNodes::D2411;
+}
+
 void write_records(updating::Session& session,
                    const CommandOptions& options,
                    const std::filesystem::path& path) {
@@ -113,12 +118,13 @@ void write_records(updating::Session& session,
                      path.string(),
                      "give the time records another name");
   }
+  const acquisition::UffNodes nodes = nodes_as(options);
   std::ofstream file(path, std::ios::binary);
   write_uff_records(bundle,
                     options.text_records ? acquisition::UffEncoding::Text
                                          : acquisition::UffEncoding::Binary,
                     file);
-  write_geometry(geometry_of(session), file);
+  write_geometry(geometry_of(session), nodes, file);
   finish(file, path);
 }
 
@@ -126,6 +132,7 @@ void write_records(updating::Session& session,
 
 void write_measured_uff(updating::Session& session,
                         const std::filesystem::path& path,
+                        acquisition::UffNodes nodes,
                         const Progress& progress) {
   const std::string& title = session.bundle().title;
   const signal::FrfSet& frfs = session.frfs(progress);
@@ -133,7 +140,7 @@ void write_measured_uff(updating::Session& session,
   std::ofstream file(path);
   signal::write_frfs_uff(frfs, title, file);
   file << modal::modes_as_uff(modes, title);
-  write_geometry(geometry_of(session), file);
+  write_geometry(geometry_of(session), nodes, file);
   finish(file, path);
 }
 
@@ -147,7 +154,7 @@ std::string export_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   std::vector<std::string> written;
   if (options.uff) {
-    write_measured_uff(session, *options.uff, progress);
+    write_measured_uff(session, *options.uff, nodes_as(options), progress);
     written.push_back(options.uff->string());
   }
   if (options.records) {

@@ -11,6 +11,12 @@ void add_export_options(CLI::App& command, CommandOptions& options) {
                 options.text_records,
                 "Time records as text, not binary (58b)")
       ->needs(records);
+  command
+      .add_option("--nodes",
+                  options.node_dataset,
+                  "Dataset of the model's grids in universal files: 2411 "
+                  "(default), or 15 for older programs")
+      ->check(CLI::IsMember({15, 2411}));
 }
 
 }  // namespace tapfit::tui

@@ -1,9 +1,7 @@
 #include "tui/commands/quality_command.hpp"
 
 #include "acquisition/input_error.hpp"
-#include "signal/calibration.hpp"
-#include "signal/frf_checks.hpp"
-#include "signal/hit_coherence.hpp"
+#include "signal/calibration_findings.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "tui/views/frf_checks_view.hpp"
@@ -22,6 +20,7 @@ using signal::DrivingPoint;
 using signal::FrfSet;
 using signal::HitCoherence;
 using signal::LowLine;
+using signal::QualityFinding;
 using signal::Reciprocal;
 
 /// All that is found, before it is printed one way or the other.
@@ -30,20 +29,39 @@ struct Quality {
   const FrfSet& frfs;
   std::vector<DrivingPoint> points;
   std::vector<Reciprocal> pairs;
+  std::vector<QualityFinding> findings;
 };
 
-Quality look(updating::Session& session, const Progress& progress) {
+void take(std::vector<QualityFinding> more,
+          std::vector<QualityFinding>& findings) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
+}
+
+// @param mass_kg of a free body; 0: not known
+Quality look(updating::Session& session,
+             double mass_kg,
+             const Progress& progress) {
+  const acquisition::TestBundle& bundle = session.bundle();
   Quality found{{},
                 session.frfs(progress),
                 signal::driving_points(session.frfs()),
-                signal::reciprocals(session.frfs())};
-  for (std::size_t r = 0; r < session.bundle().runs.size(); ++r) {
+                signal::reciprocals(session.frfs()),
+                {}};
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     progress("coherence of hits",
-             static_cast<double>(r) /
-                 static_cast<double>(session.bundle().runs.size()));
-    found.runs.push_back(signal::run_coherence(
-        session.bundle(), session.recordings(), session.hits(), r));
+             static_cast<double>(r) / static_cast<double>(bundle.runs.size()));
+    found.runs.push_back(
+        signal::run_coherence(bundle, session.recordings(), session.hits(), r));
+    take(coherence_findings(bundle, found.runs.back(), r), found.findings);
   }
+  take(driving_point_findings(bundle, found.frfs, found.points),
+       found.findings);
+  take(reciprocity_findings(bundle, found.frfs, found.pairs), found.findings);
+  if (mass_kg > 0.0) {
+    take(mass_line_findings(bundle, found.frfs, found.points, mass_kg),
+         found.findings);
+  }
+  take(signal::spread_findings(found.frfs), found.findings);
   return found;
 }
 
@@ -77,6 +95,23 @@ ordered_json run_json(const acquisition::TestBundle& bundle,
           {"apart", apart}};
 }
 
+ordered_json json_of(const std::vector<QualityFinding>& findings) {
+  ordered_json list = ordered_json::array();
+  for (const QualityFinding& f : findings) {
+    list.push_back({{"what", f.what}, {"remedy", f.remedy}});
+  }
+  return list;
+}
+
+std::string text_of(const std::vector<QualityFinding>& findings) {
+  if (findings.empty()) return "No check found a fault\n";
+  std::string text = "Found\n";
+  for (const QualityFinding& f : findings) {
+    text += "  " + f.what + "\n    " + f.remedy + "\n";
+  }
+  return text;
+}
+
 ordered_json json_of(const acquisition::TestBundle& bundle, const Quality& q) {
   ordered_json result;
   result["runs"] = ordered_json::array();
@@ -103,6 +138,7 @@ ordered_json json_of(const acquisition::TestBundle& bundle, const Quality& q) {
                                      {"other", name(q.frfs.frfs[p.other])},
                                      {"difference", p.difference},
                                      {"gain", p.gain},
+                                     {"shape_difference", p.shape_difference},
                                      {"chi2", p.chi2}});
   }
   result["h2_over_h1_at_peaks"] = ordered_json::array();
@@ -112,6 +148,7 @@ ordered_json json_of(const acquisition::TestBundle& bundle, const Quality& q) {
           {{"frf", name(frf)}, {"run", frf.run + 1}, {"spread", *spread}});
     }
   }
+  result["findings"] = json_of(q.findings);
   return result;
 }
 
@@ -135,10 +172,6 @@ std::string hits_text_of(const acquisition::TestBundle& bundle,
       }
       text += "\n";
     }
-    for (const std::size_t hit : hits_apart(c)) {
-      text += fmt::format(
-          "    hit {} stands apart (frf --best-hits leaves it out)\n", hit + 1);
-    }
   }
   return text;
 }
@@ -160,13 +193,18 @@ std::string frf_checks_text(const Quality& q) {
                 low_line(p),
                 verdict(p)});
   }
-  TextTable pairs(
-      {"<measured both ways", "<other", "difference", "gain", "chi2"});
+  TextTable pairs({"<measured both ways",
+                   "<other",
+                   "difference",
+                   "gain",
+                   "beside gain",
+                   "chi2"});
   for (const Reciprocal& p : q.pairs) {
     pairs.add({name(q.frfs.frfs[p.frf]),
                name(q.frfs.frfs[p.other]),
                percent(p.difference),
                fmt::format("{:.4f}", p.gain),
+               percent(p.shape_difference),
                fmt::format("{:.3g}", p.chi2)});
   }
   TextTable spreads({"<FRF", "run", "H2/H1 - 1 at peaks"});
@@ -187,10 +225,10 @@ std::string frf_checks_text(const Quality& q) {
 std::string quality_command(const CommandOptions& options,
                             const Progress& progress) {
   updating::Session session = open_bundle(options.input);
-  const Quality found = look(session, progress);
+  const Quality found = look(session, options.mass_kg, progress);
   if (options.json) return json_of(session.bundle(), found).dump(2) + "\n";
   return (found.runs.empty() ? "" : hits_text_of(session.bundle(), found)) +
-         frf_checks_text(found);
+         frf_checks_text(found) + text_of(found.findings);
 }
 
 std::string calibrate_command(const CommandOptions& options,
@@ -198,6 +236,8 @@ std::string calibrate_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   const FrfSet& frfs = session.frfs(progress);
   const auto found = signal::calibrate(frfs, options.mass_kg);
+  const auto findings =
+      signal::calibration_findings(session.bundle(), frfs, found);
   ordered_json list = ordered_json::array();
   TextTable table({"<FRF", "run", "gain", "sd", "delay s", "sd", "deviation"});
   for (const signal::Calibration& c : found) {
@@ -215,13 +255,18 @@ std::string calibrate_command(const CommandOptions& options,
                fmt::format("{:.2g}", c.delay_sd),
                percent(c.deviation)});
   }
-  if (options.json) return ordered_json{{"calibration", list}}.dump(2) + "\n";
+  if (options.json) {
+    return ordered_json{{"calibration", list}, {"findings", json_of(findings)}}
+               .dump(2) +
+           "\n";
+  }
   return fmt::format("Accelerance times {:g} kg, which is 1 for a fair chain\n",
                      options.mass_kg) +
          table.text() +
          "  gain: the sensor's over the hammer's sensitivity, true over "
          "assumed; below zero: polarity turned\n  deviation: how little the "
-         "body answers as a mass alone\n";
+         "body answers as a mass alone\n" +
+         text_of(findings);
 }
 
 }  // namespace tapfit::tui

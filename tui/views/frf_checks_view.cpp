@@ -20,11 +20,6 @@ using signal::Frf;
 using signal::FrfSet;
 using signal::Reciprocal;
 
-bool is_fair(const Reciprocal& pair) {
-  // Scatter explains it, or it is too little to matter.
-  return (pair.chi2 > 0.0 && pair.chi2 < 4.0) || pair.difference < 0.02;
-}
-
 void draw_driving(Screen& screen,
                   const Rect& rect,
                   const FrfSet& frfs,
@@ -94,7 +89,7 @@ std::string low_line(const DrivingPoint& point) {
 std::string verdict(const DrivingPoint& point) {
   if (point.turned()) return "polarity turned";
   if (point.wrong_peaks > 0) return "another point?";
-  return point.active_share > 0.05 ? "not passive" : "fair";
+  return point.active() ? "not passive" : "fair";
 }
 
 Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
@@ -113,7 +108,7 @@ Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
                           {.colour = fair ? Colour::Default : Colour::Red}});
   }
   for (const Reciprocal& p : checks.both_ways) {
-    const bool fair = is_fair(p);
+    const bool fair = p.fair();
     table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
                            signal::name(frfs.frfs[p.other]),
                            fair ? "alike" : "differ",
