@@ -6,10 +6,8 @@
 #include "modal/uff55.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/add_diagnosed.hpp"
-#include "tui/commands/effect_output.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/updated_deck.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/session.hpp"
 
 #include <fmt/format.h>
@@ -83,17 +81,13 @@ void finish(std::ofstream& file, const std::filesystem::path& path) {
       "cannot be written", path.string(), "check folder and permissions");
 }
 
-// What no card of the deck's own can hold.
-std::string unwritten(const updating::Session& session) {
+// What the written deck says that it does not hold.
+std::string unwritten(const std::filesystem::path& deck) {
   std::string text;
-  for (const updating::AddedEffect& added : session.effects()) {
-    const std::string& name = added.ref.effect;
-    const auto kind = effects::find(name).changes_stiffness();
-    if (!added.on || kind != updating::ChangeKind::Joint) continue;
-    text += fmt::format(
-        "  note: {} is in the deck as a comment alone: double the grids of its "
-        "line and join them by springs\n",
-        effect_text(name, added.ref.where));
+  std::ifstream file(deck);
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("$ not written")) continue;
+    text += "  note: " + line.substr(2) + "\n";
   }
   return text;
 }
@@ -170,7 +164,7 @@ std::string export_command(const CommandOptions& options,
   if (options.json) return ordered_json{{"written", written}}.dump(2) + "\n";
   std::string text;
   for (const auto& file : written) text += "written: " + file + "\n";
-  if (options.deck) text += unwritten(session);
+  if (options.deck) text += unwritten(*options.deck);
   return text;
 }
 
