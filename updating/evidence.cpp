@@ -12,7 +12,8 @@ double evidence_data(const Target& target,
   const double frfs =
       std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double modes = std::max(1, modes_in_band);
-  const double most = std::min(effective_data(target), 2.0 * frfs * modes);
+  const double most =
+      std::min(effective_data(target), modes * (2.0 * frfs + 1.0));
   return std::clamp(
       residual_data(target, residual), std::min(4.0 * modes, most), most);
 }

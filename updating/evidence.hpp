@@ -17,9 +17,10 @@ namespace tapfit::updating {
 
 /// Independent real data for choosing between models.
 ///
-/// FRFs of a structure with m modes in the band are fixed by m residues each,
-/// so that more lines do not make more evidence, whatever their number. Nor is
-/// the residual more than residual_data() says.
+/// FRFs of a structure with m modes in the band are fixed by m residues each
+/// and the m frequencies that they share (damping is fitted along in every
+/// model), so that more lines do not make more evidence, whatever their number.
+/// Nor is the residual more than residual_data() says.
 ///
 /// @param residual of the best explanation, as from stack()
 [[nodiscard]] double evidence_data(const Target& target,
