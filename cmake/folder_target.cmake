@@ -8,9 +8,24 @@ set(plain_complex)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_CXX_CLANG_TIDY)
   set(plain_complex -fcx-limited-range)
 endif()
+# Dense products are half of a diagnosis, and Eigen chooses their instructions
+# when it is compiled; see docs/decisions/vector-instructions.md.
+include(CheckCXXSourceRuns)
+check_cxx_source_runs("int main() {
+  const bool can = __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\")
+    && __builtin_cpu_supports(\"bmi2\");
+  return can ? 0 : 1;
+}" TAPFIT_MACHINE_HAS_AVX2)
+option(TAPFIT_AVX2 "Build for processors with AVX2 and FMA"
+  ${TAPFIT_MACHINE_HAS_AVX2})
+set(vector_instructions)
+if(TAPFIT_AVX2)
+  set(vector_instructions -march=x86-64-v3)
+endif()
 target_compile_options(tapfit_flags INTERFACE
   "SHELL:-iquote ${PROJECT_SOURCE_DIR}"
   ${plain_complex}
+  ${vector_instructions}
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(TAPFIT_WARNINGS_AS_ERRORS)
   target_compile_options(tapfit_flags INTERFACE -Werror)
