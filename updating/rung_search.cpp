@@ -20,7 +20,8 @@ constexpr int kinds_tried_first = 4;
 // the list is no longer for show: the screening is good to a few tens of
 // percent.
 constexpr double promising = 2.0;
-// An effect found again must be this much better to take the place.
+// An effect found again, or a weaker one put first, must be this much better
+// to take the place.
 constexpr double better = 0.98;
 
 // How sure an effect is among all that was tried with it, none included.
@@ -149,7 +150,8 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
     const Round next = look(h.fit, Depth::Quick);
     if (next.hypotheses.empty()) continue;
     const Hypothesis& second = next.hypotheses.front();
-    if (second.fit.result.error >= least) continue;
+    // The same two in the other order end at the same error, but for rounding.
+    if (second.fit.result.error >= better * least) continue;
     least = second.fit.result.error;
     const auto own =
         static_cast<double>(h.own().p.size() + second.own().p.size());
