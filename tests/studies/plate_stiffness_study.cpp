@@ -3,8 +3,8 @@
 // hammer test each; prints every estimate in units of its standard deviation,
 // and the share of the 95 % intervals that hold.
 //
-//   plate_stiffness_study [PLATES] [FIRST SEED] [UPPER HZ] [SENSOR KG] [MASS
-//   KNOWN]
+//   plate_stiffness_study [PLATES] [FIRST SEED] [UPPER HZ] [SENSOR KG]
+//     [MASS KNOWN] [SHELLS ALONG]
 #include "acquisition/seeded_random.hpp"
 #include "tests/updating/support/free_plate.hpp"
 
@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   const double upper = argument(3, 600.0);
   const double sensor_kg = argument(4, 0.0);
   const bool mass_known = argument(5, 0.0) > 0.0;
+  const int shells = static_cast<int>(argument(6, 16));
   struct Count {
     int inside = 0;
     int all = 0;
@@ -56,6 +57,7 @@ int main(int argc, char** argv) {
     test.seed = first + static_cast<std::uint64_t>(k);
     test.sensor_kg = sensor_kg;
     test.band_hz = {50.0, upper};
+    test.shells_along = shells;
     fmt::print("{:4}", test.seed);
     for (const auto& [name, e] : tapfit::support::identify_plate(test)) {
       const auto at = truth.find(name);

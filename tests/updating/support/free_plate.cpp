@@ -14,12 +14,12 @@ namespace tapfit::support {
 
 using nlohmann::json;
 
-std::string free_plate_deck(const std::string& material) {
-  constexpr int nx = 16;
-  constexpr int ny = 8;
+std::string free_plate_deck(const std::string& material, int along) {
+  const int nx = along;
+  const int ny = along / 2;
   std::string deck =
       "PARAM,COUPMASS,1\n" + material + "PSHELL,1,1,0.0047,1,,1\n";
-  const auto id = [](int i, int j) { return 1 + i * (ny + 1) + j; };
+  const auto id = [ny](int i, int j) { return 1 + i * (ny + 1) + j; };
   for (int i = 0; i <= nx; ++i) {
     for (int j = 0; j <= ny; ++j) {
       deck += fmt::format("GRID,{},,{:.6f},{:.6f},0.\n",
@@ -67,7 +67,7 @@ json one_run_of(json test, const PlateTest& plate) {
 std::map<std::string, updating::Estimate> identify_plate(
     const PlateTest& plate) {
   const tapfit::testing::TemporaryFolder folder;
-  folder.write("truth.bdf", free_plate_deck(plate.truth));
+  folder.write("truth.bdf", free_plate_deck(plate.truth, plate.shells_along));
   updating::VirtualBundleSpec spec;
   spec.structure = (folder.path() / "truth.bdf").string();
   spec.seed = plate.seed;
@@ -81,7 +81,8 @@ std::map<std::string, updating::Estimate> identify_plate(
         fmt::format("sensor-mass={}", plate.sensor_kg))};
   }
   updating::make_virtual_bundle(spec, folder.path() / "test");
-  folder.write("test/model.bdf", free_plate_deck(plate.deck));
+  folder.write("test/model.bdf",
+               free_plate_deck(plate.deck, plate.shells_along));
   std::ifstream in(folder.path() / "test" / "test.json");
   folder.write("test/test.json", one_run_of(json::parse(in), plate).dump());
 
