@@ -26,7 +26,7 @@ class ModeTurn {
  public:
   /// @param phi the modes in the base's coordinates, omega theirs [rad/s]
   /// @param dK, dM by the parameter, in the base's coordinates; zero: 0 x 0
-  /// @param largest |s| that will be asked for [rad/s]
+  /// @param largest the largest |s| that will be asked for [rad/s]
   ModeTurn(const Eigen::MatrixXd& phi,
            const Eigen::VectorXd& omega,
            const DampingOfModes& damping,
@@ -44,8 +44,11 @@ class ModeTurn {
     return lambda_ + s * d_;
   }
 
-  /// Xo' dZ Xi of modes too close to each other for A, which is zero there.
-  /// @return responses x references; added to `change` with a minus
+  /// Takes Xo' dZ Xi of modes too close to each other for A, which is zero
+  /// there, off a change of FRFs.
+  /// @param Xo modes x responses
+  /// @param Xi modes x references
+  /// @param change responses x references
   void take_close(std::complex<double> s,
                   const Eigen::MatrixXcd& Xo,
                   const Eigen::MatrixXcd& Xi,
