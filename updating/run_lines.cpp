@@ -56,7 +56,14 @@ RunLines::Columns RunLines::columns(const VectorXcd& g,
 void RunLines::respond(const VectorXcd& s,
                        const MatrixXcd& flexible,
                        ModelResponse& out) const {
-  const Turned turned = out.dH.empty() ? Turned{} : turned_rows();
+  std::vector<Turned> turned;
+  if (!out.dH.empty()) {
+    for (const TurningParameter& p : shared->turning) {
+      turned.push_back({p.turn.turned(responses),
+                        p.turn.turned(references),
+                        p.turn.turned(B)});
+    }
+  }
   for (Index at = 0; at < s.size(); ++at) {
     const VectorXcd g = flexible.col(at);
     const MatrixXcd coupled = B.cols() > 0 ? coupling(s(at), g) : MatrixXcd();
@@ -70,53 +77,28 @@ void RunLines::respond(const VectorXcd& s,
     derive_damping(line, out);
     derive_law(line, out);
     derive_effects(line, out);
-    if (!shared->turning.empty()) derive_turning(line, turned, out);
+    derive_turning(line, turned, out);
   }
-}
-
-RunLines::Turned RunLines::turned_rows() const {
-  const auto of_all = [this](const MatrixXd& rows) {
-    const Index n = rows.cols();
-    MatrixXd all(rows.rows(), n * static_cast<Index>(shared->turning.size()));
-    for (std::size_t t = 0; t < shared->turning.size(); ++t) {
-      all.middleCols(static_cast<Index>(t) * n, n) =
-          shared->turning[t].turn.turned(rows);
-    }
-    return all;
-  };
-  return {of_all(responses), of_all(references), of_all(B)};
 }
 
 // H_oi = c_o' R' G R c_i with the modal rows R of the points and of B, and
 // X_q = G R c_q: where the modes turn by A,
 //   d H_oi = Y_o' X_i + X_o' (Y_i - diag(d lambda + s d d) X_i),
 //   Y_q = A' R c_q.
-// All parameters side by side: products of a few columns are slow.
 void RunLines::derive_turning(const Line& line,
-                              const Turned& turned,
+                              const std::vector<Turned>& turned,
                               ModelResponse& out) const {
-  const Index k = B.cols();
-  const Index n_o = responses.cols();
-  const Index n_i = references.cols();
-  MatrixXcd Yo = turned.responses.cast<complex<double>>();
-  MatrixXcd Yi = turned.references.cast<complex<double>>();
-  for (std::size_t t = 0; t < shared->turning.size(); ++t) {
-    const auto at = static_cast<Index>(t);
-    auto of_i = Yi.middleCols(at * n_i, n_i);
-    if (k > 0) {
-      const auto of_B = turned.B.middleCols(at * k, k);
-      Yo.middleCols(at * n_o, n_o).noalias() -= of_B * line.o.u;
-      of_i.noalias() -= of_B * line.i.u;
-    }
-    of_i -= shared->turning[t].turn.stiffened(line.s).asDiagonal() * line.i.X;
-  }
-  const MatrixXcd on_o = Yo.transpose() * line.i.X;
-  const MatrixXcd on_i = line.o.X.transpose() * Yi;
-  for (std::size_t t = 0; t < shared->turning.size(); ++t) {
+  for (std::size_t t = 0; t < turned.size(); ++t) {
     const TurningParameter& p = shared->turning[t];
-    const auto at = static_cast<Index>(t);
-    MatrixXcd change =
-        on_o.middleRows(at * n_o, n_o) + on_i.middleCols(at * n_i, n_i);
+    MatrixXcd Yo = turned[t].responses.cast<complex<double>>();
+    MatrixXcd Yi = turned[t].references.cast<complex<double>>();
+    if (B.cols() > 0) {
+      Yo.noalias() -= turned[t].B * line.o.u;
+      Yi.noalias() -= turned[t].B * line.i.u;
+    }
+    Yi -= p.turn.stiffened(line.s).asDiagonal() * line.i.X;
+    MatrixXcd change = Yo.transpose() * line.i.X;
+    change.noalias() += line.o.X.transpose() * Yi;
     p.turn.take_close(line.s, line.o.X, line.i.X, change);
     MatrixXcd& d = out.dH[p.column];
     const complex<double> factor = p.scale * line.s * line.s;

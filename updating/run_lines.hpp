@@ -75,16 +75,14 @@ struct RunLines {
     Columns o;  // of the response points
     Columns i;  // of the reference points
   };
-  // What the parameters that turn the modes change of the modal rows, those of
-  // one parameter after those of the other.
+  // What a parameter that turns the modes changes of the modal rows.
   struct Turned {
     Eigen::MatrixXd responses;
     Eigen::MatrixXd references;
     Eigen::MatrixXd B;
   };
-  [[nodiscard]] Turned turned_rows() const;
   void derive_turning(const Line& line,
-                      const Turned& turned,
+                      const std::vector<Turned>& turned,
                       ModelResponse& out) const;
   void derive_law(const Line& line, ModelResponse& out) const;
   void derive_damping(const Line& line, ModelResponse& out) const;
