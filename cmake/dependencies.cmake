@@ -9,6 +9,9 @@ pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
 pkg_check_modules(NCURSES REQUIRED IMPORTED_TARGET ncursesw)
+# It asks for _DEFAULT_SOURCE, which compilers of C++ imply; defined on the
+# command line it would keep the precompiled header from being shared.
+set_property(TARGET PkgConfig::NCURSES PROPERTY INTERFACE_COMPILE_OPTIONS "")
 
 # Headers only, no package files of their own.
 find_path(VALIJSON_INCLUDE valijson/validator.hpp REQUIRED)

@@ -36,7 +36,7 @@ Identifiability identifiability(const MatrixXd& S, double least) {
       scaled.col(k).setZero();
     }
   }
-  const Eigen::BDCSVD<MatrixXd> svd(scaled, Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<MatrixXd> svd(scaled, Eigen::ComputeThinV);
   result.singular_values = svd.singularValues();
   result.directions = svd.matrixV();
   result.correlation = correlations(svd.matrixV(), svd.singularValues());

@@ -47,7 +47,7 @@ class TikhonovSystem {
   }
 
  private:
-  Eigen::BDCSVD<Eigen::MatrixXd> svd_;
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd_;
   Eigen::VectorXd beta_;  // U' d
   double outside_ = 0.0;  // ||d - U U' d||^2
 };

@@ -11,6 +11,8 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace tapfit::structure {
 namespace {
 
@@ -168,14 +170,15 @@ Axes bar_axes(const Deck& deck, const Bar& bar) {
 // Turns plane 1 and 2 into the section's principal planes.
 void make_principal(BarProperty& p, Eigen::Matrix3d& local) {
   if (p.I12 == 0.0) return;
-  Eigen::Matrix2d I;
-  I << p.I1, p.I12, p.I12, p.I2;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> principal(I);
-  Eigen::Matrix2d V = principal.eigenvectors();
-  if (V.determinant() < 0.0) V.col(1) *= -1.0;
+  // Mohr's circle: `angle` leads to the axis of the larger moment.
+  const double angle = 0.5 * std::atan2(2.0 * p.I12, p.I1 - p.I2);
+  const double mean = 0.5 * (p.I1 + p.I2);
+  const double radius = std::hypot(0.5 * (p.I1 - p.I2), p.I12);
+  Eigen::Matrix2d V;
+  V << -std::sin(angle), -std::cos(angle), std::cos(angle), -std::sin(angle);
   local.rightCols<2>() = (local.rightCols<2>() * V).eval();
-  p.I1 = principal.eigenvalues()(0);
-  p.I2 = principal.eigenvalues()(1);
+  p.I1 = mean - radius;
+  p.I2 = mean + radius;
   p.K1 = p.K2 = 0.5 * (p.K1 + p.K2);
 }
 

@@ -1,0 +1,2 @@
+#define TAPFIT_INSTANCE template
+#include "acquisition/eigen_instances/decompositions.hpp"
