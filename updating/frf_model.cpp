@@ -11,6 +11,7 @@
 #include <cmath>
 #include <complex>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace tapfit::updating {
@@ -22,31 +23,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
-
-bool is_diagonal(const MatrixXd& A) {
-  const double off = (A - MatrixXd(A.diagonal().asDiagonal())).norm();
-  return off <= 1e-9 * A.norm();
-}
-
-BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M) {
-  BaseModes modes;
-  if (M.isIdentity(1e-14) && is_diagonal(K)) {
-    // Modes in their first order: a common factor does not change places.
-    modes.omega = K.diagonal().cwiseMax(0.0).cwiseSqrt();
-    modes.phi = MatrixXd::Identity(K.rows(), K.cols());
-    return modes;
-  }
-  const auto take = [&modes](const auto& solver) {
-    modes.omega = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-    modes.phi = solver.eigenvectors();
-  };
-  if (M.isIdentity(1e-14)) {
-    take(Eigen::SelfAdjointEigenSolver<MatrixXd>(K));
-  } else {
-    take(Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(K, M));
-  }
-  return modes;
-}
 
 // Of the deck's own dashpots: a factor F of C = sum of c b b' = F F'. As wide
 // as the dashpots are independent in the base, however many there are.
@@ -133,15 +109,25 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
   return solve_modes(K, M);
 }
 
+bool FrfModel::goes_into_modes(const PlacedEffect& effect) const {
+  return updating::goes_into_modes(effect, setting_, runs_);
+}
+
+std::vector<ConstantChange> FrfModel::changes_of(
+    const ModelState& state) const {
+  return constant_changes(state, setting_, runs_, base_);
+}
+
 BaseModes FrfModel::full_modes(const ModelState& state) const {
   const BaseModes base = base_modes(state);
-  MatrixXd K = base.omega.cwiseAbs2().asDiagonal();
-  MatrixXd M = MatrixXd::Identity(K.rows(), K.cols());
+  auto [K, M] = with_changes(base, changes_of(state), state);
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
       2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
   for (const PlacedEffect& e : state.effects) {
-    if (e.effect->entry() != effects::Entry::LowRank) continue;
+    if (e.effect->entry() != effects::Entry::LowRank || goes_into_modes(e)) {
+      continue;
+    }
     for (const effects::ActedDof& dof :
          e.effect->acts_on(e.where, setting_, 0)) {
       const VectorXd b =
@@ -164,26 +150,31 @@ void FrfModel::set_reference(const ModelState& state) {
   reference_phi_ = base_modes(state).phi;
 }
 
-// owner[m] is the position in zeta of mode m's ratio, or -1.
+// The position in zeta of each mode's ratio, or -1. Springs and masses move
+// modes past few others if any (of rank one: none), so that the modes with them
+// keep the ratios of those without by order.
+std::vector<int> FrfModel::damping_owners(const ModelState& state,
+                                          const BaseModes& bare) const {
+  const VectorXd& w = bare.omega;
+  const Index count = std::min<Index>(state.zeta.size(), w.size());
+  std::vector<int> owner(static_cast<std::size_t>(w.size()), -1);
+  if (reference_phi_.size() == 0) {
+    std::iota(owner.begin(), owner.begin() + count, 0);
+    return owner;
+  }
+  const MatrixXd overlap =
+      (reference_phi_.leftCols(count).transpose() * bare.phi).cwiseAbs();
+  for (Index q = 0; q < count; ++q) {
+    Index best = 0;
+    overlap.row(q).maxCoeff(&best);
+    owner[static_cast<std::size_t>(best)] = static_cast<int>(q);
+  }
+  return owner;
+}
+
 void FrfModel::set_damping(ModalState& shared) const {
   const ModelState& state = *shared.state;
-  const BaseModes& modes = shared.modes;
-  const VectorXd& w = modes.omega;
-  const Index count = std::min<Index>(state.zeta.size(), w.size());
-  shared.owner.assign(static_cast<std::size_t>(w.size()), -1);
-  if (reference_phi_.size() == 0) {
-    for (Index q = 0; q < count; ++q) {
-      shared.owner[static_cast<std::size_t>(q)] = static_cast<int>(q);
-    }
-  } else {
-    const MatrixXd overlap =
-        (reference_phi_.leftCols(count).transpose() * modes.phi).cwiseAbs();
-    for (Index q = 0; q < count; ++q) {
-      Index best = 0;
-      overlap.row(q).maxCoeff(&best);
-      shared.owner[static_cast<std::size_t>(best)] = static_cast<int>(q);
-    }
-  }
+  const VectorXd& w = shared.modes.omega;
   const PlacedEffect* law = state.damping_law();
   DampingOfModes& damping = shared.damping;
   damping.d = damping.slope = VectorXd::Zero(w.size());
@@ -205,6 +196,13 @@ ModalState FrfModel::modal_state(const ModelState& state) const {
   ModalState shared;
   shared.state = &state;
   shared.modes = base_modes(state);
+  shared.owner = damping_owners(state, shared.modes);
+  shared.changes = changes_of(state);
+  if (!shared.changes.empty()) {
+    BaseModes loaded = modes_with(shared.modes, shared.changes, state);
+    shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
+    shared.modes = std::move(loaded);
+  }
   set_damping(shared);
   shared.first_zeta = state.factor.size();
   std::size_t column =
@@ -246,6 +244,11 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
           {turn(term.S, {}), shared.first[e], placed.p[0]});
     }
   }
+  for (const ConstantChange& c : shared.changes) {
+    shared.turning.push_back({turn(c.dK, c.dM),
+                              shared.first[c.effect] + c.parameter,
+                              state.effects[c.effect].p[c.parameter]});
+  }
 }
 
 RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
@@ -259,7 +262,10 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
   }
   for (std::size_t e = 0; e < shared.state->effects.size(); ++e) {
     const PlacedEffect& placed = shared.state->effects[e];
-    if (placed.effect->entry() != effects::Entry::LowRank) continue;
+    if (placed.effect->entry() != effects::Entry::LowRank ||
+        goes_into_modes(placed)) {
+      continue;
+    }
     for (const effects::ActedDof& dof :
          placed.effect->acts_on(placed.where, setting_, run)) {
       const VectorXd b =

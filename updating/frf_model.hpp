@@ -6,11 +6,14 @@
 //
 // H is diagonal in the base's modes; B holds the rows of the degrees of freedom
 // acted on, the deck's own dashpots (D = s c) among them. Properties that scale
-// whole matrices, and supports, change the base's modes instead, which are then
-// taken anew (a small dense problem).
+// whole matrices, supports, and springs and masses that are alike in every run
+// change the base's modes instead, which are then taken anew (a small dense
+// problem; constant_changes.hpp says why).
 #pragma once
 
 #include "signal/frf_set.hpp"
+#include "updating/constant_changes.hpp"
+#include "updating/model_modes.hpp"
 #include "updating/model_state.hpp"
 #include "updating/reduced_base.hpp"
 
@@ -23,12 +26,6 @@ namespace tapfit::updating {
 
 /// Whether the base holds this effect as a change of its stiffness.
 [[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
-
-/// Undamped modes in the base's coordinates.
-struct BaseModes {
-  Eigen::VectorXd omega;  ///< [rad/s]
-  Eigen::MatrixXd phi;    ///< r x r
-};
 
 struct ModelResponse {
   Eigen::MatrixXcd H;                ///< lines x pairs, accelerance
@@ -70,6 +67,7 @@ class FrfModel {
                                       bool derivatives) const;
 
   /// Modes of the base with its factors and supports, without the rest.
+  /// Damping ratios are theirs, by order, once springs and masses are on.
   [[nodiscard]] BaseModes base_modes(const ModelState& state) const;
   /// Undamped modes with every effect (a roving sensor as in the first run).
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
@@ -99,11 +97,16 @@ class FrfModel {
 
  private:
   [[nodiscard]] ModalState modal_state(const ModelState& state) const;
+  [[nodiscard]] bool goes_into_modes(const PlacedEffect& effect) const;
+  [[nodiscard]] std::vector<ConstantChange> changes_of(
+      const ModelState& state) const;
   // By which parameters the modes turn, and how.
   void find_turning(ModalState& shared, double largest) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
   [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
+  [[nodiscard]] std::vector<int> damping_owners(const ModelState& state,
+                                                const BaseModes& bare) const;
   void set_damping(ModalState& shared) const;
 
   ReducedBase base_;

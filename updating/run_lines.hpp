@@ -32,7 +32,8 @@ struct ModalState {
   const ModelState* state = nullptr;
   BaseModes modes;
   DampingOfModes damping;
-  std::vector<int> owner;  ///< of state->zeta, of each mode; or -1
+  std::vector<int> owner;               ///< of state->zeta, of each mode; or -1
+  std::vector<ConstantChange> changes;  ///< what is in the modes
   std::vector<TurningParameter> turning;
   std::vector<std::size_t> first;  ///< column of each effect's parameters
   std::size_t first_zeta = 0;

@@ -46,6 +46,8 @@ struct ActedDof {
   int component = 3;      ///< 1..6
   double weight = 1.0;    ///< factor on the law, for example a length
   std::size_t group = 0;  ///< which law, where an effect has several
+
+  bool operator==(const ActedDof&) const = default;
 };
 
 /// How an effect enters the model.
@@ -112,6 +114,8 @@ class Effect {
   [[nodiscard]] virtual std::complex<double> law(std::complex<double> s,
                                                  const std::vector<double>& p,
                                                  std::size_t group) const = 0;
+  /// Whether law = sum of p_k (stiffness_k + s^2 mass_k): springs and masses.
+  [[nodiscard]] virtual bool is_lossless() const { return false; }
   /// d law / d p_k.
   [[nodiscard]] virtual std::complex<double> law_derivative(
       std::complex<double> s,
