@@ -373,6 +373,10 @@ void Program::carry_out(const Command& command) {
       return act(toggle_effect(command.added));
     case Command::Kind::Write:
       return act(write_output(command.output, {}));
+    case Command::Kind::PickPole:
+      return act(add_mode(command.hz.value_or(0.0)));
+    case Command::Kind::DropMode:
+      return act(drop_mode(command.hz.value_or(0.0)));
     case Command::Kind::ShowRun:
       recording_page_->select(command.run);
       return go_to(0);

@@ -74,6 +74,19 @@ TEST(Program, DropsAndPutsInModesAsTyped) {
   EXPECT_TRUE(holds(below, ":band 10 60")) << below;
 }
 
+TEST(Program, DropsAndPutsInModesByOneKey) {
+  const std::string dropped = played("3\nwait\nj\nx\nwait");
+  EXPECT_TRUE(holds(dropped, "dropped the mode at 12.4 Hz: 2 modes"))
+      << dropped;
+  const std::string undone = played("3\nwait\nj\nx\nwait\nu\nwait");
+  EXPECT_TRUE(holds(undone, "undone: 3 modes")) << undone;
+  const std::string nowhere = played("3\nwait\np\nwait");
+  EXPECT_TRUE(holds(nowhere, "put the cursor on a pole first")) << nowhere;
+  const std::string picked = played("3\nwait\nl\np\nwait");
+  EXPECT_TRUE(holds(picked, "put a mode in at ")) << picked;
+  EXPECT_TRUE(holds(picked, "4 modes")) << picked;
+}
+
 TEST(Program, SwitchesAnEffectOffAndOn) {
   const std::string off = played("5\nwait\na\nwait\nt\nwait");
   EXPECT_TRUE(holds(off, "added-mass switched off")) << off;

@@ -18,6 +18,44 @@ std::string shift_statement(const Snapshot& known) {
                               : std::vector<std::string>{});
 }
 
+/// The steady pole of the diagram that the cursor is meant to be on, else the
+/// cursor itself.
+double frequency_at(const modal::ModeSet& modes, double cursor, double reach) {
+  double hz = cursor;
+  double nearest = reach;
+  for (const modal::DiagramPole& pole : modes.diagram) {
+    const double away = std::abs(pole.frequency_hz - cursor);
+    if (pole.letter != 's' || away > nearest) continue;
+    nearest = away;
+    hz = pole.frequency_hz;
+  }
+  return hz;
+}
+
+void pick_at_cursor(const Snapshot& known,
+                    const PlotRange& range,
+                    Command& command) {
+  if (!range.cursor_set) {
+    command.message = "put the cursor on a pole first: h l, or a click";
+    return;
+  }
+  const FrequencySpan span = frequency_span(*known.frfs);
+  const PlotRange shown = resolved(range, span.lo, span.hi);
+  // A step of the cursor to either side.
+  command.kind = Command::Kind::PickPole;
+  command.hz =
+      frequency_at(*known.modes, shown.cursor, 0.01 * (shown.hi - shown.lo));
+}
+
+void drop_selected(const Snapshot& known,
+                   const ListState& list,
+                   Command& command) {
+  if (known.modes->modes.empty()) return;
+  const std::size_t mode = settled(mode_table(*known.modes), list);
+  command.kind = Command::Kind::DropMode;
+  command.hz = known.modes->modes.at(mode).frequency_hz;
+}
+
 }  // namespace
 
 std::vector<Need> ModesPage::welcome(const Snapshot& known) const {
@@ -41,9 +79,13 @@ Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
                     canvas);
 }
 
-bool ModesPage::press(const Snapshot& known, Key key, Command&) {
+bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
   if (key == U'm') {
     state_.mac = !state_.mac;
+  } else if (key == U'p') {
+    pick_at_cursor(known, state_.range, command);
+  } else if (key == U'x') {
+    drop_selected(known, state_.list, command);
   } else if (key == U'o') {
     state_.model = !state_.model;
   } else if (key == U'R') {
@@ -74,6 +116,8 @@ bool ModesPage::animate(const Snapshot&) {
 std::vector<KeyHelp> ModesPage::keys() const {
   return {{"j k", "mode"},
           {"m", "MAC"},
+          {"p", "pick pole"},
+          {"x", "drop mode"},
           {"Space", "animate"},
           {"R", "rotate"},
           {"o", "model's shape"},
@@ -95,7 +139,8 @@ std::string ModesPage::help() const {
          "modes are close. The measured shape is drawn as stems, over the "
          "shape of the model's mode that is paired with it. m shows the MAC "
          "with the model, or of the measured modes among themselves where "
-         "there is no model.";
+         "there is no model. p puts in the pole under the cursor, x takes the "
+         "selected mode out, u undoes both.";
 }
 
 void ModesPage::select(std::size_t measured, std::size_t model) {

@@ -26,13 +26,15 @@ struct Command {
     ShowRun,
     ShowFrf,
     ShowMode,
+    PickPole,
+    DropMode,
     Write
   };
   Kind kind = Kind::None;
   std::vector<std::pair<std::size_t, std::size_t>> hits;  ///< run, hit
   std::size_t run = 0;
   std::size_t frf = 0;
-  std::optional<double> hz;    ///< of ShowFrf: where to look
+  std::optional<double> hz;    ///< of ShowFrf, PickPole, DropMode: where
   std::size_t mode = 0;        ///< of ShowMode: measured ...
   std::size_t model_mode = 0;  ///< ... and the model's beside it
   Output output = Output::Report;
