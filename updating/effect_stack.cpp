@@ -24,6 +24,39 @@ Fit judged(Fit fit, const Fit& before) {
   return fit;
 }
 
+/// The effect with the whole place it acts at.
+/// @throws InputError where it is among those that are there already
+EffectRef whole_of(const EffectRef& effect,
+                   const std::vector<AddedEffect>& there,
+                   const StackFit& how) {
+  const PlacedEffect extra = place_effect(effect, how.setting);
+  EffectRef whole{extra.effect->name(), extra.where};
+  for (const AddedEffect& known : there) {
+    if (known.ref != whole) continue;
+    throw InputError(
+        "the effect is in the model already",
+        fmt::format("{} at {}", whole.effect, describe(whole.where)),
+        known.on ? "undo it first, or add another"
+                 : "it is switched off: switch it on, or add another");
+  }
+  return whole;
+}
+
+/// Each added, and at once switched off where it is off.
+std::vector<EffectHistory::Effects> past_of(
+    const std::vector<AddedEffect>& effects) {
+  std::vector<EffectHistory::Effects> past;
+  EffectHistory::Effects so_far;
+  for (const AddedEffect& added : effects) {
+    past.push_back(so_far);
+    so_far.push_back({added.ref, true});
+    if (added.on) continue;
+    past.push_back(so_far);
+    so_far.back().on = false;
+  }
+  return past;
+}
+
 }  // namespace
 
 EffectStack::EffectStack(Fit base, bool uncertain) : uncertain_(uncertain) {
@@ -74,63 +107,67 @@ void EffectStack::change_to(const Effects& effects,
     on.push_back(place_effect(added.ref, how.setting));
   }
   fits_ = fits_for(on, how, progress);
-  effects_ = effects;
+  history_.now = effects;
 }
 
 void EffectStack::add(const EffectRef& effect,
                       const StackFit& how,
                       const Progress& progress) {
-  const PlacedEffect extra = place_effect(effect, how.setting);
-  const EffectRef whole{extra.effect->name(), extra.where};
-  for (const AddedEffect& known : effects_) {
-    if (known.ref != whole) continue;
-    throw InputError(
-        "the effect is in the model already",
-        fmt::format("{} at {}", whole.effect, describe(whole.where)),
-        known.on ? "undo it first, or add another"
-                 : "it is switched off: switch it on, or add another");
-  }
-  Effects more = effects_;
-  more.push_back({whole, true});
-  const Effects before = effects_;
+  const Effects before = history_.now;
+  Effects more = before;
+  more.push_back({whole_of(effect, before, how), true});
   change_to(more, how, progress);
-  past_.push_back(before);
-  future_.clear();
+  history_.past.push_back(before);
+  history_.future.clear();
+}
+
+void EffectStack::restore(const EffectHistory& history,
+                          const StackFit& how,
+                          const Progress& progress) {
+  Effects whole;
+  for (const AddedEffect& added : history.now) {
+    whole.push_back({whole_of(added.ref, whole, how), added.on});
+  }
+  change_to(whole, how, progress);
+  history_.past = history.past;
+  history_.future = history.future;
+  const bool told = !history.past.empty() || !history.future.empty();
+  if (!told) history_.past = past_of(whole);
 }
 
 void EffectStack::toggle(std::size_t effect,
                          const StackFit& how,
                          const Progress& progress) {
-  if (effect >= effects_.size()) {
+  if (effect >= history_.now.size()) {
     throw InputError(fmt::format("there is no effect {} to switch", effect + 1),
                      "model",
-                     effects_.empty()
-                         ? std::string("none was added yet")
-                         : fmt::format("1 to {} were added", effects_.size()));
+                     history_.now.empty() ? std::string("none was added yet")
+                                          : fmt::format("1 to {} were added",
+                                                        history_.now.size()));
   }
-  const Effects before = effects_;
-  Effects other = effects_;
+  const Effects before = history_.now;
+  Effects other = history_.now;
   other[effect].on = !other[effect].on;
   change_to(other, how, progress);
-  past_.push_back(before);
-  future_.clear();
+  history_.past.push_back(before);
+  history_.future.clear();
 }
 
 bool EffectStack::undo(const StackFit& how, const Progress& progress) {
-  if (past_.empty()) return false;
-  const Effects now = effects_;
-  change_to(past_.back(), how, progress);
-  past_.pop_back();
-  future_.push_back(now);
+  if (history_.past.empty()) return false;
+  const Effects now = history_.now;
+  change_to(history_.past.back(), how, progress);
+  history_.past.pop_back();
+  history_.future.push_back(now);
   return true;
 }
 
 bool EffectStack::redo(const StackFit& how, const Progress& progress) {
-  if (future_.empty()) return false;
-  const Effects now = effects_;
-  change_to(future_.back(), how, progress);
-  future_.pop_back();
-  past_.push_back(now);
+  if (history_.future.empty()) return false;
+  const Effects now = history_.now;
+  change_to(history_.future.back(), how, progress);
+  history_.future.pop_back();
+  history_.past.push_back(now);
   return true;
 }
 

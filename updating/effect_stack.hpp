@@ -16,6 +16,15 @@ struct StackFit {
   std::function<Fit(const std::vector<PlacedEffect>&, const Progress&)> fit;
 };
 
+/// The effects that are added, and how that came about.
+struct EffectHistory {
+  using Effects = std::vector<AddedEffect>;
+
+  Effects now;
+  std::vector<Effects> past;  ///< what an undo goes back to, the next one last
+  std::vector<Effects> future;  ///< what a redo goes on to, the next one last
+};
+
 /// Fits of the base model with ever more of the effects. A change that fails
 /// or is stopped leaves everything as it was.
 class EffectStack {
@@ -38,19 +47,27 @@ class EffectStack {
   void toggle(std::size_t effect,
               const StackFit& how,
               const Progress& progress);
+  /// Puts in what another stack had, on a stack where nothing was done yet. A
+  /// history of effects alone is told as if they had been added in their order
+  /// and then switched off.
+  /// @throws InputError for an effect that is there twice or has no such place
+  void restore(const EffectHistory& history,
+               const StackFit& how,
+               const Progress& progress);
   /// Takes the last change back; false when there is none.
   bool undo(const StackFit& how, const Progress& progress);
   /// Does what was undone last again; false when there is none.
   bool redo(const StackFit& how, const Progress& progress);
 
   [[nodiscard]] const std::vector<AddedEffect>& effects() const {
-    return effects_;
+    return history_.now;
   }
+  [[nodiscard]] const EffectHistory& history() const { return history_; }
   /// Base first, then what is uncertain, then one per effect that is on.
   [[nodiscard]] const std::vector<Fit>& fits() const { return fits_; }
 
  private:
-  using Effects = std::vector<AddedEffect>;
+  using Effects = EffectHistory::Effects;
 
   void change_to(const Effects& effects,
                  const StackFit& how,
@@ -61,10 +78,8 @@ class EffectStack {
       const Progress& progress) const;
 
   bool uncertain_;
-  Effects effects_;
+  EffectHistory history_;
   std::vector<Fit> fits_;
-  std::vector<Effects> past_;
-  std::vector<Effects> future_;
 };
 
 }  // namespace tapfit::updating

@@ -29,7 +29,7 @@ struct Session::Impl {
   std::optional<EffectStack> stack;
   std::vector<ModeChoices> past_choices;
   std::vector<ModeChoices> future_choices;
-  std::vector<AddedEffect> waiting;  // to be in the stack, once there is one
+  EffectHistory waiting;  // to be in the stack, once there is one
   UpdateChoice choice;
   std::optional<PlainTask> plain;  // where the choice is a plain one
   std::optional<Comparison> base_comparison;
@@ -224,7 +224,7 @@ void Session::Impl::drop_current() {
 }
 
 void Session::Impl::drop_from_frfs() {
-  if (ground) waiting = stack->effects();
+  if (ground) waiting = stack->history();
   ground.reset();
   stack.reset();
   plain.reset();
@@ -234,10 +234,7 @@ void Session::Impl::drop_from_frfs() {
 
 void Session::Impl::stack_waiting(const Progress& progress) {
   try {
-    for (std::size_t k = 0; k < waiting.size(); ++k) {
-      stack->add(waiting[k].ref, stack_fit(), progress);
-      if (!waiting[k].on) stack->toggle(k, stack_fit(), progress);
-    }
+    stack->restore(waiting, stack_fit(), progress);
   } catch (...) {
     // As if nothing had been prepared: the next call tries again.
     ground.reset();
@@ -310,7 +307,7 @@ void Session::fit_uncertain(const Progress& progress) {
 }
 
 bool Session::undo(const Progress& progress) {
-  if (!impl_->ground && impl_->waiting.empty()) return false;
+  if (!impl_->ground && impl_->waiting.now.empty()) return false;
   impl_->prepare_fit(*this, progress);
   if (!impl_->stack->undo(impl_->stack_fit(), progress)) return false;
   impl_->drop_current();
@@ -318,15 +315,15 @@ bool Session::undo(const Progress& progress) {
 }
 
 bool Session::redo(const Progress& progress) {
-  if (!impl_->ground || !impl_->stack->redo(impl_->stack_fit(), progress)) {
-    return false;
-  }
+  if (!impl_->ground && impl_->waiting.future.empty()) return false;
+  impl_->prepare_fit(*this, progress);
+  if (!impl_->stack->redo(impl_->stack_fit(), progress)) return false;
   impl_->drop_current();
   return true;
 }
 
 std::vector<AddedEffect> Session::effects() const {
-  return impl_->ground ? impl_->stack->effects() : impl_->waiting;
+  return impl_->ground ? impl_->stack->effects() : impl_->waiting.now;
 }
 
 const std::vector<OverruledHit>& Session::overruled() const {
@@ -350,7 +347,7 @@ SavedSession Session::saved(const Progress& progress) {
 void Session::take_up(const SavedSession& saved) {
   impl_->test.set_overruled(saved.overruled);
   impl_->test.set_choices(saved.modes);
-  impl_->waiting = saved.effects;
+  impl_->waiting = {saved.effects, {}, {}};
 }
 
 void Session::set_update(const UpdateChoice& choice) {

@@ -108,6 +108,39 @@ TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
   EXPECT_NE(stack_->fits().back().result.message.find(said), std::string::npos);
 }
 
+// As when the FRFs behind a stack change: what was done is not lost.
+TEST_F(EffectStackTest, ItsHistoryLivesOnInAnotherStack) {
+  const Fit base = stack_->fits().front();
+  stack_->add(mass_at(9), how(), none_);
+  stack_->add(mass_at(53), how(), none_);
+  const double both = error();
+  stack_->toggle(0, how(), none_);
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  const EffectHistory before = stack_->history();
+
+  EffectStack other(base, true);
+  other.restore(before, how(), none_);
+  EXPECT_NEAR(other.fits().back().result.error, both, 1e-9);
+  ASSERT_TRUE(other.redo(how(), none_));
+  EXPECT_FALSE(other.effects()[0].on);
+  for (int k = 0; k < 3; ++k) ASSERT_TRUE(other.undo(how(), none_));
+  EXPECT_TRUE(other.effects().empty());
+  EXPECT_FALSE(other.undo(how(), none_));
+
+  // Of effects alone, as a file has them.
+  EffectStack third(base, true);
+  third.restore(
+      {{{mass_at(9), true}, {mass_at(53), false}}, {}, {}}, how(), none_);
+  ASSERT_TRUE(third.undo(how(), none_));
+  EXPECT_TRUE(third.effects()[1].on);
+  ASSERT_TRUE(third.undo(how(), none_));
+  EXPECT_EQ(third.effects().size(), 1U);
+  EXPECT_THROW(
+      third.restore(
+          {{{mass_at(9), true}, {mass_at(9), true}}, {}, {}}, how(), none_),
+      InputError);
+}
+
 TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
   EXPECT_FALSE(stack_->undo(how(), none_));
   stack_->add(mass_at(9), how(), none_);
