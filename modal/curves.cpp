@@ -224,6 +224,7 @@ Curves select_curves(const Curves& curves,
     const auto f = static_cast<std::size_t>(index);
     part.response.push_back(curves.response[f]);
     part.reference.push_back(curves.reference[f]);
+    part.run.push_back(curves.run[f]);
     part.set_up.push_back(curves.set_up[f]);
     part.source.push_back(curves.source[f]);
   }

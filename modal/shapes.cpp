@@ -189,6 +189,13 @@ Complex real_turn(const Eigen::VectorXcd& shape) {
   return std::polar(1.0, -0.5 * std::arg(sum));
 }
 
+/// The phase of a scaled shape is that of its residues; only a driving point of
+/// wrong polarity, which turns phi phi by half a turn, is taken out.
+Complex quarter_turn(const Eigen::VectorXcd& shape) {
+  const Complex sum = (shape.array() * shape.array()).sum();
+  return sum.real() < 0.0 ? Complex(0.0, -1.0) : Complex(1.0);
+}
+
 }  // namespace
 
 ShapeGraph shape_graph(const Curves& curves,
@@ -240,7 +247,7 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
     if (graph.scaled) fix_scale(graph, P, frf_weight, phi);
     for (int i = 0; i < 12; ++i) polish(graph, P, frf_weight, phi);
     Eigen::VectorXcd shape = phi(graph.kept);
-    shape *= real_turn(shape);
+    shape *= graph.scaled ? quarter_turn(shape) : real_turn(shape);
     Index largest = 0;
     shape.cwiseAbs().maxCoeff(&largest);
     if (shape(largest).real() < 0.0) shape = -shape;

@@ -36,8 +36,9 @@ struct ShapeGraph {
 /// Shapes from the residues of a fit.
 ///
 /// Robust against a few FRFs that contradict the others (a channel of wrong
-/// polarity): those are weighted down. Each shape is turned to be as real as
-/// possible, its largest value positive; unscaled shapes have it at 1.
+/// polarity): those are weighted down. The largest value is positive. A scaled
+/// shape keeps the phase that R = phi phi' / (2 j w_d) gives it; others are
+/// turned to be as real as possible, with 1 for the largest value.
 ///
 /// @param residues of receptance, n_frfs x n_modes
 /// @param poles n_modes [rad/s]

@@ -13,31 +13,8 @@ namespace tapfit {
 namespace {
 
 using Eigen::Index;
+using test::random_system;
 using test::SyntheticSystem;
-
-/// Modes in the band and two above it, spaced at random but at least 2 %.
-SyntheticSystem random_system(Index modes,
-                              Index points,
-                              double low_zeta,
-                              double high_zeta,
-                              std::mt19937_64& random) {
-  std::uniform_real_distribution<double> uniform;
-  SyntheticSystem system;
-  system.frequency_hz.resize(modes + 2);
-  system.damping_ratio.resize(modes + 2);
-  const double gap = 85.0 / static_cast<double>(modes);
-  for (Index r = 0; r < modes; ++r) {
-    const double place = 0.1 + 0.7 * uniform(random);
-    system.frequency_hz(r) = 10.0 + gap * (static_cast<double>(r) + place);
-  }
-  system.frequency_hz(modes) = 118.0;
-  system.frequency_hz(modes + 1) = 150.0;
-  for (double& zeta : system.damping_ratio) {
-    zeta = low_zeta + (high_zeta - low_zeta) * uniform(random);
-  }
-  system.phi = test::random_shapes(points, modes + 2, random);
-  return system;
-}
 
 void expect_modes(const modal::ModeSet& found,
                   const SyntheticSystem& system,

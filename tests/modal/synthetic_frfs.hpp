@@ -30,6 +30,31 @@ inline Eigen::MatrixXd random_shapes(Eigen::Index points,
       points, modes, [&] { return normal(random); });
 }
 
+/// Modes in 10 to 95 Hz and two above, at 118 and 150 Hz, spaced at random but
+/// by at least 0.3 of their mean distance.
+inline SyntheticSystem random_system(Eigen::Index modes,
+                                     Eigen::Index points,
+                                     double low_zeta,
+                                     double high_zeta,
+                                     std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform;
+  SyntheticSystem system;
+  system.frequency_hz.resize(modes + 2);
+  system.damping_ratio.resize(modes + 2);
+  const double gap = 85.0 / static_cast<double>(modes);
+  for (Eigen::Index r = 0; r < modes; ++r) {
+    const double place = 0.1 + 0.7 * uniform(random);
+    system.frequency_hz(r) = 10.0 + gap * (static_cast<double>(r) + place);
+  }
+  system.frequency_hz(modes) = 118.0;
+  system.frequency_hz(modes + 1) = 150.0;
+  for (double& zeta : system.damping_ratio) {
+    zeta = low_zeta + (high_zeta - low_zeta) * uniform(random);
+  }
+  system.phi = random_shapes(points, modes + 2, random);
+  return system;
+}
+
 inline std::complex<double> accelerance(const SyntheticSystem& system,
                                         Eigen::Index a,
                                         Eigen::Index b,
