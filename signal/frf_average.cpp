@@ -63,6 +63,7 @@ std::vector<Frf> average_frfs(const RunAverage& average,
     frf.hits = static_cast<int>(powers.hits);
     frf.variance = frf_variance(average.s, powers, found.H, average.noise[c])
                        .cwiseProduct(factor.cwiseAbs2());
+    frf.variance_freedom = variance_freedom(frf.hits);
     frf.H = found.H.cwiseProduct(factor);
     frf.coherence = std::move(found.coherence);
     result.push_back(std::move(frf));

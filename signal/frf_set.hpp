@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,9 @@ struct Frf {
   Eigen::VectorXcd H;         ///< accelerance per line [(m/s^2)/N]
   Eigen::VectorXd coherence;  ///< 0..1 per line; ones for a single hit
   Eigen::VectorXd variance;   ///< of H: E|dH|^2 per line [((m/s^2)/N)^2]
-  int hits = 0;               ///< accepted hits behind it
+  /// Degrees of freedom of that estimate, see confidence_band.hpp.
+  double variance_freedom = std::numeric_limits<double>::infinity();
+  int hits = 0;  ///< accepted hits behind it
 };
 
 /// FRFs that share their lines s = sigma + j omega. An exponential window

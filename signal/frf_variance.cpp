@@ -9,12 +9,13 @@ namespace {
 
 using Eigen::Index;
 
-// The noise before one hit is known from a spectrum of n = 38 degrees of
-// freedom (triangle over +-24 bins of a Hann window). A band of 95 % then needs
-//   (1 + 2 c ln 20 / n)^(-n/2) = 0.05
-// for |dH|^2 <= c ln 20 E|dH|^2 to hold so often.
-const double single_hit_factor =
-    19.0 * (std::pow(20.0, 1.0 / 19.0) - 1.0) / std::log(20.0);
+// The noise before one hit is known from a spectrum of so many degrees of
+// freedom: a triangle over +-24 bins of a Hann window.
+constexpr double of_one_hit = 38.0;
+// Lines that are averaged over, in bandwidths to either side, times m - 1; and
+// how many degrees of freedom come together that way.
+constexpr double reach_of_hits = 12.0;
+constexpr double of_hits = 24.0;
 
 // Scatter over hits per line, R. The difference of the sums is known to their
 // rounding, 1e-16 of |Y|^2.
@@ -93,12 +94,13 @@ Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
   Eigen::VectorXd P = noise.response + H.cwiseAbs2().cwiseProduct(noise.force);
   // Data without any noise still carries rounding.
   P.array() += 1e-24 * (q.array() + q.mean());
-  Eigen::VectorXd R = single_hit_factor * P;
+  Eigen::VectorXd R = P;
   if (powers.hits > 1) {
     const Eigen::VectorXd measured = scatter(powers, H);
     P += repeatability(measured, P, q) * q;
     P.array() += std::numeric_limits<double>::min();
-    const Eigen::VectorXd reach = 12.0 / (hits - 1.0) * noise.bandwidth;
+    const Eigen::VectorXd reach =
+        reach_of_hits / (hits - 1.0) * noise.bandwidth;
     R = P.cwiseProduct(local_ratio(
         s.imag(), measured.cwiseQuotient(P), reach.cwiseMax(noise.bandwidth)));
   }
@@ -107,6 +109,11 @@ Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
     variance(i) = Gff(i) > 0.0 ? R(i) / Gff(i) : 0.0;
   const double floor = 1e-24 * H.cwiseAbs2().maxCoeff();
   return variance.cwiseMax(floor + std::numeric_limits<double>::min());
+}
+
+double variance_freedom(int hits) {
+  if (hits < 2) return of_one_hit;
+  return of_hits * std::max(1.0, (hits - 1) / reach_of_hits);
 }
 
 }  // namespace tapfit::signal

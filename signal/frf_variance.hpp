@@ -30,9 +30,8 @@ namespace tapfit::signal {
 
 /// E|dH|^2 per line; above zero and finite wherever H is.
 ///
-/// A single hit has no scatter: its variance is that of the noise alone, made
-/// 8 % larger because the noise is not known exactly, and knows nothing of how
-/// well the hits repeat.
+/// A single hit has no scatter: its variance is that of the noise alone and
+/// knows nothing of how well the hits repeat.
 ///
 /// @param s lines [rad/s], ascending imaginary part
 /// @param powers sums over the hits, per line
@@ -41,5 +40,8 @@ namespace tapfit::signal {
                                            const CrossPowers& powers,
                                            const Eigen::VectorXcd& H,
                                            const LineNoise& noise);
+
+/// Degrees of freedom that frf_variance() has from so many hits.
+[[nodiscard]] double variance_freedom(int hits);
 
 }  // namespace tapfit::signal

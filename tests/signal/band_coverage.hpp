@@ -2,18 +2,18 @@
 // the study over seeds.
 #pragma once
 
+#include "signal/confidence_band.hpp"
 #include "signal/estimate_frfs.hpp"
 #include "tests/signal/generated_test.hpp"
 
 namespace tapfit::signal {
 
 struct Coverage {
-  double share = 0.0;  // of lines whose truth lies within 95 %
+  double share = 0.0;  // of lines whose truth lies within the 95 % circle
+  double parts = 0.0;  // of real and imaginary parts within their 95 % band
   double bias = 0.0;   // mean error over mean |H|
 };
 
-// |dH|^2 / E|dH|^2 of circular Gaussian noise is exponential: 95 % of it lies
-// below ln 20.
 inline Coverage coverage(const std::vector<TestMode>& modes,
                          const GeneratedOptions& options,
                          bool damped_line,
@@ -21,6 +21,7 @@ inline Coverage coverage(const std::vector<TestMode>& modes,
   GeneratedOptions quiet = options;
   quiet.response_noise = quiet.force_noise = quiet.spread = 0.0;
   int inside = 0;
+  int parts = 0;
   int lines = 0;
   std::complex<double> sum = 0.0;
   double size = 0.0;
@@ -43,15 +44,21 @@ inline Coverage coverage(const std::vector<TestMode>& modes,
     // Against the noise-free estimate, so that truncation is not counted.
     const FrfSet truth =
         estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s, {});
+    const Eigen::VectorXd radius = confidence_radius(set.frfs[0]);
+    const Eigen::VectorXd reach = confidence_reach(set.frfs[0]);
     for (Eigen::Index i = 0; i < set.lines(); ++i) {
       const std::complex<double> error = set.frfs[0].H(i) - truth.frfs[0].H(i);
-      inside += std::norm(error) <= std::log(20.0) * set.frfs[0].variance(i);
+      inside += std::abs(error) <= radius(i);
+      parts += std::abs(error.real()) <= reach(i);
+      parts += std::abs(error.imag()) <= reach(i);
       ++lines;
       sum += error;
       size += std::abs(truth.frfs[0].H(i));
     }
   }
-  return {static_cast<double>(inside) / lines, std::abs(sum) / size};
+  return {static_cast<double>(inside) / lines,
+          static_cast<double>(parts) / (2.0 * lines),
+          std::abs(sum) / size};
 }
 
 inline GeneratedOptions noisy(int hits) {

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace tapfit::signal {
 namespace {
@@ -15,9 +18,29 @@ const std::vector<TestMode> two_modes{{20.0, 0.01, 1.0}, {61.0, 0.008, -0.7}};
 // Promised: 93 to 97 % of the truths in 95 % bands. Forty records of 140 to
 // 750 lines, of which about one in three is independent, leave 0.5 % of chance.
 void expect_covered(const Coverage& c) {
-  fmt::print("covered: {:.1f} %\n", 100.0 * c.share);
+  fmt::print("covered: {:.1f} %, real and imaginary parts {:.1f} %\n",
+             100.0 * c.share,
+             100.0 * c.parts);
   EXPECT_GT(c.share, 0.93);
   EXPECT_LT(c.share, 0.97);
+  EXPECT_GT(c.parts, 0.93);
+  EXPECT_LT(c.parts, 0.97);
+}
+
+// Published quantiles of Student's t at 0.975; those of F(2, n) at 0.95.
+TEST(ConfidenceBand, HasTheQuantilesOfTAndF) {
+  Frf frf;
+  frf.variance = Eigen::VectorXd::Constant(1, 2.0);
+  const std::vector<std::array<double, 3>> published = {
+      {24.0, 2.0639, 3.4028}, {40.0, 2.0211, 3.2317}, {120.0, 1.9799, 3.0718}};
+  for (const auto& [n, t, F] : published) {
+    frf.variance_freedom = n;
+    EXPECT_NEAR(confidence_reach(frf)(0), t, 1e-3);
+    EXPECT_NEAR(confidence_radius(frf)(0), std::sqrt(2.0 * F), 1e-3);
+  }
+  frf.variance_freedom = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(confidence_reach(frf)(0), 1.95996, 1e-4);
+  EXPECT_NEAR(confidence_radius(frf)(0), std::sqrt(2.0 * std::log(20.0)), 1e-9);
 }
 
 TEST(FrfVariance, CoversForOneHit) {

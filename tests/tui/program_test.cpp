@@ -76,7 +76,7 @@ TEST(Program, DropsAndPutsInModesAsTyped) {
 
 TEST(Program, DropsAndPutsInModesByOneKey) {
   const std::string dropped = played("3\nwait\nj\nx\nwait");
-  EXPECT_TRUE(holds(dropped, "dropped the mode at 12.4 Hz: 2 modes"))
+  EXPECT_TRUE(holds(dropped, "dropped the mode at 17.5 Hz: 2 modes"))
       << dropped;
   const std::string undone = played("3\nwait\nj\nx\nwait\nu\nwait");
   EXPECT_TRUE(holds(undone, "undone: 3 modes")) << undone;

@@ -62,7 +62,8 @@ class Scanned : public testing::Test {
   Fit current_;
 };
 
-// The rank-one formula and Woodbury's on all effects at once are the same.
+// The rank-one formula and Woodbury's on all effects at once are the same. (A
+// spring would be in the modes, with its say in whose damping ratios they are.)
 TEST_F(Scanned, ALawAtAGridLeavesWhatTheModelWithItLeaves) {
   const MisfitScan misfit(current_, target());
   const PlaceScan scan(current_,
@@ -73,13 +74,13 @@ TEST_F(Scanned, ALawAtAGridLeavesWhatTheModelWithItLeaves) {
   const Eigen::VectorXcd& s = target().s;
   const MatrixXcd now =
       current_.model->respond(current_.result.state, s, false).H;
-  const std::vector<double> sizes = {1e2, 3e3, 1e5};
+  const std::vector<double> sizes = {0.3, 10.0, 300.0};
   MatrixXcd z(s.size(), 3);
   Eigen::MatrixXd changes(2 * now.size(), 3);
   for (std::size_t k = 0; k < sizes.size(); ++k) {
-    z.col(static_cast<Index>(k)).setConstant(sizes[k]);
+    z.col(static_cast<Index>(k)) = sizes[k] * s;
     ModelState with = current_.result.state;
-    with.effects.push_back({&effects::find("ground-spring"), {}, {sizes[k]}});
+    with.effects.push_back({&effects::find("dashpot"), {}, {sizes[k]}});
     with.effects.back().where.node = kGrid;
     changes.col(static_cast<Index>(k)) =
         misfit.change(current_.model->respond(with, s, false).H - now);

@@ -1,5 +1,7 @@
 #include "tui/views/frf_curves.hpp"
 
+#include "signal/confidence_band.hpp"
+
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -42,7 +44,7 @@ Curve measured_curve(const std::string& label,
                      bool band) {
   Curve curve = magnitude_curve(label, frequency_hz, frf.H, {Colour::Sky});
   if (band && curve.y.size() > 0 && frf.variance.size() == curve.y.size()) {
-    const Eigen::VectorXd reach = 1.96 * frf.variance.cwiseMax(0.0).cwiseSqrt();
+    const Eigen::VectorXd reach = signal::confidence_reach(frf);
     curve.low = (curve.y - reach).cwiseMax(0.0);
     curve.high = curve.y + reach;
   }

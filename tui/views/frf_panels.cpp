@@ -1,5 +1,6 @@
 #include "tui/views/frf_panels.hpp"
 
+#include "signal/confidence_band.hpp"
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plane_plot.hpp"
@@ -77,8 +78,7 @@ Plot strip_plot(const FrfChoice& choice, const FrfState& state) {
   return plot;
 }
 
-/// Real (or imaginary) parts; the band is that of either part: half of the
-/// variance.
+/// Real (or imaginary) parts.
 Plot part_plot(const FrfChoice& choice, const FrfState& state, bool real) {
   Plot plot = empty_plot(choice, state, false);
   plot.y.label = real ? "Re H" : "Im H";
@@ -90,8 +90,7 @@ Plot part_plot(const FrfChoice& choice, const FrfState& state, bool real) {
     curve.y =
         real ? Eigen::VectorXd(frf.H.real()) : Eigen::VectorXd(frf.H.imag());
     if (i == 0 && state.band && frf.variance.size() == f.size()) {
-      const Eigen::VectorXd reach =
-          1.96 * (0.5 * frf.variance.array().max(0.0)).sqrt();
+      const Eigen::VectorXd reach = signal::confidence_reach(frf);
       curve.low = curve.y - reach;
       curve.high = curve.y + reach;
     }
