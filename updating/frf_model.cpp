@@ -128,17 +128,20 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
     if (e.effect->entry() != effects::Entry::LowRank || goes_into_modes(e)) {
       continue;
     }
-    for (const effects::ActedDof& dof :
-         e.effect->acts_on(e.where, setting_, 0)) {
-      const VectorXd b =
-          base.phi.transpose() * row(dof.node, dof.component).transpose();
-      const double z =
-          e.effect->law({0.0, omega}, e.p, dof.group).real() * dof.weight;
-      // An absorber tuned below acts as a spring, which has no negative mass.
-      const double k =
-          std::max(z, e.effect->law(0.0, e.p, dof.group).real() * dof.weight);
-      K += k * b * b.transpose();
-      M += (k - z) / (omega * omega) * b * b.transpose();
+    for (const std::size_t run : runs_) {
+      for (const effects::ActedDof& dof :
+           e.effect->acts_on(e.where, setting_, run)) {
+        const VectorXd b =
+            base.phi.transpose() * row(dof.node, dof.component).transpose();
+        const double share = dof.weight / static_cast<double>(runs_.size());
+        const double z =
+            e.effect->law({0.0, omega}, e.p, dof.group).real() * share;
+        // An absorber tuned below acts as a spring, which has no negative mass.
+        const double k =
+            std::max(z, e.effect->law(0.0, e.p, dof.group).real() * share);
+        K += k * b * b.transpose();
+        M += (k - z) / (omega * omega) * b * b.transpose();
+      }
     }
   }
   BaseModes full = solve_modes(K, M);

@@ -69,7 +69,9 @@ class FrfModel {
   /// Modes of the base with its factors and supports, without the rest.
   /// Damping ratios are theirs, by order, once springs and masses are on.
   [[nodiscard]] BaseModes base_modes(const ModelState& state) const;
-  /// Undamped modes with every effect (a roving sensor as in the first run).
+  /// Undamped modes with every effect. What roves with a sensor is spread over
+  /// the measured runs, which gives the mean of their frequencies to first
+  /// order: measured modes of several set-ups are means as well.
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
 
   /// Receptance columns H* e of the runs on which the effects act alike, in

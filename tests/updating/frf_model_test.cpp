@@ -439,6 +439,35 @@ TEST_F(FrfModelTest, FullModesFallWithAddedMass) {
   EXPECT_LT(loaded(0), 0.95 * base(0));
 }
 
+// Measured modes of several set-ups are means; so are the model's, whichever
+// run comes first.
+TEST_F(FrfModelTest, FullModesWithARovingMassAreMeansOverTheRuns) {
+  constexpr double mass = 0.004;  // 1.4 % of the plate
+  const std::vector<int> nodes = {11, 36, 52, 28, 6, 42};
+  for (std::size_t run = 0; run < nodes.size(); ++run) {
+    bundle_.runs[run].sensors[0].dof.node = nodes[run];
+  }
+  Where where;
+  where.channels = {"acc1"};
+  const std::vector<PlacedEffect> roving = {
+      {&effects::find("sensor-mass"), where, {mass}}};
+  const auto model = fitter_->model_for(roving);
+  const Eigen::VectorXd found =
+      model->full_modes(fitter_->first_state(*model, roving)).omega;
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(6);
+  for (const int node : nodes) {
+    const std::vector<PlacedEffect> there = {at_node("added-mass", node, mass)};
+    const auto still = fitter_->model_for(there);
+    mean +=
+        still->full_modes(fitter_->first_state(*still, there)).omega.head(6);
+  }
+  mean /= static_cast<double>(nodes.size());
+  for (Index m = 0; m < 6; ++m) {
+    // Of second order in shifts of up to 5 %.
+    EXPECT_NEAR(found(m), mean(m), 2e-3 * mean(m));
+  }
+}
+
 // Tuned just below the middle of the band (63 Hz), where its law at the middle
 // is a large spring: modes stay modes.
 TEST_F(FrfModelTest, FullModesStayFiniteWithAnAbsorberBelowMidBand) {

@@ -263,7 +263,8 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
         ->check(CLI::Range(1, 10000));
   }
   if ((entry.extras & Node) != 0) {
-    command->add_option("NODE", options.node, "Grid id; none for a map of all");
+    command->add_option("NODE", options.node, "Grid id; none for a map of all")
+        ->check(CLI::Range(1, 99999999));
   }
   command->callback([&invocation, &entry] {
     invocation.name = entry.name;

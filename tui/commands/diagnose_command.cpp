@@ -23,10 +23,19 @@ constexpr std::size_t candidates_shown = 10;
 constexpr std::size_t look_alikes_shown = 2;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
+  // Kinds of one effect at one place (a support's rotation, its translation)
+  // differ in their parameters only: each effect and place once.
+  const auto ref = [](const std::string& effect, const updating::Where& where) {
+    return ordered_json{{"effect", effect},
+                        {"where", where_json(effect, where)}};
+  };
+  const ordered_json own = ref(candidate.effect, candidate.where);
   ordered_json others = ordered_json::array();
   for (const auto& other : candidate.indistinguishable_from) {
-    others.push_back({{"effect", other.effect},
-                      {"where", where_json(other.effect, other.where)}});
+    const ordered_json one = ref(other.effect, other.where);
+    if (one != own && std::ranges::find(others, one) == others.end()) {
+      others.push_back(one);
+    }
   }
   ordered_json json = {{"effect", candidate.effect},
                        {"where", where_json(candidate.effect, candidate.where)},

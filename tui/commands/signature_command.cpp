@@ -1,5 +1,6 @@
 #include "tui/commands/signature_command.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/text_table.hpp"
 #include "updating/session.hpp"
@@ -91,6 +92,13 @@ std::string signature_command(const CommandOptions& options,
   }
   const updating::Signature signature =
       session.signature(options.node, progress);
+  if (signature.z.isZero(0.0)) {
+    throw InputError(
+        fmt::format("grid {} does not move in the measured direction",
+                    options.node),
+        "signature",
+        "choose a grid that the model does not hold there");
+  }
   return options.json ? signature_json(signature).dump(2) + "\n"
                       : signature_text(signature);
 }

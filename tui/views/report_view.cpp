@@ -50,6 +50,23 @@ std::string found_text(const updating::Diagnosis& d) {
   return text;
 }
 
+/// Of the rung with so many effects. Beside theirs the ladder has those of the
+/// base and of what is uncertain, first.
+double error_with(const std::vector<updating::Rung>& ladder,
+                  std::size_t effects,
+                  const updating::Diagnosis& diagnosis) {
+  const auto own = std::count_if(
+      ladder.begin(), ladder.end(), [](const updating::Rung& rung) {
+        return rung.added != "base" && rung.added != updating::uncertain_rung;
+      });
+  const std::size_t others = ladder.size() - static_cast<std::size_t>(own);
+  if (effects == 0) {
+    return ladder.empty() ? diagnosis.error_base : ladder.front().error;
+  }
+  return others + effects <= ladder.size() ? ladder[others + effects - 1].error
+                                           : diagnosis.error_base;
+}
+
 void write_diagnoses(Sheet& sheet, const ReportInput& input) {
   if (input.diagnoses.empty()) {
     sheet.line("not diagnosed yet: 5 finds what may be missing");
@@ -61,9 +78,7 @@ void write_diagnoses(Sheet& sheet, const ReportInput& input) {
     sheet.paragraph(
         fmt::format("missing from {}: {}", model, found_text(*diagnosis)));
     // A diagnosis tells its error from the base model's, the rung its own.
-    const double before = effects < input.ladder.size()
-                              ? input.ladder[effects].error
-                              : diagnosis->error_base;
+    const double before = error_with(input.ladder, effects, *diagnosis);
     sheet.line(fmt::format(
         "    error {} → {}, floor {}",
         percent(before),

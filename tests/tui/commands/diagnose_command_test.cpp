@@ -55,6 +55,23 @@ updating::Diagnosis sample_diagnosis() {
   return diagnosis;
 }
 
+// A support's rotation and its translation are one effect at one place.
+TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
+  updating::Diagnosis diagnosis = sample_diagnosis();
+  updating::Where rotation;
+  rotation.nodes = {1, 2};
+  rotation.variant = "rotation";
+  updating::Where translation = rotation;
+  translation.variant = "translation";
+  diagnosis.candidates[0].indistinguishable_from = {
+      {"added-mass", at_node(201)},
+      {"soft-support", rotation},
+      {"soft-support", translation}};
+  const auto json = diagnosis_json("some/bundle", diagnosis);
+  EXPECT_EQ(json.at("candidates").at(0).at("indistinguishable_from").dump(),
+            R"([{"effect":"soft-support","where":{"nodes":[1,2]}}])");
+}
+
 TEST(DiagnoseCommand, JsonIsThatOfTheFormat) {
   const auto json = diagnosis_json("some/bundle", sample_diagnosis());
   EXPECT_EQ(json.at("bundle"), "some/bundle");

@@ -312,6 +312,23 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
 }
 
+// The rung of what is uncertain in the model is no effect.
+TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
+  const updating::Comparison before = testing::fake_comparison(0.05);
+  const std::vector<updating::Rung> ladder{
+      {updating::base_rung, {}, 0.489, {}},
+      {updating::uncertain_rung, {}, 0.187, {}},
+      {"added-mass", {}, 0.023, {}}};
+  auto none = std::make_shared<updating::Diagnosis>();
+  none->verdict = "none";
+  none->floor = 0.021;
+  ReportInput input{before, before, ladder, {}, {}, {}};
+  input.diagnoses = {{0, none}, {1, none}};
+  const Screen s = report_sheet(input, 100, false);
+  EXPECT_TRUE(holds(s, "error 48.9 % → 48.9 %, floor 2.1 %")) << s.to_text();
+  EXPECT_TRUE(holds(s, "error 2.3 % → 2.3 %, floor 2.1 %")) << s.to_text();
+}
+
 TEST(ReportView, ShowsBeforeAndAfter) {
   const updating::Comparison before = testing::fake_comparison(0.05);
   const updating::Comparison after = testing::fake_comparison(0.01);
