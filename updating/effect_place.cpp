@@ -14,11 +14,13 @@ namespace tapfit::updating {
 
 namespace {
 
+// Joined by ":", or by "," as places are told.
 std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
   while (begin <= text.size()) {
-    const std::size_t end = std::min(text.find(':', begin), text.size());
+    const std::size_t end =
+        std::min(text.find_first_of(":,", begin), text.size());
     parts.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
@@ -87,7 +89,31 @@ bool is_meant(const Where& want, const Where& where) {
   return want.variant.empty() || want.variant == where.variant;
 }
 
-[[noreturn]] void refuse(const EffectRef& ref, std::optional<ChangeKind> kind) {
+// The grid or channel of a place that is not there; empty where all are.
+std::string missing_part(const Where& where, const effects::Setting& s) {
+  std::vector<int> grids = where.nodes;
+  if (where.node != 0) grids.push_back(where.node);
+  for (const int grid : grids) {
+    if (s.deck != nullptr && !s.deck->has_grid(grid)) {
+      return fmt::format("the model has no grid {}", grid);
+    }
+  }
+  for (const std::string& name : where.channels) {
+    const auto& known = s.bundle->channels;
+    const bool found =
+        std::any_of(known.begin(),
+                    known.end(),
+                    [&name](const acquisition::Channel& channel) {
+                      return channel.name == name;
+                    });
+    if (!found) return fmt::format("the test has no channel \"{}\"", name);
+  }
+  return {};
+}
+
+[[noreturn]] void refuse(const EffectRef& ref,
+                         std::optional<ChangeKind> kind,
+                         const effects::Setting& setting) {
   if (ref.where == Where{}) {
     throw InputError(fmt::format("{} needs a place", ref.effect),
                      fmt::format("effect \"{}\"", ref.effect),
@@ -97,8 +123,10 @@ bool is_meant(const Where& want, const Where& where) {
                                  : kind == ChangeKind::Joint  ? "34:35"
                                                               : "201"));
   }
+  const std::string missing = missing_part(ref.where, setting);
   throw InputError(
-      fmt::format("{} cannot sit there", ref.effect),
+      missing.empty() ? fmt::format("{} cannot sit there", ref.effect)
+                      : missing,
       fmt::format("effect \"{}{}{}\"",
                   ref.effect,
                   ref.where.node != 0 ? "@" : " at ",
@@ -163,7 +191,7 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
     if (want.variant == "each") where.variant = "each";
     if (is_meant(want, where)) return placed(effect, where, s);
   }
-  refuse(ref, kind);
+  refuse(ref, kind, s);
 }
 
 }  // namespace tapfit::updating

@@ -1,0 +1,45 @@
+#include "updating/effect_place.hpp"
+
+#include "acquisition/input_error.hpp"
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+class EffectPlace : public ::testing::Test {
+ protected:
+  std::string refusal(const std::string& text) const {
+    try {
+      static_cast<void>(place_effect(parse_effect(text), setting_));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "taken";
+  }
+
+  structure::Deck deck_ = support::plate_deck(true);
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+  effects::Setting setting_ = support::plate_setting(bundle_, deck_);
+};
+
+TEST_F(EffectPlace, ChannelsAreJoinedAsTheyAreTold) {
+  const std::vector<std::string> both = {"acc1", "acc2"};
+  EXPECT_EQ(parse_effect("sensor-mass@acc1:acc2").where.channels, both);
+  EXPECT_EQ(parse_effect("sensor-mass@acc1,acc2").where.channels, both);
+  EXPECT_EQ(refusal("sensor-mass@acc1,acc2"), "taken");
+}
+
+TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
+  EXPECT_NE(refusal("added-mass@99999").find("no grid 99999"),
+            std::string::npos);
+  EXPECT_NE(refusal("sensor-mass@acc9").find("no channel \"acc9\""),
+            std::string::npos);
+  // Grid 1 is in the clamp.
+  EXPECT_NE(refusal("added-mass@1").find("cannot sit there"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tapfit::updating
