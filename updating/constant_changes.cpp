@@ -8,6 +8,37 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// What a unit of the change's parameter adds: law = sum of p (k + s^2 m).
+void add_unit(const PlacedEffect& placed,
+              const effects::Setting& setting,
+              std::size_t run,
+              const ReducedBase& base,
+              ConstantChange& change) {
+  for (const effects::ActedDof& dof :
+       placed.effect->acts_on(placed.where, setting, run)) {
+    const auto grid = static_cast<Index>(setting.deck->grid_index(dof.node));
+    const VectorXd b = base.rows.row(6 * grid + dof.component - 1).transpose();
+    const auto law_of_unit = [&](double s) {
+      return dof.weight *
+             placed.effect
+                 ->law_derivative(s, placed.p, dof.group, change.parameter)
+                 .real();
+    };
+    const auto add = [&b](double c, MatrixXd& sum) {
+      if (c == 0.0) return;
+      if (sum.size() == 0) sum.setZero(b.size(), b.size());
+      sum.noalias() += c * b * b.transpose();
+    };
+    const double stiffness = law_of_unit(0.0);
+    add(stiffness, change.dK);
+    add(law_of_unit(1.0) - stiffness, change.dM);
+  }
+}
+
+}  // namespace
+
 bool goes_into_modes(const PlacedEffect& placed,
                      const effects::Setting& setting,
                      const std::vector<std::size_t>& runs) {
@@ -31,32 +62,9 @@ std::vector<ConstantChange> constant_changes(
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     if (!goes_into_modes(placed, setting, runs)) continue;
-    const auto acts =
-        placed.effect->acts_on(placed.where, setting, runs.front());
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
-      ConstantChange change{e, p, {}, {}};
-      for (const effects::ActedDof& dof : acts) {
-        const auto grid =
-            static_cast<Index>(setting.deck->grid_index(dof.node));
-        const VectorXd b =
-            base.rows.row(6 * grid + dof.component - 1).transpose();
-        const auto by_p = [&](double s) {
-          return dof.weight *
-                 placed.effect->law_derivative(s, placed.p, dof.group, p)
-                     .real();
-        };
-        // law = sum of p (k + s^2 m)
-        const double k = by_p(0.0);
-        const double m = by_p(1.0) - k;
-        const auto add = [&](double c, MatrixXd& sum) {
-          if (c == 0.0) return;
-          if (sum.size() == 0) sum.setZero(b.size(), b.size());
-          sum.noalias() += c * b * b.transpose();
-        };
-        add(k, change.dK);
-        add(m, change.dM);
-      }
-      changes.push_back(std::move(change));
+      changes.push_back({e, p, {}, {}});
+      add_unit(placed, setting, runs.front(), base, changes.back());
     }
   }
   return changes;
