@@ -1,8 +1,8 @@
 // The inner loops of Eigen's products of dense matrices, compiled once instead
 // of in every file that multiplies (eigen_instances.hpp).
-//
-// No include guard: products.cpp includes it anew to define what the others
-// declare.
+// products.cpp defines what the others declare.
+#pragma once
+
 #include <Eigen/Core>
 
 #include <complex>

@@ -1,9 +1,6 @@
 #include "updating/frf_model.hpp"
 
-#include "tests/updating/support/sample_plate.hpp"
-#include "updating/damped_line.hpp"
-#include "updating/effects/catalogue.hpp"
-#include "updating/fitter.hpp"
+#include "tests/updating/support/plate_model.hpp"
 #include "updating/structure/system.hpp"
 
 #include <Eigen/SparseLU>
@@ -20,54 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using std::complex;
-
-class FrfModelTest : public ::testing::Test {
- protected:
-  FrfModelTest()
-      : deck_(support::plate_deck(true)),
-        bundle_(support::plate_bundle()),
-        setting_(support::plate_setting(bundle_, deck_)),
-        s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
-        pairs_(support::plate_pairs(bundle_, s_)) {
-    builder_.emplace(deck_,
-                     bundle_.uncertain,
-                     support::plate_base(bundle_, deck_),
-                     Progress{});
-    FitSetting fit;
-    fit.setting = setting_;
-    fit.measured = pairs_;
-    fit.targets = {make_target(pairs_)};
-    fit.uncertain_sd = {0.03};
-    fitter_.emplace(*builder_, fit);
-  }
-
-  PlacedEffect at_node(const std::string& name, int node, double p) const {
-    Where where;
-    where.node = node;
-    return {&effects::find(name), where, {p}};
-  }
-  PlacedEffect sensors(double m1, double m2) const {
-    Where where;
-    where.channels = {"acc1", "acc2"};
-    where.variant = "each";
-    return {&effects::find("sensor-mass"), where, {m1, m2}};
-  }
-  PlacedEffect clamp(double k) const {
-    const effects::Effect& effect = effects::find("soft-support");
-    for (const Where& where : effect.places(setting_)) {
-      if (where.variant == "rotation") return {&effect, where, {k}};
-    }
-    throw std::logic_error("no clamp");
-  }
-
-  structure::Deck deck_;
-  acquisition::TestBundle bundle_;
-  effects::Setting setting_;
-  VectorXcd s_;
-  signal::FrfSet pairs_;
-  std::optional<BaseBuilder> builder_;
-  std::optional<Fitter> fitter_;
-};
 
 // The definition: Z(s) = K + s^2 M + B D B', solved whole.
 MatrixXcd direct(const structure::Deck& deck,
@@ -140,9 +89,7 @@ ModelState undamped(const Fitter& fitter,
   return state;
 }
 
-double difference(const MatrixXcd& a, const MatrixXcd& b) {
-  return (a - b).norm() / b.norm();
-}
+using FrfModelTest = PlateModel;
 
 TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
   const auto model = fitter_->model_for({});
@@ -361,127 +308,6 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
   // FRFs change little with a support this stiff, and differences of them lose
   // digits: 2e-5 at a tenth of the step.
   EXPECT_LT(derivative_error(*model, state, s_), 1e-5);
-}
-
-// The definition of a modal damping ratio, mode by mode of the structure with
-// its springs and masses: R_r = phi phi' / (s^2 + 2 zeta w s + w^2).
-TEST_F(FrfModelTest, DampingRatiosBelongToTheModesWithSpringsAndMasses) {
-  const std::vector<PlacedEffect> effects = {at_node("ground-spring", 50, 3e5),
-                                             at_node("added-mass", 30, 0.05),
-                                             sensors(0.01, 0.02)};
-  const auto model = fitter_->model_for(effects);
-  ModelState state = fitter_->first_state(*model, effects);
-  for (Index q = 0; q < state.zeta.size(); ++q) {
-    state.zeta(q) = 0.002 * static_cast<double>(1 + (5 * q) % 7);
-  }
-  const BaseModes modes = model->full_modes(state);
-  MatrixXcd expected =
-      MatrixXcd::Zero(s_.size(), static_cast<Index>(pairs_.frfs.size()));
-  for (Index m = 0; m < modes.omega.size(); ++m) {
-    const double w = modes.omega(m);
-    const double zeta =
-        m < state.zeta.size() ? state.zeta(m) : state.zeta_other;
-    const VectorXcd answer =
-        (s_.array().square() /
-         (s_.array().square() + 2.0 * zeta * w * s_.array() + w * w))
-            .matrix();
-    for (std::size_t f = 0; f < pairs_.frfs.size(); ++f) {
-      const auto at = [&](const Dof& dof) {
-        return dof.sign *
-               model->row(dof.node, dof.component).dot(modes.phi.col(m));
-      };
-      expected.col(static_cast<Index>(f)) +=
-          at(pairs_.frfs[f].response) * at(pairs_.frfs[f].reference) * answer;
-    }
-  }
-  EXPECT_LT(difference(model->respond(state, s_, false).H, expected), 1e-9);
-}
-
-// What goes into the modes is what its law says at every s.
-TEST_F(FrfModelTest, LosslessLawsAreSpringsAndMasses) {
-  int lossless = 0;
-  for (const auto& effect : effects::catalogue()) {
-    if (!effect->is_lossless()) continue;
-    ++lossless;
-    for (const Where& where : effect->places(setting_)) {
-      std::vector<double> p;
-      for (const auto& spec : effect->parameters(where, setting_)) {
-        p.push_back(spec.start * (1.0 + 0.3 * static_cast<double>(p.size())));
-      }
-      for (const auto& dof : effect->acts_on(where, setting_, 0)) {
-        for (const complex<double> s :
-             {complex<double>(30.0, 500.0), complex<double>(2.0, 900.0)}) {
-          complex<double> sum = 0.0;
-          for (std::size_t k = 0; k < p.size(); ++k) {
-            const double stiffness =
-                effect->law_derivative(0.0, p, dof.group, k).real();
-            const double mass =
-                effect->law_derivative(1.0, p, dof.group, k).real() - stiffness;
-            sum += p[k] * (stiffness + s * s * mass);
-          }
-          EXPECT_LT(std::abs(effect->law(s, p, dof.group) - sum),
-                    1e-12 * std::abs(sum))
-              << effect->name();
-        }
-      }
-    }
-  }
-  EXPECT_EQ(lossless, 3);  // added-mass, ground-spring, sensor-mass
-}
-
-TEST_F(FrfModelTest, FullModesFallWithAddedMass) {
-  const std::vector<PlacedEffect> effects = {at_node("added-mass", 33, 0.1)};
-  const auto model = fitter_->model_for(effects);
-  const Eigen::VectorXd base =
-      model->full_modes(fitter_->first_state(*model, {})).omega;
-  const Eigen::VectorXd loaded =
-      model->full_modes(fitter_->first_state(*model, effects)).omega;
-  EXPECT_LT(loaded(0), 0.95 * base(0));
-}
-
-// Measured modes of several set-ups are means; so are the model's, whichever
-// run comes first.
-TEST_F(FrfModelTest, FullModesWithARovingMassAreMeansOverTheRuns) {
-  constexpr double mass = 0.004;  // 1.4 % of the plate
-  const std::vector<int> nodes = {11, 36, 52, 28, 6, 42};
-  for (std::size_t run = 0; run < nodes.size(); ++run) {
-    bundle_.runs[run].sensors[0].dof.node = nodes[run];
-  }
-  Where where;
-  where.channels = {"acc1"};
-  const std::vector<PlacedEffect> roving = {
-      {&effects::find("sensor-mass"), where, {mass}}};
-  const auto model = fitter_->model_for(roving);
-  const Eigen::VectorXd found =
-      model->full_modes(fitter_->first_state(*model, roving)).omega;
-  Eigen::VectorXd mean = Eigen::VectorXd::Zero(6);
-  for (const int node : nodes) {
-    const std::vector<PlacedEffect> there = {at_node("added-mass", node, mass)};
-    const auto still = fitter_->model_for(there);
-    mean +=
-        still->full_modes(fitter_->first_state(*still, there)).omega.head(6);
-  }
-  mean /= static_cast<double>(nodes.size());
-  for (Index m = 0; m < 6; ++m) {
-    // Of second order in shifts of up to 5 %.
-    EXPECT_NEAR(found(m), mean(m), 2e-3 * mean(m));
-  }
-}
-
-// Tuned just below the middle of the band (63 Hz), where its law at the middle
-// is a large spring: modes stay modes.
-TEST_F(FrfModelTest, FullModesStayFiniteWithAnAbsorberBelowMidBand) {
-  Where where;
-  where.node = 33;
-  for (const double hz : {5.0, 20.0, 60.0, 63.0, 64.0, 120.0}) {
-    const std::vector<PlacedEffect> effects = {
-        {&effects::find("absorber"), where, {0.1, hz, 0.01}}};
-    const auto model = fitter_->model_for(effects);
-    const Eigen::VectorXd omega =
-        model->full_modes(fitter_->first_state(*model, effects)).omega;
-    EXPECT_TRUE(omega.allFinite()) << hz;
-    EXPECT_GT(omega(0), 0.0) << hz;
-  }
 }
 
 }  // namespace

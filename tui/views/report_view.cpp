@@ -57,7 +57,8 @@ double error_with(const std::vector<updating::Rung>& ladder,
                   const updating::Diagnosis& diagnosis) {
   const auto own = std::count_if(
       ladder.begin(), ladder.end(), [](const updating::Rung& rung) {
-        return rung.added != "base" && rung.added != updating::uncertain_rung;
+        return rung.added != updating::base_rung &&
+               rung.added != updating::uncertain_rung;
       });
   const std::size_t others = ladder.size() - static_cast<std::size_t>(own);
   if (effects == 0) {

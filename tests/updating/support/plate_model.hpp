@@ -1,0 +1,70 @@
+// What tests of the model's FRFs and modes share.
+#pragma once
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/damped_line.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fitter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+namespace tapfit::updating {
+
+inline double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
+  return (a - b).norm() / b.norm();
+}
+
+/// The sample plate with its fitter, and places of effects on it.
+class PlateModel : public ::testing::Test {
+ protected:
+  PlateModel()
+      : deck_(support::plate_deck(true)),
+        bundle_(support::plate_bundle()),
+        setting_(support::plate_setting(bundle_, deck_)),
+        s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
+        pairs_(support::plate_pairs(bundle_, s_)) {
+    builder_.emplace(deck_,
+                     bundle_.uncertain,
+                     support::plate_base(bundle_, deck_),
+                     Progress{});
+    FitSetting fit;
+    fit.setting = setting_;
+    fit.measured = pairs_;
+    fit.targets = {make_target(pairs_)};
+    fit.uncertain_sd = {0.03};
+    fitter_.emplace(*builder_, fit);
+  }
+
+  PlacedEffect at_node(const std::string& name, int node, double p) const {
+    Where where;
+    where.node = node;
+    return {&effects::find(name), where, {p}};
+  }
+  PlacedEffect sensors(double m1, double m2) const {
+    Where where;
+    where.channels = {"acc1", "acc2"};
+    where.variant = "each";
+    return {&effects::find("sensor-mass"), where, {m1, m2}};
+  }
+  PlacedEffect clamp(double k) const {
+    const effects::Effect& effect = effects::find("soft-support");
+    for (const Where& where : effect.places(setting_)) {
+      if (where.variant == "rotation") return {&effect, where, {k}};
+    }
+    throw std::logic_error("no clamp");
+  }
+
+  structure::Deck deck_;
+  acquisition::TestBundle bundle_;
+  effects::Setting setting_;
+  Eigen::VectorXcd s_;
+  signal::FrfSet pairs_;
+  std::optional<BaseBuilder> builder_;
+  std::optional<Fitter> fitter_;
+};
+
+}  // namespace tapfit::updating
