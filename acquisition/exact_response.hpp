@@ -9,7 +9,8 @@
 // The matrix exponential with a first-order hold on the force (for example
 // G. F. Franklin, J. D. Powell and M. Workman, "Digital Control of Dynamic
 // Systems", 3rd ed., 1998, sec. 6.3), taken in complex modes so that a step
-// costs as many products as there are modes.
+// costs as many products as there are modes. A cubic spring's force runs in
+// straight lines between the samples, too: exact to order h^2.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,13 +19,21 @@
 
 namespace tapfit::acquisition {
 
-/// A linear structure in r generalised coordinates, one force, n sensors.
+/// A spring to ground whose force grows with the cube of its stretch.
+struct CubicSpring {
+  Eigen::VectorXd place;   ///< r, its stretch per q
+  double stiffness = 0.0;  ///< [N/m^3]
+};
+
+/// A structure in r generalised coordinates, one force, n sensors; linear but
+/// for a spring it may have.
 struct SecondOrderSystem {
   Eigen::MatrixXd M;       ///< r x r, positive definite
   Eigen::MatrixXd C;       ///< r x r
   Eigen::MatrixXd K;       ///< r x r
   Eigen::VectorXd input;   ///< r, where the force acts
   Eigen::MatrixXd output;  ///< n x r, acceleration per q''
+  std::optional<CubicSpring> hardening = {};
 };
 
 struct ExactResponse {

@@ -15,6 +15,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
 constexpr double kNear = 0.02;          // relative
 constexpr double kSamePole = 0.05;      // half bandwidths
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
@@ -77,6 +78,16 @@ void add(const Curves& curves,
                     -last.real() / std::abs(last)),
         "modes",
         "choose a frequency at which the stabilisation diagram has poles");
+  }
+  const double share = trial.contribution(trial.poles.size() - 1);
+  if (share < kLeastShare) {
+    throw InputError(
+        fmt::format("a pole put in at {:.6g} Hz carries {:.1g} of the FRFs "
+                    "there: nothing is left to fit",
+                    hz,
+                    share),
+        "modes",
+        "choose a frequency at which the fit leaves something");
   }
   const Eigen::VectorXcd others = trial.poles.head(trial.poles.size() - 1);
   const double near = -kSamePole * last.real();

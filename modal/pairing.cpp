@@ -29,7 +29,8 @@ Eigen::MatrixXd costs(const Eigen::MatrixXd& likeness,
       const double apart = std::abs(std::log(f_model(k) / f_measured(i)));
       if (apart > std::log(options.most_frequency_ratio)) continue;
       if (likeness(i, k) < options.least_mac) continue;
-      cost(i, k) = 1.0 - likeness(i, k) + options.frequency_weight * apart;
+      const double score = likeness(i, k) - options.frequency_weight * apart;
+      if (score > 0.0) cost(i, k) = 1.0 - score;
     }
   }
   return cost;

@@ -3,7 +3,8 @@
 //   score = MAC - a |ln(f_model / f_measured)|
 //
 // The pairs are those with the largest sum of scores (optimal assignment),
-// so that one good match cannot take away another's only one.
+// so that one good match cannot take away another's only one. A pair must score
+// above zero: shapes a little alike and frequencies far apart are no pair.
 //
 // Source of the assignment: H. W. Kuhn, "The Hungarian method for the
 // assignment problem", Naval Research Logistics 2, 1955, p. 83-97, in the

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 
 namespace tapfit::modal {
@@ -17,11 +18,12 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kFarthest = 0.06;  // relative, between runs
+constexpr double kFarthest = 0.12;  // ln f of a set-up from the mean of all
 
 struct SetUpFit {
   std::size_t set_up = 0;
   std::vector<Index> frfs;
+  Curves curves;  ///< those FRFs
   ModalFit fit;
   Eigen::MatrixXd residue_variance;
   Eigen::MatrixXd pole_covariance;
@@ -30,11 +32,15 @@ struct SetUpFit {
 struct Member {
   std::size_t fit = 0;
   Index mode = 0;
+
+  bool operator==(const Member&) const = default;
 };
 
+/// One mode, in each set-up at most once.
 struct Group {
   std::vector<Member> members;
-  double frequency = 0.0;  ///< mean [rad/s]
+
+  bool operator==(const Group&) const = default;
 };
 
 SetUpFit fit_set_up(const Curves& curves,
@@ -42,19 +48,18 @@ SetUpFit fit_set_up(const Curves& curves,
                     const std::vector<Index>& frfs,
                     const IdentifyOptions& options,
                     const Progress& progress) {
-  const Curves part = select_curves(curves, frfs);
+  SetUpFit result;
+  result.set_up = set_up;
+  result.frfs = frfs;
+  result.curves = select_curves(curves, frfs);
+  const Curves& part = result.curves;
   const std::vector<OrderPoles> orders =
       plscf_poles(part, arrange_frfs(part), options.max_order, progress);
   const Stabilisation stabilisation = stabilise(
       orders, part.s(0).imag(), part.s(part.lines() - 1).imag(), options);
-  SetUpFit result;
-  result.set_up = set_up;
-  result.frfs = frfs;
   result.fit =
       select_modes(part, stabilisation.tracks, orders.size(), options, progress)
           .fit;
-  result.residue_variance = residue_variance(part, result.fit);
-  result.pole_covariance = pole_covariance(part, result.fit);
   return result;
 }
 
@@ -72,53 +77,164 @@ std::vector<SetUpFit> fit_set_ups(const Curves& curves,
   return fits;
 }
 
-bool share_a_set_up(const Group& a, const Group& b) {
-  return std::ranges::any_of(a.members, [&](const Member& x) {
-    return std::ranges::any_of(b.members,
-                               [&](const Member& y) { return x.fit == y.fit; });
+double log_frequency(const std::vector<SetUpFit>& fits, const Member& member) {
+  return std::log(std::abs(fits[member.fit].fit.poles(member.mode)));
+}
+
+double mean_log(const std::vector<SetUpFit>& fits, const Group& group) {
+  double sum = 0.0;
+  for (const Member& member : group.members) {
+    sum += log_frequency(fits, member);
+  }
+  return sum / static_cast<double>(group.members.size());
+}
+
+/// Which group each mode of a set-up belongs to, or -1: in the same order, at
+/// the least sum of squared distances, (apart / kFarthest)^2 for a mode that
+/// joins a group and 1/2 for each that stays alone, mode or group. (Alignment
+/// of two sequences: S. B. Needleman, C. D. Wunsch, J. Mol. Biol. 48, 1970.)
+std::vector<Index> aligned(const std::vector<double>& modes,
+                           const std::vector<double>& groups) {
+  constexpr double alone = 0.5;
+  const auto n = static_cast<Index>(modes.size());
+  const auto m = static_cast<Index>(groups.size());
+  const auto joined = [&](Index i, Index j) {
+    return std::pow((modes[static_cast<std::size_t>(i)] -
+                     groups[static_cast<std::size_t>(j)]) /
+                        kFarthest,
+                    2);
+  };
+  Eigen::MatrixXd cost(n + 1, m + 1);
+  cost.col(0) =
+      alone * Eigen::VectorXd::LinSpaced(n + 1, 0.0, static_cast<double>(n));
+  cost.row(0) =
+      alone * Eigen::RowVectorXd::LinSpaced(m + 1, 0.0, static_cast<double>(m));
+  for (Index i = 1; i <= n; ++i) {
+    for (Index j = 1; j <= m; ++j) {
+      cost(i, j) = std::min({cost(i - 1, j) + alone,
+                             cost(i, j - 1) + alone,
+                             cost(i - 1, j - 1) + joined(i - 1, j - 1)});
+    }
+  }
+  std::vector<Index> result(modes.size(), -1);
+  for (Index i = n, j = m; i > 0 && j > 0;) {
+    if (cost(i, j) == cost(i - 1, j) + alone) {
+      --i;
+    } else if (cost(i, j) == cost(i, j - 1) + alone) {
+      --j;
+    } else {
+      result[static_cast<std::size_t>(--i)] = --j;
+    }
+  }
+  return result;
+}
+
+/// Puts the modes of one set-up into the groups of the others.
+void place_modes(const std::vector<SetUpFit>& fits,
+                 std::size_t own,
+                 std::vector<Group>& groups) {
+  std::vector<double> there;
+  for (const Group& group : groups) there.push_back(mean_log(fits, group));
+  std::vector<double> here;
+  for (Index r = 0; r < fits[own].fit.poles.size(); ++r) {
+    here.push_back(log_frequency(fits, {own, r}));
+  }
+  const std::vector<Index> group_of = aligned(here, there);
+  for (std::size_t r = 0; r < here.size(); ++r) {
+    const Member member{own, static_cast<Index>(r)};
+    if (group_of[r] >= 0) {
+      groups[static_cast<std::size_t>(group_of[r])].members.push_back(member);
+    } else {
+      groups.push_back({{member}});
+    }
+  }
+  std::ranges::sort(groups, {}, [&fits](const Group& group) {
+    return mean_log(fits, group);
   });
 }
 
-void join(Group& into, const Group& other) {
-  const auto n = static_cast<double>(into.members.size());
-  const auto m = static_cast<double>(other.members.size());
-  into.frequency = (n * into.frequency + m * other.frequency) / (n + m);
-  into.members.insert(
-      into.members.end(), other.members.begin(), other.members.end());
-}
-
-/// Joins the closest two groups that share no set-up until none are close.
+/// Modes of different set-ups that are one: each set-up is placed among the
+/// others until none changes its place.
 std::vector<Group> group_modes(const std::vector<SetUpFit>& fits) {
   std::vector<Group> groups;
-  for (std::size_t k = 0; k < fits.size(); ++k) {
-    const Eigen::VectorXcd& poles = fits[k].fit.poles;
-    for (Index r = 0; r < poles.size(); ++r) {
-      groups.push_back({{{k, r}}, std::abs(poles(r))});
-    }
-  }
-  for (;;) {
-    double least = kFarthest;
-    std::size_t first = 0;
-    std::size_t second = 0;
-    for (std::size_t a = 0; a < groups.size(); ++a) {
-      for (std::size_t b = a + 1; b < groups.size(); ++b) {
-        const double apart =
-            std::abs(std::log(groups[a].frequency / groups[b].frequency));
-        if (apart >= least || share_a_set_up(groups[a], groups[b])) continue;
-        least = apart;
-        first = a;
-        second = b;
+  std::vector<std::size_t> order(fits.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // The fullest first: what others lack is then a gap, not a new group.
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t k) {
+    return fits[k].fit.poles.size();
+  });
+  for (const std::size_t k : order) place_modes(fits, k, groups);
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round) {
+    const std::vector<Group> before = groups;
+    for (const std::size_t k : order) {
+      for (Group& group : groups) {
+        std::erase_if(group.members,
+                      [k](const Member& member) { return member.fit == k; });
       }
+      std::erase_if(groups,
+                    [](const Group& group) { return group.members.empty(); });
+      place_modes(fits, k, groups);
     }
-    if (second == 0) break;
-    join(groups[first], groups[second]);
-    groups.erase(groups.begin() + static_cast<std::ptrdiff_t>(second));
+    if (groups == before) break;
   }
+  return groups;
+}
+
+Complex mean_pole(const std::vector<SetUpFit>& fits, const Group& group) {
+  Complex sum = 0.0;
+  for (const Member& member : group.members) {
+    sum += fits[member.fit].fit.poles(member.mode);
+  }
+  return sum / static_cast<double>(group.members.size());
+}
+
+/// Looks for a mode in a set-up that it was not found in, starting from where
+/// the others have it; whether the FRFs need it there.
+bool find_there(const Complex& pole,
+                const IdentifyOptions& options,
+                SetUpFit& own) {
+  const Index before = own.fit.poles.size();
+  Eigen::VectorXcd start(before + 1);
+  start << own.fit.poles, pole;
+  ModalFit trial = refine_poles(own.curves, start, 15);
+  const auto apart = [](const Complex& a, const Complex& b) {
+    return std::abs(std::log(std::abs(a) / std::abs(b)));
+  };
+  if (apart(trial.poles(before), pole) >= kFarthest) return false;
+  // It must not take another's place.
+  for (Index r = 0; r < before; ++r) {
+    const double width = -own.fit.poles(r).real();
+    if (std::abs(trial.poles(r) - own.fit.poles(r)) > width) return false;
+  }
+  if (!are_needed(own.curves, trial, options)) return false;
+  own.fit = std::move(trial);
+  return true;
+}
+
+/// What a set-up's selection of modes missed and two others have.
+void find_missing(const IdentifyOptions& options,
+                  std::vector<SetUpFit>& fits,
+                  std::vector<Group>& groups) {
+  for (Group& group : groups) {
+    if (group.members.size() < 2) continue;
+    const Complex pole = mean_pole(fits, group);
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+      const bool there = std::ranges::any_of(
+          group.members, [k](const Member& member) { return member.fit == k; });
+      if (there || !find_there(pole, options, fits[k])) continue;
+      group.members.push_back({k, fits[k].fit.poles.size() - 1});
+    }
+  }
+}
+
+/// Modes that are in half of the set-ups or more, by frequency.
+std::vector<Group> common_modes(const std::vector<SetUpFit>& fits,
+                                std::vector<Group> groups) {
   const std::size_t enough = std::max<std::size_t>(2, (fits.size() + 1) / 2);
   std::erase_if(groups, [&](const Group& group) {
     return group.members.size() < enough;
   });
-  std::ranges::sort(groups, {}, &Group::frequency);
   return groups;
 }
 
@@ -150,14 +266,13 @@ void summarise(const std::vector<SetUpFit>& fits,
                const Group& group,
                Index column,
                RunModes& result) {
-  Complex mean = 0.0;
-  double low = group.frequency;
-  double high = group.frequency;
+  const Complex mean = mean_pole(fits, group);
+  double low = std::abs(mean);
+  double high = low;
   const auto n = static_cast<double>(group.members.size());
   for (const Member& member : group.members) {
     const SetUpFit& own = fits[member.fit];
     const Complex pole = own.fit.poles(member.mode);
-    mean += pole / n;
     low = std::min(low, std::abs(pole));
     high = std::max(high, std::abs(pole));
     take_over(own, member.mode, column, result.set_ups[member.fit], result);
@@ -171,7 +286,7 @@ void summarise(const std::vector<SetUpFit>& fits,
   }
   result.poles(column) = mean;
   result.scatter(column) = {std::sqrt(re), std::sqrt(im)};
-  result.frequency_range(column) = (high - low) / group.frequency;
+  result.frequency_range(column) = (high - low) / std::abs(mean);
 }
 
 /// Room for so many modes, none of them found in any set-up yet.
@@ -216,11 +331,17 @@ std::optional<RunModes> identify_per_set_up(const Curves& curves,
                           [](std::size_t k) { return k == 0; })) {
     return std::nullopt;
   }
-  const std::vector<SetUpFit> fits = fit_set_ups(curves, options, progress);
+  std::vector<SetUpFit> fits = fit_set_ups(curves, options, progress);
   for (const SetUpFit& own : fits) {
     if (own.fit.poles.size() == 0) return std::nullopt;
   }
-  const std::vector<Group> groups = group_modes(fits);
+  std::vector<Group> found = group_modes(fits);
+  find_missing(options, fits, found);
+  for (SetUpFit& own : fits) {
+    own.residue_variance = residue_variance(own.curves, own.fit);
+    own.pole_covariance = pole_covariance(own.curves, own.fit);
+  }
+  const std::vector<Group> groups = common_modes(fits, std::move(found));
   if (groups.empty()) return std::nullopt;
   const auto count = static_cast<Index>(groups.size());
   RunModes result = empty_modes(curves, fits, count);

@@ -4,6 +4,7 @@
 #include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/mac.hpp"
+#include "modal/neighbour_modes.hpp"
 #include "modal/shapes.hpp"
 #include "modal/split_poles.hpp"
 
@@ -70,25 +71,10 @@ Eigen::VectorXcd candidates(const Curves& curves,
                                       static_cast<Index>(poles.size()));
 }
 
-Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
-  Eigen::VectorXcd result(poles.size() - 1);
-  result << poles.head(leave_out), poles.tail(poles.size() - leave_out - 1);
-  return result;
-}
-
 bool impossible(const Complex& pole, const IdentifyOptions& options) {
   const double zeta = -pole.real() / std::abs(pole);
   return zeta <= options.least_damping_ratio ||
          zeta > options.max_damping_ratio;
-}
-
-/// A pole that only stands for the modes beside the band.
-bool far_outside(const Curves& curves, const Complex& pole) {
-  const double low = curves.s(0).imag();
-  const double high = curves.s(curves.lines() - 1).imag();
-  const double margin = 0.05 * (high - low);
-  const double omega = std::abs(pole);
-  return omega < low - margin || omega > high + margin;
 }
 
 /// The mode to take out next, or -1.
@@ -117,51 +103,6 @@ ModalFit sorted(const Curves& curves, const ModalFit& fit) {
   return fit_residues(curves,
                       Eigen::Map<Eigen::VectorXcd>(
                           poles.data(), static_cast<Index>(poles.size())));
-}
-
-bool in_band(const Curves& curves, const Complex& pole) {
-  const double omega = std::abs(pole);
-  return omega >= curves.s(0).imag() &&
-         omega <= curves.s(curves.lines() - 1).imag();
-}
-
-double misfit(const Curves& curves, const ModalFit& fit) {
-  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
-          fit.frf_weight.asDiagonal())
-      .squaredNorm();
-}
-
-/// Tries one more pole outside the band, started at omega; keeps it when the
-/// misfit falls clearly and the pole stays outside.
-bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
-  Eigen::VectorXcd poles(fit.poles.size() + 1);
-  poles << fit.poles, Complex(-0.01 * omega, omega);
-  ModalFit trial = refine_poles(curves, poles, 15);
-  const Complex last = trial.poles(trial.poles.size() - 1);
-  if (in_band(curves, last) || std::abs(last) > 10.0 * omega) return false;
-  const Index before = fit.poles.size();
-  for (Index r = 0; r < before; ++r) {
-    if (in_band(curves, fit.poles(r)) != in_band(curves, trial.poles(r))) {
-      return false;
-    }
-  }
-  // Two parameters per FRF on 2 n_lines values fall by 1 / n_lines by chance.
-  const double chance = 1.0 / static_cast<double>(curves.lines());
-  const double least = 1.0 - 0.01 - 4.0 * chance;
-  if (misfit(curves, trial) > least * misfit(curves, fit)) return false;
-  fit = std::move(trial);
-  return true;
-}
-
-/// Modes beside the band, whose tails the residual terms only approach.
-void add_neighbours(const Curves& curves, ModalFit& fit) {
-  const double low = curves.s(0).imag();
-  const double high = curves.s(curves.lines() - 1).imag();
-  if (curves.lines() < 60) return;
-  if (add_outside(curves, 1.15 * high, fit)) {
-    (void)add_outside(curves, 1.5 * high, fit);
-  }
-  if (low > 0.1 * high) (void)add_outside(curves, low / 1.15, fit);
 }
 
 /// Residual power per line over what is usual, averaged over the half
@@ -265,7 +206,7 @@ ModalFit drop_weak(const Curves& curves,
     progress("residues", 1.0 - static_cast<double>(fit.poles.size()) / total);
     const Index worst = weakest(curves, fit, options);
     if (worst < 0) break;
-    fit = refine_poles(curves, without(fit.poles, worst), 4);
+    fit = refine_in_reach(curves, without(fit.poles, worst), 4);
   }
   return fit;
 }
@@ -290,7 +231,7 @@ void drop_unresolved(const Curves& curves, Selection& selection) {
     if (in_band(curves, fit.poles(worst))) {
       selection.unresolved.push_back(fit.poles(worst));
     }
-    fit = refine_poles(curves, without(fit.poles, worst), 6);
+    fit = refine_in_reach(curves, without(fit.poles, worst), 6);
   }
 }
 
@@ -324,7 +265,7 @@ void drop_complex(const Curves& curves,
     }
     if (worst < 0) return;
     selection.out_of_phase.push_back(fit.poles(worst));
-    fit = refine_poles(curves, without(fit.poles, worst), 6);
+    fit = refine_in_reach(curves, without(fit.poles, worst), 6);
   }
 }
 
@@ -357,6 +298,12 @@ ModalFit separate_close(const Curves& curves,
 
 }  // namespace
 
+bool are_needed(const Curves& curves,
+                const ModalFit& fit,
+                const IdentifyOptions& options) {
+  return weakest(curves, fit, options) < 0;
+}
+
 Selection select_modes(const Curves& curves,
                        const std::vector<Track>& tracks,
                        std::size_t orders,
@@ -364,11 +311,11 @@ Selection select_modes(const Curves& curves,
                        const Progress& progress) {
   Selection selection;
   ModalFit& fit = selection.fit;
-  fit = refine_poles(curves, candidates(curves, tracks, orders), 6);
+  fit = refine_in_reach(curves, candidates(curves, tracks, orders), 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
   if (fit.poles.size() > 0) {
     add_neighbours(curves, fit);
-    fit = refine_poles(curves, fit.poles, 20);
+    fit = refine_in_reach(curves, fit.poles, 20);
     fit = drop_weak(curves, std::move(fit), options, progress);
     drop_unresolved(curves, selection);
   }

@@ -32,4 +32,10 @@ struct Selection {
                                      const IdentifyOptions& options,
                                      const Progress& progress);
 
+/// Whether the FRFs need every mode of a fit, and none fails a hard check:
+/// what select_modes() ends at.
+[[nodiscard]] bool are_needed(const Curves& curves,
+                              const ModalFit& fit,
+                              const IdentifyOptions& options);
+
 }  // namespace tapfit::modal

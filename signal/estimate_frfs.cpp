@@ -70,7 +70,7 @@ RunResult estimate_run(const TestBundle& bundle,
   RunResult result;
   if (blocks.force.cols() == 0) return result;
   const Spectra spectra = plan.transform(blocks);
-  result.levels.add(spectra);
+  const Eigen::MatrixXcd change = result.levels.add(spectra);
   if (plan.lasting_hz) {
     result.lasting = lasting_response(blocks, *plan.lasting_hz);
   }
@@ -78,6 +78,9 @@ RunResult estimate_run(const TestBundle& bundle,
   average.s = plan.s;
   add_hits(blocks, spectra, average);
   result.frfs = average_frfs(average, bundle, run, plan.estimator);
+  for (Index c = 0; c < change.cols(); ++c) {
+    result.frfs[static_cast<std::size_t>(c)].change_with_level = change.col(c);
+  }
   return result;
 }
 
@@ -113,7 +116,8 @@ FrfSet joined(const TestBundle& bundle,
     throw InputError("no run has an accepted hit",
                      bundle.folder.string(),
                      "accept at least one hit by hand");
-  const std::string dependence = statement(levels.finding(level_seed));
+  set.level = levels.finding(level_seed);
+  const std::string dependence = statement(set.level);
   if (!dependence.empty()) set.statements.push_back(dependence);
   return set;
 }

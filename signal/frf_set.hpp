@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/dof.hpp"
+#include "signal/level_finding.hpp"
 
 #include <Eigen/Core>
 
@@ -23,6 +24,9 @@ struct Frf {
   /// Degrees of freedom of that estimate, see confidence_band.hpp.
   double variance_freedom = std::numeric_limits<double>::infinity();
   int hits = 0;  ///< accepted hits behind it
+  /// Of H from the weakest hit to the strongest, per line; empty where the
+  /// hits' forces do not tell.
+  Eigen::VectorXcd change_with_level = {};
 };
 
 /// FRFs that share their lines s = sigma + j omega. An exponential window
@@ -32,6 +36,7 @@ struct FrfSet {
   Eigen::VectorXcd s;  ///< complex angular frequency of each line [rad/s]
   std::vector<Frf> frfs;
   std::vector<std::string> statements;  ///< runs left out, poor FRFs
+  LevelFinding level = {};              ///< whether they follow the hits' force
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }
   [[nodiscard]] Eigen::VectorXd frequency_hz() const;

@@ -3,8 +3,6 @@
 #include "acquisition/seeded_random.hpp"
 #include "signal/estimator.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -24,9 +22,6 @@ constexpr int permutations = 499;
 constexpr int enough_as_large = 10;
 // Hits as even as these say nothing about other levels.
 constexpr double least_spread = 0.05;
-// Of 500 tests of a linear structure one is suspected.
-constexpr double sure = 1.0 / (permutations + 1);
-constexpr double worth_saying = 0.01;
 
 // Sum over hits of (a - mean a)^2 |F|^2, the mean weighted by |F|^2; per line.
 VectorXd spread_of(const MatrixXd& power, const VectorXd& level) {
@@ -46,28 +41,45 @@ VectorXd shuffled(VectorXd level, acquisition::SeededRandom& random) {
 
 }  // namespace
 
-void LevelDependence::add(const Spectra& spectra) {
+MatrixXcd LevelDependence::add(const Spectra& spectra) {
   const Index hits = spectra.force.cols();
-  if (hits < fewest_hits || spectra.responses.empty()) return;
+  if (hits < fewest_hits || spectra.responses.empty()) return {};
   Run run;
   run.power = spectra.force.cwiseAbs2();
   run.level = run.power.colwise().mean().cwiseSqrt().transpose();
   const double low = run.level.minCoeff();
-  if (!(low > 0.0) || run.level.maxCoeff() < (1.0 + least_spread) * low) return;
-  if (run.power.rowwise().sum().minCoeff() <= 0.0) return;
+  if (!(low > 0.0) || run.level.maxCoeff() < (1.0 + least_spread) * low) {
+    return {};
+  }
+  if (run.power.rowwise().sum().minCoeff() <= 0.0) return {};
+  run.size = VectorXd::Zero(spectra.force.rows());
   for (const MatrixXcd& response : spectra.responses) {
     const Eigen::VectorXcd H =
         estimate(cross_powers(spectra.force, response), Estimator::H1).H;
     const MatrixXcd e = response - H.asDiagonal() * spectra.force;
     run.q.emplace_back(spectra.force.conjugate().cwiseProduct(e));
     run.unexplained.emplace_back(e.cwiseAbs2().rowwise().sum());
-    run.size += H.cwiseAbs2().sum();
+    run.size += H.cwiseAbs2();
   }
   runs_.push_back(std::move(run));
+  return changes(runs_.back());
 }
 
 void LevelDependence::add(LevelDependence&& other) {
   std::move(other.runs_.begin(), other.runs_.end(), std::back_inserter(runs_));
+}
+
+// G range, from least squares over the hits.
+MatrixXcd LevelDependence::changes(const Run& run) {
+  const VectorXd spread = spread_of(run.power, run.level).cwiseMax(1e-300);
+  const double range = run.level.maxCoeff() - run.level.minCoeff();
+  MatrixXcd result(run.power.rows(), static_cast<Index>(run.q.size()));
+  for (Index c = 0; c < result.cols(); ++c) {
+    result.col(c) =
+        range *
+        (run.q[static_cast<std::size_t>(c)] * run.level).cwiseQuotient(spread);
+  }
+  return result;
 }
 
 // |e|^2 that follows the levels, per line.
@@ -92,17 +104,17 @@ double LevelDependence::shares(const Run& run, const VectorXd& level) {
   return sum;
 }
 
-// |dH|^2 from the weakest hit to the strongest, summed over lines and sensors.
-double LevelDependence::change_squared(const Run& run) {
+// |dH|^2 from the weakest hit to the strongest, per line, summed over sensors.
+VectorXd LevelDependence::change_squared(const Run& run) {
   const VectorXd spread = spread_of(run.power, run.level);
   const double range = run.level.maxCoeff() - run.level.minCoeff();
   // What does not follow the level is in it as well, a hit's worth.
   const auto free = static_cast<double>(run.level.size() - 2);
-  double sum = 0.0;
+  VectorXd sum = VectorXd::Zero(spread.size());
   for (std::size_t c = 0; c < run.q.size(); ++c) {
     const VectorXd follows = explained(run, c, run.level, spread);
     const VectorXd noise = (run.unexplained[c] - follows) / free;
-    sum += (follows - noise).cwiseQuotient(spread.cwiseMax(1e-300)).sum();
+    sum += (follows - noise).cwiseQuotient(spread.cwiseMax(1e-300));
   }
   return range * range * sum;
 }
@@ -113,8 +125,8 @@ LevelFinding LevelDependence::finding(std::uint64_t seed) const {
   if (runs_.empty()) return result;
   double lines = 0.0;
   double own = 0.0;
-  double square = 0.0;
-  double size = 0.0;
+  VectorXd square = VectorXd::Zero(runs_.front().size.size());
+  VectorXd size = square;
   for (const Run& run : runs_) {
     own += shares(run, run.level);
     lines += static_cast<double>(run.power.rows()) *
@@ -125,7 +137,7 @@ LevelFinding LevelDependence::finding(std::uint64_t seed) const {
                           static_cast<double>(runs_.size());
   }
   result.share = own / lines;
-  result.change = std::sqrt(std::max(square, 0.0) / size);
+  result.change = std::sqrt(std::max(square.cwiseQuotient(size).mean(), 0.0));
   acquisition::SeededRandom random(seed, "levels");
   int as_large = 0;
   int tried = 0;
@@ -142,16 +154,6 @@ LevelFinding LevelDependence::finding(std::uint64_t seed) const {
                        ? static_cast<double>(as_large) / tried
                        : (as_large + 1.0) / (permutations + 1.0);
   return result;
-}
-
-std::string statement(const LevelFinding& finding) {
-  if (finding.p_value > sure || finding.change < worth_saying) return {};
-  return fmt::format(
-      "the FRFs change with the force of the hits: by about {:.2g} % from the "
-      "weakest to the strongest of a run (1 to {:.2g}). A linear model does "
-      "not; look for play, friction or large motions, and hit evenly",
-      100.0 * finding.change,
-      finding.level_ratio);
 }
 
 }  // namespace tapfit::signal

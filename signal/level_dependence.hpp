@@ -14,31 +14,22 @@
 // Carlo p-values", Biometrika 78(2), 1991).
 #pragma once
 
+#include "signal/level_finding.hpp"
 #include "signal/spectra.hpp"
 
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace tapfit::signal {
 
-struct LevelFinding {
-  int runs = 0;        ///< with three hits or more, whose levels differ
-  double share = 0.0;  ///< of |e|^2 that follows the level, mean over lines
-  double share_by_chance = 0.0;  ///< mean over the permutations
-  double p_value = 1.0;  ///< of a share this large, were there no dependence
-  /// Root mean square change of the FRFs from the weakest hit to the strongest
-  /// over that of the FRFs, noise taken off.
-  double change = 0.0;
-  double level_ratio = 1.0;  ///< strongest over weakest, mean over the runs
-};
-
 /// Collects runs; each is a structure of its own (sensors may have moved).
 class LevelDependence {
  public:
-  void add(const Spectra& spectra);
+  /// @return change of each sensor's FRF from the run's weakest hit to its
+  /// strongest, lines x sensors; no columns where the levels do not tell
+  Eigen::MatrixXcd add(const Spectra& spectra);
   /// Adds the runs of another.
   void add(LevelDependence&& other);
 
@@ -52,19 +43,17 @@ class LevelDependence {
     Eigen::MatrixXd power;            ///< lines x hits, |F|^2
     std::vector<Eigen::MatrixXcd> q;  ///< per sensor, conj(F) e, lines x hits
     std::vector<Eigen::VectorXd> unexplained;  ///< per sensor and line, |e|^2
-    double size = 0.0;  ///< sum of |H|^2 over lines and sensors
+    Eigen::VectorXd size;  ///< per line, sum of |H|^2 over sensors
   };
+  static Eigen::MatrixXcd changes(const Run& run);
   static Eigen::VectorXd explained(const Run& run,
                                    std::size_t sensor,
                                    const Eigen::VectorXd& level,
                                    const Eigen::VectorXd& spread);
   static double shares(const Run& run, const Eigen::VectorXd& level);
-  static double change_squared(const Run& run);
+  static Eigen::VectorXd change_squared(const Run& run);
 
   std::vector<Run> runs_;
 };
-
-/// What to tell the user; empty where there is no sign of it.
-[[nodiscard]] std::string statement(const LevelFinding& finding);
 
 }  // namespace tapfit::signal

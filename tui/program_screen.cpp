@@ -190,21 +190,26 @@ Screen Program::body(const Canvas& canvas) const {
   return screen;
 }
 
-/// How a fit that was asked for converges, in the lower right corner.
+/// How a fit that was asked for goes on, in the lower right corner.
 void Program::draw_live(Screen& screen) const {
-  if (!acting() || shown_.errors.size() < 2) return;
-  const Rect rect{screen.width() - 50, screen.height() - 13, 50, 13};
+  if (!acting() || shown_.errors.size() < 2 || !shown_.live) return;
+  const int width =
+      std::min(screen.width(), std::max(50, screen.width() * 3 / 4));
+  const int height =
+      std::min(screen.height(), std::max(13, screen.height() * 2 / 3));
+  const Rect rect{
+      screen.width() - width, screen.height() - height, width, height};
   screen.fill(rect, U' ');
   screen.box(rect, shown_.title, {.colour = Colour::Yellow});
-  const auto [plot, lines] = split_top(inside(rect), 10);
-  draw_live_error(screen, plot, shown_.errors);
-  screen.text(lines.x + 1,
-              lines.y,
+  const auto [fit, line] = split_top(inside(rect), height - 3);
+  draw_live_fit(screen, fit, shown_.errors, *shown_.live);
+  screen.text(line.x + 1,
+              line.y,
               fmt::format("step {}, {} now; S keeps, Esc discards",
                           shown_.errors.size(),
                           percent(shown_.errors.back())),
               {},
-              lines.width - 1);
+              line.width - 1);
 }
 
 Screen Program::waiting(const Canvas& canvas) const {

@@ -4,6 +4,7 @@
 #include "modal/cmif.hpp"
 #include "tui/number.hpp"
 #include "updating/fit_watch.hpp"
+#include "updating/live_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -226,9 +227,15 @@ void Worker::run(Job& job) {
   watch.report = [this](std::string_view stage, double fraction) {
     report(stage, fraction);
   };
-  watch.step = [this](const updating::UpdateStep& step) {
+  // The curve to be watched is the one that is worst in the beginning.
+  std::optional<std::size_t> frf;
+  watch.step = [this, &frf](const updating::FitMoment& moment) {
+    auto live =
+        std::make_shared<updating::LiveFit>(updating::live_fit(moment, frf));
+    frf = live->frf;
     const std::lock_guard lock(mutex_);
-    status_.errors.push_back(step.error);
+    status_.errors.push_back(live->error);
+    status_.live = std::move(live);
   };
   watch.enough = [this] { return keep_.load(); };
   Progress progress;

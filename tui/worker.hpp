@@ -4,6 +4,7 @@
 
 #include "tui/snapshot.hpp"
 #include "tui/workbench.hpp"
+#include "updating/live_fit.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -46,6 +47,7 @@ struct WorkerStatus {
   std::vector<std::string> done;  ///< stages that were reported before
   std::chrono::steady_clock::time_point since{};  ///< when the job began
   std::vector<double> errors;  ///< of the fit that runs, step by step
+  std::shared_ptr<const updating::LiveFit> live;  ///< after the last step
 };
 
 class Worker {

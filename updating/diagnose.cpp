@@ -4,8 +4,7 @@
 #include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
 #include "updating/rung_search.hpp"
-
-#include <fmt/format.h>
+#include "updating/set_verdict.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,6 @@ namespace tapfit::updating {
 namespace {
 
 constexpr int folds = 4;
-// What an effect must lower the error on left-out runs to. Mesh and model form
-// leave errors of a few percent that some effect can always shave a little.
-constexpr double worth_it = 0.85;
 // Beyond this there is surely more than one rung can explain.
 constexpr double clear_of_floor = 3.0;
 // More points than this written down wrongly are not a slip of the pen.
@@ -266,32 +262,6 @@ bool Climb::step(bool first) {
   return true;
 }
 
-// Names what the ladder holds, "none" or "unexplained".
-void set_verdict(Diagnosis& result) {
-  for (const Rung& rung : result.ladder) {
-    result.verdict += (result.verdict.empty() ? "" : "+") + rung.added;
-  }
-  if (result.ladder.empty()) {
-    result.verdict =
-        result.error_base <= 3.0 * result.floor ? "none" : "unexplained";
-    return;
-  }
-  // Three times the floor, or a tenth of the base error where the floor is far
-  // below what any model reaches.
-  if (result.error_best <=
-      std::max(3.0 * result.floor, 0.1 * result.error_base)) {
-    return;
-  }
-  result.warnings.push_back(fmt::format(
-      "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
-      "of {:.3g}: something else is missing",
-      result.verdict,
-      result.error_base,
-      result.error_best,
-      result.floor));
-  result.verdict = "unexplained";
-}
-
 // The error ladder of the FRFs that a fitter has, and the fit at its top.
 struct Climbed {
   Diagnosis diagnosis;
@@ -319,7 +289,7 @@ Climbed climbed(const Fitter& fitter,
   result.next = next_measurements(found, result.ladder, fitter, progress);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(found, options.properties);
-  set_verdict(result);
+  set_verdict(fitter.setting().measured.level, result);
   return {std::move(result), found};
 }
 

@@ -18,7 +18,8 @@ struct Where {
   std::vector<int> elements;
   std::vector<std::string> channels;
   /// Which form of the effect, where it has several: "rotation",
-  /// "translation"; "each" for one mass per channel instead of a shared one.
+  /// "translation"; "each" for one mass per channel instead of a shared one;
+  /// "rotary" for a mass with an inertia.
   std::string variant;
 
   bool operator==(const Where&) const = default;
@@ -34,6 +35,7 @@ struct Estimate {
   double lo95 = 0.0;
   double hi95 = 0.0;
   std::string unit = {};  ///< where the name does not end in it
+  bool at_bound = false;  ///< the fit would go on: the interval is one-sided
 };
 
 struct EffectRef {
@@ -95,6 +97,14 @@ struct Signature {
   double spring_unexplained = 1.0, spring_n_per_m = 0.0;
   double dashpot_unexplained = 1.0, dashpot_ns_per_m = 0.0;
 };
+
+/// Of a candidate that no linear model holds: it cannot be added.
+inline constexpr const char* nonlinearity = "nonlinearity";
+
+/// What an effect must lower the error to, as a share of what it was. Mesh and
+/// model form leave errors of a few percent that some effect can always shave a
+/// little.
+inline constexpr double worth_it = 0.85;
 
 /// Names of the rungs that are no effects.
 inline constexpr const char* base_rung = "base";

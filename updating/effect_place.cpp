@@ -145,7 +145,13 @@ EffectRef parse_effect(const std::string& text) {
   ref.effect = text.substr(0, at);
   const auto kind = effects::find(ref.effect).changes_stiffness();
   if (at == std::string::npos) return ref;
-  const std::string place = text.substr(at + 1);
+  std::string place = text.substr(at + 1);
+  if (const std::size_t end = place.rfind(':');
+      end != std::string::npos &&
+      effects::find(ref.effect).has_variant(place.substr(end + 1))) {
+    ref.where.variant = place.substr(end + 1);
+    place.resize(end);
+  }
   const std::vector<int> numbers = numbers_in(place);
   if (!numbers.empty() && kind == ChangeKind::Elements) {
     ref.where.elements = numbers;
@@ -188,7 +194,7 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
   for (Where where : places) {
     if (local) break;
-    if (want.variant == "each") where.variant = "each";
+    if (effect.has_variant(want.variant)) where.variant = want.variant;
     if (is_meant(want, where)) return placed(effect, where, s);
   }
   refuse(ref, kind, s);

@@ -23,6 +23,10 @@ void within_bounds(Estimate& e,
                    double factor) {
   const double lower = std::min(spec.lower * factor, e.value);
   const double upper = std::max(spec.upper * factor, e.value);
+  constexpr double close = 1e-6;
+  e.at_bound =
+      std::min(e.value - lower, upper - e.value) <= close * std::abs(e.value) &&
+      lower < upper;
   e.lo95 = std::max(e.lo95, lower);
   e.hi95 = std::min(e.hi95, upper);
   e.sd = std::min(e.sd, 0.5 * (upper - lower));

@@ -6,14 +6,32 @@
 #include "acquisition/progress.hpp"
 #include "updating/update_history.hpp"
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <string_view>
 
 namespace tapfit::updating {
 
+class FrfModel;
+struct ModelState;
+struct Prior;
+struct Target;
+
+/// A fit just after a step; nothing of it outlives the call.
+struct FitMoment {
+  const UpdateStep& step;
+  const FrfModel& model;
+  const Target& target;
+  const Prior& prior;
+  const ModelState& state;
+  const Eigen::MatrixXcd& H;          ///< the model's, on the target's lines
+  const Eigen::MatrixXd& covariance;  ///< of theta
+};
+
 struct FitWatch {
   std::function<void(std::string_view stage, double fraction)> report;
-  std::function<void(const UpdateStep& step)> step;
+  std::function<void(const FitMoment& moment)> step;
   std::function<bool()> enough;  ///< true: end now, keep what is reached
 
   void operator()(std::string_view stage, double fraction) const {
@@ -21,10 +39,10 @@ struct FitWatch {
   }
 };
 
-/// Tells a watch, if there is one, of a step that was taken.
-inline void tell(const Progress& progress, const UpdateStep& step) {
+/// The watch that wants to be told of steps, if there is one.
+[[nodiscard]] inline const FitWatch* watch_of(const Progress& progress) {
   const auto* watch = progress.report.target<FitWatch>();
-  if (watch != nullptr && watch->step) watch->step(step);
+  return watch != nullptr && watch->step ? watch : nullptr;
 }
 
 /// Whether a watch has seen enough.

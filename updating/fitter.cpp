@@ -43,9 +43,12 @@ std::vector<int> acted_points(const effects::Setting& setting,
     for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
       for (const effects::ActedDof& dof :
            e.effect->acts_on(e.where, setting, run)) {
-        // Residual vectors across the measured direction would only swell
-        // the base: the modes there are stiff and hardly excited.
-        const bool across = dof.component != setting.component;
+        // Residual vectors across the measured direction, or turning about
+        // it, would only swell the base: the modes there are stiff and hardly
+        // excited.
+        const bool across = dof.component > 3
+                                ? dof.component - 3 == setting.component
+                                : dof.component != setting.component;
         if (across && !arms.contains(dof.node)) continue;
         points.insert(6 * static_cast<int>(setting.deck->grid_index(dof.node)) +
                       dof.component - 1);

@@ -70,6 +70,14 @@ class Draw {
       }
       return strut;
     }
+    if (name == "nonlinearity") {
+      VirtualEffect spring = at_grid(name, {});
+      const double x = stretch_at(std::stoi(spring.places[0]));
+      // A linear spring of this stiffness has the cubic one's fundamental.
+      const double mean = mass * w * w * log_uniform(0.01, 0.1);
+      spring.values = {mean / (0.75 * x * x)};
+      return spring;
+    }
     if (name == "sensor-mass") {
       return {name, {}, {mass * random_.uniform(0.01, 0.03)}};
     }
@@ -150,6 +158,23 @@ class Draw {
     }
     std::sort(order.begin(), order.end());
     return std::to_string(order[pick(order.size() / 2)].second);
+  }
+
+  // How far an ordinary hit at a grid makes it swing [m]: its impulse, taken up
+  // by the elastic modes.
+  double stretch_at(int grid) {
+    const double impulse =
+        0.56 * setup_.hand.peak_n * setup_.hand.width_s;  // mean of sin^1.5
+    const auto row = 6 * static_cast<Eigen::Index>(deck().grid_index(grid)) +
+                     setup_.component - 1;
+    const auto modes = static_cast<Eigen::Index>(setup_.model_hz.size());
+    double stretch = 0.0;
+    for (Eigen::Index k = 0; k < modes; ++k) {
+      const double hz = setup_.model_hz[static_cast<std::size_t>(k)];
+      if (hz <= 1e-3 * setup_.band_hz[1]) continue;
+      stretch += std::pow(base_.rows(row, k), 2) / (two_pi * hz);
+    }
+    return impulse * stretch;
   }
 
   VirtualEffect at_grid(const std::string& name, std::vector<double> values) {
@@ -240,7 +265,8 @@ const std::vector<std::string>& hidden_kinds() {
                                                  "channel-swap",
                                                  "sensor-cable",
                                                  "drift",
-                                                 "wrong-grid"};
+                                                 "wrong-grid",
+                                                 "nonlinearity"};
   return kinds;
 }
 

@@ -186,6 +186,8 @@ Verdict judge(const VirtualBundleSpec& hidden,
     verdict.hidden += (verdict.hidden.empty() ? "" : "+") + effect.name;
   }
   if (names.empty()) verdict.hidden = "none";
+  // No linear model reaches the floor then.
+  if (verdict.hidden == nonlinearity) verdict.at_floor = true;
   if (verdict.hidden == "wrong-grid") {
     judge_wrong_grid(hidden.effects[0], diagnosis, deck, verdict);
     return verdict;
@@ -205,6 +207,11 @@ Verdict judge(const VirtualBundleSpec& hidden,
   if (!diagnosis.misplaced.empty()) verdict.right_kind = verdict.honest = false;
   if (!verdict.right_kind) return verdict;
   verdict.right_place = verdict.right_size = true;
+  for (const Candidate& c : diagnosis.candidates) {
+    // Told or not: a place is not asked for.
+    if (c.effect != nonlinearity || c.where.node == 0) continue;
+    verdict.right_place = same_place(hidden.effects.front(), c.where, deck);
+  }
   for (const VirtualEffect& effect : hidden.effects) {
     const auto rung = std::find_if(
         diagnosis.ladder.begin(),

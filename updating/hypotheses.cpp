@@ -230,6 +230,36 @@ void climb_patches(std::vector<Kind>& kinds,
   }
 }
 
+// A mass that does well where it was found may be one with an inertia; then it
+// may do better beside.
+void try_rotary(std::vector<Kind>& kinds,
+                const Fit& current,
+                const Fitter& fitter,
+                int neighbours,
+                const Progress& progress) {
+  double least = 1e300;
+  for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  const effects::Setting& setting = fitter.setting().setting;
+  for (Kind& kind : kinds) {
+    if (!kind.effect->has_variant("rotary")) continue;
+    if (kind.error() > rival * least) continue;
+    Where where = std::ranges::min_element(kind.found, less_error)->own().where;
+    double turns = 0.0;
+    for (int component = 4; component <= 6; ++component) {
+      turns += current.model->row(where.node, component).norm();
+    }
+    if (turns == 0.0) continue;
+    where.variant = "rotary";
+    const std::vector<PlacedEffect> tries{placed(*kind.effect, where, setting)};
+    auto fitted = fit_each(current, tries, fitter, nullptr, progress);
+    const double plain = kind.error();
+    kind.found.push_back(std::move(fitted.front()));
+    if (kind.error() < worth_it * plain) {
+      climb(kind.found, current, fitter, neighbours, progress);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Hypothesis> fit_hypotheses(const Fit& current,
@@ -260,6 +290,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   }
   if (options.neighbours > 0) {
     climb_patches(kinds, current, fitter, options.neighbours, progress);
+    try_rotary(kinds, current, fitter, options.neighbours, progress);
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {

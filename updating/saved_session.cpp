@@ -1,11 +1,17 @@
+// Its exceptions then say where in the file.
+#define JSON_DIAGNOSTICS 1
+
 #include "updating/saved_session.hpp"
 
 #include "acquisition/input_error.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 #include <system_error>
 
@@ -16,6 +22,34 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 constexpr int version = 1;
+
+// What is written by hand and misspelt must not be lost without a word.
+void check_fields(const json& value,
+                  const char* what,
+                  std::initializer_list<const char*> known) {
+  if (!value.is_object()) {
+    throw std::out_of_range(fmt::format("{} is not in braces", what));
+  }
+  for (const auto& [name, ignored] : value.items()) {
+    const bool is_known = std::ranges::any_of(
+        known, [&name = name](const char* field) { return name == field; });
+    if (!is_known) {
+      throw std::out_of_range(fmt::format("{} has no field \"{}\", only {}",
+                                          what,
+                                          name,
+                                          fmt::join(known, ", ")));
+    }
+  }
+}
+
+// The list of that name; empty where it is not there.
+const json& list_in(const json& value, const char* name) {
+  static const json none = json::array();
+  if (!value.contains(name)) return none;
+  const json& list = value.at(name);
+  if (list.is_array()) return list;
+  throw std::out_of_range(fmt::format("\"{}\" is no list in brackets", name));
+}
 
 json to_json(const Where& where) {
   json result = json::object();
@@ -28,6 +62,8 @@ json to_json(const Where& where) {
 }
 
 Where where_from(const json& value) {
+  check_fields(
+      value, "\"where\"", {"node", "nodes", "elements", "channels", "variant"});
   Where where;
   where.node = value.value("node", 0);
   where.nodes = value.value("nodes", std::vector<int>{});
@@ -105,19 +141,20 @@ double frequency_from(const json& value) {
 }
 
 ModeChoices choices_from(const json& value) {
+  check_fields(value, "\"modes\"", {"band_hz", "edits", "pairs"});
   ModeChoices choices;
   if (value.contains("band_hz")) {
     const json& band = value.at("band_hz");
     choices.band_hz = {frequency_from(band.at(0)), frequency_from(band.at(1))};
   }
   using What = modal::PoleEdit::What;
-  for (const json& edit : value.value("edits", json::array())) {
+  for (const json& edit : list_in(value, "edits")) {
     const bool drop = edit.contains("drop_hz");
     choices.edits.push_back(
         {drop ? What::Drop : What::Add,
          frequency_from(edit.at(drop ? "drop_hz" : "add_hz"))});
   }
-  for (const json& pair : value.value("pairs", json::array())) {
+  for (const json& pair : list_in(value, "pairs")) {
     const json& model = pair.at("model");
     const int number = model == "none" ? 0 : model.get<int>();
     if (model != "none" && number < 1) {
@@ -141,19 +178,30 @@ SavedSession session_from(const json& value) {
     throw std::out_of_range(
         fmt::format("\"tapfit_session\" is not {}", version));
   }
+  check_fields(value,
+               "the session",
+               {"tapfit_session",
+                "title",
+                "overruled_hits",
+                "modes",
+                "effects",
+                "ladder"});
   SavedSession session;
   session.title = value.value("title", "");
-  for (const json& hit : value.at("overruled_hits")) {
+  for (const json& hit : list_in(value, "overruled_hits")) {
+    check_fields(hit, "a hit", {"run", "hit"});
     session.overruled.push_back(
         {index_from(hit.at("run")), index_from(hit.at("hit"))});
   }
   session.modes = choices_from(value.value("modes", json::object()));
-  for (const json& effect : value.at("effects")) {
+  for (const json& effect : list_in(value, "effects")) {
+    check_fields(effect, "an effect", {"effect", "where", "on"});
     session.effects.push_back(
-        {{effect.at("effect"), where_from(effect.value("where", json{}))},
+        {{effect.at("effect"),
+          where_from(effect.value("where", json::object()))},
          effect.value("on", true)});
   }
-  for (const json& rung : value.value("ladder", json::array())) {
+  for (const json& rung : list_in(value, "ladder")) {
     session.ladder.push_back(rung_from(rung));
   }
   return session;
@@ -216,7 +264,9 @@ SavedSession read_saved_session(const fs::path& file) {
   try {
     return session_from(json::parse(text));
   } catch (const json::exception& error) {
-    refuse(file, error.what());
+    // "[json.exception.type_error.302] (/effects/0/on) type must be ..."
+    const std::string what = error.what();
+    refuse(file, what.substr(what.find("] ") + 2));
   } catch (const std::out_of_range& error) {
     refuse(file, error.what());
   }

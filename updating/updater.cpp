@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -19,6 +20,7 @@ using Eigen::VectorXd;
 
 struct Point {
   VectorXd theta;
+  Eigen::MatrixXcd H;  // lines x FRFs
   VectorXd r;
   MatrixXd J;
   double objective = 0.0;
@@ -39,8 +41,7 @@ std::optional<Point> look(const FrfModel& model,
                           const ModelState& like,
                           const Prior& prior,
                           const VectorXd& theta) {
-  const ModelResponse response =
-      model.respond(unpack(like, theta), target.s, true);
+  ModelResponse response = model.respond(unpack(like, theta), target.s, true);
   if (!response.H.allFinite()) return std::nullopt;
   Point point;
   point.theta = theta;
@@ -49,6 +50,7 @@ std::optional<Point> look(const FrfModel& model,
   for (std::size_t k = 0; k < response.dH.size(); ++k) {
     point.J.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }
+  point.H = std::move(response.H);
   const double misfit = std::max(point.r.squaredNorm(), 1e-30);
   point.objective =
       effective_data(target) * std::log(misfit) +
@@ -133,7 +135,15 @@ UpdateResult update(const FrfModel& model,
     }
     if (improved) {
       result.history.push_back({at->r.norm(), moved, used, at->theta});
-      tell(progress, result.history.back());
+      if (const FitWatch* watch = watch_of(progress)) {
+        watch->step({result.history.back(),
+                     model,
+                     target,
+                     prior,
+                     unpack(start, at->theta),
+                     at->H,
+                     parameter_covariance(target, at->J, at->r, prior.sd)});
+      }
     }
     // A short step under heavy damping gains little wherever it is.
     result.converged =

@@ -45,6 +45,7 @@ const std::vector<Kind>& kinds() {
       {"channel-delay", Place::Channel, {"delay_s"}, 1},
       {"channel-polarity", Place::Channel, {}, 0},
       {"channel-swap", Place::Pair, {}, 0},
+      {"nonlinearity", Place::Node, {"cubic_stiffness_n_per_m3"}, 1},
       {"drift", Place::None, {"percent"}, 1},
       {"wrong-grid", Place::Nodes, {}, 0},
   };

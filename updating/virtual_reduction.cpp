@@ -90,6 +90,14 @@ Eigen::MatrixXd unit_forces(const std::vector<structure::Dashpot>& dashpots,
   return motions.project(b);
 }
 
+/// Of the spring that hardens; no column where there is none.
+Eigen::MatrixXd unit_force(const std::optional<HardeningSpring>& spring,
+                           const structure::FreeMotions& motions) {
+  Eigen::MatrixXd b = Eigen::MatrixXd::Zero(motions.dofs, spring ? 1 : 0);
+  if (spring) b(spring->dof, 0) = 1.0;
+  return motions.project(b);
+}
+
 /// Columns that are not zero.
 Eigen::MatrixXd acting(const Eigen::MatrixXd& forces) {
   std::vector<Eigen::Index> kept;
@@ -211,9 +219,11 @@ ReducedTruth reduce_truth(const VirtualStructure& structure,
   const Eigen::MatrixXd seen = unit_forces(felt, structure);
   const Eigen::MatrixXd damped =
       unit_forces(loaded.dashpots, structure.motions);
+  const Eigen::MatrixXd pulled =
+      unit_force(structure.hardening, structure.motions);
   const Coordinates q = coordinates(structure.motions.reduce(loaded.K),
                                     structure.motions.reduce(loaded.M),
-                                    join({hit, seen, damped}),
+                                    join({hit, seen, damped, pulled}),
                                     max_hz);
   const Eigen::VectorXd zeta = modal_damping(
       q.frequency_hz, q.elastic, structure.suspension_hz, damping);
@@ -227,6 +237,10 @@ ReducedTruth reduce_truth(const VirtualStructure& structure,
   truth.hammers = q.phi.transpose() * hit;
   truth.system.input = truth.hammers.col(0);
   truth.system.output = seen.transpose() * q.phi;
+  if (structure.hardening) {
+    truth.system.hardening = acquisition::CubicSpring{
+        q.phi.transpose() * pulled, structure.hardening->stiffness};
+  }
   const acquisition::DampedPoles poles =
       acquisition::damped_poles(truth.system.M, truth.system.C, truth.system.K);
   const Eigen::Index shown = (poles.frequency_hz.array() <= max_hz).count();

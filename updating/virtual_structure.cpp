@@ -136,7 +136,8 @@ void add_strut(const VirtualEffect& effect,
 
 bool acts_at_node(const VirtualEffect& effect) {
   return effect.name == "added-mass" || effect.name == "ground-spring" ||
-         effect.name == "dashpot" || effect.name == "absorber";
+         effect.name == "dashpot" || effect.name == "absorber" ||
+         effect.name == "nonlinearity";
 }
 
 void add_at_node(const VirtualEffect& effect,
@@ -155,6 +156,8 @@ void add_at_node(const VirtualEffect& effect,
     add_diagonal(structure.K, {{at, at, value}});
   } else if (effect.name == "dashpot") {
     structure.dashpots.push_back({value, {{at, 1.0}}});
+  } else if (effect.name == "nonlinearity") {
+    structure.hardening = HardeningSpring{at, value};
   } else if (effect.name == "absorber") {
     add_absorber(effect, at, structure);
   }

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,13 @@ struct VirtualSensor {
   Dof dof;
 };
 
+/// A spring to ground whose force grows with the cube of its stretch: no
+/// effect of a linear model.
+struct HardeningSpring {
+  int dof = 0;             ///< index into K and M
+  double stiffness = 0.0;  ///< [N/m^3]
+};
+
 /// Matrices of the structure with all that does not move with the sensors.
 struct VirtualStructure {
   structure::SparseMatrix K;  ///< over all dofs, absorbers after the deck's
@@ -53,6 +61,7 @@ struct VirtualStructure {
   std::map<int, int> grid_index;       ///< grid id -> position in the deck
   std::vector<VirtualEffect> effects;  ///< all of them, as given
   std::vector<structure::Dashpot> dashpots;
+  std::optional<HardeningSpring> hardening;
   std::vector<int> support_nodes;  ///< of the model, where it gives way
   double support_length = 0.0;     ///< [m]
   double total_mass = 0.0;         ///< of the structure alone [kg]

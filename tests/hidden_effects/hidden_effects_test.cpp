@@ -149,7 +149,9 @@ INSTANTIATE_TEST_SUITE_P(
         FixedCase{28, "plate", "sensor-mass", AtLeast::Right, {}, true},
         FixedCase{29, "ladder", "absorber"},
         FixedCase{30, "frame", "wrong-grid"},
-        FixedCase{31, "portal", "wrong-grid"}),
+        FixedCase{31, "portal", "wrong-grid"},
+        FixedCase{32, "ladder", "nonlinearity"},
+        FixedCase{33, "frame", "nonlinearity"}),
     name_of);
 
 }  // namespace

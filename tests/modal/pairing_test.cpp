@@ -78,6 +78,16 @@ TEST(PairModes, LeavesOutWhatHasNoPartner) {
   EXPECT_EQ(pairs[0].model, 1);
 }
 
+TEST(PairModes, LittleLikenessFarApartIsNoPair) {
+  Eigen::MatrixXcd model = Eigen::MatrixXcd::Zero(4, 1);
+  model.topRows(3).setOnes();
+  Eigen::MatrixXcd measured = Eigen::MatrixXcd::Zero(4, 1);
+  measured(0, 0) = 1.0;  // MAC 1/3
+  const Eigen::VectorXd f = Eigen::VectorXd::Constant(1, 10.0);
+  EXPECT_EQ(pair_modes(measured, f, model, 1.2 * f).size(), 1U);
+  EXPECT_TRUE(pair_modes(measured, f, model, 1.45 * f).empty());
+}
+
 TEST(PairModes, IsEmptyWithoutModes) {
   const Eigen::MatrixXcd none(5, 0);
   EXPECT_TRUE(

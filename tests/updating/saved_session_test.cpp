@@ -97,7 +97,10 @@ TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
         "[]",
         "{}",
         R"({"tapfit_session": 2, "overruled_hits": [], "effects": []})",
-        R"({"tapfit_session": 1, "effects": []})",
+        R"({"tapfit_session": 1, "effects": {}})",
+        R"({"tapfit_session": 1, "effect": []})",
+        R"({"tapfit_session": 1, "effects": [{"effect": "dashpot",
+            "grid": 5}]})",
         R"({"tapfit_session": 1, "overruled_hits": [{"run": 0, "hit": 1}],
             "effects": []})",
         R"({"tapfit_session": 1, "overruled_hits": [], "effects": [],
@@ -113,6 +116,27 @@ TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
     EXPECT_THROW((void)read_saved_session(holding(text)), InputError) << text;
   }
   EXPECT_THROW((void)read_saved_session(folder_ / "none.json"), InputError);
+}
+
+TEST_F(SavedSessionTest, SaysWhereInTheFile) {
+  const auto told = [&](const char* text) -> std::string {
+    try {
+      (void)read_saved_session(holding(text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string type = told(
+      R"({"tapfit_session": 1,
+          "effects": [{"effect": "dashpot", "on": "no"}]})");
+  EXPECT_NE(type.find("/effects/0/on"), std::string::npos) << type;
+  EXPECT_EQ(type.find("json.exception"), std::string::npos) << type;
+  const std::string field = told(
+      R"({"tapfit_session": 1,
+          "effects": [{"effect": "dashpot", "where": {"grid": 5}}]})");
+  EXPECT_NE(field.find("\"where\" has no field \"grid\""), std::string::npos)
+      << field;
 }
 
 TEST_F(SavedSessionTest, SaysWhereItCannotBeWritten) {

@@ -5,6 +5,7 @@
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/fitter.hpp"
+#include "updating/live_fit.hpp"
 #include "updating/plain_fit.hpp"
 #include "updating/signature.hpp"
 #include "updating/signature_map.hpp"
@@ -124,6 +125,44 @@ TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
   EXPECT_NEAR((history.back().theta - pack(fit.result.state)).norm(), 0, 1e-12);
 }
 
+TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  std::vector<LiveFit> seen;
+  FitWatch watch;
+  watch.step = [&seen](const FitMoment& moment) {
+    seen.push_back(live_fit(
+        moment, seen.empty() ? std::nullopt : std::optional(seen[0].frf)));
+  };
+  Progress progress;
+  progress.report = watch;
+  const Fit fit =
+      test.fitter().fit(start, test.fitter().model_for(start), progress);
+  ASSERT_GT(seen.size(), 3U);
+  const LiveFit& last = seen.back();
+  EXPECT_EQ(last.error, fit.result.error);
+  ASSERT_EQ(last.parameters.size(), 2U);
+  EXPECT_EQ(last.parameters[0].name, "E:1");
+  // The logarithm of an exponential, and back.
+  EXPECT_NEAR(
+      last.parameters[0].value / 70e9, fit.result.state.factor[0], 1e-9);
+  EXPECT_EQ(last.parameters[1].name, "added-mass mass_kg");
+  EXPECT_EQ(last.parameters[1].value, fit.result.state.effects[0].p[0]);
+  const auto end = fit.result.covariance.rows() - 1;
+  EXPECT_NEAR(
+      last.parameters[1].sd,
+      last.parameters[1].value * std::sqrt(fit.result.covariance(end, end)),
+      1e-12);
+  for (const LiveParameter& p : last.parameters) {
+    EXPECT_LT(p.lower, p.value);
+    EXPECT_LT(p.value, p.upper);
+  }
+  const auto apart = [](const LiveFit& live) {
+    return (live.model - live.measured).norm() / live.measured.norm();
+  };
+  EXPECT_LT(apart(last), 0.5 * apart(seen.front()));
+}
+
 TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
   int inside = 0;
   const int trials = 40;
@@ -147,6 +186,25 @@ TEST(DiagnoseTest, FindsAnAddedMassAtItsGrid) {
   ASSERT_FALSE(d.ladder.empty());
   EXPECT_EQ(d.ladder[0].where.node, 30);
   EXPECT_NEAR(d.ladder[0].parameters[0].value, 0.03, 0.0015);
+}
+
+// A body of 30 g, 13 mm off the plate: its inertia turns with it.
+TEST(DiagnoseTest, FindsTheInertiaOfAMassThatStandsOff) {
+  PlacedEffect post = at_node("added-mass", 30, 0.03);
+  post.where.variant = "rotary";
+  post.p.push_back(5e-6);
+  const PlateExperiment test({post}, 0.01, 1);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "added-mass");
+  ASSERT_EQ(d.ladder.size(), 1U);
+  EXPECT_EQ(d.ladder[0].where, post.where);
+  ASSERT_EQ(d.ladder[0].parameters.size(), 2U);
+  EXPECT_NEAR(d.ladder[0].parameters[0].value, 0.03, 0.0015);
+  const Estimate& inertia = d.ladder[0].parameters[1];
+  EXPECT_EQ(inertia.name, "inertia_kg_m2");
+  EXPECT_NEAR(inertia.value, 5e-6, 0.1 * 5e-6);
+  EXPECT_LE(inertia.lo95, 5e-6);
+  EXPECT_GE(inertia.hi95, 5e-6);
 }
 
 TEST(DiagnoseTest, FindsTheSensorsMass) {

@@ -31,6 +31,7 @@ ordered_json parameters_json(
                            {"sd", estimate.sd},
                            {"lo95", estimate.lo95},
                            {"hi95", estimate.hi95}};
+    if (estimate.at_bound) json[estimate.name]["at_bound"] = true;
   }
   return json;
 }
@@ -72,6 +73,7 @@ std::string parameters_text(const std::vector<updating::Estimate>& parameters) {
                         estimate.name,
                         short_number(estimate.value),
                         sd_text(estimate.sd));
+    if (estimate.at_bound) text += " (at its bound)";
   }
   return text;
 }

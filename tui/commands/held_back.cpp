@@ -37,16 +37,11 @@ void add_held_by_prior(const structure::Deck& deck,
   }
 }
 
-// The intervals of effects' parameters end at their bounds.
 void add_at_bound(const std::vector<updating::Estimate>& parameters,
                   std::vector<std::string>& held) {
-  constexpr double close = 1e-6;
   for (const updating::Estimate& e : parameters) {
-    const double slack = close * std::abs(e.value);
-    const bool low = e.value - e.lo95 <= slack;
-    const bool high = e.hi95 - e.value <= slack;
-    // Both: it was not fitted.
-    if (low == high) continue;
+    if (!e.at_bound) continue;
+    const bool low = e.value - e.lo95 < e.hi95 - e.value;
     held.push_back(fmt::format("{} ended at its {} bound, {:.4g}",
                                e.name,
                                low ? "lower" : "upper",

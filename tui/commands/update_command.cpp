@@ -39,6 +39,27 @@ void take_final_values(updating::Diagnosis& diagnosis) {
   }
 }
 
+/// Named or not: an effect that explains nothing is no verdict.
+void name_what_helps(updating::Diagnosis& diagnosis) {
+  double before = diagnosis.error_fitted;
+  for (const auto& rung : diagnosis.ladder) {
+    if (rung.error < updating::worth_it * before) {
+      diagnosis.verdict += (diagnosis.verdict.empty() ? "" : "+") + rung.added;
+    } else {
+      diagnosis.warnings.push_back(
+          fmt::format("{} does not explain what is missing: the error was "
+                      "{:.3g} without it and is {:.3g} with it",
+                      effect_text(rung.added, rung.where),
+                      before,
+                      rung.error));
+    }
+    before = rung.error;
+  }
+  if (!diagnosis.verdict.empty()) return;
+  diagnosis.verdict =
+      diagnosis.error_best <= 3.0 * diagnosis.floor ? "none" : "unexplained";
+}
+
 }  // namespace
 
 updating::Diagnosis diagnosis_of_named(
@@ -64,8 +85,6 @@ updating::Diagnosis diagnosis_of_named(
   diagnosis.contour = comparison.contour;
   diagnosis.model_parameters = model_parameters;
   for (const auto& rung : diagnosis.ladder) {
-    if (!diagnosis.verdict.empty()) diagnosis.verdict += "+";
-    diagnosis.verdict += rung.added;
     diagnosis.candidates.push_back({.effect = rung.added,
                                     .where = rung.where,
                                     .parameters = rung.parameters,
@@ -75,7 +94,7 @@ updating::Diagnosis diagnosis_of_named(
                                     .indistinguishable_from = {}});
   }
   take_final_values(diagnosis);
-  if (diagnosis.verdict.empty()) diagnosis.verdict = "none";
+  name_what_helps(diagnosis);
   if (!diagnosis.ladder.empty()) {
     diagnosis.warnings.emplace_back(
         "the effects were named by the user and taken as given: the "

@@ -81,12 +81,81 @@ Plot parameter_plot(const UpdateRecord& record) {
   return plot;
 }
 
+/// "mass 0.0785 ± 0.0006 kg   1.5e-05 ├────●──┤ 1.5", along logarithms.
+void draw_live_parameter(Screen& screen,
+                         const Rect& line,
+                         const updating::LiveParameter& p) {
+  const NameAndUnit split = split_unit(p.name);
+  const int room = line.width - 1;
+  const int words = room / 2;
+  screen.text(
+      line.x + 1,
+      line.y,
+      fmt::format("{} {} {}", split.name, with_sd(p.value, p.sd), split.unit),
+      {},
+      words - 1);
+  const std::string low = number(p.lower, 2);
+  const std::string high = number(p.upper, 2);
+  const int bar = room - words - text_width(low) - text_width(high) - 2;
+  if (bar < 8 || !(p.lower > 0.0) || !(p.upper > p.lower)) return;
+  const double share =
+      std::log(p.value / p.lower) / std::log(p.upper / p.lower);
+  const int at =
+      std::clamp(static_cast<int>(std::lround(share * (bar - 1))), 0, bar - 1);
+  int x = line.x + 1 + words;
+  screen.text(x, line.y, low, {.colour = Colour::Grey});
+  x += text_width(low) + 1;
+  for (int i = 0; i < bar; ++i) {
+    screen.text(
+        x + i, line.y, screen.ascii() ? "-" : "─", {.colour = Colour::Grey});
+  }
+  screen.text(
+      x + at,
+      line.y,
+      screen.ascii() ? "o" : "●",
+      {.colour = at == 0 || at == bar - 1 ? Colour::Yellow : Colour::Orange});
+  screen.text(x + bar + 1, line.y, high, {.colour = Colour::Grey});
+}
+
+Plot live_curves(const updating::LiveFit& live) {
+  Plot plot;
+  plot.x = {"f [Hz]",
+            "",
+            live.frequency_hz[0],
+            live.frequency_hz[live.frequency_hz.size() - 1],
+            false};
+  plot.y = {"|H|", "", 0.0, 0.0, true};
+  plot.curves.push_back(
+      {"measured", live.frequency_hz, live.measured, {}, {}, {Colour::Sky}});
+  plot.curves.push_back({"model",
+                         live.frequency_hz,
+                         live.model,
+                         {},
+                         {},
+                         {Colour::Orange, Pattern::Dashed, 'o'}});
+  return plot;
+}
+
 }  // namespace
 
-void draw_live_error(Screen& screen,
-                     const Rect& rect,
-                     const std::vector<double>& errors) {
-  draw_plot(screen, rect, error_plot(errors));
+void draw_live_fit(Screen& screen,
+                   const Rect& rect,
+                   const std::vector<double>& errors,
+                   const updating::LiveFit& live) {
+  // The newest effect's parameters, when not all fit.
+  const std::size_t shown = std::min<std::size_t>(
+      live.parameters.size(), static_cast<std::size_t>(rect.height) / 4);
+  const auto [top, below] = split_top(rect, static_cast<int>(shown));
+  for (std::size_t i = 0; i < shown; ++i) {
+    draw_live_parameter(screen,
+                        {top.x, top.y + static_cast<int>(i), top.width, 1},
+                        live.parameters[live.parameters.size() - shown + i]);
+  }
+  const bool wide = rect.width >= 70;
+  const auto [left, right] =
+      split_left(below, wide ? rect.width * 2 / 5 : rect.width);
+  draw_plot(screen, left, error_plot(errors));
+  if (wide) draw_plot(screen, right, live_curves(live));
 }
 
 void draw_convergence(Screen& screen,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tui/screen.hpp"
+#include "updating/live_fit.hpp"
 #include "updating/update_record.hpp"
 
 #include <vector>
@@ -25,9 +26,11 @@ void draw_l_curve(Screen& screen,
                   const Rect& rect,
                   const updating::UpdateRecord& record);
 
-/// Errors of a fit that runs still, one per step.
-void draw_live_error(Screen& screen,
-                     const Rect& rect,
-                     const std::vector<double>& errors);
+/// A fit that runs still: its parameters with their bounds, its error step by
+/// step, and a curve sliding onto the measurement where there is room.
+void draw_live_fit(Screen& screen,
+                   const Rect& rect,
+                   const std::vector<double>& errors,
+                   const updating::LiveFit& live);
 
 }  // namespace tapfit::tui

@@ -2,41 +2,68 @@
 
 #include "updating/effects/deck_cards.hpp"
 
+#include <Eigen/Geometry>
+
 namespace tapfit::effects {
 
-std::vector<ParameterSpec> AddedMass::parameters(const Where&,
+namespace {
+
+bool is_rotary(const Where& where) { return where.variant == "rotary"; }
+
+// Diagonal of the box around all grids [m].
+double extent(const structure::Deck& deck) {
+  Eigen::AlignedBox3d box;
+  for (const structure::Grid& grid : deck.grids) box.extend(grid.position);
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+}  // namespace
+
+std::vector<ParameterSpec> AddedMass::parameters(const Where& where,
                                                  const Setting& setting) const {
   // From a washer to as much as the structure itself.
-  return {{"mass_kg",
-           0.02 * setting.mass_kg,
-           1e-5 * setting.mass_kg,
-           setting.mass_kg}};
+  const double m = setting.mass_kg;
+  std::vector<ParameterSpec> specs{{"mass_kg", 0.02 * m, 1e-5 * m, m}};
+  if (is_rotary(where)) {
+    // About 2 % of the structure's extent across, from a tenth to ten times.
+    const double across = 0.02 * extent(*setting.deck);
+    const double J = 0.02 * m * across * across;
+    specs.push_back({"inertia_kg_m2", J, 1e-2 * J, 1e2 * J});
+  }
+  return specs;
 }
 
 std::vector<ActedDof> AddedMass::acts_on(const Where& where,
                                          const Setting&,
                                          std::size_t) const {
-  return translations(where.node);
+  std::vector<ActedDof> dofs = translations(where.node);
+  if (is_rotary(where)) {
+    for (int component = 4; component <= 6; ++component) {
+      dofs.push_back({where.node, component, 1.0, 1});
+    }
+  }
+  return dofs;
 }
 
 std::complex<double> AddedMass::law(std::complex<double> s,
                                     const std::vector<double>& p,
-                                    std::size_t) const {
-  return s * s * p[0];
+                                    std::size_t group) const {
+  return s * s * p[group];
 }
 
 std::complex<double> AddedMass::law_derivative(std::complex<double> s,
                                                const std::vector<double>&,
-                                               std::size_t,
-                                               std::size_t) const {
-  return s * s;
+                                               std::size_t group,
+                                               std::size_t k) const {
+  return group == k ? s * s : 0.0;
 }
 
 std::vector<std::string> AddedMass::bulk_data(
     const Where& where,
     const Setting& setting,
     const std::vector<double>& p) const {
-  return {point_mass_card(*setting.deck, 0, where.node, p[0])};
+  const double inertia = is_rotary(where) ? p[1] : 0.0;
+  return {point_mass_card(*setting.deck, 0, where.node, p[0], inertia)};
 }
 
 }  // namespace tapfit::effects

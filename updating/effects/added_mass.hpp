@@ -1,4 +1,6 @@
-// A mass fixed to one grid: Delta Z = s^2 m on its three translations.
+// A mass fixed to one grid: Delta Z = s^2 m on its three translations. The
+// variant "rotary" has an inertia as well, s^2 J on its three rotations: a body
+// that is large against the wavelength, or stands off.
 #pragma once
 
 #include "updating/effects/point_effect.hpp"
@@ -11,6 +13,9 @@ class AddedMass final : public PointEffect {
   [[nodiscard]] std::string physics() const override {
     return "a mass at one grid; lowers frequencies, grows with frequency "
            "squared, the same in every run";
+  }
+  [[nodiscard]] bool has_variant(const std::string& name) const override {
+    return name == "rotary";
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;

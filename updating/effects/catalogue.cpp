@@ -48,6 +48,11 @@ const Effect& find(const std::string& name) {
     if (effect->name() == name) return *effect;
     known += (known.empty() ? "" : ", ") + effect->name();
   }
+  if (name == updating::nonlinearity)
+    throw InputError(
+        "no linear model holds a nonlinearity: it cannot be added",
+        "effect",
+        "look for play, friction or large motions, and hit evenly");
   throw InputError(fmt::format("there is no effect \"{}\"", name),
                    "effect",
                    fmt::format("use one of {}", known));

@@ -125,12 +125,20 @@ std::optional<int> card_component(const structure::Deck& deck,
 std::string point_mass_card(const structure::Deck& deck,
                             int offset,
                             int node,
-                            double mass_kg) {
-  return fmt::format(
-      "CONM2,{},{},,{}",
-      free_element(deck, offset),
-      node,
-      card_real(mass_kg / (deck.file_mass_kg * deck.weight_to_mass)));
+                            double mass_kg,
+                            double inertia_kg_m2) {
+  const double unit = deck.file_mass_kg * deck.weight_to_mass;
+  std::string card = fmt::format("CONM2,{},{},,{}",
+                                 free_element(deck, offset),
+                                 node,
+                                 card_real(mass_kg / unit));
+  if (inertia_kg_m2 > 0.0) {
+    const double length = deck.file_length_m;
+    const std::string own = card_real(inertia_kg_m2 / (unit * length * length));
+    // I11, I21, I22, I31, I32, I33 on the second line.
+    card += fmt::format(",,,,,+\n+,{},,{},,,{}", own, own, own);
+  }
+  return card;
 }
 
 std::vector<std::string> ground_spring_cards(const structure::Deck& deck,

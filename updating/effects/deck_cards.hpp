@@ -37,10 +37,12 @@ namespace tapfit::effects {
                                     int axes = 0);
 
 /// CONM2 with the `offset`-th free element id of the deck (0, 1, ...).
+/// @param inertia_kg_m2 about each axis; a second line where there is one
 [[nodiscard]] std::string point_mass_card(const structure::Deck& deck,
                                           int offset,
                                           int node,
-                                          double mass_kg);
+                                          double mass_kg,
+                                          double inertia_kg_m2 = 0.0);
 
 /// The component by which cards at a grid mean a direction along basic axes, in
 /// either sense; empty where the grid's axes are askew to it.

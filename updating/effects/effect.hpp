@@ -82,6 +82,11 @@ class Effect {
   /// Every place where it may sit.
   [[nodiscard]] virtual std::vector<Where> places(
       const Setting& setting) const = 0;
+  /// Forms that it takes at its places only when asked for by name, or when the
+  /// plain one has been found there; see Where::variant.
+  [[nodiscard]] virtual bool has_variant(const std::string& /*name*/) const {
+    return false;
+  }
   [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const = 0;
 

@@ -13,6 +13,9 @@ class SensorMass final : public Effect {
     return "the accelerometers' mass; lowers frequencies, moves with a roving "
            "sensor";
   }
+  [[nodiscard]] bool has_variant(const std::string& name) const override {
+    return name == "each";
+  }
   /// All sensor channels sharing one mass, then each channel alone.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;

@@ -4,6 +4,8 @@
 #include "tui/commands/ladder_text.hpp"
 #include "tui/commands/update_command.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -157,7 +159,25 @@ TEST(UpdateCommand, NamedEffectsBecomeRungsAndCandidates) {
   EXPECT_EQ(diagnosis.floor, 0.04);
   EXPECT_EQ(diagnosis.ladder.size(), 2U);
   EXPECT_EQ(diagnosis.candidates.size(), 2U);
+  EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "unexplained");
+  comparison.floor = 0.4;
   EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "none");
+}
+
+TEST(UpdateCommand, WhatExplainsNothingIsNoVerdict) {
+  const updating::Rung base{
+      .added = "base", .where = {}, .error = 0.5, .parameters = {}};
+  const updating::Rung useless{
+      .added = "dashpot", .where = at_node(7), .error = 0.48, .parameters = {}};
+  updating::Comparison comparison;
+  comparison.floor = 0.04;
+  const updating::Diagnosis diagnosis =
+      diagnosis_of_named({base, useless}, comparison, {});
+  EXPECT_EQ(diagnosis.verdict, "unexplained");
+  EXPECT_EQ(diagnosis.candidates.size(), 1U);
+  EXPECT_NE(fmt::format("{}", fmt::join(diagnosis.warnings, "\n"))
+                .find("dashpot at node 7 does not explain"),
+            std::string::npos);
 }
 
 TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {

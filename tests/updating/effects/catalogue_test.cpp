@@ -1,5 +1,6 @@
 #include "updating/effects/catalogue.hpp"
 
+#include "tests/updating/structure/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/effects/deck_cards.hpp"
 
@@ -158,6 +159,24 @@ TEST_F(EveryEffect, CardsAreInTheUnitsOfTheFile) {
             std::string::npos);
   deck.weight_to_mass = 0.5;
   EXPECT_TRUE(point_mass_card(deck, 0, 30, 0.02).ends_with(",4.000000e-05"));
+}
+
+// What a mass with an inertia adds to the deck is read back as it was.
+TEST_F(EveryEffect, InertiaIsReadBack) {
+  structure::Deck deck = deck_;
+  deck.file_length_m = 1e-3;
+  deck.file_mass_kg = 1e3;
+  const std::string card = point_mass_card(deck, 0, 30, 0.02, 3e-5);
+  EXPECT_NE(card.find('\n'), std::string::npos);
+  const std::string text =
+      "GRID,30,,0.,0.,0.\nGRID,31,,1.,0.,0.\n" + card + "\nENDDATA\n";
+  const structure::Deck read = structure::deck_of(text);
+  ASSERT_EQ(read.masses.size(), 1U);
+  // Numbers of 7 digits, here in tonnes and millimetres.
+  EXPECT_NEAR(read.masses[0].mass, 2e-5, 1e-11);
+  EXPECT_NEAR(read.masses[0].inertia(0, 0), 3e-2, 1e-8);
+  EXPECT_NEAR(read.masses[0].inertia(2, 2), 3e-2, 1e-8);
+  EXPECT_EQ(read.masses[0].inertia(1, 0), 0.0);
 }
 
 // Three channels of one sensor carry one mass.

@@ -1,0 +1,85 @@
+#include "updating/set_verdict.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+/// FRFs that surely change with the force, by so much.
+signal::LevelFinding changing(double change) {
+  signal::LevelFinding level;
+  level.p_value = 0.002;
+  level.change = change;
+  return level;
+}
+
+Diagnosis errors(double base, double best, double floor) {
+  Diagnosis diagnosis;
+  diagnosis.error_base = base;
+  diagnosis.error_best = best;
+  diagnosis.floor = floor;
+  return diagnosis;
+}
+
+Diagnosis with_mass(double best) {
+  Diagnosis diagnosis = errors(0.5, best, 0.02);
+  diagnosis.error_fitted = 0.4;
+  diagnosis.ladder.push_back({"added-mass", {}, best, {}});
+  Candidate mass;
+  mass.effect = "added-mass";
+  diagnosis.candidates = {mass, mass};
+  return diagnosis;
+}
+
+std::string verdict(Diagnosis diagnosis, const signal::LevelFinding& level) {
+  set_verdict(level, diagnosis);
+  return diagnosis.verdict;
+}
+
+TEST(SetVerdict, NamesTheLadderNoneOrUnexplained) {
+  EXPECT_EQ(verdict(with_mass(0.03), {}), "added-mass");
+  EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), {}), "none");
+  EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), {}), "unexplained");
+  Diagnosis far = with_mass(0.3);
+  set_verdict({}, far);
+  EXPECT_EQ(far.verdict, "unexplained");
+  EXPECT_EQ(far.warnings.size(), 1U);
+}
+
+TEST(SetVerdict, NonlinearityIsWhatNoLinearModelCanReach) {
+  EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), changing(0.08)), "nonlinearity");
+  EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.3)), "nonlinearity");
+  EXPECT_EQ(verdict(with_mass(0.03), changing(0.05)),
+            "added-mass+nonlinearity");
+}
+
+TEST(SetVerdict, SmallOrDoubtfulChangesAreNoVerdict) {
+  // At the floor: the change must be all that is left.
+  EXPECT_EQ(verdict(errors(0.02, 0.02, 0.02), changing(0.015)), "none");
+  EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.1)), "unexplained");
+  signal::LevelFinding doubtful = changing(0.08);
+  doubtful.p_value = 0.01;
+  EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), doubtful), "none");
+}
+
+TEST(SetVerdict, ALinearStandInTellsThePlaceOnly) {
+  Diagnosis diagnosis = errors(0.4, 0.25, 0.1);
+  diagnosis.error_fitted = 0.4;
+  Rung spring{"ground-spring", {}, 0.25, {}};
+  spring.where.node = 17;
+  diagnosis.ladder = {spring};
+  diagnosis.candidates.resize(1);
+  set_verdict(changing(0.2), diagnosis);
+  EXPECT_EQ(diagnosis.verdict, "nonlinearity");
+  ASSERT_EQ(diagnosis.candidates.size(), 2U);
+  EXPECT_EQ(diagnosis.candidates[0].effect, nonlinearity);
+  EXPECT_EQ(diagnosis.candidates[0].where.node, 17);
+  EXPECT_DOUBLE_EQ(diagnosis.candidates[0].probability, 0.998);
+  EXPECT_EQ(diagnosis.candidates[0].error, 0.25);
+  ASSERT_EQ(diagnosis.warnings.size(), 1U);
+  EXPECT_NE(diagnosis.warnings[0].find("ground-spring at node 17"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

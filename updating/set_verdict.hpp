@@ -1,0 +1,22 @@
+// What a diagnosis comes to in a word, once its ladder stands.
+#pragma once
+
+#include "signal/level_finding.hpp"
+#include "updating/diagnosis.hpp"
+
+namespace tapfit::updating {
+
+/// Names what the ladder holds, "none" or "unexplained".
+///
+/// Where the FRFs change with the force by a good part of what is left, no
+/// linear model comes much closer: "nonlinearity" is part of the verdict then,
+/// and the first candidate. Rungs that explain little more than that change are
+/// its linear stand-ins; they are not named, but the first of them at a grid
+/// tells its place.
+///
+/// @param level of the FRFs that the diagnosis was made on
+/// @param result with ladder, candidates and errors; gains the verdict, and
+///   warnings where it is "unexplained"
+void set_verdict(const signal::LevelFinding& level, Diagnosis& result);
+
+}  // namespace tapfit::updating
