@@ -56,6 +56,20 @@ void state_noise(const Frf& frf, std::vector<std::string>& statements) {
                   frf.coherence.mean()));
 }
 
+void state_no_scatter(const std::vector<Frf>& frfs,
+                      std::vector<std::string>& statements) {
+  const auto unknown = [](const Frf& frf) {
+    return frf.variance.maxCoeff() <= 0.0;
+  };
+  const auto found = std::ranges::find_if(frfs, unknown);
+  if (found == frfs.end()) return;
+  statements.push_back(fmt::format(
+      "run {}: how far its FRFs scatter is not known, and counted as nothing: "
+      "a single hit with no quiet before it. Hit again, or begin to record a "
+      "second before the blow",
+      found->run + 1));
+}
+
 /// What comes of one run; no FRFs where none of its hits is accepted.
 struct RunResult {
   std::vector<Frf> frfs;
@@ -106,6 +120,7 @@ FrfSet joined(const TestBundle& bundle,
                       r + 1,
                       bundle.runs[r].file.filename().string()));
     }
+    state_no_scatter(runs[r].frfs, set.statements);
     for (Frf& frf : runs[r].frfs) {
       state_noise(frf, set.statements);
       set.frfs.push_back(std::move(frf));

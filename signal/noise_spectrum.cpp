@@ -13,6 +13,7 @@ namespace {
 
 constexpr Eigen::Index shortest = 16;
 constexpr Eigen::Index longest = 4096;
+constexpr Eigen::Index fewest = 4;
 // Triangular smoothing over +-24 bins leaves each value with about 44 degrees
 // of freedom per stretch.
 constexpr Eigen::Index smoothing = 24;
@@ -34,6 +35,19 @@ Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
   return result;
 }
 
+// Too few samples for a spectrum: white noise, offset and all.
+Eigen::VectorXd white(const std::vector<Eigen::VectorXd>& stretches) {
+  double square = 0.0;
+  double freedom = 0.0;
+  for (const Eigen::VectorXd& x : stretches) {
+    if (x.size() < fewest) continue;
+    square += (x.array() - x.mean()).square().sum();
+    freedom += static_cast<double>(x.size()) - 1.0;
+  }
+  if (freedom == 0.0) return {};
+  return Eigen::VectorXd::Constant(1, square / freedom);
+}
+
 }  // namespace
 
 double NoiseSpectrum::at(double omega) const {
@@ -51,7 +65,10 @@ NoiseSpectrum noise_spectrum(const std::vector<Eigen::VectorXd>& stretches,
   Eigen::Index n = 0;
   for (const Eigen::VectorXd& x : stretches) n = std::max(n, x.size());
   NoiseSpectrum result;
-  if (n < shortest) return result;
+  if (n < shortest) {
+    result.S = white(stretches);
+    return result;
+  }
   // A few samples less, and none of the slow transforms of odd lengths.
   n = acquisition::smooth_length(std::min(n, longest));
   RealFft fft(n);

@@ -26,8 +26,9 @@ struct NoiseSpectrum {
 };
 
 /// Averages the stretches' spectra and smooths them over neighbouring bins.
-/// Stretches under 16 samples are left out; with none left the result is zero
-/// (nothing is known of the noise).
+/// Stretches under 16 samples are left out; where there are no others, those of
+/// 4 samples and more tell white noise. With none left the result is empty:
+/// nothing is known of the noise.
 ///
 /// @param stretches quiet samples with their offset removed
 /// @param dt sampling interval [s]

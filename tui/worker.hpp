@@ -47,7 +47,7 @@ struct WorkerStatus {
   std::vector<std::string> done;  ///< stages that were reported before
   std::chrono::steady_clock::time_point since{};  ///< when the job began
   std::vector<double> errors;  ///< of the fit that runs, step by step
-  std::shared_ptr<const updating::LiveFit> live;  ///< after the last step
+  std::shared_ptr<const updating::LiveFit> live = {};  ///< after the last step
 };
 
 class Worker {

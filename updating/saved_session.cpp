@@ -185,7 +185,8 @@ SavedSession session_from(const json& value) {
                 "overruled_hits",
                 "modes",
                 "effects",
-                "ladder"});
+                "ladder",
+                "undone"});  // what the terminal can redo, read by it
   SavedSession session;
   session.title = value.value("title", "");
   for (const json& hit : list_in(value, "overruled_hits")) {

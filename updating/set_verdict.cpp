@@ -12,12 +12,15 @@
 namespace tapfit::updating {
 namespace {
 
-// What the FRFs change with the force is a good part of what is left, or all.
+// What the FRFs change with the force is a good part of what is left. At the
+// floor nothing is, unless it is the change that lifts the floor: hits that
+// differ in force scatter by it.
 bool is_nonlinear(const signal::LevelFinding& level, const Diagnosis& result) {
   constexpr double part = 1.0 / 3.0;
-  if (!level.is_nonlinear()) return false;
-  const bool explained = result.error_best <= at_floor * result.floor;
-  return level.change >= (explained ? 1.0 : part) * result.error_best;
+  constexpr double most = 1.0 / 2.0;
+  return level.is_nonlinear() && level.change >= part * result.error_best &&
+         (result.error_best > at_floor * result.floor ||
+          level.change >= most * result.floor);
 }
 
 // A rung stands by itself where it explains far more than what changes with the
@@ -57,7 +60,11 @@ void name_nonlinearity(const signal::LevelFinding& level, Diagnosis& result) {
   for (std::size_t k = 0; k < own.size(); ++k) {
     if (own[k]) continue;
     const Rung& rung = result.ladder[k];
-    if (candidate.where.node == 0) candidate.where.node = rung.where.node;
+    const bool there = std::ranges::none_of(
+        rung.alike, [](const auto& other) { return other.where.node != 0; });
+    if (there && candidate.where.node == 0) {
+      candidate.where.node = rung.where.node;
+    }
     result.warnings.push_back(fmt::format(
         "{} at {} is what comes closest to the nonlinearity at the force that "
         "was used, not an effect by itself",
@@ -79,11 +86,11 @@ void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
     return;
   }
   // Three times the floor, or a tenth of the base error where the floor is far
-  // below what any model reaches.
-  if (result.error_best <=
-      std::max(3.0 * result.floor, 0.1 * result.error_base)) {
-    return;
-  }
+  // below what any model reaches. FRFs of nothing at all have an error of 1: a
+  // base that is worse, for its scale, lends no explanation to what is left.
+  constexpr double nothing = 1.0;
+  const double base = std::min(result.error_base, nothing);
+  if (result.error_best <= std::max(3.0 * result.floor, 0.1 * base)) return;
   result.warnings.push_back(fmt::format(
       "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
       "of {:.3g}: something else is missing",

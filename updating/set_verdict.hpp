@@ -11,8 +11,8 @@ namespace tapfit::updating {
 /// Where the FRFs change with the force by a good part of what is left, no
 /// linear model comes much closer: "nonlinearity" is part of the verdict then,
 /// and the first candidate. Rungs that explain little more than that change are
-/// its linear stand-ins; they are not named, but the first of them at a grid
-/// tells its place.
+/// its linear stand-ins; they are not named, but the first of them that is told
+/// from all other grids tells its place.
 ///
 /// @param level of the FRFs that the diagnosis was made on
 /// @param result with ladder, candidates and errors; gains the verdict, and

@@ -1,5 +1,5 @@
-// Measured FRFs of a suspended beam, made by others: a roving hammer past one
-// accelerometer. Their folder lies beside the project and is not part of it.
+#include "tests/modal/measured_beam.hpp"
+
 #include "modal/identify_modes.hpp"
 
 #include <fmt/format.h>
@@ -8,67 +8,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <numbers>
-#include <sstream>
 
 namespace tapfit {
 namespace {
 
-namespace fs = std::filesystem;
-
-const fs::path data = TAPFIT_SOURCE_DIR "/../shared/data/suspended-beam-frf";
-
-/// Lines of frequency, real and imaginary part; anything else is heading.
-signal::Frf read_frf(const fs::path& file,
-                     double low_hz,
-                     double high_hz,
-                     std::vector<double>& hz) {
-  std::ifstream in(file);
-  std::vector<std::complex<double>> values;
-  hz.clear();
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream numbers(line);
-    double f = 0.0;
-    double re = 0.0;
-    double im = 0.0;
-    if (!(numbers >> f >> re >> im) || f < low_hz || f > high_hz) continue;
-    hz.push_back(f);
-    values.emplace_back(re, im);
-  }
-  signal::Frf frf;
-  frf.H = Eigen::Map<Eigen::VectorXcd>(
-      values.data(), static_cast<Eigen::Index>(values.size()));
-  return frf;
-}
-
-signal::FrfSet read_beam() {
-  signal::FrfSet set;
-  std::vector<double> hz;
-  for (int point = 1; point <= 9; ++point) {
-    signal::Frf frf = read_frf(data / fmt::format("ASCII{:05d}", point) /
-                                   fmt::format("Hxysv{:05d}.txt", point),
-                               65.0,
-                               1010.0,
-                               hz);
-    frf.reference = {point, 1, 1};
-    frf.response = {4, 1, -1};  // at z = 0.5 m, where the fourth hit point is
-    frf.run = static_cast<std::size_t>(point - 1);
-    set.frfs.push_back(std::move(frf));
-  }
-  set.s.resize(static_cast<Eigen::Index>(hz.size()));
-  for (std::size_t k = 0; k < hz.size(); ++k) {
-    set.s(static_cast<Eigen::Index>(k)) = {0.0, 2.0 * std::numbers::pi * hz[k]};
-  }
-  return set;
-}
+using test::beam_data;
 
 TEST(MeasuredBeam, HasOneBendingModeInEachBandAndHardlyAnyDamping) {
-  if (!fs::exists(data)) GTEST_SKIP() << data << " is not there";
+  if (!std::filesystem::exists(beam_data))
+    GTEST_SKIP() << beam_data << " is not there";
   struct Noted {
     double low, high, hz;  // its makers' bands; what its note gives
   };
-  const signal::FrfSet frfs = read_beam();
+  const signal::FrfSet frfs = test::read_beam({1, 2, 3, 4, 5, 6, 7, 8, 9});
   for (const Noted& noted : {Noted{108.0, 116.0, 111.99},
                              Noted{300.0, 312.0, 306.86},
                              Noted{590.0, 600.0, 596.37},

@@ -47,6 +47,14 @@ TEST_F(ModelModesTest, DampingRatiosBelongToTheModesWithSpringsAndMasses) {
   EXPECT_LT(difference(model->respond(state, s_, false).H, expected), 1e-9);
 }
 
+// The lowest keeps what the lowest had, wherever it stands.
+TEST(ByOrder, FollowsTheFrequencies) {
+  const Eigen::Vector3d before(10.0, 30.0, 20.0);
+  const Eigen::Vector3d after(21.0, 11.0, 31.0);
+  EXPECT_EQ(by_order({5, 6, 7}, before, after), (std::vector<int>{7, 5, 6}));
+  EXPECT_EQ(by_order({5, 6, 7}, before, before), (std::vector<int>{5, 6, 7}));
+}
+
 // What goes into the modes is what its law says at every s.
 TEST_F(ModelModesTest, LosslessLawsAreSpringsAndMasses) {
   int lossless = 0;

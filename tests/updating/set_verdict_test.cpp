@@ -46,6 +46,13 @@ TEST(SetVerdict, NamesTheLadderNoneOrUnexplained) {
   EXPECT_EQ(far.warnings.size(), 1U);
 }
 
+// A base whose scale is off by a thousand leaves no excuse for an error of 1.
+TEST(SetVerdict, AWrongScaleExplainsNothing) {
+  Diagnosis diagnosis = with_mass(1.1);
+  diagnosis.error_base = 900.0;
+  EXPECT_EQ(verdict(diagnosis, {}), "unexplained");
+}
+
 TEST(SetVerdict, NonlinearityIsWhatNoLinearModelCanReach) {
   EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), changing(0.08)), "nonlinearity");
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.3)), "nonlinearity");
@@ -54,8 +61,10 @@ TEST(SetVerdict, NonlinearityIsWhatNoLinearModelCanReach) {
 }
 
 TEST(SetVerdict, SmallOrDoubtfulChangesAreNoVerdict) {
-  // At the floor: the change must be all that is left.
-  EXPECT_EQ(verdict(errors(0.02, 0.02, 0.02), changing(0.015)), "none");
+  // At a floor that the mesh makes.
+  EXPECT_EQ(verdict(errors(0.04, 0.04, 0.04), changing(0.015)), "none");
+  // At one that the change itself makes.
+  EXPECT_EQ(verdict(errors(0.5, 0.5, 0.6), changing(0.36)), "nonlinearity");
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.1)), "unexplained");
   signal::LevelFinding doubtful = changing(0.08);
   doubtful.p_value = 0.01;
@@ -79,6 +88,12 @@ TEST(SetVerdict, ALinearStandInTellsThePlaceOnly) {
   ASSERT_EQ(diagnosis.warnings.size(), 1U);
   EXPECT_NE(diagnosis.warnings[0].find("ground-spring at node 17"),
             std::string::npos);
+  // Grids that are not told apart are no place.
+  Where next;
+  next.node = 18;
+  diagnosis.ladder[0].alike = {{"ground-spring", next}};
+  set_verdict(changing(0.2), diagnosis);
+  EXPECT_EQ(diagnosis.candidates[0].where.node, 0);
 }
 
 }  // namespace
