@@ -17,14 +17,25 @@
 #include <Eigen/Core>
 #include <Eigen/SVD>
 
+#include <optional>
+
 namespace tapfit::updating {
+
+/// A point of the curve.
+struct LCurvePoint {
+  double lambda = 0.0;
+  double residual_norm = 0.0;
+  double solution_norm = 0.0;
+};
 
 struct LCurve {
   Eigen::VectorXd lambda;         ///< ascending
   Eigen::VectorXd residual_norm;  ///< ||S x - d||
   Eigen::VectorXd solution_norm;  ///< ||x||
   Eigen::VectorXd curvature;      ///< of the curve in logarithms
-  Eigen::Index corner = 0;        ///< position of the chosen lambda
+  Eigen::Index corner = 0;        ///< position of the largest curvature
+  /// Where a fit had its lambda from elsewhere.
+  std::optional<LCurvePoint> used = {};
 };
 
 /// A system S x = d taken apart once, for any lambda.

@@ -1,6 +1,7 @@
 #include "updating/update_record.hpp"
 
 #include "updating/estimates.hpp"
+#include "updating/prior_l_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -118,7 +119,7 @@ UpdateRecord record_of(const Fit& fit,
   for (const UpdateStep& step : result.history) {
     record.steps.push_back(recorded(step, named));
   }
-  record.l_curve = result.l_curve;
+  record.l_curve = result.l_curve ? result.l_curve : prior_l_curve(result);
   identify(result, named, record);
   return record;
 }

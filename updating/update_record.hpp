@@ -38,7 +38,9 @@ struct UpdateRecord {
   /// Uncertain properties, then "EFFECT NAME"; the damping is left out.
   std::vector<std::string> parameters;
   std::vector<RecordedStep> steps;  ///< of each stage its start first
-  std::optional<LCurve> l_curve;    ///< of the first step; default fits: none
+  /// Of the first step where lambda was a choice, of the last one where the
+  /// priors gave it; none where nothing has a prior.
+  std::optional<LCurve> l_curve;
   Identifiability identifiability;  ///< from the data alone, damping along
   /// Groups of names that the data cannot tell apart.
   std::vector<std::vector<std::string>> confounded;

@@ -164,6 +164,8 @@ UpdateResult update(const FrfModel& model,
   result.covariance = parameter_covariance(target, at->J, at->r, prior.sd);
   result.jacobian = at->J;
   result.residual = at->r;
+  result.prior = prior;
+  result.lambda = at->r.norm() / std::sqrt(data);
   if (result.converged) result.message = "converged";
   return result;
 }

@@ -50,6 +50,8 @@ struct UpdateResult {
   bool converged = false;
   std::string message;                 ///< why it stopped
   std::optional<LCurve> l_curve = {};  ///< where lambda was a choice
+  Prior prior = {};                    ///< where it was not
+  double lambda = 0.0;                 ///< the prior's at the end, see above
 };
 
 /// Never returns a state with a larger J than the one given.

@@ -7,6 +7,7 @@
 #include "updating/fitter.hpp"
 #include "updating/live_fit.hpp"
 #include "updating/plain_fit.hpp"
+#include "updating/prior_l_curve.hpp"
 #include "updating/signature.hpp"
 #include "updating/signature_map.hpp"
 #include "updating/update_record.hpp"
@@ -161,6 +162,27 @@ TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
     return (live.model - live.measured).norm() / live.measured.norm();
   };
   EXPECT_LT(apart(last), 0.5 * apart(seen.front()));
+}
+
+// The fit's own answer is the point of the curve at the prior's lambda.
+TEST(UpdaterTest, ThePriorsLambdaIsAPointOfTheLCurve) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, 3);
+  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.01)};
+  const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
+  const std::optional<LCurve> curve = prior_l_curve(fit.result);
+  ASSERT_TRUE(curve && curve->used);
+  double square = 0.0;
+  const Eigen::VectorXd theta = pack(fit.result.state);
+  for (Index k = 0; k < theta.size(); ++k) {
+    const double sd = fit.result.prior.sd(k);
+    if (!std::isfinite(sd)) continue;
+    square += std::pow((theta(k) - fit.result.prior.mean(k)) / sd, 2);
+  }
+  // As far as the fit has converged.
+  EXPECT_NEAR(curve->used->solution_norm, std::sqrt(square), 1e-3);
+  EXPECT_NEAR(
+      curve->used->residual_norm, fit.result.error, 1e-3 * fit.result.error);
+  EXPECT_LT(curve->lambda(0), curve->used->lambda);
 }
 
 TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {

@@ -44,12 +44,14 @@ ordered_json steps_json(const UpdateRecord& record) {
 
 ordered_json l_curve_json(const std::optional<updating::LCurve>& curve) {
   if (!curve || curve->lambda.size() == 0) return nullptr;
-  return {{"lambda", listed(curve->lambda)},
-          {"residual_norm", listed(curve->residual_norm)},
-          {"solution_norm", listed(curve->solution_norm)},
-          {"curvature", listed(curve->curvature)},
-          {"corner", curve->corner},
-          {"corner_lambda", curve->lambda(curve->corner)}};
+  ordered_json json = {{"lambda", listed(curve->lambda)},
+                       {"residual_norm", listed(curve->residual_norm)},
+                       {"solution_norm", listed(curve->solution_norm)},
+                       {"curvature", listed(curve->curvature)},
+                       {"corner", curve->corner},
+                       {"corner_lambda", curve->lambda(curve->corner)}};
+  if (curve->used) json["prior_lambda"] = curve->used->lambda;
+  return json;
 }
 
 ordered_json correlation_json(const UpdateRecord& record) {
@@ -131,6 +133,7 @@ std::string correlation_text(const UpdateRecord& record) {
 std::string l_curve_text(const UpdateRecord& record) {
   if (!record.l_curve || record.l_curve->lambda.size() == 0) return {};
   const updating::LCurve& curve = *record.l_curve;
+  if (curve.used) return {};  // nobody asked for it
   TextTable table({"lambda", "|S x - d|", "|x|", "<L-curve, first step"});
   const Eigen::Index points = curve.lambda.size();
   const Eigen::Index every =

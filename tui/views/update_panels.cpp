@@ -88,12 +88,13 @@ void draw_live_parameter(Screen& screen,
   const NameAndUnit split = split_unit(p.name);
   const int room = line.width - 1;
   const int words = room / 2;
-  screen.text(
-      line.x + 1,
-      line.y,
-      fmt::format("{} {} {}", split.name, with_sd(p.value, p.sd), split.unit),
-      {},
-      words - 1);
+  // What tells parameters apart stands at a name's end; numbers are not cut.
+  const std::string value =
+      fmt::format("{} {}", with_sd(p.value, p.sd), split.unit);
+  const int left = words - 2 - text_width(value);
+  screen.text(line.x + 1,
+              line.y,
+              left > 3 ? clipped(split.name, left) + " " + value : value);
   const std::string low = number(p.lower, 2);
   const std::string high = number(p.upper, 2);
   const int bar = room - words - text_width(low) - text_width(high) - 2;
@@ -229,11 +230,10 @@ void draw_l_curve(Screen& screen,
                   const UpdateRecord& record) {
   if (!record.l_curve || record.l_curve->lambda.size() < 2) {
     int y = rect.y + 1;
-    for (const std::string& line :
-         wrapped("This fit had the priors of `uncertain` as regularisation, so "
-                 "that there was no lambda to choose. With --lambda l-curve "
-                 "`tapfit update` chooses it at the L-curve's corner.",
-                 rect.width - 2)) {
+    for (const std::string& line : wrapped(
+             "Nothing that was fitted here has a prior, so that there is no "
+             "lambda to choose.",
+             rect.width - 2)) {
       screen.text(rect.x + 1, y++, line, {}, rect.width - 2);
     }
     return;
@@ -242,6 +242,14 @@ void draw_l_curve(Screen& screen,
   Plot plot;
   plot.title = fmt::format("L-curve, corner at lambda {}",
                            number(l.lambda[l.corner], 3));
+  if (l.used) {
+    plot.title +=
+        fmt::format(" (●); the priors' is {} (◆)", number(l.used->lambda, 3));
+    plot.spots.push_back({l.used->residual_norm,
+                          l.used->solution_norm,
+                          U'◆',
+                          {.colour = Colour::Green, .bold = true}});
+  }
   plot.x = {"|S x - d|",
             "",
             l.residual_norm.minCoeff() / 1.05,
