@@ -3,6 +3,7 @@
 #include "updating/effects/catalogue.hpp"
 #include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
+#include "updating/run_drift.hpp"
 #include "updating/rung_search.hpp"
 #include "updating/set_verdict.hpp"
 
@@ -332,6 +333,11 @@ Diagnosis diagnose(const Fitter& fitter,
     ladder = climbed(used, present, options, progress);
   }
   Diagnosis result = std::move(ladder.diagnosis);
+  if (const auto drift = run_drift(ladder.top, used.target());
+      drift && is_telling(*drift)) {
+    result.warnings.push_back(statement(*drift));
+    if (result.verdict == "none") result.verdict = "unexplained";
+  }
   for (const Misplaced& point : misplaced) {
     result.warnings.push_back(describe(point) + "; its FRFs are left out");
   }

@@ -151,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(
         FixedCase{30, "frame", "wrong-grid"},
         FixedCase{31, "portal", "wrong-grid"},
         FixedCase{32, "ladder", "nonlinearity"},
-        FixedCase{33, "frame", "nonlinearity"}),
+        FixedCase{33, "frame", "nonlinearity"},
+        FixedCase{34, "frame", "drift"}),
     name_of);
 
 }  // namespace
