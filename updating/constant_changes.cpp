@@ -37,20 +37,31 @@ void add_unit(const PlacedEffect& placed,
   }
 }
 
-}  // namespace
-
-bool goes_into_modes(const PlacedEffect& placed,
-                     const effects::Setting& setting,
-                     const std::vector<std::size_t>& runs) {
+// Whether an effect on few degrees of freedom is alike in these runs.
+bool stays(const PlacedEffect& placed,
+           const effects::Setting& setting,
+           const std::vector<std::size_t>& runs) {
   const effects::Effect& effect = *placed.effect;
-  if (runs.empty() || effect.entry() != effects::Entry::LowRank ||
-      !effect.is_lossless()) {
-    return false;
-  }
+  if (runs.empty() || effect.entry() != effects::Entry::LowRank) return false;
   const auto acts = effect.acts_on(placed.where, setting, runs.front());
   return std::all_of(runs.begin() + 1, runs.end(), [&](std::size_t run) {
     return effect.acts_on(placed.where, setting, run) == acts;
   });
+}
+
+}  // namespace
+
+std::vector<PlacedEffect> beside_modes(const ModelState& state,
+                                       const effects::Setting& setting,
+                                       const std::vector<std::size_t>& runs) {
+  std::vector<PlacedEffect> rest = state.effects;
+  for (PlacedEffect& placed : rest) {
+    if (!stays(placed, setting, runs)) continue;
+    for (std::size_t p = 0; p < placed.p.size(); ++p) {
+      if (placed.effect->is_lossless(p)) placed.p[p] = 0.0;
+    }
+  }
+  return rest;
 }
 
 std::vector<ConstantChange> constant_changes(
@@ -61,8 +72,9 @@ std::vector<ConstantChange> constant_changes(
   std::vector<ConstantChange> changes;
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
-    if (!goes_into_modes(placed, setting, runs)) continue;
+    if (!stays(placed, setting, runs)) continue;
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
+      if (!placed.effect->is_lossless(p)) continue;
       changes.push_back({e, p, {}, {}});
       add_unit(placed, setting, runs.front(), base, changes.back());
     }

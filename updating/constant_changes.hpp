@@ -22,12 +22,14 @@ struct ConstantChange {
   Eigen::MatrixXd dM;         ///< per unit of the parameter
 };
 
-/// Whether the effect is one of springs and masses, alike in these runs.
-[[nodiscard]] bool goes_into_modes(const PlacedEffect& placed,
-                                   const effects::Setting& setting,
-                                   const std::vector<std::size_t>& runs);
+/// The state's effects without the springs and masses that go into the modes:
+/// their parameters are zero.
+[[nodiscard]] std::vector<PlacedEffect> beside_modes(
+    const ModelState& state,
+    const effects::Setting& setting,
+    const std::vector<std::size_t>& runs);
 
-/// Of every effect of the state that goes into the modes.
+/// Of every parameter of the state that goes into the modes.
 /// @param runs the measured ones
 [[nodiscard]] std::vector<ConstantChange> constant_changes(
     const ModelState& state,

@@ -43,6 +43,14 @@ MatrixXd damping_factor(const structure::Deck& deck, const MatrixXd& rows) {
          c.tail(rank).cwiseSqrt().asDiagonal();
 }
 
+// Whether Woodbury's formula has anything left to add.
+bool acts_beside(const PlacedEffect& placed) {
+  return placed.effect->entry() == effects::Entry::LowRank &&
+         std::any_of(placed.p.begin(), placed.p.end(), [](double p) {
+           return p != 0.0;
+         });
+}
+
 }  // namespace
 
 bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
@@ -109,10 +117,6 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
   return solve_modes(K, M);
 }
 
-bool FrfModel::goes_into_modes(const PlacedEffect& effect) const {
-  return updating::goes_into_modes(effect, setting_, runs_);
-}
-
 std::vector<ConstantChange> FrfModel::changes_of(
     const ModelState& state) const {
   return constant_changes(state, setting_, runs_, base_);
@@ -124,10 +128,8 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
       2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
-  for (const PlacedEffect& e : state.effects) {
-    if (e.effect->entry() != effects::Entry::LowRank || goes_into_modes(e)) {
-      continue;
-    }
+  for (const PlacedEffect& e : beside_modes(state, setting_, runs_)) {
+    if (!acts_beside(e)) continue;
     for (const std::size_t run : runs_) {
       for (const effects::ActedDof& dof :
            e.effect->acts_on(e.where, setting_, run)) {
@@ -201,6 +203,7 @@ ModalState FrfModel::modal_state(const ModelState& state) const {
   shared.modes = base_modes(state);
   shared.owner = damping_owners(state, shared.modes);
   shared.changes = changes_of(state);
+  shared.beside = beside_modes(state, setting_, runs_);
   if (!shared.changes.empty()) {
     BaseModes loaded = modes_with(shared.modes, shared.changes, state);
     shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
@@ -263,12 +266,9 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
     lines.actors.push_back({});
     rows.emplace_back(phi.transpose() * dashpots_.col(k));
   }
-  for (std::size_t e = 0; e < shared.state->effects.size(); ++e) {
-    const PlacedEffect& placed = shared.state->effects[e];
-    if (placed.effect->entry() != effects::Entry::LowRank ||
-        goes_into_modes(placed)) {
-      continue;
-    }
+  for (std::size_t e = 0; e < shared.beside.size(); ++e) {
+    const PlacedEffect& placed = shared.beside[e];
+    if (!acts_beside(placed)) continue;
     for (const effects::ActedDof& dof :
          placed.effect->acts_on(placed.where, setting_, run)) {
       const VectorXd b =

@@ -99,7 +99,6 @@ class FrfModel {
 
  private:
   [[nodiscard]] ModalState modal_state(const ModelState& state) const;
-  [[nodiscard]] bool goes_into_modes(const PlacedEffect& effect) const;
   [[nodiscard]] std::vector<ConstantChange> changes_of(
       const ModelState& state) const;
   // By which parameters the modes turn, and how.

@@ -35,7 +35,7 @@ MatrixXcd RunLines::coupling(complex<double> s, const VectorXcd& g) const {
       D(a) = s;
       continue;
     }
-    const PlacedEffect& placed = shared->state->effects[*actor.effect];
+    const PlacedEffect& placed = shared->beside[*actor.effect];
     D(a) = actor.weight * placed.effect->law(s, placed.p, actor.group);
   }
   MatrixXcd core = B.transpose() * (g.asDiagonal() * B) * D.asDiagonal();
@@ -150,7 +150,8 @@ void RunLines::derive_effects(const Line& line, ModelResponse& out) const {
   const MatrixXcd BXi = B.transpose() * line.i.X;
   for (std::size_t a = 0; a < actors.size(); ++a) {
     if (!actors[a].effect) continue;
-    const PlacedEffect& placed = shared->state->effects[*actors[a].effect];
+    // What is in the modes is zero here, and so is its slope.
+    const PlacedEffect& placed = shared->beside[*actors[a].effect];
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       const complex<double> dz =
           actors[a].weight * placed.p[p] *

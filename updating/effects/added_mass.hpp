@@ -22,7 +22,7 @@ class AddedMass final : public PointEffect {
   [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
                                               const Setting& setting,
                                               std::size_t run) const override;
-  [[nodiscard]] bool is_lossless() const override { return true; }
+  [[nodiscard]] bool is_lossless(std::size_t) const override { return true; }
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,
                                          std::size_t group) const override;

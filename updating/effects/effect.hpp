@@ -119,8 +119,11 @@ class Effect {
   [[nodiscard]] virtual std::complex<double> law(std::complex<double> s,
                                                  const std::vector<double>& p,
                                                  std::size_t group) const = 0;
-  /// Whether law = sum of p_k (stiffness_k + s^2 mass_k): springs and masses.
-  [[nodiscard]] virtual bool is_lossless() const { return false; }
+  /// Whether parameter k adds p_k (stiffness_k + s^2 mass_k) to the law: a
+  /// spring or a mass.
+  [[nodiscard]] virtual bool is_lossless(std::size_t /*k*/) const {
+    return false;
+  }
   /// d law / d p_k.
   [[nodiscard]] virtual std::complex<double> law_derivative(
       std::complex<double> s,

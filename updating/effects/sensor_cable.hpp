@@ -22,6 +22,10 @@ class SensorCable final : public Effect {
   [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
                                               const Setting& setting,
                                               std::size_t run) const override;
+  /// The spring; the damper is not.
+  [[nodiscard]] bool is_lossless(std::size_t k) const override {
+    return k == 0;
+  }
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,
                                          std::size_t group) const override;
