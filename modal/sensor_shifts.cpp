@@ -260,8 +260,9 @@ std::string statement(const PoleShifts& shifts,
       break;
   }
   return fmt::format(
-      "frequencies move by up to {:.2g} % between set-ups, not in proportion "
-      "to the squared shape: not like a sensor's mass",
+      "frequencies move by up to {:.2g} % between set-ups, not clearly in "
+      "proportion to the squared shape: something else changed, or the sensors "
+      "are so heavy, or the set-ups so few, that this does not tell",
       100.0 * shifts.largest);
 }
 

@@ -202,6 +202,7 @@ class Climb {
   }
 
  private:
+  bool try_to_add(bool first, RungSearch::Depth depth);
   [[nodiscard]] bool is_explained() const {
     return current_.result.error <= at_floor * options_.floor;
   }
@@ -240,8 +241,17 @@ bool Climb::step(bool first) {
   // are still worked out for show.
   if (!first && is_explained()) return false;
   using Depth = RungSearch::Depth;
-  const Round round =
-      search_.look(current_, first ? Depth::Thorough : Depth::Quick);
+  if (try_to_add(first, first ? Depth::Thorough : Depth::Quick)) return true;
+  // What the screening passes over is looked at before much is left
+  // unexplained; a stiffness that changes from run to run is no place's.
+  if (current_.result.error <= clear_of_floor * options_.floor) return false;
+  const auto drift = run_drift(current_, fitter_->target());
+  if (drift && is_telling(*drift)) return false;
+  return try_to_add(first, Depth::LastResort);
+}
+
+bool Climb::try_to_add(bool first, RungSearch::Depth depth) {
+  const Round round = search_.look(current_, depth);
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (is_explained() || round.hypotheses.empty()) return false;
   auto [best, worth] = choose(round, first);
@@ -250,7 +260,7 @@ bool Climb::step(bool first) {
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
   chosen_.push_back(
-      {best == 0 ? group_name(round) : added.own().effect->name(),
+      {best == 0 ? group_name(round, 0) : added.own().effect->name(),
        round.probability[best + 1],
        best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
   current_ = added.fit;
@@ -261,6 +271,19 @@ bool Climb::step(bool first) {
   }
   held_out_ = fitter_->held_out_error(current_, folds, progress_);
   return true;
+}
+
+void warn_of_bounds(Diagnosis& result) {
+  for (const Rung& rung : result.ladder) {
+    for (const Estimate& e : rung.parameters) {
+      if (!e.at_bound) continue;
+      result.warnings.push_back(
+          rung.added + " " + e.name +
+          " ended at its bound: the fit would go on, and what was found beside "
+          "it may only make up for that");
+      break;
+    }
+  }
 }
 
 // The error ladder of the FRFs that a fitter has, and the fit at its top.
@@ -290,6 +313,7 @@ Climbed climbed(const Fitter& fitter,
   result.next = next_measurements(found, result.ladder, fitter, progress);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(found, options.properties);
+  warn_of_bounds(result);
   set_verdict(fitter.setting().measured.level, result);
   return {std::move(result), found};
 }

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace tapfit::updating {
 namespace {
 
 constexpr std::size_t few_places = 8;
+// A climb goes on while it gains: across a structure if need be.
+constexpr int most_steps = 40;
 // Patches are looked at more closely where their best leaves at most this times
 // the error of the best of all: each costs a base of its own.
 constexpr double rival = 4.0;
@@ -81,8 +84,27 @@ double overlap(const std::vector<int>& a, const std::vector<int>& b) {
   return common / (static_cast<double>(a.size() + b.size()) - common);
 }
 
-// Places that are most like one: the nearest grids, or the patches that share
-// most elements.
+Eigen::Vector3d middle(const structure::Deck& deck,
+                       const std::vector<int>& grids) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int id : grids) sum += deck.grids[deck.grid_index(id)].position;
+  return sum / static_cast<double>(grids.size());
+}
+
+// How far a patch or a seam is from another: elements that are not shared,
+// metres between the middles. Empty where they have nothing in common.
+std::optional<double> distance(const Where& a,
+                               const Where& b,
+                               const structure::Deck& deck) {
+  if (!a.nodes.empty() && !b.nodes.empty()) {
+    return (middle(deck, a.nodes) - middle(deck, b.nodes)).norm();
+  }
+  const double shared = overlap(a.elements, b.elements);
+  return shared > 0.0 ? std::optional(-shared) : std::nullopt;
+}
+
+// Places that are most like one: the nearest grids, the nearest seams, or the
+// patches that share most elements.
 std::vector<Where> places_near(const Where& at,
                                const std::vector<Where>& patches,
                                const structure::Deck& deck,
@@ -97,8 +119,9 @@ std::vector<Where> places_near(const Where& at,
   }
   std::vector<std::pair<double, Where>> order;
   for (const Where& where : patches) {
-    const double shared = overlap(where.elements, at.elements);
-    if (shared > 0.0) order.emplace_back(-shared, where);
+    if (const auto far = distance(where, at, deck)) {
+      order.emplace_back(*far, where);
+    }
   }
   std::stable_sort(order.begin(), order.end(), [](auto& a, auto& b) {
     return a.first < b.first;
@@ -128,7 +151,7 @@ void climb(std::vector<Hypothesis>& found,
       any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
   std::vector<Where> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
-  for (int round = 0; round < 6; ++round) {
+  for (int round = 0; round < most_steps; ++round) {
     const auto best = std::min_element(found.begin(), found.end(), less_error);
     const PlacedEffect own = best->own();
     const double before = best->fit.result.error;
@@ -157,8 +180,21 @@ void climb(std::vector<Hypothesis>& found,
   }
 }
 
-// What is worth a full fit of one kind: its best screened places, or all where
-// it is not screened.
+// Whether a climb from one place would look at the other anyway.
+bool within_reach(const Where& from,
+                  const Where& to,
+                  const structure::Deck& deck,
+                  int neighbours) {
+  if (from.node != 0) {
+    const std::vector<int> around = nearest(deck, from.node, neighbours);
+    return std::ranges::find(around, to.node) != around.end();
+  }
+  return share(from.nodes, to.nodes) ||
+         overlap(from.elements, to.elements) > 0.5;
+}
+
+// What is worth a full fit of one kind: its best screened places, apart from
+// each other where a climb goes on from them, or all where it is not screened.
 std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
                                         const Fit& current,
                                         const std::vector<Screened>& screened,
@@ -167,16 +203,38 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
   std::vector<PlacedEffect> tries;
   // Sensors and channels are few and each differs from the others.
   const bool few = effect.places(setting).size() <= few_places;
-  bool seen = false;
+  const int most_places =
+      effect.changes_stiffness() == ChangeKind::Joint
+          ? std::max(options.places_per_kind, options.joints)
+          : options.places_per_kind;
+  const auto is_new = [&](const Screened& s) {
+    const bool known =
+        !few && options.neighbours > 0 &&
+        std::ranges::any_of(tries, [&](const PlacedEffect& other) {
+          return within_reach(
+              other.where, s.placed.where, *setting.deck, options.neighbours);
+        });
+    return !known && !present(current, s.placed);
+  };
+  const Screened* likely = nullptr;
   for (const Screened& s : screened) {
     if (s.placed.effect != &effect) continue;
-    seen = true;
-    const auto count = static_cast<int>(tries.size());
-    if (!few && count == options.places_per_kind) break;
-    if (s.error > options.promising * screened.front().error) break;
-    if (!present(current, s.placed)) tries.push_back(s.placed);
+    if (likely == nullptr || s.any_law < likely->any_law) likely = &s;
   }
-  if (seen) return tries;
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    const auto count = static_cast<int>(tries.size());
+    if (!few && count == most_places) break;
+    if (s.error > options.promising * screened.front().error) break;
+    if (is_new(s)) tries.push_back(s.placed);
+  }
+  // The grid that explains most whatever the law: sizes far from the model's
+  // are screened too coarsely to be told by them.
+  if (likely != nullptr && likely->any_law > 0.0 && options.neighbours > 0 &&
+      is_new(*likely)) {
+    tries.push_back(likely->placed);
+  }
+  if (likely != nullptr) return tries;
   for (const Where& where : effect.places(setting)) {
     const PlacedEffect p = placed(effect, where, setting);
     if (!present(current, p)) tries.push_back(p);
@@ -224,7 +282,10 @@ void climb_patches(std::vector<Kind>& kinds,
   double least = 1e300;
   for (const Kind& kind : kinds) least = std::min(least, kind.error());
   for (Kind& kind : kinds) {
-    if (kind.effect->changes_stiffness() != ChangeKind::Elements) continue;
+    const auto changes = kind.effect->changes_stiffness();
+    if (changes != ChangeKind::Elements && changes != ChangeKind::Joint) {
+      continue;
+    }
     if (kind.error() > rival * least) continue;
     climb(kind.found, current, fitter, neighbours, progress);
   }

@@ -22,6 +22,7 @@ struct HypothesisOptions {
   int neighbours = 8;
   /// Only places whose screened error is within this factor of the least.
   double promising = 1e300;
+  int joints = 0;  ///< of the screened places, where more than places_per_kind
 };
 
 /// @return fitted hypotheses, kind after kind; their evidence is not set

@@ -264,7 +264,8 @@ StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
   term.upper = worst / 1e-4;
   term.absent = term.upper;
   term.start = worst / 0.1;
-  term.lower = worst / 4.0;
+  // A hundredth of where the first order would leave no stiffness: a hinge.
+  term.lower = worst / 100.0;
   return term;
 }
 

@@ -20,21 +20,27 @@ constexpr int kinds_tried_first = 4;
 // the list is no longer for show: the screening is good to a few tens of
 // percent.
 constexpr double promising = 2.0;
+// Of those that the screening puts first, in the end.
+constexpr int many_joints = 24;
 // An effect found again, or a weaker one put first, must be this much better
 // to take the place.
 constexpr double better = 0.98;
 
-// How sure an effect is among all that was tried with it, none included.
-void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
-  it.probability = 0.0;
-  it.alike.clear();
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const PlacedEffect& own = round.hypotheses[k].own();
-    if (own.effect != effect.effect || own.where != effect.where) continue;
-    it.probability = round.probability[k + 1];
-    it.alike = look_alikes(round, k);
-    return;
-  }
+// Whether two explanations say the same of all that was measured. Their
+// evidence may still differ by the number of places that were looked at.
+bool predict_alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double same = 0.1;
+  const Eigen::VectorXd& ra = a.fit.result.residual;
+  const Eigen::VectorXd& rb = b.fit.result.residual;
+  return ra.size() == rb.size() && ra.size() > 0 &&
+         (ra - rb).norm() <= same * std::min(ra.norm(), rb.norm());
+}
+
+// A law with more parameters may contain the simpler one.
+bool is_rival(const Hypothesis& other, const Hypothesis& of) {
+  const double apart = std::abs(other.log_evidence - of.log_evidence);
+  return apart <= look_alike || (other.own().p.size() <= of.own().p.size() &&
+                                 predict_alike(other, of));
 }
 
 std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
@@ -48,32 +54,38 @@ std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
 // A kind is as probable as all its places together. A law with more parameters
 // at the same place contains the simpler one and is no rival of it unless its
 // evidence is better.
-std::string group_name(const Round& round) {
-  const Hypothesis& best = round.hypotheses.front();
-  std::vector<std::pair<std::string, double>> kinds;
+std::string group_name(const Round& round, std::size_t of) {
+  struct Kind {
+    std::string name;
+    double probability = 0.0;
+    bool alike = false;  // one of its places says the same
+  };
+  const Hypothesis& own = round.hypotheses[of];
+  std::vector<Kind> kinds{{own.own().effect->name()}};
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const Hypothesis& h = round.hypotheses[k];
-    const bool contains = h.own().where == best.own().where &&
-                          h.own().p.size() > best.own().p.size();
+    const bool contains = h.own().where == own.own().where &&
+                          h.own().p.size() > own.own().p.size();
     if (contains) continue;
     const std::string name = h.own().effect->name();
-    const auto it =
-        std::find_if(kinds.begin(), kinds.end(), [&name](const auto& kind) {
-          return kind.first == name;
-        });
-    if (it == kinds.end()) {
-      kinds.emplace_back(name, round.probability[k + 1]);
-    } else {
-      it->second += round.probability[k + 1];
-    }
+    auto it = std::ranges::find(kinds, name, &Kind::name);
+    if (it == kinds.end()) it = kinds.insert(kinds.end(), {name});
+    it->probability += round.probability[k + 1];
+    it->alike =
+        it->alike || (k != of && h.own().p.size() <= own.own().p.size() &&
+                      predict_alike(h, own));
   }
-  std::string group = kinds.front().first;
-  const double least = kinds.front().second * std::exp(-look_alike);
-  std::stable_sort(kinds.begin() + 1, kinds.end(), [](auto& a, auto& b) {
-    return a.second > b.second;
+  const double least = kinds.front().probability * std::exp(-look_alike);
+  std::erase_if(kinds, [&](const Kind& kind) {
+    return &kind != &kinds.front() && !kind.alike && kind.probability <= least;
   });
+  std::stable_sort(
+      kinds.begin() + 1, kinds.end(), [](const Kind& a, const Kind& b) {
+        return a.probability > b.probability;
+      });
+  std::string group = kinds.front().name;
   for (std::size_t k = 1; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
-    if (kinds[k].second > least) group += "|" + kinds[k].first;
+    group += "|" + kinds[k].name;
   }
   return group;
 }
@@ -82,13 +94,29 @@ std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
   std::vector<EffectRef> alike;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const Hypothesis& other = round.hypotheses[k];
-    const double apart =
-        std::abs(other.log_evidence - round.hypotheses[of].log_evidence);
-    if (k == of || apart > look_alike) continue;
+    if (k == of || !is_rival(other, round.hypotheses[of])) continue;
     alike.push_back({other.own().effect->name(), other.own().where});
   }
   return alike;
 }
+
+namespace {
+
+// How sure an effect is among all that was tried with it, none included.
+void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
+  it.probability = 0.0;
+  it.alike.clear();
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& own = round.hypotheses[k].own();
+    if (own.effect != effect.effect || own.where != effect.where) continue;
+    it.name = group_name(round, k);
+    it.probability = round.probability[k + 1];
+    it.alike = look_alikes(round, k);
+    return;
+  }
+}
+
+}  // namespace
 
 RungSearch::RungSearch(const Fitter& fitter,
                        const DiagnoseOptions& options,
@@ -103,11 +131,12 @@ Fit RungSearch::refit(const std::vector<PlacedEffect>& effects) const {
 }
 
 Round RungSearch::look(const Fit& current, Depth depth) const {
-  const bool thorough = depth == Depth::Thorough;
+  const bool thorough = depth >= Depth::Thorough;
   HypothesisOptions options;
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
   options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
   options.promising = thorough ? 1e300 : promising;
+  if (depth == Depth::LastResort) options.joints = many_joints;
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress_);
   const Target& target = fitter_->target();
@@ -177,7 +206,7 @@ Fit RungSearch::relocate(Fit fit,
     fit = best.fit;
     chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     chosen.push_back(
-        {group_name(round), round.probability[1], look_alikes(round, 0)});
+        {group_name(round, 0), round.probability[1], look_alikes(round, 0)});
   }
   return fit;
 }

@@ -33,11 +33,12 @@ extern const double very_strong;
 /// A fit within this factor of the floor leaves nothing to explain.
 extern const double at_floor;
 
-/// Kinds whose best hypothesis is not told apart from the best of all, joined
-/// with "|"; at most three.
-[[nodiscard]] std::string group_name(const Round& round);
+/// Its kind and those that are not told apart from it, joined with "|"; at most
+/// three.
+[[nodiscard]] std::string group_name(const Round& round, std::size_t of);
 
-/// The other hypotheses that are not told apart from one.
+/// The other hypotheses that are not told apart from one: their evidence is, or
+/// they say the same of all that was measured with no more parameters.
 [[nodiscard]] std::vector<EffectRef> look_alikes(const Round& round,
                                                  std::size_t of);
 
@@ -48,9 +49,10 @@ class RungSearch {
              const Progress& progress);
 
   enum class Depth {
-    Quick,    ///< only what the screening finds promising, at its best place
-    Nearby,   ///< the same, and better places around
-    Thorough  ///< several places of every kind, and better ones around
+    Quick,      ///< only what the screening finds promising, at its best place
+    Nearby,     ///< the same, and better places around
+    Thorough,   ///< several places of every kind, and better ones around
+    LastResort  ///< many joints besides: a soft one is far from first order
   };
 
   /// Everything that could be added to the model as it is.

@@ -159,11 +159,13 @@ class Screening {
     const std::size_t kinds = places_.point_kinds.size();
     std::vector<Screened> result(places_.nodes.size() * kinds);
     for_each_parallel(places_.nodes.size(), [&](std::size_t b) {
+      const double any_law = place_scan_.any_law(b);
       for (std::size_t k = 0; k < kinds; ++k) {
         const effects::Effect& effect = *places_.point_kinds[k];
         result[b * kinds + k] = scanned(
             effect.parameters(where(b), setting_),
             [&](const auto& tried) { return best_at_grid(b, effect, tried); });
+        result[b * kinds + k].any_law = any_law;
       }
     });
     return result;

@@ -20,6 +20,9 @@ namespace tapfit::updating {
 struct Screened {
   PlacedEffect placed;
   double error = 0.0;  ///< relative FRF error it would leave
+  /// What the best law of frequency at its grid would leave, nothing
+  /// readjusting; 0: not worked out.
+  double any_law = 0.0;
 };
 
 /// Screens the effects of the catalogue that may sit at many places.

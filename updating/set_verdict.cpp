@@ -20,7 +20,7 @@ bool is_nonlinear(const signal::LevelFinding& level, const Diagnosis& result) {
   constexpr double most = 1.0 / 2.0;
   return level.is_nonlinear() && level.change >= part * result.error_best &&
          (result.error_best > at_floor * result.floor ||
-          level.change >= most * result.floor);
+          level.change >= most * std::min(result.floor, result.error_best));
 }
 
 // A rung stands by itself where it explains far more than what changes with the
