@@ -29,6 +29,63 @@ ordered_json frac_json(const updating::Comparison& comparison,
   return frac;
 }
 
+ordered_json frf_error_json(const updating::Comparison& comparison,
+                            const signal::FrfSet& frfs) {
+  ordered_json errors = ordered_json::object();
+  for (std::size_t k = 0; k < comparison.frf_error.size(); ++k) {
+    const std::string key = name(frfs.frfs.at(k));
+    const double value = comparison.frf_error[k];
+    errors[key] = std::max(value, errors.value(key, value));
+  }
+  return errors;
+}
+
+ordered_json bands_json(const updating::Comparison& comparison) {
+  ordered_json bands = ordered_json::array();
+  for (const auto& band : comparison.bands) {
+    bands.push_back({{"low_hz", band.low_hz},
+                     {"high_hz", band.high_hz},
+                     {"error", band.error}});
+  }
+  return bands;
+}
+
+bool has_comac(const updating::Comparison& comparison,
+               const std::vector<Dof>& dofs) {
+  return !comparison.pairs.empty() &&
+         comparison.comac.size() == static_cast<Eigen::Index>(dofs.size());
+}
+
+ordered_json comac_json(const updating::Comparison& comparison,
+                        const std::vector<Dof>& dofs) {
+  ordered_json comac = ordered_json::object();
+  if (!has_comac(comparison, dofs)) return comac;
+  for (std::size_t k = 0; k < dofs.size(); ++k) {
+    comac[name(dofs[k])] = comparison.comac(static_cast<Eigen::Index>(k));
+  }
+  return comac;
+}
+
+/// "  CoMAC at worst 0.871 at 12Z+, 0.902 at 3Z+".
+std::string comac_text(const updating::Comparison& comparison,
+                       const std::vector<Dof>& dofs) {
+  if (!has_comac(comparison, dofs) || dofs.empty()) return {};
+  std::vector<std::size_t> order(dofs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto comac = [&comparison](std::size_t k) {
+    return comparison.comac(static_cast<Eigen::Index>(k));
+  };
+  std::ranges::sort(order, std::less{}, comac);
+  std::string text = "  CoMAC at worst";
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
+    text += fmt::format("{} {:.3f} at {}",
+                        k == 0 ? "" : ",",
+                        comac(order[k]),
+                        name(dofs[order[k]]));
+  }
+  return text + "\n";
+}
+
 std::string worst_frfs_text(const updating::Comparison& comparison,
                             const signal::FrfSet& frfs) {
   std::vector<std::size_t> order(comparison.frf_error.size());
@@ -83,7 +140,8 @@ ordered_json matrix_json(const Eigen::MatrixXd& matrix) {
 }  // namespace
 
 ordered_json compare_json(const updating::Comparison& comparison,
-                          const signal::FrfSet& frfs) {
+                          const signal::FrfSet& frfs,
+                          const std::vector<Dof>& dofs) {
   ordered_json pairs = ordered_json::array();
   for (const auto& pair : comparison.pairs) {
     pairs.push_back({{"measured_hz", pair.measured_hz},
@@ -108,7 +166,10 @@ ordered_json compare_json(const updating::Comparison& comparison,
           {"mac", matrix_json(comparison.mac)},
           {"weighted_mac", matrix_json(comparison.weighted_mac)},
           {"frac", frac_json(comparison, frfs)},
-          {"points", std::move(points)}};
+          {"comac", comac_json(comparison, dofs)},
+          {"points", std::move(points)},
+          {"bands", bands_json(comparison)},
+          {"frf_error", frf_error_json(comparison, frfs)}};
 }
 
 std::string pairs_text(const std::vector<updating::ModePair>& pairs) {
@@ -127,7 +188,8 @@ std::string pairs_text(const std::vector<updating::ModePair>& pairs) {
 }
 
 std::string compare_text(const updating::Comparison& comparison,
-                         const signal::FrfSet& frfs) {
+                         const signal::FrfSet& frfs,
+                         const std::vector<Dof>& dofs) {
   return fmt::format(
              "Model against measurement: error {}, floor {} "
              "(noise {}, mesh {})\n  on {}\n",
@@ -136,8 +198,9 @@ std::string compare_text(const updating::Comparison& comparison,
              percent(comparison.floor_noise),
              percent(comparison.floor_mesh),
              comparison.contour) +
-         pairs_text(comparison.pairs) + notes_text(comparison.pair_notes) +
-         bands_text(comparison) + worst_frfs_text(comparison, frfs);
+         pairs_text(comparison.pairs) + comac_text(comparison, dofs) +
+         notes_text(comparison.pair_notes) + bands_text(comparison) +
+         worst_frfs_text(comparison, frfs);
 }
 
 std::string compare_command(const CommandOptions& options,
@@ -145,14 +208,15 @@ std::string compare_command(const CommandOptions& options,
   updating::Session session = open_by_hand(options, progress);
   const updating::Comparison& comparison = session.base_comparison(progress);
   const signal::FrfSet& frfs = session.frfs(progress);
+  const std::vector<Dof>& dofs = session.modes(progress).dofs;
   const std::vector<std::string> warnings = session.model_warnings(progress);
   if (options.json) {
-    ordered_json json = compare_json(comparison, frfs);
+    ordered_json json = compare_json(comparison, frfs, dofs);
     json["reduced_base_error"] = session.base_error(progress);
     json["warnings"] = warnings;
     return json.dump(2) + "\n";
   }
-  std::string text = compare_text(comparison, frfs);
+  std::string text = compare_text(comparison, frfs, dofs);
   text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
                       std::max(session.base_error(progress), 1e-15));
   return text + notes_text(warnings);

@@ -37,8 +37,9 @@ std::string run_json(updating::Session& session,
   json["compare"] = nullptr;
   json["diagnose"] = nullptr;
   if (session.has_model()) {
-    json["compare"] =
-        compare_json(session.base_comparison(progress), session.frfs());
+    json["compare"] = compare_json(session.base_comparison(progress),
+                                   session.frfs(),
+                                   session.modes().dofs);
     json["diagnose"] = diagnosis_json(
         options.input,
         with_input_warnings(session.diagnosis(progress), session));
@@ -58,8 +59,9 @@ std::string run_text(updating::Session& session, const Progress& progress) {
     return text +
            "\nThe bundle names no model: the work ends with the modes.\n";
   }
-  text +=
-      "\n" + compare_text(session.base_comparison(progress), session.frfs());
+  text += "\n" + compare_text(session.base_comparison(progress),
+                              session.frfs(),
+                              session.modes().dofs);
   return text + "\n" + diagnosis_text(session.diagnosis(progress));
 }
 

@@ -60,6 +60,18 @@ void name_what_helps(updating::Diagnosis& diagnosis) {
       diagnosis.error_best <= 3.0 * diagnosis.floor ? "none" : "unexplained";
 }
 
+/// What was named, whether it explains anything or not.
+std::string added_text(const updating::Diagnosis& diagnosis) {
+  std::vector<std::string> names;
+  for (const auto& rung : diagnosis.ladder) names.push_back(rung.added);
+  if (names.empty()) return "none";
+  std::string text = fmt::format("{}", fmt::join(names, "+"));
+  if (diagnosis.verdict != text) {
+    text += fmt::format("; verdict {}", diagnosis.verdict);
+  }
+  return text;
+}
+
 }  // namespace
 
 updating::Diagnosis diagnosis_of_named(
@@ -161,7 +173,7 @@ std::string update_command(const CommandOptions& options,
   }
   return pairs_text(session.comparison(progress).pairs) +
          updates_text(records) +
-         fmt::format("Effects added: {}\n", diagnosis.verdict) +
+         fmt::format("Effects added: {}\n", added_text(diagnosis)) +
          findings_text(diagnosis);
 }
 

@@ -44,6 +44,23 @@ TEST(CompareCommand, JsonHasThePromisedFields) {
   EXPECT_EQ(json.at("points").dump(), R"({"12":0.43})");
 }
 
+TEST(CompareCommand, JsonLeadsToFrfsBandsAndPoints) {
+  updating::Comparison comparison = sample_comparison();
+  comparison.bands = {{1.0, 10.0, 0.3}};
+  comparison.comac = Eigen::Vector2d(0.9, 0.8);
+  const std::vector<Dof> dofs{{12, 3, 1}, {3, 3, 1}};
+  const auto json = compare_json(comparison, two_runs_of_one_pair(), dofs);
+  EXPECT_EQ(json.at("frf_error").dump(), R"({"12Z+ / 3Z+":0.5})");
+  EXPECT_EQ(json.at("bands").dump(),
+            R"([{"low_hz":1.0,"high_hz":10.0,"error":0.3}])");
+  EXPECT_EQ(json.at("comac").dump(), R"({"12Z+":0.9,"3Z+":0.8})");
+  const std::string text =
+      compare_text(comparison, two_runs_of_one_pair(), dofs);
+  EXPECT_NE(text.find("CoMAC at worst 0.800 at 3Z+, 0.900 at 12Z+"),
+            std::string::npos)
+      << text;
+}
+
 TEST(CompareCommand, FracOfAPairMeasuredTwiceIsTheWorse) {
   const auto json = compare_json(sample_comparison(), two_runs_of_one_pair());
   EXPECT_EQ(json.at("frac").dump(), R"({"12Z+ / 3Z+":0.5})");
