@@ -42,6 +42,8 @@ std::vector<int> numbers_in(const std::string& text) {
   return numbers;
 }
 
+bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
+
 bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
   return std::all_of(some.begin(), some.end(), [&all](int id) {
     return std::find(all.begin(), all.end(), id) != all.end();
@@ -162,6 +164,15 @@ EffectRef parse_effect(const std::string& text) {
     ref.where.node = numbers.front();
   } else if (place == "rotation" || place == "translation" || place == "each") {
     ref.where.variant = place;
+  } else if (!place.empty() && numbers.empty() &&
+             (kind || is_grid(parts_of(place).front()))) {
+    throw InputError(
+        fmt::format("{} has no form \"{}\"", ref.effect, place),
+        fmt::format("effect \"{}\"", text),
+        kind == ChangeKind::Support
+            ? "write rotation or translation; for both, add it twice"
+        : kind ? "write the ids joined with \":\""
+               : "write the grid alone, or added-mass@201:rotary");
   } else if (!place.empty()) {
     ref.where.channels = parts_of(place);
     // A channel that is early, not late.

@@ -156,7 +156,8 @@ ModeChoices choices_from(const json& value) {
   }
   for (const json& pair : list_in(value, "pairs")) {
     const json& model = pair.at("model");
-    const int number = model == "none" ? 0 : model.get<int>();
+    const bool counted = model.is_number_integer();
+    const int number = counted ? model.get<int>() : 0;
     if (model != "none" && number < 1) {
       throw std::out_of_range("modes are counted from 1");
     }

@@ -77,6 +77,13 @@ void name_nonlinearity(const signal::LevelFinding& level, Diagnosis& result) {
 }  // namespace
 
 void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
+  constexpr double wide = 0.1;
+  if (level.runs == 0 && result.floor > wide) {
+    result.warnings.emplace_back(
+        "whether the FRFs change with the force, which scatter like this may "
+        "come from, cannot be seen: it takes three hits of different force or "
+        "more in a run");
+  }
   if (is_nonlinear(level, result)) return name_nonlinearity(level, result);
   result.verdict =
       joined(result.ladder, std::vector<bool>(result.ladder.size(), true));

@@ -31,6 +31,17 @@ TEST_F(EffectPlace, ChannelsAreJoinedAsTheyAreTold) {
   EXPECT_EQ(refusal("sensor-mass@acc1,acc2"), "taken");
 }
 
+TEST_F(EffectPlace, FormsAreThoseThatTheEffectHas) {
+  EXPECT_EQ(parse_effect("added-mass@30:rotary").where.variant, "rotary");
+  EXPECT_EQ(parse_effect("sensor-mass@acc1:acc2:each").where.variant, "each");
+  EXPECT_EQ(refusal("added-mass@30:rotary"), "taken");
+  EXPECT_NE(refusal("added-mass@30:bogus").find("no form \"30:bogus\""),
+            std::string::npos);
+  EXPECT_NE(refusal("dashpot@30:rotary").find("no form"), std::string::npos);
+  EXPECT_NE(refusal("soft-support@both").find("add it twice"),
+            std::string::npos);
+}
+
 TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
   EXPECT_NE(refusal("added-mass@99999").find("no grid 99999"),
             std::string::npos);

@@ -46,6 +46,18 @@ TEST(SetVerdict, NamesTheLadderNoneOrUnexplained) {
   EXPECT_EQ(far.warnings.size(), 1U);
 }
 
+TEST(SetVerdict, SaysWhereNonlinearityCouldNotBeLookedFor) {
+  Diagnosis scattered = errors(0.4, 0.4, 0.3);
+  set_verdict({}, scattered);
+  ASSERT_EQ(scattered.warnings.size(), 1U);
+  EXPECT_NE(scattered.warnings[0].find("three hits"), std::string::npos);
+  signal::LevelFinding seen;
+  seen.runs = 8;
+  Diagnosis looked = errors(0.4, 0.4, 0.3);
+  set_verdict(seen, looked);
+  EXPECT_TRUE(looked.warnings.empty());
+}
+
 // A base whose scale is off by a thousand leaves no excuse for an error of 1.
 TEST(SetVerdict, AWrongScaleExplainsNothing) {
   Diagnosis diagnosis = with_mass(1.1);
