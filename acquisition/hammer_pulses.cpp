@@ -48,7 +48,7 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
     signal.force = -signal.force;
   }
   signal.peak = std::max(0.0, down ? -low : high);
-  constexpr Eigen::Index enough = 1 << 14;
+  constexpr Eigen::Index enough = 1 << 13;
   signal.noise = 1.4826 * median(thinned(signal.force, enough).cwiseAbs());
   signal.noise = std::max(signal.noise, 1e-6 * signal.peak);
   return signal;
