@@ -21,7 +21,7 @@ constexpr int kinds_tried_first = 4;
 // percent.
 constexpr double promising = 2.0;
 // Of those that the screening puts first, in the end.
-constexpr int many_joints = 24;
+constexpr int many_joints = 80;
 // An effect found again, or a weaker one put first, must be this much better
 // to take the place.
 constexpr double better = 0.98;
@@ -102,10 +102,9 @@ std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
 
 namespace {
 
-// How sure an effect is among all that was tried with it, none included.
+// How sure an effect is among all that was tried with it, none included; as
+// sure as before where the round passed over it.
 void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
-  it.probability = 0.0;
-  it.alike.clear();
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const PlacedEffect& own = round.hypotheses[k].own();
     if (own.effect != effect.effect || own.where != effect.where) continue;
