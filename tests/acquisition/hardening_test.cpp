@@ -96,7 +96,8 @@ TEST(Hardening, StiffModesAreFeltAtItsPlace) {
   constexpr double rate = 32768.0;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(16384);
   for (Eigen::Index n = 0; n < 400; ++n) {
-    force(n) = 60.0 * std::pow(std::sin(std::numbers::pi * n / 400.0), 2);
+    const double turn = std::numbers::pi * static_cast<double>(n) / 400.0;
+    force(n) = 60.0 * std::pow(std::sin(turn), 2);
   }
   const Eigen::MatrixXd all = exact_response(system, force, rate)->acceleration;
   const Eigen::MatrixXd some =
