@@ -1,5 +1,6 @@
 #include "tui/actions.hpp"
 
+#include "tui/keep_work.hpp"
 #include "tui/number.hpp"
 
 #include <fmt/format.h>
@@ -27,21 +28,13 @@ std::string last_step(Workbench& bench,
                      percent(ladder.back().error));
 }
 
-/// What was done is kept for the next time.
-std::string saved(Workbench& bench,
-                  const Progress& progress,
-                  const std::string& done) {
-  const std::string failure = bench.save(progress);
-  return failure.empty() ? done : done + "; " + failure;
-}
-
 std::string effects_changed(Workbench& bench,
                             Snapshot& known,
                             const Progress& progress,
                             const std::string& done) {
   known.change_effects(bench.effects());
   const std::string told = last_step(bench, known, progress, done);
-  return saved(bench, progress, told);
+  return keep_work(bench, known, progress, told);
 }
 
 std::string add_now(Workbench& bench,
@@ -74,6 +67,7 @@ Job overrule_hits(
   return {"overruling the hit",
           [hits](Workbench& bench, Snapshot& known, const Progress& p) {
             std::size_t firm = 0;
+            known.restored.clear();
             for (const auto& [run, hit] : hits) {
               if (!toggle_hit(bench, known, p, run, hit)) ++firm;
             }
@@ -85,7 +79,7 @@ Job overrule_hits(
               told += fmt::format("{}a truncated hit stays rejected",
                                   told.empty() ? "" : "; ");
             }
-            return saved(bench, p, told);
+            return keep_work(bench, known, p, told);
           },
           std::nullopt};
 }
@@ -99,10 +93,29 @@ Job restore_hit() {
         }
         const auto [run, hit] = known.overruled.back();
         toggle_hit(bench, known, p, run, hit);
-        return saved(
+        known.restored.push_back({run, hit});
+        return keep_work(
             bench,
+            known,
             p,
             fmt::format("run {}, hit {}: judged as before", run + 1, hit + 1));
+      },
+      std::nullopt};
+}
+
+Job overrule_again() {
+  return {
+      "overruling the hit again",
+      [](Workbench& bench, Snapshot& known, const Progress& p) {
+        if (known.restored.empty()) return std::string("nothing to redo");
+        const auto [run, hit] = known.restored.back();
+        known.restored.pop_back();
+        toggle_hit(bench, known, p, run, hit);
+        return keep_work(
+            bench,
+            known,
+            p,
+            fmt::format("run {}, hit {}: overruled again", run + 1, hit + 1));
       },
       std::nullopt};
 }

@@ -15,6 +15,8 @@ namespace tapfit::tui {
     const std::vector<std::pair<std::size_t, std::size_t>>& hits);
 /// Takes the last overruling back.
 [[nodiscard]] Job restore_hit();
+/// Redo of that, until another hit is overruled.
+[[nodiscard]] Job overrule_again();
 [[nodiscard]] Job add_effect(const updating::EffectRef& effect);
 /// As typed: "added-mass@201".
 [[nodiscard]] Job add_effect(const std::string& effect);

@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "tui/commands/mac_command.hpp"
+#include "tui/keep_work.hpp"
 
 #include <fmt/format.h>
 
@@ -28,8 +29,7 @@ std::string changed(Workbench& bench,
   known.modes = std::make_shared<const modal::ModeSet>(bench.modes(progress));
   const std::string told =
       fmt::format("{}: {} modes", done, known.modes->modes.size());
-  const std::string failure = bench.save(progress);
-  return failure.empty() ? told : told + "; " + failure;
+  return keep_work(bench, known, progress, told);
 }
 
 /// A job that changes the choices.
@@ -109,10 +109,11 @@ Job pair_mode(std::size_t measured, int model) {
                                      {modes[measured].frequency_hz, model}),
                            p);
         known.forget_pairs();
-        const std::string failure = bench.save(p);
-        return failure.empty()
-                   ? fmt::format("mode {} is paired by hand", measured + 1)
-                   : failure;
+        return keep_work(
+            bench,
+            known,
+            p,
+            fmt::format("mode {} is paired by hand", measured + 1));
       },
       std::nullopt};
 }

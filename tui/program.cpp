@@ -24,6 +24,10 @@ constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
 /// Keys that people press to be rid of a box; the others also do their work.
+bool leads_elsewhere(Key key) {
+  return !key.ctrl && ((key.code >= U'1' && key.code <= U'7') || key == U':');
+}
+
 bool only_closes(Key key) {
   return key == keys::escape || key == keys::enter || key == U' ' ||
          key == U'q' || key == U'?' || key == keys::click;
@@ -164,10 +168,16 @@ void Program::leave() {
 }
 
 void Program::ask_to_quit() {
-  const bool would_lose = !actions_.empty() || acting();
+  const bool would_lose = !actions_.empty() || acting() || known_.unsaved;
   quit_ = !would_lose || quit_warned_;
   quit_warned_ = would_lose;
   if (quit_) return;
+  if (actions_.empty() && !acting()) {
+    return tell(
+        "what was done could not be saved and would be lost; q again "
+        "leaves",
+        true);
+  }
   const std::string what =
       actions_.empty() ? shown_.title : actions_.back().title;
   tell(fmt::format("{} is not done and would be lost; q again leaves", what),
@@ -197,11 +207,14 @@ void Program::press(Key key) {
   changed_ = true;
   if (key == keys::resize) return;
   const bool boxed = help_open_ || message_open_;
+  // The key that closes the help does nothing else, but for those that lead
+  // elsewhere.
+  const bool helped = help_open_ && !leads_elsewhere(key);
   help_open_ = false;
   message_open_ = false;
   tell("");  // what was told has been read
   if (key != U'q' && key != keys::enter) quit_warned_ = false;
-  if (boxed && only_closes(key)) return;
+  if (helped || (boxed && only_closes(key))) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
   if (mode_ == Mode::Colon) return press_colon(key);
@@ -232,12 +245,17 @@ void Program::press_global(Key key) {
   } else if (key == U'u') {
     act(current_ == modes_screen ? undo_modes() : undo());
   } else if (key == Key(U'r', true)) {
-    act(current_ == modes_screen ? redo_modes() : redo());
+    const bool hit = current_ == 0 && !known_.restored.empty();
+    act(hit                        ? overrule_again()
+        : current_ == modes_screen ? redo_modes()
+                                   : redo());
   } else if (key == U'S' && acting()) {
     worker_.keep();
     tell("ending with what is reached …");
   } else if (key == U'r') {
     retry();
+  } else if (key == Key(U'c', true) && running_) {
+    stop_work();
   } else if (key == keys::escape || key == Key(U'c', true)) {
     escape();
   } else if (key == keys::back_tab) {
@@ -249,113 +267,22 @@ void Program::press_global(Key key) {
   }
 }
 
+void Program::stop_work() {
+  stopped_by_user_ = true;
+  actions_.clear();
+  worker_.stop();
+  tell("stopping …");
+}
+
+// What lies on top goes first: what was asked for, a filter, the way back; then
+// work that goes on beside.
 void Program::escape() {
-  if (running_) {
-    stopped_by_user_ = true;
-    actions_.clear();
-    worker_.stop();
-    return tell("stopping …");
-  }
+  if (running_ && (acting() || !ready())) return stop_work();
   ListState* list = page().list();
   const bool filtered = list != nullptr && !list->filter.empty();
   if (filtered) list->filter.clear();
   if (filtered || go_back()) return;
-  tell("q quits");
-}
-
-void Program::press_filter(Key key) {
-  ListState* list = page().list();
-  if (list == nullptr || key == keys::enter) {
-    mode_ = Mode::Normal;
-  } else if (key == keys::escape || key == Key(U'c', true)) {
-    list->filter.clear();
-    mode_ = Mode::Normal;
-  } else if (key == keys::backspace) {
-    if (!list->filter.empty()) list->filter.pop_back();
-  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
-    list->filter.push_back(static_cast<char>(key.code));
-  }
-}
-
-void Program::press_colon(Key key) {
-  if (key == keys::escape || key == Key(U'c', true)) {
-    mode_ = Mode::Normal;
-  } else if (key == keys::enter) {
-    mode_ = Mode::Normal;
-    run_colon(typed_);
-  } else if (key == keys::tab) {
-    typed_ = completed(typed_);
-  } else if (key == keys::up && !typed_before_.empty()) {
-    typed_ = typed_before_;
-  } else if (key == keys::backspace) {
-    if (typed_.empty()) {
-      mode_ = Mode::Normal;
-    } else {
-      typed_.pop_back();
-    }
-  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
-    typed_.push_back(static_cast<char>(key.code));
-  }
-}
-
-void Program::run_colon(const std::string& text) {
-  if (text.empty()) return;
-  typed_before_ = text;
-  using Kind = ColonCommand::Kind;
-  ColonCommand command;
-  try {
-    command = parse_colon_command(text);
-  } catch (const InputError& error) {
-    return tell(error.what(), true);
-  }
-  switch (command.kind) {
-    case Kind::Quit:
-      return ask_to_quit();
-    case Kind::Help:
-      help_open_ = true;
-      return;
-    case Kind::Add:
-      return act(add_effect(command.argument));
-    case Kind::Toggle:
-      return act(toggle_effect(command.number - 1));
-    case Kind::Run:
-      recording_page_->select(command.number - 1);
-      return show_screen(0);
-    case Kind::Report:
-      return act(write_output(Output::Report, command.argument));
-    case Kind::Deck:
-      return act(write_output(Output::Deck, command.argument));
-    case Kind::Uff:
-      return act(write_output(Output::Uff, command.argument));
-    case Kind::Undo:
-      return act(undo());
-    case Kind::Redo:
-      return act(redo());
-    case Kind::Drop:
-    case Kind::Pick:
-    case Kind::Pair:
-    case Kind::Band:
-      return run_mode_action(command);
-    case Kind::Stop:
-      return escape();
-    case Kind::Retry:
-      return retry();
-    case Kind::Screen:
-      return show_screen(command.number - 1);
-  }
-}
-
-void Program::run_mode_action(const ColonCommand& command) {
-  using Kind = ColonCommand::Kind;
-  const char* word = command.kind == Kind::Drop   ? "drop"
-                     : command.kind == Kind::Pick ? "pick"
-                     : command.kind == Kind::Pair ? "pair"
-                                                  : "band";
-  try {
-    act(mode_action(word, command.argument));
-  } catch (const InputError& error) {
-    tell(error.what(), true);
-  }
+  running_ ? stop_work() : tell("q quits");
 }
 
 void Program::carry_out(const Command& command) {

@@ -61,6 +61,7 @@ class Program {
   void press_filter(Key key);
   void press_colon(Key key);
   void escape();
+  void stop_work();
   void mouse(Key key);
   void show_screen(std::size_t index);
   /// The same, with a way back by Esc.

@@ -59,6 +59,8 @@ struct Snapshot {
   Shared<acquisition::HitSet> hits;
   /// Judgements that were overruled, the last one last.
   std::vector<updating::OverruledHit> overruled;
+  /// Those that were taken back, for a redo, the last one last.
+  std::vector<updating::OverruledHit> restored;
   std::map<int, Shared<RunLook>> run_looks;
   Shared<signal::FrfSet> frfs;
   Shared<FrfChecks> frf_checks;
@@ -74,6 +76,7 @@ struct Snapshot {
   Shared<std::vector<updating::UpdateRecord>> records;
   Shared<updating::Diagnosis> diagnosis;
   std::vector<updating::AddedEffect> effects;
+  bool unsaved = false;  ///< what was done last could not be written down
   /// What was found on the way, with the effects that were in the model then.
   std::vector<std::pair<Effects, Shared<updating::Diagnosis>>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;

@@ -95,6 +95,10 @@ std::vector<std::size_t> visible_rows(const Table& table,
   return rows;
 }
 
+bool none_shown(const Table& table, const ListState& state) {
+  return !table.rows.empty() && visible_rows(table, state.filter).empty();
+}
+
 std::size_t settled(const Table& table, const ListState& state) {
   const std::vector<std::size_t> rows = visible_rows(table, state.filter);
   if (rows.empty()) return 0;
@@ -142,6 +146,13 @@ void draw_table(Screen& screen,
   const std::vector<std::size_t> rows = visible_rows(table, state.filter);
   const int room = rect.height - 1;
   if (room <= 0) return;
+  if (none_shown(table, state)) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                "nothing matches; Esc clears the filter",
+                {.colour = Colour::Grey},
+                rect.width - 2);
+  }
   const std::size_t selected = settled(table, state);
   const auto at = static_cast<int>(place_of(rows, selected));
   const int count = static_cast<int>(rows.size());

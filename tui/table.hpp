@@ -33,6 +33,9 @@ struct ListState {
 [[nodiscard]] std::vector<std::size_t> visible_rows(const Table& table,
                                                     const std::string& filter);
 
+/// Whether the filter leaves none of the rows: then there is nothing to act on.
+[[nodiscard]] bool none_shown(const Table& table, const ListState& state);
+
 /// The selection, moved to a row that exists and is visible; 0 if none is.
 [[nodiscard]] std::size_t settled(const Table& table, const ListState& state);
 

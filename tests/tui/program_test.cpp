@@ -165,6 +165,26 @@ TEST(Program, ClearsWhatWasToldAtTheNextKey) {
   EXPECT_FALSE(holds(played("6\nwait\nu\nwait\n2"), "nothing to undo"));
 }
 
+TEST(Program, TheKeyThatClosesTheHelpDoesNothingElse) {
+  const std::string text = played("3\nwait\n?x\nwait");
+  EXPECT_FALSE(holds(text, "dropped")) << text;
+  EXPECT_TRUE(holds(text, "3 modes")) << text;
+  EXPECT_TRUE(holds(played("3\nwait\n?6\nwait"), "ladder"));
+}
+
+TEST(Program, RedoesAHitThatWasTakenBack) {
+  const std::string text = played("wait\nj \nwait\nu\nwait\n<C-r>\nwait");
+  EXPECT_TRUE(holds(text, "hit 2: overruled again")) << text;
+  EXPECT_TRUE(holds(played("wait\nj \nwait\nu\nwait\n<C-r>\nwait\n<C-r>\nwait"),
+                    "nothing to redo"));
+}
+
+TEST(Program, ActsOnNothingThatAFilterHides) {
+  const std::string text = played("1\nwait\n/zzz<Enter> \nwait");
+  EXPECT_TRUE(holds(text, "nothing matches")) << text;
+  EXPECT_FALSE(holds(text, "overrul")) << text;
+}
+
 TEST(Program, TakesTheKeyThatClosesAMessage) {
   const std::string wrong =
       "6\nwait\n:add an-effect-with-a-name-too-long-for-the-line<Enter>\nwait";

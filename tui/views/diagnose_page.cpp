@@ -34,7 +34,7 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   const updating::Diagnosis& d = *known.diagnosis;
   const Table table = candidate_table(d, 80, true);
   if (key == U'a' || key == keys::enter) {
-    if (d.candidates.empty()) return true;
+    if (d.candidates.empty() || none_shown(table, state_.list)) return true;
     const Candidate& c = d.candidates[settled(table, state_.list)];
     command.kind = Command::Kind::Add;
     command.effect = {c.effect, c.where};

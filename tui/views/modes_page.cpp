@@ -50,8 +50,9 @@ void pick_at_cursor(const Snapshot& known,
 void drop_selected(const Snapshot& known,
                    const ListState& list,
                    Command& command) {
-  if (known.modes->modes.empty()) return;
-  const std::size_t mode = settled(mode_table(*known.modes), list);
+  const Table table = mode_table(*known.modes);
+  if (table.rows.empty() || none_shown(table, list)) return;
+  const std::size_t mode = settled(table, list);
   command.kind = Command::Kind::DropMode;
   command.hz = known.modes->modes.at(mode).frequency_hz;
 }

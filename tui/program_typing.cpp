@@ -1,0 +1,106 @@
+// What is typed on the bottom line: filters and ":" commands.
+#include "acquisition/input_error.hpp"
+#include "tui/actions.hpp"
+#include "tui/colon_command.hpp"
+#include "tui/mode_actions.hpp"
+#include "tui/program.hpp"
+#include "tui/views/recording_view.hpp"
+
+namespace tapfit::tui {
+
+void Program::press_filter(Key key) {
+  ListState* list = page().list();
+  if (list == nullptr || key == keys::enter) {
+    mode_ = Mode::Normal;
+  } else if (key == keys::escape || key == Key(U'c', true)) {
+    list->filter.clear();
+    mode_ = Mode::Normal;
+  } else if (key == keys::backspace) {
+    if (!list->filter.empty()) list->filter.pop_back();
+  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
+    list->filter.push_back(static_cast<char>(key.code));
+  }
+}
+
+void Program::press_colon(Key key) {
+  if (key == keys::escape || key == Key(U'c', true)) {
+    mode_ = Mode::Normal;
+  } else if (key == keys::enter) {
+    mode_ = Mode::Normal;
+    run_colon(typed_);
+  } else if (key == keys::tab) {
+    typed_ = completed(typed_);
+  } else if (key == keys::up && !typed_before_.empty()) {
+    typed_ = typed_before_;
+  } else if (key == keys::backspace) {
+    if (typed_.empty()) {
+      mode_ = Mode::Normal;
+    } else {
+      typed_.pop_back();
+    }
+  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
+    typed_.push_back(static_cast<char>(key.code));
+  }
+}
+
+void Program::run_colon(const std::string& text) {
+  if (text.empty()) return;
+  typed_before_ = text;
+  using Kind = ColonCommand::Kind;
+  ColonCommand command;
+  try {
+    command = parse_colon_command(text);
+  } catch (const InputError& error) {
+    return tell(error.what(), true);
+  }
+  switch (command.kind) {
+    case Kind::Quit:
+      return ask_to_quit();
+    case Kind::Help:
+      help_open_ = true;
+      return;
+    case Kind::Add:
+      return act(add_effect(command.argument));
+    case Kind::Toggle:
+      return act(toggle_effect(command.number - 1));
+    case Kind::Run:
+      recording_page_->select(command.number - 1);
+      return show_screen(0);
+    case Kind::Report:
+      return act(write_output(Output::Report, command.argument));
+    case Kind::Deck:
+      return act(write_output(Output::Deck, command.argument));
+    case Kind::Uff:
+      return act(write_output(Output::Uff, command.argument));
+    case Kind::Undo:
+      return act(undo());
+    case Kind::Redo:
+      return act(redo());
+    case Kind::Drop:
+    case Kind::Pick:
+    case Kind::Pair:
+    case Kind::Band:
+      return run_mode_action(command);
+    case Kind::Stop:
+      return running_ ? stop_work() : tell("nothing runs");
+    case Kind::Retry:
+      return retry();
+    case Kind::Screen:
+      return show_screen(command.number - 1);
+  }
+}
+
+void Program::run_mode_action(const ColonCommand& command) {
+  using Kind = ColonCommand::Kind;
+  const char* word = command.kind == Kind::Drop   ? "drop"
+                     : command.kind == Kind::Pick ? "pick"
+                     : command.kind == Kind::Pair ? "pair"
+                                                  : "band";
+  try {
+    act(mode_action(word, command.argument));
+  } catch (const InputError& error) {
+    tell(error.what(), true);
+  }
+}
+
+}  // namespace tapfit::tui
