@@ -76,7 +76,8 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
 std::string DiagnosePage::help() const {
   return "Physical effects that may be missing from the model, most probable "
          "first: where, how large (± one standard deviation), the error left "
-         "after adding it, and, for the best, the error on data left out of "
+         "after adding it (those of the verdict: all of them), and, for the "
+         "best, the error on data left out of "
          "the fit. Yellow ones can't be told apart from others with these "
          "points. The plot is "
          "the missing dynamic stiffness at the place: a mass falls with the "
