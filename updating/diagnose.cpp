@@ -243,8 +243,11 @@ bool Climb::step(bool first) {
   using Depth = RungSearch::Depth;
   if (try_to_add(first, first ? Depth::Thorough : Depth::Quick)) return true;
   // What the screening passes over is looked at before much is left
-  // unexplained; a stiffness that changes from run to run is no place's.
-  if (current_.result.error <= clear_of_floor * options_.floor) return false;
+  // unexplained. What changes with the force or from run to run is no linear
+  // effect's.
+  const double left = current_.result.error;
+  if (left <= clear_of_floor * options_.floor) return false;
+  if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;
   return try_to_add(first, Depth::LastResort);

@@ -16,9 +16,8 @@ namespace {
 // floor nothing is, unless it is the change that lifts the floor: hits that
 // differ in force scatter by it.
 bool is_nonlinear(const signal::LevelFinding& level, const Diagnosis& result) {
-  constexpr double part = 1.0 / 3.0;
   constexpr double most = 1.0 / 2.0;
-  return level.is_nonlinear() && level.change >= part * result.error_best &&
+  return follows_the_force(level, result.error_best) &&
          (result.error_best > at_floor * result.floor ||
           level.change >= most * std::min(result.floor, result.error_best));
 }
@@ -75,6 +74,11 @@ void name_nonlinearity(const signal::LevelFinding& level, Diagnosis& result) {
 }
 
 }  // namespace
+
+bool follows_the_force(const signal::LevelFinding& level, double error) {
+  constexpr double part = 1.0 / 3.0;
+  return level.is_nonlinear() && level.change >= part * error;
+}
 
 void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
   constexpr double wide = 0.1;

@@ -6,6 +6,11 @@
 
 namespace tapfit::updating {
 
+/// Whether what the FRFs change with the force is a good part of an error: then
+/// no linear model comes much closer.
+[[nodiscard]] bool follows_the_force(const signal::LevelFinding& level,
+                                     double error);
+
 /// Names what the ladder holds, "none" or "unexplained".
 ///
 /// Where the FRFs change with the force by a good part of what is left, no
