@@ -272,15 +272,20 @@ std::vector<Hypothesis> fit_screened(const effects::Effect& effect,
   return fit_each(current, tries, fitter, shared, progress);
 }
 
-// The screening is of first order, and a loss of stiffness is often far from
-// small: the right patch may not be among those fitted.
-void climb_patches(std::vector<Kind>& kinds,
-                   const Fit& current,
-                   const Fitter& fitter,
-                   int neighbours,
-                   const Progress& progress) {
+double least_error(const std::vector<Kind>& kinds) {
   double least = 1e300;
   for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  return least;
+}
+
+// The screening is of first order, and a loss of stiffness or a joint is often
+// far from small: the right place may not be among those fitted.
+void climb_stiffness(std::vector<Kind>& kinds,
+                     const Fit& current,
+                     const Fitter& fitter,
+                     int neighbours,
+                     const Progress& progress) {
+  const double least = least_error(kinds);
   for (Kind& kind : kinds) {
     const auto changes = kind.effect->changes_stiffness();
     if (changes != ChangeKind::Elements && changes != ChangeKind::Joint) {
@@ -298,8 +303,7 @@ void try_rotary(std::vector<Kind>& kinds,
                 const Fitter& fitter,
                 int neighbours,
                 const Progress& progress) {
-  double least = 1e300;
-  for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  const double least = least_error(kinds);
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
     if (!kind.effect->has_variant("rotary")) continue;
@@ -350,7 +354,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     kinds.push_back(std::move(kind));
   }
   if (options.neighbours > 0) {
-    climb_patches(kinds, current, fitter, options.neighbours, progress);
+    climb_stiffness(kinds, current, fitter, options.neighbours, progress);
     try_rotary(kinds, current, fitter, options.neighbours, progress);
   }
   std::vector<Hypothesis> all;

@@ -18,26 +18,28 @@ namespace {
 
 constexpr std::size_t worst_shown = 5;
 
+/// By name; of several runs of one pair the worse.
+/// @param worse of two values
+template <class Worse>
+ordered_json by_frf_json(const std::vector<double>& values,
+                         const signal::FrfSet& frfs,
+                         const Worse& worse) {
+  ordered_json json = ordered_json::object();
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const std::string key = name(frfs.frfs.at(k));
+    json[key] = worse(values[k], json.value(key, values[k]));
+  }
+  return json;
+}
+
 ordered_json frac_json(const updating::Comparison& comparison,
                        const signal::FrfSet& frfs) {
-  ordered_json frac = ordered_json::object();
-  for (std::size_t k = 0; k < comparison.frac.size(); ++k) {
-    const std::string key = name(frfs.frfs.at(k));
-    const double value = comparison.frac[k];
-    frac[key] = std::min(value, frac.value(key, value));
-  }
-  return frac;
+  return by_frf_json(comparison.frac, frfs, std::ranges::min);
 }
 
 ordered_json frf_error_json(const updating::Comparison& comparison,
                             const signal::FrfSet& frfs) {
-  ordered_json errors = ordered_json::object();
-  for (std::size_t k = 0; k < comparison.frf_error.size(); ++k) {
-    const std::string key = name(frfs.frfs.at(k));
-    const double value = comparison.frf_error[k];
-    errors[key] = std::max(value, errors.value(key, value));
-  }
-  return errors;
+  return by_frf_json(comparison.frf_error, frfs, std::ranges::max);
 }
 
 ordered_json bands_json(const updating::Comparison& comparison) {
