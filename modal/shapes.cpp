@@ -8,6 +8,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace tapfit::modal {
 namespace {
@@ -69,55 +70,52 @@ std::vector<int> largest_part(const std::vector<std::pair<int, int>>& edges,
   return best;
 }
 
-/// phi by propagation along the strongest FRFs, starting with 1 at the root.
+/// The strongest of the FRFs that may be taken, or -1.
+template <typename Admitted>
+Index strongest(const Eigen::VectorXd& strength, const Admitted& admitted) {
+  Index best = -1;
+  for (Index f = 0; f < strength.size(); ++f) {
+    if (!admitted(f)) continue;
+    if (best < 0 || strength(f) > strength(best)) best = f;
+  }
+  return best;
+}
+
+/// phi by propagation along the strongest FRFs, from the sensor of the first.
 /// Only from one side to the other: what is left open is then one factor t on
 /// one side and 1 / t on the other, which fix_scale() can find.
 Eigen::VectorXcd propagate(const ShapeGraph& graph,
                            const Eigen::VectorXcd& P,
                            const Eigen::VectorXd& weight) {
-  const auto n = static_cast<Index>(graph.points.size());
-  Eigen::VectorXcd phi = Eigen::VectorXcd::Zero(n);
-  std::vector<bool> known(graph.points.size(), false);
-  Index strongest = -1;
-  for (Index f = 0; f < P.size(); ++f) {
-    if (graph.side[static_cast<std::size_t>(
-            graph.edges[static_cast<std::size_t>(f)].first)] < 0) {
-      continue;
-    }
-    if (strongest < 0 || std::abs(P(f)) * weight(f) >
-                             std::abs(P(strongest)) * weight(strongest)) {
-      strongest = f;
-    }
-  }
-  if (strongest < 0 || std::abs(P(strongest)) == 0.0) return phi;
-  const int root = graph.edges[static_cast<std::size_t>(strongest)].first;
-  phi(root) = std::sqrt(std::abs(P(strongest)));
-  known[static_cast<std::size_t>(root)] = true;
+  const Eigen::VectorXd strength = P.cwiseAbs().cwiseProduct(weight);
+  const auto edge = [&](Index f) {
+    return graph.edges[static_cast<std::size_t>(f)];
+  };
+  const auto side = [&](int point) {
+    return graph.side[static_cast<std::size_t>(point)];
+  };
+  const auto points = static_cast<Index>(graph.points.size());
+  Eigen::VectorXcd phi = Eigen::VectorXcd::Zero(points);
+  const Index first =
+      strongest(strength, [&](Index f) { return side(edge(f).first) >= 0; });
+  if (first < 0 || std::abs(P(first)) == 0.0) return phi;
+  Eigen::Array<bool, Eigen::Dynamic, 1> known =
+      Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(points, false);
+  const int root = edge(first).first;
+  phi(root) = std::sqrt(std::abs(P(first)));
+  known(root) = true;
+  const auto leads_on = [&](Index f) {
+    const auto [a, b] = edge(f);
+    return known(a) != known(b) && side(a) != side(b);
+  };
   for (;;) {
-    Index best = -1;
-    bool forward = true;
-    for (Index f = 0; f < P.size(); ++f) {
-      const auto [a, b] = graph.edges[static_cast<std::size_t>(f)];
-      const bool ka = known[static_cast<std::size_t>(a)];
-      const bool kb = known[static_cast<std::size_t>(b)];
-      if (ka == kb) continue;
-      if (graph.side[static_cast<std::size_t>(a)] ==
-          graph.side[static_cast<std::size_t>(b)]) {
-        continue;
-      }
-      if (best < 0 ||
-          std::abs(P(f)) * weight(f) > std::abs(P(best)) * weight(best)) {
-        best = f;
-        forward = ka;
-      }
-    }
-    if (best < 0) return phi;
-    const auto [a, b] = graph.edges[static_cast<std::size_t>(best)];
-    const int from = forward ? a : b;
-    const int to = forward ? b : a;
+    const Index next = strongest(strength, leads_on);
+    if (next < 0) return phi;
+    auto [from, to] = edge(next);
+    if (!known(from)) std::swap(from, to);
     // A point in a node of the mode cannot tell its neighbours anything.
-    if (std::abs(phi(from)) > 0.0) phi(to) = P(best) / phi(from);
-    known[static_cast<std::size_t>(to)] = true;
+    if (std::abs(phi(from)) > 0.0) phi(to) = P(next) / phi(from);
+    known(to) = true;
   }
 }
 
