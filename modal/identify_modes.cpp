@@ -1,5 +1,6 @@
 #include "modal/identify_modes.hpp"
 
+#include "modal/complexity.hpp"
 #include "modal/curves.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/lines_in_band.hpp"

@@ -3,7 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "acquisition/uff_datasets.hpp"
 #include "acquisition/uff_shapes.hpp"
-#include "modal/shapes.hpp"
+#include "modal/complexity.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "modal/select_modes.hpp"
 
+#include "modal/complexity.hpp"
 #include "modal/double_poles.hpp"
 #include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/mac.hpp"
 #include "modal/neighbour_modes.hpp"
-#include "modal/shapes.hpp"
 #include "modal/split_poles.hpp"
 
 #include <algorithm>

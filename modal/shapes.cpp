@@ -1,5 +1,7 @@
 #include "modal/shapes.hpp"
 
+#include "modal/complexity.hpp"
+
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
@@ -7,7 +9,6 @@
 #include <cmath>
 #include <complex>
 #include <map>
-#include <numbers>
 #include <utility>
 
 namespace tapfit::modal {
@@ -181,12 +182,6 @@ void polish(const ShapeGraph& graph,
   if (step.allFinite()) phi += step;
 }
 
-/// exp(j angle) that turns the shape as real as possible.
-Complex real_turn(const Eigen::VectorXcd& shape) {
-  const Complex sum = (shape.array() * shape.array()).sum();
-  return std::polar(1.0, -0.5 * std::arg(sum));
-}
-
 /// The phase of a scaled shape is that of its residues; only a driving point of
 /// wrong polarity, which turns phi phi by half a turn, is taken out.
 Complex quarter_turn(const Eigen::VectorXcd& shape) {
@@ -245,7 +240,7 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
     if (graph.scaled) fix_scale(graph, P, frf_weight, phi);
     for (int i = 0; i < 12; ++i) polish(graph, P, frf_weight, phi);
     Eigen::VectorXcd shape = phi(graph.kept);
-    shape *= graph.scaled ? quarter_turn(shape) : real_turn(shape);
+    shape *= graph.scaled ? quarter_turn(shape) : turn_to_real(shape);
     Index largest = 0;
     shape.cwiseAbs().maxCoeff(&largest);
     if (shape(largest).real() < 0.0) shape = -shape;
@@ -255,31 +250,6 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
     shapes.col(r) = shape;
   }
   return shapes;
-}
-
-double phase_collinearity(const Eigen::VectorXcd& shape) {
-  const double xx = shape.real().squaredNorm();
-  const double yy = shape.imag().squaredNorm();
-  const double xy = shape.real().dot(shape.imag());
-  const double sum = xx + yy;
-  if (sum <= 0.0) return 0.0;
-  return ((xx - yy) * (xx - yy) + 4.0 * xy * xy) / (sum * sum);
-}
-
-double mean_phase_deviation(const Eigen::VectorXcd& shape) {
-  const Complex sum = (shape.array() * shape.array()).sum();
-  const Complex axis = std::polar(1.0, 0.5 * std::arg(sum));
-  double angles = 0.0;
-  double weights = 0.0;
-  for (const Complex& value : shape) {
-    const Complex turned = value * std::conj(axis);
-    // The angle to the line, wherever on it the point lies.
-    angles += std::abs(value) *
-              std::atan2(std::abs(turned.imag()), std::abs(turned.real()));
-    weights += std::abs(value);
-  }
-  if (weights <= 0.0) return 0.0;
-  return angles / weights * 180.0 / std::numbers::pi;
 }
 
 }  // namespace tapfit::modal

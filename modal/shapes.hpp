@@ -48,19 +48,4 @@ struct ShapeGraph {
                                            const Eigen::VectorXcd& poles,
                                            const Eigen::VectorXd& frf_weight);
 
-/// Modal phase collinearity: 1 when all points move in phase or opposite.
-///   MPC = (lambda_1 - lambda_2)^2 / (lambda_1 + lambda_2)^2
-/// with the eigenvalues of the 2 x 2 scatter of real and imaginary parts.
-/// Source: Pappa, Elliott, Schenk, J. Guidance 16(5), 1993.
-[[nodiscard]] double phase_collinearity(const Eigen::VectorXcd& shape);
-
-/// Mean phase deviation of a shape's points from the line that they lie on in
-/// the complex plane, weighted by their size: 0 for a real shape, up to 90.
-///   MPD = sum_k |phi_k| acos(|Re(phi_k conj(u))| / |phi_k|) / sum_k |phi_k|
-/// with u of unit length along the principal axis.
-/// Source: E. Reynders, J. Houbrechts, G. De Roeck, "Fully automated
-/// (operational) modal analysis", MSSP 29, 2012, p. 228-250.
-/// @return [deg]; 0 for a shape of zeros
-[[nodiscard]] double mean_phase_deviation(const Eigen::VectorXcd& shape);
-
 }  // namespace tapfit::modal

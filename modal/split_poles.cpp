@@ -1,7 +1,7 @@
 #include "modal/split_poles.hpp"
 
+#include "modal/complexity.hpp"
 #include "modal/mac.hpp"
-#include "modal/shapes.hpp"
 
 #include <Eigen/Dense>
 

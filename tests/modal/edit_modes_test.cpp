@@ -1,7 +1,6 @@
 // Identification steered by hand: band, poles dropped and added, hard checks.
 #include "acquisition/input_error.hpp"
 #include "modal/identify_modes.hpp"
-#include "modal/shapes.hpp"
 #include "tests/modal/synthetic_frfs.hpp"
 
 #include <gtest/gtest.h>
@@ -134,22 +133,6 @@ TEST(EditModes, RefinementLowersTheErrorAndClustersHaveTheirScatter) {
     EXPECT_LT(mode.cluster.frequency_scatter_hz, 0.1);
     EXPECT_NEAR(mode.cluster.damping_ratio, mode.damping_ratio, 1e-3);
   }
-}
-
-TEST(MeanPhaseDeviation, IsTheAngleOffTheLine) {
-  using std::numbers::pi;
-  Eigen::VectorXcd shape(4);
-  for (Eigen::Index k = 0; k < 4; ++k) {
-    // Two to the left of the line and two to the right, some turned round.
-    const double angle = (k % 2 == 0 ? 20.0 : -20.0) + (k > 1 ? 180.0 : 0.0);
-    shape(k) = std::polar(2.0, (37.0 + angle) * pi / 180.0);
-  }
-  EXPECT_NEAR(modal::mean_phase_deviation(shape), 20.0, 1e-9);
-  EXPECT_NEAR(modal::mean_phase_deviation(std::polar(1.0, 0.7) *
-                                          Eigen::VectorXcd::Ones(3)),
-              0.0,
-              1e-6);
-  EXPECT_EQ(modal::mean_phase_deviation(Eigen::VectorXcd::Zero(3)), 0.0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tui/commands/modes_command.hpp"
 
 #include "acquisition/channel_names.hpp"
+#include "modal/complexity.hpp"
 #include "modal/identify_modes.hpp"
 #include "modal/sensor_shifts.hpp"
 #include "modal/synthesis.hpp"
@@ -24,14 +25,13 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json shape_sd_json(const modal::ModeSet& modes,
-                           const modal::Mode& mode) {
-  ordered_json shape = ordered_json::object();
+ordered_json by_point(const modal::ModeSet& modes,
+                      const Eigen::VectorXd& values) {
+  ordered_json json = ordered_json::object();
   for (std::size_t row = 0; row < modes.dofs.size(); ++row) {
-    shape[name(modes.dofs[row])] =
-        mode.shape_sd(static_cast<Eigen::Index>(row));
+    json[name(modes.dofs[row])] = values(static_cast<Eigen::Index>(row));
   }
-  return shape;
+  return json;
 }
 
 ordered_json cluster_json(const modal::PoleCluster& cluster) {
@@ -117,9 +117,10 @@ ordered_json modes_json(const modal::ModeSet& modes,
          {"mpc", mode.mpc},
          {"mpd_deg", mode.mpd_deg},
          {"cluster", cluster_json(mode.cluster)},
-         {"shape", shape_json(modes, mode)}});
+         {"shape", shape_json(modes, mode)},
+         {"real_shape", by_point(modes, modal::real_shape(mode.shape))}});
     if (mode.shape_sd.size() == mode.shape.size()) {
-      list.back()["shape_sd"] = shape_sd_json(modes, mode);
+      list.back()["shape_sd"] = by_point(modes, mode.shape_sd);
     }
   }
   ordered_json json = {{"modes", std::move(list)},

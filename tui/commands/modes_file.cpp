@@ -1,8 +1,8 @@
 #include "tui/commands/modes_file.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "modal/complexity.hpp"
 #include "modal/read_modes_uff.hpp"
-#include "modal/shapes.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 #include "tui/views/modes_view.hpp"
 
+#include "modal/complexity.hpp"
 #include "modal/mac.hpp"
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
@@ -13,19 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 namespace tapfit::tui {
 namespace {
-
-/// Turns a complex shape so that its real part is as large as possible:
-/// the angle is half that of sum phi^2.
-Eigen::VectorXd realised(const Eigen::VectorXcd& shape) {
-  const std::complex<double> sum = shape.array().square().sum();
-  const double angle = -0.5 * std::arg(sum);
-  return (shape * std::polar(1.0, angle)).real();
-}
 
 Colour letter_colour(char letter) {
   if (letter == 's') return Colour::Green;
@@ -101,7 +92,7 @@ void draw_shape_bars(Screen& screen,
                      const Rect& rect,
                      const modal::ModeSet& modes,
                      std::size_t selected) {
-  const Eigen::VectorXd shape = realised(modes.modes[selected].shape);
+  const Eigen::VectorXd shape = modal::real_shape(modes.modes[selected].shape);
   const double largest = shape.size() > 0 ? shape.cwiseAbs().maxCoeff() : 0.0;
   const auto rows =
       std::min<Eigen::Index>({shape.size(),
@@ -259,7 +250,7 @@ Table mode_table(const modal::ModeSet& modes) {
 std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
                                      std::size_t mode) {
   std::map<int, Eigen::Vector3d> found;
-  const Eigen::VectorXd shape = realised(modes.modes[mode].shape);
+  const Eigen::VectorXd shape = modal::real_shape(modes.modes[mode].shape);
   const std::size_t count =
       std::min(modes.dofs.size(), static_cast<std::size_t>(shape.size()));
   for (std::size_t i = 0; i < count; ++i) {
@@ -277,7 +268,8 @@ Eigen::Matrix3Xd model_shape(const modal::ModeSet& modes,
                              const updating::Comparison& c,
                              std::size_t model) {
   const auto column = static_cast<Eigen::Index>(model);
-  const Eigen::VectorXd shape = realised(modes.modes.at(measured).shape);
+  const Eigen::VectorXd shape =
+      modal::real_shape(modes.modes.at(measured).shape);
   if (column >= c.modes.at_grids.cols() || column >= c.modes.at_dofs.cols() ||
       c.modes.at_dofs.rows() != shape.size() ||
       c.modes.at_grids.rows() % 3 != 0) {

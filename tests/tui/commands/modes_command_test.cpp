@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace tapfit::tui {
 namespace {
 
@@ -24,14 +26,17 @@ modal::ModeSet sample_modes() {
 }
 
 TEST(ModesCommand, JsonIsThatOfTheFormat) {
-  const auto json = modes_json(sample_modes());
+  auto json = modes_json(sample_modes());
+  auto& real = json.at("modes").at(0).at("real_shape");
+  EXPECT_NEAR(real.at("12Z+").get<double>(), std::hypot(0.5, 0.25), 1e-15);
+  real["12Z+"] = 0.0;
   EXPECT_EQ(json.at("modes").dump(),
             R"([{"frequency_hz":{"value":2.271,"sd":0.0004},)"
             R"("damping_ratio":{"value":0.0044,"sd":0.0001},"mpc":0.998,)"
             R"("mpd_deg":4.5,"cluster":{"poles":60,)"
             R"("frequency_hz":{"mean":2.27,"scatter":0.001},)"
             R"("damping_ratio":{"mean":0.0045,"scatter":0.0002}},)"
-            R"("shape":{"12Z+":[0.5,-0.25]}}])");
+            R"("shape":{"12Z+":[0.5,-0.25]},"real_shape":{"12Z+":0.0}}])");
   EXPECT_EQ(json.at("warnings").dump(), R"(["one is weak"])");
 }
 
