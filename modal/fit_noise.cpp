@@ -41,9 +41,20 @@ Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
           fit.frf_weight.cwiseAbs2().asDiagonal();
   Noise noise;
   noise.per_line = power.rowwise().mean().cwiseSqrt();
-  const double mean = std::max(power.mean(), 1e-300);
-  noise.per_frf = (power.colwise().mean().transpose() / mean).cwiseSqrt();
+  noise.share =
+      noise.per_line.cwiseAbs2().cwiseMax(1e-300).cwiseInverse().asDiagonal() *
+      power;
   return noise;
+}
+
+Eigen::MatrixXd noise_at_modes(const Noise& noise, const Eigen::MatrixXcd& X) {
+  const Index modes = X.cols() / 2;
+  Eigen::MatrixXd told(X.rows(), modes);
+  for (Index r = 0; r < modes; ++r) {
+    told.col(r) = X.middleCols(2 * r, 2).rowwise().squaredNorm();
+    told.col(r) /= std::max(told.col(r).sum(), 1e-300);
+  }
+  return (noise.share.transpose() * told).cwiseSqrt();
 }
 
 }  // namespace tapfit::modal

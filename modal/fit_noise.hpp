@@ -7,15 +7,22 @@
 
 namespace tapfit::modal {
 
-/// Standard deviation of the weighted residual u v e: per line (rms over FRFs)
-/// times per FRF (about 1).
+/// Of the weighted residual u v e.
 struct Noise {
-  Eigen::VectorXd per_line;
-  Eigen::VectorXd per_frf;
+  Eigen::VectorXd per_line;  ///< standard deviation, rms over the FRFs
+  Eigen::MatrixXd share;  ///< each FRF's variance over that, n_lines x n_frfs
 };
 
 /// From the FRFs' variance or what the fit leaves, whichever is larger.
 [[nodiscard]] Noise weighted_noise(const Curves& curves, const ModalFit& fit);
+
+/// Standard deviation of each FRF's noise over `per_line` where each mode is
+/// told from: an FRF in which a mode is large mostly has more noise there.
+///
+/// @param X what the noise is projected on, times per_line: n_lines x 2 n_modes
+/// @return n_frfs x n_modes, about 1
+[[nodiscard]] Eigen::MatrixXd noise_at_modes(const Noise& noise,
+                                             const Eigen::MatrixXcd& X);
 
 /// x with every line's neighbours added as they are correlated by the window:
 /// rho(d) = 1 / (1 + j d spacing / (2 sigma)).

@@ -81,17 +81,18 @@ Eigen::MatrixXd projected_derivatives(const Curves& curves,
 /// into those to (Re, Im lambda): C_f multiplies mode r by its residue c_fr. A
 /// 2 x 2 block of G maps z to g z + h conj(z), so that its product maps z to
 /// sum conj(c_r) c_q g z + sum conj(c_r c_q) h conj(z).
+///
+/// @param weight w of each FRF, where it differs also by mode: n_frfs x n_modes
 Eigen::MatrixXd with_residues(const Eigen::MatrixXd& G,
                               const Linear& linear,
-                              const Eigen::VectorXd& weight) {
+                              const Eigen::MatrixXd& weight) {
   const Index modes = G.cols() / 2;
-  Eigen::MatrixXcd c(weight.size(), modes);
+  Eigen::MatrixXcd c(weight.rows(), modes);
   for (Index r = 0; r < modes; ++r) {
-    c.col(r).real() =
-        linear.coefficients.row(2 * r).transpose().cwiseProduct(weight);
-    c.col(r).imag() =
-        linear.coefficients.row(2 * r + 1).transpose().cwiseProduct(weight);
+    c.col(r).real() = linear.coefficients.row(2 * r).transpose();
+    c.col(r).imag() = linear.coefficients.row(2 * r + 1).transpose();
   }
+  c = c.cwiseProduct(weight);
   const Eigen::MatrixXcd same = c.adjoint() * c;
   const Eigen::MatrixXcd other = c.adjoint() * c.conjugate();
   Eigen::MatrixXd result(G.rows(), G.cols());
@@ -133,7 +134,8 @@ struct Step {
 Step gauss_newton(const Eigen::MatrixXd& E,
                   const Linear& linear,
                   const Eigen::VectorXd& frf_weight) {
-  return {with_residues(E.transpose() * E, linear, frf_weight),
+  return {with_residues(
+              E.transpose() * E, linear, frf_weight.replicate(1, E.cols() / 2)),
           along_residues(E.transpose() * linear.residual, linear, frf_weight)};
 }
 
@@ -304,8 +306,8 @@ Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
   const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(E);
   const double ratio = curves.sigma / curves.spacing;
   const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();
-  const Eigen::MatrixXd middle =
-      with_residues(V, linear, fit.frf_weight.cwiseProduct(noise.per_frf));
+  const Eigen::MatrixXd middle = with_residues(
+      V, linear, fit.frf_weight.asDiagonal() * noise_at_modes(noise, X));
   const Eigen::VectorXd d =
       step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd N = d.asDiagonal() * step.normal * d.asDiagonal();

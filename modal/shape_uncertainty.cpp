@@ -113,11 +113,12 @@ Eigen::MatrixXd residue_variance(const Curves& curves, const ModalFit& fit) {
   const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(inverse);
   const Eigen::MatrixXd V =
       0.5 * (X.adjoint() * correlate(X, curves.sigma / curves.spacing)).real();
+  const Eigen::MatrixXd at_modes = noise_at_modes(noise, X);
   for (Index r = 0; r < modes; ++r) {
     const double unit = V(2 * r, 2 * r) / std::pow(scale(2 * r), 2) +
                         V(2 * r + 1, 2 * r + 1) / std::pow(scale(2 * r + 1), 2);
     variance.col(r) =
-        unit * noise.per_frf.cwiseQuotient(fit.frf_weight).cwiseAbs2();
+        unit * at_modes.col(r).cwiseQuotient(fit.frf_weight).cwiseAbs2();
   }
   return variance;
 }
