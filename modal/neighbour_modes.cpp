@@ -81,10 +81,16 @@ void add_neighbours(const Curves& curves, ModalFit& fit) {
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
   if (curves.lines() < 60) return;
-  if (add_outside(curves, 1.15 * high, fit)) {
+  // The nearest disturbs most and is found only from close by.
+  constexpr double close = 1.02;
+  constexpr double apart = 1.15;
+  (void)add_outside(curves, close * high, fit);
+  if (add_outside(curves, apart * high, fit)) {
     (void)add_outside(curves, 1.5 * high, fit);
   }
-  if (low > 0.1 * high) (void)add_outside(curves, low / 1.15, fit);
+  if (low < 0.1 * high) return;
+  (void)add_outside(curves, low / close, fit);
+  (void)add_outside(curves, low / apart, fit);
 }
 
 }  // namespace tapfit::modal

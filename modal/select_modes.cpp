@@ -7,6 +7,7 @@
 #include "modal/mac.hpp"
 #include "modal/neighbour_modes.hpp"
 #include "modal/split_poles.hpp"
+#include "modal/strayed_poles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,8 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kLeastSignificance =
-    4.0;  // F that a mode's residues must earn
+    4.0;                        // F that a mode's residues must earn
+constexpr double kApart = 3.0;  // standard deviations
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
 
 bool lasts(const Track& track, std::size_t orders) {
@@ -269,6 +271,26 @@ void drop_complex(const Curves& curves,
   }
 }
 
+/// Whether the last poles of a fit lie further apart than noise puts them.
+bool are_told_apart(const Curves& curves, const ModalFit& fit, Index count) {
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  const Index all = fit.poles.size();
+  for (Index r = all - count; r < all; ++r) {
+    for (Index q = all - count; q < r; ++q) {
+      const Complex apart = fit.poles(r) - fit.poles(q);
+      const Eigen::Vector2d d(apart.real(), apart.imag());
+      const auto block = [&](Index a, Index b) {
+        return covariance.block<2, 2>(2 * a, 2 * b);
+      };
+      const Eigen::Matrix2d spread =
+          block(r, r) + block(q, q) - block(r, q) - block(q, r);
+      // Along the line between them.
+      if (kApart * std::sqrt(d.dot(spread * d)) > d.squaredNorm()) return false;
+    }
+  }
+  return true;
+}
+
 /// Puts several poles in place of one whose residues hold several shapes.
 ModalFit separate_close(const Curves& curves,
                         ModalFit fit,
@@ -291,7 +313,8 @@ ModalFit separate_close(const Curves& curves,
         std::ranges::none_of(refined, [&](const Complex& pole) {
           return impossible(pole, options) || !in_band(curves, pole);
         });
-    if (stayed) fit = std::move(trial);
+    if (!stayed || !are_told_apart(curves, trial, found.size())) continue;
+    fit = std::move(trial);
   }
   return fit;
 }
@@ -311,12 +334,14 @@ Selection select_modes(const Curves& curves,
                        const Progress& progress) {
   Selection selection;
   ModalFit& fit = selection.fit;
-  fit = refine_in_reach(curves, candidates(curves, tracks, orders), 6);
+  const Eigen::VectorXcd lasting = candidates(curves, tracks, orders);
+  fit = refine_in_reach(curves, lasting, 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
   if (fit.poles.size() > 0) {
     add_neighbours(curves, fit);
     fit = refine_in_reach(curves, fit.poles, 20);
     fit = drop_weak(curves, std::move(fit), options, progress);
+    fit = return_strayed(curves, lasting, std::move(fit), options);
     drop_unresolved(curves, selection);
   }
   const std::vector<Complex> told = selection.unresolved;

@@ -63,5 +63,18 @@ TEST_P(Plates, NoModeIsLostAndNoneInvented) {
 
 INSTANTIATE_TEST_SUITE_P(TwoHundred, Plates, testing::Range(1U, 5U));
 
+/// Plates of which a mode was lost or invented, because a mode just above the
+/// band was not accounted for while the poles were refined.
+class PlatesWithAModeBeside : public testing::TestWithParam<unsigned> {};
+
+TEST_P(PlatesWithAModeBeside, KeepThoseInTheBand) {
+  const Verdict verdict = identify_plate(GetParam());
+  EXPECT_TRUE(verdict.same) << verdict.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Three,
+                         PlatesWithAModeBeside,
+                         testing::Values(91011U, 91143U, 91147U));
+
 }  // namespace
 }  // namespace tapfit
