@@ -13,6 +13,7 @@
 #include "modal/shape_uncertainty.hpp"
 #include "modal/shapes.hpp"
 #include "modal/stabilisation.hpp"
+#include "modal/unrefined_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -57,13 +58,8 @@ Mode make_mode(const Complex& pole,
 }
 
 double synthesis_error(const Curves& curves, const Eigen::MatrixXcd& H) {
-  const Eigen::VectorXd level = curves.H.cwiseAbs2().rowwise().mean();
-  const Eigen::VectorXd left = (curves.H - H).cwiseAbs2().rowwise().mean();
-  double sum = 0.0;
-  for (Index k = 0; k < level.size(); ++k) {
-    if (level(k) > 0.0) sum += left(k) / level(k);
-  }
-  return std::sqrt(sum / static_cast<double>(level.size()));
+  return curves.weight.cwiseProduct(curves.H - H).norm() /
+         curves.weight.cwiseProduct(curves.H).norm();
 }
 
 void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
@@ -97,6 +93,15 @@ void warn_about_resolution(const Curves& curves,
       mode.frequency_hz,
       lines,
       mode.damping_ratio));
+}
+
+void warn_about_misfit(double synthesis_error,
+                       std::vector<std::string>& warnings) {
+  if (synthesis_error < 0.5) return;
+  warnings.push_back(fmt::format(
+      "the modes do not explain the FRFs (synthesis error {:.0f} %): look at "
+      "their phase, at the sign of their imaginary part and at the band",
+      100.0 * synthesis_error));
 }
 
 void warn_about_complex(const std::vector<Complex>& poles,
@@ -215,24 +220,6 @@ Identified of_set_ups(const RunModes& runs) {
   return found;
 }
 
-/// What the fit would leave with the poles as the diagram has them.
-double unrefined_error(const Curves& curves,
-                       const std::vector<Track>& tracks,
-                       const ModalFit& fit) {
-  Eigen::VectorXcd poles = fit.poles;
-  for (Index r = 0; r < poles.size(); ++r) {
-    const std::optional<std::size_t> track =
-        nearest_track(tracks, fit.poles(r));
-    if (!track) continue;
-    const Complex own = tracks[*track].pole;
-    // No two poles may coincide.
-    if (r == 0 || (poles.head(r).array() - own).abs().minCoeff() > 0.0) {
-      poles(r) = own;
-    }
-  }
-  return synthesis_error(curves, fit_residues(curves, poles).H);
-}
-
 void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
   for (Mode& mode : set.modes) {
     const std::optional<std::size_t> track = nearest_track(tracks, mode.pole);
@@ -292,11 +279,13 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
     add_modes(curves, graph, found, set);
     set.fitted = fitted_frfs(frfs, curves, found.fit.H);
     set.synthesis_error = synthesis_error(curves, found.fit.H);
+    warn_about_misfit(set.synthesis_error, set.warnings);
     add_clusters(stabilisation.tracks, set);
-    set.unrefined_error =
+    set.unrefined_error = synthesis_error(
+        curves,
         found.set_ups.empty()
-            ? unrefined_error(curves, stabilisation.tracks, found.fit)
-            : set.synthesis_error;
+            ? unrefined_fit(curves, stabilisation.tracks, found.fit.poles)
+            : runs->unrefined_H);
   } else {
     set.synthesis_error = 1.0;
     set.unrefined_error = 1.0;

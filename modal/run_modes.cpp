@@ -5,6 +5,7 @@
 #include "modal/select_modes.hpp"
 #include "modal/shape_uncertainty.hpp"
 #include "modal/stabilisation.hpp"
+#include "modal/unrefined_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,7 @@ struct SetUpFit {
   std::size_t set_up = 0;
   std::vector<Index> frfs;
   Curves curves;  ///< those FRFs
+  std::vector<Track> tracks;
   ModalFit fit;
   Eigen::MatrixXd residue_variance;
   Eigen::MatrixXd pole_covariance;
@@ -55,11 +57,12 @@ SetUpFit fit_set_up(const Curves& curves,
   const Curves& part = result.curves;
   const std::vector<OrderPoles> orders =
       plscf_poles(part, arrange_frfs(part), options.max_order, progress);
-  const Stabilisation stabilisation = stabilise(
-      orders, part.s(0).imag(), part.s(part.lines() - 1).imag(), options);
+  result.tracks =
+      stabilise(
+          orders, part.s(0).imag(), part.s(part.lines() - 1).imag(), options)
+          .tracks;
   result.fit =
-      select_modes(part, stabilisation.tracks, orders.size(), options, progress)
-          .fit;
+      select_modes(part, result.tracks, orders.size(), options, progress).fit;
   return result;
 }
 
@@ -300,10 +303,13 @@ RunModes empty_modes(const Curves& curves,
   result.residues = Eigen::MatrixXcd::Zero(curves.count(), count);
   result.residue_variance = Eigen::MatrixXd::Zero(curves.count(), count);
   result.H.resize(curves.lines(), curves.count());
+  result.unrefined_H.resize(curves.lines(), curves.count());
   result.frf_weight.resize(curves.count());
   for (const SetUpFit& fit : fits) {
     result.frf_weight(fit.frfs) = fit.fit.frf_weight;
     result.H(Eigen::all, fit.frfs) = fit.fit.H;
+    result.unrefined_H(Eigen::all, fit.frfs) =
+        unrefined_fit(fit.curves, fit.tracks, fit.fit.poles);
     result.set_ups.push_back({fit.set_up,
                               Eigen::VectorXcd::Zero(count),
                               Eigen::VectorXd::Zero(count)});

@@ -23,6 +23,7 @@ struct RunModes {
   Eigen::MatrixXcd residues;         ///< n_frfs x n_modes; 0 where not found
   Eigen::MatrixXd residue_variance;  ///< E|dR|^2, n_frfs x n_modes
   Eigen::MatrixXcd H;                ///< fitted, n_lines x n_frfs
+  Eigen::MatrixXcd unrefined_H;      ///< by the diagrams' own poles
   Eigen::VectorXd frf_weight;        ///< as in ModalFit, n_frfs
   std::vector<SetUpPoles> set_ups;   ///< in order, of n_modes each
 };

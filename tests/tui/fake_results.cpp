@@ -150,6 +150,7 @@ modal::ModeSet fake_modes() {
     }
   }
   set.scaled = true;
+  set.unrefined_error = 0.034;
   set.synthesis_error = 0.021;
   return set;
 }

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -103,6 +103,16 @@ ordered_json shifts_json(const modal::PoleShifts& shifts,
           {"statement", statement(shifts, channels)}};
 }
 
+std::string heading(const modal::ModeSet& modes) {
+  if (modes.modes.empty()) return "Modes: none identified";
+  return fmt::format(
+      "Modes: {} identified, synthesis error {} ({} before the poles were "
+      "refined)",
+      modes.modes.size(),
+      percent(modes.synthesis_error),
+      percent(modes.unrefined_error));
+}
+
 }  // namespace
 
 ordered_json modes_json(const modal::ModeSet& modes,
@@ -134,12 +144,7 @@ ordered_json modes_json(const modal::ModeSet& modes,
 
 std::string modes_text(const modal::ModeSet& modes,
                        const std::vector<std::string>& channels) {
-  std::string text = fmt::format(
-      "Modes: {} identified, synthesis error {} ({} before the poles were "
-      "refined)\n",
-      modes.modes.size(),
-      percent(modes.synthesis_error),
-      percent(modes.unrefined_error));
+  std::string text = heading(modes) + "\n";
   TextTable table({"mode",
                    "frequency Hz",
                    "sd Hz",
@@ -161,7 +166,7 @@ std::string modes_text(const modal::ModeSet& modes,
                fmt::format("{}", mode.cluster.poles),
                fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
   }
-  text += table.text();
+  if (!modes.modes.empty()) text += table.text();
   if (modal::is_telling(modes.shifts)) {
     text += "  note: " + statement(*modes.shifts, channels) + "\n";
   }
@@ -172,44 +177,50 @@ std::string modes_text(const modal::ModeSet& modes,
 
 namespace {
 
-/// FRAC of each FRF with its fit, on the lines of the fit.
-std::vector<double> fracs(const signal::FrfSet& frfs,
-                          const modal::ModeSet& modes) {
-  std::vector<double> values;
+struct FittedFrf {
+  const signal::Frf* frf = nullptr;
+  double frac = 0.0;  ///< with the fit, on its lines
+};
+
+/// Those that took part; one that is zero throughout did not.
+std::vector<FittedFrf> fitted_frfs(const signal::FrfSet& frfs,
+                                   const modal::ModeSet& modes) {
+  std::vector<FittedFrf> result;
   for (std::size_t f = 0; f < modes.fitted.size(); ++f) {
     const Eigen::VectorXcd& fit = modes.fitted[f];
+    if (fit.isZero(0.0)) continue;
     const Eigen::VectorXcd measured =
         (fit.array().abs() > 0.0)
             .select(frfs.frfs[f].H.array(), std::complex<double>(0.0));
-    values.push_back(signal::frac(measured, fit));
+    result.push_back({&frfs.frfs[f], signal::frac(measured, fit)});
   }
-  return values;
+  return result;
 }
 
 ordered_json fracs_json(const signal::FrfSet& frfs,
                         const modal::ModeSet& modes) {
   ordered_json list = ordered_json::array();
-  const std::vector<double> values = fracs(frfs, modes);
-  for (std::size_t f = 0; f < values.size(); ++f) {
-    list.push_back({{"response", name(frfs.frfs[f].response)},
-                    {"reference", name(frfs.frfs[f].reference)},
-                    {"run", frfs.frfs[f].run + 1},
-                    {"frac", values[f]}});
+  for (const FittedFrf& fitted : fitted_frfs(frfs, modes)) {
+    list.push_back({{"response", name(fitted.frf->response)},
+                    {"reference", name(fitted.frf->reference)},
+                    {"run", fitted.frf->run + 1},
+                    {"frac", fitted.frac}});
   }
   return list;
 }
 
 std::string fracs_text(const signal::FrfSet& frfs,
                        const modal::ModeSet& modes) {
-  const std::vector<double> values = fracs(frfs, modes);
-  if (values.empty()) return {};
-  const auto worst = std::ranges::min_element(values);
+  const std::vector<FittedFrf> fitted = fitted_frfs(frfs, modes);
+  if (fitted.empty()) return {};
+  const auto worst = std::ranges::min_element(fitted, {}, &FittedFrf::frac);
+  double sum = 0.0;
+  for (const FittedFrf& one : fitted) sum += one.frac;
   return fmt::format(
       "  FRAC of the fit: {:.3f} at worst ({}), {:.3f} on average\n",
-      *worst,
-      name(frfs.frfs[static_cast<std::size_t>(worst - values.begin())]),
-      std::accumulate(values.begin(), values.end(), 0.0) /
-          static_cast<double>(values.size()));
+      worst->frac,
+      name(*worst->frf),
+      sum / static_cast<double>(fitted.size()));
 }
 
 }  // namespace

@@ -207,10 +207,15 @@ void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
 }
 
 std::string summary(const modal::ModeSet& modes) {
-  return fmt::format("{} modes, {}, synthesis error {}",
+  const std::string before = modes.modes.empty()
+                                 ? ""
+                                 : fmt::format(" ({} before refinement)",
+                                               percent(modes.unrefined_error));
+  return fmt::format("{} modes, {}, synthesis error {}{}",
                      modes.modes.size(),
                      modes.scaled ? "unit modal mass" : "not scaled",
-                     percent(modes.synthesis_error));
+                     percent(modes.synthesis_error),
+                     before);
 }
 
 // The first warning below the summary, in at most two rows; what moves the
