@@ -13,6 +13,7 @@ namespace tapfit::modal {
 namespace {
 
 constexpr Eigen::Index kFewestLines = 8;
+constexpr double kSmallest = 1e-60;  // its fourth power is still a number
 constexpr double kModelFloor = 0.01;
 
 /// Mean over 2 half + 1 lines, fewer at the ends.
@@ -113,7 +114,14 @@ bool usable(const signal::Frf& frf,
                      "FRF " + signal::name(frf),
                      "check the recording behind it, or leave it out");
   }
-  if (frf.H.cwiseAbs().maxCoeff() > 0.0) return true;
+  const double largest = frf.H.cwiseAbs().maxCoeff();
+  if (largest > 0.0 && !(largest > kSmallest && largest < 1.0 / kSmallest)) {
+    throw InputError(fmt::format("the largest value is {:.1g}", largest),
+                     "FRF " + signal::name(frf),
+                     "check its unit: no structure has such an accelerance, "
+                     "and products of such values are lost");
+  }
+  if (largest > 0.0) return true;
   warnings.push_back("FRF " + signal::name(frf) +
                      " is zero throughout and was left out");
   return false;

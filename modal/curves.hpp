@@ -39,7 +39,8 @@ struct Curves {
 ///
 /// @param warnings what was left out is said here
 /// @throws InputError for fewer than 8 lines, lines that are not evenly spaced
-///   or not of one sigma, values that are not finite, no FRF left
+///   or not of one sigma, values that are not finite or beyond 1e-60 and 1e60,
+///   no FRF left
 [[nodiscard]] Curves prepare_curves(const signal::FrfSet& frfs,
                                     std::vector<std::string>& warnings);
 

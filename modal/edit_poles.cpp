@@ -1,6 +1,7 @@
 #include "modal/edit_poles.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "modal/neighbour_modes.hpp"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,13 @@ void add(const Curves& curves,
          double hz,
          ModalFit& fit) {
   const double omega = kTwoPi * hz;
+  if (!in_band(curves, omega)) {
+    throw InputError(fmt::format("no mode can be put in at {:.6g} Hz", hz),
+                     "modes",
+                     fmt::format("the lines go from {:.6g} to {:.6g} Hz",
+                                 curves.s(0).imag() / kTwoPi,
+                                 curves.s(curves.lines() - 1).imag() / kTwoPi));
+  }
   Eigen::VectorXcd poles(fit.poles.size() + 1);
   poles << fit.poles, start_near(tracks, fit, omega);
   ModalFit trial = refine_poles(curves, poles, 20);

@@ -66,8 +66,15 @@ TEST(EditModes, SaysWhereThereIsNothingToDropOrAdd) {
   options.edits = {{What::Add, 41.0}};  // a mode is there, and no noise to fit
   EXPECT_THROW((void)modal::identify_modes(four_modes(0.0), options),
                InputError);
-  options.edits = {{What::Add, 400.0}};
-  EXPECT_THROW((void)modal::identify_modes(frfs, options), InputError);
+  for (const double beside : {101.0, 400.0, 1e300}) {
+    options.edits = {{What::Add, beside}};
+    try {
+      (void)modal::identify_modes(frfs, options);
+      ADD_FAILURE() << beside;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.remedy(), "the lines go from 5 to 100 Hz");
+    }
+  }
 }
 
 TEST(EditModes, LooksAtTheBandAskedForOnly) {
