@@ -53,11 +53,10 @@ void count_mode(const modal::Mode& mode,
   counts.mac.add(mac.lo95 <= exact && exact <= mac.hi95);
 }
 
-test::SyntheticSystem three_modes() {
+test::SyntheticSystem three_modes(std::mt19937_64& shapes) {
   test::SyntheticSystem system;
   system.frequency_hz = Eigen::Vector3d(20.0, 31.0, 33.0);
   system.damping_ratio = Eigen::Vector3d(0.01, 0.006, 0.012);
-  std::mt19937_64 shapes(1);
   system.phi = test::random_shapes(6, 3, shapes);
   return system;
 }
@@ -90,11 +89,11 @@ signal::FrfSet with_noise_in_proportion(const test::SyntheticSystem& system,
 }
 
 void expect_intervals_hold(const Measure& measure, unsigned runs) {
-  const test::SyntheticSystem truth = three_modes();
-  std::mt19937_64 other(2);
+  std::mt19937_64 shapes(1);
+  const test::SyntheticSystem truth = three_modes(shapes);
   // A model that is not quite right, so that MAC has something to say.
   const Eigen::MatrixXcd model =
-      (truth.phi + 0.2 * test::random_shapes(6, 3, other))
+      (truth.phi + 0.2 * test::random_shapes(6, 3, shapes))
           .cast<std::complex<double>>();
   Counts counts;
   for (unsigned seed = 1; seed <= runs; ++seed) {
