@@ -11,6 +11,7 @@
 #include "tui/commands/text_table.hpp"
 #include "tui/commands/update_output.hpp"
 #include "tui/number.hpp"
+#include "updating/kept_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -54,6 +55,8 @@ std::string ladder(updating::Session& session,
                percent(rung.error),
                bar(rung.error / largest, 30, true),
                none ? "" : parameters_text(rung.parameters)});
+    if (rung.stopped_after == 0) continue;
+    table.add({"  " + updating::stopped_text(rung.stopped_after), "", "", ""});
   }
   table.add({"floor",
              percent(current.floor),

@@ -5,11 +5,8 @@
 #include "tui/commands/updated_deck.hpp"
 #include "tui/session_file.hpp"
 #include "tui/session_report.hpp"
-#include "tui/undone.hpp"
 #include "updating/saved_session.hpp"
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace tapfit::tui {
@@ -21,9 +18,9 @@ class SessionWorkbench final : public Workbench {
       : session_(bundle), file_(session_file(bundle)) {
     std::error_code ignored;
     if (std::filesystem::exists(file_, ignored)) {
-      session_.take_up(updating::read_saved_session(file_));
-      std::ifstream stream(file_, std::ios::binary);
-      undone_ = undone_in({std::istreambuf_iterator<char>(stream), {}});
+      const updating::SavedSession saved = updating::read_saved_session(file_);
+      session_.take_up(saved);
+      restored_ = saved.restored;
     }
   }
 
@@ -87,56 +84,30 @@ class SessionWorkbench final : public Workbench {
   }
   void add(const updating::EffectRef& effect, const Progress& p) override {
     session_.add(effect, p);
-    undone_.clear();
   }
   void toggle(std::size_t effect, const Progress& p) override {
     session_.toggle(effect, p);
-    undone_.clear();
   }
-  bool undo(const Progress& p) override;
-  bool redo(const Progress& p) override;
+  bool undo(const Progress& p) override { return session_.undo(p); }
+  bool redo(const Progress& p) override { return session_.redo(p); }
   std::vector<updating::AddedEffect> effects() override {
     return session_.effects();
   }
   std::vector<updating::OverruledHit> overruled() override {
     return session_.overruled();
   }
+  std::vector<updating::OverruledHit> restored() override { return restored_; }
   std::filesystem::path write(Output what,
                               const std::filesystem::path& to,
                               const Progress& p) override;
-  std::string save(const Progress& p) override;
+  std::string save(const std::vector<updating::OverruledHit>& restored,
+                   const Progress& p) override;
 
  private:
-  void add_undone();
-
   updating::Session session_;
   std::filesystem::path file_;
-  std::vector<EffectChange> undone_;  ///< the last one last
+  std::vector<updating::OverruledHit> restored_;  ///< when it was opened
 };
-
-bool SessionWorkbench::undo(const Progress& p) {
-  const std::vector<updating::AddedEffect> before = session_.effects();
-  if (!session_.undo(p)) return false;
-  if (const auto change = change_between(session_.effects(), before)) {
-    undone_.push_back(*change);
-  }
-  return true;
-}
-
-/// The session knows what was undone since it was opened, the file the rest.
-bool SessionWorkbench::redo(const Progress& p) {
-  if (undone_.empty()) return session_.redo(p);
-  const EffectChange change = undone_.back();
-  if (!session_.redo(p)) {
-    if (change.switched) {
-      session_.toggle(*change.switched, p);
-    } else {
-      session_.add(change.added, p);
-    }
-  }
-  undone_.pop_back();
-  return true;
-}
 
 std::filesystem::path SessionWorkbench::write(Output what,
                                               const std::filesystem::path& to,
@@ -157,24 +128,14 @@ std::filesystem::path SessionWorkbench::write(Output what,
   return path;
 }
 
-/// As the session's own file: replaced as a whole or not at all.
-void SessionWorkbench::add_undone() {
-  if (undone_.empty()) return;
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  const std::filesystem::path fresh =
-      std::filesystem::path(file_).concat(".new");
-  write_text_file(with_undone(text, undone_), fresh);
-  std::filesystem::rename(fresh, file_);
-}
-
-std::string SessionWorkbench::save(const Progress& p) {
+std::string SessionWorkbench::save(
+    const std::vector<updating::OverruledHit>& restored, const Progress& p) {
   try {
-    const updating::SavedSession saved = session_.saved(p);
+    updating::SavedSession saved = session_.saved(p);
+    saved.restored = restored;
     std::error_code ignored;
-    if (!saved.empty() || !undone_.empty()) {
+    if (!saved.empty()) {
       updating::write_saved_session(file_, saved);
-      add_undone();
     } else {
       std::filesystem::remove(file_, ignored);
     }

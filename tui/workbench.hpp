@@ -61,8 +61,13 @@ class Workbench {
   virtual std::filesystem::path write(Output what,
                                       const std::filesystem::path& to,
                                       const Progress&) = 0;
-  /// Writes down what was done so far; returns what went wrong, if anything.
-  virtual std::string save(const Progress&) = 0;
+  /// Overrulings that had been taken back when it was opened, the last one
+  /// last.
+  virtual std::vector<updating::OverruledHit> restored() = 0;
+  /// Writes down what was done so far, with what was taken back since;
+  /// returns what went wrong, if anything.
+  virtual std::string save(const std::vector<updating::OverruledHit>& restored,
+                           const Progress&) = 0;
 };
 
 }  // namespace tapfit::tui

@@ -160,6 +160,7 @@ Worker::Worker(std::unique_ptr<Workbench> bench) : bench_(std::move(bench)) {
   known_.has_model = bench_->has_model();
   known_.effects = bench_->effects();
   known_.overruled = bench_->overruled();
+  known_.restored = bench_->restored();
   finished_ = Finished{
       Finished::How::Done, "opening", taken_up(known_), std::nullopt, known_};
   thread_ = std::jthread([this](const std::stop_token& leave) { loop(leave); });

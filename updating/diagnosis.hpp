@@ -117,6 +117,7 @@ struct Rung {
   std::vector<Estimate> parameters;
   double probability = 1.0;  ///< among all tried with the same other effects
   std::vector<EffectRef> alike = {};  ///< what explains the data as well
+  int stopped_after = 0;  ///< steps, where its fit was ended by hand, else 0
 };
 
 /// The most probable kind of a rung that may name a group: "a" of "a|b".

@@ -24,6 +24,43 @@ Fit judged(Fit fit, const Fit& before) {
   return fit;
 }
 
+std::vector<EffectRef> refs_of(const std::vector<PlacedEffect>& effects) {
+  std::vector<EffectRef> refs;
+  for (const PlacedEffect& e : effects) {
+    refs.push_back({e.effect->name(), e.where});
+  }
+  return refs;
+}
+
+/// To its end, or to where it was kept.
+Fit fit_of(const std::vector<PlacedEffect>& effects,
+           const Fit& before,
+           std::vector<KeptFit>& kept,
+           const StackFit& how,
+           const Progress& progress) {
+  const std::vector<EffectRef> refs = refs_of(effects);
+  const auto known = std::ranges::find(kept, refs, &KeptFit::effects);
+  Fit fit = fit_kept(
+      [&](const Progress& watched) { return how.fit(effects, watched); },
+      known == kept.end() ? 0 : known->steps,
+      progress);
+  if (fit.stopped_after > 0) {
+    if (known != kept.end()) kept.erase(known);
+    kept.push_back({refs, fit.stopped_after});
+  }
+  return judged(std::move(fit), before);
+}
+
+/// Whether that fit is one of those that lead to these effects.
+bool leads_to(const KeptFit& fit, const EffectHistory::Effects& effects) {
+  std::vector<EffectRef> on;
+  for (const AddedEffect& added : effects) {
+    if (added.on) on.push_back(added.ref);
+  }
+  return !on.empty() && fit.effects.size() <= on.size() &&
+         std::equal(fit.effects.begin(), fit.effects.end(), on.begin());
+}
+
 /// The effect with the whole place it acts at.
 /// @throws InputError where it is among those that are there already
 EffectRef whole_of(const EffectRef& effect,
@@ -65,11 +102,12 @@ EffectStack::EffectStack(Fit base, bool uncertain) : uncertain_(uncertain) {
 
 void EffectStack::fit_uncertain(const StackFit& how, const Progress& progress) {
   if (fits_.size() > 1) return;
-  fits_.push_back(judged(how.fit({}, progress), fits_.front()));
+  fits_.push_back(fit_of({}, fits_.front(), history_.kept, how, progress));
 }
 
 // Fits that stay true are kept: up to the first effect that differs.
 std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
+                                       std::vector<KeptFit>& kept,
                                        const StackFit& how,
                                        const Progress& progress) const {
   std::vector<Fit> fits = {fits_.front()};
@@ -79,7 +117,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
   if (fitted) {
     fits.push_back(fits_[1]);
   } else if (uncertain_) {
-    fits.push_back(judged(how.fit({}, progress), fits.front()));
+    fits.push_back(fit_of({}, fits.front(), kept, how, progress));
   }
   bool same = true;
   std::vector<PlacedEffect> so_far;
@@ -91,7 +129,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
       fits.push_back(fits_[at]);
     } else {
       so_far.push_back(wanted[k]);
-      fits.push_back(judged(how.fit(so_far, progress), fits.back()));
+      fits.push_back(fit_of(so_far, fits.back(), kept, how, progress));
     }
     so_far = fits.back().effects;
   }
@@ -99,6 +137,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
 }
 
 void EffectStack::change_to(const Effects& effects,
+                            std::vector<KeptFit> kept,
                             const StackFit& how,
                             const Progress& progress) {
   std::vector<PlacedEffect> on;
@@ -106,8 +145,18 @@ void EffectStack::change_to(const Effects& effects,
     if (!added.on) continue;
     on.push_back(place_effect(added.ref, how.setting));
   }
-  fits_ = fits_for(on, how, progress);
+  fits_ = fits_for(on, kept, how, progress);
   history_.now = effects;
+  history_.kept = std::move(kept);
+}
+
+std::vector<KeptFit> EffectStack::still_kept() const {
+  std::vector<KeptFit> kept = history_.kept;
+  std::erase_if(kept, [this](const KeptFit& fit) {
+    const auto holds = [&fit](const Effects& e) { return leads_to(fit, e); };
+    return !holds(history_.now) && std::ranges::none_of(history_.past, holds);
+  });
+  return kept;
 }
 
 void EffectStack::add(const EffectRef& effect,
@@ -116,7 +165,7 @@ void EffectStack::add(const EffectRef& effect,
   const Effects before = history_.now;
   Effects more = before;
   more.push_back({whole_of(effect, before, how), true});
-  change_to(more, how, progress);
+  change_to(more, still_kept(), how, progress);
   history_.past.push_back(before);
   history_.future.clear();
 }
@@ -128,11 +177,10 @@ void EffectStack::restore(const EffectHistory& history,
   for (const AddedEffect& added : history.now) {
     whole.push_back({whole_of(added.ref, whole, how), added.on});
   }
-  change_to(whole, how, progress);
+  change_to(whole, history.kept, how, progress);
   history_.past = history.past;
   history_.future = history.future;
-  const bool told = !history.past.empty() || !history.future.empty();
-  if (!told) history_.past = past_of(whole);
+  if (history.past.empty()) history_.past = past_of(whole);
 }
 
 void EffectStack::toggle(std::size_t effect,
@@ -148,7 +196,7 @@ void EffectStack::toggle(std::size_t effect,
   const Effects before = history_.now;
   Effects other = history_.now;
   other[effect].on = !other[effect].on;
-  change_to(other, how, progress);
+  change_to(other, still_kept(), how, progress);
   history_.past.push_back(before);
   history_.future.clear();
 }
@@ -156,7 +204,7 @@ void EffectStack::toggle(std::size_t effect,
 bool EffectStack::undo(const StackFit& how, const Progress& progress) {
   if (history_.past.empty()) return false;
   const Effects now = history_.now;
-  change_to(history_.past.back(), how, progress);
+  change_to(history_.past.back(), history_.kept, how, progress);
   history_.past.pop_back();
   history_.future.push_back(now);
   return true;
@@ -165,7 +213,7 @@ bool EffectStack::undo(const StackFit& how, const Progress& progress) {
 bool EffectStack::redo(const StackFit& how, const Progress& progress) {
   if (history_.future.empty()) return false;
   const Effects now = history_.now;
-  change_to(history_.future.back(), how, progress);
+  change_to(history_.future.back(), history_.kept, how, progress);
   history_.future.pop_back();
   history_.past.push_back(now);
   return true;

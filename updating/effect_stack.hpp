@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/fitter.hpp"
+#include "updating/kept_fit.hpp"
 
 #include <functional>
 #include <vector>
@@ -23,6 +24,8 @@ struct EffectHistory {
   Effects now;
   std::vector<Effects> past;  ///< what an undo goes back to, the next one last
   std::vector<Effects> future;  ///< what a redo goes on to, the next one last
+  /// Fits of any of these that were ended by hand; made again, they end there.
+  std::vector<KeptFit> kept = {};
 };
 
 /// Fits of the base model with ever more of the effects. A change that fails
@@ -37,6 +40,7 @@ class EffectStack {
 
   /// Fits what is uncertain in the model with no effect added.
   void fit_uncertain(const StackFit& how, const Progress& progress);
+  /// What was ended by hand before, and then undone, is fitted to its end.
   /// @throws InputError for an effect that is in the list already or has no
   ///   such place
   void add(const EffectRef& effect,
@@ -69,13 +73,18 @@ class EffectStack {
  private:
   using Effects = EffectHistory::Effects;
 
+  /// @param kept fits that end early; those newly ended are put in
   void change_to(const Effects& effects,
+                 std::vector<KeptFit> kept,
                  const StackFit& how,
                  const Progress& progress);
   [[nodiscard]] std::vector<Fit> fits_for(
       const std::vector<PlacedEffect>& wanted,
+      std::vector<KeptFit>& kept,
       const StackFit& how,
       const Progress& progress) const;
+  /// Kept fits that an undo can lead to, or that are in the model.
+  [[nodiscard]] std::vector<KeptFit> still_kept() const;
 
   bool uncertain_;
   EffectHistory history_;

@@ -114,6 +114,7 @@ std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
     Rung rung;
     rung.added = ladder.empty() ? base_rung : uncertain_rung;
     rung.error = fit.result.error;
+    rung.stopped_after = fit.stopped_after;
     if (!fit.effects.empty()) {
       const std::size_t last = fit.effects.size() - 1;
       rung.added = fit.effects[last].effect->name();

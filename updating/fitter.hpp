@@ -31,6 +31,7 @@ struct Fit {
   std::vector<PlacedEffect> effects;
   UpdateResult result;
   std::shared_ptr<const FrfModel> model;
+  int stopped_after = 0;  ///< steps, where it was ended by hand, else 0
 };
 
 /// @return degrees of freedom (6 grid_index + component - 1) that low-rank

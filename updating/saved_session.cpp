@@ -61,9 +61,7 @@ json to_json(const Where& where) {
   return result;
 }
 
-Where where_from(const json& value) {
-  check_fields(
-      value, "\"where\"", {"node", "nodes", "elements", "channels", "variant"});
+Where where_in(const json& value) {
   Where where;
   where.node = value.value("node", 0);
   where.nodes = value.value("nodes", std::vector<int>{});
@@ -71,6 +69,59 @@ Where where_from(const json& value) {
   where.channels = value.value("channels", std::vector<std::string>{});
   where.variant = value.value("variant", "");
   return where;
+}
+
+Where where_from(const json& value) {
+  check_fields(
+      value, "\"where\"", {"node", "nodes", "elements", "channels", "variant"});
+  return where_in(value);
+}
+
+json to_json(const EffectChange& change) {
+  if (change.switched) return {{"switched", *change.switched + 1}};
+  json result{{"effect", change.added.effect}};
+  result.update(to_json(change.added.where));
+  return result;
+}
+
+EffectChange change_from(const json& value) {
+  check_fields(value,
+               "a change",
+               {"switched",
+                "effect",
+                "node",
+                "nodes",
+                "elements",
+                "channels",
+                "variant"});
+  if (!value.contains("switched")) {
+    return {{value.at("effect"), where_in(value)}, {}};
+  }
+  const auto number = value.at("switched").get<long long>();
+  if (number < 1) throw std::out_of_range("effects are counted from 1");
+  return {{}, static_cast<std::size_t>(number - 1)};
+}
+
+json to_json(const KeptFit& fit) {
+  json effects = json::array();
+  for (const EffectRef& effect : fit.effects) {
+    effects.push_back(
+        {{"effect", effect.effect}, {"where", to_json(effect.where)}});
+  }
+  return {{"effects", effects}, {"steps", fit.steps}};
+}
+
+KeptFit kept_from(const json& value) {
+  check_fields(value, "a kept fit", {"effects", "steps"});
+  KeptFit fit;
+  for (const json& effect : list_in(value, "effects")) {
+    check_fields(effect, "an effect", {"effect", "where"});
+    fit.effects.push_back({effect.at("effect"),
+                           where_from(effect.value("where", json::object()))});
+  }
+  fit.steps = value.at("steps");
+  if (fit.steps < 1) throw std::out_of_range("steps are counted from 1");
+  return fit;
 }
 
 json to_json(const SavedRung& saved) {
@@ -174,6 +225,23 @@ std::size_t index_from(const json& value) {
   return static_cast<std::size_t>(number - 1);
 }
 
+std::vector<OverruledHit> hits_from(const json& list) {
+  std::vector<OverruledHit> hits;
+  for (const json& hit : list) {
+    check_fields(hit, "a hit", {"run", "hit"});
+    hits.push_back({index_from(hit.at("run")), index_from(hit.at("hit"))});
+  }
+  return hits;
+}
+
+json to_json(const std::vector<OverruledHit>& hits) {
+  json list = json::array();
+  for (const OverruledHit& hit : hits) {
+    list.push_back({{"run", hit.run + 1}, {"hit", hit.hit + 1}});
+  }
+  return list;
+}
+
 SavedSession session_from(const json& value) {
   if (value.at("tapfit_session").get<int>() != version) {
     throw std::out_of_range(
@@ -184,17 +252,16 @@ SavedSession session_from(const json& value) {
                {"tapfit_session",
                 "title",
                 "overruled_hits",
+                "restored_hits",
                 "modes",
                 "effects",
-                "ladder",
-                "undone"});  // what the terminal can redo, read by it
+                "undone",
+                "kept_fits",
+                "ladder"});
   SavedSession session;
   session.title = value.value("title", "");
-  for (const json& hit : list_in(value, "overruled_hits")) {
-    check_fields(hit, "a hit", {"run", "hit"});
-    session.overruled.push_back(
-        {index_from(hit.at("run")), index_from(hit.at("hit"))});
-  }
+  session.overruled = hits_from(list_in(value, "overruled_hits"));
+  session.restored = hits_from(list_in(value, "restored_hits"));
   session.modes = choices_from(value.value("modes", json::object()));
   for (const json& effect : list_in(value, "effects")) {
     check_fields(effect, "an effect", {"effect", "where", "on"});
@@ -202,6 +269,12 @@ SavedSession session_from(const json& value) {
         {{effect.at("effect"),
           where_from(effect.value("where", json::object()))},
          effect.value("on", true)});
+  }
+  for (const json& change : list_in(value, "undone")) {
+    session.undone.push_back(change_from(change));
+  }
+  for (const json& fit : list_in(value, "kept_fits")) {
+    session.kept.push_back(kept_from(fit));
   }
   for (const json& rung : list_in(value, "ladder")) {
     session.ladder.push_back(rung_from(rung));
@@ -221,18 +294,23 @@ SavedSession session_from(const json& value) {
 std::string as_text(const SavedSession& session) {
   json value{{"tapfit_session", version},
              {"title", session.title},
-             {"overruled_hits", json::array()},
+             {"overruled_hits", to_json(session.overruled)},
+             {"restored_hits", to_json(session.restored)},
              {"modes", to_json(session.modes)},
              {"effects", json::array()},
+             {"undone", json::array()},
+             {"kept_fits", json::array()},
              {"ladder", json::array()}};
-  for (const OverruledHit& hit : session.overruled) {
-    value["overruled_hits"].push_back(
-        {{"run", hit.run + 1}, {"hit", hit.hit + 1}});
-  }
   for (const AddedEffect& added : session.effects) {
     value["effects"].push_back({{"effect", added.ref.effect},
                                 {"where", to_json(added.ref.where)},
                                 {"on", added.on}});
+  }
+  for (const EffectChange& change : session.undone) {
+    value["undone"].push_back(to_json(change));
+  }
+  for (const KeptFit& fit : session.kept) {
+    value["kept_fits"].push_back(to_json(fit));
   }
   for (const SavedRung& rung : session.ladder) {
     value["ladder"].push_back(to_json(rung));

@@ -1,10 +1,12 @@
 // What was done to a test by hand, as a file that people can read: hits that
-// were overruled, modes that were edited, effects that were added, and the
-// error ladder they gave.
+// were overruled, modes that were edited, effects that were added, what of it
+// was undone, and the error ladder they gave.
 #pragma once
 
 #include "updating/comparison.hpp"
 #include "updating/diagnosis.hpp"
+#include "updating/effect_change.hpp"
+#include "updating/kept_fit.hpp"
 #include "updating/mode_choices.hpp"
 
 #include <filesystem>
@@ -30,13 +32,18 @@ struct SavedRung {
 struct SavedSession {
   std::string title;  ///< of the bundle
   std::vector<OverruledHit> overruled;
+  /// Overrulings that were taken back, for a redo, the next one last.
+  std::vector<OverruledHit> restored = {};
   ModeChoices modes;
   std::vector<AddedEffect> effects;
-  std::vector<SavedRung> ladder;  ///< what came out when it was saved
+  std::vector<EffectChange> undone = {};  ///< for a redo, the next one last
+  std::vector<KeptFit> kept = {};         ///< fits that were ended by hand
+  std::vector<SavedRung> ladder;          ///< what came out when it was saved
 
   /// Whether nothing was done that could be lost.
   [[nodiscard]] bool empty() const {
-    return overruled.empty() && modes.empty() && effects.empty();
+    return overruled.empty() && restored.empty() && modes.empty() &&
+           effects.empty() && undone.empty();
   }
 };
 

@@ -336,6 +336,10 @@ SavedSession Session::saved(const Progress& progress) {
   result.overruled = overruled();
   result.modes = mode_choices();
   result.effects = effects();
+  const EffectHistory& history =
+      impl_->ground ? impl_->stack->history() : impl_->waiting;
+  result.undone = changes_through(history.now, history.future);
+  result.kept = history.kept;
   if (!impl_->ground) return result;
   for (const Rung& rung : ladder(progress)) {
     const Fit& fit = impl_->stack->fits()[result.ladder.size()];
@@ -347,7 +351,10 @@ SavedSession Session::saved(const Progress& progress) {
 void Session::take_up(const SavedSession& saved) {
   impl_->test.set_overruled(saved.overruled);
   impl_->test.set_choices(saved.modes);
-  impl_->waiting = {saved.effects, {}, {}};
+  impl_->waiting = {saved.effects,
+                    {},
+                    states_through(saved.effects, saved.undone),
+                    saved.kept};
 }
 
 void Session::set_update(const UpdateChoice& choice) {

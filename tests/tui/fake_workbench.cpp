@@ -145,7 +145,11 @@ class FakeWorkbench final : public Workbench {
   std::vector<updating::OverruledHit> overruled() override {
     return overruled_;
   }
-  std::string save(const Progress&) override { return options_.unsaved; }
+  std::vector<updating::OverruledHit> restored() override { return {}; }
+  std::string save(const std::vector<updating::OverruledHit>&,
+                   const Progress&) override {
+    return options_.unsaved;
+  }
 
  private:
   FakeOptions options_;

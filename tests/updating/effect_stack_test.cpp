@@ -4,6 +4,7 @@
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/damped_line.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/fit_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -162,6 +163,57 @@ TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
   ASSERT_TRUE(stack_->redo(how(), none_));
   stack_->add(mass_at(20), how(), none_);
   EXPECT_FALSE(stack_->redo(how(), none_)) << "a new branch was begun";
+}
+
+// A user who has fits end after so many steps.
+Progress impatient(int steps) {
+  FitWatch watch;
+  watch.enough = [asked = 0, steps]() mutable { return ++asked >= steps; };
+  Progress progress;
+  progress.report = watch;
+  return progress;
+}
+
+TEST_F(EffectStackTest, AFitThatWasKeptComesBackAsItWas) {
+  stack_->add(mass_at(9), how(), none_);
+  stack_->add(mass_at(53), how(), impatient(2));
+  const Fit kept = stack_->fits().back();
+  EXPECT_EQ(kept.stopped_after, 2);
+  EXPECT_EQ(kept.result.message.rfind("stopped early, after 2 steps", 0), 0U);
+  EXPECT_FALSE(kept.result.converged);
+  EXPECT_EQ(stack_->fits()[2].stopped_after, 0);
+  const double reached = error();
+  EXPECT_GT(reached, 1e-3) << "at its end there is nothing left";
+
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  ASSERT_TRUE(stack_->redo(how(), none_));
+  // The same steps: the same numbers, to the last bit.
+  EXPECT_EQ(error(), reached);
+  EXPECT_EQ(stack_->fits().back().stopped_after, 2);
+
+  EffectStack other(stack_->fits().front(), true);
+  other.restore(stack_->history(), how(), none_);
+  EXPECT_EQ(other.fits().back().result.error, reached);
+  EXPECT_EQ(other.fits().back().result.state.effects[1].p,
+            kept.result.state.effects[1].p);
+  EXPECT_EQ(other.history().kept, stack_->history().kept);
+
+  stack_->toggle(0, how(), none_);
+  stack_->toggle(0, how(), none_);
+  EXPECT_EQ(error(), reached);
+}
+
+TEST_F(EffectStackTest, WhatWasKeptAndUndoneIsFittedToItsEndWhenAddedAnew) {
+  stack_->add(mass_at(9), how(), impatient(1));
+  // The fit of what is uncertain was ended, too.
+  EXPECT_EQ(stack_->fits()[1].stopped_after, 1);
+  EXPECT_EQ(stack_->history().kept.size(), 2U);
+  const double reached = error();
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  stack_->add(mass_at(9), how(), none_);
+  EXPECT_EQ(stack_->fits().back().stopped_after, 0);
+  EXPECT_TRUE(stack_->history().kept.empty());
+  EXPECT_LT(error(), reached);
 }
 
 TEST_F(EffectStackTest, AChangeThatFailsLeavesEverythingAsItWas) {

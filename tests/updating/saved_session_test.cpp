@@ -51,6 +51,9 @@ SavedSession sample() {
   session.modes.edits = {{What::Add, 20.0}, {What::Drop, 12.98}};
   session.modes.pairs = {{7.232, 2}, {13.0, -1}};
   session.effects = {{support, true}, {sensors, false}, {loss, true}};
+  session.restored = {{1, 2}};
+  session.undone = {{{}, 2}, {support, {}}};
+  session.kept = {{{support, loss}, 7}, {{}, 1}};
   SavedRung rung;
   rung.rung.added = "soft-support";
   rung.rung.where = support.where;
@@ -77,7 +80,10 @@ TEST_F(SavedSessionTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read.title, session.title);
   EXPECT_EQ(read.overruled, session.overruled);
   EXPECT_EQ(read.modes, session.modes);
+  EXPECT_EQ(read.restored, session.restored);
   EXPECT_EQ(read.effects, session.effects);
+  EXPECT_EQ(read.undone, session.undone);
+  EXPECT_EQ(read.kept, session.kept);
   // Numbers to the last bit, the text says so.
   EXPECT_EQ(as_text(read), as_text(session));
   EXPECT_EQ(read.ladder.at(0).rung.error, session.ladder[0].rung.error);
@@ -90,6 +96,22 @@ TEST_F(SavedSessionTest, CountsRunsAndHitsFromOneInTheFile) {
             std::string::npos);
 }
 
+// As versions before kept fits wrote it, with whole places in "undone".
+TEST_F(SavedSessionTest, ReadsFilesOfEarlierVersions) {
+  const SavedSession read = read_saved_session(holding(
+      R"({"tapfit_session": 1, "title": "", "overruled_hits": [],
+          "modes": {"edits": [], "pairs": []}, "effects": [], "ladder": [],
+          "undone": [{"switched": 2},
+                     {"effect": "added-mass", "node": 5, "nodes": [],
+                      "elements": [], "channels": [], "variant": ""}]})"));
+  Where where;
+  where.node = 5;
+  EXPECT_EQ(read.undone,
+            (std::vector<EffectChange>{{{}, 1}, {{"added-mass", where}, {}}}));
+  EXPECT_TRUE(read.kept.empty());
+  EXPECT_TRUE(read.restored.empty());
+}
+
 TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
   for (const char* text :
        {"",
@@ -99,6 +121,12 @@ TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
         R"({"tapfit_session": 2, "overruled_hits": [], "effects": []})",
         R"({"tapfit_session": 1, "effects": {}})",
         R"({"tapfit_session": 1, "effect": []})",
+        R"({"tapfit_session": 1, "undone": 3})",
+        R"({"tapfit_session": 1, "undone": [{"effect": 1}]})",
+        R"({"tapfit_session": 1, "undone": [{"switched": 0}]})",
+        R"({"tapfit_session": 1, "kept_fits": [{"effects": []}]})",
+        R"({"tapfit_session": 1, "kept_fits": [{"steps": 0}]})",
+        R"({"tapfit_session": 1, "restored_hits": [{"run": 1}]})",
         R"({"tapfit_session": 1, "effects": [{"effect": "dashpot",
             "grid": 5}]})",
         R"({"tapfit_session": 1, "overruled_hits": [{"run": 0, "hit": 1}],

@@ -39,6 +39,12 @@ std::string session_text(const updating::SavedSession& session) {
                paired ? percent(hz_error) : "-",
                paired ? fmt::format("{:.3f}", mac) : "-",
                parameters_text(saved.rung.parameters)});
+    if (saved.rung.stopped_after == 0) continue;
+    table.add({"  " + updating::stopped_text(saved.rung.stopped_after),
+               "",
+               "",
+               "",
+               ""});
   }
   text += table.text();
   for (const updating::AddedEffect& added : session.effects) {

@@ -5,6 +5,7 @@
 #include "tui/heat_map.hpp"
 #include "tui/number.hpp"
 #include "tui/text.hpp"
+#include "updating/kept_fit.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,10 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
                    largest);
     ++sheet.y;
     if (base) continue;
+    if (rung.stopped_after > 0) {
+      sheet.line("    " + updating::stopped_text(rung.stopped_after),
+                 {.colour = Colour::Yellow});
+    }
     for (const updating::Estimate& p : rung.parameters) {
       sheet.line(fmt::format("    {}", describe(p)));
     }

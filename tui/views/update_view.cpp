@@ -136,8 +136,15 @@ void draw_ladder(Screen& screen,
     }
     screen.text(rect.x, y, row.name, {}, names - 1);
     screen.text_right(rect.x + names + 7, y, percent(row.rung->error));
+    int bar_width = rect.width - names - 9;
+    if (row.rung->stopped_after > 0) {
+      const std::string mark = "kept";
+      bar_width -= text_width(mark) + 1;
+      screen.text_right(
+          rect.x + rect.width - 1, y, mark, {.colour = Colour::Yellow});
+    }
     draw_error_bar(screen,
-                   {rect.x + names + 8, y, rect.width - names - 9, 1},
+                   {rect.x + names + 8, y, bar_width, 1},
                    row.rung->error,
                    floor,
                    largest);
@@ -156,6 +163,7 @@ std::string headline_of(const UpdateInput& input) {
                        effects_text(on),
                        percent(input.ladder.front().error),
                        percent(input.ladder.back().error));
+    if (input.ladder.back().stopped_after > 0) text += ", kept early";
   }
   if (off > 0) text += fmt::format(", {} off", off);
   if (input.current != nullptr) {

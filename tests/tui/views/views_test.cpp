@@ -312,6 +312,21 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
 }
 
+TEST(UpdateView, MarksAFitThatWasKeptEarly) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
+                                     {"added-mass", {}, 0.038, {}}};
+  const std::vector<updating::AddedEffect> effects{{{"added-mass", {}}, true}};
+  const UpdateInput input{frfs, ladder, {}, effects, nullptr, nullptr, nullptr};
+  EXPECT_FALSE(holds(update_view(input, {}, {}), "kept"));
+  ladder[1].stopped_after = 7;
+  for (const Canvas& canvas : sizes) {
+    const Screen s = update_view(input, {}, canvas);
+    EXPECT_TRUE(holds(s, "3.8 %, kept early")) << s.to_text();
+    EXPECT_TRUE(holds(s, " kept\n")) << s.to_text();
+  }
+}
+
 // The rung of what is uncertain in the model is no effect.
 TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   const updating::Comparison before = testing::fake_comparison(0.05);
@@ -345,6 +360,11 @@ TEST(ReportView, ShowsBeforeAndAfter) {
         << s.to_text();
     EXPECT_TRUE(holds(s, "the mesh is coarse"));
   }
+  EXPECT_FALSE(holds(report_sheet(input, 80, false), "stopped"));
+  std::vector<updating::Rung> kept = ladder;
+  kept[1].stopped_after = 7;
+  EXPECT_TRUE(holds(report_sheet({before, after, kept, {}, {}, {}}, 80, false),
+                    "stopped early, after 7 steps"));
   // Scrolled to its end, the last line is still there.
   EXPECT_TRUE(holds(report_view(input, 1000, {80, 21, false}), "coarse"));
 }

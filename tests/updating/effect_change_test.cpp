@@ -1,0 +1,42 @@
+#include "updating/effect_change.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+using Effects = std::vector<AddedEffect>;
+
+EffectRef mass_at(int node) {
+  Where where;
+  where.node = node;
+  return {"added-mass", where};
+}
+
+TEST(EffectChange, TellsWhatLeadsThroughTheStates) {
+  const Effects one{{mass_at(5), true}};
+  const Effects two{{mass_at(5), true}, {mass_at(7), true}};
+  const Effects off{{mass_at(5), false}, {mass_at(7), true}};
+  const std::vector<Effects> states{off, two, one};  // the next one last
+  const std::vector<EffectChange> changes = changes_through({}, states);
+  EXPECT_EQ(
+      changes,
+      (std::vector<EffectChange>{{{}, 0}, {mass_at(7), {}}, {mass_at(5), {}}}));
+  EXPECT_EQ(states_through({}, changes), states);
+}
+
+TEST(EffectChange, EndsWhereItIsNoSingleChange) {
+  const Effects one{{mass_at(5), true}};
+  EXPECT_TRUE(changes_through({}, {}).empty());
+  EXPECT_TRUE(changes_through(one, {one}).empty());
+  EXPECT_EQ(changes_through({}, {{}, one}).size(), 1U);
+}
+
+TEST(EffectChange, RefusesToSwitchWhatIsNotThere) {
+  EXPECT_THROW((void)states_through({}, {{{}, 0}}), InputError);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,71 @@
+#include "updating/effect_change.hpp"
+
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ranges>
+
+namespace tapfit::updating {
+namespace {
+
+using Effects = std::vector<AddedEffect>;
+
+std::optional<EffectChange> change_between(const Effects& before,
+                                           const Effects& after) {
+  if (after.size() == before.size() + 1) {
+    return EffectChange{after.back().ref, {}};
+  }
+  if (after.size() != before.size()) return std::nullopt;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    if (after[i].on != before[i].on) return EffectChange{{}, i};
+  }
+  return std::nullopt;
+}
+
+Effects after(Effects effects, const EffectChange& change) {
+  if (!change.switched) {
+    effects.push_back({change.added, true});
+    return effects;
+  }
+  if (*change.switched >= effects.size()) {
+    throw InputError(
+        fmt::format("there is no effect {} to switch", *change.switched + 1),
+        "what was undone",
+        "take it out of the saved session");
+  }
+  bool& on = effects[*change.switched].on;
+  on = !on;
+  return effects;
+}
+
+}  // namespace
+
+std::vector<EffectChange> changes_through(const Effects& from,
+                                          const std::vector<Effects>& states) {
+  std::vector<EffectChange> changes;
+  Effects before = from;
+  for (const Effects& next : std::views::reverse(states)) {
+    const std::optional<EffectChange> change = change_between(before, next);
+    if (!change) break;
+    changes.push_back(*change);
+    before = next;
+  }
+  std::ranges::reverse(changes);
+  return changes;
+}
+
+std::vector<Effects> states_through(const Effects& from,
+                                    const std::vector<EffectChange>& changes) {
+  std::vector<Effects> states;
+  Effects now = from;
+  for (const EffectChange& change : std::views::reverse(changes)) {
+    now = after(std::move(now), change);
+    states.push_back(now);
+  }
+  std::ranges::reverse(states);
+  return states;
+}
+
+}  // namespace tapfit::updating
