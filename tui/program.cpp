@@ -274,14 +274,14 @@ void Program::stop_work() {
   tell("stopping …");
 }
 
-// What lies on top goes first: what was asked for, a filter, the way back; then
-// work that goes on beside.
+// What lies on top goes first: what was asked for, a filter, a view in the main
+// one's place, the way back; then work that goes on beside.
 void Program::escape() {
   if (running_ && (acting() || !ready())) return stop_work();
   ListState* list = page().list();
   const bool filtered = list != nullptr && !list->filter.empty();
   if (filtered) list->filter.clear();
-  if (filtered || go_back()) return;
+  if (filtered || (ready() && page().leave_view()) || go_back()) return;
   running_ ? stop_work() : tell("q quits");
 }
 

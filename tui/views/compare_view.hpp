@@ -5,6 +5,8 @@
 #include "tui/plot_range.hpp"
 #include "tui/views/page.hpp"
 
+#include <utility>
+
 namespace tapfit::tui {
 
 struct CompareInput {
@@ -54,6 +56,10 @@ class ComparePage final : public Page {
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
   bool click(const Snapshot& known, const Zone& zone, int x) override;
+  bool leave_view() override {
+    using Focus = CompareState::Focus;
+    return std::exchange(state_.focus, Focus::Frfs) != Focus::Frfs;
+  }
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   std::vector<KeyHelp> keys() const override;

@@ -5,6 +5,7 @@
 #include "tui/views/page.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace tapfit::tui {
 
@@ -54,6 +55,7 @@ class DiagnosePage final : public Page {
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool leave_view() override { return std::exchange(state_.map, false); }
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   std::vector<KeyHelp> keys() const override;

@@ -198,6 +198,13 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
   return true;
 }
 
+bool FrfPage::leave_view() {
+  const bool main = !state_.checks && state_.panel == Panel::Phase;
+  state_.checks = false;
+  state_.panel = Panel::Phase;
+  return !main;
+}
+
 bool FrfPage::press_band(const FrfSet& frfs, Key key) {
   const FrequencySpan span = frequency_span(frfs);
   const Frf& frf =

@@ -45,6 +45,7 @@ class FrfPage final : public Page {
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool leave_view() override;
   ListState* list() override {
     return state_.checks ? &state_.check_list : &state_.list;
   }

@@ -5,6 +5,7 @@
 #include "tui/views/page.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace tapfit::tui {
 
@@ -63,6 +64,7 @@ class ModesPage final : public Page {
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool leave_view() override { return std::exchange(state_.mac, false); }
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   /// Shows a measured mode over a mode of the model.

@@ -70,6 +70,9 @@ class Page {
   /// @pre the essential results are there
   /// @return true when the key meant something here
   virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
+  /// Goes back from what a key put in place of the screen's main view.
+  /// @return false when that is what is shown
+  virtual bool leave_view() { return false; }
   /// The list that `/` filters, if there is one.
   virtual ListState* list() { return nullptr; }
   /// The stretch of a plot that a click sets the cursor of.

@@ -173,6 +173,14 @@ bool RecordingPage::press_replay(Key key) {
   return true;
 }
 
+bool RecordingPage::leave_view() {
+  const bool main = !state_.statements && state_.zoom == 0;
+  if (state_.zoom != 0) state_.range = {};
+  state_.zoom = 0;
+  state_.statements = false;
+  return !main;
+}
+
 bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   const RecordingInput input = input_of(known);
   const std::size_t runs = run_count(input);

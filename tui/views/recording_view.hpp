@@ -59,6 +59,7 @@ class RecordingPage final : public Page {
   bool press(const Snapshot& known, Key key, Command& command) override;
   bool click(const Snapshot& known, const Zone& zone, int x) override;
   bool animate(const Snapshot& known) override;
+  bool leave_view() override;
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   /// Shows that run.

@@ -6,6 +6,8 @@
 #include "tui/views/page.hpp"
 #include "updating/update_record.hpp"
 
+#include <utility>
+
 namespace tapfit::tui {
 
 struct UpdateInput {
@@ -54,6 +56,10 @@ class UpdatePage final : public Page {
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool leave_view() override {
+    using Panel = UpdateState::Panel;
+    return std::exchange(state_.panel, Panel::Curves) != Panel::Curves;
+  }
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   bool animate(const Snapshot& known) override;
