@@ -62,7 +62,7 @@ std::optional<NamedKey> read_key(std::string_view text) {
            (static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) {
       ++bytes;
     }
-    return NamedKey{Key(decode(text.substr(0, bytes)).at(0)), bytes};
+    return NamedKey{Key(decode(text.substr(0, bytes)).at(0).base), bytes};
   }
   const std::size_t close = text.find('>');
   if (close == std::string_view::npos) return std::nullopt;

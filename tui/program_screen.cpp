@@ -78,7 +78,7 @@ void zone_of_key(Screen& screen, const Rect& rect, const std::string& name) {
   } else if (key) {
     zone.index = key->key.code;
   } else {
-    zone.index = decode(name).front();
+    zone.index = decode(name).front().base;
   }
   screen.zone(zone);
 }

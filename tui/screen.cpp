@@ -29,18 +29,36 @@ const Cell& Screen::at(int x, int y) const {
                 static_cast<std::size_t>(x)];
 }
 
-void Screen::put(int x, int y, char32_t glyph, Style style) {
+Cell& Screen::cell(int x, int y) {
+  return cells_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(x)];
+}
+
+// Half of a wide glyph does not stay behind.
+void Screen::set(int x, int y, const Cell& now) {
   if (!area().holds(x, y)) return;
-  const std::size_t index =
-      static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-      static_cast<std::size_t>(x);
-  cells_[index] = {ascii_ ? ascii_glyph(glyph) : glyph, style};
+  const auto blank = [&](int column) {
+    cell(column, y) = {U' ', at(column, y).style};
+  };
+  if (at(x, y).glyph == 0 && x > 0 && now.glyph != 0) blank(x - 1);
+  if (x + 1 < width_ && at(x + 1, y).glyph == 0) blank(x + 1);
+  cell(x, y) = now;
+}
+
+void Screen::put(int x, int y, char32_t glyph, Style style) {
+  set(x, y, {ascii_ ? ascii_glyph(glyph) : glyph, style});
 }
 
 int Screen::text(int x, int y, std::string_view utf8, Style style, int width) {
   const std::string shown =
       clipped(ascii_ ? to_ascii(utf8) : std::string(utf8), width);
-  for (const char32_t glyph : decode(shown)) put(x++, y, glyph, style);
+  for (const Glyph& glyph : decode(shown)) {
+    const bool fits = glyph.width == 1 || area().holds(x + 1, y);
+    const char32_t base = ascii_ ? ascii_glyph(glyph.base) : glyph.base;
+    set(x, y, {fits ? base : U' ', style, glyph.mark});
+    if (glyph.width == 2) set(x + 1, y, {0, style});
+    x += glyph.width;
+  }
   return x;
 }
 
@@ -60,7 +78,7 @@ void Screen::fill(const Rect& rect, char32_t glyph, Style style) {
 void Screen::paint(const Rect& rect, Style style) {
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x) {
-      if (area().holds(x, y)) put(x, y, at(x, y).glyph, style);
+      if (area().holds(x, y)) cell(x, y).style = style;
     }
   }
 }
@@ -90,8 +108,7 @@ void Screen::box(const Rect& rect, std::string_view title, Style style) {
 void Screen::place(int x, int y, const Screen& other) {
   for (int row = 0; row < other.height(); ++row) {
     for (int column = 0; column < other.width(); ++column) {
-      const Cell& cell = other.at(column, row);
-      put(x + column, y + row, cell.glyph, cell.style);
+      set(x + column, y + row, other.at(column, row));
     }
   }
   for (Zone zone : other.zones_) {
@@ -115,8 +132,10 @@ std::string Screen::to_text() const {
     std::string line;
     std::size_t used = 0;
     for (int x = 0; x < width_; ++x) {
-      append_utf8(line, at(x, y).glyph);
-      if (at(x, y).glyph != U' ') used = line.size();
+      const auto& [glyph, style, mark] = at(x, y);
+      if (glyph != 0) append_utf8(line, glyph);
+      if (mark != 0) append_utf8(line, mark);
+      if (glyph != U' ') used = line.size();
     }
     line.resize(used);
     text += line + "\n";

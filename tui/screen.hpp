@@ -35,8 +35,9 @@ struct Style {
 inline constexpr int heat_levels = 6;
 
 struct Cell {
-  char32_t glyph = U' ';
+  char32_t glyph = U' ';  ///< 0: the one before it fills two cells
   Style style;
+  char32_t mark = 0;  ///< an accent over it, where there is one
 
   bool operator==(const Cell&) const = default;
 };
@@ -93,6 +94,7 @@ class Screen {
   /// @pre 0 <= x < width, 0 <= y < height
   [[nodiscard]] const Cell& at(int x, int y) const;
 
+  /// @param glyph that fills one cell
   void put(int x, int y, char32_t glyph, Style style = {});
   /// Writes UTF-8 text, at most `width` cells; returns the cell after it.
   int text(int x,
@@ -120,6 +122,9 @@ class Screen {
   [[nodiscard]] std::string to_text() const;
 
  private:
+  void set(int x, int y, const Cell& cell);
+  [[nodiscard]] Cell& cell(int x, int y);
+
   int width_;
   int height_;
   bool ascii_;

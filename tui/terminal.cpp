@@ -268,9 +268,11 @@ void Terminal::show(const Screen& screen) {
   for (int y = 0; y < std::min(screen.height(), LINES); ++y) {
     for (int x = 0; x < std::min(screen.width(), COLS); ++x) {
       const Cell& cell = screen.at(x, y);
+      if (cell.glyph == 0) continue;
       const char32_t shown =
           impl_->blocks ? block_glyph(cell.glyph) : cell.glyph;
-      const std::array<wchar_t, 2> glyph{static_cast<wchar_t>(shown), 0};
+      const std::array<wchar_t, 3> glyph{
+          static_cast<wchar_t>(shown), static_cast<wchar_t>(cell.mark), 0};
       const bool heated = impl_->colours == Colours::Many;
       const short pair =
           impl_->colours == Colours::None

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cwchar>
+#include <locale.h>
 #include <utility>
 
 namespace tapfit::tui {
@@ -33,17 +35,41 @@ Decoded decode_one(std::string_view text) {
   return {glyph, length};
 }
 
-bool fills_one_cell(char32_t g) {
-  if (g < 0x20 || (g >= 0x7F && g < 0xA0)) return false;
-  if (g >= 0x0300 && g <= 0x036F) return false;  // combining
-  if (g >= 0x1100 && g <= 0x115F) return false;  // wide: Hangul
-  if (g >= 0x200B && g <= 0x200F) return false;  // no width
-  if (g >= 0x202A && g <= 0x202E) return false;  // direction marks
-  if (g >= 0x2E80 && g <= 0xA4CF) return false;  // wide: CJK
-  if (g >= 0xAC00 && g <= 0xD7FF) return false;
-  if (g >= 0xD800 && g <= 0xFAFF) return false;
-  if (g >= 0xFE00 && g <= 0xFE6F) return false;
-  return g < 0xFF00;
+// Whatever the user's locale is, so that widths are those of a terminal that
+// shows UTF-8, and the same for screens that no terminal shows.
+class Utf8Locale {
+ public:
+  Utf8Locale() : locale_(newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {}
+  ~Utf8Locale() {
+    if (locale_ != nullptr) freelocale(locale_);
+  }
+  Utf8Locale(const Utf8Locale&) = delete;
+  Utf8Locale& operator=(const Utf8Locale&) = delete;
+
+  /// Cells; -1 for control characters and what is no character.
+  [[nodiscard]] int width(char32_t g) const {
+    if (locale_ == nullptr) return -1;
+    const locale_t before = uselocale(locale_);
+    const int cells = wcwidth(static_cast<wchar_t>(g));
+    uselocale(before);
+    return cells;
+  }
+
+ private:
+  locale_t locale_;
+};
+
+int cells_of(char32_t g) {
+  if (g < 0x20 || (g >= 0x7F && g < 0xA0)) return -1;
+  if (g < 0x300) return 1;
+  static const Utf8Locale utf8;
+  return utf8.width(g);
+}
+
+// Joiners, marks of direction and of variants, byte order marks, tags.
+bool is_unseen(char32_t g) {
+  return (g >= 0x2000 && g <= 0x206F) || (g >= 0xFE00 && g <= 0xFE0F) ||
+         g == 0xFEFF || g >= 0xE0000;
 }
 
 std::string_view ascii_for(char32_t g) {
@@ -64,13 +90,21 @@ std::string_view ascii_for(char32_t g) {
 
 }  // namespace
 
-std::vector<char32_t> decode(std::string_view utf8) {
-  std::vector<char32_t> glyphs;
+std::vector<Glyph> decode(std::string_view utf8) {
+  std::vector<Glyph> glyphs;
   glyphs.reserve(utf8.size());
   while (!utf8.empty()) {
     const Decoded next = decode_one(utf8);
-    glyphs.push_back(fills_one_cell(next.glyph) ? next.glyph : U'?');
     utf8.remove_prefix(next.bytes);
+    const int cells = cells_of(next.glyph);
+    if (cells > 0) {
+      glyphs.push_back({next.glyph, 0, cells});
+    } else if (cells < 0) {
+      glyphs.push_back({U'?'});
+    } else if (!is_unseen(next.glyph) && !glyphs.empty() &&
+               glyphs.back().mark == 0) {
+      glyphs.back().mark = next.glyph;
+    }
   }
   return glyphs;
 }
@@ -114,7 +148,7 @@ char32_t ascii_glyph(char32_t g) {
 
 std::string to_ascii(std::string_view utf8) {
   std::string text;
-  for (const char32_t g : decode(utf8)) {
+  for (const auto& [g, mark, width] : decode(utf8)) {
     const std::string_view known = g < 0x7F ? "" : ascii_for(g);
     if (!known.empty()) {
       text += known;
@@ -126,18 +160,24 @@ std::string to_ascii(std::string_view utf8) {
 }
 
 int text_width(std::string_view utf8) {
-  return static_cast<int>(decode(utf8).size());
+  int width = 0;
+  for (const Glyph& glyph : decode(utf8)) width += glyph.width;
+  return width;
 }
 
 std::string clipped(std::string_view utf8, int width) {
   if (width <= 0) return {};
-  const std::vector<char32_t> glyphs = decode(utf8);
-  const auto room = static_cast<std::size_t>(width);
+  const bool whole = text_width(utf8) <= width;
+  const int room = whole ? width : width - 1;
   std::string text;
-  for (std::size_t i = 0; i < std::min(room, glyphs.size()); ++i) {
-    const bool cut = i + 1 == room && glyphs.size() > room;
-    append_utf8(text, cut ? U'…' : glyphs[i]);
+  int used = 0;
+  for (const Glyph& glyph : decode(utf8)) {
+    used += glyph.width;
+    if (used > room) break;
+    append_utf8(text, glyph.base);
+    if (glyph.mark != 0) append_utf8(text, glyph.mark);
   }
+  if (!whole) append_utf8(text, U'…');
   return text;
 }
 

@@ -8,9 +8,17 @@
 
 namespace tapfit::tui {
 
-/// Code points of UTF-8 text, one per cell. Bytes that are no UTF-8, control
-/// characters and glyphs that do not fill exactly one cell become '?'.
-[[nodiscard]] std::vector<char32_t> decode(std::string_view utf8);
+/// What fills one cell, or two.
+struct Glyph {
+  char32_t base = U' ';
+  char32_t mark = 0;  ///< an accent over it, where there is one
+  int width = 1;      ///< [cells]: 2 for Han, Hangul, emoji
+};
+
+/// UTF-8 text glyph by glyph. Bytes that are no UTF-8 and control characters
+/// become '?'; what joins glyphs or turns their direction is left out, and so
+/// are accents beyond the first.
+[[nodiscard]] std::vector<Glyph> decode(std::string_view utf8);
 
 /// Appends one code point as UTF-8.
 void append_utf8(std::string& text, char32_t glyph);
