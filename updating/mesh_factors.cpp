@@ -25,6 +25,10 @@ std::vector<MeshFactor> mesh_factors(const structure::Deck& deck,
   return factors;
 }
 
+std::string mesh_factor_name(std::size_t factor) {
+  return factor == 0 ? "mesh size" : "mesh edges";
+}
+
 std::vector<double> mesh_factor_sd(std::size_t factors) {
   // The limit of fine meshes is at 4/3 where convergence is quadratic, at 2
   // where it is linear. Of the edges' layer anything between nothing and all

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -34,6 +35,9 @@ struct MeshFactor {
                                                    const Eigen::MatrixXd& V,
                                                    const MeshModes& finer,
                                                    const MeshModes& coarser);
+
+/// "mesh size", "mesh edges".
+[[nodiscard]] std::string mesh_factor_name(std::size_t factor);
 
 /// What is known of ln f of each before anything is measured, around 0: the
 /// standard deviation.

@@ -1,6 +1,7 @@
 #include "updating/update_record.hpp"
 
 #include "updating/estimates.hpp"
+#include "updating/mesh_factors.hpp"
 #include "updating/prior_l_curve.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ Named named_parameters(const ModelState& state,
   };
   for (std::size_t k = 0; k < state.factor.size(); ++k) {
     const bool own = k < properties.size();
-    add(own ? properties[k].name : "mesh",
+    add(own ? properties[k].name : mesh_factor_name(k - properties.size()),
         own ? properties[k].nominal : 1.0,
         true);
   }

@@ -47,15 +47,17 @@ Pen pen_of(std::size_t i) {
   static constexpr std::array<Pen, 6> pens{{
       {Colour::Orange, Pattern::Solid, 'a'},
       {Colour::Sky, Pattern::Dashed, 'b'},
-      {Colour::Green, Pattern::Solid, 'c'},
-      {Colour::Purple, Pattern::Dashed, 'd'},
-      {Colour::Yellow, Pattern::Solid, 'e'},
-      {Colour::Red, Pattern::Dashed, 'f'},
+      {Colour::Green, Pattern::Dotted, 'c'},
+      {Colour::Purple, Pattern::Solid, 'd'},
+      {Colour::Yellow, Pattern::Dashed, 'e'},
+      {Colour::Red, Pattern::Dotted, 'f'},
   }};
   return pens[i % pens.size()];
 }
 
-Plot parameter_plot(const UpdateRecord& record) {
+/// Without colour a letter on each curve tells them apart, each on a step of
+/// its own, where it covers no other. In ASCII they are drawn in letters.
+Plot parameter_plot(const UpdateRecord& record, bool ascii) {
   Plot plot;
   const auto n = static_cast<Eigen::Index>(record.steps.size());
   plot.x = {"step",
@@ -68,7 +70,9 @@ Plot parameter_plot(const UpdateRecord& record) {
     const auto at = static_cast<Eigen::Index>(p);
     const Eigen::VectorXd& last = record.steps.back().values;
     if (at >= last.size() || last[at] == 0.0) continue;
-    Curve curve{record.parameters[p], {}, {}, {}, {}, pen_of(p)};
+    const Pen pen = pen_of(p);
+    const std::string letter = ascii ? "" : fmt::format("{} ", pen.mark);
+    Curve curve{letter + record.parameters[p], {}, {}, {}, {}, pen};
     curve.x = Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0);
     curve.y.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -76,6 +80,11 @@ Plot parameter_plot(const UpdateRecord& record) {
           record.steps[static_cast<std::size_t>(i)].values;
       curve.y[i] = at < values.size() ? values[at] / last[at] : std::nan("");
     }
+    const auto step = std::min(at, n - 1);
+    plot.spots.push_back({curve.x[step],
+                          curve.y[step],
+                          static_cast<char32_t>(pen.mark),
+                          {.colour = pen.colour, .bold = true}});
     plot.curves.push_back(std::move(curve));
   }
   return plot;
@@ -186,7 +195,7 @@ void draw_convergence(Screen& screen,
   }
   plot.x_labels = false;
   draw_plot(screen, upper, plot);
-  draw_plot(screen, lower, parameter_plot(record));
+  draw_plot(screen, lower, parameter_plot(record, screen.ascii()));
 }
 
 void draw_correlation(Screen& screen,
