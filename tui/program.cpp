@@ -43,12 +43,14 @@ Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
   frf_page_ = frf_page.get();
   auto modes_page = std::make_unique<ModesPage>();
   modes_page_ = modes_page.get();
+  auto update_page = std::make_unique<UpdatePage>();
+  update_page_ = update_page.get();
   pages_ = {std::move(recording_page),
             std::move(frf_page),
             std::move(modes_page),
             std::make_unique<ComparePage>(),
             std::make_unique<DiagnosePage>(),
-            std::make_unique<UpdatePage>(),
+            std::move(update_page),
             std::make_unique<ReportPage>()};
   tick();
 }
@@ -110,8 +112,10 @@ void Program::finish(Finished finished) {
   } else if (finished.how == How::Done && action && !finished.title.empty()) {
     failed_.clear();
     if (!finished.message.empty()) tell(finished.message);
-    const bool added = finished.title.starts_with("adding");
-    if (added) current_ = update_screen;
+    if (finished.title.starts_with("adding")) {
+      current_ = update_screen;
+      update_page_->mark_latest();
+    }
   }
   changed_ = true;
 }

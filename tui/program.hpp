@@ -21,6 +21,7 @@ namespace tapfit::tui {
 class FrfPage;
 class ModesPage;
 class RecordingPage;
+class UpdatePage;
 
 /// How long the running job has been at it; 0 when there is none.
 [[nodiscard]] long seconds_of(const WorkerStatus& status);
@@ -91,6 +92,7 @@ class Program {
   RecordingPage* recording_page_ = nullptr;  ///< one of pages_
   FrfPage* frf_page_ = nullptr;              ///< another
   ModesPage* modes_page_ = nullptr;          ///< another
+  UpdatePage* update_page_ = nullptr;        ///< another
   std::size_t current_ = 0;
   Mode mode_ = Mode::Normal;
   std::vector<std::size_t> crumbs_;  ///< screens that led here

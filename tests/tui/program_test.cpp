@@ -135,6 +135,16 @@ TEST(Program, ReportsWhatWasFoundBeforeAndAfterAdding) {
   EXPECT_FALSE(holds(undone, after)) << undone;
 }
 
+TEST(Program, MarksWhatWasAddedLast) {
+  FakeOptions options;
+  options.left_with = {{{"dashpot", {}}, true}, {{"joint", {}}, true}};
+  const std::string first = played("6\nwait\np", {}, options);
+  EXPECT_TRUE(holds(first, "▸dashpot")) << first;
+  const std::string added =
+      played("6\nwait\np:add added-mass@5<Enter>\nwait", {}, options);
+  EXPECT_TRUE(holds(added, "▸added-mass")) << added;
+}
+
 TEST(Program, AddsByName) {
   EXPECT_TRUE(holds(played("6\nwait\n:add added-mass@5<Enter>\nwait"),
                     "1 effect added: error"));

@@ -74,7 +74,21 @@ Table parameter_table(const UpdateInput& input) {
 
 std::size_t selected_effect(const std::vector<updating::AddedEffect>& effects,
                             const UpdateState& state) {
-  return effects.empty() ? 0 : std::min(state.effect, effects.size() - 1);
+  if (effects.empty()) return 0;
+  return std::min(state.effect.value_or(effects.size()), effects.size() - 1);
+}
+
+/// Of the marked effect's fit, or of the last before it that is on. Those of
+/// the effects stand last.
+std::size_t selected_record(const UpdateInput& input,
+                            const UpdateState& state) {
+  const auto is_on = [](const updating::AddedEffect& e) { return e.on; };
+  const auto marked = static_cast<std::ptrdiff_t>(
+      std::min(selected_effect(input.effects, state) + 1, input.effects.size()));
+  const auto after = std::count_if(
+      input.effects.begin() + marked, input.effects.end(), is_on);
+  const std::size_t count = input.records->size();
+  return count - 1 - std::min(static_cast<std::size_t>(after), count - 1);
 }
 
 struct LadderRow {
@@ -202,7 +216,6 @@ Plot overlay(const UpdateInput& input,
   return plot;
 }
 
-/// Of the marked effect's fit, or the last one.
 void draw_record(Screen& screen,
                  const Rect& rect,
                  const UpdateInput& input,
@@ -216,11 +229,8 @@ void draw_record(Screen& screen,
                 {.colour = Colour::Grey});
     return;
   }
-  const std::vector<updating::UpdateRecord>& records = *input.records;
-  const auto off =
-      records.size() - std::min(records.size(), input.effects.size());
-  const updating::UpdateRecord& record = records[std::min(
-      off + selected_effect(input.effects, state), records.size() - 1)];
+  const updating::UpdateRecord& record =
+      (*input.records)[selected_record(input, state)];
   using Panel = UpdateState::Panel;
   if (state.panel == Panel::Convergence) {
     draw_convergence(screen, rect, record);

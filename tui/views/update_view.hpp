@@ -6,6 +6,7 @@
 #include "tui/views/page.hpp"
 #include "updating/update_record.hpp"
 
+#include <optional>
 #include <utility>
 
 namespace tapfit::tui {
@@ -24,7 +25,8 @@ struct UpdateInput {
 
 struct UpdateState {
   ListState list;          ///< FRFs
-  std::size_t effect = 0;  ///< of those added: the one that t switches
+  /// Of those added: the one that t switches; empty: the latest.
+  std::optional<std::size_t> effect = {};
   PlotRange range;         ///< [Hz]
   bool log = true;
   enum class Panel {
@@ -63,6 +65,8 @@ class UpdatePage final : public Page {
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   bool animate(const Snapshot& known) override;
+  /// Marks the effect that was added last.
+  void mark_latest() { state_.effect.reset(); }
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 

@@ -312,6 +312,42 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
 }
 
+TEST(UpdateView, MarksTheLatestEffectAndShowsItsFit) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
+                                           {updating::uncertain_rung, {}, 0.3},
+                                           {"added-mass", {}, 0.1},
+                                           {"joint", {}, 0.038}};
+  const auto record = [](const char* added) {
+    updating::UpdateRecord of;
+    of.added = added;
+    return of;
+  };
+  const std::vector<updating::UpdateRecord> records{
+      record(updating::uncertain_rung), record("added-mass"), record("joint")};
+  std::vector<updating::AddedEffect> effects{
+      {{"added-mass", {}}, true}, {{"dashpot", {}}, false}, {{"joint", {}}}};
+  const UpdateInput input{frfs,
+                          ladder,
+                          {},
+                          effects,
+                          nullptr,
+                          nullptr,
+                          nullptr,
+                          &records};
+  UpdateState state;
+  state.panel = UpdateState::Panel::Convergence;
+  Screen s = update_view(input, state, {});
+  EXPECT_TRUE(holds(s, "▸joint")) << s.to_text();
+  EXPECT_TRUE(holds(s, "fit with joint")) << s.to_text();
+  state.effect = 0;
+  s = update_view(input, state, {});
+  EXPECT_TRUE(holds(s, "▸added-mass")) << s.to_text();
+  EXPECT_TRUE(holds(s, "fit with added-mass")) << s.to_text();
+  state.effect = 1;  // is off: the model it would be added to
+  EXPECT_TRUE(holds(update_view(input, state, {}), "fit with added-mass"));
+}
+
 TEST(UpdateView, MarksAFitThatWasKeptEarly) {
   const signal::FrfSet frfs = testing::fake_frfs();
   std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
