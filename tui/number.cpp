@@ -27,6 +27,17 @@ std::string probability(double share) {
   return fixed(100.0 * share, 1) + " %";
 }
 
+std::string fitted(double value, int width) {
+  for (const char* unit : {"", "k", "M", "G"}) {
+    for (int decimals = 2; decimals >= 0; --decimals) {
+      std::string text = fixed(value, decimals) + unit;
+      if (static_cast<int>(text.size()) <= width) return text;
+    }
+    value /= 1000.0;
+  }
+  return ">";
+}
+
 std::string percent(double fraction) {
   if (!std::isfinite(fraction)) return "–";
   const double value = 100.0 * fraction;

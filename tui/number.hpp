@@ -15,6 +15,11 @@ namespace tapfit::tui {
 /// Fixed decimals; "–" for what is no finite number, 1e+12 beyond 1e7.
 [[nodiscard]] std::string fixed(double value, int decimals);
 
+/// A positive number as precisely as that many cells allow, at most two
+/// decimals, never cut: 15.27 in three cells is "15", 12345 in four "12k".
+/// @param width 3 at least
+[[nodiscard]] std::string fitted(double value, int width);
+
 /// 0.388 to "38.8 %"; below 0.95 % with two decimals.
 [[nodiscard]] std::string percent(double fraction);
 

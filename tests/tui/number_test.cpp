@@ -10,6 +10,19 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+TEST(Number, FitsIntoFewCellsAndIsNeverCut) {
+  EXPECT_EQ(fitted(9.5e-5, 4), "0.00");
+  EXPECT_EQ(fitted(1.984, 4), "1.98");
+  EXPECT_EQ(fitted(1.984, 3), "2.0");
+  EXPECT_EQ(fitted(9.96, 3), "10");
+  EXPECT_EQ(fitted(15.27, 4), "15.3");
+  EXPECT_EQ(fitted(1234.0, 4), "1234");
+  EXPECT_EQ(fitted(1234.0, 3), "1k");
+  EXPECT_EQ(fitted(12345.0, 4), "12k");
+  EXPECT_EQ(fitted(999999.0, 4), "1.0M");
+  EXPECT_EQ(fitted(std::nan(""), 4), "–");
+}
+
 TEST(Number, NeverShowsWhatIsNoNumber) {
   for (const double bad : {std::nan(""), infinity, -infinity}) {
     EXPECT_EQ(number(bad), "–");

@@ -1,5 +1,6 @@
 // What the keys of the Compare screen do: from any number to its curves.
 #include "tui/views/compare_view.hpp"
+#include "tui/views/compared_modes.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::size_t worst_of(const CompareInput& input,
 }
 
 CompareInput input_of(const Snapshot& known) {
-  return {*known.comparison, *known.frfs, known.wire.get()};
+  return {*known.comparison, *known.frfs, known.wire.get(), known.modes.get()};
 }
 
 }  // namespace
@@ -92,16 +93,19 @@ void ComparePage::enter(const CompareInput& input, Command& command) {
     const double high = std::min(band.high_hz, span.hi);
     if (!looks_at(low, high)) return look_at(input, low, high);
     hz = 0.5 * (low + high);
-  } else if (state_.focus == Focus::Pairs && !c.pairs.empty()) {
-    const auto& pair = c.pairs[settled(compared_pairs(c), state_.pairs)];
-    const double low = 0.9 * std::min(pair.measured_hz, pair.model_hz);
-    const double high = 1.1 * std::max(pair.measured_hz, pair.model_hz);
+  } else if (state_.focus == Focus::Pairs) {
+    const std::vector<ComparedMode> modes = compared_modes(input);
+    if (modes.empty()) return;
+    const ComparedMode& mode =
+        modes[settled(compared_table(modes), state_.pairs)];
+    const double low = 0.9 * std::fmin(mode.measured_hz, mode.model_hz);
+    const double high = 1.1 * std::fmax(mode.measured_hz, mode.model_hz);
     const std::size_t best = loudest(input.frfs, low, high);
     if (!looks_at(low, high)) {
       state_.list = {best, ""};
       return look_at(input, low, high);
     }
-    hz = pair.measured_hz;
+    hz = mode.hz();
   } else if (state_.focus == Focus::Mac) {
     command.kind = Command::Kind::ShowMode;
     command.mode = state_.mac_row;
@@ -130,7 +134,7 @@ bool ComparePage::move(const CompareInput& input, Key key) {
     return true;
   }
   if (state_.focus == Focus::Pairs) {
-    return list_key(state_.pairs, compared_pairs(c), key);
+    return list_key(state_.pairs, compared_table(compared_modes(input)), key);
   }
   if (state_.focus == Focus::Mac) {
     const auto rows = static_cast<std::size_t>(c.mac.rows());

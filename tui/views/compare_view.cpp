@@ -6,6 +6,7 @@
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
+#include "tui/views/compared_modes.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>
@@ -26,12 +27,6 @@ double value_or_nan(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : std::nan("");
 }
 
-/// At most three cells, to stand above a narrow column.
-std::string short_hz(double hz) {
-  if (hz >= 999.5) return fixed(hz / 1000.0, 0) + "k";
-  return fixed(hz, hz < 9.95 ? 1 : 0);
-}
-
 /// Names the bands by their upper end, as precisely as the columns have room:
 /// a band left out could be the one that fails.
 void name_bands(HeatMap& map,
@@ -40,8 +35,7 @@ void name_bands(HeatMap& map,
   const bool wide = fitting_columns(rect, map) >= map.values.cols();
   if (!wide) map.entry_width = 4;
   for (const updating::BandError& band : bands) {
-    map.column_names.push_back(wide ? number(band.high_hz, 3)
-                                    : short_hz(band.high_hz));
+    map.column_names.push_back(fitted(band.high_hz, map.entry_width - 1));
   }
 }
 
@@ -135,8 +129,9 @@ void draw_points(Screen& screen,
 
 void draw_mac(Screen& screen,
               const Rect& rect,
-              const updating::Comparison& c,
+              const CompareInput& input,
               const CompareState& state) {
+  const updating::Comparison& c = input.comparison;
   screen.text(rect.x + 1,
               rect.y,
               "MAC in %: measured (rows, Hz) with model",
@@ -144,15 +139,11 @@ void draw_mac(Screen& screen,
               rect.width - 1);
   HeatMap map;
   map.values = c.mac;
-  map.row_names.resize(static_cast<std::size_t>(c.mac.rows()), "–");
-  for (const updating::ModePair& pair : c.pairs) {
-    if (pair.measured < c.mac.rows()) {
-      map.row_names[static_cast<std::size_t>(pair.measured)] =
-          fixed(pair.measured_hz, 2);
-    }
+  for (const double hz : measured_hz(input)) {
+    map.row_names.push_back(fixed(hz, 2));
   }
-  for (const double f : c.modes.frequency_hz) {
-    map.column_names.push_back(number(f, 3));
+  for (const double hz : c.modes.frequency_hz) {
+    map.column_names.push_back(fitted(hz, map.entry_width - 1));
   }
   map.selected = static_cast<int>(state.mac_row);
   map.column = static_cast<int>(state.mac_column);
@@ -170,11 +161,11 @@ void draw_right(Screen& screen,
   if (state.focus == Focus::Structure) {
     draw_points(screen, rect, input, state);
   } else if (state.focus == Focus::Mac) {
-    draw_mac(screen, rect, input.comparison, state);
+    draw_mac(screen, rect, input, state);
   } else {
     draw_table(screen,
                rect,
-               compared_pairs(input.comparison),
+               compared_table(compared_modes(input)),
                state.pairs,
                state.focus == Focus::Pairs);
   }
@@ -222,26 +213,6 @@ Table compared_frfs(const CompareInput& input) {
                            percent(value_or_nan(input.comparison.frf_error, i)),
                            fixed(value_or_nan(input.comparison.frac, i), 3)},
                           {}});
-  }
-  return table;
-}
-
-Table compared_pairs(const updating::Comparison& c) {
-  Table table{{{"measured Hz", true},
-               {"model Hz", true},
-               {"error %", true},
-               {"MAC", true}},
-              {}};
-  for (const updating::ModePair& pair : c.pairs) {
-    Style style;
-    if (pair.mac < 0.9) style.colour = Colour::Orange;
-    table.rows.push_back({{fixed(pair.measured_hz, 3),
-                           fixed(pair.model_hz, 3),
-                           fmt::format("{}{}",
-                                       pair.error_percent > 0 ? "+" : "",
-                                       fixed(pair.error_percent, 2)),
-                           fixed(pair.mac, 3)},
-                          style});
   }
   return table;
 }

@@ -13,6 +13,8 @@ struct CompareInput {
   const updating::Comparison& comparison;
   const signal::FrfSet& frfs;
   const Wireframe* wire = nullptr;
+  /// For those without a partner, once they are at hand.
+  const modal::ModeSet* modes = nullptr;
 };
 
 struct CompareState {
@@ -41,7 +43,6 @@ struct CompareState {
     const updating::Comparison& c);
 
 [[nodiscard]] Table compared_frfs(const CompareInput& input);
-[[nodiscard]] Table compared_pairs(const updating::Comparison& c);
 
 class ComparePage final : public Page {
  public:
@@ -51,7 +52,7 @@ class ComparePage final : public Page {
     return {{Stage::Frfs}, {Stage::Comparison}};
   }
   std::vector<Need> welcome(const Snapshot&) const override {
-    return {{Stage::Model}};
+    return {{Stage::Model}, {Stage::Modes}};
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;

@@ -181,7 +181,7 @@ void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
   if (with_model) {
     map.values = c->mac;
     for (const double f : c->modes.frequency_hz) {
-      map.column_names.push_back(number(f, 3));
+      map.column_names.push_back(fitted(f, map.entry_width - 1));
     }
   } else {
     const auto dofs = static_cast<Eigen::Index>(input.modes.dofs.size());
@@ -194,7 +194,8 @@ void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
     }
     map.values = modal::mac(shapes, shapes);
     for (const modal::Mode& mode : input.modes.modes) {
-      map.column_names.push_back(number(mode.frequency_hz, 3));
+      map.column_names.push_back(
+          fitted(mode.frequency_hz, map.entry_width - 1));
     }
   }
   screen.text(rect.x,

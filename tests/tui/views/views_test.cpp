@@ -1,13 +1,11 @@
 // Views from hand-made results: the numbers shown are the results' numbers.
 #include "tests/tui/fake_workbench.hpp"
 #include "tui/text.hpp"
-#include "tui/views/compare_view.hpp"
 #include "tui/views/diagnose_view.hpp"
 #include "tui/views/frf_view.hpp"
 #include "tui/views/modes_view.hpp"
 #include "tui/views/recording_view.hpp"
 #include "tui/views/report_view.hpp"
-#include "tui/views/update_view.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -202,57 +200,6 @@ TEST(ModesView, StemsFollowTheSignOfTheShape) {
   EXPECT_NEAR(found.at(6).z() / found.at(4).z(), -0.4, 1e-12);  // exact data
 }
 
-TEST(CompareView, ShowsErrorFloorPairsAndMap) {
-  const updating::Comparison c = testing::fake_comparison(0.05);
-  const signal::FrfSet frfs = testing::fake_frfs();
-  for (const Canvas& canvas : sizes) {
-    const Screen s = compare_view({c, frfs, nullptr}, {}, canvas);
-    EXPECT_TRUE(
-        holds(s, "error 38.8 % (floor 3.1 %: noise 1.2 %, mesh 2.9 %)"));
-    EXPECT_TRUE(holds(s, "17.500    18.375    +5.00  0.970")) << s.to_text();
-    EXPECT_TRUE(holds(s, "87"));
-    EXPECT_TRUE(holds(s, "measured"));
-    EXPECT_TRUE(holds(s, "model"));
-  }
-}
-
-TEST(CompareView, ShowsEveryBand) {
-  updating::Comparison c = testing::fake_comparison(0.05);
-  c.bands = {{1, 1.98, 0.1},
-             {1.98, 3.91, 0.1},
-             {3.91, 7.75, 0.1},
-             {7.75, 15.3, 0.1},
-             {15.3, 30.3, 0.1},
-             {30.3, 60, 0.1}};
-  c.frf_band_error = Eigen::MatrixXd::Constant(4, 6, 0.1);
-  c.frf_band_error.col(5).setConstant(0.77);
-  const signal::FrfSet frfs = testing::fake_frfs();
-  const Screen narrow = compare_view({c, frfs, nullptr}, {}, sizes[0]);
-  EXPECT_TRUE(holds(narrow, "2.0 3.9 7.8  15  30  60")) << narrow.to_text();
-  EXPECT_TRUE(holds(narrow, "10  77")) << narrow.to_text();
-  const Screen wide = compare_view({c, frfs, nullptr}, {}, {160, 40, false});
-  EXPECT_TRUE(holds(wide, "1.98 3.91 7.75 15.3 30.3   60")) << wide.to_text();
-}
-
-TEST(CompareView, WrapsALongContour) {
-  updating::Comparison c = testing::fake_comparison(0.05);
-  c.contour = std::string(60, 'x') + " on a line of its own";
-  const signal::FrfSet frfs = testing::fake_frfs();
-  EXPECT_TRUE(holds(compare_view({c, frfs, nullptr}, {}, sizes[0]), "\n own\n"))
-      << compare_view({c, frfs, nullptr}, {}, sizes[0]).to_text();
-}
-
-TEST(CompareView, KeepsNumbersThatAreNoneAway) {
-  updating::Comparison c = testing::fake_comparison(0.05);
-  const double nan = std::nan("");
-  c.error = nan;
-  c.frf_band_error.setConstant(nan);
-  c.frf_error.assign(4, nan);
-  c.model_frfs[0].setConstant(nan);
-  const signal::FrfSet frfs = testing::fake_frfs();
-  EXPECT_FALSE(holds(compare_view({c, frfs, nullptr}, {}, {}), "nan"));
-}
-
 TEST(DiagnoseView, ShowsCandidatesSizesAndLookAlikes) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
   const updating::Diagnosis d = testing::fake_diagnosis();
@@ -291,79 +238,8 @@ TEST(DiagnoseView, TakesNoCandidates) {
       holds(diagnose_view({bundle, d, {}, nullptr}, {}, {}), "verdict: none"));
 }
 
-TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
-  const signal::FrfSet frfs = testing::fake_frfs();
-  const updating::Comparison before = testing::fake_comparison(0.05);
-  const updating::Comparison after = testing::fake_comparison(0.0);
-  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
-                                           {"added-mass", {}, 0.038, {}}};
-  const std::vector<updating::Estimate> parameters{
-      {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}};
-  const std::vector<updating::AddedEffect> effects{{{"added-mass", {}}, true},
-                                                   {{"joint", {}}, false}};
-  const UpdateInput input{
-      frfs, ladder, parameters, effects, &before, &after, &before};
-  UpdateState state;
-  const Screen there = update_view(input, state, {});
-  EXPECT_TRUE(holds(there, "error 38.8 % → 3.8 %")) << there.to_text();
-  EXPECT_TRUE(holds(there, "(7.070 ± 0.020)e10"));
-  EXPECT_TRUE(holds(there, "1 effect added")) << "the joint is off";
-  state.slide = 0.0;
-  EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
-}
-
-TEST(UpdateView, MarksTheLatestEffectAndShowsItsFit) {
-  const signal::FrfSet frfs = testing::fake_frfs();
-  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
-                                           {updating::uncertain_rung, {}, 0.3},
-                                           {"added-mass", {}, 0.1},
-                                           {"joint", {}, 0.038}};
-  const auto record = [](const char* added) {
-    updating::UpdateRecord of;
-    of.added = added;
-    return of;
-  };
-  const std::vector<updating::UpdateRecord> records{
-      record(updating::uncertain_rung), record("added-mass"), record("joint")};
-  std::vector<updating::AddedEffect> effects{
-      {{"added-mass", {}}, true}, {{"dashpot", {}}, false}, {{"joint", {}}}};
-  const UpdateInput input{frfs,
-                          ladder,
-                          {},
-                          effects,
-                          nullptr,
-                          nullptr,
-                          nullptr,
-                          &records};
-  UpdateState state;
-  state.panel = UpdateState::Panel::Convergence;
-  Screen s = update_view(input, state, {});
-  EXPECT_TRUE(holds(s, "▸joint")) << s.to_text();
-  EXPECT_TRUE(holds(s, "fit with joint")) << s.to_text();
-  state.effect = 0;
-  s = update_view(input, state, {});
-  EXPECT_TRUE(holds(s, "▸added-mass")) << s.to_text();
-  EXPECT_TRUE(holds(s, "fit with added-mass")) << s.to_text();
-  state.effect = 1;  // is off: the model it would be added to
-  EXPECT_TRUE(holds(update_view(input, state, {}), "fit with added-mass"));
-}
-
-TEST(UpdateView, MarksAFitThatWasKeptEarly) {
-  const signal::FrfSet frfs = testing::fake_frfs();
-  std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
-                                     {"added-mass", {}, 0.038, {}}};
-  const std::vector<updating::AddedEffect> effects{{{"added-mass", {}}, true}};
-  const UpdateInput input{frfs, ladder, {}, effects, nullptr, nullptr, nullptr};
-  EXPECT_FALSE(holds(update_view(input, {}, {}), "kept"));
-  ladder[1].stopped_after = 7;
-  for (const Canvas& canvas : sizes) {
-    const Screen s = update_view(input, {}, canvas);
-    EXPECT_TRUE(holds(s, "3.8 %, kept early")) << s.to_text();
-    EXPECT_TRUE(holds(s, " kept\n")) << s.to_text();
-  }
-}
-
 // The rung of what is uncertain in the model is no effect.
+
 TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   const updating::Comparison before = testing::fake_comparison(0.05);
   const std::vector<updating::Rung> ladder{

@@ -1,0 +1,92 @@
+#include "tui/views/compare_view.hpp"
+
+#include "tests/tui/fake_results.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
+
+bool holds(const Screen& screen, const std::string& part) {
+  return screen.to_text().find(part) != std::string::npos;
+}
+
+TEST(CompareView, ShowsErrorFloorPairsAndMap) {
+  const updating::Comparison c = testing::fake_comparison(0.05);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  for (const Canvas& canvas : sizes) {
+    const Screen s = compare_view({c, frfs, nullptr}, {}, canvas);
+    EXPECT_TRUE(
+        holds(s, "error 38.8 % (floor 3.1 %: noise 1.2 %, mesh 2.9 %)"));
+    EXPECT_TRUE(holds(s, "17.500    18.375    +5.00  0.970")) << s.to_text();
+    EXPECT_TRUE(holds(s, "87"));
+    EXPECT_TRUE(holds(s, "measured"));
+    EXPECT_TRUE(holds(s, "model"));
+  }
+}
+
+TEST(CompareView, ShowsEveryBand) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.bands = {{1, 1.98, 0.1},
+             {1.98, 3.91, 0.1},
+             {3.91, 7.75, 0.1},
+             {7.75, 15.3, 0.1},
+             {15.3, 30.3, 0.1},
+             {30.3, 60, 0.1}};
+  c.frf_band_error = Eigen::MatrixXd::Constant(4, 6, 0.1);
+  c.frf_band_error.col(5).setConstant(0.77);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Screen narrow = compare_view({c, frfs, nullptr}, {}, sizes[0]);
+  EXPECT_TRUE(holds(narrow, "2.0 3.9 7.8  15  30  60")) << narrow.to_text();
+  EXPECT_TRUE(holds(narrow, "10  77")) << narrow.to_text();
+  const Screen wide = compare_view({c, frfs, nullptr}, {}, {160, 40, false});
+  EXPECT_TRUE(holds(wide, "1.98 3.91 7.75 15.3 30.3 60.0")) << wide.to_text();
+}
+
+TEST(CompareView, ShowsModesWithoutAPartner) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.pairs.erase(c.pairs.begin() + 1);
+  c.modes.frequency_hz[0] = 9.5e-5;
+  const modal::ModeSet modes = testing::fake_modes();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  CompareState state;
+  state.focus = CompareState::Focus::Pairs;
+  const CompareInput input{c, frfs, nullptr, &modes};
+  for (const Canvas& canvas : sizes) {
+    state.focus = CompareState::Focus::Pairs;
+    Screen s = compare_view(input, state, canvas);
+    EXPECT_TRUE(holds(s, "17.500         –        –      –")) << s.to_text();
+    EXPECT_TRUE(holds(s, "–    18.375        –      –")) << s.to_text();
+    state.focus = CompareState::Focus::Mac;
+    s = compare_view(input, state, canvas);
+    EXPECT_TRUE(holds(s, "17.50 ")) << s.to_text();
+    // A frequency cut to "9.5…" would be a mode in the band.
+    EXPECT_TRUE(holds(s, "0.00 18.4")) << s.to_text();
+  }
+}
+
+TEST(CompareView, WrapsALongContour) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.contour = std::string(60, 'x') + " on a line of its own";
+  const signal::FrfSet frfs = testing::fake_frfs();
+  EXPECT_TRUE(holds(compare_view({c, frfs, nullptr}, {}, sizes[0]), "\n own\n"))
+      << compare_view({c, frfs, nullptr}, {}, sizes[0]).to_text();
+}
+
+TEST(CompareView, KeepsNumbersThatAreNoneAway) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  const double nan = std::nan("");
+  c.error = nan;
+  c.frf_band_error.setConstant(nan);
+  c.frf_error.assign(4, nan);
+  c.model_frfs[0].setConstant(nan);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  EXPECT_FALSE(holds(compare_view({c, frfs, nullptr}, {}, {}), "nan"));
+}
+
+}  // namespace
+}  // namespace tapfit::tui

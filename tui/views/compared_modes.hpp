@@ -1,0 +1,33 @@
+// Modes of measurement and model side by side, with those that have no partner.
+#pragma once
+
+#include "tui/views/compare_view.hpp"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// A pair, or a mode of one side alone, whose other members are NaN.
+struct ComparedMode {
+  double measured_hz = std::numeric_limits<double>::quiet_NaN();
+  double model_hz = std::numeric_limits<double>::quiet_NaN();
+  double error_percent = std::numeric_limits<double>::quiet_NaN();
+  double mac = std::numeric_limits<double>::quiet_NaN();
+
+  /// The measured frequency, or else the model's.
+  [[nodiscard]] double hz() const;
+};
+
+/// By their frequency; of the model's own those within the lines of the FRFs.
+[[nodiscard]] std::vector<ComparedMode> compared_modes(
+    const CompareInput& input);
+
+/// A "–" where there is no partner.
+[[nodiscard]] Table compared_table(const std::vector<ComparedMode>& modes);
+
+/// Of each measured mode, NaN where it is not known.
+[[nodiscard]] std::vector<double> measured_hz(const CompareInput& input);
+
+}  // namespace tapfit::tui
