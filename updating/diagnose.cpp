@@ -3,6 +3,7 @@
 #include "updating/effects/catalogue.hpp"
 #include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
+#include "updating/overall_progress.hpp"
 #include "updating/run_drift.hpp"
 #include "updating/rung_search.hpp"
 #include "updating/set_verdict.hpp"
@@ -183,18 +184,17 @@ class Climb {
         const Progress& progress)
       : fitter_(&fitter),
         options_(options),
-        progress_(progress),
-        search_(fitter, options, progress),
+        search_(fitter, options),
         already_(present.size()),
         current_(fitter.fit(present, fitter.model_for(present), progress)),
         held_out_(fitter.held_out_error(current_, folds, progress)) {}
 
   /// Adds the best effect that earns its place; false where none does.
-  bool step(bool first);
+  bool step(bool first, const Progress& progress);
 
   [[nodiscard]] const Fit& current() const { return current_; }
-  [[nodiscard]] std::vector<Rung> ladder() const {
-    return ladder_of(current_, chosen_, already_, *fitter_, progress_);
+  [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
+    return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
   /// Everything tried on the first step.
   [[nodiscard]] std::vector<Candidate> candidates() const {
@@ -202,17 +202,18 @@ class Climb {
   }
 
  private:
-  bool try_to_add(bool first, RungSearch::Depth depth);
+  bool try_to_add(bool first,
+                  RungSearch::Depth depth,
+                  const Progress& progress);
   [[nodiscard]] bool is_explained() const {
     return current_.result.error <= at_floor * options_.floor;
   }
   // Which of the round to add, and what it must be worth.
-  [[nodiscard]] std::pair<std::size_t, Worth> choose(const Round& round,
-                                                     bool first) const;
+  [[nodiscard]] std::pair<std::size_t, Worth> choose(
+      const Round& round, bool first, const Progress& progress) const;
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
-  Progress progress_;
   RungSearch search_;
   std::size_t already_;
   Fit current_;
@@ -222,7 +223,8 @@ class Climb {
 };
 
 std::pair<std::size_t, Worth> Climb::choose(const Round& round,
-                                            bool first) const {
+                                            bool first,
+                                            const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
   worth.share = worth_it;
@@ -230,18 +232,22 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
   const double left = round.hypotheses.front().fit.result.error;
   if (!first || left <= clear_of_floor * options_.floor) return {0, worth};
   // What it is worth shows on the next rung.
-  const RungSearch::Pair pair = search_.best_pair(current_, round);
+  const RungSearch::Pair pair = search_.best_pair(current_, round, progress);
   worth.share = 1.0;
   worth.gain = std::max(worth.gain, pair.gain);
   return {pair.first, worth};
 }
 
-bool Climb::step(bool first) {
+bool Climb::step(bool first, const Progress& progress) {
   // At the floor there is nothing to explain; on the first rung the candidates
   // are still worked out for show.
   if (!first && is_explained()) return false;
   using Depth = RungSearch::Depth;
-  if (try_to_add(first, first ? Depth::Thorough : Depth::Quick)) return true;
+  if (try_to_add(first,
+                 first ? Depth::Thorough : Depth::Quick,
+                 part_of(progress, 0.0, 0.8))) {
+    return true;
+  }
   // What the screening passes over is looked at before much is left
   // unexplained. What changes with the force or from run to run is no linear
   // effect's.
@@ -250,16 +256,20 @@ bool Climb::step(bool first) {
   if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;
-  return try_to_add(first, Depth::LastResort);
+  return try_to_add(first, Depth::LastResort, part_of(progress, 0.8, 1.0));
 }
 
-bool Climb::try_to_add(bool first, RungSearch::Depth depth) {
-  const Round round = search_.look(current_, depth);
+bool Climb::try_to_add(bool first,
+                       RungSearch::Depth depth,
+                       const Progress& progress) {
+  const Round round =
+      search_.look(current_, depth, part_of(progress, 0.0, 0.6));
+  const Progress rest = part_of(progress, 0.6, 1.0);
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (is_explained() || round.hypotheses.empty()) return false;
-  auto [best, worth] = choose(round, first);
+  auto [best, worth] = choose(round, first, rest);
   const Hypothesis& added = round.hypotheses[best];
-  worth.with_it = fitter_->held_out_error(added.fit, folds, progress_);
+  worth.with_it = fitter_->held_out_error(added.fit, folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
   chosen_.push_back(
@@ -268,11 +278,11 @@ bool Climb::try_to_add(bool first, RungSearch::Depth depth) {
        best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
   current_ = added.fit;
   if (!first) {
-    current_ = search_.relocate(std::move(current_), already_, chosen_);
+    current_ = search_.relocate(std::move(current_), already_, chosen_, rest);
     current_ =
-        search_.prune(std::move(current_), already_, round.data, chosen_);
+        search_.prune(std::move(current_), already_, round.data, chosen_, rest);
   }
-  held_out_ = fitter_->held_out_error(current_, folds, progress_);
+  held_out_ = fitter_->held_out_error(current_, folds, rest);
   return true;
 }
 
@@ -299,21 +309,27 @@ Climbed climbed(const Fitter& fitter,
                 const std::vector<PlacedEffect>& present,
                 const DiagnoseOptions& options,
                 const Progress& progress) {
-  Climb climb(fitter, present, options, progress);
+  Climb climb(fitter, present, options, part_of(progress, 0.0, 0.05));
   Diagnosis result;
   result.floor = options.floor;
   result.contour = options.contour;
   result.warnings = fitter.setting().measured.statements;
   result.error_base = climb.current().result.error;
   result.error_fitted = result.error_base;
+  // Whether another rung follows is not known: each gets a good part of what is
+  // left, the first, which looks deepest, the most of all.
+  double done = 0.05;
   for (int rung = 0; rung < options.max_rungs; ++rung) {
-    if (!climb.step(rung == 0)) break;
+    const double next = done + 0.6 * (0.95 - done);
+    if (!climb.step(rung == 0, part_of(progress, done, next))) break;
+    done = next;
   }
   const Fit& found = climb.current();
   result.error_best = found.result.error;
-  result.ladder = climb.ladder();
+  const Progress last = part_of(progress, 0.95, 1.0);
+  result.ladder = climb.ladder(last);
   result.candidates = climb.candidates();
-  result.next = next_measurements(found, result.ladder, fitter, progress);
+  result.next = next_measurements(found, result.ladder, fitter, last);
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(found, options.properties);
   warn_of_bounds(result);
@@ -344,20 +360,28 @@ Diagnosis diagnose(const Fitter& fitter,
                    const std::vector<PlacedEffect>& present,
                    const DiagnoseOptions& options,
                    const Progress& progress) {
+  const Progress whole = never_falling(progress);
+  const Progress before = part_of(whole, 0.0, 0.05);
+  double done = 0.05;
+  // Of what is left, should the whole climb be done again.
+  const auto climb = [&](const Fitter& with) {
+    const double from = done;
+    done += 0.9 * (1.0 - done);
+    return climbed(with, present, options, part_of(whole, from, done));
+  };
   Fitter used = fitter;
   std::vector<Misplaced> misplaced;
   const auto leave = [&](const Fit& fit, Looked looked) {
     return static_cast<int>(misplaced.size()) < most_misplaced &&
-           leave_misplaced(
-               fit, options.floor, looked, progress, used, misplaced);
+           leave_misplaced(fit, options.floor, looked, before, used, misplaced);
   };
-  while (leave(used.fit(present, used.model_for(present), progress),
+  while (leave(used.fit(present, used.model_for(present), before),
                Looked::Roved)) {
   }
-  Climbed ladder = climbed(used, present, options, progress);
+  Climbed ladder = climb(used);
   // A point may stand out only once what else is missing is known.
   while (leave(ladder.top, Looked::All)) {
-    ladder = climbed(used, present, options, progress);
+    ladder = climb(used);
   }
   Diagnosis result = std::move(ladder.diagnosis);
   if (const auto drift = run_drift(ladder.top, used.target());

@@ -2,6 +2,7 @@
 
 #include "acquisition/parallel.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/overall_progress.hpp"
 #include "updating/screening.hpp"
 
 #include <algorithm>
@@ -332,30 +333,34 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
                                        const HypothesisOptions& options,
                                        const Progress& progress) {
   const effects::Setting& setting = fitter.setting().setting;
-  const std::vector<Screened> screened = screen(current, fitter, progress);
+  const std::vector<Screened> screened =
+      screen(current, fitter, part_of(progress, 0.0, 0.1));
   std::map<const effects::Effect*, double> places;
   for (const Screened& s : screened) places[s.placed.effect] += 1.0;
   std::vector<Kind> kinds;
-  double done = 0.0;
+  double done = 0.1;
   for (const auto& effect : effects::catalogue()) {
-    progress("fitting " + effect->name(),
-             done++ / static_cast<double>(effects::catalogue().size()));
+    const double from = done;
+    done += 0.8 / static_cast<double>(effects::catalogue().size());
+    const Progress part = part_of(progress, from, done);
+    part("fitting " + effect->name(), 0.0);
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
     const std::vector<PlacedEffect> tries =
         worth_fitting(*effect, current, screened, setting, options);
     if (tries.empty()) continue;
     Kind kind{effect.get(),
-              fit_screened(*effect, tries, current, fitter, progress),
+              fit_screened(*effect, tries, current, fitter, part),
               static_cast<double>(tries.size())};
     if (kind.at_grids() && options.neighbours > 0) {
-      climb(kind.found, current, fitter, options.neighbours, progress);
+      climb(kind.found, current, fitter, options.neighbours, part);
     }
     kinds.push_back(std::move(kind));
   }
   if (options.neighbours > 0) {
-    climb_stiffness(kinds, current, fitter, options.neighbours, progress);
-    try_rotary(kinds, current, fitter, options.neighbours, progress);
+    const Progress rest = part_of(progress, 0.9, 1.0);
+    climb_stiffness(kinds, current, fitter, options.neighbours, rest);
+    try_rotary(kinds, current, fitter, options.neighbours, rest);
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {

@@ -1,6 +1,7 @@
 #include "updating/rung_search.hpp"
 
 #include "updating/evidence.hpp"
+#include "updating/overall_progress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,19 +118,19 @@ void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
 
 }  // namespace
 
-RungSearch::RungSearch(const Fitter& fitter,
-                       const DiagnoseOptions& options,
-                       const Progress& progress)
+RungSearch::RungSearch(const Fitter& fitter, const DiagnoseOptions& options)
     : fitter_(&fitter),
       options_(options),
-      explained_(at_floor * options.floor),
-      progress_(progress) {}
+      explained_(at_floor * options.floor) {}
 
-Fit RungSearch::refit(const std::vector<PlacedEffect>& effects) const {
-  return fitter_->fit(effects, fitter_->model_for(effects), progress_);
+Fit RungSearch::refit(const std::vector<PlacedEffect>& effects,
+                      const Progress& progress) const {
+  return fitter_->fit(effects, fitter_->model_for(effects), progress);
 }
 
-Round RungSearch::look(const Fit& current, Depth depth) const {
+Round RungSearch::look(const Fit& current,
+                       Depth depth,
+                       const Progress& progress) const {
   const bool thorough = depth >= Depth::Thorough;
   HypothesisOptions options;
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
@@ -137,7 +138,7 @@ Round RungSearch::look(const Fit& current, Depth depth) const {
   options.promising = thorough ? 1e300 : promising;
   if (depth == Depth::LastResort) options.joints = many_joints;
   Round round;
-  round.hypotheses = fit_hypotheses(current, *fitter_, options, progress_);
+  round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
   const Target& target = fitter_->target();
   const Fit* best = &current;
   for (const Hypothesis& h : round.hypotheses) {
@@ -167,7 +168,8 @@ Round RungSearch::look(const Fit& current, Depth depth) const {
 }
 
 RungSearch::Pair RungSearch::best_pair(const Fit& current,
-                                       const Round& round) const {
+                                       const Round& round,
+                                       const Progress& progress) const {
   Pair pair;
   double least = 1e300;
   std::set<const effects::Effect*> kinds;
@@ -175,7 +177,12 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
     const Hypothesis& h = round.hypotheses[k];
     if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
     if (!kinds.insert(h.own().effect).second) continue;
-    const Round next = look(h.fit, Depth::Quick);
+    const auto tried = static_cast<double>(kinds.size());
+    const Round next = look(h.fit,
+                            Depth::Quick,
+                            part_of(progress,
+                                    (tried - 1.0) / kinds_tried_first,
+                                    tried / kinds_tried_first));
     if (next.hypotheses.empty()) continue;
     const Hypothesis& second = next.hypotheses.front();
     // The same two in the other order end at the same error, but for rounding.
@@ -192,9 +199,11 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
 
 Fit RungSearch::relocate(Fit fit,
                          std::size_t already,
-                         std::vector<Chosen>& chosen) const {
+                         std::vector<Chosen>& chosen,
+                         const Progress& progress) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
-    const Round round = look(refit(without(fit, k)), Depth::Nearby);
+    const Round round =
+        look(refit(without(fit, k), progress), Depth::Nearby, progress);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
     if (best.fit.result.error >= better * fit.result.error) {
@@ -213,10 +222,11 @@ Fit RungSearch::relocate(Fit fit,
 Fit RungSearch::prune(Fit fit,
                       std::size_t already,
                       double data,
-                      std::vector<Chosen>& chosen) const {
+                      std::vector<Chosen>& chosen,
+                      const Progress& progress) const {
   for (std::size_t k = already;
        k < fit.effects.size() && fit.effects.size() > already + 1;) {
-    Fit rest = refit(without(fit, k));
+    Fit rest = refit(without(fit, k), progress);
     const double own = static_cast<double>(fit.effects[k].p.size());
     const double gain = log_evidence(fit.result.error, own, 1.0, data) -
                         log_evidence(rest.result.error, 0.0, 1.0, data);

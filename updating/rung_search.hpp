@@ -44,9 +44,7 @@ extern const double at_floor;
 
 class RungSearch {
  public:
-  RungSearch(const Fitter& fitter,
-             const DiagnoseOptions& options,
-             const Progress& progress);
+  RungSearch(const Fitter& fitter, const DiagnoseOptions& options);
 
   enum class Depth {
     Quick,      ///< only what the screening finds promising, at its best place
@@ -56,7 +54,9 @@ class RungSearch {
   };
 
   /// Everything that could be added to the model as it is.
-  [[nodiscard]] Round look(const Fit& current, Depth depth) const;
+  [[nodiscard]] Round look(const Fit& current,
+                           Depth depth,
+                           const Progress& progress) const;
 
   /// A first rung that leaves much may be a stand-in for two effects. Each
   /// other kind's best is given the chance of a second rung; the pair that
@@ -65,27 +65,31 @@ class RungSearch {
     std::size_t first = 0;  ///< in the round
     double gain = 0.0;      ///< log evidence of both over none
   };
-  [[nodiscard]] Pair best_pair(const Fit& current, const Round& round) const;
+  [[nodiscard]] Pair best_pair(const Fit& current,
+                               const Round& round,
+                               const Progress& progress) const;
 
   /// With several effects in, each but the last is looked for again while the
   /// others stay: it was found before the others were known.
   [[nodiscard]] Fit relocate(Fit fit,
                              std::size_t already,
-                             std::vector<Chosen>& chosen) const;
+                             std::vector<Chosen>& chosen,
+                             const Progress& progress) const;
 
   /// Takes effects off that the others have made superfluous.
   [[nodiscard]] Fit prune(Fit fit,
                           std::size_t already,
                           double data,
-                          std::vector<Chosen>& chosen) const;
+                          std::vector<Chosen>& chosen,
+                          const Progress& progress) const;
 
  private:
-  [[nodiscard]] Fit refit(const std::vector<PlacedEffect>& effects) const;
+  [[nodiscard]] Fit refit(const std::vector<PlacedEffect>& effects,
+                          const Progress& progress) const;
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
   double explained_;  // an error at which nothing is left to explain
-  Progress progress_;
 };
 
 }  // namespace tapfit::updating

@@ -76,12 +76,12 @@ class PlateExperiment {
   }
 
   [[nodiscard]] const Fitter& fitter() const { return *fitter_; }
-  [[nodiscard]] Diagnosis diagnose_it() const {
+  [[nodiscard]] Diagnosis diagnose_it(const Progress& progress = {}) const {
     DiagnoseOptions options;
     options.floor = std::max(noise_error(fitter_->target()), 1e-3);
     options.modes_in_band = 5;
     options.properties = {{"E:1", "Pa", 70e9}};
-    return diagnose(*fitter_, {}, options);
+    return diagnose(*fitter_, {}, options, progress);
   }
 
  private:
@@ -203,7 +203,12 @@ TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
 
 TEST(DiagnoseTest, FindsAnAddedMassAtItsGrid) {
   const PlateExperiment test({at_node("added-mass", 30, 0.03)}, 0.02, 1);
-  const Diagnosis d = test.diagnose_it();
+  std::vector<double> shares;  // of the whole
+  const Diagnosis d = test.diagnose_it(
+      {[&](std::string_view, double share) { shares.push_back(share); }, {}});
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_LT(shares.front(), 0.1);
+  EXPECT_GT(shares.back(), 0.8);
   EXPECT_EQ(d.verdict, "added-mass");
   ASSERT_FALSE(d.ladder.empty());
   EXPECT_EQ(d.ladder[0].where.node, 30);

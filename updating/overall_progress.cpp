@@ -1,0 +1,30 @@
+#include "updating/overall_progress.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace tapfit::updating {
+
+Progress part_of(const Progress& whole, double from, double to) {
+  if (!whole.report) return whole;
+  Progress part = whole;
+  part.report = [report = whole.report, from, to](std::string_view stage,
+                                                  double fraction) {
+    report(stage, from + (to - from) * std::clamp(fraction, 0.0, 1.0));
+  };
+  return part;
+}
+
+Progress never_falling(const Progress& whole) {
+  if (!whole.report) return whole;
+  Progress rising = whole;
+  // Copies of it are handed down, and all of them count.
+  rising.report = [report = whole.report, reached = std::make_shared<double>()](
+                      std::string_view stage, double fraction) {
+    *reached = std::max(*reached, fraction);
+    report(stage, *reached);
+  };
+  return rising;
+}
+
+}  // namespace tapfit::updating
