@@ -210,6 +210,7 @@ void Program::show_screen(std::size_t index) {
 void Program::press(Key key) {
   changed_ = true;
   if (key == keys::resize) return;
+  if (scroll_help(key)) return;
   const bool boxed = help_open_ || message_open_;
   // The key that closes the help does nothing else, but for those that lead
   // elsewhere.
@@ -240,7 +241,7 @@ void Program::press_global(Key key) {
   if (key == U'q') {
     ask_to_quit();
   } else if (key == U'?') {
-    help_open_ = true;
+    open_help();
   } else if (key == U':') {
     mode_ = Mode::Colon;
     typed_.clear();

@@ -80,6 +80,10 @@ class Program {
   [[nodiscard]] Screen body(const Canvas& canvas) const;
   [[nodiscard]] Screen waiting(const Canvas& canvas) const;
   [[nodiscard]] Screen help(const Canvas& canvas) const;
+  [[nodiscard]] std::vector<std::string> help_lines() const;
+  void open_help();
+  /// False where the key closes the help.
+  bool scroll_help(Key key);
   void draw_tabs(Screen& screen) const;
   void draw_line(Screen& screen, int y) const;
   void draw_work(Screen& screen, int y) const;
@@ -102,6 +106,7 @@ class Program {
   bool message_is_error_ = false;
   bool message_open_ = false;  ///< in a box, as it does not fit the line
   bool help_open_ = false;
+  int help_row_ = 0;  ///< the first line shown of a help that is too long
   bool quit_ = false;
   bool quit_warned_ = false;  ///< q was pressed while an action ran
   bool changed_ = true;

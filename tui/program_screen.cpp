@@ -5,6 +5,7 @@
 #include "tui/number.hpp"
 #include "tui/program.hpp"
 #include "tui/text.hpp"
+#include "tui/text_box.hpp"
 #include "tui/views/update_panels.hpp"
 
 #include <fmt/format.h>
@@ -38,30 +39,6 @@ Screen too_small(const Canvas& canvas) {
   return screen;
 }
 
-/// A box in the middle with lines of text.
-void draw_box(Screen& screen,
-              const std::string& title,
-              const std::vector<std::string>& lines,
-              Style style) {
-  const int width = std::min(screen.width() - 4, 76);
-  const int height =
-      std::min(screen.height(), static_cast<int>(lines.size()) + 2);
-  const Rect rect{(screen.width() - width) / 2,
-                  (screen.height() - height) / 2,
-                  width,
-                  height};
-  screen.fill(rect, U' ');
-  screen.box(rect, title, style);
-  const Rect room = inside(rect);
-  for (int i = 0; i < room.height; ++i) {
-    screen.text(room.x + 1,
-                room.y + i,
-                lines[static_cast<std::size_t>(i)],
-                {},
-                room.width - 2);
-  }
-}
-
 int key_width(const KeyHelp& key) {
   return text_width(key.key) + 1 + text_width(key.what) + 2;
 }
@@ -90,31 +67,6 @@ int draw_key(Screen& screen, int x, int y, const KeyHelp& key) {
   x = screen.text(x, y, key.what, {.reverse = true});
   zone_of_key(screen, {start, y, x - start, 1}, key.key);
   return x + 2;
-}
-
-/// Keys and what they do, in columns as wide as the longest but few.
-std::vector<std::string> key_lines(const std::vector<KeyHelp>& keys,
-                                   int width) {
-  const int columns = std::max(width / 24, 1);
-  const int room = width / columns;
-  std::vector<std::string> lines;
-  int used = width;
-  for (const KeyHelp& key : keys) {
-    std::string entry = key.key + " ";
-    entry.append(static_cast<std::size_t>(std::max(7 - text_width(entry), 0)),
-                 ' ');
-    entry += key.what;
-    const int cells = (text_width(entry) / room + 1) * room;
-    if (used + text_width(entry) > width) {
-      lines.emplace_back();
-      used = 0;
-    }
-    lines.back() += entry;
-    used += cells;
-    const int gap = std::min(used, width) - text_width(lines.back());
-    lines.back().append(static_cast<std::size_t>(std::max(gap, 0)), ' ');
-  }
-  return lines;
 }
 
 std::string work_text(const WorkerStatus& status) {
@@ -182,10 +134,11 @@ Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
   draw_live(screen);
   if (message_open_) {
-    draw_box(screen,
-             "message (any key closes)",
-             wrapped(message_, std::min(canvas.width - 8, 72)),
-             {.colour = message_is_error_ ? Colour::Red : Colour::Default});
+    draw_text_box(
+        screen,
+        "message (any key closes)",
+        wrapped(message_, std::min(canvas.width - 8, 72)),
+        {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
   return screen;
 }
@@ -215,7 +168,8 @@ void Program::draw_live(Screen& screen) const {
 Screen Program::waiting(const Canvas& canvas) const {
   Screen screen(canvas);
   const auto say = [&](const std::string& title, const std::string& words) {
-    draw_box(screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
+    draw_text_box(
+        screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
   };
   if (known_.bundle && page().wants_model() && !known_.has_model) {
     say(page().title(),
@@ -241,51 +195,12 @@ Screen Program::waiting(const Canvas& canvas) const {
       lines.push_back(line);
     }
     lines.emplace_back("Esc stops it; other screens stay usable.");
-    draw_box(screen,
-             name(need.stage) + (other ? ": waiting for other work" : ""),
-             lines,
-             {});
+    draw_text_box(screen,
+                  name(need.stage) + (other ? ": waiting for other work" : ""),
+                  lines,
+                  {});
     return screen;
   }
-  return screen;
-}
-
-Screen Program::help(const Canvas& canvas) const {
-  Screen screen(canvas);
-  const int width = std::min(canvas.width - 8, 72);
-  std::vector<std::string> lines = wrapped(page().help(), width);
-  lines.emplace_back();
-  std::vector<KeyHelp> all = page().keys();
-  const std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
-                                        {":", "command"},
-                                        {"u", "undo"},
-                                        {"Ctrl-R", "redo"},
-                                        {"r", "try again"},
-                                        {"Esc", "back, stop work"},
-                                        {"S", "end a fit, keep it"},
-                                        {"Ctrl-Z", "to the shell, fg back"},
-                                        {"/", "filter the list"},
-                                        {"q", "quit"}};
-  for (const KeyHelp& key : everywhere) {
-    const bool known =
-        std::any_of(all.begin(), all.end(), [&](const KeyHelp& k) {
-          return k.key == key.key || k.what == key.what;
-        });
-    if (!known) all.push_back(key);
-  }
-  for (const std::string& line : key_lines(all, width)) lines.push_back(line);
-  lines.emplace_back();
-  lines.emplace_back(
-      ":q :help :add EFFECT@PLACE :toggle N :undo :redo :screen N :run N");
-  lines.emplace_back(":report [FILE] :deck [FILE] :uff [FILE] :stop :retry");
-  lines.emplace_back(":drop HZ :pick HZ :band LOW HIGH :pair I:K  (modes)");
-  if (static_cast<int>(lines.size()) > canvas.height - 2) {
-    std::erase_if(lines, [](const std::string& line) { return line.empty(); });
-  }
-  draw_box(screen,
-           page().title() + " (any key closes)",
-           lines,
-           {.colour = Colour::Sky});
   return screen;
 }
 

@@ -57,8 +57,7 @@ void Program::run_colon(const std::string& text) {
     case Kind::Quit:
       return ask_to_quit();
     case Kind::Help:
-      help_open_ = true;
-      return;
+      return open_help();
     case Kind::Add:
       return act(add_effect(command.argument));
     case Kind::Toggle:

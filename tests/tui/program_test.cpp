@@ -175,13 +175,6 @@ TEST(Program, ClearsWhatWasToldAtTheNextKey) {
   EXPECT_FALSE(holds(played("6\nwait\nu\nwait\n2"), "nothing to undo"));
 }
 
-TEST(Program, TheKeyThatClosesTheHelpDoesNothingElse) {
-  const std::string text = played("3\nwait\n?x\nwait");
-  EXPECT_FALSE(holds(text, "dropped")) << text;
-  EXPECT_TRUE(holds(text, "3 modes")) << text;
-  EXPECT_TRUE(holds(played("3\nwait\n?6\nwait"), "ladder"));
-}
-
 TEST(Program, RedoesAHitThatWasTakenBack) {
   const std::string text = played("wait\nj \nwait\nu\nwait\n<C-r>\nwait");
   EXPECT_TRUE(holds(text, "hit 2: overruled again")) << text;
@@ -264,13 +257,6 @@ TEST(Program, FiltersLists) {
   EXPECT_TRUE(holds(text, "4Z+ / 4Z+"));
   EXPECT_FALSE(holds(text, "6Z+ / 3Z+")) << text;
   EXPECT_TRUE(holds(played("2\nwait\n/4Z+ / 4<Enter><Esc>"), "6Z+ / 3Z+"));
-}
-
-TEST(Program, HelpNamesTheKeysOfTheScreen) {
-  const std::string text = played("5\nwait\n?");
-  EXPECT_TRUE(holds(text, "add it")) << text;
-  EXPECT_TRUE(holds(text, ":add EFFECT")) << text;
-  EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
 }
 
 Key click(int x, int y) {
