@@ -68,7 +68,7 @@ bool Program::ready() const {
   const std::vector<Need> needs = page().essential();
   return known_.bundle &&
          std::all_of(needs.begin(), needs.end(), [this](const Need& need) {
-           return known_.has(need);
+           return known_.has(need) || page().can_wait_for(need, known_);
          });
 }
 

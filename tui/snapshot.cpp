@@ -110,6 +110,7 @@ void Snapshot::change_effects(std::vector<updating::AddedEffect> now) {
   const Effects before = effects_on();
   const auto found = diagnosis;
   diagnosis.reset();
+  if (found) last_diagnosis = found;
   if (found && !diagnosis_of(before)) diagnoses.emplace_back(before, found);
   forget_model_results();
   effects = std::move(now);
@@ -119,6 +120,7 @@ void Snapshot::change_effects(std::vector<updating::AddedEffect> now) {
 void Snapshot::forget_from_modes() {
   forget_model_results();
   diagnoses.clear();
+  last_diagnosis.reset();
   modes.reset();
   base_comparison.reset();
   previous.reset();  // on other lines, perhaps

@@ -75,6 +75,7 @@ struct Snapshot {
   Shared<std::vector<updating::Estimate>> parameters;
   Shared<std::vector<updating::UpdateRecord>> records;
   Shared<updating::Diagnosis> diagnosis;
+  Shared<updating::Diagnosis> last_diagnosis;  ///< of the model before
   std::vector<updating::AddedEffect> effects;
   bool unsaved = false;  ///< what was done last could not be written down
   /// What was found on the way, with the effects that were in the model then.

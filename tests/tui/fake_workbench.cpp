@@ -52,6 +52,10 @@ class FakeWorkbench final : public Workbench {
   }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
+    while (options_.endless_diagnosis && !added_.empty()) {
+      progress("hypotheses", 0.43);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
     return diagnosis_;
   }
   updating::Signature signature(int node, const Progress&) override {

@@ -14,9 +14,10 @@ namespace tapfit::tui::testing {
 struct FakeOptions {
   std::vector<updating::AddedEffect> left_with = {};  ///< effects from before
   bool model = true;
-  bool hits_fail = false;      ///< hits() throws InputError
-  std::string unsaved = {};    ///< what save() answers
-  bool endless_modes = false;  ///< modes() runs until it is stopped
+  bool hits_fail = false;          ///< hits() throws InputError
+  std::string unsaved = {};        ///< what save() answers
+  bool endless_modes = false;      ///< modes() runs until it is stopped
+  bool endless_diagnosis = false;  ///< the same once something was added
 };
 
 [[nodiscard]] std::unique_ptr<Workbench> fake_workbench(

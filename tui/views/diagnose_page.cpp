@@ -6,7 +6,19 @@ namespace {
 
 using updating::Candidate;
 
+/// @pre there is one, of the model as it is or before
+const updating::Diagnosis& shown(const Snapshot& known) {
+  return known.diagnosis ? *known.diagnosis : *known.last_diagnosis;
+}
+
 }  // namespace
+
+bool DiagnosePage::can_wait_for(const Need& need, const Snapshot& known) const {
+  const bool made_anew = need.stage == Stage::Comparison ||
+                         need.stage == Stage::Ladder ||
+                         need.stage == Stage::Diagnosis;
+  return made_anew && known.last_diagnosis != nullptr;
+}
 
 std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   std::vector<Need> needs{{Stage::Model}};
@@ -22,18 +34,25 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
 
 Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
   return diagnose_view({*known.bundle,
-                        *known.diagnosis,
+                        shown(known),
                         known.signatures,
                         known.wire.get(),
-                        known.signature_map.get()},
+                        known.signature_map.get(),
+                        known.diagnosis == nullptr},
                        state_,
                        canvas);
 }
 
 bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
-  const updating::Diagnosis& d = *known.diagnosis;
+  const updating::Diagnosis& d = shown(known);
   const Table table = candidate_table(d, 80, true);
   if (key == U'a' || key == keys::enter) {
+    if (!known.diagnosis) {
+      command.message =
+          "these were found before the last change: wait for what "
+          "is found now";
+      return true;
+    }
     if (d.candidates.empty() || none_shown(table, state_.list)) return true;
     const Candidate& c = d.candidates[settled(table, state_.list)];
     command.kind = Command::Kind::Add;

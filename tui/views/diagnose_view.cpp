@@ -304,16 +304,22 @@ Screen diagnose_view(const DiagnoseInput& input,
   Screen screen(canvas);
   const updating::Diagnosis& d = input.diagnosis;
   screen.text(1, 0, verdict_line(d), {.bold = true}, canvas.width - 2);
+  const bool warned = input.outdated || !d.warnings.empty();
   const std::string note =
-      d.warnings.empty() ? d.contour : fmt::format("! {}", d.warnings[0]);
-  const Colour note_colour = d.warnings.empty() ? Colour::Grey : Colour::Yellow;
+      input.outdated ? "as of before the last change; it is looked for anew …"
+      : warned       ? fmt::format("! {}", d.warnings[0])
+                     : d.contour;
+  const Colour note_colour = warned ? Colour::Yellow : Colour::Grey;
   const int top =
       write(screen, 1, wrapped(note, canvas.width - 2, 2), note_colour);
   if (d.candidates.empty()) {
     screen.text(1, top + 1, "No candidate: nothing in the catalogue fits.");
     return screen;
   }
-  const Table table = candidate_table(d, canvas.width, canvas.ascii);
+  Table table = candidate_table(d, canvas.width, canvas.ascii);
+  if (input.outdated) {
+    for (Row& row : table.rows) row.style.colour = Colour::Grey;
+  }
   const Candidate& chosen = d.candidates[settled(table, state.list)];
   const Rect body{0, top, canvas.width, canvas.height - top};
   const int rows = std::clamp(static_cast<int>(d.candidates.size()) + 1,
@@ -322,6 +328,7 @@ Screen diagnose_view(const DiagnoseInput& input,
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
   const int below = write_chosen(screen, rest.y, d, chosen);
+  if (input.outdated) return screen;
   const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);

@@ -16,6 +16,7 @@ struct DiagnoseInput {
   const Wireframe* wire = nullptr;
   /// How well each grid alone explains what is missing, once it is known.
   const std::vector<updating::GridShare>* map = nullptr;
+  bool outdated = false;  ///< the diagnosis is of the model before
 };
 
 struct DiagnoseState {
@@ -52,6 +53,8 @@ class DiagnosePage final : public Page {
             {Stage::Ladder},
             {Stage::Diagnosis}};
   }
+  /// After a change the last list stays until the new one is there.
+  bool can_wait_for(const Need& need, const Snapshot& known) const override;
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;

@@ -60,14 +60,19 @@ class Page {
   [[nodiscard]] virtual bool wants_model() const { return false; }
   /// Results without which there is nothing to draw, in order.
   [[nodiscard]] virtual std::vector<Need> essential() const = 0;
+  /// Whether it can do without one of them until it is there, with what was
+  /// known before.
+  [[nodiscard]] virtual bool can_wait_for(const Need&, const Snapshot&) const {
+    return false;
+  }
   /// Results that are asked for once the essential ones are there.
   [[nodiscard]] virtual std::vector<Need> welcome(const Snapshot&) const {
     return {};
   }
-  /// @pre the essential results are there
+  /// @pre the essential results are there, but for those it can wait for
   [[nodiscard]] virtual Screen draw(const Snapshot& known,
                                     const Canvas& canvas) const = 0;
-  /// @pre the essential results are there
+  /// @pre as of draw()
   /// @return true when the key meant something here
   virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
   /// Goes back from what a key put in place of the screen's main view.
