@@ -338,8 +338,8 @@ TEST(Program, ShowsHowTheFitCameAbout) {
   const std::string added = "5\nwait\na\nwait\n";
   const Canvas canvas{120, 35, false};
   EXPECT_TRUE(holds(played(added + "<Tab>\nwait", canvas),
-                    "fit with added-mass: 3 steps on the damped line, "
-                    "converged"));
+                    "fit with added-mass: 3 steps, converged; on the damped "
+                    "line"));
   const std::string correlation = played(added + "<Tab><Tab>\nwait", canvas);
   EXPECT_TRUE(holds(correlation, "  42")) << correlation;
   EXPECT_TRUE(holds(correlation, "tell all parameters apart"));

@@ -3,6 +3,7 @@
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
@@ -110,15 +111,16 @@ void draw_points(Screen& screen,
   const auto [body, lines] =
       split_top(split_top(rect, 1).second, rect.height - 3);
   draw_wireframe(screen, body, *input.wire, scene, state.pose);
-  std::string words = "worst: ";
+  std::vector<std::string> worst;
   for (std::size_t i = 0; i < std::min<std::size_t>(points.size(), 3); ++i) {
-    words += fmt::format("{}{} {}",
-                         i == 0 ? "" : ", ",
-                         points[i].first,
-                         percent(points[i].second));
+    worst.push_back(
+        fmt::format("{} {}", points[i].first, percent(points[i].second)));
   }
-  screen.text(
-      lines.x + 1, lines.y, words, {.colour = Colour::Grey}, lines.width - 1);
+  screen.text(lines.x + 1,
+              lines.y,
+              listed("worst: ", worst, ", ", lines.width - 1),
+              {.colour = Colour::Grey},
+              lines.width - 1);
   int x = lines.x + 1;
   for (const auto& [share, words_of] :
        {std::pair{0.2, "to 1/4"}, {0.4, "1/2"}, {0.6, "3/4"}, {1.0, "worst"}}) {

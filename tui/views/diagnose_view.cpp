@@ -2,12 +2,14 @@
 
 #include "tui/bars.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
 #include "tui/views/signature_plot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -155,17 +157,22 @@ void draw_signature(Screen& screen,
        fmt::format("grid {} alone explains {} %; left of z by law:",
                    s.node,
                    left(s.explained)));
-  line(1,
-       fmt::format("mass {} kg {} %, spring {} N/m {} %,",
-                   number(s.mass_kg, 3),
-                   left(s.mass_unexplained),
-                   number(s.spring_n_per_m, 3),
-                   left(s.spring_unexplained)));
-  line(2,
-       plot.cursor ? read_out(plot, *plot.cursor)
-                   : fmt::format("dashpot {} N s/m {} %",
-                                 number(s.dashpot_ns_per_m, 3),
-                                 left(s.dashpot_unexplained)));
+  const int width = text.width - 1;
+  std::vector<std::string> laws{
+      fmt::format("mass {} kg {} %, spring {} N/m {} %,",
+                  number(s.mass_kg, 3),
+                  left(s.mass_unexplained),
+                  number(s.spring_n_per_m, 3),
+                  left(s.spring_unexplained)),
+      fmt::format("dashpot {} N s/m {} %",
+                  number(s.dashpot_ns_per_m, 3),
+                  left(s.dashpot_unexplained))};
+  const std::string whole = fmt::format("{}", fmt::join(laws, " "));
+  if (text_width(whole) <= width) laws = {whole};
+  if (plot.cursor) laws = wrapped(read_out(plot, *plot.cursor), width, 2);
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    line(static_cast<int>(i) + 1, laws[i]);
+  }
 }
 
 void draw_place(Screen& screen,
@@ -219,13 +226,19 @@ void draw_map(Screen& screen,
   }
   const auto [body, lines] = split_top(rect, rect.height - 2);
   draw_wireframe(screen, body, *input.wire, scene, state.pose);
-  std::string words = "alone explain: ";
+  std::vector<std::string> shares;
   for (std::size_t i = 0; i < std::min<std::size_t>(map.size(), 3); ++i) {
-    words += fmt::format(
-        "{}{} {}", i == 0 ? "" : ", ", map[i].node, percent(map[i].explained));
+    shares.push_back(
+        fmt::format("{} {}", map[i].node, percent(map[i].explained)));
   }
   screen.text(
-      lines.x + 1, lines.y, words, {.colour = Colour::Grey}, lines.width - 1);
+      lines.x + 1,
+      lines.y,
+      fitting({fmt::format("alone explain: {}", fmt::join(shares, ", ")),
+               listed("alone: ", shares, ", ", lines.width - 1)},
+              lines.width - 1),
+      {.colour = Colour::Grey},
+      lines.width - 1);
   int x = lines.x + 1;
   for (const auto& [colour, what] : {std::pair{Colour::Red, "95 % of the best"},
                                      {Colour::Orange, "85"},
@@ -263,12 +276,13 @@ int write_chosen(Screen& screen,
   return write(screen, y, wrapped(words, width, 3), Colour::Yellow);
 }
 
-std::string verdict_line(const updating::Diagnosis& d) {
-  return fmt::format("verdict: {}   error {} → {}, floor {}",
-                     d.verdict,
-                     percent(d.error_base),
-                     percent(d.error_best),
-                     percent(d.floor));
+/// A long list of kinds is cut, the errors behind it are not.
+std::string verdict_line(const updating::Diagnosis& d, int width) {
+  const std::string errors = fmt::format("   error {} → {}, floor {}",
+                                         percent(d.error_base),
+                                         percent(d.error_best),
+                                         percent(d.floor));
+  return clipped("verdict: " + d.verdict, width - text_width(errors)) + errors;
 }
 
 }  // namespace
@@ -303,7 +317,7 @@ Screen diagnose_view(const DiagnoseInput& input,
                      const Canvas& canvas) {
   Screen screen(canvas);
   const updating::Diagnosis& d = input.diagnosis;
-  screen.text(1, 0, verdict_line(d), {.bold = true}, canvas.width - 2);
+  screen.text(1, 0, verdict_line(d, canvas.width - 2), {.bold = true});
   const bool warned = input.outdated || !d.warnings.empty();
   const std::string note =
       input.outdated ? "as of before the last change; it is looked for anew …"

@@ -99,10 +99,10 @@ Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
     table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
                            "driving point",
                            verdict(p),
-                           fmt::format("{} peaks, {} turned; active at {} of "
-                                       "the lines; lowest lines {}",
-                                       p.peaks,
+                           fmt::format("{} of {} peaks turned, active {}; "
+                                       "lowest lines {}",
                                        p.wrong_peaks,
+                                       p.peaks,
                                        percent(p.active_share),
                                        low_line(p))},
                           {.colour = fair ? Colour::Default : Colour::Red}});

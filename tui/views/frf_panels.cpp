@@ -168,24 +168,23 @@ void draw_nyquist(Screen& screen,
   }
   const auto [body, lines] = split_top(rect, rect.height - 2);
   draw_plane(screen, body, plot);
-  screen.text(
-      lines.x + 1,
-      lines.y,
-      fmt::format(
-          "lines from {} to {} Hz", number(f[first], 5), number(f[last], 5)),
-      {.colour = Colour::Grey},
-      lines.width - 1);
-  screen.text(
-      lines.x + 1,
-      lines.y + 1,
-      fit ? fmt::format("circle: {} Hz, damping {} %, diameter {}, off by {}",
-                        number(fit->frequency_hz(), 6),
-                        number(100.0 * fit->damping_ratio(), 4),
-                        number(2.0 * fit->radius),
-                        percent(fit->deviation))
-          : "no circle: no resonance at the cursor",
-      {},
-      lines.width - 1);
+  screen.text(lines.x + 1,
+              lines.y,
+              fmt::format("circle through {} to {} Hz{}",
+                          number(f[first], 5),
+                          number(f[last], 5),
+                          fit ? ", off by " + percent(fit->deviation) : ""),
+              {.colour = Colour::Grey},
+              lines.width - 1);
+  screen.text(lines.x + 1,
+              lines.y + 1,
+              fit ? fmt::format("{} Hz, damping {} %, diameter {}",
+                                number(fit->frequency_hz(), 6),
+                                number(100.0 * fit->damping_ratio(), 4),
+                                number(2.0 * fit->radius))
+                  : "no circle: no resonance at the cursor",
+              {},
+              lines.width - 1);
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ void draw_panel(Screen& screen,
                                        const PlotRange& range);
 
 /// What lies under the cursor, with units; or under the band cursor.
+/// @param width [cells] for which words are shortened, not numbers
 [[nodiscard]] std::string frf_read_out(const FrfChoice& choice,
-                                       const FrfState& state);
+                                       const FrfState& state,
+                                       int width);
 
 }  // namespace tapfit::tui

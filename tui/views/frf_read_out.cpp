@@ -1,3 +1,4 @@
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_panels.hpp"
@@ -17,10 +18,8 @@ using signal::FrfSet;
 
 /// Between the band cursor's ends: its width, the rms of |H|, the peak, and
 /// the coherence.
-std::string band_text(const FrfSet& frfs,
-                      const Frf& frf,
-                      double from,
-                      double to) {
+std::string band_text(
+    const FrfSet& frfs, const Frf& frf, double from, double to, int width) {
   const Eigen::VectorXd f = frfs.frequency_hz();
   double power = 0.0;
   double coherence = 0.0;
@@ -35,56 +34,84 @@ std::string band_text(const FrfSet& frfs,
   }
   if (count == 0) return "no line in the band";
   const auto n = static_cast<double>(count);
-  return fmt::format(
-      "{} to {} Hz (Δ {} Hz): rms {} {}, largest at {} Hz, coherence {}",
-      fixed(from, 2),
-      fixed(to, 2),
-      fixed(to - from, 2),
-      number(std::sqrt(power / n)),
-      accelerance_unit,
-      fixed(f[peak], 2),
-      fixed(coherence / n, 4));
+  const std::string band =
+      fmt::format("{} to {} Hz", fixed(from, 2), fixed(to, 2));
+  const std::string width_hz = fixed(to - from, 2);
+  const std::string rms =
+      fmt::format("rms {} {}", number(std::sqrt(power / n)), accelerance_unit);
+  const std::string peak_hz = fixed(f[peak], 2) + " Hz";
+  const std::string mean = fixed(coherence / n, 4);
+  return fitting(
+      {fmt::format("{} (Δ {} Hz): {}, largest at {}, coherence {}",
+                   band,
+                   width_hz,
+                   rms,
+                   peak_hz,
+                   mean),
+       fmt::format("{} (Δ {}): {}, peak {}, coh {}",
+                   band,
+                   width_hz,
+                   rms,
+                   peak_hz,
+                   mean),
+       fmt::format("{}: {}, peak {}, coh {}", band, rms, peak_hz, mean)},
+      width);
 }
 
-std::string all_sizes(const FrfChoice& choice, Index line, double hz) {
-  std::string text = fixed(hz, 3) + " Hz  |H|";
+std::string all_sizes(const FrfChoice& choice,
+                      Index line,
+                      double hz,
+                      int width) {
+  std::vector<std::string> sizes;
   for (const std::size_t i : choice.shown) {
     const Frf& frf = choice.frfs.frfs[i];
-    text += fmt::format(
-        "  {} {}", signal::name(frf), number(std::abs(frf.H[line])));
+    sizes.push_back(
+        fmt::format("{} {}", signal::name(frf), number(std::abs(frf.H[line]))));
   }
-  return text + "  " + accelerance_unit;
+  return listed(
+      fmt::format("{} Hz  |H| in {}  ", fixed(hz, 3), accelerance_unit),
+      sizes,
+      "  ",
+      width);
 }
 
-std::string one_line(const FrfSet& frfs,
-                     const Frf& frf,
-                     Index at,
-                     bool as_parts) {
+std::string one_line(
+    const FrfSet& frfs, const Frf& frf, Index at, bool as_parts, int width) {
   const double hz = frfs.frequency_hz()[at];
   const double phase = std::arg(frf.H[at]) * 180.0 / std::numbers::pi;
-  std::string text = as_parts ? fmt::format("{} Hz   Re {}   Im {} {}",
-                                            fixed(hz, 3),
-                                            number(frf.H[at].real()),
-                                            number(frf.H[at].imag()),
-                                            accelerance_unit)
-                              : fmt::format("{} Hz   |H| {} {}   ∠ {}°",
-                                            fixed(hz, 3),
-                                            number(std::abs(frf.H[at])),
-                                            accelerance_unit,
-                                            fixed(phase, 1));
-  if (frf.coherence.size() == frfs.lines()) {
-    text += fmt::format("   coherence {}", fixed(frf.coherence[at], 4));
-  }
-  if (frf.variance.size() == frfs.lines()) {
-    text += fmt::format("   sd {}",
-                        number(std::sqrt(std::max(frf.variance[at], 0.0)), 2));
-  }
-  return text;
+  const auto said = [&](const char* gap, const char* coherence) {
+    const std::string value = as_parts
+                                  ? fmt::format("Re {}{}Im {} {}",
+                                                number(frf.H[at].real()),
+                                                gap,
+                                                number(frf.H[at].imag()),
+                                                accelerance_unit)
+                                  : fmt::format("|H| {} {}{}∠ {}°",
+                                                number(std::abs(frf.H[at])),
+                                                accelerance_unit,
+                                                gap,
+                                                fixed(phase, 1));
+    std::string text = fmt::format("{} Hz{}{}", fixed(hz, 3), gap, value);
+    if (frf.coherence.size() == frfs.lines()) {
+      text +=
+          fmt::format("{}{} {}", gap, coherence, fixed(frf.coherence[at], 4));
+    }
+    if (frf.variance.size() == frfs.lines()) {
+      text +=
+          fmt::format("{}sd {}",
+                      gap,
+                      number(std::sqrt(std::max(frf.variance[at], 0.0)), 2));
+    }
+    return text;
+  };
+  return fitting({said("   ", "coherence"), said("  ", "coh")}, width);
 }
 
 }  // namespace
 
-std::string frf_read_out(const FrfChoice& choice, const FrfState& state) {
+std::string frf_read_out(const FrfChoice& choice,
+                         const FrfState& state,
+                         int width) {
   const FrfSet& frfs = choice.frfs;
   const Frf& frf = frfs.frfs[choice.shown.front()];
   const Eigen::VectorXd f = frfs.frequency_hz();
@@ -101,14 +128,15 @@ std::string frf_read_out(const FrfChoice& choice, const FrfState& state) {
     return band_text(frfs,
                      frf,
                      std::min(*state.mark, range.cursor),
-                     std::max(*state.mark, range.cursor));
+                     std::max(*state.mark, range.cursor),
+                     width);
   }
   Index at = 0;
   (f.array() - range.cursor).abs().minCoeff(&at);
-  if (choice.shown.size() > 1) return all_sizes(choice, at, f[at]);
+  if (choice.shown.size() > 1) return all_sizes(choice, at, f[at], width);
   const bool as_parts = state.panel == FrfState::Panel::Parts ||
                         state.panel == FrfState::Panel::Nyquist;
-  return one_line(frfs, frf, at, as_parts);
+  return one_line(frfs, frf, at, as_parts, width);
 }
 
 }  // namespace tapfit::tui

@@ -150,7 +150,7 @@ Screen frf_view(const FrfSet& frfs,
   }
   screen.text(1,
               canvas.height - 1,
-              frf_read_out(choice, state),
+              frf_read_out(choice, state, canvas.width - 2),
               {.colour = Colour::Yellow},
               canvas.width - 2);
   return screen;

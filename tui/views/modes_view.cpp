@@ -136,6 +136,7 @@ void draw_shape(Screen& screen,
                 const ModesState& state,
                 std::size_t selected) {
   const modal::Mode& mode = input.modes.modes[selected];
+  int y = rect.y;
   int x = screen.text(
       rect.x,
       rect.y,
@@ -148,15 +149,16 @@ void draw_shape(Screen& screen,
     const updating::Comparison& c = *input.comparison;
     const auto row = static_cast<Eigen::Index>(selected);
     const auto column = static_cast<Eigen::Index>(*model);
-    screen.text(x,
-                rect.y,
-                fmt::format(" over model {} Hz, MAC {}",
-                            number(c.modes.frequency_hz[column], 5),
-                            fixed(c.mac(row, column), 3)),
-                {.colour = Colour::Blue},
-                rect.x + rect.width - x);
+    const std::string words =
+        fmt::format("over model {} Hz, MAC {}",
+                    number(c.modes.frequency_hz[column], 5),
+                    fixed(c.mac(row, column), 3));
+    const bool fits = x + 1 + text_width(words) <= rect.x + rect.width;
+    x = fits ? x + 1 : rect.x;
+    y += fits ? 0 : 1;
+    screen.text(x, y, words, {.colour = Colour::Blue}, rect.x + rect.width - x);
   }
-  const Rect body = split_top(rect, 1).second;
+  const Rect body = split_top(rect, y + 1 - rect.y).second;
   if (input.wire == nullptr) {
     draw_shape_bars(screen, body, input.modes, selected);
     return;

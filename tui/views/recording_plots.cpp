@@ -1,8 +1,10 @@
 #include "tui/views/recording_plots.hpp"
 
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>
@@ -246,11 +248,13 @@ void draw_average(Screen& screen,
                                       input.look->averages[count - 1].size()];
   plot.x = {"f", "Hz", 0.0, 0.0, false};
   plot.y = {"|H|", accelerance_unit, 0.0, 0.0, true};
-  plot.title = fmt::format("{}: {} hit{}, coh {}",
-                           signal::name(frf),
-                           count,
-                           count == 1 ? "" : "s",
-                           fixed(frf.coherence.mean(), 4));
+  const std::string agreement = fmt::format("{} hit{}, coh {}",
+                                            count,
+                                            count == 1 ? "" : "s",
+                                            fixed(frf.coherence.mean(), 4));
+  const std::string unit = fmt::format("{} [{}]  ", plot.y.label, plot.y.unit);
+  plot.title = fitting({signal::name(frf) + ": " + agreement, agreement},
+                       rect.width - text_width(unit));
   plot.curves.push_back(curve_after(count, {Colour::Sky}, count > 1));
   draw_plot(screen, rect, plot);
 }

@@ -3,6 +3,7 @@
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/text.hpp"
 #include "tui/views/recording_plots.hpp"
@@ -56,21 +57,26 @@ Table hit_table(const RecordingInput& input, const RecordingState& state) {
   return table;
 }
 
-std::string run_line(const RecordingInput& input, const RecordingState& state) {
+std::string run_line(const RecordingInput& input,
+                     const RecordingState& state,
+                     int width) {
   const acquisition::Run& run = input.bundle.runs[state.run];
-  std::string text = fmt::format("run {} of {}  {}  hammer {}",
-                                 state.run + 1,
-                                 run_count(input),
-                                 run.file.filename().string(),
-                                 name(run.hammer.dof));
+  std::vector<std::string> places{"hammer " + name(run.hammer.dof)};
   for (const acquisition::Placement& sensor : run.sensors) {
-    text += fmt::format("  {} {}",
-                        sensor.channel < input.bundle.channels.size()
-                            ? input.bundle.channels[sensor.channel].name
-                            : std::string("?"),
-                        name(sensor.dof));
+    places.push_back(
+        fmt::format("{} {}",
+                    sensor.channel < input.bundle.channels.size()
+                        ? input.bundle.channels[sensor.channel].name
+                        : std::string("?"),
+                    name(sensor.dof)));
   }
-  return text;
+  return listed(fmt::format("run {} of {}  {}  ",
+                            state.run + 1,
+                            run_count(input),
+                            run.file.filename().string()),
+                places,
+                "  ",
+                width);
 }
 
 std::string hits_line(const RecordingInput& input,
@@ -172,7 +178,9 @@ void draw_side(Screen& screen,
   if (!map.empty()) {
     screen.text(map.x + 1,
                 map.y,
-                "coherence of each hit with the others",
+                fitting({"coherence of each hit with the others",
+                         "coherence of hits with others"},
+                        map.width - 1),
                 {.colour = Colour::Grey},
                 map.width - 1);
     draw_heat_map(screen,
@@ -218,7 +226,7 @@ Screen recording_view(const RecordingInput& input,
     table.rows.resize(hits_by(input, at.run, at.playing.time_s));
     at.list.selected = table.rows.empty() ? 0 : table.rows.size() - 1;
   }
-  screen.text(1, 0, run_line(input, at), {.bold = true}, canvas.width - 2);
+  screen.text(1, 0, run_line(input, at, canvas.width - 2), {.bold = true});
   if (at.playing.on) {
     draw_replay_line(screen, input, at);
   } else {

@@ -174,11 +174,11 @@ void draw_convergence(Screen& screen,
   const auto [line, body] = split_top(rect, 1);
   screen.text(line.x + 1,
               line.y,
-              fmt::format("fit with {}: {} steps on {}, {}",
+              fmt::format("fit with {}: {} steps, {}; on {}",
                           record.added,
                           record.steps.size(),
-                          record.lines,
-                          record.message),
+                          record.message,
+                          record.lines),
               {},
               line.width - 2);
   if (record.steps.empty()) return;

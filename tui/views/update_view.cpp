@@ -83,10 +83,10 @@ std::size_t selected_effect(const std::vector<updating::AddedEffect>& effects,
 std::size_t selected_record(const UpdateInput& input,
                             const UpdateState& state) {
   const auto is_on = [](const updating::AddedEffect& e) { return e.on; };
-  const auto marked = static_cast<std::ptrdiff_t>(
-      std::min(selected_effect(input.effects, state) + 1, input.effects.size()));
-  const auto after = std::count_if(
-      input.effects.begin() + marked, input.effects.end(), is_on);
+  const auto marked = static_cast<std::ptrdiff_t>(std::min(
+      selected_effect(input.effects, state) + 1, input.effects.size()));
+  const auto after =
+      std::count_if(input.effects.begin() + marked, input.effects.end(), is_on);
   const std::size_t count = input.records->size();
   return count - 1 - std::min(static_cast<std::size_t>(after), count - 1);
 }
@@ -131,7 +131,8 @@ void draw_ladder(Screen& screen,
   }
   const double floor = input.current != nullptr ? input.current->floor : 0.0;
   screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
-  const int names = std::min(rect.width / 2, 30);
+  // Room for the number and some of its bar.
+  const int names = std::min(rect.width - 14, 30);
   const std::vector<LadderRow> all = ladder_rows(input, selected);
   const int rows = std::min(static_cast<int>(all.size()), rect.height - 1);
   // The newest rungs, when not all fit.

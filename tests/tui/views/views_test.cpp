@@ -72,7 +72,7 @@ TEST(FrfView, GoesRoundItsPlots) {
       {Panel::Phase, "phase [deg]"},
       {Panel::Coherence, "coherence"},
       {Panel::Parts, "Im H [(m/s²)/N]"},
-      {Panel::Nyquist, "circle: "},
+      {Panel::Nyquist, "circle through "},
       {Panel::Magnitude, "|H| [(m/s²)/N]"}};
   for (const Canvas& canvas : sizes) {
     for (const auto& [panel, words] : panels) {
