@@ -1,6 +1,7 @@
 #include "tui/colon_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/place_words.hpp"
 #include "updating/effects/catalogue.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +108,8 @@ ColonCommand parse_colon_command(std::string_view text) {
   return command;
 }
 
-std::vector<std::string> completions(std::string_view text) {
+std::vector<std::string> completions(std::string_view text,
+                                     const effects::Setting& setting) {
   std::vector<std::string> found;
   const std::size_t space = text.find(' ');
   if (space == std::string_view::npos) {
@@ -119,15 +121,23 @@ std::vector<std::string> completions(std::string_view text) {
   const std::string_view word = text.substr(0, space);
   const std::string_view rest = text.substr(space + 1);
   if (word != "add") return found;
+  const std::size_t at = rest.find('@');
   for (const auto& effect : effects::catalogue()) {
     const std::string name = effect->name();
-    if (name.starts_with(rest)) found.push_back("add " + name);
+    if (at == std::string_view::npos) {
+      if (name.starts_with(rest)) found.push_back("add " + name);
+    } else if (name == rest.substr(0, at)) {
+      for (const std::string& place :
+           place_words(*effect, setting, rest.substr(at + 1))) {
+        found.push_back(fmt::format("add {}@{}", name, place));
+      }
+    }
   }
   return found;
 }
 
-std::string completed(std::string_view text) {
-  const std::vector<std::string> all = completions(text);
+std::string completed(std::string_view text, const effects::Setting& setting) {
+  const std::vector<std::string> all = completions(text, setting);
   if (all.empty()) return std::string(text);
   std::string common = all.front();
   for (const std::string& one : all) {

@@ -1,6 +1,8 @@
 // What is typed after ':'.
 #pragma once
 
+#include "updating/effects/effect.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,10 +44,15 @@ struct ColonCommand {
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
 
 /// What the text may be going on to: commands by their names, after "add " the
-/// effects of the catalogue. Empty where nothing fits.
-[[nodiscard]] std::vector<std::string> completions(std::string_view text);
+/// effects of the catalogue, and after '@' their places. Empty where nothing
+/// fits.
+///
+/// @param setting as of place_words()
+[[nodiscard]] std::vector<std::string> completions(
+    std::string_view text, const effects::Setting& setting);
 
 /// The text and what all of its completions have in common beyond it.
-[[nodiscard]] std::string completed(std::string_view text);
+[[nodiscard]] std::string completed(std::string_view text,
+                                    const effects::Setting& setting);
 
 }  // namespace tapfit::tui

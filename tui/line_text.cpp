@@ -20,19 +20,19 @@ std::string listed(const std::string& heading,
                    const std::vector<std::string>& items,
                    const std::string& separator,
                    int width) {
-  std::vector<std::string> wordings;
-  for (std::size_t shown = items.size() + 1; shown-- > 0;) {
-    std::string words = heading;
-    for (std::size_t i = 0; i < shown; ++i) {
-      words += (i == 0 ? "" : separator) + items[i];
-    }
-    if (shown < items.size()) {
-      words += fmt::format(
-          "{}+{}", shown == 0 ? "" : separator, items.size() - shown);
-    }
-    wordings.push_back(std::move(words));
+  const auto rest = [&](std::size_t shown) {
+    if (shown == items.size()) return std::string();
+    return fmt::format(
+        "{}+{}", shown == 0 ? "" : separator, items.size() - shown);
+  };
+  std::string words = heading;
+  std::string best = heading + rest(0);
+  for (std::size_t i = 0; i < items.size() && text_width(words) <= width; ++i) {
+    words += (i == 0 ? "" : separator) + items[i];
+    const std::string whole = words + rest(i + 1);
+    if (text_width(whole) <= width) best = whole;
   }
-  return fitting(wordings, width);
+  return best;
 }
 
 }  // namespace tapfit::tui

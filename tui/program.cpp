@@ -80,6 +80,12 @@ std::optional<Need> Program::next_need() const {
     if (failed_.contains(need)) return std::nullopt;
     return need;
   }
+  // Commands name places of the model.
+  const Need model{Stage::Model};
+  if (mode_ == Mode::Colon && known_.has_model && !known_.has(model) &&
+      !failed_.contains(model)) {
+    return model;
+  }
   for (const Need& need : page().welcome(known_)) {
     if (!known_.has(need) && !failed_.contains(need)) return need;
   }

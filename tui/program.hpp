@@ -70,6 +70,8 @@ class Program {
   bool go_back();
   void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
+  /// What is known of the test that places are named in.
+  [[nodiscard]] effects::Setting setting() const;
   void carry_out(const Command& command);
   void act(Job job);
   /// What runs is what the user asked for, and not a screen's need.

@@ -2,6 +2,7 @@
 // progress, the key bar below.
 #include "tui/bars.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/program.hpp"
 #include "tui/text.hpp"
@@ -245,13 +246,18 @@ void Program::draw_line(Screen& screen, int y) const {
   if (mode_ == Mode::Colon) {
     const int x = screen.text(0, y, ":" + typed_, {}, width);
     screen.put(x, y, U' ', {.reverse = true});
-    std::string hint;
-    for (const std::string& one : completions(typed_)) hint += one + "  ";
-    screen.text(x + 3,
-                y,
-                hint.empty() ? hint : "Tab: " + hint,
-                {.colour = Colour::Grey},
-                width - x - 3);
+    // Of a place, what stands behind the effect's name.
+    const std::size_t from = typed_.find_last_of(" @") + 1;
+    std::vector<std::string> words;
+    for (const std::string& one : completions(typed_, setting())) {
+      words.push_back(one.substr(from));
+    }
+    screen.text(
+        x + 3,
+        y,
+        words.empty() ? "" : listed("Tab: ", words, "  ", width - x - 3),
+        {.colour = Colour::Grey},
+        width - x - 3);
     return;
   }
   const ListState* list = page().list();

@@ -29,7 +29,7 @@ void Program::press_colon(Key key) {
     mode_ = Mode::Normal;
     run_colon(typed_);
   } else if (key == keys::tab) {
-    typed_ = completed(typed_);
+    typed_ = completed(typed_, setting());
   } else if (key == keys::up && !typed_before_.empty()) {
     typed_ = typed_before_;
   } else if (key == keys::backspace) {
@@ -41,6 +41,13 @@ void Program::press_colon(Key key) {
   } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
     typed_.push_back(static_cast<char>(key.code));
   }
+}
+
+effects::Setting Program::setting() const {
+  effects::Setting setting;
+  setting.bundle = known_.bundle.get();
+  setting.deck = known_.deck.get();
+  return setting;
 }
 
 void Program::run_colon(const std::string& text) {

@@ -322,18 +322,6 @@ TEST(Program, GoesFromNumbersToTheirCurvesAndBack) {
   EXPECT_TRUE(holds(shapes, "over model")) << shapes;
 }
 
-TEST(Program, CompletesCommands) {
-  EXPECT_TRUE(holds(played(":re"), "Tab: redo  report  retry"))
-      << played(":re");
-  EXPECT_TRUE(holds(played(":rep<Tab>"), "\n:report"));
-  EXPECT_TRUE(holds(played(":ad<Tab>added-m<Tab>"), "\n:add added-mass"));
-  EXPECT_TRUE(holds(played("wait\n:run 2<Enter>\nwait"), "run 2 of 2"));
-  EXPECT_TRUE(holds(played("wait\n:run x<Enter>"), "which run?"));
-  EXPECT_TRUE(
-      holds(played("wait\n:report out.md<Enter>\nwait"), "written: out.md"));
-  EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.md"));
-}
-
 TEST(Program, ShowsHowTheFitCameAbout) {
   const std::string added = "5\nwait\na\nwait\n";
   const Canvas canvas{120, 35, false};

@@ -1,0 +1,48 @@
+#include "tests/tui/play.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+TEST(Program, CompletesCommands) {
+  EXPECT_TRUE(holds(played(":re"), "Tab: redo  report  retry"))
+      << played(":re");
+  EXPECT_TRUE(holds(played(":rep<Tab>"), "\n:report"));
+  EXPECT_TRUE(holds(played(":ad<Tab>added-m<Tab>"), "\n:add added-mass"));
+  EXPECT_TRUE(holds(played("wait\n:run 2<Enter>\nwait"), "run 2 of 2"));
+  EXPECT_TRUE(holds(played("wait\n:run x<Enter>"), "which run?"));
+  EXPECT_TRUE(
+      holds(played("wait\n:report out.md<Enter>\nwait"), "written: out.md"));
+  EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.md"));
+}
+
+TEST(Program, CompletesPlaces) {
+  const std::string grids = played("5\nwait\n:add added-mass@");
+  EXPECT_TRUE(holds(grids, "Tab: 1  1:rotary  2  2:rotary")) << grids;
+  EXPECT_TRUE(holds(played("5\nwait\n:add added-mass@6:<Tab>"),
+                    "\n:add added-mass@6:rotary"));
+  const std::string channels = played("1\nwait\n:add channel-gain@\nwait");
+  EXPECT_TRUE(holds(channels, "acc1  acc2")) << channels;
+  EXPECT_TRUE(
+      holds(played("1\nwait\n:add channel-gain@a<Tab>"), "channel-gain@acc"));
+  EXPECT_TRUE(holds(played("5\nwait\n:add soft-support@r<Tab>"),
+                    "soft-support@rotation"));
+  // One element after the other.
+  const std::string elements = played("5\nwait\n:add stiffness-loss@1:");
+  EXPECT_TRUE(holds(elements, "Tab: 1:1  1:2")) << elements;
+  // On a screen that needs no model it is read for them.
+  EXPECT_TRUE(
+      holds(played("1\nwait\n:add joint@\nwait"), "Tab: 1  2  3  4  5  6"));
+  EXPECT_FALSE(holds(played("5\nwait\n:add no-such@"), "Tab:"));
+}
+
+// What does not fit is counted.
+TEST(Program, CountsCompletionsThatDoNotFit) {
+  const std::string text = played("5\nwait\n:add ");
+  EXPECT_TRUE(holds(text, "+")) << text;
+  expect_fits(text, 80);
+}
+
+}  // namespace
+}  // namespace tapfit::tui
