@@ -122,6 +122,8 @@ void Program::finish(Finished finished) {
       current_ = update_screen;
       update_page_->mark_latest();
     }
+  } else if (finished.how == How::Done && !finished.message.empty()) {
+    tell(finished.message, true);
   }
   changed_ = true;
 }

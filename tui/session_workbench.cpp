@@ -15,7 +15,8 @@ namespace {
 class SessionWorkbench final : public Workbench {
  public:
   explicit SessionWorkbench(const std::filesystem::path& bundle)
-      : session_(bundle), file_(session_file(bundle)) {
+      : session_(bundle, acquisition::Unreadable::LeftOut),
+        file_(session_file(bundle)) {
     std::error_code ignored;
     if (std::filesystem::exists(file_, ignored)) {
       const updating::SavedSession saved = updating::read_saved_session(file_);
@@ -32,6 +33,9 @@ class SessionWorkbench final : public Workbench {
   const std::vector<acquisition::Recording>& recordings(
       const Progress& p) override {
     return session_.recordings(p);
+  }
+  std::vector<acquisition::LeftOut> left_out() override {
+    return session_.left_out();
   }
   const acquisition::HitSet& hits(const Progress& p) override {
     return session_.hits(p);

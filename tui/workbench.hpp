@@ -29,6 +29,8 @@ class Workbench {
   virtual const structure::Deck& deck(const Progress&) = 0;
   virtual const std::vector<acquisition::Recording>& recordings(
       const Progress&) = 0;
+  /// Runs that could not be read; none before recordings() are there.
+  virtual std::vector<acquisition::LeftOut> left_out() = 0;
   virtual const acquisition::HitSet& hits(const Progress&) = 0;
   virtual const signal::FrfSet& frfs(const Progress&) = 0;
   virtual const modal::ModeSet& modes(const Progress&) = 0;

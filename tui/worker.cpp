@@ -223,6 +223,17 @@ void Worker::loop(const std::stop_token& leave) {
   }
 }
 
+std::string Worker::note_left_out() {
+  const std::vector<acquisition::LeftOut> now = bench_->left_out();
+  if (now.size() == known_.left_out.size()) return {};
+  known_.left_out = now;
+  known_.bundle = shared(bench_->bundle());  // warns of them
+  const std::string first = acquisition::statement(now.front());
+  return now.size() == 1
+             ? first
+             : fmt::format("{} runs are left out; {}", now.size(), first);
+}
+
 void Worker::run(Job& job) {
   updating::FitWatch watch;
   watch.report = [this](std::string_view stage, double fraction) {
@@ -253,6 +264,10 @@ void Worker::run(Job& job) {
   } catch (const std::exception& error) {
     end.how = Finished::How::Failed;
     end.message = error.what();
+  }
+  const std::string unread = note_left_out();
+  if (!unread.empty()) {
+    end.message = unread + (end.message.empty() ? "" : "; " + end.message);
   }
   end.snapshot = known_;
   const std::lock_guard lock(mutex_);

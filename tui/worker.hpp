@@ -71,6 +71,8 @@ class Worker {
  private:
   void loop(const std::stop_token& leave);
   void run(Job& job);
+  /// What there is to tell of runs that turned out to be unreadable.
+  std::string note_left_out();
   void report(std::string_view stage, double fraction);
 
   std::unique_ptr<Workbench> bench_;

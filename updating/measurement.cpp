@@ -26,8 +26,14 @@ modal::IdentifyOptions as_chosen(const ModeChoices& choices) {
 
 }  // namespace
 
-Measurement::Measurement(const std::filesystem::path& folder)
-    : bundle_(acquisition::read_test_bundle(folder)) {}
+Measurement::Measurement(const std::filesystem::path& folder,
+                         acquisition::Unreadable unreadable)
+    : bundle_(acquisition::read_test_bundle(folder)), unreadable_(unreadable) {}
+
+const std::vector<acquisition::LeftOut>& Measurement::left_out() const {
+  static const std::vector<acquisition::LeftOut> none;
+  return recordings_ ? recordings_->left_out : none;
+}
 
 const std::vector<acquisition::Recording>& Measurement::recordings(
     const Progress& progress) {
@@ -38,20 +44,27 @@ const std::vector<acquisition::Recording>& Measurement::recordings(
   }
   if (!recordings_) {
     progress("recordings: reading", 0.0);
-    recordings_ = acquisition::read_recordings(bundle_);
+    if (unreadable_ == acquisition::Unreadable::LeftOut) {
+      recordings_ = acquisition::read_readable(bundle_);
+    } else {
+      recordings_ = {acquisition::read_recordings(bundle_), {}};
+    }
+    for (const acquisition::LeftOut& run : recordings_->left_out) {
+      bundle_.warnings.push_back(statement(run));
+    }
   }
-  return *recordings_;
+  return recordings_->recordings;
 }
 
 const acquisition::HitSet& Measurement::hits(const Progress& progress) {
   if (!hits_) {
-    const auto& all = recordings(progress);
+    static_cast<void>(recordings(progress));
     progress("hits: finding", 0.0);
     acquisition::HitOptions options;
     options.trigger_percent = bundle_.trigger_percent;
     options.pre_trigger_s = bundle_.pre_trigger_s;
     options.block_s = bundle_.block_s;
-    hits_ = acquisition::find_hits(bundle_, all, options);
+    hits_ = acquisition::find_readable_hits(bundle_, *recordings_, options);
     overrule_found();
   }
   return *hits_;
@@ -105,7 +118,7 @@ signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,
                                     const Progress& progress) const {
   if (bundle_.frfs) return modal::continue_frfs(*frfs_, *modes_, s);
   return signal::estimate_frfs_at(
-      bundle_, *recordings_, *hits_, s, ringing_poles_, progress);
+      bundle_, recordings_->recordings, *hits_, s, ringing_poles_, progress);
 }
 
 double Measurement::block_s() const {
@@ -148,9 +161,14 @@ bool Measurement::overrule(const OverruledHit& which) {
   return true;
 }
 
-// What was overruled before the hits were found.
+// What was overruled before the hits were found; of runs that are left out it
+// stays for when they can be read again.
 void Measurement::overrule_found() {
+  const auto is_left_out = [this](std::size_t run) {
+    return std::ranges::count(left_out(), run, &acquisition::LeftOut::run) > 0;
+  };
   for (const auto& [run, hit] : overruled_) {
+    if (is_left_out(run)) continue;
     if (run < hits_->runs.size() && hit < hits_->runs[run].size()) {
       acquisition::overrule(hits_->runs[run][hit]);
       continue;

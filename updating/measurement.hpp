@@ -4,6 +4,7 @@
 
 #include "acquisition/hits.hpp"
 #include "acquisition/progress.hpp"
+#include "acquisition/readable_recordings.hpp"
 #include "acquisition/recording.hpp"
 #include "acquisition/test_bundle.hpp"
 #include "modal/mode_set.hpp"
@@ -23,7 +24,8 @@ namespace tapfit::updating {
 class Measurement {
  public:
   /// @throws InputError as of acquisition::read_test_bundle
-  explicit Measurement(const std::filesystem::path& folder);
+  Measurement(const std::filesystem::path& folder,
+              acquisition::Unreadable unreadable);
 
   [[nodiscard]] const acquisition::TestBundle& bundle() const {
     return bundle_;
@@ -31,6 +33,8 @@ class Measurement {
   /// @throws InputError for a test of ready FRFs, which has none
   const std::vector<acquisition::Recording>& recordings(
       const Progress& progress);
+  /// Runs that could not be read; none before recordings() are there.
+  [[nodiscard]] const std::vector<acquisition::LeftOut>& left_out() const;
   const acquisition::HitSet& hits(const Progress& progress);
   const signal::FrfSet& frfs(const Progress& progress);
   const modal::ModeSet& modes(const Progress& progress);
@@ -64,16 +68,12 @@ class Measurement {
   /// Choices for when the modes are first asked for.
   void set_choices(const ModeChoices& choices) { choices_ = choices; }
 
-  [[nodiscard]] bool has_recordings() const { return recordings_.has_value(); }
-  [[nodiscard]] bool has_hits() const { return hits_.has_value(); }
-  [[nodiscard]] bool has_frfs() const { return frfs_.has_value(); }
-  [[nodiscard]] bool has_modes() const { return modes_.has_value(); }
-
  private:
   void overrule_found();
 
   acquisition::TestBundle bundle_;
-  std::optional<std::vector<acquisition::Recording>> recordings_;
+  acquisition::Unreadable unreadable_;
+  std::optional<acquisition::ReadableRecordings> recordings_;
   std::optional<acquisition::HitSet> hits_;
   std::vector<OverruledHit> overruled_;
   std::optional<signal::FrfSet> frfs_;

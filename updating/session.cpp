@@ -19,13 +19,13 @@
 namespace tapfit::updating {
 
 struct Session::Impl {
-  explicit Impl(const std::filesystem::path& folder) : test(folder) {}
+  Impl(const std::filesystem::path& folder, acquisition::Unreadable unreadable)
+      : test(folder, unreadable) {}
 
   Measurement test;
   std::optional<structure::Deck> deck;
   std::optional<SolvedModel> model;
   std::optional<FitGround> ground;  // and with it the stack
-
   std::optional<EffectStack> stack;
   std::vector<ModeChoices> past_choices;
   std::vector<ModeChoices> future_choices;
@@ -54,8 +54,9 @@ struct Session::Impl {
   [[nodiscard]] effects::Setting setting() const;
 };
 
-Session::Session(const std::filesystem::path& bundle)
-    : impl_(std::make_unique<Impl>(bundle)) {}
+Session::Session(const std::filesystem::path& bundle,
+                 acquisition::Unreadable unreadable)
+    : impl_(std::make_unique<Impl>(bundle, unreadable)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
@@ -64,16 +65,13 @@ const acquisition::TestBundle& Session::bundle() const {
   return impl_->test.bundle();
 }
 bool Session::has_model() const { return bundle().deck || bundle().matrices; }
-bool Session::has_recordings() const { return impl_->test.has_recordings(); }
-bool Session::has_hits() const { return impl_->test.has_hits(); }
-bool Session::has_frfs() const { return impl_->test.has_frfs(); }
-bool Session::has_modes() const { return impl_->test.has_modes(); }
-bool Session::has_comparison() const { return impl_->comparison.has_value(); }
-bool Session::has_diagnosis() const { return impl_->diagnosis.has_value(); }
 
 const std::vector<acquisition::Recording>& Session::recordings(
     const Progress& progress) {
   return impl_->test.recordings(progress);
+}
+const std::vector<acquisition::LeftOut>& Session::left_out() const {
+  return impl_->test.left_out();
 }
 const acquisition::HitSet& Session::hits(const Progress& progress) {
   return impl_->test.hits(progress);
@@ -351,10 +349,9 @@ SavedSession Session::saved(const Progress& progress) {
 void Session::take_up(const SavedSession& saved) {
   impl_->test.set_overruled(saved.overruled);
   impl_->test.set_choices(saved.modes);
-  impl_->waiting = {saved.effects,
-                    {},
-                    states_through(saved.effects, saved.undone),
-                    saved.kept};
+  impl_->waiting.now = saved.effects;
+  impl_->waiting.future = states_through(saved.effects, saved.undone);
+  impl_->waiting.kept = saved.kept;
 }
 
 void Session::set_update(const UpdateChoice& choice) {

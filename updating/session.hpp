@@ -5,6 +5,7 @@
 
 #include "acquisition/hits.hpp"
 #include "acquisition/progress.hpp"
+#include "acquisition/readable_recordings.hpp"
 #include "modal/identify_modes.hpp"
 #include "signal/estimate_frfs.hpp"
 #include "updating/comparison.hpp"
@@ -27,7 +28,9 @@ class Session {
  public:
   /// Reads the bundle's test.json (not yet its recordings).
   /// @throws InputError
-  explicit Session(const std::filesystem::path& bundle);
+  explicit Session(
+      const std::filesystem::path& bundle,
+      acquisition::Unreadable unreadable = acquisition::Unreadable::Refused);
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
@@ -39,6 +42,8 @@ class Session {
   const structure::Deck& deck(const Progress& progress = {});
   const std::vector<acquisition::Recording>& recordings(
       const Progress& progress = {});
+  /// Runs that could not be read; none before recordings() are there.
+  const std::vector<acquisition::LeftOut>& left_out() const;
   const acquisition::HitSet& hits(const Progress& progress = {});
   const signal::FrfSet& frfs(const Progress& progress = {});
   const modal::ModeSet& modes(const Progress& progress = {});
@@ -105,14 +110,6 @@ class Session {
   std::vector<std::string> model_warnings(const Progress& progress = {});
   /// Of FRFs through the reduced base, see BaseBuilder::error().
   double base_error(const Progress& progress = {});
-
-  /// Which stages have their result already (for drawing without waiting).
-  bool has_recordings() const;
-  bool has_hits() const;
-  bool has_frfs() const;
-  bool has_modes() const;
-  bool has_comparison() const;
-  bool has_diagnosis() const;
 
  private:
   struct Impl;

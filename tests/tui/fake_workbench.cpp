@@ -15,7 +15,11 @@ namespace {
 class FakeWorkbench final : public Workbench {
  public:
   explicit FakeWorkbench(const FakeOptions& options)
-      : options_(options), added_(options.left_with) {}
+      : options_(options), added_(options.left_with) {
+    if (!options.unreadable) return;
+    recordings_[1].samples.resize(0, 0);
+    hits_.runs[1].clear();
+  }
 
   const acquisition::TestBundle& bundle() override { return bundle_; }
   bool has_model() override { return options_.model; }
@@ -23,6 +27,10 @@ class FakeWorkbench final : public Workbench {
   const std::vector<acquisition::Recording>& recordings(
       const Progress&) override {
     return recordings_;
+  }
+  std::vector<acquisition::LeftOut> left_out() override {
+    if (!options_.unreadable) return {};
+    return {{1, "run-02.wav: is no sound file (record it again)"}};
   }
   const acquisition::HitSet& hits(const Progress&) override {
     if (options_.hits_fail) {

@@ -35,5 +35,36 @@ TEST(ProgramRecording, ReplaysARunAsItCame) {
   EXPECT_TRUE(holds(program.draw().to_text(), "3 hits, 2 accepted"));
 }
 
+TEST(Program, OpensWithoutARunThatCannotBeRead) {
+  FakeOptions options;
+  options.unreadable = true;
+  const std::string first = played("wait", {}, options);
+  EXPECT_TRUE(holds(first, "run 2 is left out: run-02.wav: is no sound file"))
+      << first;
+  EXPECT_TRUE(holds(first, "3 hits, 2 accepted")) << first;
+  EXPECT_TRUE(holds(first, "1 of 2 runs unreadable")) << first;
+  const std::string second = played("wait\nn\nwait", {}, options);
+  EXPECT_TRUE(holds(second, "run 2 of 2")) << second;
+  EXPECT_TRUE(holds(second, "(record it again)")) << second;
+  EXPECT_TRUE(holds(played("2\nwait", {}, options), "run 2 is left out"))
+      << "whatever the first screen is";
+}
+
+TEST(Program, TakesEveryKeyOnARunThatCannotBeRead) {
+  FakeOptions options;
+  options.unreadable = true;
+  Program program(testing::fake_workbench(options), {});
+  (void)replay(program, parse_key_script("wait\nn\nwait"));
+  for (char32_t code = U' '; code < 0x7F; ++code) {
+    if (code == U'q' || code == U'n' || (code >= U'1' && code <= U'7'))
+      continue;
+    program.press(Key(code));
+    program.tick();
+    program.animate();
+    expect_fits(program.draw().to_text(), 80);
+    program.press(Key(keys::escape));
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::tui

@@ -28,7 +28,7 @@ Table rows_of(const std::vector<Hit>& hits) {
 }
 
 RecordingInput input_of(const Snapshot& known) {
-  return {*known.bundle, *known.traces, *known.hits, nullptr};
+  return {*known.bundle, *known.traces, *known.hits, nullptr, &known.left_out};
 }
 
 }  // namespace
@@ -39,6 +39,7 @@ std::vector<Need> RecordingPage::essential() const {
 
 std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
   if (state_.run >= known.hits->runs.size()) return {};
+  if (input_of(known).unread(state_.run) != nullptr) return {};
   return {{Stage::RunLook, static_cast<int>(state_.run)}};
 }
 

@@ -91,10 +91,28 @@ std::string hits_line(const RecordingInput& input,
                   number(static_cast<double>(input.hits.block) /
                          std::max(input.hits.sample_rate_hz, 1e-9)),
                   number(input.hits.trigger_n));
+  if (input.left_out != nullptr && !input.left_out->empty()) {
+    text += fmt::format("   {} of {} runs unreadable",
+                        input.left_out->size(),
+                        run_count(input));
+  }
   if (!state.tagged.empty()) {
     text += fmt::format("   {} tagged", state.tagged.size());
   }
   return text;
+}
+
+void draw_unread(Screen& screen, const acquisition::LeftOut& unread) {
+  int y = 2;
+  for (const std::string& line :
+       wrapped(acquisition::statement(unread), screen.width() - 2)) {
+    screen.text(1, y++, line, {.colour = Colour::Red});
+  }
+  screen.text(1,
+              y + 1,
+              "The others are what all screens stand on; n and p go to them.",
+              {},
+              screen.width() - 2);
 }
 
 /// How far the replay is, instead of the line about the hits.
@@ -209,6 +227,13 @@ std::size_t hits_by(const RecordingInput& input,
       std::count_if(hits.begin(), hits.end(), complete));
 }
 
+const acquisition::LeftOut* RecordingInput::unread(std::size_t run) const {
+  if (left_out == nullptr) return nullptr;
+  const auto found =
+      std::ranges::find(*left_out, run, &acquisition::LeftOut::run);
+  return found == left_out->end() ? nullptr : &*found;
+}
+
 Screen recording_view(const RecordingInput& input,
                       const RecordingState& state,
                       const Canvas& canvas) {
@@ -227,6 +252,10 @@ Screen recording_view(const RecordingInput& input,
     at.list.selected = table.rows.empty() ? 0 : table.rows.size() - 1;
   }
   screen.text(1, 0, run_line(input, at, canvas.width - 2), {.bold = true});
+  if (const acquisition::LeftOut* unread = input.unread(at.run)) {
+    draw_unread(screen, *unread);
+    return screen;
+  }
   if (at.playing.on) {
     draw_replay_line(screen, input, at);
   } else {

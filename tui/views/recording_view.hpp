@@ -17,6 +17,10 @@ struct RecordingInput {
   const std::vector<Trace>& traces;
   const acquisition::HitSet& hits;
   const RunLook* look = nullptr;  ///< of the run on show, once it is there
+  const std::vector<acquisition::LeftOut>* left_out = nullptr;
+
+  /// Why that run could not be read, if it could not.
+  [[nodiscard]] const acquisition::LeftOut* unread(std::size_t run) const;
 };
 
 /// A run played: what lies behind `time_s` has not been measured yet.

@@ -1,0 +1,43 @@
+// The recordings of a bundle, of which some may not be readable: a file that is
+// damaged or missing is no reason not to look at the others.
+#pragma once
+
+#include "acquisition/hits.hpp"
+#include "acquisition/recording.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// What becomes of a bundle with runs that cannot be read.
+enum class Unreadable { Refused, LeftOut };
+
+/// A run that cannot be read.
+struct LeftOut {
+  std::size_t run = 0;  ///< counted from 0
+  std::string why;      ///< the file, what is wrong with it, what to try
+};
+
+/// "run 3 is left out: FILE: ...".
+[[nodiscard]] std::string statement(const LeftOut& left_out);
+
+struct ReadableRecordings {
+  std::vector<Recording> recordings;  ///< of a run left out: no samples
+  std::vector<LeftOut> left_out;
+};
+
+/// All runs in order; left out are those that cannot be read, and those whose
+/// sampling rate is not that of the first one which can.
+///
+/// @throws InputError where none can be read, or all stand in one file
+[[nodiscard]] ReadableRecordings read_readable(const TestBundle& bundle);
+
+/// As find_hits(), with no hit in runs that were left out.
+/// @param recordings is as it was afterwards
+[[nodiscard]] HitSet find_readable_hits(const TestBundle& bundle,
+                                        ReadableRecordings& recordings,
+                                        const HitOptions& options);
+
+}  // namespace tapfit::acquisition

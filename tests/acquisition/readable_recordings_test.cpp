@@ -1,0 +1,89 @@
+#include "acquisition/readable_recordings.hpp"
+
+#include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+#include "tests/acquisition/hammer_record.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+// Three runs of two blows each; what a test spoils is one of their files.
+class ReadableRecordingsTest : public ::testing::Test {
+ protected:
+  ReadableRecordingsTest() {
+    bundle_ = testing::hammer_bundle();
+    bundle_.runs.resize(3, bundle_.runs[0]);
+    for (std::size_t r = 0; r < 3; ++r) {
+      bundle_.runs[r].file = folder_.path() / ("run" + std::to_string(r));
+      write(r, rate);
+    }
+  }
+  void write(std::size_t run, int at_hz) {
+    Eigen::VectorXd force = Eigen::VectorXd::Zero(8192);
+    for (const double time_s : {1.0, 4.0}) {
+      testing::add_pulse(force, rate, time_s, 0.004, 0.1, false);
+    }
+    Eigen::MatrixXd samples(force.size(), 2);
+    samples << force, 0.5 * force;
+    write_audio(
+        bundle_.runs[run].file, samples, at_hz, AudioFormat::WavFloat64);
+  }
+
+  static constexpr int rate = 1024;
+  testing::TemporaryFolder folder_;
+  TestBundle bundle_;
+};
+
+TEST_F(ReadableRecordingsTest, AreAllWhereNothingIsWrong) {
+  ReadableRecordings all = read_readable(bundle_);
+  EXPECT_TRUE(all.left_out.empty());
+  const HitSet hits = find_readable_hits(bundle_, all, {});
+  for (const auto& run : hits.runs) EXPECT_EQ(run.size(), 2U);
+}
+
+TEST_F(ReadableRecordingsTest, LeaveOutWhatCannotBeRead) {
+  folder_.write("run1", "no sound");
+  ReadableRecordings all = read_readable(bundle_);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  const std::string said = statement(all.left_out[0]);
+  EXPECT_EQ(said.rfind("run 2 is left out: ", 0), 0U) << said;
+  EXPECT_NE(said.find("run1"), std::string::npos) << said;
+  const HitSet hits = find_readable_hits(bundle_, all, {});
+  ASSERT_EQ(hits.runs.size(), 3U);
+  EXPECT_EQ(hits.runs[0].size(), 2U);
+  EXPECT_TRUE(hits.runs[1].empty());
+  EXPECT_EQ(hits.runs[2].size(), 2U);
+  // The recordings are there as before.
+  EXPECT_EQ(all.recordings[0].samples.rows(), 8192);
+  EXPECT_EQ(all.recordings[1].samples.rows(), 0);
+  EXPECT_EQ(all.recordings[1].sample_rate_hz, rate);
+  EXPECT_EQ(all.recordings[2].samples.rows(), 8192);
+}
+
+TEST_F(ReadableRecordingsTest, LeaveOutAnotherSamplingRate) {
+  write(2, 2 * rate);
+  const ReadableRecordings all = read_readable(bundle_);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  EXPECT_EQ(all.left_out[0].run, 2U);
+  EXPECT_NE(all.left_out[0].why.find("2048 Hz"), std::string::npos);
+}
+
+TEST_F(ReadableRecordingsTest, AreRefusedWhereNoneIsLeft) {
+  for (const char* file : {"run0", "run1", "run2"}) folder_.write(file, "");
+  EXPECT_THROW((void)read_readable(bundle_), InputError);
+}
+
+// Also where what follows fails.
+TEST_F(ReadableRecordingsTest, GiveTheRecordingsBack) {
+  folder_.write("run1", "no sound");
+  ReadableRecordings all = read_readable(bundle_);
+  all.recordings[0].samples.setZero();
+  EXPECT_THROW((void)find_readable_hits(bundle_, all, {}), InputError);
+  EXPECT_EQ(all.recordings[0].samples.rows(), 8192);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
