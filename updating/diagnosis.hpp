@@ -85,6 +85,14 @@ struct Candidate {
   std::vector<EffectRef> indistinguishable_from;
 };
 
+/// A mass on a spring and a dashpot; see absorber_stiffness().
+struct AbsorberLaw {
+  double mass_kg = 0.0;
+  double frequency_hz = 0.0;
+  double damping_ratio = 0.0;
+  double unexplained = 1.0;  ///< share of z that it leaves
+};
+
 /// The missing dynamic stiffness z(s) at one place against frequency.
 struct Signature {
   int node = 0;
@@ -96,6 +104,8 @@ struct Signature {
   double mass_unexplained = 1.0, mass_kg = 0.0;
   double spring_unexplained = 1.0, spring_n_per_m = 0.0;
   double dashpot_unexplained = 1.0, dashpot_ns_per_m = 0.0;
+  /// Has three parameters, and so always leaves less than a mass alone.
+  AbsorberLaw absorber = {};
 };
 
 /// Of a candidate that no linear model holds: it cannot be added.

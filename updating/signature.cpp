@@ -1,44 +1,18 @@
 #include "updating/signature.hpp"
 
+#include "updating/absorber_law.hpp"
 #include "updating/place_patterns.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace tapfit::updating {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
-
-// Weighted least squares of z = size * law; returns the size and the share of
-// z (in the same weights) that is left.
-std::pair<double, double> fit_law(const VectorXcd& z,
-                                  const VectorXd& weight,
-                                  const VectorXcd& law) {
-  double numerator = 0.0;
-  double denominator = 0.0;
-  double all = 0.0;
-  for (Index l = 0; l < z.size(); ++l) {
-    const double w = weight(l) * weight(l);
-    numerator += w * (std::conj(law(l)) * z(l)).real();
-    denominator += w * std::norm(law(l));
-    all += w * std::norm(z(l));
-  }
-  if (denominator <= 0.0 || all <= 0.0) return {0.0, 1.0};
-  const double size = numerator / denominator;
-  double left = 0.0;
-  for (Index l = 0; l < z.size(); ++l) {
-    left += weight(l) * weight(l) * std::norm(z(l) - size * law(l));
-  }
-  return {size, std::sqrt(left / all)};
-}
-
-}  // namespace
 
 Signature signature_at(const Fit& current,
                        const Target& target,
@@ -84,12 +58,16 @@ Signature signature_at(const Fit& current,
   }
   result.explained = all > 0.0 ? 1.0 - left / all : 0.0;
   const VectorXcd& s = target.s;
-  std::tie(result.mass_kg, result.mass_unexplained) =
-      fit_law(result.z, weight, s.cwiseProduct(s));
-  std::tie(result.spring_n_per_m, result.spring_unexplained) =
-      fit_law(result.z, weight, VectorXcd::Ones(lines));
-  std::tie(result.dashpot_ns_per_m, result.dashpot_unexplained) =
-      fit_law(result.z, weight, s);
+  const LawFit mass = fit_law(result.z, weight, s.cwiseProduct(s));
+  const LawFit spring = fit_law(result.z, weight, VectorXcd::Ones(lines));
+  const LawFit dashpot = fit_law(result.z, weight, s);
+  result.mass_kg = mass.size;
+  result.mass_unexplained = mass.unexplained;
+  result.spring_n_per_m = spring.size;
+  result.spring_unexplained = spring.unexplained;
+  result.dashpot_ns_per_m = dashpot.size;
+  result.dashpot_unexplained = dashpot.unexplained;
+  result.absorber = fit_absorber(result.z, weight, s);
   return result;
 }
 

@@ -4,7 +4,7 @@
 //
 // w is solved on each line by least squares over all FRFs; how well one w fits
 // them says where, how z runs over frequency says what: s^2 a mass, 1 a
-// spring, s a dashpot.
+// spring, s a dashpot, a resonance an absorber.
 #pragma once
 
 #include "updating/diagnosis.hpp"

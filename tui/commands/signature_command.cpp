@@ -33,7 +33,12 @@ ordered_json signature_json(const updating::Signature& signature) {
               {"stiffness_n_per_m", signature.spring_n_per_m}}},
             {"dashpot",
              {{"unexplained", signature.dashpot_unexplained},
-              {"damping_ns_per_m", signature.dashpot_ns_per_m}}}}},
+              {"damping_ns_per_m", signature.dashpot_ns_per_m}}},
+            {"absorber",
+             {{"unexplained", signature.absorber.unexplained},
+              {"mass_kg", signature.absorber.mass_kg},
+              {"frequency_hz", signature.absorber.frequency_hz},
+              {"damping_ratio", signature.absorber.damping_ratio}}}}},
           {"frequency_hz", list(signature.frequency_hz)},
           {"z_n_per_m", std::move(z)},
           {"z_sd_n_per_m", list(signature.z_sd)}};
@@ -50,6 +55,12 @@ std::string signature_text(const updating::Signature& signature) {
   table.add({"dashpot (imaginary, rises)",
              percent(signature.dashpot_unexplained),
              short_number(signature.dashpot_ns_per_m) + " N s/m"});
+  table.add({"absorber (a resonance)",
+             percent(signature.absorber.unexplained),
+             fmt::format("{} kg, {} Hz, damping {}",
+                         short_number(signature.absorber.mass_kg),
+                         short_number(signature.absorber.frequency_hz),
+                         percent(signature.absorber.damping_ratio))});
   return fmt::format(
              "Missing dynamic stiffness at node {}: one place explains {} of "
              "the discrepancy\n",

@@ -101,8 +101,8 @@ std::string DiagnosePage::help() const {
          "points. The plot is "
          "the missing dynamic stiffness at the place: a mass falls with the "
          "square of frequency, a spring is constant, a dashpot is imaginary "
-         "and rises. The dashed curve is the law that fits best, f shows all "
-         "three. m "
+         "and rises, an absorber has a resonance. The dashed curve is the law "
+         "that fits best, f shows all. m "
          "maps how well each grid alone explains what is missing. a adds the "
          "candidate to the model and identifies all parameters anew.";
 }

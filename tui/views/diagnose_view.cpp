@@ -126,11 +126,39 @@ std::string all_sizes(const Candidate& c) {
   return text.empty() ? "no parameters" : text;
 }
 
+std::string whole_percent(double share) { return fixed(100.0 * share, 0); }
+
+/// What each law leaves of z, with its size; in one line or two.
+std::vector<std::string> law_lines(const Signature& s, int width) {
+  const std::string first = fmt::format("mass {} kg {} %, spring {} N/m {} %,",
+                                        number(s.mass_kg, 3),
+                                        whole_percent(s.mass_unexplained),
+                                        number(s.spring_n_per_m, 3),
+                                        whole_percent(s.spring_unexplained));
+  std::string second = fmt::format("dashpot {} N s/m {} %",
+                                   number(s.dashpot_ns_per_m, 3),
+                                   whole_percent(s.dashpot_unexplained));
+  if (s.absorber.mass_kg > 0.0) {
+    const std::string left = whole_percent(s.absorber.unexplained);
+    const std::string hz = number(s.absorber.frequency_hz, 4);
+    second += fitting({fmt::format(", absorber {} kg at {} Hz {} %",
+                                   number(s.absorber.mass_kg, 3),
+                                   hz,
+                                   left),
+                       fmt::format(", absorber at {} Hz {} %", hz, left)},
+                      width - text_width(second));
+  }
+  const std::string whole = first + " " + second;
+  if (text_width(whole) <= width) return {whole};
+  return {first, second};
+}
+
 void draw_signature(Screen& screen,
                     const Rect& rect,
                     const DiagnoseInput& input,
                     const DiagnoseState& state,
-                    const std::vector<int>& grids) {
+                    const std::vector<int>& grids,
+                    bool resonant) {
   if (grids.empty()) {
     screen.text(rect.x + 1, rect.y + 1, "no single place: no signature");
     return;
@@ -144,7 +172,7 @@ void draw_signature(Screen& screen,
     return;
   }
   const Signature& s = *found->second;
-  const Plot plot = signature_plot(s, state.range, state.all_laws);
+  const Plot plot = signature_plot(s, state.range, state.all_laws, resonant);
   const auto parts = split_top(rect, rect.height - 3);
   const Rect& body = parts.first;
   const Rect& text = parts.second;
@@ -152,26 +180,16 @@ void draw_signature(Screen& screen,
   const auto line = [&](int row, const std::string& words) {
     screen.text(text.x + 1, text.y + row, words, {}, text.width - 1);
   };
-  const auto left = [](double share) { return fixed(100.0 * share, 0); };
   line(0,
        fmt::format("grid {} alone explains {} %; left of z by law:",
                    s.node,
-                   left(s.explained)));
-  const int width = text.width - 1;
-  std::vector<std::string> laws{
-      fmt::format("mass {} kg {} %, spring {} N/m {} %,",
-                  number(s.mass_kg, 3),
-                  left(s.mass_unexplained),
-                  number(s.spring_n_per_m, 3),
-                  left(s.spring_unexplained)),
-      fmt::format("dashpot {} N s/m {} %",
-                  number(s.dashpot_ns_per_m, 3),
-                  left(s.dashpot_unexplained))};
-  const std::string whole = fmt::format("{}", fmt::join(laws, " "));
-  if (text_width(whole) <= width) laws = {whole};
-  if (plot.cursor) laws = wrapped(read_out(plot, *plot.cursor), width, 2);
-  for (std::size_t i = 0; i < laws.size(); ++i) {
-    line(static_cast<int>(i) + 1, laws[i]);
+                   whole_percent(s.explained)));
+  std::vector<std::string> lines = law_lines(s, text.width - 1);
+  if (plot.cursor) {
+    lines = wrapped(read_out(plot, *plot.cursor), text.width - 1, 2);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    line(static_cast<int>(i) + 1, lines[i]);
   }
 }
 
@@ -346,7 +364,8 @@ Screen diagnose_view(const DiagnoseInput& input,
   const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids = grids_of(input.bundle, chosen.where);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
-  draw_signature(screen, left, input, state, grids);
+  draw_signature(
+      screen, left, input, state, grids, chosen.effect == "absorber");
   if (state.map) {
     draw_map(screen, right, input, state);
   } else {

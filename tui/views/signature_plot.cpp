@@ -1,7 +1,10 @@
 #include "tui/views/signature_plot.hpp"
 
+#include "updating/absorber_law.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace tapfit::tui {
@@ -24,9 +27,24 @@ Curve law_curve(const std::string& label,
   return curve;
 }
 
+/// Re z of the absorber.
+Curve absorber_curve(const Signature& s) {
+  using namespace std::complex_literals;
+  const Eigen::VectorXcd jw = 2.0i * std::numbers::pi * s.frequency_hz;
+  return {"absorber law",
+          s.frequency_hz,
+          updating::absorber_stiffness(s.absorber, jw).real(),
+          {},
+          {},
+          {Colour::Red, Pattern::Dashed, 'a'}};
+}
+
 /// The parts of z; stretches whose deviation is beyond the plot's sense are
 /// left in, since the eye weighs them by their scatter.
-Plot laws_plot(const Signature& s, const PlotRange& range, bool all_laws) {
+Plot laws_plot(const Signature& s,
+               const PlotRange& range,
+               bool all_laws,
+               bool resonant) {
   Plot plot;
   const Eigen::Index n = s.frequency_hz.size();
   const double lo = n > 1 ? s.frequency_hz[0] : 0.0;
@@ -46,7 +64,9 @@ Plot laws_plot(const Signature& s, const PlotRange& range, bool all_laws) {
   plot.curves = {real, imaginary};
   const double best = std::min(
       {s.mass_unexplained, s.spring_unexplained, s.dashpot_unexplained});
-  const auto wanted = [&](double left) { return all_laws || left == best; };
+  const auto wanted = [&](double left) {
+    return all_laws || (left == best && !resonant);
+  };
   const auto add = [&](const std::string& label,
                        const Pen& pen,
                        double m,
@@ -64,6 +84,9 @@ Plot laws_plot(const Signature& s, const PlotRange& range, bool all_laws) {
     const Pen pen =
         all_laws ? Pen{Colour::Yellow, Pattern::Dashed, 'c'} : first;
     add("dashpot law", pen, 0.0, 0.0, s.dashpot_ns_per_m);
+  }
+  if ((all_laws || resonant) && s.absorber.mass_kg > 0.0) {
+    plot.curves.push_back(absorber_curve(s));
   }
   return plot;
 }
@@ -91,8 +114,9 @@ void hold_inner_range(Plot& plot) {
 
 Plot signature_plot(const Signature& signature,
                     const PlotRange& range,
-                    bool all_laws) {
-  Plot plot = laws_plot(signature, range, all_laws);
+                    bool all_laws,
+                    bool resonant) {
+  Plot plot = laws_plot(signature, range, all_laws, resonant);
   hold_inner_range(plot);
   return plot;
 }

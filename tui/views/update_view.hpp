@@ -24,10 +24,10 @@ struct UpdateInput {
 };
 
 struct UpdateState {
-  ListState list;          ///< FRFs
+  ListState list;  ///< FRFs
   /// Of those added: the one that t switches; empty: the latest.
   std::optional<std::size_t> effect = {};
-  PlotRange range;         ///< [Hz]
+  PlotRange range;  ///< [Hz]
   bool log = true;
   enum class Panel {
     Curves,

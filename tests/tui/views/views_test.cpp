@@ -223,6 +223,26 @@ TEST(DiagnoseView, ShowsCandidatesSizesAndLookAlikes) {
   }
 }
 
+TEST(DiagnoseView, DrawsTheLawOfAnAbsorberThatIsSuspected) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  updating::Diagnosis d = testing::fake_diagnosis();
+  updating::Signature z = testing::fake_signature(5);
+  z.absorber = {0.0123, 23.456, 0.02, 0.05};
+  const std::map<int, std::shared_ptr<const updating::Signature>> signatures{
+      {5, std::make_shared<const updating::Signature>(z)}};
+  const DiagnoseInput input{bundle, d, signatures, nullptr};
+  for (const Canvas& canvas : sizes) {
+    d.candidates[0].effect = "added-mass";
+    Screen s = diagnose_view(input, {}, canvas);
+    EXPECT_TRUE(holds(s, "23.46 Hz 5 %")) << s.to_text();
+    EXPECT_FALSE(holds(s, "absorber law")) << s.to_text();
+    d.candidates[0].effect = "absorber";
+    s = diagnose_view(input, {}, canvas);
+    EXPECT_TRUE(holds(s, "absorber law")) << s.to_text();
+    EXPECT_FALSE(holds(s, "mass law")) << s.to_text();
+  }
+}
+
 TEST(DiagnoseView, FindsTheGridsOfChannels) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
   updating::Where where;
