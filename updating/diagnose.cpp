@@ -245,7 +245,7 @@ bool Climb::step(bool first, const Progress& progress) {
   using Depth = RungSearch::Depth;
   if (try_to_add(first,
                  first ? Depth::Thorough : Depth::Quick,
-                 part_of(progress, 0.0, 0.8))) {
+                 part_of(progress, 0.0, 0.9))) {
     return true;
   }
   // What the screening passes over is looked at before much is left
@@ -256,15 +256,15 @@ bool Climb::step(bool first, const Progress& progress) {
   if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;
-  return try_to_add(first, Depth::LastResort, part_of(progress, 0.8, 1.0));
+  return try_to_add(first, Depth::LastResort, part_of(progress, 0.9, 1.0));
 }
 
 bool Climb::try_to_add(bool first,
                        RungSearch::Depth depth,
                        const Progress& progress) {
   const Round round =
-      search_.look(current_, depth, part_of(progress, 0.0, 0.6));
-  const Progress rest = part_of(progress, 0.6, 1.0);
+      search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+  const Progress rest = part_of(progress, 0.75, 1.0);
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (is_explained() || round.hypotheses.empty()) return false;
   auto [best, worth] = choose(round, first, rest);
@@ -320,7 +320,7 @@ Climbed climbed(const Fitter& fitter,
   // left, the first, which looks deepest, the most of all.
   double done = 0.05;
   for (int rung = 0; rung < options.max_rungs; ++rung) {
-    const double next = done + 0.6 * (0.95 - done);
+    const double next = done + 0.75 * (0.95 - done);
     if (!climb.step(rung == 0, part_of(progress, done, next))) break;
     done = next;
   }
