@@ -39,8 +39,9 @@ std::vector<std::string> catalogue_places(const Effect& effect,
                            : fmt::format("{}", fmt::join(where.channels, ":"));
     if (!where.variant.empty()) word += ":" + where.variant;
     words.push_back(word);
-    for (const char* form : {"each", "rotary"}) {
-      if (effect.has_variant(form)) words.push_back(word + ":" + form);
+    for (const std::string& form : effect.forms()) {
+      if (effect.takes(form, where, setting))
+        words.push_back(word + ":" + form);
     }
   }
   return words;
@@ -49,7 +50,11 @@ std::vector<std::string> catalogue_places(const Effect& effect,
 std::vector<std::string> all_words(const Effect& effect,
                                    const Setting& setting) {
   const std::optional<ChangeKind> kind = effect.changes_stiffness();
-  if (kind == ChangeKind::Support) return {"rotation", "translation"};
+  if (kind == ChangeKind::Support) {
+    std::vector<std::string> words = effect.forms();
+    words.insert(words.begin(), {"rotation", "translation"});
+    return words;
+  }
   const bool of_channels = effect.entry() == effects::Entry::Measurement;
   if (setting.deck == nullptr && !of_channels) return {};
   if (kind == ChangeKind::Elements) return element_ids(setting);

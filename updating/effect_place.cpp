@@ -75,6 +75,16 @@ std::optional<Where> line_through(const std::vector<Where>& places,
   return line;
 }
 
+// What a place may be told with.
+bool has_variant(const effects::Effect& effect, const std::string& word) {
+  if (effect.changes_stiffness() == ChangeKind::Support &&
+      (word == "rotation" || word == "translation")) {
+    return true;
+  }
+  const std::vector<std::string> forms = effect.forms();
+  return std::ranges::find(forms, word) != forms.end();
+}
+
 bool same_channels(const Where& want, const Where& where) {
   return std::is_permutation(want.channels.begin(),
                              want.channels.end(),
@@ -141,6 +151,21 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
 
 }  // namespace
 
+std::vector<Where> forms_of(const effects::Effect& effect,
+                            const std::vector<Where>& places,
+                            const effects::Setting& setting) {
+  std::vector<Where> result;
+  for (const std::string& form : effect.forms()) {
+    for (Where where : places) {
+      if (!effect.takes(form, where, setting)) continue;
+      where.variant = form;
+      const bool known = std::ranges::find(result, where) != result.end();
+      if (!known) result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
 EffectRef parse_effect(const std::string& text) {
   const std::size_t at = text.find('@');
   EffectRef ref;
@@ -148,10 +173,11 @@ EffectRef parse_effect(const std::string& text) {
   const auto kind = effects::find(ref.effect).changes_stiffness();
   if (at == std::string::npos) return ref;
   std::string place = text.substr(at + 1);
-  if (const std::size_t end = place.rfind(':');
-      end != std::string::npos &&
-      effects::find(ref.effect).has_variant(place.substr(end + 1))) {
-    ref.where.variant = place.substr(end + 1);
+  const std::size_t end = place.rfind(':');
+  const std::string last = place.substr(end == std::string::npos ? 0 : end + 1);
+  if (has_variant(effects::find(ref.effect), last)) {
+    ref.where.variant = last;
+    if (end == std::string::npos) return ref;
     place.resize(end);
   }
   const std::vector<int> numbers = numbers_in(place);
@@ -162,15 +188,14 @@ EffectRef parse_effect(const std::string& text) {
     ref.where.nodes = numbers;
   } else if (numbers.size() == 1) {
     ref.where.node = numbers.front();
-  } else if (place == "rotation" || place == "translation" || place == "each") {
-    ref.where.variant = place;
   } else if (!place.empty() && numbers.empty() &&
              (kind || is_grid(parts_of(place).front()))) {
     throw InputError(
         fmt::format("{} has no form \"{}\"", ref.effect, place),
         fmt::format("effect \"{}\"", text),
         kind == ChangeKind::Support
-            ? "write rotation or translation; for both, add it twice"
+            ? "write rotation, translation, both, rotation-varying or "
+              "translation-varying"
         : kind ? "write the ids joined with \":\""
                : "write the grid alone, or added-mass@201:rotary");
   } else if (!place.empty()) {
@@ -192,7 +217,8 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const effects::Effect& effect = effects::find(ref.effect);
   const auto kind = effect.changes_stiffness();
   const Where& want = ref.where;
-  const std::vector<Where> places = effect.places(s);
+  std::vector<Where> places = effect.places(s);
+  for (const Where& form : forms_of(effect, places, s)) places.push_back(form);
   if (kind == ChangeKind::Elements && !want.elements.empty() &&
       are_elements(*s.deck, want.elements)) {
     return placed(effect, want, s);
@@ -203,9 +229,8 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
     }
   }
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
-  for (Where where : places) {
+  for (const Where& where : places) {
     if (local) break;
-    if (effect.has_variant(want.variant)) where.variant = want.variant;
     if (is_meant(want, where)) return placed(effect, where, s);
   }
   refuse(ref, kind, s);

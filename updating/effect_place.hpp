@@ -8,11 +8,16 @@
 
 namespace tapfit::updating {
 
-/// "added-mass@201", "sensor-mass", "sensor-mass@acc1",
+/// "added-mass@201", "sensor-mass", "sensor-mass@acc1:acc2:each",
 /// "soft-support@rotation".
 ///
 /// @throws InputError for an unknown effect or an empty place
 [[nodiscard]] EffectRef parse_effect(const std::string& text);
+
+/// The effect's forms at those of the places that take them, each once.
+[[nodiscard]] std::vector<Where> forms_of(const effects::Effect& effect,
+                                          const std::vector<Where>& places,
+                                          const effects::Setting& setting);
 
 /// The catalogue's place that the reference means, with starting sizes: fields
 /// that it leaves open are filled from the first place that agrees with those

@@ -18,11 +18,9 @@ Estimate from_log(const std::string& name, double value, double variance) {
 
 // Data that say nothing of a parameter leave it anywhere in its bounds, not
 // beyond.
-void within_bounds(Estimate& e,
-                   const effects::ParameterSpec& spec,
-                   double factor) {
-  const double lower = std::min(spec.lower * factor, e.value);
-  const double upper = std::max(spec.upper * factor, e.value);
+void within_bounds(Estimate& e, double lower, double upper) {
+  lower = std::min(lower, e.value);
+  upper = std::max(upper, e.value);
   constexpr double close = 1e-6;
   e.at_bound =
       std::min(e.value - lower, upper - e.value) <= close * std::abs(e.value) &&
@@ -37,6 +35,32 @@ void turn_sign(Estimate& e) {
   const double low = -e.hi95;
   e.hi95 = -e.lo95;
   e.lo95 = low;
+}
+
+// A sum of parameters is a logarithm's exponential too, to first order.
+Estimate sum_of(const effects::Effect::Derived& derived,
+                const PlacedEffect& placed,
+                const std::vector<effects::ParameterSpec>& specs,
+                const Fit& fit,
+                std::size_t first) {
+  const auto n = static_cast<Eigen::Index>(placed.p.size());
+  const Eigen::Map<const Eigen::VectorXd> p(placed.p.data(), n);
+  const Eigen::Map<const Eigen::VectorXd> factors(derived.factors.data(), n);
+  const double value = factors.dot(p);
+  const Eigen::VectorXd share = factors.cwiseProduct(p) / value;
+  const Eigen::MatrixXd& all = fit.result.covariance;
+  const auto at = static_cast<Eigen::Index>(first);
+  const double variance =
+      at + n <= all.rows() ? share.dot(all.block(at, at, n, n) * share) : 0.0;
+  Estimate sum = from_log(derived.name, value, variance);
+  double lower = 0.0;
+  double upper = 0.0;
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    lower += derived.factors[k] * specs[k].lower;
+    upper += derived.factors[k] * specs[k].upper;
+  }
+  within_bounds(sum, lower, upper);
+  return sum;
 }
 
 double variance_at(const Fit& fit, std::size_t k) {
@@ -55,28 +79,18 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
       state.factor.size() + static_cast<std::size_t>(state.zeta.size());
   for (std::size_t e = 0; e < effect; ++e) at += state.effects[e].p.size();
   const PlacedEffect& placed = state.effects[effect];
+  const std::vector<effects::ParameterSpec> specs =
+      parameters_of(placed, *fit.model);
   std::vector<Estimate> result;
-  for (const effects::Effect::Derived& d :
+  for (const effects::Effect::Derived& derived :
        placed.effect->derived(placed.where, setting)) {
-    result.push_back(
-        from_log(d.name, placed.p[0] * d.factor, variance_at(fit, at)));
-  }
-  std::vector<effects::ParameterSpec> specs =
-      placed.effect->parameters(placed.where, setting);
-  for (const StiffnessTerm& term : fit.model->base().terms) {
-    if (!is_of(term, placed)) continue;
-    specs.front().lower = term.lower;
-    specs.front().upper = term.upper;
+    result.push_back(sum_of(derived, placed, specs, fit, at));
   }
   for (std::size_t k = 0; k < specs.size(); ++k) {
     result.push_back(
         from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));
-    within_bounds(result.back(), specs[k], 1.0);
+    within_bounds(result.back(), specs[k].lower, specs[k].upper);
     if (specs[k].sign < 0.0) turn_sign(result.back());
-    // Derived values stand before the parameter that they come from.
-    for (std::size_t d = 0; k == 0 && d + 1 < result.size(); ++d) {
-      within_bounds(result[d], specs[0], result[d].value / placed.p[0]);
-    }
   }
   return result;
 }

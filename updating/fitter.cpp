@@ -35,6 +35,20 @@ PlacedEffect placed(const effects::Effect& effect,
   return result;
 }
 
+std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
+                                                  const FrfModel& model) {
+  std::vector<effects::ParameterSpec> specs =
+      effect.effect->parameters(effect.where, model.setting());
+  for (const StiffnessTerm& term : model.base().terms) {
+    if (!is_of(term, effect)) continue;
+    effects::ParameterSpec& spec = specs[term.parameter];
+    spec.start = term.start;
+    spec.lower = term.lower;
+    spec.upper = term.upper;
+  }
+  return specs;
+}
+
 std::vector<int> acted_points(const effects::Setting& setting,
                               const std::vector<PlacedEffect>& effects) {
   const std::set<int> arms = rigidly_joined(*setting.deck);
@@ -140,15 +154,9 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
     prior.upper(k) = std::log(0.5);
   }
   for (const PlacedEffect& e : state.effects) {
-    for (const effects::ParameterSpec& spec :
-         e.effect->parameters(e.where, setting_.setting)) {
+    for (const effects::ParameterSpec& spec : parameters_of(e, model)) {
       prior.lower(k) = std::log(spec.lower);
       prior.upper(k) = std::log(spec.upper);
-      for (const StiffnessTerm& term : model.base().terms) {
-        if (!is_of(term, e)) continue;
-        prior.lower(k) = std::log(term.lower);
-        prior.upper(k) = std::log(term.upper);
-      }
       ++k;
     }
   }
@@ -189,10 +197,11 @@ ModelState Fitter::start_state(const FrfModel& model,
                                const std::vector<PlacedEffect>& start) const {
   std::vector<PlacedEffect> effects = start;
   for (PlacedEffect& e : effects) {
-    for (const StiffnessTerm& term : model.base().terms) {
-      if (!is_of(term, e)) continue;
+    const std::vector<effects::ParameterSpec> specs = parameters_of(e, model);
+    for (std::size_t k = 0; k < specs.size(); ++k) {
       // A catalogue start knows nothing of this structure's own stiffness.
-      if (e.p[0] < term.lower || e.p[0] > term.upper) e.p[0] = term.start;
+      const bool far = e.p[k] < specs[k].lower || e.p[k] > specs[k].upper;
+      if (far) e.p[k] = specs[k].start;
     }
   }
   ModelState state = first_state(model, effects);

@@ -34,6 +34,11 @@ struct Fit {
   int stopped_after = 0;  ///< steps, where it was ended by hand, else 0
 };
 
+/// The effect's parameters with the ranges and starts that the model's base
+/// gives those that change its stiffness.
+[[nodiscard]] std::vector<effects::ParameterSpec> parameters_of(
+    const PlacedEffect& effect, const FrfModel& model);
+
 /// @return degrees of freedom (6 grid_index + component - 1) that low-rank
 ///   effects act on, for residual vectors
 [[nodiscard]] std::vector<int> acted_points(

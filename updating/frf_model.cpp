@@ -110,7 +110,7 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
   for (const StiffnessTerm& term : base_.terms) {
     double p = term.absent;
     for (const PlacedEffect& e : state.effects) {
-      if (is_of(term, e)) p = e.p[0];
+      if (is_of(term, e)) p = e.p[term.parameter];
     }
     K += (p - term.included) * term.S;
   }
@@ -246,8 +246,9 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     const PlacedEffect& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed)) continue;
-      shared.turning.push_back(
-          {turn(term.S, {}), shared.first[e], placed.p[0]});
+      shared.turning.push_back({turn(term.S, {}),
+                                shared.first[e] + term.parameter,
+                                placed.p[term.parameter]});
     }
   }
   for (const ConstantChange& c : shared.changes) {

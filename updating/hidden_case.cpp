@@ -21,6 +21,8 @@ using structure::Deck;
 
 // A test that a practice case may be cut down to.
 constexpr std::size_t fewest_points = 12;
+// A support that gives more at one end than at the other.
+constexpr const char* uneven = "uneven-soft-support";
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Everything that sizes are scaled by.
@@ -99,6 +101,15 @@ class Draw {
       }
       change.of.where.variant = "rotation";
       return {name, {}, {typical(change) * log_uniform(0.3, 3.0)}};
+    }
+    if (name == uneven) {
+      VirtualEffect support = effect("soft-support");
+      // One end's bolts were forgotten.
+      support.values.push_back(support.values[0] * log_uniform(0.05, 0.2));
+      if (random_.uniform(0, 1) < 0.5) {
+        std::swap(support.values[0], support.values[1]);
+      }
+      return support;
     }
     if (name == "stiffness-loss") return loss(name);
     if (name == "joint") return joint(name);
@@ -266,7 +277,8 @@ const std::vector<std::string>& hidden_kinds() {
                                                  "sensor-cable",
                                                  "drift",
                                                  "wrong-grid",
-                                                 "nonlinearity"};
+                                                 "nonlinearity",
+                                                 uneven};
   return kinds;
 }
 

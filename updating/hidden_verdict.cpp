@@ -63,7 +63,7 @@ double longest_side(const Deck& deck) {
 bool same_support(const Where& found, const Deck& deck) {
   std::set<int> held;
   for (const structure::Constraint& c : deck.constraints) held.insert(c.grid);
-  return found.variant == "rotation" &&
+  return found.variant.starts_with("rotation") &&
          held == std::set<int>(found.nodes.begin(), found.nodes.end());
 }
 
@@ -90,17 +90,19 @@ bool same_place(const VirtualEffect& hidden,
   return apart <= 1.01 * longest_side(deck);
 }
 
-// The estimate that the hidden value is compared with.
-const Estimate* counterpart(const VirtualEffect& hidden, const Rung& rung) {
+// The estimates that hidden values are compared with, in their order.
+std::vector<Estimate> counterparts(const VirtualEffect& hidden,
+                                   const Rung& rung) {
   const bool per_metre =
       hidden.name == "soft-support" || hidden.name == "joint";
+  if (!per_metre) return rung.parameters;
+  std::vector<Estimate> result;
   for (const Estimate& e : rung.parameters) {
-    if (!per_metre || e.name.ends_with("_per_m")) {
-      if (per_metre && !e.name.ends_with("per_rad_per_m")) continue;
-      return &e;
-    }
+    // What follows a dot tells ends of a clamp.
+    const std::string name = e.name.substr(0, e.name.find('.'));
+    if (name.ends_with("per_rad_per_m")) result.push_back(e);
   }
-  return nullptr;
+  return result;
 }
 
 bool outside_catalogue(const VirtualEffect& effect) {
@@ -128,19 +130,25 @@ bool holds_all(const std::vector<std::string>& hidden,
 void judge_size(const VirtualEffect& effect,
                 const Rung& rung,
                 Verdict& verdict) {
-  if (effect.values.empty()) return;
-  const Estimate* e = counterpart(effect, rung);
-  if (e == nullptr) {
-    verdict.right_size = false;
-    return;
+  const std::vector<Estimate> found = counterparts(effect, rung);
+  // Of other effects the first value is their size.
+  const std::size_t sizes =
+      effect.name == "soft-support"
+          ? effect.values.size()
+          : std::min<std::size_t>(1, effect.values.size());
+  for (std::size_t k = 0; k < sizes; ++k) {
+    if (k >= found.size()) {
+      verdict.right_size = false;
+      return;
+    }
+    const double truth = effect.values[k];
+    const double off = std::abs(found[k].value / truth - 1.0);
+    const bool holds = found[k].lo95 <= truth && truth <= found[k].hi95;
+    verdict.size_error = std::max(verdict.size_error, off);
+    ++verdict.intervals;
+    verdict.intervals_hold += holds ? 1 : 0;
+    if (off > 0.05 && !holds) verdict.right_size = false;
   }
-  const double truth = effect.values[0];
-  const double off = std::abs(e->value / truth - 1.0);
-  const bool holds = e->lo95 <= truth && truth <= e->hi95;
-  verdict.size_error = std::max(verdict.size_error, off);
-  ++verdict.intervals;
-  verdict.intervals_hold += holds ? 1 : 0;
-  if (off > 0.05 && !holds) verdict.right_size = false;
 }
 
 // Where nothing of the catalogue is hidden there is no place and no size.

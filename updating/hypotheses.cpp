@@ -1,7 +1,9 @@
 #include "updating/hypotheses.hpp"
 
 #include "acquisition/parallel.hpp"
+#include "updating/effect_place.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/near_places.hpp"
 #include "updating/overall_progress.hpp"
 #include "updating/screening.hpp"
 
@@ -21,39 +23,35 @@ constexpr int most_steps = 40;
 // the error of the best of all: each costs a base of its own.
 constexpr double rival = 4.0;
 
-bool share(const std::vector<int>& a, const std::vector<int>& b) {
-  return std::any_of(a.begin(), a.end(), [&b](int id) {
-    return std::find(b.begin(), b.end(), id) != b.end();
+bool has_form(const PlacedEffect& placed) {
+  const std::vector<std::string> forms = placed.effect->forms();
+  return std::ranges::find(forms, placed.where.variant) != forms.end();
+}
+
+// The same again, another loss of the same elements, or a form of the same.
+bool present(const Fit& current, const PlacedEffect& candidate) {
+  const Where& there = candidate.where;
+  return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
+    if (e.effect != candidate.effect) return false;
+    const bool formed = has_form(e) || has_form(candidate);
+    return e.where == there || share(e.where.elements, there.elements) ||
+           (formed && (share(e.where.nodes, there.nodes) ||
+                       share(e.where.channels, there.channels) ||
+                       (e.where.node != 0 && e.where.node == there.node)));
   });
 }
 
-// The same again, or another loss of the same elements.
-bool present(const Fit& current, const PlacedEffect& candidate) {
-  return std::any_of(
-      current.effects.begin(),
-      current.effects.end(),
-      [&](const PlacedEffect& e) {
-        return e.effect == candidate.effect &&
-               (e.where == candidate.where ||
-                share(e.where.elements, candidate.where.elements));
-      });
-}
-
-// Grids nearest to a grid, itself first.
-std::vector<int> nearest(const structure::Deck& deck, int node, int count) {
-  const Eigen::Vector3d at = deck.grids[deck.grid_index(node)].position;
-  std::vector<std::pair<double, int>> distance;
-  for (const structure::Grid& grid : deck.grids) {
-    distance.emplace_back((grid.position - at).norm(), grid.id);
+// Whether any of what it acts on can move: a model of bars in a plane does not
+// turn out of it.
+bool acts(const PlacedEffect& placed, const FrfModel& model) {
+  const std::vector<effects::ActedDof> dofs =
+      placed.effect->acts_on(placed.where, model.setting(), 0);
+  std::map<std::size_t, double> moves;
+  for (const effects::ActedDof& dof : dofs) {
+    moves[dof.group] += model.row(dof.node, dof.component).norm();
   }
-  const auto n = std::min<std::size_t>(distance.size(),
-                                       static_cast<std::size_t>(count) + 1);
-  std::partial_sort(distance.begin(),
-                    distance.begin() + static_cast<std::ptrdiff_t>(n),
-                    distance.end());
-  std::vector<int> nodes;
-  for (std::size_t k = 0; k < n; ++k) nodes.push_back(distance[k].second);
-  return nodes;
+  return std::ranges::none_of(moves,
+                              [](const auto& g) { return g.second == 0.0; });
 }
 
 // Fits the present effects and one more, for each of several.
@@ -73,65 +71,6 @@ std::vector<Hypothesis> fit_each(const Fit& current,
     result[k].fit =
         fitter.fit(effects, shared ? shared : fitter.model_for(effects), quiet);
   });
-  return result;
-}
-
-// Elements that two patches share, over those of either.
-double overlap(const std::vector<int>& a, const std::vector<int>& b) {
-  std::vector<int> both;
-  std::set_intersection(
-      a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
-  const double common = static_cast<double>(both.size());
-  return common / (static_cast<double>(a.size() + b.size()) - common);
-}
-
-Eigen::Vector3d middle(const structure::Deck& deck,
-                       const std::vector<int>& grids) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const int id : grids) sum += deck.grids[deck.grid_index(id)].position;
-  return sum / static_cast<double>(grids.size());
-}
-
-// How far a patch or a seam is from another: elements that are not shared,
-// metres between the middles. Empty where they have nothing in common.
-std::optional<double> distance(const Where& a,
-                               const Where& b,
-                               const structure::Deck& deck) {
-  if (!a.nodes.empty() && !b.nodes.empty()) {
-    return (middle(deck, a.nodes) - middle(deck, b.nodes)).norm();
-  }
-  const double shared = overlap(a.elements, b.elements);
-  return shared > 0.0 ? std::optional(-shared) : std::nullopt;
-}
-
-// Places that are most like one: the nearest grids, the nearest seams, or the
-// patches that share most elements.
-std::vector<Where> places_near(const Where& at,
-                               const std::vector<Where>& patches,
-                               const structure::Deck& deck,
-                               int count) {
-  std::vector<Where> result;
-  if (at.node != 0) {
-    for (const int node : nearest(deck, at.node, count)) {
-      result.push_back(at);
-      result.back().node = node;
-    }
-    return result;
-  }
-  std::vector<std::pair<double, Where>> order;
-  for (const Where& where : patches) {
-    if (const auto far = distance(where, at, deck)) {
-      order.emplace_back(*far, where);
-    }
-  }
-  std::stable_sort(order.begin(), order.end(), [](auto& a, auto& b) {
-    return a.first < b.first;
-  });
-  const auto n =
-      std::min<std::size_t>(order.size(), static_cast<std::size_t>(count) + 1);
-  for (std::size_t k = 0; k < n; ++k) {
-    result.push_back(std::move(order[k].second));
-  }
   return result;
 }
 
@@ -179,19 +118,6 @@ void climb(std::vector<Hypothesis>& found,
     }
     if (after >= before) return;
   }
-}
-
-// Whether a climb from one place would look at the other anyway.
-bool within_reach(const Where& from,
-                  const Where& to,
-                  const structure::Deck& deck,
-                  int neighbours) {
-  if (from.node != 0) {
-    const std::vector<int> around = nearest(deck, from.node, neighbours);
-    return std::ranges::find(around, to.node) != around.end();
-  }
-  return share(from.nodes, to.nodes) ||
-         overlap(from.elements, to.elements) > 0.5;
 }
 
 // What is worth a full fit of one kind: its best screened places, apart from
@@ -297,30 +223,44 @@ void climb_stiffness(std::vector<Kind>& kinds,
   }
 }
 
-// A mass that does well where it was found may be one with an inertia; then it
-// may do better beside.
-void try_rotary(std::vector<Kind>& kinds,
-                const Fit& current,
-                const Fitter& fitter,
-                int neighbours,
-                const Progress& progress) {
+// Where a kind may have another form: at the best of its grids, or wherever
+// supports and sensors, which are few, were looked at.
+std::vector<Where> places_for_forms(const Kind& kind) {
+  if (kind.at_grids()) {
+    return {std::ranges::min_element(kind.found, less_error)->own().where};
+  }
+  std::vector<Where> places;
+  for (const Hypothesis& h : kind.found) places.push_back(h.own().where);
+  return places;
+}
+
+// What does well where it was found may do better in another form: a mass with
+// an inertia, a clamp that varies along its line. A form with an inertia may
+// then do better beside.
+void try_forms(std::vector<Kind>& kinds,
+               const Fit& current,
+               const Fitter& fitter,
+               int neighbours,
+               const Progress& progress) {
   const double least = least_error(kinds);
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
-    if (!kind.effect->has_variant("rotary")) continue;
     if (kind.error() > rival * least) continue;
-    Where where = std::ranges::min_element(kind.found, less_error)->own().where;
-    double turns = 0.0;
-    for (int component = 4; component <= 6; ++component) {
-      turns += current.model->row(where.node, component).norm();
+    const double error = kind.error();
+    std::vector<PlacedEffect> tries;
+    for (const Where& where :
+         forms_of(*kind.effect, places_for_forms(kind), setting)) {
+      PlacedEffect next = placed(*kind.effect, where, setting);
+      if (acts(next, *current.model) && !present(current, next)) {
+        tries.push_back(std::move(next));
+      }
     }
-    if (turns == 0.0) continue;
-    where.variant = "rotary";
-    const std::vector<PlacedEffect> tries{placed(*kind.effect, where, setting)};
-    auto fitted = fit_each(current, tries, fitter, nullptr, progress);
-    const double plain = kind.error();
-    kind.found.push_back(std::move(fitted.front()));
-    if (kind.error() < worth_it * plain) {
+    for (Hypothesis& h : fit_each(current, tries, fitter, nullptr, progress)) {
+      // Else it is the plain one under another name.
+      const bool better = h.fit.result.error < worth_it * error;
+      if (better) kind.found.push_back(std::move(h));
+    }
+    if (kind.at_grids() && kind.error() < error) {
       climb(kind.found, current, fitter, neighbours, progress);
     }
   }
@@ -360,7 +300,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.9, 1.0);
     climb_stiffness(kinds, current, fitter, options.neighbours, rest);
-    try_rotary(kinds, current, fitter, options.neighbours, rest);
+    try_forms(kinds, current, fitter, options.neighbours, rest);
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {

@@ -53,7 +53,7 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
 }
 
 // Stiffness that elements keep, from all of it to next to none.
-const StiffnessTerm loss_term = {{}, {}, 1.0, 1.0, 0.04, 0.4, 1.0};
+const StiffnessTerm loss_term = {{}, 0, {}, 1.0, 1.0, 0.04, 0.4, 1.0};
 
 }  // namespace
 
@@ -85,7 +85,7 @@ struct BaseBuilder::Impl {
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
-                                          const SparseMatrix& S) const;
+                                          const ScaledStiffness& own) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -237,9 +237,13 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
 
 // How stiff is stiff: to first order springs of stiffness k per metre lower
 // omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
-// asks of them.
+// asks of them. Springs that several parameters share have their whole length.
 StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
-                                             const SparseMatrix& S) const {
+                                             const ScaledStiffness& own) const {
+  VectorXd length = VectorXd::Zero(released.dofs());
+  for (const ScaledStiffness& part : released.scaled) {
+    if (part.change == own.change) length += part.S.diagonal();
+  }
   MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.cols());
   rigid.topRows(modes.rows()) = modes;
   MatrixXd reaction = released.K * rigid;
@@ -252,15 +256,16 @@ StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
   for (Index r = 0; r < modes.cols(); ++r) {
     if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
     double sum = 0.0;
-    for (Index k = 0; k < S.outerSize(); ++k) {
-      for (SparseMatrix::InnerIterator it(S, k); it; ++it) {
-        sum += std::pow(reaction(it.row(), r), 2) / it.value();
+    for (Index k = 0; k < own.S.outerSize(); ++k) {
+      for (SparseMatrix::InnerIterator it(own.S, k); it; ++it) {
+        sum += std::pow(reaction(it.row(), r), 2) / length(it.row());
       }
     }
     worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
   }
   if (worst <= 0.0) worst = 1.0;
   StiffnessTerm term;
+  term.parameter = own.parameter;
   term.upper = worst / 1e-4;
   term.absent = term.upper;
   term.start = worst / 0.1;
@@ -307,10 +312,10 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
                                                    : padded(factor.K));
     base.M_part.push_back(padded(factor.M));
   }
-  for (const SparseMatrix& S : released.S) {
-    const SparseMatrix known = S.topLeftCorner(n, n);
+  for (const ScaledStiffness& scaled : released.scaled) {
+    const SparseMatrix known = scaled.S.topLeftCorner(n, n);
     base.terms.emplace_back();
-    base.terms.back().S = grow(V0.transpose() * (known * V0), S);
+    base.terms.back().S = grow(V0.transpose() * (known * V0), scaled.S);
   }
   turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
   return base;
@@ -331,9 +336,9 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
   std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    if (changes[k].kind != ChangeKind::Elements) continue;
-    const SparseMatrix S = released.S[k].topLeftCorner(n, n);
+  for (const ScaledStiffness& scaled : released.scaled) {
+    if (changes[scaled.change].kind != ChangeKind::Elements) continue;
+    const SparseMatrix S = scaled.S.topLeftCorner(n, n);
     blocks.push_back(padded(loss_modes(held, S, loss_term.lower)));
   }
   return join(blocks);
@@ -362,11 +367,12 @@ ReducedBase BaseBuilder::build(
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base = m.extend(m.needed(released, changes, fresh), released);
-  for (std::size_t k = 0; k < changes.size(); ++k) {
-    StiffnessTerm term = changes[k].kind == ChangeKind::Elements
+  for (std::size_t k = 0; k < base.terms.size(); ++k) {
+    const StiffnessChange& change = changes[released.scaled[k].change];
+    StiffnessTerm term = change.kind == ChangeKind::Elements
                              ? loss_term
-                             : m.spring_term(released, released.S[k]);
-    term.of = changes[k].of;
+                             : m.spring_term(released, released.scaled[k]);
+    term.of = change.of;
     term.S = std::move(base.terms[k].S);
     base.terms[k] = std::move(term);
   }

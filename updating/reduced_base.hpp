@@ -35,7 +35,7 @@ struct ReducedBase {
   std::vector<std::vector<int>> part_power;
   std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
   std::vector<Eigen::MatrixXd> M_part;
-  std::vector<StiffnessTerm> terms;  ///< one per change asked for
+  std::vector<StiffnessTerm> terms;  ///< of the changes asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
 };

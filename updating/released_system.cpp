@@ -33,8 +33,9 @@ std::vector<int> children_of(const RefinedDeck& mesh,
 }
 
 // Springs of unit stiffness per metre on the released degrees of freedom: on
-// the support's own grids and those between them.
-Triplets support_springs(const Deck& deck, const StiffnessChange& change) {
+// the support's own grids and those between them. One list per parameter.
+std::vector<Triplets> support_springs(const Deck& deck,
+                                      const StiffnessChange& change) {
   const Where& where = change.of.where;
   const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
   std::vector<int> nodes;
@@ -43,12 +44,14 @@ Triplets support_springs(const Deck& deck, const StiffnessChange& change) {
         group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
     if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
   }
-  const SupportLine line =
-      support_line(deck, nodes, where.variant == "rotation", change.component);
-  Triplets springs;
-  for (const SupportDof& dof : line.dofs) {
-    const int index = dof_index(deck, dof.node, dof.component);
-    springs.emplace_back(index, index, dof.length);
+  std::vector<Triplets> springs;
+  for (const SupportPart& part :
+       support_parts(deck, nodes, where.variant, change.component)) {
+    springs.emplace_back();
+    for (const SupportDof& dof : part.line.dofs) {
+      const int index = dof_index(deck, dof.node, dof.component);
+      springs.back().emplace_back(index, index, dof.length);
+    }
   }
   return springs;
 }
@@ -133,6 +136,30 @@ Triplets cut_joint(const RefinedDeck& mesh,
   return springs;
 }
 
+// What springs hold may move.
+void let_go(const std::vector<Triplets>& springs,
+            const structure::System& system,
+            ReleasedSystem& released) {
+  for (const Triplets& part : springs) {
+    for (const auto& spring : part) {
+      const bool inactive =
+          system.inactive[static_cast<std::size_t>(spring.row())];
+      if (!inactive) released.active.push_back(spring.row());
+    }
+  }
+}
+
+SparseMatrix stiffness_of(const RefinedDeck& mesh,
+                          const StiffnessChange& change,
+                          Index dofs) {
+  const std::vector<int> ids = children_of(mesh, change.of.where.elements);
+  const std::set<int> wanted(ids.begin(), ids.end());
+  SparseMatrix S = structure::assemble_stiffness(
+      mesh.deck, [&wanted](int id) { return wanted.contains(id); });
+  S.conservativeResize(dofs, dofs);
+  return S;
+}
+
 }  // namespace
 
 ReleasedSystem release(const RefinedDeck& mesh,
@@ -141,19 +168,15 @@ ReleasedSystem release(const RefinedDeck& mesh,
                        const std::vector<UncertainProperty>& uncertain,
                        const std::vector<StiffnessChange>& changes) {
   ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
-  std::vector<Triplets> springs;
+  std::vector<std::vector<Triplets>> springs;
   for (const StiffnessChange& change : changes) {
     springs.emplace_back();
     if (change.kind == ChangeKind::Support) {
       springs.back() = support_springs(mesh.deck, change);
-      for (const auto& spring : springs.back()) {
-        const bool inactive =
-            system.inactive[static_cast<std::size_t>(spring.row())];
-        if (!inactive) released.active.push_back(spring.row());
-      }
+      let_go(springs.back(), system, released);
     }
     if (change.kind == ChangeKind::Joint) {
-      springs.back() = cut_joint(mesh, change, uncertain, released);
+      springs.back() = {cut_joint(mesh, change, uncertain, released)};
     }
   }
   std::sort(released.active.begin(), released.active.end());
@@ -161,18 +184,15 @@ ReleasedSystem release(const RefinedDeck& mesh,
       std::unique(released.active.begin(), released.active.end()),
       released.active.end());
   for (std::size_t k = 0; k < changes.size(); ++k) {
-    SparseMatrix S(released.dofs(), released.dofs());
     if (changes[k].kind == ChangeKind::Elements) {
-      const std::vector<int> ids =
-          children_of(mesh, changes[k].of.where.elements);
-      const std::set<int> wanted(ids.begin(), ids.end());
-      S = structure::assemble_stiffness(
-          mesh.deck, [&wanted](int id) { return wanted.contains(id); });
-      S.conservativeResize(released.dofs(), released.dofs());
-    } else {
-      S.setFromTriplets(springs[k].begin(), springs[k].end());
+      released.scaled.push_back(
+          {k, 0, stiffness_of(mesh, changes[k], released.dofs())});
     }
-    released.S.push_back(std::move(S));
+    for (std::size_t p = 0; p < springs[k].size(); ++p) {
+      SparseMatrix S(released.dofs(), released.dofs());
+      S.setFromTriplets(springs[k][p].begin(), springs[k][p].end());
+      released.scaled.push_back({k, p, std::move(S)});
+    }
   }
   return released;
 }

@@ -20,12 +20,19 @@
 
 namespace tapfit::updating {
 
+/// What one parameter of a change multiplies.
+struct ScaledStiffness {
+  std::size_t change = 0;     ///< position among the changes
+  std::size_t parameter = 0;  ///< position among its effect's parameters
+  structure::SparseMatrix S;  ///< d K / d p
+};
+
 struct ReleasedSystem {
   structure::SparseMatrix K;
   structure::SparseMatrix M;
   std::vector<UncertainPart> parts;
-  std::vector<structure::SparseMatrix> S;  ///< d K / d p of each change
-  std::vector<int> active;                 ///< degrees of freedom that can move
+  std::vector<ScaledStiffness> scaled;  ///< change after change
+  std::vector<int> active;              ///< degrees of freedom that can move
 
   [[nodiscard]] Eigen::Index dofs() const { return K.rows(); }
 };

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+
 namespace tapfit::updating {
 
 enum class ChangeKind {
@@ -22,14 +24,16 @@ struct StiffnessChange {
   int component = 3;  ///< 1..3, the direction measured
 };
 
-/// The change seen through a base: K(p) = K + (p - included) S.
+/// The change seen through a base: K(p) = K + (p - included) S; one term for
+/// each parameter of the effect.
 struct StiffnessTerm {
   EffectRef of;
-  Eigen::MatrixXd S;      ///< r x r, d K / d p
-  double included = 0.0;  ///< value of p that the base's K holds
-  double absent = 0.0;    ///< value of p where the effect is not in the model
-  double lower = 0.0;     ///< range of p that the basis is good for
-  double start = 0.0;     ///< lowers the most affected mode a few percent
+  std::size_t parameter = 0;  ///< which of the effect's parameters p is
+  Eigen::MatrixXd S;          ///< r x r, d K / d p
+  double included = 0.0;      ///< value of p that the base's K holds
+  double absent = 0.0;  ///< value of p where the effect is not in the model
+  double lower = 0.0;   ///< range of p that the basis is good for
+  double start = 0.0;   ///< lowers the most affected mode a few percent
   double upper = 0.0;
 };
 

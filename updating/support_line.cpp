@@ -113,7 +113,9 @@ SupportLine support_line(const Deck& deck,
   std::vector<int> order = nodes;
   std::vector<double> lengths(nodes.size(),
                               1.0 / static_cast<double>(nodes.size()));
-  if (axis >= 0) {
+  std::vector<double> at(nodes.size(), 0.0);
+  line.straight = axis >= 0;
+  if (line.straight) {
     const auto along = [&deck, axis](int node) {
       return deck.grids[deck.grid_index(node)].position(axis);
     };
@@ -130,6 +132,9 @@ SupportLine support_line(const Deck& deck,
                           it->second.contains(order[k + 1]));
     }
     lengths = tributary_lengths(x, connected);
+    std::transform(x.begin(), x.end(), at.begin(), [&x](double here) {
+      return (here - x.front()) / (x.back() - x.front());
+    });
   }
   line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
   std::vector<int> components = {component};
@@ -140,11 +145,52 @@ SupportLine support_line(const Deck& deck,
   for (std::size_t k = 0; k < order.size(); ++k) {
     for (const int c : components) {
       if (holds(held, order[k], c)) {
-        line.dofs.push_back({order[k], c, lengths[k]});
+        line.dofs.push_back({order[k], c, lengths[k], at[k]});
       }
     }
   }
   return line;
+}
+
+namespace {
+
+// The share of a line that goes with the stiffness at one of its ends.
+SupportPart towards(const SupportLine& line, bool rotation, bool last) {
+  SupportPart part{rotation, 0, {}};
+  part.line.straight = line.straight;
+  part.end = last ? line.dofs.back().node : line.dofs.front().node;
+  for (SupportDof dof : line.dofs) {
+    dof.length *= last ? dof.at : 1.0 - dof.at;
+    if (dof.length <= 0.0) continue;
+    part.line.length += dof.length;
+    part.line.dofs.push_back(dof);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<SupportPart> support_parts(const Deck& deck,
+                                       const std::vector<int>& nodes,
+                                       const std::string& variant,
+                                       int component) {
+  std::vector<SupportPart> parts;
+  for (const bool rotation : {true, false}) {
+    const std::string kind = rotation ? "rotation" : "translation";
+    if (variant != "both" && !variant.starts_with(kind)) continue;
+    const SupportLine line = support_line(deck, nodes, rotation, component);
+    if (line.dofs.empty()) return {};
+    if (!variant.ends_with("-varying")) {
+      parts.push_back({rotation, 0, line});
+      continue;
+    }
+    // One grid alone says nothing of how it goes on.
+    if (line.dofs.front().at == line.dofs.back().at) return {};
+    for (const bool last : {false, true}) {
+      parts.push_back(towards(line, rotation, last));
+    }
+  }
+  return parts;
 }
 
 }  // namespace tapfit::updating

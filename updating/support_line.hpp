@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -15,11 +16,13 @@ struct SupportDof {
   int node = 0;
   int component = 0;    ///< 1..6
   double length = 0.0;  ///< [m]; 1 / number of grids where there is no line
+  double at = 0.0;      ///< 0 to 1 along the line; 0 where there is none
 };
 
 struct SupportLine {
   std::vector<SupportDof> dofs;
-  double length = 0.0;  ///< total [m]; 1 where the grids lie on no line
+  double length = 0.0;    ///< total [m]; 1 where the grids lie on no line
+  bool straight = false;  ///< whether there is a line
 };
 
 /// Groups of constrained grids that are connected by element edges, each in
@@ -40,5 +43,26 @@ struct SupportLine {
                                        const std::vector<int>& nodes,
                                        bool rotation,
                                        int component);
+
+/// What one stiffness of a support holds.
+struct SupportPart {
+  bool rotation = true;
+  int end = 0;       ///< grid at whose end of the line it is the stiffness; 0:
+                     ///< all along
+  SupportLine line;  ///< lengths times this stiffness' share in each
+};
+
+/// The stiffnesses of a soft support: "rotation" and "translation" have one
+/// each, "both" has these two. "rotation-varying" and "translation-varying"
+/// run linearly along the line, from the stiffness at its first end (of the
+/// smallest coordinate) to that at its last.
+///
+/// @return none where the support does not hold what the variant asks for, or
+///   where there is no line to vary along
+[[nodiscard]] std::vector<SupportPart> support_parts(
+    const structure::Deck& deck,
+    const std::vector<int>& nodes,
+    const std::string& variant,
+    int component);
 
 }  // namespace tapfit::updating

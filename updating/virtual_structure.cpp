@@ -114,7 +114,7 @@ void cut_joint(const VirtualModel& model,
         "Name two or more grids of a straight line of mesh edges across "
         "shells, or one grid where bars across the tested direction meet.");
   }
-  structure.K = cut.K + effect.values[0] * cut.S.front();
+  structure.K = cut.K + effect.values[0] * cut.scaled.front().S;
   structure.M = cut.M;
   for (const int dof : cut.active) {
     if (dof >= static_cast<int>(system.dofs())) {
@@ -206,7 +206,9 @@ VirtualStructure build_virtual_structure(
       for (const auto& [grid, length] : edge.length_of) {
         const int at = result.dof_index({grid, edge.component, 1});
         system.fixed[static_cast<std::size_t>(at)] = false;
-        add_diagonal(result.K, {{at, at, effect.values[0] * length}});
+        const double k = std::lerp(
+            effect.values.front(), effect.values.back(), edge.at.at(grid));
+        add_diagonal(result.K, {{at, at, k * length}});
         result.support_length += length;
         if (model.model.has_grid(grid)) result.support_nodes.push_back(grid);
       }

@@ -87,6 +87,14 @@ SupportEdge support_edge(const structure::Deck& deck) {
     edge.length_of[a] += half;
     edge.length_of[b] += half;
   }
+  const auto along = [&deck, axis](int grid) {
+    return deck.grids[deck.grid_index(grid)].position(axis);
+  };
+  const auto [first, last] =
+      std::ranges::minmax(held, {}, [&along](int grid) { return along(grid); });
+  for (const int grid : held) {
+    edge.at[grid] = (along(grid) - along(first)) / (along(last) - along(first));
+  }
   return edge;
 }
 

@@ -11,6 +11,7 @@ namespace tapfit::updating {
 struct SupportEdge {
   int component = 4;                ///< 4..6, rotation about the edge
   std::map<int, double> length_of;  ///< grid id -> [m]
+  std::map<int, double> at;         ///< grid id -> 0 to 1 along the edge
 };
 
 /// @throws InputError when the grids held along basic axes form no line along a

@@ -27,7 +27,8 @@ json effects_json(const VirtualSetup& setup,
     json entry = truth_entry(effect, setup.sensor_channels);
     if (effect.name == "soft-support") {
       entry["rotational_stiffness_nm_per_rad"] =
-          effect.values[0] * structure.support_length;
+          0.5 * (effect.values.front() + effect.values.back()) *
+          structure.support_length;
       entry["nodes"] = structure.support_nodes;
     }
     effects.push_back(entry);

@@ -47,19 +47,26 @@ class ChangedMotions : public ::testing::Test {
           std::sqrt(term.lower * term.upper),
           term.start,
           term.upper}) {
-      worst = std::max(worst, error_at(base, whole, term, p));
+      // A second parameter is elsewhere in its range.
+      std::vector<double> sizes = {p};
+      if (base.terms.size() > 1) sizes.push_back(base.terms[1].start);
+      worst = std::max(worst, error_at(base, whole, sizes));
     }
     return worst;
   }
 
   double error_at(const ReducedBase& base,
                   const ReleasedSystem& whole,
-                  const StiffnessTerm& term,
-                  double p) const {
-    const structure::SparseMatrix K =
-        extract(whole, whole.K + (p - term.included) * whole.S.front());
+                  const std::vector<double>& sizes) const {
+    structure::SparseMatrix changed = whole.K;
+    MatrixXd Kr = base.K;
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      const StiffnessTerm& term = base.terms[k];
+      changed += (sizes[k] - term.included) * whole.scaled[k].S;
+      Kr += (sizes[k] - term.included) * term.S;
+    }
+    const structure::SparseMatrix K = extract(whole, changed);
     const structure::SparseMatrix M = extract(whole, whole.M);
-    const MatrixXd Kr = base.K + (p - term.included) * term.S;
     const std::vector<int> points = points_;
     double error = 0.0;
     for (const double hz : {20.0, 110.0, 233.0, 390.0}) {
@@ -120,6 +127,17 @@ TEST_F(ChangedMotions, SupportMoves) {
   change.of.where.variant = "translation";
   EXPECT_LT(worst_error(change, false), exact);
   EXPECT_LT(worst_error(change, true), exact);
+}
+
+TEST_F(ChangedMotions, SupportTurnsAndMovesOrVaries) {
+  StiffnessChange change;
+  change.kind = ChangeKind::Support;
+  change.of.where.nodes = {1, 12, 23, 34, 45};
+  for (const char* form : {"both", "rotation-varying", "translation-varying"}) {
+    change.of.where.variant = form;
+    EXPECT_LT(worst_error(change, false), exact) << form;
+    EXPECT_LT(worst_error(change, true), exact) << form;
+  }
 }
 
 TEST_F(ChangedMotions, JointTurns) {

@@ -38,7 +38,26 @@ TEST_F(EffectPlace, FormsAreThoseThatTheEffectHas) {
   EXPECT_NE(refusal("added-mass@30:bogus").find("no form \"30:bogus\""),
             std::string::npos);
   EXPECT_NE(refusal("dashpot@30:rotary").find("no form"), std::string::npos);
-  EXPECT_NE(refusal("soft-support@both").find("add it twice"),
+  EXPECT_NE(refusal("soft-support@sideways").find("translation-varying"),
+            std::string::npos);
+}
+
+TEST_F(EffectPlace, SupportsTakeTheirFormsAlongALine) {
+  const std::vector<int> clamp = {1, 12, 23, 34, 45};
+  for (const char* form :
+       {"rotation", "both", "rotation-varying", "translation-varying"}) {
+    const std::string text = std::string("soft-support@") + form;
+    const PlacedEffect alone = place_effect(parse_effect(text), setting_);
+    EXPECT_EQ(alone.where.variant, form);
+    EXPECT_EQ(alone.where.nodes, clamp);
+    EXPECT_EQ(alone.p.size(), form == std::string("rotation") ? 1U : 2U);
+    const std::string at = std::string("soft-support@1:45:") + form;
+    EXPECT_EQ(place_effect(parse_effect(at), setting_).where, alone.where);
+  }
+  // Hinges on a wall: there is no turn to let go.
+  for (structure::Constraint& c : deck_.constraints) c.components = "123";
+  EXPECT_EQ(refusal("soft-support@translation-varying"), "taken");
+  EXPECT_NE(refusal("soft-support@both").find("cannot sit there"),
             std::string::npos);
 }
 

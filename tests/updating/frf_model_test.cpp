@@ -310,5 +310,41 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
   EXPECT_LT(derivative_error(*model, state, s_), 1e-5);
 }
 
+TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnFormsOfASupport) {
+  for (const char* form : {"both", "rotation-varying", "translation-varying"}) {
+    auto effects = std::vector<PlacedEffect>{clamp(1.0)};
+    effects.back().where.variant = form;
+    effects.back().p = {1.0, 1.0};
+    const auto model = fitter_->model_for(effects);
+    const std::vector<StiffnessTerm>& terms = model->base().terms;
+    ASSERT_EQ(terms.size(), 2U) << form;
+    effects.back().p = {terms[0].start, 0.3 * terms[1].start};
+    const ModelState state = fitter_->first_state(*model, effects);
+    EXPECT_LT(derivative_error(*model, state, s_), 1e-5) << form;
+  }
+}
+
+// The same springs told in two ways.
+TEST_F(FrfModelTest, AClampThatVariesByNothingIsTheEvenOne) {
+  const auto even = fitter_->model_for({clamp(1.0)});
+  const double k = even->base().terms.front().start;
+  const MatrixXcd H =
+      even->respond(undamped(*fitter_, *even, {clamp(k)}), s_, false).H;
+  PlacedEffect varying = clamp(k);
+  varying.where.variant = "rotation-varying";
+  varying.p = {k, k};
+  const auto model = fitter_->model_for({varying});
+  const ModelState state = undamped(*fitter_, *model, {varying});
+  EXPECT_LT(difference(model->respond(state, s_, false).H, H), 1e-9);
+  // A rigid translation beside the turn leaves the turn alone.
+  PlacedEffect both = clamp(k);
+  both.where.variant = "both";
+  both.p = {k, 1.0};
+  const auto of_both = fitter_->model_for({both});
+  both.p[1] = 1e3 * of_both->base().terms[1].upper;
+  const ModelState stiff = undamped(*fitter_, *of_both, {both});
+  EXPECT_LT(difference(of_both->respond(stiff, s_, false).H, H), 1e-5);
+}
+
 }  // namespace
 }  // namespace tapfit::updating

@@ -123,5 +123,25 @@ TEST(Judge, SupportMustTurnEverywhere) {
   EXPECT_FALSE(judge(hidden, found, deck).right_place);
 }
 
+TEST(Judge, AnUnevenSupportHasTwoSizes) {
+  const structure::Deck deck = support::plate_deck(true);
+  VirtualBundleSpec hidden;
+  hidden.effects = {{"soft-support", {}, {100.0, 10.0}}};
+  Diagnosis found = finding("soft-support", 0, 100.0);
+  Rung& rung = found.ladder[0];
+  rung.where.nodes = {1, 12, 23, 34, 45};
+  rung.where.variant = "rotation-varying";
+  rung.parameters[0].name = "rotational_stiffness_nm_per_rad_per_m.1";
+  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "one alone";
+  Estimate last = rung.parameters[0];
+  last.name = "rotational_stiffness_nm_per_rad_per_m.45";
+  last.value = last.lo95 = last.hi95 = 10.0;
+  rung.parameters.push_back(last);
+  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  rung.parameters[1].value = rung.parameters[1].hi95 = 20.0;
+  rung.parameters[1].lo95 = 19.0;
+  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "twice too stiff";
+}
+
 }  // namespace
 }  // namespace tapfit::updating

@@ -50,5 +50,27 @@ TEST(SupportLine, GridsAloneStandForTheGapsBesideThem) {
   EXPECT_NEAR(length_at(line, 23), 0.06, 1e-12);
 }
 
+// What goes with the stiffness at one end and at the other is the whole line;
+// a moment of the shares about an end tells which is which.
+TEST(SupportLine, SharesOfItsEndsAddUpToTheLine) {
+  const std::vector<int> nodes = {45, 1, 12, 23, 34};
+  const structure::Deck deck = held_at(nodes);
+  const SupportLine whole = support_line(deck, nodes, true, 3);
+  const auto parts = support_parts(deck, nodes, "rotation-varying", 3);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].end, 1);
+  EXPECT_EQ(parts[1].end, 45);
+  EXPECT_NEAR(parts[0].line.length, 0.06, 1e-12);
+  EXPECT_NEAR(parts[1].line.length, 0.06, 1e-12);
+  // Half way along the two are alike, a quarter of the way one has 3/4.
+  EXPECT_NEAR(length_at(parts[0].line, 23), 0.015, 1e-12);
+  EXPECT_NEAR(length_at(parts[0].line, 12), 0.75 * 0.03, 1e-12);
+  EXPECT_NEAR(length_at(parts[1].line, 12), 0.25 * 0.03, 1e-12);
+  EXPECT_NEAR(length_at(parts[0].line, 1), length_at(whole, 1), 1e-12);
+  EXPECT_EQ(length_at(parts[1].line, 1), -1.0);
+  // One grid, or bolts round a circle, have no ends.
+  EXPECT_TRUE(support_parts(deck, {1}, "rotation-varying", 3).empty());
+}
+
 }  // namespace
 }  // namespace tapfit::updating

@@ -23,8 +23,8 @@ constexpr std::size_t candidates_shown = 10;
 constexpr std::size_t look_alikes_shown = 2;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
-  // Kinds of one effect at one place (a support's rotation, its translation)
-  // differ in their parameters only: each effect and place once.
+  // Of forms of one effect at one place (a support's rotation, its translation)
+  // the first stands for all.
   const auto ref = [](const std::string& effect, const updating::Where& where) {
     return ordered_json{{"effect", effect},
                         {"where", where_json(effect, where)}};
@@ -37,12 +37,11 @@ ordered_json candidate_json(const updating::Candidate& candidate) {
       others.push_back(one);
     }
   }
-  ordered_json json = {{"effect", candidate.effect},
-                       {"where", where_json(candidate.effect, candidate.where)},
-                       {"probability", candidate.probability},
-                       {"parameters", parameters_json(candidate.parameters)},
-                       {"error", candidate.error},
-                       {"indistinguishable_from", std::move(others)}};
+  ordered_json json = placed_json("effect", candidate.effect, candidate.where);
+  json["probability"] = candidate.probability;
+  json["parameters"] = parameters_json(candidate.parameters);
+  json["error"] = candidate.error;
+  json["indistinguishable_from"] = std::move(others);
   // Only those that came first were tried on runs left out.
   if (candidate.held_out_error > 0.0) {
     json["held_out_error"] = candidate.held_out_error;
@@ -53,10 +52,10 @@ ordered_json candidate_json(const updating::Candidate& candidate) {
 ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
   ordered_json rungs = ordered_json::array();
   for (const auto& rung : ladder) {
-    rungs.push_back({{"added", rung.added},
-                     {"where", where_json(rung.added, rung.where)},
-                     {"error", rung.error},
-                     {"parameters", parameters_json(rung.parameters)}});
+    ordered_json json = placed_json("added", rung.added, rung.where);
+    json["error"] = rung.error;
+    json["parameters"] = parameters_json(rung.parameters);
+    rungs.push_back(std::move(json));
   }
   return rungs;
 }

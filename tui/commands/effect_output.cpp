@@ -23,6 +23,14 @@ ordered_json where_json(const std::string& effect,
   return json;
 }
 
+ordered_json placed_json(const char* key,
+                         const std::string& effect,
+                         const updating::Where& where) {
+  ordered_json json = {{key, effect}, {"where", where_json(effect, where)}};
+  if (!where.variant.empty()) json["variant"] = where.variant;
+  return json;
+}
+
 ordered_json parameters_json(
     const std::vector<updating::Estimate>& parameters) {
   ordered_json json = ordered_json::object();

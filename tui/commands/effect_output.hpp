@@ -15,6 +15,12 @@ namespace tapfit::tui {
 [[nodiscard]] nlohmann::ordered_json where_json(const std::string& effect,
                                                 const updating::Where& where);
 
+/// {KEY: effect, "where": {..}} and, where the effect has several forms at a
+/// place, "variant": "rotation".
+[[nodiscard]] nlohmann::ordered_json placed_json(const char* key,
+                                                 const std::string& effect,
+                                                 const updating::Where& where);
+
 /// {"mass_kg": {"value", "sd", "lo95", "hi95"}}
 [[nodiscard]] nlohmann::ordered_json parameters_json(
     const std::vector<updating::Estimate>& parameters);

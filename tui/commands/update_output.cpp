@@ -63,18 +63,19 @@ ordered_json correlation_json(const UpdateRecord& record) {
 }
 
 ordered_json record_json(const UpdateRecord& record) {
-  return {{"added", record.added},
-          {"where", where_json(record.added, record.where)},
-          {"lines", record.lines},
-          {"converged", record.converged},
-          {"message", record.message},
-          {"parameters", record.parameters},
-          {"iterations", steps_json(record)},
-          {"l_curve", l_curve_json(record.l_curve)},
-          {"identifiability",
-           {{"singular_values", listed(record.identifiability.singular_values)},
-            {"not_told_apart", record.confounded}}},
-          {"correlation", correlation_json(record)}};
+  ordered_json json = placed_json("added", record.added, record.where);
+  json.update(ordered_json{
+      {"lines", record.lines},
+      {"converged", record.converged},
+      {"message", record.message},
+      {"parameters", record.parameters},
+      {"iterations", steps_json(record)},
+      {"l_curve", l_curve_json(record.l_curve)},
+      {"identifiability",
+       {{"singular_values", listed(record.identifiability.singular_values)},
+        {"not_told_apart", record.confounded}}},
+      {"correlation", correlation_json(record)}});
+  return json;
 }
 
 std::string convergence_text(const std::vector<UpdateRecord>& records) {

@@ -14,8 +14,8 @@ class AddedMass final : public PointEffect {
     return "a mass at one grid; lowers frequencies, grows with frequency "
            "squared, the same in every run";
   }
-  [[nodiscard]] bool has_variant(const std::string& name) const override {
-    return name == "rotary";
+  [[nodiscard]] std::vector<std::string> forms() const override {
+    return {"rotary"};
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;

@@ -73,7 +73,8 @@ class Effect {
   [[nodiscard]] virtual std::string physics() const = 0;
   [[nodiscard]] virtual Entry entry() const { return Entry::LowRank; }
 
-  /// Which, for Entry::Stiffness; its one parameter scales that change.
+  /// Which, for Entry::Stiffness; its parameters scale the parts of that
+  /// change.
   [[nodiscard]] virtual std::optional<updating::ChangeKind> changes_stiffness()
       const {
     return std::nullopt;
@@ -84,8 +85,12 @@ class Effect {
       const Setting& setting) const = 0;
   /// Forms that it takes at its places only when asked for by name, or when the
   /// plain one has been found there; see Where::variant.
-  [[nodiscard]] virtual bool has_variant(const std::string& /*name*/) const {
-    return false;
+  [[nodiscard]] virtual std::vector<std::string> forms() const { return {}; }
+  /// Whether it can take one of its forms at one of its places.
+  [[nodiscard]] virtual bool takes(const std::string& /*form*/,
+                                   const Where& /*place*/,
+                                   const Setting& /*setting*/) const {
+    return true;
   }
   [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const = 0;
@@ -131,11 +136,11 @@ class Effect {
       std::size_t group,
       std::size_t k) const = 0;
 
-  /// Derived results worth reporting besides the parameters themselves, as
-  /// factors on parameter 0: name and factor (for example per metre -> total).
+  /// A derived result worth reporting besides the parameters themselves: the
+  /// sum of factor_k p_k (for example per metre -> total).
   struct Derived {
     std::string name;
-    double factor = 1.0;
+    std::vector<double> factors;  ///< one per parameter
   };
   [[nodiscard]] virtual std::vector<Derived> derived(const Where&,
                                                      const Setting&) const {

@@ -45,7 +45,7 @@ std::vector<ParameterSpec> Joint::parameters(const Where& where,
 
 std::vector<Effect::Derived> Joint::derived(const Where& where,
                                             const Setting& setting) const {
-  return {{"rotational_stiffness_nm_per_rad", length_of(where, setting)}};
+  return {{"rotational_stiffness_nm_per_rad", {length_of(where, setting)}}};
 }
 
 std::vector<std::string> Joint::bulk_data(const Where& where,

@@ -13,8 +13,13 @@ class SensorMass final : public Effect {
     return "the accelerometers' mass; lowers frequencies, moves with a roving "
            "sensor";
   }
-  [[nodiscard]] bool has_variant(const std::string& name) const override {
-    return name == "each";
+  [[nodiscard]] std::vector<std::string> forms() const override {
+    return {"each"};
+  }
+  [[nodiscard]] bool takes(const std::string&,
+                           const Where& place,
+                           const Setting&) const override {
+    return place.channels.size() > 1;
   }
   /// All sensor channels sharing one mass, then each channel alone.
   [[nodiscard]] std::vector<Where> places(

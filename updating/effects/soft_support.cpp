@@ -5,22 +5,47 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace tapfit::effects {
 namespace {
 
-updating::SupportLine line_of(const Where& where, const Setting& setting) {
-  return updating::support_line(*setting.deck,
-                                where.nodes,
-                                where.variant == "rotation",
-                                setting.component);
+std::vector<updating::SupportPart> parts_of(const Where& where,
+                                            const Setting& setting) {
+  return updating::support_parts(
+      *setting.deck, where.nodes, where.variant, setting.component);
 }
 
-std::string base_name(const Where& where) {
-  return where.variant == "rotation" ? "rotational_stiffness_nm_per_rad"
-                                     : "translational_stiffness_n_per_m";
+std::string total_name(const updating::SupportPart& part) {
+  return part.rotation ? "rotational_stiffness_nm_per_rad"
+                       : "translational_stiffness_n_per_m";
+}
+
+struct Spring {
+  int node = 0;
+  int component = 0;  // 1..6
+  double stiffness = 0.0;
+};
+
+// One for each degree of freedom, however many stiffnesses share in it.
+std::vector<Spring> springs_of(const std::vector<updating::SupportPart>& parts,
+                               const std::vector<double>& p) {
+  std::vector<Spring> springs;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (const updating::SupportDof& dof : parts[k].line.dofs) {
+      const auto known = std::ranges::find_if(springs, [&dof](const Spring& s) {
+        return s.node == dof.node && s.component == dof.component;
+      });
+      if (known != springs.end()) {
+        known->stiffness += p[k] * dof.length;
+      } else {
+        springs.push_back({dof.node, dof.component, p[k] * dof.length});
+      }
+    }
+  }
+  return springs;
 }
 
 }  // namespace
@@ -42,37 +67,67 @@ std::vector<Where> SoftSupport::places(const Setting& setting) const {
       Where where;
       where.nodes = group;
       where.variant = variant;
-      if (!line_of(where, setting).dofs.empty()) result.push_back(where);
+      if (!parts_of(where, setting).empty()) result.push_back(where);
     }
   }
   return result;
+}
+
+std::vector<std::string> SoftSupport::forms() const {
+  return {"both", "rotation-varying", "translation-varying"};
+}
+
+bool SoftSupport::takes(const std::string& form,
+                        const Where& place,
+                        const Setting& setting) const {
+  if (form != "both" && !form.starts_with(place.variant)) return false;
+  Where where = place;
+  where.variant = form;
+  return !parts_of(where, setting).empty();
 }
 
 std::vector<ParameterSpec> SoftSupport::parameters(
     const Where& where, const Setting& setting) const {
   // The scale at which a support is as soft as the structure's inertia is
   // heavy at the band's ends; the fit starts from a scan over this range.
-  const double length = line_of(where, setting).length;
   const double low = 2.0 * std::numbers::pi * setting.low_hz;
   const double high = 2.0 * std::numbers::pi * setting.high_hz;
-  const double size = where.variant == "rotation" ? 0.1 : 1.0;
-  const double lower = 1e-2 * setting.mass_kg * low * low * size / length;
-  const double upper = 1e4 * setting.mass_kg * high * high * size / length;
-  return {
-      {base_name(where) + "_per_m", std::sqrt(lower * upper), lower, upper}};
+  std::vector<ParameterSpec> specs;
+  for (const updating::SupportPart& part : parts_of(where, setting)) {
+    const double size = part.rotation ? 0.1 : 1.0;
+    const double per_length = setting.mass_kg * size / part.line.length;
+    const double lower = 1e-2 * low * low * per_length;
+    const double upper = 1e4 * high * high * per_length;
+    std::string name = total_name(part) + "_per_m";
+    if (part.end != 0) name += fmt::format(".{}", part.end);
+    specs.push_back({name, std::sqrt(lower * upper), lower, upper});
+  }
+  return specs;
 }
 
 std::vector<Effect::Derived> SoftSupport::derived(
     const Where& where, const Setting& setting) const {
-  return {{base_name(where), line_of(where, setting).length}};
+  std::vector<Derived> totals;
+  const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::string name = total_name(parts[k]);
+    if (totals.empty() || totals.back().name != name) {
+      totals.push_back({name, std::vector<double>(parts.size(), 0.0)});
+    }
+    totals.back().factors[k] = parts[k].line.length;
+  }
+  return totals;
 }
 
 std::vector<structure::Constraint> SoftSupport::released(
     const Where& where, const Setting& setting) const {
   std::vector<structure::Constraint> result;
-  for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
-    const auto own = card_component(*setting.deck, dof.node, dof.component);
-    if (own) result.push_back({dof.node, std::to_string(*own)});
+  const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+  for (const Spring& spring :
+       springs_of(parts, std::vector<double>(parts.size(), 1.0))) {
+    const auto own =
+        card_component(*setting.deck, spring.node, spring.component);
+    if (own) result.push_back({spring.node, std::to_string(*own)});
   }
   return result;
 }
@@ -83,19 +138,20 @@ std::vector<std::string> SoftSupport::bulk_data(
     const std::vector<double>& p) const {
   std::vector<std::string> cards;
   int offset = 0;
-  for (const updating::SupportDof& dof : line_of(where, setting).dofs) {
-    if (!card_component(*setting.deck, dof.node, dof.component)) {
+  for (const auto& [node, component, stiffness] :
+       springs_of(parts_of(where, setting), p)) {
+    if (!card_component(*setting.deck, node, component)) {
       cards.push_back(fmt::format(
           "$ grid {}: no component along its axes (CD) is the one released; "
           "give it CD 0, then a CELAS2 of {:.4g} {} on component {}",
-          dof.node,
-          p[0] * dof.length,
-          dof.component > 3 ? "N m/rad" : "N/m",
-          dof.component));
+          node,
+          stiffness,
+          component > 3 ? "N m/rad" : "N/m",
+          component));
       continue;
     }
     const std::vector<std::string> spring = ground_spring_cards(
-        *setting.deck, offset++, dof.node, dof.component, p[0] * dof.length);
+        *setting.deck, offset++, node, component, stiffness);
     cards.insert(cards.end(), spring.begin(), spring.end());
   }
   return cards;

@@ -1,5 +1,7 @@
 // A support that gives way: the constrained rotation (about the clamp's line)
-// or translation is released and held by springs, k per metre of clamp.
+// or translation is released and held by springs, k per metre of clamp. Its
+// forms have both, or a k that runs linearly from one end of the line to the
+// other.
 #pragma once
 
 #include "updating/effects/stiffness_effect.hpp"
@@ -21,6 +23,10 @@ class SoftSupport final : public StiffnessEffect {
   /// rotation and the translation of each that is held.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
+  [[nodiscard]] std::vector<std::string> forms() const override;
+  [[nodiscard]] bool takes(const std::string& form,
+                           const Where& place,
+                           const Setting& setting) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<Derived> derived(

@@ -1,5 +1,5 @@
-// What effects that change the base's stiffness matrix share: one parameter,
-// which scales the change, and no degrees of freedom of their own.
+// What effects that change the base's stiffness matrix share: parameters that
+// scale the parts of the change, and no degrees of freedom of their own.
 #pragma once
 
 #include "updating/effects/effect.hpp"
@@ -16,14 +16,14 @@ class StiffnessEffect : public Effect {
   }
   [[nodiscard]] std::complex<double> law(std::complex<double>,
                                          const std::vector<double>& p,
-                                         std::size_t) const final {
-    return p[0];
+                                         std::size_t group) const final {
+    return p[group];
   }
   [[nodiscard]] std::complex<double> law_derivative(std::complex<double>,
                                                     const std::vector<double>&,
-                                                    std::size_t,
-                                                    std::size_t) const final {
-    return 1.0;
+                                                    std::size_t group,
+                                                    std::size_t k) const final {
+    return group == k ? 1.0 : 0.0;
   }
 };
 

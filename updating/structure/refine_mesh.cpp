@@ -58,9 +58,12 @@ class Refiner {
     out.shells.clear();
     out.bars.clear();
     out.cards.clear();
+    Eigen::AlignedBox3d box;
     for (const Grid& grid : deck.grids) {
       next_grid_ = std::max(next_grid_, grid.id + 1);
+      box.extend(grid.position);
     }
+    extent_ = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const Constraint& held : deck.constraints) {
       held_[held.grid] += held.components;
     }
@@ -73,11 +76,24 @@ class Refiner {
     for (const Bush& e : deck.bushes) keep(e.id);
     for (const Shell& e : deck.shells) split(e);
     for (const Bar& e : deck.bars) split(e);
+    tie_seams();
   }
 
   [[nodiscard]] RefinedDeck take() { return std::move(result_); }
 
  private:
+  // What a double at the same place follows, and in which components.
+  struct Double {
+    int leader = 0;
+    Components components;
+  };
+  // An edge between doubles, its middle and the one that this follows.
+  struct Seam {
+    std::array<int, 2> ends{};
+    int middle = 0;
+    int leading = 0;
+  };
+
   void see_element(int id) { next_element_ = std::max(next_element_, id + 1); }
 
   void keep(int id) {
@@ -89,7 +105,15 @@ class Refiner {
     const RigidElement& e = result_.deck.rigids[k];
     see_element(e.id);
     rigid_[e.independent][k] = "123456";
-    for (const Dependent& d : e.dependents) rigid_[d.grid][k] = d.components;
+    for (const Dependent& d : e.dependents) {
+      rigid_[d.grid][k] = d.components;
+      const Eigen::Vector3d apart =
+          grid_of(d.grid).position - grid_of(e.independent).position;
+      // Coordinates of another system are rounded.
+      if (apart.norm() <= 1e-6 * extent_) {
+        doubled_[d.grid] = {e.independent, d.components};
+      }
+    }
   }
 
   [[nodiscard]] const Grid& grid_of(int id) const {
@@ -196,6 +220,107 @@ class Refiner {
     add_child(shell, inner, result_.deck.shells);
   }
 
+  // Elements beside a seam have grids of their own, doubles of the others' at
+  // the same places: what ties and springs these ties and springs the middles
+  // between them, or the halves would gape there.
+  void tie_seams() {
+    const auto edges = middles_;
+    for (const auto& [ends, middle] : edges) tie(ends, middle);
+    share_springs();
+  }
+
+  // The middle that the one between two doubles follows; 0 where the doubles
+  // end nowhere, or at one body.
+  int tie(const std::array<int, 2>& ends, int middle_of_doubles) {
+    const auto a = doubled_.find(ends[0]);
+    const auto b = doubled_.find(ends[1]);
+    if (a == doubled_.end() || b == doubled_.end()) return 0;
+    const int from = a->second.leader;
+    const int to = b->second.leader;
+    if (from == to) return 0;
+    const std::array<int, 2> leaders = {std::min(from, to), std::max(from, to)};
+    int leading = 0;
+    if (const auto known = middles_.find(leaders); known != middles_.end()) {
+      leading = known->second;
+    } else if (ends_at_an_edge(leaders)) {
+      leading = middle(from, to);
+      tie(leaders, leading);
+    }
+    if (leading == 0) return 0;
+    const Components common =
+        shared(grid_of(middle_of_doubles), {ends[0], ends[1]}, [&](int id) {
+          return doubled_.at(id).components;
+        });
+    if (common.empty()) return 0;
+    result_.deck.rigids.push_back(
+        {next_element_++, leading, {{middle_of_doubles, common}}});
+    seams_.push_back({ends, middle_of_doubles, leading});
+    return leading;
+  }
+
+  // Whether doubles of doubles come to an edge that was split.
+  [[nodiscard]] bool ends_at_an_edge(std::array<int, 2> ends) const {
+    for (std::size_t steps = 0; steps <= doubled_.size(); ++steps) {
+      std::sort(ends.begin(), ends.end());
+      if (middles_.contains(ends)) return true;
+      for (int& end : ends) {
+        const auto next = doubled_.find(end);
+        if (next == doubled_.end()) return false;
+        end = next->second.leader;
+      }
+    }
+    return false;
+  }
+
+  // Of a spring between a grid and its double, each edge of the seam has the
+  // share of its length; half of that goes to its middle.
+  void share_springs() {
+    std::map<int, double> length;  // of the edges that end at a double
+    const auto side = [this](const Seam& seam) {
+      return (grid_of(seam.ends[1]).position - grid_of(seam.ends[0]).position)
+          .norm();
+    };
+    for (const Seam& seam : seams_) {
+      for (const int end : seam.ends) length[end] += side(seam);
+    }
+    const std::vector<ScalarElement> whole = result_.deck.scalars;
+    for (const Seam& seam : seams_) {
+      for (const int end : seam.ends) {
+        const double share = 0.5 * side(seam) / length[end];
+        for (std::size_t k = 0; k < whole.size(); ++k) {
+          share_spring(whole[k], share, seam, end, result_.deck.scalars[k]);
+        }
+      }
+    }
+  }
+
+  void share_spring(const ScalarElement& whole,
+                    double share,
+                    const Seam& seam,
+                    int end,
+                    ScalarElement& left) {
+    ScalarElement part = whole;
+    for (int& grid : part.grids) {
+      if (grid == end) {
+        grid = seam.middle;
+      } else if (grid == doubled_.at(end).leader) {
+        grid = seam.leading;
+      } else {
+        return;
+      }
+    }
+    if (part.grids[0] == part.grids[1]) return;
+    part.id = next_element_++;
+    for (double ScalarElement::*const value : {&ScalarElement::stiffness,
+                                               &ScalarElement::damping,
+                                               &ScalarElement::mass}) {
+      part.*value *= share;
+      left.*value -= part.*value;
+    }
+    result_.children[whole.id].push_back(part.id);
+    result_.deck.scalars.push_back(part);
+  }
+
   // The material axis stays where it is while side 1-2 of the child turns.
   double child_angle(const Shell& parent, const Shell& child) const {
     const auto at = [&](int id) { return grid_of(id).position; };
@@ -225,12 +350,15 @@ class Refiner {
   }
 
   RefinedDeck result_;
+  double extent_ = 0.0;  // diagonal of the box around all grids
   int next_grid_ = 1;
   int next_element_ = 1;
   std::map<std::array<int, 2>, int> middles_;
   std::unordered_map<int, Components> held_;
   // Per grid: the rigid elements that it belongs to, and in which components.
   std::unordered_map<int, std::map<std::size_t, Components>> rigid_;
+  std::unordered_map<int, Double> doubled_;
+  std::vector<Seam> seams_;
 };
 
 }  // namespace

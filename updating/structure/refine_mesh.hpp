@@ -20,7 +20,9 @@ struct RefinedDeck {
 /// Splits every shell and bar of a deck. A new grid on an edge is held, or
 /// follows a rigid element, in the components in which both ends of the edge do
 /// (along axes between theirs); one in the middle of a shell follows where all
-/// corners do. Rods are kept whole (two in line would be a mechanism), as are
+/// corners do. Where elements beside a seam have doubles of its grids, tied and
+/// sprung to them, the middles are tied alike and share the springs. Rods are
+/// kept whole (two in line would be a mechanism), as are
 /// point elements.
 [[nodiscard]] RefinedDeck refine_mesh(const Deck& deck);
 

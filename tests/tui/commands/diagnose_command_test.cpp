@@ -69,9 +69,12 @@ TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
       {"added-mass", at_node(201)},
       {"soft-support", rotation},
       {"soft-support", translation}};
+  diagnosis.ladder[0].where = rotation;
   const auto json = diagnosis_json("some/bundle", diagnosis);
   EXPECT_EQ(json.at("candidates").at(0).at("indistinguishable_from").dump(),
             R"([{"effect":"soft-support","where":{"nodes":[1,2]}}])");
+  EXPECT_FALSE(json.at("candidates").at(0).contains("variant"));
+  EXPECT_EQ(json.at("ladder").at(0).at("variant"), "rotation");
 }
 
 TEST(DiagnoseCommand, JsonIsThatOfTheFormat) {
