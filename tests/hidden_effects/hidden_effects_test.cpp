@@ -152,7 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         FixedCase{31, "portal", "wrong-grid"},
         FixedCase{32, "ladder", "nonlinearity"},
         FixedCase{33, "frame", "nonlinearity"},
-        FixedCase{34, "frame", "drift"}),
+        FixedCase{34, "frame", "drift"},
+        FixedCase{35, "frame", "uneven-soft-support"}),
     name_of);
 
 }  // namespace
