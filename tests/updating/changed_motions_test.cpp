@@ -120,6 +120,28 @@ TEST_F(ChangedMotions, SupportTurns) {
   EXPECT_LT(worst_error(change, true), exact);
 }
 
+// A clamp that holds no moment is a hinge: the range reaches far enough down
+// for a cantilever to swing about it.
+TEST_F(ChangedMotions, TheSoftestSupportIsNearlyAHinge) {
+  StiffnessChange change;
+  change.kind = ChangeKind::Support;
+  change.of.where.nodes = {1, 12, 23, 34, 45};
+  change.of.where.variant = "rotation";
+  const ReducedBase base =
+      BaseBuilder(deck_, {}, support::plate_base(bundle_, deck_), Progress{})
+          .build({}, {change});
+  const StiffnessTerm& term = base.terms.front();
+  const auto first_at = [&](double k) {
+    const MatrixXd K = base.K + (k - term.included) * term.S;
+    return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(
+                         K, Eigen::EigenvaluesOnly)
+                         .eigenvalues()(0));
+  };
+  // A rigid plate on springs that lower omega^2 a hundredfold.
+  EXPECT_LT(first_at(term.lower), 0.11 * first_at(term.upper));
+  EXPECT_GT(first_at(term.lower), 0.08 * first_at(term.upper));
+}
+
 TEST_F(ChangedMotions, SupportMoves) {
   StiffnessChange change;
   change.kind = ChangeKind::Support;
