@@ -23,6 +23,17 @@ std::set<int> rigidly_joined(const structure::Deck& deck) {
   return grids;
 }
 
+// What the structure's modes have without the effects that damp some of them
+// on top: of the modes fitted the middle one.
+double typical(const ModelState& state) {
+  std::vector<double> ratios(state.zeta.begin(), state.zeta.end());
+  if (ratios.empty()) return state.zeta_other;
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
 }  // namespace
 
 PlacedEffect placed(const effects::Effect& effect,
@@ -148,7 +159,7 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
     ++k;
   }
   for (Index q = 0; q < state.zeta.size(); ++q, ++k) {
-    prior.mean(k) = std::log(setting_.damping_ratio);
+    prior.mean(k) = std::log(state.zeta_other);
     prior.sd(k) = setting_.damping_spread;
     prior.lower(k) = std::log(1e-5);
     prior.upper(k) = std::log(0.5);
@@ -212,24 +223,40 @@ ModelState Fitter::start_state(const FrfModel& model,
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress) const {
-  ModelState state = start_state(*model, start);
-  const Prior prior = prior_for(*model, state);
   Fit fit;
+  fit.result.state = start_state(*model, start);
   std::vector<UpdateStep> history;
-  for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
+  const auto go_on = [&](std::size_t stage) {
+    const bool last = stage + 1 == setting_.targets.size();
     UpdateOptions options;
-    const bool last = k + 1 == setting_.targets.size();
     options.max_iterations = last ? 30 : 10;
     options.tolerance = last ? 1e-6 : 1e-3;
     // Within a few hundredths of a standard error of the best.
     options.objective_tolerance = last ? 1e-3 : 1e-1;
-    fit.result =
-        update(*model, setting_.targets[k], state, prior, options, progress);
-    state = fit.result.state;
+    const ModelState state = fit.result.state;
+    const Prior prior = prior_for(*model, state);
+    fit.result = update(
+        *model, setting_.targets[stage], state, prior, options, progress);
     for (UpdateStep& step : fit.result.history) {
-      step.stage = static_cast<int>(k);
+      step.stage = static_cast<int>(stage);
       history.push_back(std::move(step));
     }
+  };
+  for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
+    go_on(k);
+    ModelState& state = fit.result.state;
+    const double before = state.zeta_other;
+    const double now = typical(state);
+    const bool last = k + 1 == setting_.targets.size();
+    // Within this all is as well as the scatter of ratios lets one know.
+    const bool settled =
+        std::abs(std::log(now / before)) < 0.2 * setting_.damping_spread;
+    if (settled) continue;
+    const UpdateResult found = fit.result;
+    state.zeta_other = now;
+    if (!last) continue;
+    go_on(k);
+    if (fit.result.error > found.error) fit.result = found;
   }
   fit.result.history = std::move(history);
   fit.effects = fit.result.state.effects;

@@ -56,7 +56,9 @@ class Fitter {
   [[nodiscard]] std::shared_ptr<const FrfModel> model_for(
       const std::vector<PlacedEffect>& effects) const;
 
-  /// Fits effects' parameters, uncertain properties and damping together.
+  /// Fits effects' parameters, uncertain properties and damping together. The
+  /// modes beyond those fitted have the ratio that is typical of these, without
+  /// what the effects add: it is taken anew as they become known.
   ///
   /// @param start effects with their starting sizes
   /// @param model as from model_for(), for these effects or more

@@ -1,6 +1,6 @@
 #include "updating/updater.hpp"
 
-#include "tests/updating/support/sample_plate.hpp"
+#include "tests/updating/support/plate_experiment.hpp"
 #include "updating/damped_line.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
@@ -23,76 +23,6 @@ namespace {
 
 using Eigen::Index;
 
-// A test whose "measurement" is the model with an effect, its modulus off by
-// 2 %, its damping scattered, and noise on every line.
-class PlateExperiment {
- public:
-  PlateExperiment(const std::vector<PlacedEffect>& hidden,
-                  double noise,
-                  unsigned seed)
-      : deck_(support::plate_deck(true)),
-        bundle_(support::plate_bundle()),
-        setting_(support::plate_setting(bundle_, deck_)) {
-    builder_.emplace(deck_,
-                     bundle_.uncertain,
-                     support::plate_base(bundle_, deck_),
-                     Progress{});
-    FitSetting fit;
-    fit.setting = setting_;
-    fit.uncertain_sd = {0.03};
-    fit.damping_ratio = 0.008;
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    for (const double delta : {0.06, 0.03}) {
-      const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 3.0, {delta, 120});
-      signal::FrfSet set = support::plate_pairs(bundle_, s);
-      fit.measured = set;
-      fit.targets = {make_target(set)};
-      const Fitter truth(*builder_, fit);
-      const auto model = truth.model_for(hidden);
-      ModelState state = truth.first_state(*model, hidden);
-      state.factor = {1.02};
-      for (Index q = 0; q < state.zeta.size(); ++q) {
-        state.zeta(q) = q % 2 == 0 ? 0.006 : 0.010;
-      }
-      const Eigen::MatrixXcd H = model->respond(state, s, false).H;
-      // Noise in proportion to each line's mean, as the error counts it.
-      const Eigen::VectorXd level =
-          noise * H.cwiseAbs2().rowwise().mean().cwiseSqrt();
-      for (std::size_t f = 0; f < set.frfs.size(); ++f) {
-        signal::Frf& frf = set.frfs[f];
-        frf.H = H.col(static_cast<Index>(f));
-        for (Index l = 0; l < s.size(); ++l) {
-          frf.H(l) +=
-              level(l) * std::complex<double>(normal(random), normal(random));
-        }
-        frf.variance = 2.0 * level.cwiseAbs2();
-      }
-      measured_.push_back(set);
-    }
-    fit.measured = measured_.back();
-    fit.targets = {make_target(measured_[0]), make_target(measured_[1])};
-    fitter_.emplace(*builder_, fit);
-  }
-
-  [[nodiscard]] const Fitter& fitter() const { return *fitter_; }
-  [[nodiscard]] Diagnosis diagnose_it(const Progress& progress = {}) const {
-    DiagnoseOptions options;
-    options.floor = std::max(noise_error(fitter_->target()), 1e-3);
-    options.modes_in_band = 5;
-    options.properties = {{"E:1", "Pa", 70e9}};
-    return diagnose(*fitter_, {}, options, progress);
-  }
-
- private:
-  structure::Deck deck_;
-  acquisition::TestBundle bundle_;
-  effects::Setting setting_;
-  std::optional<BaseBuilder> builder_;
-  std::vector<signal::FrfSet> measured_;
-  std::optional<Fitter> fitter_;
-};
-
 PlacedEffect at_node(const std::string& name, int node, double p) {
   Where where;
   where.node = node;
@@ -103,6 +33,21 @@ PlacedEffect both_sensors(double mass) {
   Where where;
   where.channels = {"acc1", "acc2"};
   return {&effects::find("sensor-mass"), where, {mass}};
+}
+
+// Half the modes are damped by a dashpot to several times their own ratio: the
+// middle of what is identified is not the structure's, and the modes above the
+// band, which have 0.8 %, do not have it. Those in it have 0.6 and 1 %, and
+// tell the others' to no better than that. With 4 % there the FRFs were 3.7 %
+// off and the dashpot 13 %.
+TEST(UpdaterTest, WhatADashpotAddsIsNotTheStructuresOwnDamping) {
+  const std::vector<PlacedEffect> dashpot = {at_node("dashpot", 28, 6.0)};
+  const PlateExperiment test(dashpot, 1e-3, 5, 0.04);
+  const Fit fit = test.fitter().fit(dashpot, test.fitter().model_for(dashpot));
+  EXPECT_GT(fit.result.state.zeta_other, 0.005);
+  EXPECT_LT(fit.result.state.zeta_other, 0.011);
+  EXPECT_LT(fit.result.error, 0.005);
+  EXPECT_NEAR(fit.effects[0].p[0], 6.0, 0.05 * 6.0);
 }
 
 TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
