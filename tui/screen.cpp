@@ -35,14 +35,14 @@ Cell& Screen::cell(int x, int y) {
 }
 
 // Half of a wide glyph does not stay behind.
-void Screen::set(int x, int y, const Cell& now) {
+void Screen::set(int x, int y, const Cell& cell) {
   if (!area().holds(x, y)) return;
   const auto blank = [&](int column) {
-    cell(column, y) = {U' ', at(column, y).style};
+    this->cell(column, y) = {U' ', at(column, y).style};
   };
-  if (at(x, y).glyph == 0 && x > 0 && now.glyph != 0) blank(x - 1);
+  if (at(x, y).glyph == 0 && x > 0 && cell.glyph != 0) blank(x - 1);
   if (x + 1 < width_ && at(x + 1, y).glyph == 0) blank(x + 1);
-  cell(x, y) = now;
+  this->cell(x, y) = cell;
 }
 
 void Screen::put(int x, int y, char32_t glyph, Style style) {

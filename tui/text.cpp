@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <clocale>
 #include <cstdint>
 #include <cwchar>
-#include <locale.h>
 #include <utility>
 
 namespace tapfit::tui {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -46,11 +46,12 @@ std::vector<EffectChange> changes_through(const Effects& from,
                                           const std::vector<Effects>& states) {
   std::vector<EffectChange> changes;
   Effects before = from;
-  for (const Effects& next : std::views::reverse(states)) {
-    const std::optional<EffectChange> change = change_between(before, next);
+  for (std::size_t k = states.size(); k-- > 0;) {
+    const std::optional<EffectChange> change =
+        change_between(before, states[k]);
     if (!change) break;
     changes.push_back(*change);
-    before = next;
+    before = states[k];
   }
   std::ranges::reverse(changes);
   return changes;
@@ -60,8 +61,8 @@ std::vector<Effects> states_through(const Effects& from,
                                     const std::vector<EffectChange>& changes) {
   std::vector<Effects> states;
   Effects now = from;
-  for (const EffectChange& change : std::views::reverse(changes)) {
-    now = after(std::move(now), change);
+  for (std::size_t k = changes.size(); k-- > 0;) {
+    now = after(std::move(now), changes[k]);
     states.push_back(now);
   }
   std::ranges::reverse(states);
