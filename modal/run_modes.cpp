@@ -156,6 +156,15 @@ void place_modes(const std::vector<SetUpFit>& fits,
   });
 }
 
+void take_out(std::size_t own, std::vector<Group>& groups) {
+  for (Group& group : groups) {
+    std::erase_if(group.members,
+                  [own](const Member& member) { return member.fit == own; });
+  }
+  std::erase_if(groups,
+                [](const Group& group) { return group.members.empty(); });
+}
+
 /// Modes of different set-ups that are one: each set-up is placed among the
 /// others until none changes its place.
 std::vector<Group> group_modes(const std::vector<SetUpFit>& fits) {
@@ -171,12 +180,7 @@ std::vector<Group> group_modes(const std::vector<SetUpFit>& fits) {
   for (int round = 0; round < rounds; ++round) {
     const std::vector<Group> before = groups;
     for (const std::size_t k : order) {
-      for (Group& group : groups) {
-        std::erase_if(group.members,
-                      [k](const Member& member) { return member.fit == k; });
-      }
-      std::erase_if(groups,
-                    [](const Group& group) { return group.members.empty(); });
+      take_out(k, groups);
       place_modes(fits, k, groups);
     }
     if (groups == before) break;
