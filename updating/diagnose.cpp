@@ -327,6 +327,7 @@ Climbed climbed(const Fitter& fitter,
   const Fit& found = climb.current();
   result.error_best = found.result.error;
   const Progress last = part_of(progress, 0.95, 1.0);
+  last("error ladder", 0.0);
   result.ladder = climb.ladder(last);
   result.candidates = climb.candidates();
   result.next = next_measurements(found, result.ladder, fitter, last);
