@@ -226,7 +226,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   Fit fit;
   fit.result.state = start_state(*model, start);
   std::vector<UpdateStep> history;
-  const auto go_on = [&](std::size_t stage) {
+  const auto go_on = [&](std::size_t stage, bool once_more = false) {
     const bool last = stage + 1 == setting_.targets.size();
     UpdateOptions options;
     options.max_iterations = last ? 30 : 10;
@@ -237,9 +237,11 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     const Prior prior = prior_for(*model, state);
     fit.result = update(
         *model, setting_.targets[stage], state, prior, options, progress);
-    for (UpdateStep& step : fit.result.history) {
-      step.stage = static_cast<int>(stage);
-      history.push_back(std::move(step));
+    // It starts where the last step of the stage ended.
+    for (std::size_t k = once_more ? 1 : 0; k < fit.result.history.size();
+         ++k) {
+      history.push_back(std::move(fit.result.history[k]));
+      history.back().stage = static_cast<int>(stage);
     }
   };
   for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
@@ -255,7 +257,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     const UpdateResult found = fit.result;
     state.zeta_other = now;
     if (!last) continue;
-    go_on(k);
+    go_on(k, true);
     if (fit.result.error > found.error) fit.result = found;
   }
   fit.result.history = std::move(history);

@@ -300,7 +300,9 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.9, 1.0);
     climb_stiffness(kinds, current, fitter, options.neighbours, rest);
-    try_forms(kinds, current, fitter, options.neighbours, rest);
+    if (least_error(kinds) > options.explained) {
+      try_forms(kinds, current, fitter, options.neighbours, rest);
+    }
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {

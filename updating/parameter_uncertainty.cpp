@@ -1,6 +1,6 @@
 #include "updating/parameter_uncertainty.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -46,6 +46,18 @@ MatrixXd mesh_covariance(const Target& target,
   return covariance;
 }
 
+// A^-1, wide where A tells next to nothing: two effects that do the same have
+// large variances and a correlation near -1, not whatever rounding makes them.
+MatrixXd wide_inverse(const MatrixXd& A) {
+  constexpr double told = 1e-12;  // of a parameter's own information
+  const VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      MatrixXd(scale.asDiagonal() * A * scale.asDiagonal()));
+  const MatrixXd U = scale.asDiagonal() * solver.eigenvectors();
+  return U * solver.eigenvalues().cwiseMax(told).cwiseInverse().asDiagonal() *
+         U.transpose();
+}
+
 }  // namespace
 
 MatrixXd parameter_covariance(const Target& target,
@@ -63,7 +75,7 @@ MatrixXd parameter_covariance(const Target& target,
     A(k, k) += std::isfinite(prior_sd(k)) ? std::pow(prior_sd(k), -2) : 0.0;
     A(k, k) = std::max(A(k, k), 1e-12);
   }
-  const MatrixXd bread = A.ldlt().solve(MatrixXd::Identity(n, n));
+  const MatrixXd bread = wide_inverse(A);
 
   std::map<std::size_t, VectorXd> score;
   const Index per_frf = 2 * target.s.size();

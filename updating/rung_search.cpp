@@ -136,6 +136,7 @@ Round RungSearch::look(const Fit& current,
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
   options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
   options.promising = thorough ? 1e300 : promising;
+  options.explained = at_floor * options_.floor;
   if (depth == Depth::LastResort) options.joints = many_joints;
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);

@@ -231,6 +231,10 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
   // Seven digits of the springs.
   EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 2e-6);
   EXPECT_GT(difference(frfs(*held, {}), frfs(*sprung, {})), 0.1);
+  // Halved, the edge is held as closely.
+  EXPECT_LT(difference(frfs(*model_of(held->deck, true), {soft}),
+                       frfs(*model_of(sprung->deck, true), {})),
+            1e-5);
 }
 
 // The deck as `tapfit export` writes it: the elements on one side on doubled

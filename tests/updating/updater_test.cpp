@@ -50,6 +50,22 @@ TEST(UpdaterTest, WhatADashpotAddsIsNotTheStructuresOwnDamping) {
   EXPECT_NEAR(fit.effects[0].p[0], 6.0, 0.05 * 6.0);
 }
 
+// Two masses at one grid: only their sum is told, whatever rounding makes of
+// the singular matrix.
+TEST(UpdaterTest, WhatTheDataCannotTellApartIsWideNotExact) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  PlacedEffect post = at_node("added-mass", 30, 0.01);
+  post.where.variant = "rotary";
+  post.p.push_back(1e-6);
+  const std::vector<PlacedEffect> twice = {at_node("added-mass", 30, 0.01),
+                                           post};
+  const Fit fit = test.fitter().fit(twice, test.fitter().model_for(twice));
+  const Eigen::MatrixXd& C = fit.result.covariance;
+  const Index first = C.rows() - 3;
+  for (const Index k : {first, first + 1}) EXPECT_GT(C(k, k), 0.25) << k;
+  EXPECT_LT(C(first, first + 1), 0.0);
+}
+
 TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
   const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};

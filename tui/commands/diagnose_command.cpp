@@ -23,21 +23,16 @@ constexpr std::size_t candidates_shown = 10;
 constexpr std::size_t look_alikes_shown = 2;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
-  // Of forms of one effect at one place (a support's rotation, its translation)
-  // the first stands for all.
-  const auto ref = [](const std::string& effect, const updating::Where& where) {
-    return ordered_json{{"effect", effect},
-                        {"where", where_json(effect, where)}};
-  };
-  const ordered_json own = ref(candidate.effect, candidate.where);
+  const ordered_json own =
+      placed_json("effect", candidate.effect, candidate.where);
   ordered_json others = ordered_json::array();
   for (const auto& other : candidate.indistinguishable_from) {
-    const ordered_json one = ref(other.effect, other.where);
+    ordered_json one = placed_json("effect", other.effect, other.where);
     if (one != own && std::ranges::find(others, one) == others.end()) {
-      others.push_back(one);
+      others.push_back(std::move(one));
     }
   }
-  ordered_json json = placed_json("effect", candidate.effect, candidate.where);
+  ordered_json json = own;
   json["probability"] = candidate.probability;
   json["parameters"] = parameters_json(candidate.parameters);
   json["error"] = candidate.error;
@@ -62,8 +57,7 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
 
 ordered_json next_json(const updating::Diagnosis& diagnosis) {
   const auto effect = [](const updating::EffectRef& ref) {
-    return ordered_json{{"effect", ref.effect},
-                        {"where", where_json(ref.effect, ref.where)}};
+    return placed_json("effect", ref.effect, ref.where);
   };
   ordered_json list = ordered_json::array();
   for (const auto& next : diagnosis.next) {

@@ -170,6 +170,12 @@ signal::LoadedTest masses_to_free(const acquisition::TestBundle& bundle,
       add_word(bundle, *word, named);
       continue;
     }
+    if (word->kg) {
+      throw InputError("all sensors have no mass in common",
+                       fmt::format("--free all={:g}", *word->kg),
+                       "--free all takes each channel's mass_kg of test.json; "
+                       "else name the sensors, --free acc1=0.020");
+    }
     for (FreeWord own : all_declared(bundle)) {
       own.sd_kg = word->sd_kg;
       add_word(bundle, own, named);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <unordered_map>
 
 namespace tapfit::structure {
@@ -87,7 +88,8 @@ class Refiner {
     int leader = 0;
     Components components;
   };
-  // An edge between doubles, its middle and the one that this follows.
+  // An edge between doubles, or of a support; its middle, and the one that this
+  // follows (0: the ground).
   struct Seam {
     std::array<int, 2> ends{};
     int middle = 0;
@@ -181,7 +183,9 @@ class Refiner {
           const auto held = held_.find(end);
           return held == held_.end() ? Components() : held->second;
         });
-    if (!both.empty()) result_.deck.constraints.push_back({id, both});
+    if (both.empty()) return id;
+    result_.deck.constraints.push_back({id, both});
+    support_.push_back({{a, b}, id, 0});
     return id;
   }
 
@@ -226,7 +230,8 @@ class Refiner {
   void tie_seams() {
     const auto edges = middles_;
     for (const auto& [ends, middle] : edges) tie(ends, middle);
-    share_springs();
+    share_springs(seams_);
+    share_springs(support_);
   }
 
   // The middle that the one between two doubles follows; 0 where the doubles
@@ -272,52 +277,73 @@ class Refiner {
     return false;
   }
 
-  // Of a spring between a grid and its double, each edge of the seam has the
-  // share of its length; half of that goes to its middle.
-  void share_springs() {
-    std::map<int, double> length;  // of the edges that end at a double
+  // Of a spring between a grid and its double, or between a held grid and the
+  // ground, each edge at whose other end is one too has the share of its
+  // length; half of that goes to its middle.
+  void share_springs(const std::vector<Seam>& seams) {
     const auto side = [this](const Seam& seam) {
       return (grid_of(seam.ends[1]).position - grid_of(seam.ends[0]).position)
           .norm();
     };
-    for (const Seam& seam : seams_) {
-      for (const int end : seam.ends) length[end] += side(seam);
-    }
     const std::vector<ScalarElement> whole = result_.deck.scalars;
-    for (const Seam& seam : seams_) {
-      for (const int end : seam.ends) {
-        const double share = 0.5 * side(seam) / length[end];
-        for (std::size_t k = 0; k < whole.size(); ++k) {
-          share_spring(whole[k], share, seam, end, result_.deck.scalars[k]);
+    for (std::size_t k = 0; k < whole.size(); ++k) {
+      std::vector<std::pair<double, ScalarElement>> parts;
+      double length = 0.0;
+      for (const Seam& seam : seams) {
+        for (const std::size_t end : {0, 1}) {
+          const auto part = at_middle(whole[k], seam, seam.ends[end]);
+          if (!part || !has_like(whole[k], seam, seam.ends[1 - end], whole)) {
+            continue;
+          }
+          parts.emplace_back(side(seam), *part);
+          length += side(seam);
         }
+      }
+      for (auto& [own, part] : parts) {
+        move_share(0.5 * own / length, part, result_.deck.scalars[k]);
       }
     }
   }
 
-  void share_spring(const ScalarElement& whole,
-                    double share,
-                    const Seam& seam,
-                    int end,
-                    ScalarElement& left) {
-    ScalarElement part = whole;
+  // The spring at an edge's end as it would be at the edge's middle; nothing
+  // where it does not join that end to what the edge follows.
+  [[nodiscard]] std::optional<ScalarElement> at_middle(
+      const ScalarElement& spring, const Seam& seam, int end) const {
+    ScalarElement part = spring;
+    const int other = seam.leading == 0 ? 0 : doubled_.at(end).leader;
     for (int& grid : part.grids) {
       if (grid == end) {
         grid = seam.middle;
-      } else if (grid == doubled_.at(end).leader) {
+      } else if (grid == other) {
         grid = seam.leading;
       } else {
-        return;
+        return std::nullopt;
       }
     }
-    if (part.grids[0] == part.grids[1]) return;
+    return part.grids[0] == part.grids[1] ? std::nullopt : std::optional(part);
+  }
+
+  [[nodiscard]] bool has_like(const ScalarElement& spring,
+                              const Seam& seam,
+                              int end,
+                              const std::vector<ScalarElement>& all) const {
+    return std::ranges::any_of(all, [&](const ScalarElement& other) {
+      return other.components == spring.components &&
+             at_middle(other, seam, end).has_value();
+    });
+  }
+
+  void move_share(double share, ScalarElement& part, ScalarElement& left) {
+    const int parent = part.id;
+    const ScalarElement whole = part;
     part.id = next_element_++;
     for (double ScalarElement::*const value : {&ScalarElement::stiffness,
                                                &ScalarElement::damping,
                                                &ScalarElement::mass}) {
-      part.*value *= share;
+      part.*value = share * whole.*value;
       left.*value -= part.*value;
     }
-    result_.children[whole.id].push_back(part.id);
+    result_.children[parent].push_back(part.id);
     result_.deck.scalars.push_back(part);
   }
 
@@ -359,6 +385,7 @@ class Refiner {
   std::unordered_map<int, std::map<std::size_t, Components>> rigid_;
   std::unordered_map<int, Double> doubled_;
   std::vector<Seam> seams_;
+  std::vector<Seam> support_;
 };
 
 }  // namespace

@@ -57,7 +57,7 @@ updating::Diagnosis sample_diagnosis() {
   return diagnosis;
 }
 
-// A support's rotation and its translation are one effect at one place.
+// A support's rotation and its translation are two forms of one effect.
 TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
   updating::Diagnosis diagnosis = sample_diagnosis();
   updating::Where rotation;
@@ -68,11 +68,15 @@ TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
   diagnosis.candidates[0].indistinguishable_from = {
       {"added-mass", at_node(201)},
       {"soft-support", rotation},
+      {"soft-support", rotation},
       {"soft-support", translation}};
   diagnosis.ladder[0].where = rotation;
   const auto json = diagnosis_json("some/bundle", diagnosis);
   EXPECT_EQ(json.at("candidates").at(0).at("indistinguishable_from").dump(),
-            R"([{"effect":"soft-support","where":{"nodes":[1,2]}}])");
+            R"([{"effect":"soft-support","where":{"nodes":[1,2]},)"
+            R"("variant":"rotation"},)"
+            R"({"effect":"soft-support","where":{"nodes":[1,2]},)"
+            R"("variant":"translation"}])");
   EXPECT_FALSE(json.at("candidates").at(0).contains("variant"));
   EXPECT_EQ(json.at("ladder").at(0).at("variant"), "rotation");
 }
