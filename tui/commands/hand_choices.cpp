@@ -98,6 +98,10 @@ void add_mode_choices(CLI::App& command, HandChoices& by_hand) {
       .add_option_function<std::vector<double>>(
           "--band",
           [&choices](const std::vector<double>& band) {
+            if (!(band[0] < band[1])) {
+              throw CLI::ValidationError(
+                  "--band", "give the lower end first, as in --band 5 60");
+            }
             choices.band_hz = {band[0], band[1]};
           },
           "LOW HIGH: modes are sought in the lines between only [Hz]")

@@ -34,7 +34,10 @@ ordered_json by_point(const modal::ModeSet& modes,
   return json;
 }
 
+// Null where the diagram has no poles of the mode: it was put in by hand, or
+// comes from too low an order.
 ordered_json cluster_json(const modal::PoleCluster& cluster) {
+  if (cluster.poles == 0) return nullptr;
   return {{"poles", cluster.poles},
           {"frequency_hz",
            {{"mean", cluster.frequency_hz},
@@ -164,7 +167,9 @@ std::string modes_text(const modal::ModeSet& modes,
                fmt::format("{:.3f}", mode.mpc),
                fmt::format("{:.1f}", mode.mpd_deg),
                fmt::format("{}", mode.cluster.poles),
-               fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
+               mode.cluster.poles == 0
+                   ? "-"
+                   : fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
   }
   if (!modes.modes.empty()) text += table.text();
   if (modal::is_telling(modes.shifts)) {

@@ -1,7 +1,19 @@
 #include "tui/commands/modes_options.hpp"
 
+#include <cmath>
+#include <cstdlib>
+
 namespace tapfit::tui {
 namespace {
+
+CLI::Validator finite() {
+  return {[](const std::string& text) {
+            return std::isfinite(std::strtod(text.c_str(), nullptr))
+                       ? std::string()
+                       : text + " is no number to hold a mode to";
+          },
+          ""};
+}
 
 /// An option of some percentages that set as many ratios.
 void add_percents(CLI::App& command,
@@ -11,14 +23,18 @@ void add_percents(CLI::App& command,
   command
       .add_option_function<std::vector<double>>(
           name,
-          [ratios](const std::vector<double>& percents) {
+          [ratios, name](const std::vector<double>& percents) {
+            if (percents.size() == 2 && !(percents[0] < percents[1])) {
+              throw CLI::ValidationError(name, "give the least first");
+            }
             for (std::size_t k = 0; k < ratios.size(); ++k) {
               *ratios[k] = 0.01 * percents[k];
             }
           },
           does)
       ->expected(static_cast<int>(ratios.size()))
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(CLI::Range(0.0, 100.0))
+      ->check(finite());
 }
 
 }  // namespace
@@ -41,12 +57,14 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
                {&identify.least_damping_ratio, &identify.max_damping_ratio},
                "Least and largest damping of a mode in % (0.0001 20)");
   command.add_option("--mpc", identify.least_mpc, "Least MPC of a mode (0.2)")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(CLI::Range(0.0, 1.0))
+      ->check(finite());
   command
       .add_option("--mpd",
                   identify.largest_mpd_deg,
                   "Largest mean phase deviation of a mode in degrees (60)")
-      ->check(CLI::Range(0.0, 90.0));
+      ->check(CLI::Range(0.0, 90.0))
+      ->check(finite());
   command.add_flag(
       "--diagram", arguments.diagram, "Print the stabilisation diagram too");
   command

@@ -149,6 +149,10 @@ TEST(CommandLine, FaultsAreStatusTwo) {
   EXPECT_EQ(answered({"run", "b", "c"}).exit_status, 2);
   EXPECT_EQ(answered({"model", "deck", "--modes", "0"}).exit_status, 2);
   EXPECT_EQ(answered({"signature", "b", "twelve"}).exit_status, 2);
+  EXPECT_EQ(answered({"modes", "b", "--mpc", "nan"}).exit_status, 2);
+  EXPECT_EQ(answered({"modes", "b", "--damping", "5", "1"}).exit_status, 2);
+  EXPECT_EQ(answered({"modes", "b", "--band", "60", "50"}).exit_status, 2);
+  EXPECT_EQ(answered({"modes", "b", "--band", "nan", "50"}).exit_status, 2);
 }
 
 TEST(CommandLine, EveryCommandIsDescribed) {

@@ -47,7 +47,8 @@ TEST_F(HeldBack, ByAPriorThatIsNarrow) {
 
 TEST_F(HeldBack, ByABound) {
   EXPECT_TRUE(held({{"added-mass mass_kg", 0.1, 0.01, 0.08, 0.12}}).empty());
-  const auto texts = held({{"added-mass mass_kg", 0.3, 0.01, 0.28, 0.3, "", true}});
+  const auto texts =
+      held({{"added-mass mass_kg", 0.3, 0.01, 0.28, 0.3, "", true}});
   ASSERT_EQ(texts.size(), 1U);
   EXPECT_NE(texts[0].find("mass_kg ended at its upper bound, 0.3"),
             std::string::npos)

@@ -38,6 +38,9 @@ TEST(ModesCommand, JsonIsThatOfTheFormat) {
             R"("damping_ratio":{"mean":0.0045,"scatter":0.0002}},)"
             R"("shape":{"12Z+":[0.5,-0.25]},"real_shape":{"12Z+":0.0}}])");
   EXPECT_EQ(json.at("warnings").dump(), R"(["one is weak"])");
+  modal::ModeSet by_hand = sample_modes();
+  by_hand.modes[0].cluster = {};
+  EXPECT_TRUE(modes_json(by_hand).at("modes").at(0).at("cluster").is_null());
 }
 
 TEST(ModesCommand, GivesTheMassThatMovesThePoles) {
