@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <vector>
 
 namespace tapfit::modal {
 namespace {
@@ -70,12 +72,14 @@ MatrixXcd model_at(const ModalFit& fit,
   return H;
 }
 
+// Each pole once, however many modes share it.
 VectorXcd poles_of(const ModeSet& modes) {
-  VectorXcd poles(static_cast<Index>(modes.modes.size()));
-  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
-    poles(static_cast<Index>(k)) = modes.modes[k].pole;
+  std::vector<std::complex<double>> poles;
+  for (const Mode& mode : modes.modes) {
+    const bool repeated = std::ranges::find(poles, mode.pole) != poles.end();
+    if (!repeated) poles.push_back(mode.pole);
   }
-  return poles;
+  return Eigen::Map<VectorXcd>(poles.data(), static_cast<Index>(poles.size()));
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <Eigen/Dense>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -14,67 +13,56 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kSecondShape = 0.15;  // as in split_poles
-constexpr double kOverNoise = 3.0;     // over the largest of noise alone
-constexpr double kStep = 1e-2;         // half bandwidths, for the derivative
+constexpr double kStep = 1e-2;  // half bandwidths, for the derivative
 
-/// Outputs x references.
-template <typename Vector>
-auto arranged(const FrfMatrix& matrix, const Vector& per_frf) {
-  using Scalar = typename Vector::Scalar;
-  const auto outputs = static_cast<Index>(matrix.rows.size());
-  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> result(
-      outputs, matrix.references);
-  for (Index o = 0; o < outputs; ++o) {
-    const auto& row = matrix.rows[static_cast<std::size_t>(o)];
-    for (Index i = 0; i < matrix.references; ++i) {
-      result(o, i) = per_frf(row[static_cast<std::size_t>(i)]);
-    }
-  }
-  return result;
-}
+double step_at(const Complex& pole) { return -kStep * pole.real(); }
 
 }  // namespace
 
-Eigen::VectorXcd poles_in_place_of(const Curves& curves,
-                                   const FrfMatrix& matrix,
-                                   const ModalFit& fit,
-                                   Index r) {
-  const Complex pole = fit.poles(r);
-  const auto outputs = static_cast<Index>(matrix.rows.size());
-  Eigen::VectorXcd alone(1);
-  alone << pole;
-  if (matrix.references < 2 || outputs < 2) return alone;
-  // M and D from two poles at a small distance.
-  const double step = -kStep * pole.real();
+ModalFit expanded_fit(const Curves& curves, const ModalFit& fit, Index r) {
+  const double step = step_at(fit.poles(r));
   Eigen::VectorXcd poles(fit.poles.size() + 1);
-  poles << fit.poles, pole + step;
-  poles(r) = pole - step;
-  const ModalFit both = fit_residues(curves, poles);
+  poles << fit.poles, fit.poles(r) + step;
+  poles(r) -= step;
+  return fit_residues(curves, poles);
+}
+
+PoleExpansion expand_pole(const Curves& curves,
+                          const FrfMatrix& matrix,
+                          const ModalFit& fit,
+                          Index r) {
+  PoleExpansion result;
+  result.residues.rank = 1;
+  if (matrix.references < 2 || matrix.rows.size() < 2) return result;
+  const double step = step_at(fit.poles(r));
+  const ModalFit both = expanded_fit(curves, fit, r);
   const Eigen::VectorXcd first = both.residues.col(r);
-  const Eigen::VectorXcd second = both.residues.col(poles.size() - 1);
-  const Eigen::MatrixXcd M = arranged(matrix, (first + second).eval());
-  const Eigen::MatrixXcd D = arranged(matrix, (step * (second - first)).eval());
-  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(
-      M, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const Eigen::VectorXd values = svd.singularValues();
-  // About the largest singular value of noise alone; what the second term can
-  // explain is none.
+  const Eigen::VectorXcd second = both.residues.col(fit.poles.size());
+  const Eigen::MatrixXcd D = arranged(matrix, step * (second - first));
+  // What the second term can explain is no noise.
   ModalFit explained = fit;
   explained.H = both.H;
-  const Eigen::VectorXd variance = residue_variance(curves, explained).col(r);
-  const double noise = std::sqrt(arranged(matrix, variance).mean()) *
-                       (std::sqrt(static_cast<double>(outputs)) +
-                        std::sqrt(static_cast<double>(matrix.references)));
-  const double least = std::max(kSecondShape * values(0), kOverNoise * noise);
-  const Index n = (values.array() > least).count();
-  if (n < 2) return alone;
-  const Eigen::MatrixXcd inner = svd.matrixU().leftCols(n).adjoint() * D *
-                                 svd.matrixV().leftCols(n) *
-                                 values.head(n).cwiseInverse().asDiagonal();
-  const Eigen::VectorXcd apart =
-      Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(inner, false).eigenvalues();
-  return (apart.array() + pole).matrix();
+  result.residues = residue_rank(
+      matrix, first + second, residue_variance(curves, explained).col(r));
+  const Index n = result.residues.rank;
+  if (n < 2) return result;
+  const auto& svd = result.residues.svd;
+  const Eigen::VectorXd inverse = svd.singularValues().head(n).cwiseInverse();
+  const Eigen::MatrixXcd K = svd.matrixU().leftCols(n).adjoint() * D *
+                             svd.matrixV().leftCols(n) * inverse.asDiagonal();
+  const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> eigen(K);
+  result.apart = eigen.eigenvalues();
+  result.vectors = eigen.eigenvectors();
+  // D is half the step times a difference of residues that are opposite in all
+  // but a little.
+  const double variance_of_D =
+      4.0 * step * step *
+      arranged(matrix, residue_variance(curves, both).col(r).cast<Complex>())
+          .real()
+          .mean();
+  result.deviation =
+      std::sqrt(variance_of_D * static_cast<double>(n)) * inverse.norm();
+  return result;
 }
 
 }  // namespace tapfit::modal

@@ -1,13 +1,16 @@
 #include "modal/edit_poles.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "modal/close_modes.hpp"
 #include "modal/neighbour_modes.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <optional>
 
 namespace tapfit::modal {
 namespace {
@@ -18,7 +21,6 @@ using Eigen::Index;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
 constexpr double kNear = 0.02;          // relative
-constexpr double kSamePole = 0.05;      // half bandwidths
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
 
 void drop(const Curves& curves, double hz, ModalFit& fit) {
@@ -61,6 +63,20 @@ Complex start_near(const std::vector<Track>& tracks,
   return start;
 }
 
+/// Frequency [Hz] of the pole within a bandwidth that the last one of a fit is
+/// not told apart from.
+std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  const Index last = fit.poles.size() - 1;
+  for (Index r = 0; r < last; ++r) {
+    const double width = -std::min(fit.poles(r).real(), fit.poles(last).real());
+    if (std::abs(fit.poles(r) - fit.poles(last)) > width) continue;
+    if (are_told_apart(covariance, fit, r, last)) continue;
+    return std::abs(fit.poles(r)) / kTwoPi;
+  }
+  return {};
+}
+
 void add(const Curves& curves,
          const std::vector<Track>& tracks,
          double hz,
@@ -97,14 +113,12 @@ void add(const Curves& curves,
         "modes",
         "choose a frequency at which the fit leaves something");
   }
-  const Eigen::VectorXcd others = trial.poles.head(trial.poles.size() - 1);
-  const double near = -kSamePole * last.real();
-  if (others.size() > 0 && (others.array() - last).abs().minCoeff() < near) {
+  if (const std::optional<double> beside = untold_from(curves, trial)) {
     throw InputError(
-        fmt::format("the pole put in at {:.6g} Hz falls on the mode that is at "
-                    "{:.6g} Hz already",
+        fmt::format("the pole put in at {:.6g} Hz cannot be told from the mode "
+                    "that is at {:.6g} Hz already",
                     hz,
-                    std::abs(last) / kTwoPi),
+                    *beside),
         "modes",
         "drop that one first, or choose another frequency");
   }

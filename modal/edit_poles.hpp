@@ -15,8 +15,8 @@ namespace tapfit::modal {
 ///
 /// @param fit changed in place
 /// @throws InputError when no mode lies within 2 % of a frequency to drop, or
-///   the pole put in runs away by more than 2 %, loses its damping or falls on
-///   one that is there
+///   the pole put in runs away by more than 2 %, loses its damping or cannot be
+///   told from one that is there
 void edit_poles(const Curves& curves,
                 const std::vector<Track>& tracks,
                 const IdentifyOptions& options,

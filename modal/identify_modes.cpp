@@ -5,8 +5,10 @@
 #include "modal/frf_matrix.hpp"
 #include "modal/lines_in_band.hpp"
 #include "modal/modal_fit.hpp"
+#include "modal/neighbour_modes.hpp"
 #include "modal/plscf.hpp"
 #include "modal/pole_clusters.hpp"
+#include "modal/repeated_poles.hpp"
 #include "modal/run_modes.hpp"
 #include "modal/select_modes.hpp"
 #include "modal/sensor_shifts.hpp"
@@ -127,6 +129,16 @@ void warn_about_unresolved(const std::vector<Complex>& poles,
   }
 }
 
+void warn_about_repeated(const Complex& pole,
+                         Index count,
+                         std::vector<std::string>& warnings) {
+  warnings.push_back(fmt::format(
+      "{} modes share the pole at {:.5g} Hz as far as the FRFs can tell: their "
+      "shapes are one basis of many",
+      count,
+      std::abs(pole) / kTwoPi));
+}
+
 /// The fit on the lines and with the sign of each FRF given.
 std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
                                           const Curves& curves,
@@ -220,6 +232,43 @@ Identified of_set_ups(const RunModes& runs) {
   return found;
 }
 
+/// Puts in place of each pole the modes that its residues hold.
+void take_apart(const Curves& curves,
+                bool scaled,
+                Identified& found,
+                std::vector<std::string>& warnings) {
+  const ModalFit fit = found.fit;
+  std::vector<Index> source;
+  std::vector<Complex> poles;
+  std::vector<double> extra;  // variance
+  Eigen::MatrixXcd residues(curves.count(), 0);
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    const ModesOfPole own = modes_of_pole(curves, fit, r, scaled);
+    const Index count = own.poles.size();
+    residues.conservativeResize(Eigen::NoChange, residues.cols() + count);
+    residues.rightCols(count) = own.residues;
+    poles.insert(poles.end(), own.poles.begin(), own.poles.end());
+    source.insert(source.end(), static_cast<std::size_t>(count), r);
+    extra.insert(extra.end(),
+                 static_cast<std::size_t>(count),
+                 own.deviation * own.deviation);
+    if (count > 1 && own.are_equal() && in_band(curves, fit.poles(r))) {
+      warn_about_repeated(fit.poles(r), count, warnings);
+    }
+  }
+  std::vector<Index> rows;  // of the covariance
+  for (const Index r : source) rows.insert(rows.end(), {2 * r, 2 * r + 1});
+  found.fit.residues = residues;
+  found.fit.poles = Eigen::Map<Eigen::VectorXcd>(
+      poles.data(), static_cast<Index>(poles.size()));
+  found.covariance = found.covariance(rows, rows).eval();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    found.covariance(i, i) += 0.5 * extra[k / 2];
+  }
+  found.residue_variance = found.residue_variance(Eigen::all, source).eval();
+}
+
 void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
   for (Mode& mode : set.modes) {
     const std::optional<std::size_t> track = nearest_track(tracks, mode.pole);
@@ -245,6 +294,7 @@ Identified identify(const Curves& curves,
   found.fit = std::move(selection.fit);
   found.covariance = pole_covariance(curves, found.fit);
   found.residue_variance = residue_variance(curves, found.fit);
+  take_apart(curves, set.scaled, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
   warn_about_complex(selection.out_of_phase, options, set.warnings);
   return found;

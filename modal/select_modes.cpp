@@ -1,17 +1,20 @@
 #include "modal/select_modes.hpp"
 
+#include "modal/close_modes.hpp"
 #include "modal/complexity.hpp"
-#include "modal/double_poles.hpp"
 #include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
+#include "modal/hard_checks.hpp"
 #include "modal/mac.hpp"
 #include "modal/neighbour_modes.hpp"
+#include "modal/shapes.hpp"
 #include "modal/split_poles.hpp"
 #include "modal/strayed_poles.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 namespace tapfit::modal {
 namespace {
@@ -20,8 +23,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kLeastSignificance =
-    4.0;                        // F that a mode's residues must earn
-constexpr double kApart = 3.0;  // standard deviations
+    4.0;  // F that a mode's residues must earn
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
 
 bool lasts(const Track& track, std::size_t orders) {
@@ -73,12 +75,6 @@ Eigen::VectorXcd candidates(const Curves& curves,
                                       static_cast<Index>(poles.size()));
 }
 
-bool impossible(const Complex& pole, const IdentifyOptions& options) {
-  const double zeta = -pole.real() / std::abs(pole);
-  return zeta <= options.least_damping_ratio ||
-         zeta > options.max_damping_ratio;
-}
-
 /// The mode to take out next, or -1.
 Index weakest(const Curves& curves,
               const ModalFit& fit,
@@ -90,7 +86,7 @@ Index weakest(const Curves& curves,
     if (far_outside(curves, fit.poles(r))) continue;
     double worth = std::min(fit.significance(r) / kLeastSignificance,
                             fit.contribution(r) / kLeastContribution);
-    if (impossible(fit.poles(r), options)) worth = 0.0;
+    if (is_impossible(fit.poles(r), options)) worth = 0.0;
     if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
     if (worth >= least) continue;
     least = worth;
@@ -237,27 +233,22 @@ void drop_unresolved(const Curves& curves, Selection& selection) {
   }
 }
 
-/// Whether another pole is so close that the residues of both are badly known.
-bool is_crowded(const ModalFit& fit, Index r) {
-  for (Index q = 0; q < fit.poles.size(); ++q) {
-    const double width = std::max(-fit.poles(r).real(), -fit.poles(q).real());
-    if (q != r && std::abs(fit.poles(q) - fit.poles(r)) < width) return true;
-  }
-  return false;
-}
-
 /// Takes out, most complex first, what does not move in phase.
 void drop_complex(const Curves& curves,
                   const IdentifyOptions& options,
                   Selection& selection) {
   ModalFit& fit = selection.fit;
+  std::vector<std::string> said;  // by whoever asked for the shapes
+  const ShapeGraph graph = shape_graph(curves, said);
   while (curves.count() > 2 && fit.poles.size() > 0) {
+    const Eigen::MatrixXcd shapes =
+        mode_shapes(graph, fit.residues, fit.poles, fit.frf_weight);
     Index worst = -1;
     double least = 1.0;
     for (Index r = 0; r < fit.poles.size(); ++r) {
       if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
-      const double mpc = phase_collinearity(fit.residues.col(r));
-      const double mpd = mean_phase_deviation(fit.residues.col(r));
+      const double mpc = phase_collinearity(shapes.col(r));
+      const double mpd = mean_phase_deviation(shapes.col(r));
       const double worth = std::min(
           options.least_mpc > 0.0 ? mpc / options.least_mpc : 1.0,
           mpd > options.largest_mpd_deg ? options.largest_mpd_deg / mpd : 1.0);
@@ -269,54 +260,6 @@ void drop_complex(const Curves& curves,
     selection.out_of_phase.push_back(fit.poles(worst));
     fit = refine_in_reach(curves, without(fit.poles, worst), 6);
   }
-}
-
-/// Whether the last poles of a fit lie further apart than noise puts them.
-bool are_told_apart(const Curves& curves, const ModalFit& fit, Index count) {
-  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
-  const Index all = fit.poles.size();
-  for (Index r = all - count; r < all; ++r) {
-    for (Index q = all - count; q < r; ++q) {
-      const Complex apart = fit.poles(r) - fit.poles(q);
-      const Eigen::Vector2d d(apart.real(), apart.imag());
-      const auto block = [&](Index a, Index b) {
-        return covariance.block<2, 2>(2 * a, 2 * b);
-      };
-      const Eigen::Matrix2d spread =
-          block(r, r) + block(q, q) - block(r, q) - block(q, r);
-      // Along the line between them.
-      if (kApart * std::sqrt(d.dot(spread * d)) > d.squaredNorm()) return false;
-    }
-  }
-  return true;
-}
-
-/// Puts several poles in place of one whose residues hold several shapes.
-ModalFit separate_close(const Curves& curves,
-                        ModalFit fit,
-                        const IdentifyOptions& options) {
-  const FrfMatrix matrix = arrange_frfs(curves);
-  for (Index r = fit.poles.size() - 1; r >= 0; --r) {
-    if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
-    const Eigen::VectorXcd found = poles_in_place_of(curves, matrix, fit, r);
-    if (found.size() < 2) continue;
-    const double half = -fit.poles(r).real();
-    const bool near =
-        (found.array() - fit.poles(r)).abs().maxCoeff() < 2.0 * half;
-    if (!near || found.real().maxCoeff() >= 0.0) continue;
-    Eigen::VectorXcd poles(fit.poles.size() - 1 + found.size());
-    poles << without(fit.poles, r), found;
-    ModalFit trial = refine_poles(curves, poles, 20);
-    const Eigen::VectorXcd refined = trial.poles.tail(found.size());
-    const bool stayed =
-        (refined.array() - fit.poles(r)).abs().maxCoeff() < 2.0 * half &&
-        std::ranges::none_of(refined, [&](const Complex& pole) {
-          return impossible(pole, options) || !in_band(curves, pole);
-        });
-    if (!stayed || !are_told_apart(curves, trial, found.size())) continue;
-    fit = std::move(trial);
-  }
-  return fit;
 }
 
 }  // namespace
@@ -350,7 +293,14 @@ Selection select_modes(const Curves& curves,
   // What was only tried is not worth telling.
   selection.unresolved = told;
   drop_complex(curves, options, selection);
+  fit = unite_untold(curves, std::move(fit));
+  const Index before = fit.poles.size();
   fit = separate_close(curves, std::move(fit), options);
+  // What stood for the modes that were hidden is needed no more.
+  if (fit.poles.size() > before) {
+    fit = drop_weak(curves, std::move(fit), options, progress);
+  }
+  fit = unite_untold(curves, std::move(fit));
   edit_poles(curves, tracks, options, fit);
   if (fit.poles.size() > 0) fit = sorted(curves, fit);
   return selection;

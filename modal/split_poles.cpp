@@ -2,6 +2,7 @@
 
 #include "modal/complexity.hpp"
 #include "modal/mac.hpp"
+#include "modal/residue_rank.hpp"
 
 #include <Eigen/Dense>
 
@@ -13,27 +14,18 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSameShape = 0.9;     // MAC of residues of split poles
-constexpr double kInPhase = 0.7;       // MPC of a mode that is not split
-constexpr double kSecondShape = 0.15;  // singular value over the largest
+constexpr double kSameShape = 0.9;  // MAC of residues of split poles
+constexpr double kInPhase = 0.7;    // MPC of a mode that is not split
 
 bool are_two_shapes(const FrfMatrix& matrix,
                     const ModalFit& fit,
                     Index q,
                     Index r) {
   if (matrix.references < 2) return false;
-  const auto outputs = static_cast<Index>(matrix.rows.size());
-  Eigen::MatrixXcd sum(outputs, matrix.references);
-  for (Index o = 0; o < outputs; ++o) {
-    const std::vector<Index>& row = matrix.rows[static_cast<std::size_t>(o)];
-    for (Index i = 0; i < matrix.references; ++i) {
-      const Index f = row[static_cast<std::size_t>(i)];
-      sum(o, i) = fit.residues(f, q) + fit.residues(f, r);
-    }
-  }
-  const Eigen::VectorXd values =
-      Eigen::JacobiSVD<Eigen::MatrixXcd>(sum).singularValues();
-  return values.size() > 1 && values(1) > kSecondShape * values(0);
+  const Eigen::VectorXcd sum = fit.residues.col(q) + fit.residues.col(r);
+  return holds_second_shape(
+      Eigen::JacobiSVD<Eigen::MatrixXcd>(arranged(matrix, sum))
+          .singularValues());
 }
 
 }  // namespace

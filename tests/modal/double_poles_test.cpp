@@ -48,12 +48,16 @@ modal::Curves curves_of(const test::SyntheticSystem& system,
       warnings);
 }
 
-/// What poles_in_place_of() finds under one pole fitted to all.
+/// What expand_pole() finds under one pole fitted to all.
 Eigen::VectorXcd found_under_one(const modal::Curves& curves) {
   Eigen::VectorXcd one(1);
   one << std::complex<double>(-0.01, 1.0) * 50.0 * kTwoPi;
   const modal::ModalFit fit = modal::refine_poles(curves, one, 20);
-  return modal::poles_in_place_of(curves, modal::arrange_frfs(curves), fit, 0);
+  const modal::PoleExpansion expansion =
+      modal::expand_pole(curves, modal::arrange_frfs(curves), fit, 0);
+  return expansion.residues.rank < 2
+             ? fit.poles
+             : (expansion.apart.array() + fit.poles(0)).matrix().eval();
 }
 
 // 0.01 % apart, 1 % of the half bandwidth: the

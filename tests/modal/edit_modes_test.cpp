@@ -5,16 +5,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace tapfit {
 namespace {
 
 using What = modal::PoleEdit::What;
 
-signal::FrfSet four_modes(double noise = 0.02) {
-  std::mt19937_64 random(12);
+signal::FrfSet four_modes(double noise = 0.02, unsigned seed = 12) {
+  std::mt19937_64 random(seed);
   test::SyntheticSystem system;
   system.frequency_hz.resize(4);
   system.frequency_hz << 20.0, 41.0, 63.0, 82.0;
@@ -127,6 +129,41 @@ TEST(EditModes, HardChecksAreThoseOfTheOptions) {
   EXPECT_TRUE(none.modes.empty());
   EXPECT_NE(none.warnings.front().find("do not move in phase"),
             std::string::npos);
+}
+
+TEST(EditModes, LeastMpcIsThatOfTheShapesGiven) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const signal::FrfSet frfs = four_modes(0.2, seed);
+    modal::IdentifyOptions options;
+    const modal::ModeSet all = modal::identify_modes(frfs, options);
+    std::vector<double> mpc;
+    for (const modal::Mode& mode : all.modes) mpc.push_back(mode.mpc);
+    ASSERT_GT(mpc.size(), 2U);
+    std::ranges::sort(mpc);
+    options.least_mpc = 0.5 * (mpc[0] + mpc[1]);
+    const modal::ModeSet fewer = modal::identify_modes(frfs, options);
+    EXPECT_EQ(fewer.modes.size() + 1, all.modes.size()) << seed;
+    for (const modal::Mode& mode : fewer.modes) {
+      EXPECT_GE(mode.mpc, options.least_mpc) << seed;
+    }
+  }
+}
+
+TEST(EditModes, APoleBesideAModeIsRefusedOrSaidToBeUnresolved) {
+  const signal::FrfSet frfs = four_modes();
+  for (const double hz : {40.9, 41.0, 41.2}) {
+    modal::IdentifyOptions options;
+    options.edits = {{What::Add, hz}};
+    try {
+      const modal::ModeSet set = modal::identify_modes(frfs, options);
+      EXPECT_TRUE(std::ranges::any_of(set.warnings, [](const auto& warning) {
+        return warning.find("is not resolved") != std::string::npos;
+      })) << hz;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("cannot be told"),
+                std::string::npos);
+    }
+  }
 }
 
 TEST(EditModes, RefinementLowersTheErrorAndClustersHaveTheirScatter) {

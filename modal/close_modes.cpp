@@ -1,0 +1,287 @@
+#include "modal/close_modes.hpp"
+
+#include "modal/double_poles.hpp"
+#include "modal/frf_matrix.hpp"
+#include "modal/hard_checks.hpp"
+#include "modal/neighbour_modes.hpp"
+#include "modal/shape_uncertainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double kApart = 3.0;     // standard deviations
+constexpr double kReadable = 0.2;  // error of a shape: MAC 0.96
+constexpr double kNeeded = 4.0;    // F of a pole's residues, as in select_modes
+// Half bandwidths: the expansion of nearer poles around one is off by the
+// square of it, their residues by the noise over it.
+constexpr double kOnePole = 0.1;
+constexpr double kTrusted = 0.3;  // half bandwidths, for the covariance
+
+/// Error of each pole's residues as a share of them, weighted.
+Eigen::VectorXd residue_error(const Curves& curves, const ModalFit& fit) {
+  const auto u = fit.frf_weight.asDiagonal();
+  const Eigen::MatrixXd deviation =
+      residue_variance(curves, fit).cwiseMax(0.0).cwiseSqrt();
+  const Eigen::VectorXd size =
+      (u * fit.residues).colwise().norm().transpose().cwiseMax(1e-300);
+  return (u * deviation).colwise().norm().transpose().cwiseQuotient(size);
+}
+
+/// Whether the last poles are apart and each with a shape that can be read.
+bool are_known(const Curves& curves, const ModalFit& fit, Index count) {
+  if (residue_error(curves, fit).tail(count).maxCoeff() > kReadable) {
+    return false;
+  }
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  const Index all = fit.poles.size();
+  for (Index r = all - count; r < all; ++r) {
+    for (Index q = all - count; q < r; ++q) {
+      if (!are_told_apart(covariance, fit, q, r)) return false;
+    }
+  }
+  return true;
+}
+
+/// The largest distance between two poles.
+double extent(const Eigen::VectorXcd& poles) {
+  double most = 0.0;
+  for (const Complex& pole : poles) {
+    most = std::max(most, (poles.array() - pole).abs().maxCoeff());
+  }
+  return most;
+}
+
+using Pair = std::pair<Index, Index>;
+
+/// Pairs of poles in the band that may be one, nearest first: not told apart,
+/// or too near for the covariance to be trusted.
+std::vector<Pair> doubtful_pairs(const Curves& curves, const ModalFit& fit) {
+  std::vector<std::pair<double, Pair>> pairs;
+  if (fit.poles.size() < 2) return {};
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  const Eigen::VectorXd error = residue_error(curves, fit);
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    for (Index q = 0; q < r; ++q) {
+      if (!in_band(curves, fit.poles(q)) || !in_band(curves, fit.poles(r))) {
+        continue;
+      }
+      const double width = -std::min(fit.poles(r).real(), fit.poles(q).real());
+      const double apart = std::abs(fit.poles(r) - fit.poles(q)) / width;
+      const bool known = apart > kTrusted &&
+                         std::max(error(q), error(r)) < kReadable &&
+                         are_told_apart(covariance, fit, q, r);
+      if (apart < 1.0 && !known) pairs.push_back({apart, {q, r}});
+    }
+  }
+  std::ranges::sort(pairs);
+  std::vector<Pair> result;
+  for (const auto& [apart, pair] : pairs) result.push_back(pair);
+  return result;
+}
+
+/// What a fit leaves within a bandwidth and a half of a pole, weighted.
+struct LeftOver {
+  double sum = 0.0;
+  double values = 0.0;  ///< real ones
+};
+
+LeftOver left_over_near(const Curves& curves,
+                        const ModalFit& fit,
+                        const Complex& pole) {
+  const double reach =
+      std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
+  LeftOver left;
+  for (Index k = 0; k < curves.lines(); ++k) {
+    if (std::abs(curves.s(k).imag() - pole.imag()) > reach) continue;
+    const Eigen::VectorXcd miss = (curves.H.row(k) - fit.H.row(k)).transpose();
+    left.sum += fit.line_weight(k) * fit.line_weight(k) *
+                fit.frf_weight.cwiseProduct(miss.cwiseAbs()).squaredNorm();
+    left.values += 2.0 * static_cast<double>(curves.count());
+  }
+  return left;
+}
+
+/// Whether other poles have moved to do what one of two did.
+bool take_over(const Curves& curves,
+               const Eigen::VectorXcd& before,
+               const Eigen::VectorXcd& after) {
+  for (Index r = 0; r < before.size(); ++r) {
+    const bool inside = in_band(curves, before(r));
+    if (inside != in_band(curves, after(r))) return true;
+    if (inside && std::abs(after(r) - before(r)) > -before(r).real()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether two poles explain the FRFs around them clearly better than one, with
+/// several references clearly better than its expansion.
+bool two_are_needed(const Curves& curves,
+                    const FrfMatrix& matrix,
+                    const ModalFit& two,
+                    const ModalFit& one) {
+  const Index last = one.poles.size() - 1;
+  const Complex pole = one.poles(last);
+  const LeftOver of_two = left_over_near(curves, two, pole);
+  const LeftOver of_one = left_over_near(
+      curves,
+      matrix.references < 2 ? one : expanded_fit(curves, one, last),
+      pole);
+  const double parameters = 2.0 * static_cast<double>(curves.count()) + 2.0;
+  // An exponential window makes neighbouring lines share their noise.
+  const double shared =
+      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
+  const double noise = shared * of_two.sum / std::max(of_two.values, 1.0);
+  return of_one.sum - of_two.sum > kNeeded * parameters * noise;
+}
+
+/// Whether the expansion of one pole puts its modes where they are told apart.
+bool are_apart_in(const PoleExpansion& expansion, double half) {
+  if (expansion.residues.rank < 2) return false;
+  return extent(expansion.apart) >
+         std::max(kOnePole * half, kApart * expansion.deviation);
+}
+
+/// A fit with one pole, the last, in place of two; none where two are needed.
+std::optional<ModalFit> as_one_pole(const Curves& curves,
+                                    const FrfMatrix& matrix,
+                                    const ModalFit& fit,
+                                    const Pair& pair) {
+  const auto [q, r] = pair;
+  const Eigen::VectorXcd rest = without(without(fit.poles, r), q);
+  Eigen::VectorXcd poles(rest.size() + 1);
+  poles << rest, 0.5 * (fit.poles(q) + fit.poles(r));
+  ModalFit one = refine_poles(curves, poles, 20);
+  const Index last = rest.size();
+  if (take_over(curves, rest, one.poles)) return {};
+  if (two_are_needed(curves, matrix, fit, one)) return {};
+  // Beside a third there is no expansion that could take the two apart again.
+  if (matrix.references > 1 && is_crowded(one, last)) return {};
+  const PoleExpansion expansion = expand_pole(curves, matrix, one, last);
+  if (are_apart_in(expansion, -one.poles(last).real())) return {};
+  return one;
+}
+
+/// The poles in the band within a bandwidth of pole r, which is in it.
+std::vector<Index> within_bandwidth(const Curves& curves,
+                                    const ModalFit& fit,
+                                    Index r) {
+  std::vector<Index> group;
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    const double width = -std::min(fit.poles(r).real(), fit.poles(q).real());
+    const bool near = std::abs(fit.poles(q) - fit.poles(r)) < width;
+    if (near && in_band(curves, fit.poles(q))) group.push_back(q);
+  }
+  return group;
+}
+
+/// A fit with one pole, the last, in place of a group's.
+ModalFit as_one(const Curves& curves,
+                const ModalFit& fit,
+                const std::vector<Index>& group) {
+  Eigen::VectorXcd rest = fit.poles;
+  for (auto r = group.rbegin(); r != group.rend(); ++r) {
+    rest = without(rest, *r);
+  }
+  Eigen::VectorXcd poles(rest.size() + 1);
+  poles << rest, fit.poles(group).mean();
+  return refine_poles(curves, poles, 20);
+}
+
+/// The poles found put in and refined; none where they leave their place by
+/// more than the distance between them or cannot be modes.
+std::optional<ModalFit> with_poles(const Curves& curves,
+                                   const Eigen::VectorXcd& others,
+                                   const Eigen::VectorXcd& found,
+                                   const IdentifyOptions& options) {
+  const double half = -found.real().mean();
+  if (half <= 0.0 || found.real().maxCoeff() >= 0.0) return {};
+  if (extent(found) > 2.0 * half) return {};
+  Eigen::VectorXcd poles(others.size() + found.size());
+  poles << others, found;
+  ModalFit fit = refine_poles(curves, poles, 20);
+  const Eigen::VectorXcd refined = fit.poles.tail(found.size());
+  if ((refined - found).array().abs().maxCoeff() > extent(found)) return {};
+  for (const Complex& pole : refined) {
+    if (is_impossible(pole, options) || !in_band(curves, pole)) return {};
+  }
+  return fit;
+}
+
+}  // namespace
+
+bool is_crowded(const ModalFit& fit, Index r) {
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    const double width = std::max(-fit.poles(r).real(), -fit.poles(q).real());
+    if (q != r && std::abs(fit.poles(q) - fit.poles(r)) < width) return true;
+  }
+  return false;
+}
+
+bool are_told_apart(const Eigen::MatrixXd& covariance,
+                    const ModalFit& fit,
+                    Index q,
+                    Index r) {
+  const Complex apart = fit.poles(r) - fit.poles(q);
+  const Eigen::Vector2d d(apart.real(), apart.imag());
+  const auto block = [&](Index a, Index b) {
+    return covariance.block<2, 2>(2 * a, 2 * b);
+  };
+  const Eigen::Matrix2d spread =
+      block(r, r) + block(q, q) - block(r, q) - block(q, r);
+  // Along the line between them.
+  const double variance = std::max(0.0, d.dot(spread * d));
+  return kApart * std::sqrt(variance) <= d.squaredNorm();
+}
+
+ModalFit separate_close(const Curves& curves,
+                        ModalFit fit,
+                        const IdentifyOptions& options) {
+  const FrfMatrix matrix = arrange_frfs(curves);
+  if (matrix.references < 2) return fit;
+  for (Index r = fit.poles.size() - 1; r >= 0; --r) {
+    const std::vector<Index> group = within_bandwidth(curves, fit, r);
+    // A group is tried once, from the last of its poles.
+    if (group.empty() || group.back() != r) continue;
+    const ModalFit one = group.size() < 2 ? fit : as_one(curves, fit, group);
+    const Index last = group.size() < 2 ? r : one.poles.size() - 1;
+    const PoleExpansion expansion = expand_pole(curves, matrix, one, last);
+    if (expansion.residues.rank <= static_cast<Index>(group.size())) continue;
+    const Eigen::VectorXcd found =
+        (expansion.apart.array() + one.poles(last)).matrix();
+    std::optional<ModalFit> trial =
+        with_poles(curves, without(one.poles, last), found, options);
+    if (!trial || !are_known(curves, *trial, found.size())) continue;
+    fit = std::move(*trial);
+    r = std::min(r, fit.poles.size());
+  }
+  return fit;
+}
+
+ModalFit unite_untold(const Curves& curves, ModalFit fit) {
+  const FrfMatrix matrix = arrange_frfs(curves);
+  std::optional<ModalFit> united;
+  do {
+    united.reset();
+    for (const Pair& pair : doubtful_pairs(curves, fit)) {
+      united = as_one_pole(curves, matrix, fit, pair);
+      if (united) break;
+    }
+    if (united) fit = std::move(*united);
+  } while (united);
+  return fit;
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,32 @@
+// Modes within a bandwidth of each other: as many poles as the FRFs can tell
+// apart, no fewer and no more. Several modes under one pole betray themselves
+// by residues of a rank above one (double_poles.hpp); two poles nearer than
+// their uncertainty, or too near for their shapes to be read, are one pole,
+// whatever its rank (repeated_poles.hpp).
+#pragma once
+
+#include "modal/modal_fit.hpp"
+#include "modal/stabilisation.hpp"
+
+namespace tapfit::modal {
+
+/// Whether another pole is so close that the residues of both are badly known.
+[[nodiscard]] bool is_crowded(const ModalFit& fit, Eigen::Index r);
+
+/// Whether two poles lie further apart than noise puts them.
+///
+/// @param covariance of all poles, as pole_covariance() gives it
+[[nodiscard]] bool are_told_apart(const Eigen::MatrixXd& covariance,
+                                  const ModalFit& fit,
+                                  Eigen::Index q,
+                                  Eigen::Index r);
+
+/// Puts several poles in place of one whose residues hold several shapes.
+[[nodiscard]] ModalFit separate_close(const Curves& curves,
+                                      ModalFit fit,
+                                      const IdentifyOptions& options);
+
+/// Puts one pole in place of two that are not told apart.
+[[nodiscard]] ModalFit unite_untold(const Curves& curves, ModalFit fit);
+
+}  // namespace tapfit::modal

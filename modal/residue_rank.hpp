@@ -1,0 +1,32 @@
+// How many modes the residues of one pole hold: the rank, outputs x references,
+// that stands out of their noise.
+#pragma once
+
+#include "modal/frf_matrix.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SVD>
+
+namespace tapfit::modal {
+
+/// One value per FRF arranged as outputs x references.
+[[nodiscard]] Eigen::MatrixXcd arranged(const FrfMatrix& matrix,
+                                        const Eigen::VectorXcd& per_frf);
+
+struct ResidueRank {
+  Eigen::JacobiSVD<Eigen::MatrixXcd> svd;  ///< thin, of the arranged residues
+  Eigen::Index rank = 0;  ///< singular values of modes, not of noise
+};
+
+/// The rank that is left whichever output is left out.
+///
+/// @param residue n_frfs
+/// @param variance E|dR|^2 of each, n_frfs
+[[nodiscard]] ResidueRank residue_rank(const FrfMatrix& matrix,
+                                       const Eigen::VectorXcd& residue,
+                                       const Eigen::VectorXd& variance);
+
+/// Whether residues hold a second shape at all, noise or not.
+[[nodiscard]] bool holds_second_shape(const Eigen::VectorXd& singular_values);
+
+}  // namespace tapfit::modal
