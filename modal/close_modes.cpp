@@ -68,7 +68,9 @@ using Pair = std::pair<Index, Index>;
 /// or too near for the covariance to be trusted.
 std::vector<Pair> doubtful_pairs(const Curves& curves, const ModalFit& fit) {
   std::vector<std::pair<double, Pair>> pairs;
-  if (fit.poles.size() < 2) return {};
+  bool crowded = false;
+  for (Index r = 0; r < fit.poles.size(); ++r) crowded |= is_crowded(fit, r);
+  if (!crowded) return {};
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   const Eigen::VectorXd error = residue_error(curves, fit);
   for (Index r = 0; r < fit.poles.size(); ++r) {
@@ -255,6 +257,9 @@ ModalFit separate_close(const Curves& curves,
     const std::vector<Index> group = within_bandwidth(curves, fit, r);
     // A group is tried once, from the last of its poles.
     if (group.empty() || group.back() != r) continue;
+    if (group.size() < 2 && !holds_second_shape(matrix, fit.residues.col(r))) {
+      continue;
+    }
     const ModalFit one = group.size() < 2 ? fit : as_one(curves, fit, group);
     const Index last = group.size() < 2 ? r : one.poles.size() - 1;
     const PoleExpansion expansion = expand_pole(curves, matrix, one, last);

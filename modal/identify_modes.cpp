@@ -252,7 +252,7 @@ void take_apart(const Curves& curves,
     extra.insert(extra.end(),
                  static_cast<std::size_t>(count),
                  own.deviation * own.deviation);
-    if (count > 1 && own.are_equal() && in_band(curves, fit.poles(r))) {
+    if (count > 1 && own.are_equal()) {
       warn_about_repeated(fit.poles(r), count, warnings);
     }
   }

@@ -26,6 +26,8 @@ struct IdentifyOptions {
 
   std::optional<std::array<double, 2>> band_hz;  ///< of the lines; else all
   std::vector<PoleEdit> edits;                   ///< by hand, in this order
+
+  bool operator==(const IdentifyOptions&) const = default;
 };
 
 /// Identifies the modes in the FRFs' band, or in the one asked for.

@@ -4,6 +4,7 @@
 #include "modal/complexity.hpp"
 #include "modal/double_poles.hpp"
 #include "modal/frf_matrix.hpp"
+#include "modal/neighbour_modes.hpp"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -189,9 +190,10 @@ ModesOfPole modes_of_pole(const Curves& curves,
                           bool scaled) {
   ModesOfPole alone{fit.poles.segment(r, 1), 0.0, fit.residues.col(r)};
   // Residues of poles that close are known only together.
-  if (is_crowded(fit, r)) return alone;
+  if (is_crowded(fit, r) || !in_band(curves, fit.poles(r))) return alone;
   const FrfMatrix matrix =
       arrange_frfs(curves, std::numeric_limits<Index>::max());
+  if (!holds_second_shape(matrix, fit.residues.col(r))) return alone;
   const PoleExpansion expansion = expand_pole(curves, matrix, fit, r);
   const Index n = expansion.residues.rank;
   if (n < 2) return alone;

@@ -55,8 +55,11 @@ ResidueRank residue_rank(const FrfMatrix& matrix,
   return result;
 }
 
-bool holds_second_shape(const Eigen::VectorXd& values) {
-  return values.size() > 1 && values(1) > kSecondShape * values(0);
+bool holds_second_shape(const FrfMatrix& matrix,
+                        const Eigen::VectorXcd& residue) {
+  if (matrix.references < 2) return false;
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(arranged(matrix, residue));
+  return count_above(svd.singularValues(), 0.0) > 1;
 }
 
 }  // namespace tapfit::modal

@@ -26,7 +26,9 @@ struct ResidueRank {
                                        const Eigen::VectorXcd& residue,
                                        const Eigen::VectorXd& variance);
 
-/// Whether residues hold a second shape at all, noise or not.
-[[nodiscard]] bool holds_second_shape(const Eigen::VectorXd& singular_values);
+/// Whether residues hold a second shape at all, noise or not: what is cheap to
+/// know beforehand.
+[[nodiscard]] bool holds_second_shape(const FrfMatrix& matrix,
+                                      const Eigen::VectorXcd& residue);
 
 }  // namespace tapfit::modal

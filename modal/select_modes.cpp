@@ -23,7 +23,8 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kLeastSignificance =
-    4.0;  // F that a mode's residues must earn
+    4.0;                         // F that a mode's residues must earn
+constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
 
 bool lasts(const Track& track, std::size_t orders) {
@@ -233,6 +234,15 @@ void drop_unresolved(const Curves& curves, Selection& selection) {
   }
 }
 
+/// 1 or more where a shape's points move in phase as the options ask.
+double in_phase(const Eigen::VectorXcd& shape, const IdentifyOptions& options) {
+  const double mpc = phase_collinearity(shape);
+  const double mpd = mean_phase_deviation(shape);
+  return std::min(
+      options.least_mpc > 0.0 ? mpc / options.least_mpc : 1.0,
+      mpd > options.largest_mpd_deg ? options.largest_mpd_deg / mpd : 1.0);
+}
+
 /// Takes out, most complex first, what does not move in phase.
 void drop_complex(const Curves& curves,
                   const IdentifyOptions& options,
@@ -241,17 +251,18 @@ void drop_complex(const Curves& curves,
   std::vector<std::string> said;  // by whoever asked for the shapes
   const ShapeGraph graph = shape_graph(curves, said);
   while (curves.count() > 2 && fit.poles.size() > 0) {
-    const Eigen::MatrixXcd shapes =
-        mode_shapes(graph, fit.residues, fit.poles, fit.frf_weight);
     Index worst = -1;
     double least = 1.0;
     for (Index r = 0; r < fit.poles.size(); ++r) {
       if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
-      const double mpc = phase_collinearity(shapes.col(r));
-      const double mpd = mean_phase_deviation(shapes.col(r));
-      const double worth = std::min(
-          options.least_mpc > 0.0 ? mpc / options.least_mpc : 1.0,
-          mpd > options.largest_mpd_deg ? options.largest_mpd_deg / mpd : 1.0);
+      // Residues are products of two values of the shape: hardly ever are they
+      // more in phase than it is, and they are at hand.
+      if (in_phase(fit.residues.col(r), options) >= kSurely) continue;
+      const double worth = in_phase(mode_shapes(graph,
+                                                fit.residues.col(r),
+                                                fit.poles.segment(r, 1),
+                                                fit.frf_weight),
+                                    options);
       if (worth >= least) continue;
       least = worth;
       worst = r;

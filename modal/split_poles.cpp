@@ -4,8 +4,6 @@
 #include "modal/mac.hpp"
 #include "modal/residue_rank.hpp"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +14,6 @@ using Eigen::Index;
 
 constexpr double kSameShape = 0.9;  // MAC of residues of split poles
 constexpr double kInPhase = 0.7;    // MPC of a mode that is not split
-
-bool are_two_shapes(const FrfMatrix& matrix,
-                    const ModalFit& fit,
-                    Index q,
-                    Index r) {
-  if (matrix.references < 2) return false;
-  const Eigen::VectorXcd sum = fit.residues.col(q) + fit.residues.col(r);
-  return holds_second_shape(
-      Eigen::JacobiSVD<Eigen::MatrixXcd>(arranged(matrix, sum))
-          .singularValues());
-}
 
 }  // namespace
 
@@ -45,7 +32,9 @@ bool is_split(const FrfMatrix& matrix, const ModalFit& fit, Index r) {
         matrix.references < 2 && fit.residues.rows() > 2 &&
         std::min(phase_collinearity(fit.residues.col(q)),
                  phase_collinearity(fit.residues.col(r))) < kInPhase;
-    if ((one_shape || out_of_phase) && !are_two_shapes(matrix, fit, q, r)) {
+    if ((one_shape || out_of_phase) &&
+        !holds_second_shape(matrix,
+                            fit.residues.col(q) + fit.residues.col(r))) {
       return true;
     }
   }

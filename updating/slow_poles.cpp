@@ -26,4 +26,10 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
                                       static_cast<Eigen::Index>(poles.size()));
 }
 
+bool at_rest(const Eigen::VectorXcd& before, const Eigen::VectorXcd& after) {
+  if (before.size() != after.size()) return false;
+  const Eigen::ArrayXd moved = (after - before).cwiseAbs().array();
+  return (moved <= 0.01 * after.real().cwiseAbs().array()).all();
+}
+
 }  // namespace tapfit::updating

@@ -15,4 +15,9 @@ namespace tapfit::updating {
 [[nodiscard]] Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
                                           const acquisition::HitSet& hits);
 
+/// Whether two sets of poles differ by less than matters for what they predict
+/// of a decay: a hundredth of the half bandwidth.
+[[nodiscard]] bool at_rest(const Eigen::VectorXcd& before,
+                           const Eigen::VectorXcd& after);
+
 }  // namespace tapfit::updating

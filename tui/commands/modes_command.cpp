@@ -235,10 +235,15 @@ std::string modes_command(const CommandOptions& options,
   updating::Session session = open_by_hand(options, progress);
   const signal::FrfSet& frfs = session.frfs(progress);
   const ModesArguments& told = options.identification;
+  modal::IdentifyOptions usual;
+  usual.band_hz = session.mode_choices().band_hz;
+  usual.edits = session.mode_choices().edits;
   modal::IdentifyOptions identify = told.identify;
-  identify.band_hz = session.mode_choices().band_hz;
-  identify.edits = session.mode_choices().edits;
-  const modal::ModeSet modes = modal::identify_modes(frfs, identify, progress);
+  identify.band_hz = usual.band_hz;
+  identify.edits = usual.edits;
+  const modal::ModeSet modes =
+      identify == usual ? session.modes(progress)
+                        : modal::identify_modes(frfs, identify, progress);
   const std::string& title = session.bundle().title;
   if (options.uff) {
     modal::write_modes_uff(modes,
