@@ -296,6 +296,7 @@ Identified identify(const Curves& curves,
   found.residue_variance = residue_variance(curves, found.fit);
   take_apart(curves, set.scaled, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
+  set.unresolved = selection.unresolved;
   warn_about_complex(selection.out_of_phase, options, set.warnings);
   return found;
 }

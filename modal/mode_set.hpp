@@ -55,6 +55,8 @@ struct ModeSet {
   std::vector<Dof> dofs;  ///< rows of every shape, sign +1
   std::vector<Mode> modes;
   std::vector<SetUpPoles> set_ups;  ///< none where each shares the modes' poles
+  /// Poles left out as their damping cannot be told from none [rad/s].
+  std::vector<std::complex<double>> unresolved;
   std::optional<PoleShifts> shifts;  ///< where sensors move between set-ups
   bool scaled = false;  ///< unit modal mass (a driving point was measured)
   std::vector<DiagramPole> diagram;

@@ -17,11 +17,12 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
                             const acquisition::HitSet& hits) {
   const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;
   std::vector<std::complex<double>> poles;
-  for (const modal::Mode& mode : modes.modes) {
-    if (std::exp(mode.pole.real() * block_s) > 1e-3) {
-      poles.push_back(mode.pole);
-    }
-  }
+  const auto add = [&](const std::complex<double>& pole) {
+    const double left = std::exp(pole.real() * block_s);
+    if (left > 1e-3 && left < 1.0) poles.push_back(pole);
+  };
+  for (const modal::Mode& mode : modes.modes) add(mode.pole);
+  for (const std::complex<double>& pole : modes.unresolved) add(pole);
   return Eigen::Map<Eigen::VectorXcd>(poles.data(),
                                       static_cast<Eigen::Index>(poles.size()));
 }

@@ -15,17 +15,17 @@ namespace {
 namespace fs = std::filesystem;
 
 // What rings of the hit before has the pole of the mode but not its place in
-// s^2 R / (s - lambda): poles identified beside it are off, and only by and by
-// do they become good enough to take it off.
+// s^2 R / (s - lambda): poles identified beside it are off or too badly
+// known to be kept, and only by and by do they become good enough.
 TEST(RingingModes, LowestModeIsWithinItsInterval) {
   VirtualBundleSpec spec = demo_spec();
   spec.effects = {};
   spec.points = 6;
   spec.hits = 3;
-  spec.gap_s = 12.0;
-  spec.damping_mean = 0.006;
+  spec.gap_s = 14.0;
+  spec.damping_mean = 0.004;
   spec.faulty_hits = false;
-  for (const std::uint64_t seed : {22, 23, 24}) {
+  for (const std::uint64_t seed : {31, 33}) {
     spec.seed = seed;
     const fs::path folder =
         fs::path(testing::TempDir()) / "tapfit-ringing-modes";
@@ -35,8 +35,8 @@ TEST(RingingModes, LowestModeIsWithinItsInterval) {
     const modal::ModeSet& set = measurement.modes({});
     ASSERT_FALSE(set.modes.empty());
     const modal::Mode& mode = set.modes.front();
-    // A fifth is left of it when the next hit comes.
-    EXPECT_GT(std::exp(mode.pole.real() * 12.0), 0.1);
+    // A third to two thirds of it are left when the next hit comes.
+    EXPECT_GT(std::exp(mode.pole.real() * 14.0), 0.3);
     EXPECT_NEAR(mode.frequency_hz, truth.true_hz[0], 4.0 * mode.frequency_sd_hz)
         << seed;
     EXPECT_NEAR(
