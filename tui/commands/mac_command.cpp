@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
+#include <optional>
 
 namespace tapfit::tui {
 
@@ -24,6 +26,7 @@ struct Common {
   std::vector<Dof> dofs;
   Eigen::MatrixXcd first;
   Eigen::MatrixXcd second;
+  /// Not finite where the file does not tell.
   Eigen::MatrixXd first_sd;
   std::vector<modal::Pair> pairs;
 };
@@ -66,7 +69,9 @@ Common common_points(const modal::ModeSet& first,
   }
   common.first = rows_of(first, rows);
   common.second = rows_of(second, others);
-  common.first_sd.setZero(common.first.rows(), common.first.cols());
+  common.first_sd.setConstant(common.first.rows(),
+                              common.first.cols(),
+                              std::numeric_limits<double>::quiet_NaN());
   for (std::size_t k = 0; k < first.modes.size(); ++k) {
     if (first.modes[k].shape_sd.size() != first.modes[k].shape.size()) continue;
     common.first_sd.col(static_cast<Eigen::Index>(k)) =
@@ -81,10 +86,26 @@ Common common_points(const modal::ModeSet& first,
   return common;
 }
 
-modal::MacEstimate estimate(const Common& common, const modal::Pair& pair) {
-  return modal::mac_with_uncertainty(common.first.col(pair.measured),
-                                     common.first_sd.col(pair.measured),
-                                     common.second.col(pair.model));
+/// None where the uncertainty of the first set's shape is not known.
+std::optional<modal::MacEstimate> estimate(const Common& common,
+                                           const modal::Pair& pair) {
+  const Eigen::VectorXd sd = common.first_sd.col(pair.measured);
+  if (!sd.allFinite()) return std::nullopt;
+  return modal::mac_with_uncertainty(
+      common.first.col(pair.measured), sd, common.second.col(pair.model));
+}
+
+ordered_json mac_of_pair_json(const Common& common, const modal::Pair& pair) {
+  if (const auto found = estimate(common, pair)) {
+    return {{"value", found->value},
+            {"sd", found->sd},
+            {"lo95", found->lo95},
+            {"hi95", found->hi95}};
+  }
+  return {{"value", pair.mac},
+          {"sd", nullptr},
+          {"lo95", nullptr},
+          {"hi95", nullptr}};
 }
 
 /// The columns of both that are paired.
@@ -126,16 +147,16 @@ std::string pairs_text(const modal::ModeSet& first,
         first.modes[static_cast<std::size_t>(pair.measured)].frequency_hz;
     const double g =
         second.modes[static_cast<std::size_t>(pair.model)].frequency_hz;
-    const modal::MacEstimate mac = estimate(common, pair);
+    const std::optional<modal::MacEstimate> mac = estimate(common, pair);
     table.add({fmt::format("{}", pair.measured + 1),
                fmt::format("{}", pair.model + 1),
                fmt::format("{:.5g}", f),
                fmt::format("{:.5g}", g),
                fmt::format("{:+.2f}", 100.0 * (g / f - 1.0)),
-               fmt::format("{:.4f}", mac.value),
-               fmt::format("{:.1g}", mac.sd)});
+               fmt::format("{:.4f}", mac ? mac->value : pair.mac),
+               mac ? fmt::format("{:.1g}", mac->sd) : std::string("unknown")});
   }
-  return table.text();
+  return common.pairs.empty() ? "  none: no shapes are alike\n" : table.text();
 }
 
 }  // namespace
@@ -172,17 +193,12 @@ ordered_json mac_json(const modal::ModeSet& first,
         first.modes[static_cast<std::size_t>(pair.measured)].frequency_hz;
     const double g =
         second.modes[static_cast<std::size_t>(pair.model)].frequency_hz;
-    const modal::MacEstimate found = estimate(common, pair);
     pairs.push_back({{"first", pair.measured + 1},
                      {"second", pair.model + 1},
                      {"first_hz", f},
                      {"second_hz", g},
                      {"error_percent", 100.0 * (g / f - 1.0)},
-                     {"mac",
-                      {{"value", found.value},
-                       {"sd", found.sd},
-                       {"lo95", found.lo95},
-                       {"hi95", found.hi95}}}});
+                     {"mac", mac_of_pair_json(common, pair)}});
   }
   const auto [left, right] = paired(common);
   const Eigen::VectorXd comac = modal::comac(left, right);

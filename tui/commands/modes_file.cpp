@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <system_error>
 
 namespace tapfit::tui {
 namespace {
@@ -107,6 +108,12 @@ modal::ModeSet read_modes_json(const std::string& text,
 }
 
 modal::ModeSet read_modes_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw InputError("is a folder, not a file of modes",
+                     file.string(),
+                     "write one with tapfit modes BUNDLE --json > modes.json");
+  }
   if (file.extension() != ".json") return modal::read_modes_uff(file).set;
   std::ifstream in(file, std::ios::binary);
   if (!in) {

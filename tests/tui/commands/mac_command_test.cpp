@@ -57,6 +57,22 @@ TEST(MacCommand, TakesPairsByHand) {
   EXPECT_EQ(json.at("pairs")[0].at("second"), 2);
 }
 
+TEST(MacCommand, SaysWhereTheUncertaintyIsUnknown) {
+  modal::ModeSet first = bar(10.0);
+  for (modal::Mode& mode : first.modes) mode.shape_sd.resize(0);
+  const auto json = mac_json(first, bar(10.0), {});
+  ASSERT_EQ(json.at("pairs").size(), 2U);
+  EXPECT_NEAR(json.at("pairs")[0].at("mac").at("value"), 1.0, 1e-12);
+  EXPECT_TRUE(json.at("pairs")[0].at("mac").at("sd").is_null());
+  EXPECT_NE(mac_text(first, bar(10.0), {}).find("unknown"), std::string::npos);
+}
+
+TEST(MacCommand, SaysThatNothingPairs) {
+  const std::string text = mac_text(
+      bar(10.0), bar(10.0), {*parse_pair("1:none"), *parse_pair("2:none")});
+  EXPECT_NE(text.find("none"), std::string::npos) << text;
+}
+
 TEST(MacCommand, RefusesSetsWithoutACommonPoint) {
   modal::ModeSet other = bar(10.0);
   for (Dof& dof : other.dofs) dof.node += 100;
@@ -81,6 +97,7 @@ TEST(ModesFile, SaysWhatIsNoJsonOfModes) {
       (void)read_modes_json(R"({"modes": [{"shape": {"a": [1, 0]}}]})", "m"),
       InputError);
   EXPECT_THROW((void)read_modes_file("/nonexistent.json"), InputError);
+  EXPECT_THROW((void)read_modes_file(testing::TempDir()), InputError);
 }
 
 }  // namespace
