@@ -149,11 +149,17 @@ bool two_are_needed(const Curves& curves,
   return of_one.sum - of_two.sum > kNeeded * parameters * noise;
 }
 
-/// Whether the expansion of one pole puts its modes where they are told apart.
+/// Whether poles of their own serve better than the expansion of one. Its modes
+/// are told apart, and are so far from each other, or so little disturbed, that
+/// what it leaves out is more than the noise. Residues of near poles let some
+/// ten times as much noise into their distance.
 bool are_apart_in(const PoleExpansion& expansion, double half) {
   if (expansion.residues.rank < 2) return false;
-  return extent(expansion.apart) >
-         std::max(kOnePole * half, kApart * expansion.deviation);
+  const double apart = extent(expansion.apart);
+  const double left_out = apart * apart / half;
+  const bool far = apart > kOnePole * half;
+  const bool clean = 10.0 * expansion.deviation < left_out;
+  return apart > kApart * expansion.deviation && (far || clean);
 }
 
 /// A fit with one pole, the last, in place of two; none where two are needed.
