@@ -6,6 +6,7 @@
 #include "acquisition/compare_hits.hpp"
 #include "acquisition/hit_steps.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/no_hits.hpp"
 #include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "acquisition/short_pulses.hpp"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::acquisition {
 namespace {
@@ -62,10 +64,23 @@ double trigger_level(const TestBundle& bundle,
   return std::max(default_trigger * reference, 8.0 * hammer.noise);
 }
 
+InputError no_hit(const Run& run, const HammerRun& work) {
+  return {
+      fmt::format("no hit was found: the hammer channel's largest value is "
+                  "{:.3g} N over noise of {:.2g} N, the trigger at {:.3g} N",
+                  work.hammer.peak,
+                  work.hammer.noise,
+                  work.level),
+      run.file.string(),
+      "see whether the hammer's channel is named rightly, lower the trigger, "
+      "or leave this run out"};
+}
+
 void trigger(const TestBundle& bundle,
              const HitOptions& options,
              std::vector<HammerRun>& work) {
   const double usual = usual_peak(work);
+  std::vector<HitlessRun> hitless;
   for (std::size_t r = 0; r < work.size(); ++r) {
     HammerRun& run = work[r];
     run.level =
@@ -74,17 +89,11 @@ void trigger(const TestBundle& bundle,
       run.pulses.pulses =
           find_pulses(run.hammer.force, run.level, rearm_share(options));
     }
-    if (!run.pulses.pulses.empty()) continue;
-    throw InputError(
-        fmt::format("no hit was found: the hammer channel's largest value is "
-                    "{:.3g} N over noise of {:.2g} N, the trigger at {:.3g} N",
-                    run.hammer.peak,
-                    run.hammer.noise,
-                    run.level),
-        bundle.runs[r].file.string(),
-        "see whether the hammer's channel is named rightly, lower the trigger, "
-        "or leave this run out");
+    if (run.pulses.pulses.empty()) {
+      hitless.push_back({r, no_hit(bundle.runs[r], run)});
+    }
   }
+  if (!hitless.empty()) throw NoHits(std::move(hitless));
 }
 
 double usual_width(const std::vector<HammerRun>& work) {

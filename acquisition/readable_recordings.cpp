@@ -1,7 +1,9 @@
 #include "acquisition/readable_recordings.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/no_hits.hpp"
 #include "acquisition/parallel.hpp"
+#include "acquisition/run_reader.hpp"
 
 #include <fmt/format.h>
 
@@ -12,41 +14,52 @@
 namespace tapfit::acquisition {
 namespace {
 
-// Only the runs that could be read, for as long as it lives: recordings are
+// Only the runs that are not left out, for as long as it lives: recordings are
 // too large to be copied.
-class Readable {
+class Usable {
  public:
-  Readable(const TestBundle& bundle, std::vector<Recording>& all)
+  Usable(const TestBundle& bundle, ReadableRecordings& all)
       : bundle_(bundle), all_(all) {
     bundle_.runs.clear();
-    for (std::size_t r = 0; r < all.size(); ++r) {
-      if (all[r].samples.rows() == 0) continue;
+    for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+      if (std::ranges::count(all.left_out, r, &LeftOut::run) > 0) continue;
       runs_.push_back(r);
       bundle_.runs.push_back(bundle.runs[r]);
-      recordings_.push_back(std::move(all[r]));
+      recordings_.push_back(std::move(all.recordings[r]));
     }
   }
-  ~Readable() {
+  ~Usable() {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
-      all_[runs_[k]] = std::move(recordings_[k]);
+      all_.recordings[runs_[k]] = std::move(recordings_[k]);
     }
   }
-  Readable(const Readable&) = delete;
-  Readable& operator=(const Readable&) = delete;
+  Usable(const Usable&) = delete;
+  Usable& operator=(const Usable&) = delete;
 
   [[nodiscard]] HitSet hits(const HitOptions& options) const {
     HitSet set = find_hits(bundle_, recordings_, options);
     std::vector<std::vector<Hit>> found = std::move(set.runs);
-    set.runs.assign(all_.size(), {});
+    set.runs.assign(all_.recordings.size(), {});
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       set.runs[runs_[k]] = std::move(found[k]);
     }
     return set;
   }
 
+  /// Leaves out those without a hit.
+  /// @return false where none would be left
+  [[nodiscard]] bool leave_out(const NoHits& hitless) {
+    if (hitless.runs().size() == runs_.size()) return false;
+    for (const HitlessRun& one : hitless.runs()) {
+      all_.left_out.push_back({runs_[one.run], one.why.what()});
+    }
+    std::ranges::sort(all_.left_out, {}, &LeftOut::run);
+    return true;
+  }
+
  private:
   TestBundle bundle_;
-  std::vector<Recording>& all_;
+  ReadableRecordings& all_;
   std::vector<std::size_t> runs_;
   std::vector<Recording> recordings_;
 };
@@ -58,14 +71,14 @@ std::string statement(const LeftOut& left_out) {
 }
 
 ReadableRecordings read_readable(const TestBundle& bundle) {
-  if (bundle.uff) return {read_recordings(bundle), {}};
+  const RunReader reader(bundle);
   const std::size_t count = bundle.runs.size();
   ReadableRecordings result;
   result.recordings.resize(count);
   std::vector<std::optional<InputError>> refused(count);
   for_each_parallel(count, [&](std::size_t r) {
     try {
-      result.recordings[r] = read_recording(bundle, bundle.runs[r]);
+      result.recordings[r] = reader.read(bundle.runs[r]);
     } catch (const InputError& error) {
       refused[r] = error;
     }
@@ -98,10 +111,15 @@ ReadableRecordings read_readable(const TestBundle& bundle) {
 HitSet find_readable_hits(const TestBundle& bundle,
                           ReadableRecordings& recordings,
                           const HitOptions& options) {
-  if (recordings.left_out.empty()) {
-    return find_hits(bundle, recordings.recordings, options);
+  // What is usual among hits changes with the runs that are left.
+  while (true) {
+    Usable usable(bundle, recordings);
+    try {
+      return usable.hits(options);
+    } catch (const NoHits& hitless) {
+      if (!usable.leave_out(hitless)) throw;
+    }
   }
-  return Readable(bundle, recordings.recordings).hits(options);
 }
 
 }  // namespace tapfit::acquisition

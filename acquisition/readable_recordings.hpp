@@ -1,5 +1,5 @@
-// The recordings of a bundle, of which some may not be readable: a file that is
-// damaged or missing is no reason not to look at the others.
+// The recordings of a bundle, of which some may be of no use: a file that is
+// damaged, or a run without any hit, is no reason not to look at the others.
 #pragma once
 
 #include "acquisition/hits.hpp"
@@ -11,10 +11,10 @@
 
 namespace tapfit::acquisition {
 
-/// What becomes of a bundle with runs that cannot be read.
+/// What becomes of a bundle with runs that cannot be used.
 enum class Unreadable { Refused, LeftOut };
 
-/// A run that cannot be read.
+/// A run that cannot be used.
 struct LeftOut {
   std::size_t run = 0;  ///< counted from 0
   std::string why;      ///< the file, what is wrong with it, what to try
@@ -24,18 +24,21 @@ struct LeftOut {
 [[nodiscard]] std::string statement(const LeftOut& left_out);
 
 struct ReadableRecordings {
-  std::vector<Recording> recordings;  ///< of a run left out: no samples
-  std::vector<LeftOut> left_out;
+  std::vector<Recording> recordings;  ///< of one that was not read: no samples
+  std::vector<LeftOut> left_out;      ///< in the order of the runs
 };
 
 /// All runs in order; left out are those that cannot be read, and those whose
 /// sampling rate is not that of the first one which can.
 ///
-/// @throws InputError where none can be read, or all stand in one file
+/// @throws InputError where none can be read
 [[nodiscard]] ReadableRecordings read_readable(const TestBundle& bundle);
 
-/// As find_hits(), with no hit in runs that were left out.
-/// @param recordings is as it was afterwards
+/// As find_hits(), with no hit in runs that are left out; those in which none
+/// is found are, too, and keep their samples.
+///
+/// @throws InputError as find_hits(); for want of hits only where no run has
+/// one
 [[nodiscard]] HitSet find_readable_hits(const TestBundle& bundle,
                                         ReadableRecordings& recordings,
                                         const HitOptions& options);

@@ -56,7 +56,7 @@ struct Snapshot {
   Shared<structure::Deck> deck;
   Shared<Wireframe> wire;
   Shared<std::vector<Trace>> traces;
-  std::vector<acquisition::LeftOut> left_out;  ///< runs that cannot be read
+  std::vector<acquisition::LeftOut> left_out;  ///< runs that cannot be used
   Shared<acquisition::HitSet> hits;
   /// Judgements that were overruled, the last one last.
   std::vector<updating::OverruledHit> overruled;

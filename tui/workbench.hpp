@@ -29,7 +29,7 @@ class Workbench {
   virtual const structure::Deck& deck(const Progress&) = 0;
   virtual const std::vector<acquisition::Recording>& recordings(
       const Progress&) = 0;
-  /// Runs that could not be read; none before recordings() are there.
+  /// Runs that cannot be used, as far as recordings() and hits() have shown.
   virtual std::vector<acquisition::LeftOut> left_out() = 0;
   virtual const acquisition::HitSet& hits(const Progress&) = 0;
   virtual const signal::FrfSet& frfs(const Progress&) = 0;

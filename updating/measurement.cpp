@@ -24,6 +24,16 @@ modal::IdentifyOptions as_chosen(const ModeChoices& choices) {
   return options;
 }
 
+// Once of each.
+void warn_of(const std::vector<acquisition::LeftOut>& left_out,
+             acquisition::TestBundle& bundle) {
+  for (const acquisition::LeftOut& run : left_out) {
+    const std::string words = statement(run);
+    if (std::ranges::count(bundle.warnings, words) > 0) continue;
+    bundle.warnings.push_back(words);
+  }
+}
+
 }  // namespace
 
 Measurement::Measurement(const std::filesystem::path& folder,
@@ -49,9 +59,7 @@ const std::vector<acquisition::Recording>& Measurement::recordings(
     } else {
       recordings_ = {acquisition::read_recordings(bundle_), {}};
     }
-    for (const acquisition::LeftOut& run : recordings_->left_out) {
-      bundle_.warnings.push_back(statement(run));
-    }
+    warn_of(recordings_->left_out, bundle_);
   }
   return recordings_->recordings;
 }
@@ -64,7 +72,11 @@ const acquisition::HitSet& Measurement::hits(const Progress& progress) {
     options.trigger_percent = bundle_.trigger_percent;
     options.pre_trigger_s = bundle_.pre_trigger_s;
     options.block_s = bundle_.block_s;
-    hits_ = acquisition::find_readable_hits(bundle_, *recordings_, options);
+    hits_ =
+        unreadable_ == acquisition::Unreadable::LeftOut
+            ? acquisition::find_readable_hits(bundle_, *recordings_, options)
+            : acquisition::find_hits(bundle_, recordings_->recordings, options);
+    warn_of(recordings_->left_out, bundle_);
     overrule_found();
   }
   return *hits_;

@@ -33,7 +33,7 @@ class Measurement {
   /// @throws InputError for a test of ready FRFs, which has none
   const std::vector<acquisition::Recording>& recordings(
       const Progress& progress);
-  /// Runs that could not be read; none before recordings() are there.
+  /// Runs that cannot be used, as far as recordings() and hits() have shown.
   [[nodiscard]] const std::vector<acquisition::LeftOut>& left_out() const;
   const acquisition::HitSet& hits(const Progress& progress);
   const signal::FrfSet& frfs(const Progress& progress);

@@ -2,10 +2,15 @@
 
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/uff_records.hpp"
 #include "tests/acquisition/hammer_record.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
 
 namespace tapfit::acquisition {
 namespace {
@@ -21,11 +26,13 @@ class ReadableRecordingsTest : public ::testing::Test {
       write(r, rate);
     }
   }
-  void write(std::size_t run, int at_hz) {
+  void write(std::size_t run, int at_hz, double peak = 0.1) {
     Eigen::VectorXd force = Eigen::VectorXd::Zero(8192);
     for (const double time_s : {1.0, 4.0}) {
-      testing::add_pulse(force, rate, time_s, 0.004, 0.1, false);
+      testing::add_pulse(force, rate, time_s, 0.004, peak, false);
     }
+    std::mt19937_64 random(run + 1);
+    if (peak == 0.0) testing::add_noise(force, 1e-4, random);
     Eigen::MatrixXd samples(force.size(), 2);
     samples << force, 0.5 * force;
     write_audio(
@@ -76,11 +83,72 @@ TEST_F(ReadableRecordingsTest, AreRefusedWhereNoneIsLeft) {
   EXPECT_THROW((void)read_readable(bundle_), InputError);
 }
 
+// Their samples stay, to be looked at.
+TEST_F(ReadableRecordingsTest, LeaveOutRunsWithoutAHit) {
+  write(0, rate, 0.0);
+  write(2, rate, 0.0);
+  ReadableRecordings all = read_readable(bundle_);
+  EXPECT_TRUE(all.left_out.empty());
+  const HitSet hits = find_readable_hits(bundle_, all, {});
+  ASSERT_EQ(all.left_out.size(), 2U);
+  EXPECT_EQ(all.left_out[0].run, 0U);
+  EXPECT_EQ(all.left_out[1].run, 2U);
+  EXPECT_NE(all.left_out[1].why.find("no hit was found"), std::string::npos);
+  EXPECT_NE(all.left_out[1].why.find("run2"), std::string::npos);
+  ASSERT_EQ(hits.runs.size(), 3U);
+  EXPECT_TRUE(hits.runs[0].empty());
+  EXPECT_EQ(hits.runs[1].size(), 2U);
+  EXPECT_TRUE(hits.runs[2].empty());
+  EXPECT_EQ(all.recordings[2].samples.rows(), 8192);
+}
+
+// What one that cannot be read leaves is counted anew.
+TEST_F(ReadableRecordingsTest, LeaveOutOneForEachReason) {
+  folder_.write("run0", "no sound");
+  write(1, rate, 0.0);
+  ReadableRecordings all = read_readable(bundle_);
+  const HitSet hits = find_readable_hits(bundle_, all, {});
+  ASSERT_EQ(all.left_out.size(), 2U);
+  EXPECT_EQ(all.left_out[1].run, 1U);
+  EXPECT_EQ(hits.runs[2].size(), 2U);
+}
+
+TEST_F(ReadableRecordingsTest, AreRefusedWhereNoRunHasAHit) {
+  for (const std::size_t r : {0U, 1U, 2U}) write(r, rate, 0.0);
+  ReadableRecordings all = read_readable(bundle_);
+  EXPECT_THROW((void)find_readable_hits(bundle_, all, {}), InputError);
+  EXPECT_TRUE(all.left_out.empty());
+}
+
+// All runs in one universal file, of which one has a dead channel.
+TEST_F(ReadableRecordingsTest, LeaveOutOneRunOfAUniversalFile) {
+  const std::filesystem::path file = folder_.path() / "test.uff";
+  {
+    std::ofstream out(file, std::ios::binary);
+    write_uff_records(bundle_, UffEncoding::Binary, out);
+    Recording dead = read_recording(bundle_, bundle_.runs[1]);
+    dead.samples.col(1).setZero();
+    int number = 7;
+    write_uff_run(
+        bundle_, bundle_.runs[1], dead, UffEncoding::Binary, number, out);
+  }
+  const TestBundle bundle = read_test_bundle(file);
+  ASSERT_EQ(bundle.runs.size(), 4U);
+  EXPECT_THROW((void)read_recordings(bundle), InputError);
+  ReadableRecordings all = read_readable(bundle);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  EXPECT_EQ(all.left_out[0].run, 3U);
+  EXPECT_NE(all.left_out[0].why.find("is dead"), std::string::npos);
+  const HitSet hits = find_readable_hits(bundle, all, {});
+  EXPECT_EQ(hits.runs[2].size(), 2U);
+  EXPECT_TRUE(hits.runs[3].empty());
+}
+
 // Also where what follows fails.
 TEST_F(ReadableRecordingsTest, GiveTheRecordingsBack) {
   folder_.write("run1", "no sound");
   ReadableRecordings all = read_readable(bundle_);
-  all.recordings[0].samples.setZero();
+  for (const std::size_t r : {0U, 2U}) all.recordings[r].samples.setZero();
   EXPECT_THROW((void)find_readable_hits(bundle_, all, {}), InputError);
   EXPECT_EQ(all.recordings[0].samples.rows(), 8192);
 }

@@ -16,9 +16,8 @@ class FakeWorkbench final : public Workbench {
  public:
   explicit FakeWorkbench(const FakeOptions& options)
       : options_(options), added_(options.left_with) {
-    if (!options.unreadable) return;
-    recordings_[1].samples.resize(0, 0);
-    hits_.runs[1].clear();
+    if (options.unreadable) recordings_[1].samples.resize(0, 0);
+    if (options.unreadable || options.hitless) hits_.runs[1].clear();
   }
 
   const acquisition::TestBundle& bundle() override { return bundle_; }
@@ -29,6 +28,9 @@ class FakeWorkbench final : public Workbench {
     return recordings_;
   }
   std::vector<acquisition::LeftOut> left_out() override {
+    if (options_.hitless && sought_hits_) {
+      return {{1, "run-02.wav: no hit was found (lower the trigger)"}};
+    }
     if (!options_.unreadable) return {};
     return {{1, "run-02.wav: is no sound file (record it again)"}};
   }
@@ -37,6 +39,7 @@ class FakeWorkbench final : public Workbench {
       throw InputError(
           "no hit was found", "run-01.wav", "lower the trigger level");
     }
+    sought_hits_ = true;
     return hits_;
   }
   const signal::FrfSet& frfs(const Progress& progress) override {
@@ -165,6 +168,7 @@ class FakeWorkbench final : public Workbench {
 
  private:
   FakeOptions options_;
+  bool sought_hits_ = false;
   acquisition::TestBundle bundle_ = fake_bundle();
   structure::Deck deck_ = fake_deck();
   std::vector<acquisition::Recording> recordings_ = fake_recordings();

@@ -16,6 +16,7 @@ struct FakeOptions {
   bool model = true;
   bool hits_fail = false;          ///< hits() throws InputError
   bool unreadable = false;         ///< the second run
+  bool hitless = false;            ///< the second run
   std::string unsaved = {};        ///< what save() answers
   bool endless_modes = false;      ///< modes() runs until it is stopped
   bool endless_diagnosis = false;  ///< the same once something was added

@@ -42,7 +42,7 @@ TEST(Program, OpensWithoutARunThatCannotBeRead) {
   EXPECT_TRUE(holds(first, "run 2 is left out: run-02.wav: is no sound file"))
       << first;
   EXPECT_TRUE(holds(first, "3 hits, 2 accepted")) << first;
-  EXPECT_TRUE(holds(first, "1 of 2 runs unreadable")) << first;
+  EXPECT_TRUE(holds(first, "1 of 2 runs left out")) << first;
   const std::string second = played("wait\nn\nwait", {}, options);
   EXPECT_TRUE(holds(second, "run 2 of 2")) << second;
   EXPECT_TRUE(holds(second, "(record it again)")) << second;
@@ -50,9 +50,21 @@ TEST(Program, OpensWithoutARunThatCannotBeRead) {
       << "whatever the first screen is";
 }
 
-TEST(Program, TakesEveryKeyOnARunThatCannotBeRead) {
+TEST(Program, ShowsTheChannelsOfARunWithoutAnyHit) {
   FakeOptions options;
-  options.unreadable = true;
+  options.hitless = true;
+  const std::string first = played("wait", {}, options);
+  EXPECT_TRUE(holds(first, "run 2 is left out: run-02.wav: no hit was found"))
+      << first;
+  EXPECT_TRUE(holds(first, "1 of 2 runs left out")) << first;
+  const std::string second = played("wait\nn\nwait", {}, options);
+  EXPECT_TRUE(holds(second, "no hit was found (lower the trigger)")) << second;
+  EXPECT_TRUE(holds(second, "hammer [N]")) << second;
+  EXPECT_TRUE(holds(second, "acc1 [m/s²]")) << second;
+  EXPECT_FALSE(holds(second, "▼")) << second;
+}
+
+void take_every_key_on_the_second_run(const FakeOptions& options) {
   Program program(testing::fake_workbench(options), {});
   (void)replay(program, parse_key_script("wait\nn\nwait"));
   for (char32_t code = U' '; code < 0x7F; ++code) {
@@ -64,6 +76,15 @@ TEST(Program, TakesEveryKeyOnARunThatCannotBeRead) {
     expect_fits(program.draw().to_text(), 80);
     program.press(Key(keys::escape));
   }
+}
+
+TEST(Program, TakesEveryKeyOnARunThatIsLeftOut) {
+  FakeOptions options;
+  options.unreadable = true;
+  take_every_key_on_the_second_run(options);
+  options.unreadable = false;
+  options.hitless = true;
+  take_every_key_on_the_second_run(options);
 }
 
 }  // namespace

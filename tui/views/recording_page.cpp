@@ -39,7 +39,7 @@ std::vector<Need> RecordingPage::essential() const {
 
 std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
   if (state_.run >= known.hits->runs.size()) return {};
-  if (input_of(known).unread(state_.run) != nullptr) return {};
+  if (input_of(known).not_used(state_.run) != nullptr) return {};
   return {{Stage::RunLook, static_cast<int>(state_.run)}};
 }
 

@@ -92,9 +92,8 @@ std::string hits_line(const RecordingInput& input,
                          std::max(input.hits.sample_rate_hz, 1e-9)),
                   number(input.hits.trigger_n));
   if (input.left_out != nullptr && !input.left_out->empty()) {
-    text += fmt::format("   {} of {} runs unreadable",
-                        input.left_out->size(),
-                        run_count(input));
+    text += fmt::format(
+        "   {} of {} runs left out", input.left_out->size(), run_count(input));
   }
   if (!state.tagged.empty()) {
     text += fmt::format("   {} tagged", state.tagged.size());
@@ -102,17 +101,26 @@ std::string hits_line(const RecordingInput& input,
   return text;
 }
 
-void draw_unread(Screen& screen, const acquisition::LeftOut& unread) {
-  int y = 2;
+/// Why the run does not count; below it the channels, where they were read.
+void draw_left_out(Screen& screen,
+                   const RecordingInput& input,
+                   const RecordingState& state,
+                   const acquisition::LeftOut& run) {
+  const bool was_read = input.traces[state.run].samples > 0;
+  int y = was_read ? 1 : 2;
   for (const std::string& line :
-       wrapped(acquisition::statement(unread), screen.width() - 2)) {
+       wrapped(acquisition::statement(run), screen.width() - 2)) {
     screen.text(1, y++, line, {.colour = Colour::Red});
   }
+  if (!was_read) ++y;
   screen.text(1,
-              y + 1,
+              y,
               "The others are what all screens stand on; n and p go to them.",
               {},
               screen.width() - 2);
+  if (!was_read) return;
+  const Rect all{0, 0, screen.width(), screen.height()};
+  draw_channels(screen, split_top(all, y + 1).second, input, state, 0);
 }
 
 /// How far the replay is, instead of the line about the hits.
@@ -227,7 +235,7 @@ std::size_t hits_by(const RecordingInput& input,
       std::count_if(hits.begin(), hits.end(), complete));
 }
 
-const acquisition::LeftOut* RecordingInput::unread(std::size_t run) const {
+const acquisition::LeftOut* RecordingInput::not_used(std::size_t run) const {
   if (left_out == nullptr) return nullptr;
   const auto found =
       std::ranges::find(*left_out, run, &acquisition::LeftOut::run);
@@ -252,8 +260,8 @@ Screen recording_view(const RecordingInput& input,
     at.list.selected = table.rows.empty() ? 0 : table.rows.size() - 1;
   }
   screen.text(1, 0, run_line(input, at, canvas.width - 2), {.bold = true});
-  if (const acquisition::LeftOut* unread = input.unread(at.run)) {
-    draw_unread(screen, *unread);
+  if (const acquisition::LeftOut* run = input.not_used(at.run)) {
+    draw_left_out(screen, input, at, *run);
     return screen;
   }
   if (at.playing.on) {

@@ -19,8 +19,8 @@ struct RecordingInput {
   const RunLook* look = nullptr;  ///< of the run on show, once it is there
   const std::vector<acquisition::LeftOut>* left_out = nullptr;
 
-  /// Why that run could not be read, if it could not.
-  [[nodiscard]] const acquisition::LeftOut* unread(std::size_t run) const;
+  /// Why that run is left out, if it is.
+  [[nodiscard]] const acquisition::LeftOut* not_used(std::size_t run) const;
 };
 
 /// A run played: what lies behind `time_s` has not been measured yet.

@@ -1,0 +1,89 @@
+#include "acquisition/run_reader.hpp"
+
+#include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace tapfit::acquisition {
+namespace {
+
+// A cable that is off: the converter delivers one value, and an FRF of nothing
+// would count as a measurement of nothing.
+void check_alive(const Recording& recording,
+                 const TestBundle& bundle,
+                 const Run& run) {
+  std::vector<std::size_t> used = {run.hammer.channel};
+  for (const Placement& sensor : run.sensors) used.push_back(sensor.channel);
+  for (const std::size_t c : used) {
+    const auto channel = recording.samples.col(static_cast<Eigen::Index>(c));
+    // Mostly the second sample already differs.
+    const double first = channel[0];
+    if (std::any_of(channel.begin(), channel.end(), [&](double value) {
+          return value != first;
+        })) {
+      continue;
+    }
+    throw InputError(
+        fmt::format("channel \"{}\" is dead: every sample is {:g} {}",
+                    bundle.channels[c].name,
+                    first / bundle.channels[c].unit_to_si,
+                    bundle.channels[c].unit),
+        run.file.string(),
+        "record the run again, or take the channel (or the run) "
+        "out of `runs`");
+  }
+}
+
+Recording read_sound(const TestBundle& bundle, const Run& run) {
+  AudioReader reader(run.file);
+  check_channels(bundle, run, reader.channels());
+  const Eigen::RowVectorXd scale = full_scales(bundle);
+  Recording recording;
+  recording.sample_rate_hz = reader.sample_rate_hz();
+  recording.samples = room_for(reader.samples(), reader.channels(), run.file);
+  constexpr Eigen::Index at_once = 1 << 12;
+  for (Eigen::Index done = 0; done < reader.samples(); done += at_once) {
+    auto piece = recording.samples.middleRows(
+        done, std::min(at_once, reader.samples() - done));
+    reader.read(piece, scale);
+    // While they are in the cache.
+    if (!reader.floating_point()) continue;
+    check_finite(
+        piece, done, recording.sample_rate_hz, bundle, run.file.string());
+  }
+  check_alive(recording, bundle, run);
+  check_band(bundle, recording.sample_rate_hz, run.file.string());
+  return recording;
+}
+
+Recording read_from_uff(const UffFile& file,
+                        const TestBundle& bundle,
+                        const Run& run) {
+  Recording recording = read_uff_run(file, run, bundle.channels.size());
+  check_finite(recording.samples,
+               0,
+               recording.sample_rate_hz,
+               bundle,
+               run.file.string());
+  check_alive(recording, bundle, run);
+  check_band(bundle, recording.sample_rate_hz, run.file.string());
+  return recording;
+}
+
+}  // namespace
+
+RunReader::RunReader(const TestBundle& bundle) : bundle_(bundle) {
+  if (bundle.uff) uff_.emplace(open_uff(*bundle.uff));
+}
+
+Recording RunReader::read(const Run& run) const {
+  if (run.datasets.empty()) return read_sound(bundle_, run);
+  return uff_ ? read_from_uff(*uff_, bundle_, run)
+              : read_from_uff(open_uff(run.file), bundle_, run);
+}
+
+}  // namespace tapfit::acquisition
