@@ -179,6 +179,32 @@ Key character_key(wint_t code) {
   return Key(static_cast<char32_t>(code));
 }
 
+[[noreturn]] void refuse_terminal(const char* why) {
+  throw InputError(
+      why,
+      "environment variable TERM",
+      "try TERM=xterm-256color or TERM=vt100, or the commands that "
+      "print, such as: tapfit run BUNDLE");
+}
+
+/// A kind that is not known here, as of a new program at the other end of ssh,
+/// mostly does what xterm does.
+void start_screen() {
+  SCREEN* screen = newterm(nullptr, stdout, stdin);
+  for (const char* kind : {"xterm-256color", "xterm"}) {
+    if (screen == nullptr) screen = newterm(kind, stdout, stdin);
+  }
+  if (screen == nullptr) refuse_terminal("this kind of terminal is not known");
+  set_term(screen);
+  // What draws anywhere on the screen has to get there.
+  const char* move = tigetstr("cup");
+  if (move == nullptr || move == reinterpret_cast<const char*>(-1)) {
+    delscreen(screen);
+    tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
+    refuse_terminal("this kind of terminal cannot place its cursor");
+  }
+}
+
 /// Keeps standard error away from the screen until it is destroyed.
 class HeldErrors {
  public:
@@ -227,13 +253,7 @@ Terminal::Terminal(const TerminalOptions& options)
   }
   (void)locale_is_utf8();
   tcgetattr(STDIN_FILENO, &saved_modes);
-  SCREEN* screen = newterm(nullptr, stdout, stdin);
-  if (screen == nullptr) {
-    throw InputError("this kind of terminal is not known",
-                     "environment variable TERM",
-                     "try TERM=xterm-256color or TERM=vt100");
-  }
-  set_term(screen);
+  start_screen();
   impl_->errors.emplace();
   raw();
   noecho();

@@ -59,6 +59,28 @@ TEST(Terminal, IsAsItWasAfterQuitting) {
   EXPECT_TRUE(terminal.wrote(mouse_off, seconds(1)));
 }
 
+// As over ssh from a terminal newer than this system's list of them.
+TEST(Terminal, OfAnUnknownKindIsTakenAsXterm) {
+  TerminalSetting setting;
+  setting.kind = "xterm-of-tomorrow";
+  PseudoTerminal terminal({copy_of_bundle()}, setting);
+  EXPECT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("q");
+  const auto status = terminal.ends(seconds(10));
+  EXPECT_TRUE(status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0);
+}
+
+TEST(Terminal, ThatCannotPlaceItsCursorIsRefused) {
+  TerminalSetting setting;
+  setting.kind = "dumb";
+  PseudoTerminal terminal({copy_of_bundle()}, setting);
+  EXPECT_TRUE(terminal.wrote("cannot place its cursor", seconds(10)));
+  const auto status = terminal.ends(seconds(10));
+  ASSERT_TRUE(status);
+  EXPECT_TRUE(WIFEXITED(*status) && WEXITSTATUS(*status) == 1);
+  EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
+}
+
 TEST(Terminal, DrawsAnewAtItsNewSize) {
   PseudoTerminal terminal({copy_of_bundle()});
   ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
