@@ -100,7 +100,9 @@ Frame lay_out(const Rect& rect, const Plot& plot) {
   frame.ranges = fit_ranges(plot);
   const int rows = rect.height - 1 - (plot.x_labels ? 2 : 0);
   const Axis& y = frame.ranges.y;
-  frame.y_ticks = ticks(y.lo, y.hi, y.log, std::max(2, rows / 3));
+  frame.y_ticks = y.unit == "deg"
+                      ? degree_ticks(y.lo, y.hi, (rows + 1) / 2)
+                      : ticks(y.lo, y.hi, y.log, std::max(2, rows / 3));
   int margin = 5;
   for (const Tick& tick : frame.y_ticks) {
     margin = std::max(margin, text_width(tick.label));

@@ -25,15 +25,27 @@ double round_step(double rough) {
   return 10.0 * power;
 }
 
-std::vector<Tick> linear_ticks(double lo, double hi, int most) {
+std::vector<Tick> ticks_by(double lo, double hi, double step) {
+  constexpr int too_many = 1000;
   std::vector<Tick> found;
-  const double step = round_step((hi - lo) / std::max(most, 1));
-  if (!(step > 0.0) || !std::isfinite(step)) return found;
   const double first = std::ceil(lo / step - 1e-9);
-  for (int i = 0; i <= most + 1; ++i) {
+  for (int i = 0; i < too_many; ++i) {
     const double value = (first + i) * step;
     if (value > hi + 1e-9 * step) break;
     found.push_back({value, label(value, step)});
+  }
+  return found;
+}
+
+std::vector<Tick> linear_ticks(double lo, double hi, int most) {
+  double step = round_step((hi - lo) / std::max(most, 1));
+  if (!(step > 0.0) || !std::isfinite(step)) return {};
+  std::vector<Tick> found = ticks_by(lo, hi, step);
+  // One alone does not say how large anything is.
+  constexpr double next_smaller = 0.4;
+  while (found.size() < 2) {
+    step = round_step(next_smaller * step);
+    found = ticks_by(lo, hi, step);
   }
   return found;
 }
@@ -58,7 +70,7 @@ std::vector<Tick> log_ticks(double lo, double hi, int most) {
       found.push_back({value, fmt::format("{:g}", value)});
     }
   }
-  return found;
+  return found.size() < 2 ? linear_ticks(lo, hi, most) : found;
 }
 
 }  // namespace
@@ -68,6 +80,17 @@ std::vector<Tick> ticks(double lo, double hi, bool log, int most) {
   if (!log) return linear_ticks(lo, hi, std::max(most, 2));
   if (!(lo > 0.0)) return {};
   return log_ticks(lo, hi, std::max(most, 2));
+}
+
+std::vector<Tick> degree_ticks(double lo, double hi, int most) {
+  constexpr double quarter = 90.0;
+  if (!std::isfinite(lo) || !std::isfinite(hi) || !(lo < hi)) return {};
+  for (double step = quarter; step <= 4.0 * quarter; step *= 2.0) {
+    std::vector<Tick> found = ticks_by(lo, hi, step);
+    const int count = static_cast<int>(found.size());
+    if (count >= 2 && count <= std::max(most, 3)) return found;
+  }
+  return linear_ticks(lo, hi, std::max(most, 2));
 }
 
 }  // namespace tapfit::tui

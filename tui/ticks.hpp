@@ -14,8 +14,12 @@ struct Tick {
 /// Round values (1, 2, 5 times a power of ten) inside lo..hi.
 ///
 /// @param log powers of ten, or 1, 2, 5 steps where there are few of them
-/// @param most largest number of ticks wanted, at least 2
+/// @param most largest number of ticks wanted, at least 2; a few more where
+///   there would be fewer than two
 /// @return empty for an empty, infinite or (log) not positive range
 [[nodiscard]] std::vector<Tick> ticks(double lo, double hi, bool log, int most);
+
+/// The same for angles [deg]: quarters, halves of a turn where they fit.
+[[nodiscard]] std::vector<Tick> degree_ticks(double lo, double hi, int most);
 
 }  // namespace tapfit::tui

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace tapfit::tui {
 namespace {
@@ -121,6 +122,43 @@ TEST(Plot, ShowsCursorMarkerAndShade) {
   const std::string text = drawn(plot, 30, 8, true);
   EXPECT_NE(text.find('v'), std::string::npos);
   EXPECT_NE(text.find("| ......"), std::string::npos) << text;
+}
+
+std::vector<std::string> labels_of(const std::vector<Tick>& ticks) {
+  std::vector<std::string> labels;
+  for (const Tick& tick : ticks) labels.push_back(tick.label);
+  return labels;
+}
+
+// One tick tells no scale: whatever the range, there are two.
+TEST(Ticks, AreNeverFewerThanTwo) {
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(labels_of(ticks(-0.7, 13.9, false, 2)), (Labels{"0", "10"}));
+  EXPECT_EQ(labels_of(ticks(-9.0, 9.0, false, 2)), (Labels{"-5", "0", "5"}));
+  EXPECT_EQ(labels_of(ticks(0.09, 0.19, true, 4)), (Labels{"0.10", "0.15"}));
+  EXPECT_EQ(labels_of(ticks(6.1, 9.2, true, 2)), (Labels{"7", "8", "9"}));
+  std::mt19937 random(4711);
+  std::uniform_real_distribution<double> uniform(-3.0, 3.0);
+  for (int i = 0; i < 2000; ++i) {
+    const double lo = std::pow(10.0, uniform(random));
+    const double hi = lo * (1.0 + std::pow(10.0, uniform(random)));
+    const int most = 2 + i % 7;
+    for (const bool log : {false, true}) {
+      const std::size_t count = ticks(lo, hi, log, most).size();
+      EXPECT_GE(count, 2U) << lo << " to " << hi;
+      EXPECT_LE(count, static_cast<std::size_t>(most) + 3);
+    }
+  }
+}
+
+TEST(Ticks, OfAnglesAreQuartersOfATurn) {
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(labels_of(degree_ticks(-190, 190, 5)),
+            (Labels{"-180", "-90", "0", "90", "180"}));
+  EXPECT_EQ(labels_of(degree_ticks(-190, 190, 3)),
+            (Labels{"-180", "0", "180"}));
+  EXPECT_EQ(labels_of(degree_ticks(10, 40, 3)),
+            (Labels{"10", "20", "30", "40"}));
 }
 
 TEST(Ticks, AreRound) {
