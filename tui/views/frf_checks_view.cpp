@@ -3,6 +3,7 @@
 #include "tui/layout.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
+#include "tui/text.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_peaks.hpp"
 
@@ -96,29 +97,60 @@ Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
   Table table{{{"FRF"}, {"held against"}, {"outcome"}, {"finding"}}, {}};
   for (const DrivingPoint& p : checks.driving) {
     const bool fair = verdict(p) == "fair";
-    table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
-                           "driving point",
-                           verdict(p),
-                           fmt::format("{} of {} peaks turned, active {}; "
-                                       "lowest lines {}",
-                                       p.wrong_peaks,
-                                       p.peaks,
-                                       percent(p.active_share),
-                                       low_line(p))},
-                          {.colour = fair ? Colour::Default : Colour::Red}});
+    table.rows.push_back(
+        {{signal::name(frfs.frfs[p.frf]),
+          "driving point",
+          verdict(p),
+          fmt::format("{} of {} peaks turned", p.wrong_peaks, p.peaks)},
+         {.colour = fair ? Colour::Default : Colour::Red}});
   }
   for (const Reciprocal& p : checks.both_ways) {
     const bool fair = p.fair();
     table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
                            signal::name(frfs.frfs[p.other]),
                            fair ? "alike" : "differ",
-                           fmt::format("difference {}, gain {}, chi² {}",
-                                       percent(p.difference),
-                                       fixed(p.gain, 4),
-                                       number(p.chi2, 3))},
+                           fmt::format("difference {}", percent(p.difference))},
                           {.colour = fair ? Colour::Default : Colour::Orange}});
   }
   return table;
+}
+
+std::string finding(const DrivingPoint& p) {
+  std::string words = fmt::format(
+      "Where it is hit, a structure takes energy up: {} of {} peaks of Im H "
+      "point upwards, and it gives energy away on {} of the lines (up to 5 % "
+      "is fair)",
+      p.peaks - p.wrong_peaks,
+      p.peaks,
+      percent(p.active_share));
+  if (p.low != signal::LowLine::Neither) {
+    words += "; the lowest lines are those of a " + low_line(p);
+  }
+  return words + ".";
+}
+
+std::string finding(const Reciprocal& p) {
+  std::string words = fmt::format(
+      "Hit and sensor exchanged, the FRF should stay: they differ by {}, best "
+      "with a gain of {}",
+      percent(p.difference),
+      fixed(p.gain, 4));
+  if (p.chi2 > 0.0) {
+    words += fmt::format(
+        ", which is {} times what the scatter over hits lets expect (chi²)",
+        number(p.chi2, 3));
+  }
+  return words + ".";
+}
+
+std::optional<std::size_t> checked_frf(const FrfChecks& checks,
+                                       std::size_t row) {
+  const std::size_t driving = checks.driving.size();
+  if (row < driving) return checks.driving[row].frf;
+  if (row - driving < checks.both_ways.size()) {
+    return checks.both_ways[row - driving].frf;
+  }
+  return std::nullopt;
 }
 
 void draw_checks(Screen& screen,
@@ -139,17 +171,23 @@ void draw_checks(Screen& screen,
   }
   const int rows = std::clamp(
       static_cast<int>(table.rows.size()) + 1, 3, std::max(rect.height / 3, 3));
-  const auto [upper, lower] = split_top(rect, rows);
+  const auto [upper, rest] = split_top(rect, rows);
   draw_table(screen, upper, table, list, true);
   const std::size_t at = settled(table, list);
-  if (at < checks.driving.size()) {
+  const std::size_t driving = checks.driving.size();
+  int y = rest.y;
+  for (const std::string& line :
+       wrapped(at < driving ? finding(checks.driving[at])
+                            : finding(checks.both_ways[at - driving]),
+               rect.width - 2,
+               3)) {
+    screen.text(rect.x + 1, y++, line, {.colour = Colour::Grey});
+  }
+  const Rect lower = split_top(rest, y - rest.y).second;
+  if (at < driving) {
     draw_driving(screen, lower, frfs, checks.driving[at], range);
-  } else if (at - checks.driving.size() < checks.both_ways.size()) {
-    draw_pair(screen,
-              lower,
-              frfs,
-              checks.both_ways[at - checks.driving.size()],
-              range);
+  } else {
+    draw_pair(screen, lower, frfs, checks.both_ways[at - driving], range);
   }
 }
 

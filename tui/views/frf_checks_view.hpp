@@ -29,8 +29,17 @@ struct FrfChecks {
 [[nodiscard]] Table check_table(const signal::FrfSet& frfs,
                                 const FrfChecks& checks);
 
-/// The list above; below, of a driving point its imaginary part, whose peaks
-/// must all point upwards, of a pair both magnitudes and phases.
+/// What was found of one, in a sentence.
+[[nodiscard]] std::string finding(const signal::DrivingPoint& point);
+[[nodiscard]] std::string finding(const signal::Reciprocal& pair);
+
+/// The FRF of a row of the table; of a pair, the first.
+[[nodiscard]] std::optional<std::size_t> checked_frf(const FrfChecks& checks,
+                                                     std::size_t row);
+
+/// The list above, then what was found of the selected one; below, of a driving
+/// point its imaginary part, whose peaks must all point upwards, of a pair both
+/// magnitudes and phases.
 void draw_checks(Screen& screen,
                  const Rect& rect,
                  const signal::FrfSet& frfs,

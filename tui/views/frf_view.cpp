@@ -58,10 +58,23 @@ Table peak_table(const FrfSet& frfs, const Frf& frf) {
   return table;
 }
 
+/// The FRF that keys and read-outs are about.
+std::size_t selected_frf(const FrfSet& frfs,
+                         const FrfState& state,
+                         const FrfChecks* checks) {
+  if (state.checks && checks != nullptr) {
+    const std::size_t row =
+        settled(check_table(frfs, *checks), state.check_list);
+    if (const auto frf = checked_frf(*checks, row)) return *frf;
+  }
+  return settled(frf_table(frfs, state.tagged), state.list);
+}
+
 std::vector<std::size_t> shown_frfs(const FrfSet& frfs,
                                     const FrfState& state,
                                     std::size_t selected) {
   std::vector<std::size_t> shown{selected};
+  if (state.checks) return shown;
   const auto add = [&](std::size_t i) {
     const bool there = std::find(shown.begin(), shown.end(), i) != shown.end();
     if (!there && i < frfs.frfs.size() && shown.size() < 6) shown.push_back(i);
@@ -135,8 +148,7 @@ Screen frf_view(const FrfSet& frfs,
     return screen;
   }
   const Rect all{0, 0, canvas.width, canvas.height - 1};
-  const std::size_t selected =
-      settled(frf_table(frfs, state.tagged), state.list);
+  const std::size_t selected = selected_frf(frfs, state, checks);
   const FrfChoice choice{frfs, shown_frfs(frfs, state, selected)};
   if (state.checks && checks != nullptr) {
     draw_checks(screen, all, frfs, *checks, state.check_list, state.range);
@@ -205,10 +217,8 @@ bool FrfPage::leave_view() {
   return !main;
 }
 
-bool FrfPage::press_band(const FrfSet& frfs, Key key) {
+bool FrfPage::press_band(const FrfSet& frfs, const Frf& frf, Key key) {
   const FrequencySpan span = frequency_span(frfs);
-  const Frf& frf =
-      frfs.frfs[settled(frf_table(frfs, state_.tagged), state_.list)];
   PlotRange& range = state_.range;
   if (key == U'n' || key == U'p') {
     if (const auto hz = next_peak(frfs, frf, range, key == U'n')) {
@@ -237,13 +247,14 @@ bool FrfPage::press_band(const FrfSet& frfs, Key key) {
 bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
   const FrfSet& frfs = *known.frfs;
   if (frfs.frfs.empty()) return false;
+  const Frf& frf =
+      frfs.frfs[selected_frf(frfs, state_, known.frf_checks.get())];
   if (key == keys::enter && !known.bundle->runs.empty()) {
     command.kind = Command::Kind::ShowRun;
-    command.run =
-        frfs.frfs[settled(frf_table(frfs, state_.tagged), state_.list)].run;
+    command.run = frf.run;
     return true;
   }
-  if (press_view(known, key) || press_band(frfs, key)) return true;
+  if (press_view(known, key) || press_band(frfs, frf, key)) return true;
   const Table table = state_.checks && known.frf_checks
                           ? check_table(frfs, *known.frf_checks)
                           : frf_table(frfs, state_.tagged);
@@ -253,6 +264,20 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
 }
 
 std::vector<KeyHelp> FrfPage::keys() const {
+  if (state_.checks) {
+    return {{"d", "back to FRFs"},
+            {"j k", "check"},
+            {"h l", "cursor"},
+            {"n p", "peak"},
+            {"Enter", "its hits"},
+            {"+ -", "zoom"},
+            {"[ ]", "pan"},
+            {"_", "whole band"},
+            {"H L", "cursor faster"},
+            {"m", "band cursor"},
+            {"z", "zoom to band"},
+            {"/", "filter"}};
+  }
   return {{"Tab", "next plot"},
           {"j k", "FRF"},
           {"Space", "overlay"},

@@ -140,6 +140,27 @@ TEST(FrfView, HoldsDrivingPointsAgainstPhysics) {
   EXPECT_TRUE(holds(frf_view(frfs, state, {}, &none), "No driving point"));
 }
 
+// Nothing of it is cut, and the cursor reads the FRF that is checked.
+TEST(FrfView, SaysInFullWhatACheckFound) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const FrfChecks checks = check_frfs(frfs);
+  ASSERT_FALSE(checks.driving.empty());
+  const std::size_t checked = checks.driving[0].frf;
+  ASSERT_NE(checked, 0U) << "another one than the list's first";
+  FrfState state;
+  state.checks = true;
+  state.range.cursor = frfs.frequency_hz()[3];
+  state.range.cursor_set = true;
+  for (const Canvas& canvas : sizes) {
+    const Screen s = frf_view(frfs, state, canvas, &checks);
+    EXPECT_FALSE(holds(s, "…")) << s.to_text();
+    EXPECT_TRUE(holds(s, "of 3 peaks of Im H")) << s.to_text();
+    EXPECT_TRUE(
+        holds(s, fmt::format("|H| {:.4g} ", std::abs(frfs.frfs[checked].H[3]))))
+        << s.to_text();
+  }
+}
+
 TEST(FrfView, TakesNoFrfs) {
   EXPECT_TRUE(holds(frf_view({}, {}, {}), "no FRF"));
   signal::FrfSet one = testing::fake_frfs();
@@ -262,10 +283,10 @@ TEST(DiagnoseView, TakesNoCandidates) {
 
 TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   const updating::Comparison before = testing::fake_comparison(0.05);
-  const std::vector<updating::Rung> ladder{
-      {updating::base_rung, {}, 0.489, {}},
-      {updating::uncertain_rung, {}, 0.187, {}},
-      {"added-mass", {}, 0.023, {}}};
+  std::vector<updating::Rung> ladder{{updating::base_rung, {}, 0.489, {}},
+                                     {updating::uncertain_rung, {}, 0.187, {}},
+                                     {"added-mass", {}, 0.023, {}}};
+  ladder[2].where.node = 5;
   auto none = std::make_shared<updating::Diagnosis>();
   none->verdict = "none";
   none->floor = 0.021;
