@@ -204,6 +204,7 @@ updating::Diagnosis fake_diagnosis() {
   sensor.held_out_error = 0.06;
   sensor.indistinguishable_from = {{"added-mass", mass.where}};
   d.candidates = {mass, sensor};
+  d.ladder = {{mass.effect, mass.where, mass.error, mass.parameters}};
   return d;
 }
 

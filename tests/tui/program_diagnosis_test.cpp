@@ -19,7 +19,7 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
   // It may be read, but what it proposes is not added.
   program.press(Key(U'j'));
-  EXPECT_TRUE(holds(seen(), "▸ 1.7 %")) << seen();
+  EXPECT_TRUE(holds(seen(), "▸    1.7 %")) << seen();
   program.press(Key(U'a'));
   EXPECT_TRUE(holds(seen(), "found before the last change")) << seen();
   program.press(Key(keys::escape));

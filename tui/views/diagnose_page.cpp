@@ -94,17 +94,16 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
 
 std::string DiagnosePage::help() const {
   return "Physical effects that may be missing from the model, most probable "
-         "first: where, how large (± one standard deviation), the error left "
-         "after adding it (those of the verdict: all of them), and, for the "
-         "best, the error on data left out of "
-         "the fit. Yellow ones can't be told apart from others with these "
-         "points. The plot is "
-         "the missing dynamic stiffness at the place: a mass falls with the "
-         "square of frequency, a spring is constant, a dashpot is imaginary "
-         "and rises, an absorber has a resonance. The dashed curve is the law "
-         "that fits best, f shows all. m "
-         "maps how well each grid alone explains what is missing. a adds the "
-         "candidate to the model and identifies all parameters anew.";
+         "first: where, how large (± one standard deviation), the error left, "
+         "and, for the best, that on data left out of the fit. Numbered ones "
+         "make up the verdict together: each is as probable as it says given "
+         "the others, the error is that of all. Yellow ones can't be told "
+         "apart from others with these points. The plot is the missing dynamic "
+         "stiffness at the place: a mass falls with the square of frequency, a "
+         "spring is constant, a dashpot is imaginary and rises, an absorber "
+         "has a resonance. The dashed curve is the law that fits best, f shows "
+         "all. m maps how well each grid alone explains what is missing. a "
+         "adds the candidate to the model and identifies all parameters anew.";
 }
 
 }  // namespace tapfit::tui

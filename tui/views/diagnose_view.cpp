@@ -1,6 +1,5 @@
 #include "tui/views/diagnose_view.hpp"
 
-#include "tui/bars.hpp"
 #include "tui/layout.hpp"
 #include "tui/line_text.hpp"
 #include "tui/number.hpp"
@@ -19,77 +18,6 @@ namespace {
 
 using updating::Candidate;
 using updating::Signature;
-
-/// The first parameter as fully as the room allows; a number is never cut.
-std::string first_size(const Candidate& candidate, bool named, int room) {
-  if (candidate.parameters.empty()) return "–";
-  const updating::Estimate& p = candidate.parameters[0];
-  if (named && text_width(describe(p)) <= room) return describe(p);
-  const std::string unit = " " + split_unit(p.name).unit;
-  const std::string with_scatter = with_sd(p.value, p.sd) + unit;
-  return text_width(with_scatter) <= room ? with_scatter
-                                          : number(p.value, 3) + unit;
-}
-
-/// Only the best few are tried on data that were left out.
-std::string left_out(const Candidate& c) {
-  return c.held_out_error > 0.0 ? percent(c.held_out_error) : "–";
-}
-
-Table wide_table(const updating::Diagnosis& d, int width, bool ascii) {
-  Table table{{{"prob", true},
-               {""},
-               {"effect"},
-               {"where"},
-               {"error", true},
-               {"left out", true},
-               {"size"}},
-              {}};
-  for (const Candidate& c : d.candidates) {
-    table.rows.push_back({{probability(c.probability),
-                           bar(c.probability, 8, ascii),
-                           c.effect,
-                           clipped(place(c.where), 26),
-                           percent(c.error),
-                           left_out(c),
-                           first_size(c, true, width - 86)},
-                          {}});
-  }
-  return table;
-}
-
-Table narrow_table(const updating::Diagnosis& d, bool ascii) {
-  Table table{
-      {{"prob", true}, {""}, {"effect"}, {"where"}, {"error", true}, {"size"}},
-      {}};
-  for (const Candidate& c : d.candidates) {
-    table.rows.push_back({{probability(c.probability),
-                           bar(c.probability, 4, ascii),
-                           c.effect,
-                           clipped(place(c.where), 15),
-                           percent(c.error),
-                           first_size(c, false, 20)},
-                          {}});
-  }
-  return table;
-}
-
-bool is_wide(int width) { return width >= 110; }
-
-}  // namespace
-
-Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
-  Table table =
-      is_wide(width) ? wide_table(d, width, ascii) : narrow_table(d, ascii);
-  for (std::size_t i = 0; i < d.candidates.size(); ++i) {
-    if (!d.candidates[i].indistinguishable_from.empty()) {
-      table.rows[i].style.colour = Colour::Yellow;
-    }
-  }
-  return table;
-}
-
-namespace {
 
 std::string look_alikes(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return "told apart from all others";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tui/plot_range.hpp"
+#include "tui/views/candidate_table.hpp"
 #include "tui/views/page.hpp"
 
 #include <optional>
@@ -26,10 +27,6 @@ struct DiagnoseState {
   bool map = false;       ///< all grids instead of the candidate's place
   bool all_laws = false;  ///< mass, spring and dashpot, not the best alone
 };
-
-[[nodiscard]] Table candidate_table(const updating::Diagnosis& d,
-                                    int width,
-                                    bool ascii);
 
 [[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
                                    const DiagnoseState& state,

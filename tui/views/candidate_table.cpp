@@ -1,0 +1,122 @@
+#include "tui/views/candidate_table.hpp"
+
+#include "tui/bars.hpp"
+#include "tui/line_text.hpp"
+#include "tui/number.hpp"
+#include "tui/text.hpp"
+
+#include <algorithm>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Candidate;
+
+/// The first parameter as fully as the room allows; a number is never cut.
+std::string first_size(const Candidate& candidate, bool named, int room) {
+  if (candidate.parameters.empty()) return "–";
+  const updating::Estimate& p = candidate.parameters[0];
+  if (named && text_width(describe(p)) <= room) return describe(p);
+  const std::string unit = " " + split_unit(p.name).unit;
+  const std::string with_scatter = with_sd(p.value, p.sd) + unit;
+  return text_width(with_scatter) <= room ? with_scatter
+                                          : number(p.value, 3) + unit;
+}
+
+/// Which rung of the verdict it is; empty for what was tried besides.
+std::string rung_of(const updating::Diagnosis& d, const Candidate& c) {
+  for (std::size_t i = 0; i < d.ladder.size(); ++i) {
+    const updating::Rung& rung = d.ladder[i];
+    if (updating::leading_kind(rung) == c.effect && rung.where == c.where) {
+      return std::to_string(i + 1);
+    }
+  }
+  return {};
+}
+
+/// What stands in brackets is left out where it does not fit.
+std::string brief_place(const updating::Where& where, int width) {
+  const std::string whole = place(where);
+  return clipped(fitting({whole, whole.substr(0, whole.find(" ("))}, width),
+                 width);
+}
+
+/// What the columns before the last leave of the screen.
+int room_for_size(const Table& table, int width, bool ascii) {
+  int used = 2;
+  for (std::size_t c = 0; c + 1 < table.columns.size(); ++c) {
+    int widest = text_width(table.columns[c].title);
+    for (const Row& row : table.rows) {
+      widest = std::max(widest, text_width(row.cells[c]));
+    }
+    used += widest + 2;
+  }
+  return width - used - (ascii ? 1 : 0);  // there, a "±" is two wide
+}
+
+Table wide_table(const updating::Diagnosis& d, bool ascii) {
+  Table table{{{"rung", true},
+               {"prob", true},
+               {""},
+               {"effect"},
+               {"where"},
+               {"error", true},
+               {"left out", true},
+               {"size"}},
+              {}};
+  for (const Candidate& c : d.candidates) {
+    table.rows.push_back({{rung_of(d, c),
+                           probability(c.probability),
+                           bar(c.probability, 8, ascii),
+                           c.effect,
+                           brief_place(c.where, 24),
+                           percent(c.error),
+                           left_out(c)},
+                          {}});
+  }
+  return table;
+}
+
+Table narrow_table(const updating::Diagnosis& d, bool ascii) {
+  Table table{{{"#", true},
+               {"prob", true},
+               {""},
+               {"effect"},
+               {"where"},
+               {"error", true},
+               {"size"}},
+              {}};
+  for (const Candidate& c : d.candidates) {
+    table.rows.push_back({{rung_of(d, c),
+                           probability(c.probability),
+                           bar(c.probability, 4, ascii),
+                           c.effect,
+                           brief_place(c.where, 13),
+                           percent(c.error)},
+                          {}});
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string left_out(const Candidate& c) {
+  return c.held_out_error > 0.0 ? percent(c.held_out_error) : "–";
+}
+
+bool is_wide(int width) { return width >= 110; }
+
+Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
+  Table table = is_wide(width) ? wide_table(d, ascii) : narrow_table(d, ascii);
+  const int room = room_for_size(table, width, ascii);
+  for (std::size_t i = 0; i < d.candidates.size(); ++i) {
+    table.rows[i].cells.push_back(
+        first_size(d.candidates[i], is_wide(width), room));
+    if (!d.candidates[i].indistinguishable_from.empty()) {
+      table.rows[i].style.colour = Colour::Yellow;
+    }
+  }
+  return table;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,23 @@
+// The list of the Diagnose screen: every candidate with its probability, place,
+// error and size; numbered, those that make up the verdict.
+#pragma once
+
+#include "tui/table.hpp"
+#include "updating/diagnosis.hpp"
+
+#include <string>
+
+namespace tapfit::tui {
+
+/// @param width of the screen [cells]; a wide one has columns more
+[[nodiscard]] Table candidate_table(const updating::Diagnosis& d,
+                                    int width,
+                                    bool ascii);
+
+/// The error on data left out of the fit; "–" where it was not tried.
+[[nodiscard]] std::string left_out(const updating::Candidate& c);
+
+/// Whether the list has a column for it.
+[[nodiscard]] bool is_wide(int width);
+
+}  // namespace tapfit::tui
