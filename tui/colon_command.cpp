@@ -119,7 +119,8 @@ std::vector<std::string> completions(std::string_view text,
     return found;
   }
   const std::string_view word = text.substr(0, space);
-  const std::string_view rest = text.substr(space + 1);
+  std::string_view rest = text.substr(space + 1);
+  while (rest.starts_with(' ')) rest.remove_prefix(1);
   if (word != "add") return found;
   const std::size_t at = rest.find('@');
   for (const auto& effect : effects::catalogue()) {

@@ -50,11 +50,17 @@ std::string effects_text(std::size_t count) {
 
 std::string with_sd(double value, double sd, int digits) {
   if (!std::isfinite(value)) return "–";
-  if (!std::isfinite(sd) || sd <= 0.0) return number(value, 5);
-  const double size = std::max(std::abs(value), sd);
+  const bool exact = !std::isfinite(sd) || sd <= 0.0;
+  const double size = std::max(std::abs(value), exact ? 0.0 : sd);
+  if (size == 0.0) return "0";
   const double exponent = std::floor(std::log10(size));
   const bool scientific = exponent > 5.0 || exponent < -4.0;
   const double scale = scientific ? std::pow(10.0, exponent) : 1.0;
+  if (exact && scientific) {
+    return fmt::format(
+        "{}e{}", number(value / scale, 5), static_cast<int>(exponent));
+  }
+  if (exact) return number(value, 5);
   const double place = std::floor(std::log10(sd / scale));
   const int decimals =
       static_cast<int>(std::clamp(digits - 1.0 - place, 0.0, 9.0));

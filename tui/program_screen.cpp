@@ -247,10 +247,9 @@ void Program::draw_line(Screen& screen, int y) const {
     const int x = screen.text(0, y, ":" + typed_, {}, width);
     screen.put(x, y, U' ', {.reverse = true});
     // Of a place, what stands behind the effect's name.
-    const std::size_t from = typed_.find_last_of(" @") + 1;
     std::vector<std::string> words;
     for (const std::string& one : completions(typed_, setting())) {
-      words.push_back(one.substr(from));
+      words.push_back(one.substr(one.find_last_of(" @") + 1));
     }
     screen.text(
         x + 3,
@@ -301,8 +300,9 @@ void Program::draw_keys(Screen& screen, int y) const {
   for (const KeyHelp& key : always) end -= key_width(key);
   screen.fill({0, y, screen.width(), 1}, U' ', {.reverse = true});
   int x = 1;
+  // A long one that does not fit makes room for those behind it.
   for (const KeyHelp& key : page().keys()) {
-    if (x + key_width(key) > end) break;
+    if (x + key_width(key) > end) continue;
     x = draw_key(screen, x, y, key);
   }
   x = end + 1;

@@ -7,6 +7,22 @@
 #include "tui/views/recording_view.hpp"
 
 namespace tapfit::tui {
+namespace {
+
+/// As a shell's line: Ctrl-U takes all away, Ctrl-W the last word.
+bool clear_key(std::string& line, Key key) {
+  if (key == Key(U'u', true)) {
+    line.clear();
+  } else if (key == Key(U'w', true)) {
+    while (!line.empty() && line.back() == ' ') line.pop_back();
+    while (!line.empty() && line.back() != ' ') line.pop_back();
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
 
 void Program::press_filter(Key key) {
   ListState* list = page().list();
@@ -17,6 +33,8 @@ void Program::press_filter(Key key) {
     mode_ = Mode::Normal;
   } else if (key == keys::backspace) {
     if (!list->filter.empty()) list->filter.pop_back();
+  } else if (clear_key(list->filter, key)) {
+    return;
   } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
     list->filter.push_back(static_cast<char>(key.code));
   }
@@ -38,6 +56,8 @@ void Program::press_colon(Key key) {
     } else {
       typed_.pop_back();
     }
+  } else if (clear_key(typed_, key)) {
+    return;
   } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
     typed_.push_back(static_cast<char>(key.code));
   }

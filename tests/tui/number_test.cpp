@@ -39,6 +39,9 @@ TEST(Number, GivesTheDeviationTwoDigitsAndTheValueAsMany) {
   EXPECT_EQ(with_sd(2.271, 0.0004, 1), "2.2710 ± 0.0004");
   EXPECT_EQ(with_sd(7.07e10, 2e8), "(7.070 ± 0.020)e10");
   EXPECT_EQ(with_sd(3.0, 0.0), "3");
+  EXPECT_EQ(with_sd(7e10, 0.0), "7e10") << "as with a deviation";
+  EXPECT_EQ(with_sd(-2.5e-6, 0.0), "-2.5e-6");
+  EXPECT_EQ(with_sd(0.0, 0.0), "0");
 }
 
 TEST(Number, StaysShortForHugeValues) {

@@ -13,6 +13,13 @@ TEST(Program, HelpNamesTheKeysOfTheScreen) {
   EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
 }
 
+// A long entry that does not fit gives its room to those behind it.
+TEST(Program, KeyBarIsFilled) {
+  const std::string text = played("wait");
+  EXPECT_TRUE(holds(text, "n p run  j k hit")) << text;
+  EXPECT_TRUE(holds(played("2\nwait\nd"), "d back to FRFs  j k check"));
+}
+
 TEST(Program, TheKeyThatClosesTheHelpDoesNothingElse) {
   const std::string text = played("3\nwait\n?x\nwait");
   EXPECT_FALSE(holds(text, "dropped")) << text;

@@ -17,6 +17,15 @@ TEST(Program, CompletesCommands) {
   EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.md"));
 }
 
+TEST(Program, TakesALineBackAsAShellDoes) {
+  EXPECT_TRUE(holds(played(":add joint<C-u>he"), "\n:he "));
+  EXPECT_TRUE(holds(played(":add joint<C-w>dash"), "\n:add dash"));
+  EXPECT_TRUE(holds(played(":add  dash"), "Tab: dashpot"))
+      << "whatever the number of blanks";
+  const std::string filter = played("2\nwait\n/xyz<C-u>4Z");
+  EXPECT_TRUE(holds(filter, "\n/4Z")) << filter;
+}
+
 TEST(Program, CompletesPlaces) {
   const std::string grids = played("5\nwait\n:add added-mass@");
   EXPECT_TRUE(holds(grids, "Tab: 1  1:rotary  2  2:rotary")) << grids;

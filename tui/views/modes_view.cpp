@@ -5,6 +5,7 @@
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
@@ -149,10 +150,12 @@ void draw_shape(Screen& screen,
     const updating::Comparison& c = *input.comparison;
     const auto row = static_cast<Eigen::Index>(selected);
     const auto column = static_cast<Eigen::Index>(*model);
+    const std::string hz = number(c.modes.frequency_hz[column], 5);
+    const std::string mac = fixed(c.mac(row, column), 3);
     const std::string words =
-        fmt::format("over model {} Hz, MAC {}",
-                    number(c.modes.frequency_hz[column], 5),
-                    fixed(c.mac(row, column), 3));
+        fitting({fmt::format("over model {} Hz, MAC {}", hz, mac),
+                 fmt::format("model {} Hz, MAC {}", hz, mac)},
+                rect.width);
     const bool fits = x + 1 + text_width(words) <= rect.x + rect.width;
     x = fits ? x + 1 : rect.x;
     y += fits ? 0 : 1;

@@ -111,10 +111,12 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
   }
   const int names = std::clamp(sheet.screen.width() / 2, 20, 50);
   for (const updating::Rung& rung : input.ladder) {
-    const bool base = rung.added == "base";
+    const bool base = rung.added == updating::base_rung;
     const std::string what =
         base ? std::string("base model")
-             : fmt::format("+ {} {}", rung.added, place(rung.where));
+        : rung.added == updating::uncertain_rung
+            ? std::string("uncertain properties fitted")
+            : fmt::format("+ {} {}", rung.added, place(rung.where));
     sheet.screen.text(1, sheet.y, what, {}, names - 2);
     sheet.screen.text_right(names + 8, sheet.y, percent(rung.error));
     draw_error_bar(sheet.screen,

@@ -65,14 +65,15 @@ Plot parameter_plot(const UpdateRecord& record, bool ascii) {
             0.0,
             std::max<double>(static_cast<double>(n) - 1, 1.0),
             false};
-  plot.y = {"over its end", "", 0.0, 0.0, false};
+  plot.y = {"value over its last", "", 0.0, 0.0, false};
   for (std::size_t p = 0; p < record.parameters.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p);
     const Eigen::VectorXd& last = record.steps.back().values;
     if (at >= last.size() || last[at] == 0.0) continue;
     const Pen pen = pen_of(p);
     const std::string letter = ascii ? "" : fmt::format("{} ", pen.mark);
-    Curve curve{letter + record.parameters[p], {}, {}, {}, {}, pen};
+    Curve curve{
+        letter + split_unit(record.parameters[p]).name, {}, {}, {}, {}, pen};
     curve.x = Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0);
     curve.y.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -171,16 +172,18 @@ void draw_live_fit(Screen& screen,
 void draw_convergence(Screen& screen,
                       const Rect& rect,
                       const UpdateRecord& record) {
-  const auto [line, body] = split_top(rect, 1);
-  screen.text(line.x + 1,
-              line.y,
-              fmt::format("fit with {}: {} steps, {}; on {}",
+  const std::vector<std::string> words =
+      wrapped(fmt::format("fit with {}: {} steps, {}; on {}",
                           record.added,
                           record.steps.size(),
                           record.message,
                           record.lines),
-              {},
-              line.width - 2);
+              rect.width - 2,
+              2);
+  const auto [lines, body] = split_top(rect, static_cast<int>(words.size()));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    screen.text(lines.x + 1, lines.y + static_cast<int>(i), words[i]);
+  }
   if (record.steps.empty()) return;
   std::vector<double> errors;
   for (const RecordedStep& step : record.steps) errors.push_back(step.error);
@@ -210,7 +213,8 @@ void draw_correlation(Screen& screen,
   HeatMap map;
   map.values = record.correlation.cwiseAbs();
   for (std::size_t i = 0; i < record.parameters.size(); ++i) {
-    map.row_names.push_back(fmt::format("{} {}", i + 1, record.parameters[i]));
+    map.row_names.push_back(
+        fmt::format("{} {}", i + 1, split_unit(record.parameters[i]).name));
     map.column_names.push_back(std::to_string(i + 1));
   }
   const int rows = static_cast<int>(map.values.rows()) + 1;

@@ -2,6 +2,7 @@
 
 #include "tui/bars.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
@@ -108,7 +109,9 @@ std::vector<LadderRow> ladder_rows(const UpdateInput& input,
   };
   while (next < input.ladder.size() && !is_effect(next)) {
     const updating::Rung& rung = input.ladder[next++];
-    rows.push_back({rung.added, &rung, false});
+    const bool base = rung.added == updating::base_rung;
+    rows.push_back(
+        {base ? "base model" : "uncertain properties fitted", &rung, false});
   }
   for (std::size_t k = 0; k < input.effects.size(); ++k) {
     const updating::AddedEffect& added = input.effects[k];
@@ -149,7 +152,14 @@ void draw_ladder(Screen& screen,
       screen.text_right(rect.x + names + 7, y, "off", {.colour = Colour::Grey});
       continue;
     }
-    screen.text(rect.x, y, row.name, {}, names - 1);
+    // The brief one says as much of what was fitted.
+    const bool fitted = row.name == "uncertain properties fitted";
+    screen.text(
+        rect.x,
+        y,
+        fitted ? fitting({row.name, "properties fitted"}, names - 1) : row.name,
+        {},
+        names - 1);
     screen.text_right(rect.x + names + 7, y, percent(row.rung->error));
     int bar_width = rect.width - names - 9;
     if (row.rung->stopped_after > 0) {
@@ -167,13 +177,15 @@ void draw_ladder(Screen& screen,
 }
 
 std::string headline_of(const UpdateInput& input) {
-  std::string text = "nothing added yet: 5 ranks what may be missing";
+  std::string text = "nothing added yet";
   const auto on = static_cast<std::size_t>(std::count_if(
       input.effects.begin(), input.effects.end(), [](const auto& added) {
         return added.on;
       }));
   const std::size_t off = input.effects.size() - on;
-  if (input.ladder.size() > 1) {
+  if (input.ladder.size() == 1) {
+    text += fmt::format(": error {}", percent(input.ladder.front().error));
+  } else if (input.ladder.size() > 1) {
     text = fmt::format("{} added: error {} → {}",
                        effects_text(on),
                        percent(input.ladder.front().error),
@@ -184,6 +196,7 @@ std::string headline_of(const UpdateInput& input) {
   if (input.current != nullptr) {
     text += fmt::format(", floor {}", percent(input.current->floor));
   }
+  if (input.ladder.size() <= 1) text += "; 5 finds what is missing";
   return text;
 }
 
@@ -366,8 +379,12 @@ std::string UpdatePage::help() const {
          "comparison. u takes the last change back, Ctrl-R does it again. t "
          "switches the marked effect off or on, n and p mark another. Tab "
          "shows "
-         "how its fit came about: convergence, correlations, L-curve. While a "
-         "fit runs, S ends it and keeps what it has reached, Esc discards it.";
+         "how its fit came about: its error and parameters step by step, how "
+         "far their estimates hang together, and the L-curve (how far the "
+         "parameters had to move, |x|, for what is left, |S x - d|). E:1 is E "
+         "of material 1; mesh size and mesh edges take up what the mesh does "
+         "to the modes. While a fit runs, S ends it and keeps what it has "
+         "reached, Esc discards it.";
 }
 
 }  // namespace tapfit::tui

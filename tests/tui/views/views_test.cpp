@@ -173,6 +173,19 @@ TEST(FrfView, TakesNoFrfs) {
   EXPECT_NO_THROW((void)frf_view(one, {}, {}));
 }
 
+// However many digits its frequency has.
+TEST(ModesView, CutsNoMac) {
+  const modal::ModeSet modes = testing::fake_modes();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Wireframe wire = wireframe(testing::fake_deck());
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.modes.frequency_hz[0] = 2.0775;
+  c.pairs[0].model_hz = 2.0775;
+  const Screen s = modes_view({modes, &frfs, &wire, &c}, {}, sizes[0]);
+  EXPECT_TRUE(holds(s, fmt::format("model 2.0775 Hz, MAC {:.3f}", c.mac(0, 0))))
+      << s.to_text();
+}
+
 TEST(ModesView, ShowsFrequenciesWithTheirDeviation) {
   const modal::ModeSet modes = testing::fake_modes();
   const signal::FrfSet frfs = testing::fake_frfs();
@@ -293,6 +306,8 @@ TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   ReportInput input{before, before, ladder, {}, {}, {}};
   input.diagnoses = {{0, none}, {1, none}};
   const Screen s = report_sheet(input, 100, false);
+  EXPECT_TRUE(holds(s, "uncertain properties fitted  ")) << s.to_text();
+  EXPECT_FALSE(holds(s, "everywhere"));
   EXPECT_TRUE(holds(s, "error 48.9 % → 48.9 %, floor 2.1 %")) << s.to_text();
   EXPECT_TRUE(holds(s, "error 2.3 % → 2.3 %, floor 2.1 %")) << s.to_text();
 }
