@@ -22,13 +22,26 @@ double lowest_downhill(const Eigen::VectorXd& size, Index peak, Index step) {
   return lowest;
 }
 
+/// Where the peak's upper part ends on that side: at the latest in the valley
+/// before something higher.
+Index end_of_upper_part(const Eigen::VectorXcd& H, Index peak, Index step) {
+  const double size = std::abs(H[peak]);
+  Index end = peak;
+  Index valley = peak;
+  for (Index i = peak + step; i >= 0 && i < H.size(); i += step) {
+    const double here = std::abs(H[i]);
+    if (here > size) return valley;
+    if (here <= 0.4 * size) break;
+    end = i;
+    if (here < std::abs(H[valley])) valley = i;
+  }
+  return end;
+}
+
 /// First and last line of the peak's upper part.
 std::pair<Index, Index> upper_part(const Eigen::VectorXcd& H, Index peak) {
-  const double least = 0.4 * std::abs(H[peak]);
-  Index first = peak;
-  Index last = peak;
-  while (first > 0 && std::abs(H[first - 1]) > least) --first;
-  while (last + 1 < H.size() && std::abs(H[last + 1]) > least) ++last;
+  Index first = end_of_upper_part(H, peak, -1);
+  Index last = end_of_upper_part(H, peak, 1);
   first = std::min(first, std::max<Index>(peak - 3, 0));
   last = std::max(last, std::min<Index>(peak + 3, H.size() - 1));
   return {first, last};
@@ -82,6 +95,9 @@ std::optional<PeakFit> fit_peak(const Eigen::VectorXcd& s,
   fit.residue = size * span * (found[1] * found[0] + found[2]);
   const double a = s_0.real() - fit.pole.real();
   if (!found.allFinite() || !(a > 0.0) || !(fit.pole.real() < 0.0)) return {};
+  // A pole beside its lines is another peak's, of whose flank they are.
+  const double w = fit.pole.imag();
+  if (w < s[fit.first].imag() || w > s[fit.last].imag()) return std::nullopt;
   fit.centre = fit.rest + fit.residue / (2.0 * a);
   fit.radius = std::abs(fit.residue) / (2.0 * a);
   if (!(fit.radius > 0.0)) return std::nullopt;

@@ -48,12 +48,13 @@ struct PeakFit {
   [[nodiscard]] double damping_ratio() const;
 };
 
-/// The stretch above 0.4 of the peak's magnitude, three lines on either side
-/// at least where there are as many.
+/// The stretch above 0.4 of the peak's magnitude, and no higher one; three
+/// lines on either side at least where there are as many.
 ///
 /// @param s, H per line of the FRF
 /// @param peak line of the peak
-/// @return empty for fewer than five lines, or where no damped pole fits
+/// @return empty for fewer than five lines, or where no damped pole fits, or
+///   the one that does lies beside them
 [[nodiscard]] std::optional<PeakFit> fit_peak(const Eigen::VectorXcd& s,
                                               const Eigen::VectorXcd& H,
                                               Eigen::Index peak);

@@ -56,6 +56,31 @@ TEST(FrfPeaks, LeaveRipplesOut) {
   EXPECT_TRUE(peak_lines({}).empty());
 }
 
+// A ripple on the flank of a resonance is no resonance there.
+TEST(FrfPeaks, FitStaysWithItsLines) {
+  const System system = two_oscillators(0.0);
+  const Eigen::Index at = peak_lines(system.H.cwiseAbs())[0];
+  ASSERT_TRUE(fit_peak(system.s, system.H, at));
+  const Eigen::Index right = system.s.size() - at - 20;
+  EXPECT_FALSE(fit_peak(system.s.tail(right), system.H.tail(right), 0));
+}
+
+// Beside a resonance much higher, behind a valley that is not deep: what is
+// fitted is the lower one, not both.
+TEST(FrfPeaks, FitEndsInTheValley) {
+  System system = two_oscillators(0.0);
+  const Complex low = pole_of(31.0, 0.004);
+  for (Eigen::Index i = 0; i < system.s.size(); ++i) {
+    const Complex s = system.s[i];
+    system.H[i] += 0.04 * s * s / ((s - low) * (s - std::conj(low)));
+  }
+  const auto found = peak_lines(system.H.cwiseAbs());
+  ASSERT_EQ(found.size(), 3U);
+  const auto fit = fit_peak(system.s, system.H, found[2]);
+  ASSERT_TRUE(fit);
+  EXPECT_NEAR(fit->frequency_hz(), 31.0, 0.05) << "a line's distance";
+}
+
 // One pole and a constant is the model itself: exact.
 TEST(FrfPeaks, FitIsExactForOnePole) {
   System system = two_oscillators(0.0);
