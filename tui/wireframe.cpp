@@ -13,7 +13,6 @@
 namespace tapfit::tui {
 namespace {
 
-using Edge = std::array<int, 2>;
 constexpr std::size_t most_edges = 3000;
 
 constexpr int line_element = 1000;  // told apart from shared shell edges
@@ -126,6 +125,50 @@ double shape_factor(const Wireframe& wire, const Scene& scene) {
   return scene.phase * structure_size(wire) / 8.0 / largest;
 }
 
+/// Shells as indices of their grids.
+std::vector<std::vector<int>> faces_of(const structure::Deck& deck,
+                                       const Wireframe& wire) {
+  std::vector<std::vector<int>> faces;
+  for (const structure::Shell& shell : deck.shells) {
+    faces.emplace_back();
+    for (const int grid : shell.grids) {
+      const auto found = wire.index.find(grid);
+      if (found != wire.index.end()) faces.back().push_back(found->second);
+    }
+  }
+  return faces;
+}
+
+/// Lines of which neighbours are far enough apart to be told apart.
+std::vector<Edge> legible_lines(const Wireframe& wire,
+                                const Projection& view,
+                                bool ascii) {
+  double length = 0.0;
+  for (const Edge& edge : wire.lines) {
+    length += (view(wire.points.col(edge[0])) - view(wire.points.col(edge[1])))
+                  .norm();
+  }
+  length /= std::max<double>(static_cast<double>(wire.lines.size()), 1.0);
+  const double least = ascii ? 2.5 : 4.0;  // a cell in between, about
+  int every = 1;
+  while (length * every < least && every < 64) every *= 2;
+  std::vector<Edge> lines;
+  for (std::size_t i = 0; i < wire.lines.size(); ++i) {
+    if (wire.ranks[i].depth % every == 0) lines.push_back(wire.lines[i]);
+  }
+  return lines;
+}
+
+/// What a deformed structure is seen against; all of it where it has none.
+std::vector<Edge> outline_of(const Wireframe& wire,
+                             const std::vector<Edge>& all) {
+  std::vector<Edge> lines;
+  for (std::size_t i = 0; i < wire.lines.size(); ++i) {
+    if (wire.ranks[i].outline) lines.push_back(wire.lines[i]);
+  }
+  return lines.empty() ? all : lines;
+}
+
 void draw_lines(Dots& dots,
                 const Projection& view,
                 const Eigen::Matrix3Xd& points,
@@ -218,10 +261,13 @@ Wireframe wireframe(const structure::Deck& deck) {
   }
   if (deck.given) add_couplings(deck, edges);
   const bool outline = edges.uses.size() > most_edges;
+  const std::map<Edge, MeshEdge> mesh = mesh_edges(faces_of(deck, wire));
   for (const auto& [edge, uses] : edges.uses) {
-    if (!outline || uses == 1 || uses >= line_element) {
-      wire.lines.push_back(edge);
-    }
+    if (outline && uses != 1 && uses < line_element) continue;
+    const auto at = mesh.find(edge);
+    const bool shell = uses < line_element && at != mesh.end();
+    wire.lines.push_back(edge);
+    wire.ranks.push_back(shell ? at->second : MeshEdge{0, true});
   }
   return wire;
 }
@@ -254,10 +300,12 @@ void draw_wireframe(Screen& screen,
   Dots dots(rect.width, rect.height, screen.ascii());
   const Projection view = fit(wire, dots, pose, screen.ascii());
   const double factor = shape_factor(wire, scene);
+  const std::vector<Edge> lines = legible_lines(wire, view, screen.ascii());
+  const bool shaped = scene.shape.cols() == wire.points.cols();
   draw_lines(dots,
              view,
              wire.points,
-             wire.lines,
+             shaped ? outline_of(wire, lines) : lines,
              {Colour::Grey, Pattern::Solid, '.', false});
   if (!scene.highlighted.empty()) {
     std::set<int> wanted;
@@ -265,19 +313,18 @@ void draw_wireframe(Screen& screen,
       const auto found = wire.index.find(node);
       if (found != wire.index.end()) wanted.insert(found->second);
     }
-    std::vector<Edge> lines;
+    std::vector<Edge> places;
     for (const Edge& edge : wire.lines) {
       if (wanted.contains(edge[0]) && wanted.contains(edge[1])) {
-        lines.push_back(edge);
+        places.push_back(edge);
       }
     }
     draw_lines(
-        dots, view, wire.points, lines, {Colour::Orange, Pattern::Solid, '#'});
+        dots, view, wire.points, places, {Colour::Orange, Pattern::Solid, '#'});
   }
-  if (scene.shape.cols() == wire.points.cols()) {
+  if (shaped) {
     const Eigen::Matrix3Xd moved = wire.points + factor * scene.shape;
-    draw_lines(
-        dots, view, moved, wire.lines, {Colour::Blue, Pattern::Solid, '+'});
+    draw_lines(dots, view, moved, lines, {Colour::Blue, Pattern::Solid, '+'});
   }
   draw_stems(dots, view, wire, scene, factor);
   dots.draw(screen, rect.x, rect.y);

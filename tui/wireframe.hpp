@@ -2,12 +2,12 @@
 #pragma once
 
 #include "tui/key.hpp"
+#include "tui/mesh_lines.hpp"
 #include "tui/screen.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -15,9 +15,11 @@
 namespace tapfit::tui {
 
 struct Wireframe {
-  Eigen::Matrix3Xd points;                ///< per deck grid [m]
-  std::vector<std::array<int, 2>> lines;  ///< indices into points
-  std::map<int, int> index;               ///< grid id to index
+  Eigen::Matrix3Xd points;  ///< per deck grid [m]
+  std::vector<Edge> lines;  ///< indices into points
+  std::vector<MeshEdge>
+      ranks;                 ///< per line: which of them a coarser picture has
+  std::map<int, int> index;  ///< grid id to index
 };
 
 /// Every edge once: of shells, bars, rods, plot lines. Of meshes with more
@@ -50,7 +52,9 @@ struct Scene {
 };
 
 /// Fitted into the rectangle, the cells' 1:2 shape allowed for. The largest
-/// displacement is drawn as an eighth of the structure's size.
+/// displacement is drawn as an eighth of the structure's size. Of a mesh whose
+/// lines would run into each other only so many are drawn that they do not;
+/// under a shape, of the structure at rest only the outline.
 void draw_wireframe(Screen& screen,
                     const Rect& rect,
                     const Wireframe& wire,
