@@ -3,6 +3,7 @@
 #include "tui/bars.hpp"
 #include "tui/heat_map.hpp"
 #include "tui/layout.hpp"
+#include "tui/level_marks.hpp"
 #include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
@@ -74,12 +75,9 @@ void draw_error_map(Screen& screen,
 }
 
 /// Four steps from the best to the worst point.
-Colour error_colour(double error, double largest) {
+const LevelMark& error_mark(double error, double largest) {
   const double share = largest > 0.0 ? error / largest : 0.0;
-  return share > 0.75   ? Colour::Red
-         : share > 0.5  ? Colour::Orange
-         : share > 0.25 ? Colour::Yellow
-                        : Colour::Green;
+  return level_marks[share > 0.75 ? 3 : share > 0.5 ? 2 : share > 0.25 ? 1 : 0];
 }
 
 void draw_points(Screen& screen,
@@ -92,8 +90,8 @@ void draw_points(Screen& screen,
   Scene scene;
   for (std::size_t i = points.size(); i-- > 0;) {
     const auto& [node, error] = points[i];
-    Mark mark{
-        node, U'●', {.colour = error_colour(error, points[0].second)}, ""};
+    const LevelMark& level = error_mark(error, points[0].second);
+    Mark mark{node, level.glyph, {.colour = level.colour}, ""};
     mark.style.reverse = i == selected;
     mark.style.bold = i == selected;
     if (i == selected) mark.label = fmt::format("{}: {}", node, percent(error));
@@ -124,8 +122,9 @@ void draw_points(Screen& screen,
   int x = lines.x + 1;
   for (const auto& [share, words_of] :
        {std::pair{0.2, "to 1/4"}, {0.4, "1/2"}, {0.6, "3/4"}, {1.0, "worst"}}) {
-    screen.put(x, lines.y + 1, U'●', {.colour = error_colour(share, 1.0)});
-    x = screen.text(x + 1, lines.y + 1, words_of, {.colour = Colour::Grey}) + 1;
+    const LevelMark& level = error_mark(share, 1.0);
+    screen.put(x, lines.y + 1, level.glyph, {.colour = level.colour});
+    x = screen.text(x + 2, lines.y + 1, words_of, {.colour = Colour::Grey}) + 2;
   }
 }
 

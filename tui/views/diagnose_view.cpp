@@ -1,6 +1,7 @@
 #include "tui/views/diagnose_view.hpp"
 
 #include "tui/layout.hpp"
+#include "tui/level_marks.hpp"
 #include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
@@ -159,14 +160,14 @@ void draw_map(Screen& screen,
   for (std::size_t i = map.size(); i-- > 0;) {
     const double share = map[i].explained / best;
     if (share < 0.5) continue;
-    const Colour colour = share > 0.95   ? Colour::Red
-                          : share > 0.85 ? Colour::Orange
-                          : share > 0.7  ? Colour::Yellow
-                                         : Colour::Green;
+    const LevelMark& level = level_marks[share > 0.95   ? 3
+                                         : share > 0.85 ? 2
+                                         : share > 0.7  ? 1
+                                                        : 0];
     scene.marks.push_back(
         {map[i].node,
-         U'●',
-         {.colour = colour, .bold = i == 0},
+         level.glyph,
+         {.colour = level.colour, .bold = i == 0},
          i == 0 ? fmt::format("{}: {}", map[i].node, percent(map[i].explained))
                 : std::string()});
   }
@@ -186,12 +187,11 @@ void draw_map(Screen& screen,
       {.colour = Colour::Grey},
       lines.width - 1);
   int x = lines.x + 1;
-  for (const auto& [colour, what] : {std::pair{Colour::Red, "95 % of the best"},
-                                     {Colour::Orange, "85"},
-                                     {Colour::Yellow, "70"},
-                                     {Colour::Green, "50"}}) {
-    screen.put(x, lines.y + 1, U'●', {.colour = colour});
-    x = screen.text(x + 1, lines.y + 1, what, {.colour = Colour::Grey}) + 1;
+  for (const auto& [level, what] :
+       {std::pair{3U, "95"}, {2U, "85"}, {1U, "70"}, {0U, "50 % of best"}}) {
+    const LevelMark& mark = level_marks[level];
+    screen.put(x, lines.y + 1, mark.glyph, {.colour = mark.colour});
+    x = screen.text(x + 2, lines.y + 1, what, {.colour = Colour::Grey}) + 1;
   }
 }
 
