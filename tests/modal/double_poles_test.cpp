@@ -2,7 +2,7 @@
 
 #include "modal/identify_modes.hpp"
 #include "modal/mac.hpp"
-#include "tests/modal/synthetic_frfs.hpp"
+#include "tests/modal/close_modes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,26 +16,6 @@ namespace {
 using Eigen::Index;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kDamping = 0.008;
-
-/// Modes at 50 Hz, each the given share above the one before, alone between
-/// 30 and 70 Hz.
-test::SyntheticSystem close_modes(Index count,
-                                  double apart,
-                                  std::mt19937_64& random) {
-  test::SyntheticSystem system;
-  system.frequency_hz.resize(count);
-  system.damping_ratio.resize(count);
-  for (Index r = 0; r < count; ++r) {
-    system.frequency_hz(r) = 50.0 * std::pow(1.0 + apart, r);
-    system.damping_ratio(r) = kDamping;
-  }
-  // Each reference moves most in a mode of its own.
-  system.phi = test::random_shapes(16, count, random);
-  system.phi.topRows(count) =
-      Eigen::MatrixXd::Identity(count, count).array() + 0.2;
-  return system;
-}
 
 modal::Curves curves_of(const test::SyntheticSystem& system,
                         const std::vector<Index>& sensors,
@@ -43,9 +23,7 @@ modal::Curves curves_of(const test::SyntheticSystem& system,
                         std::mt19937_64& random) {
   std::vector<std::string> warnings;
   return modal::prepare_curves(
-      test::roving_hammer(
-          system, sensors, test::line_points(30, 70, 400, 0.0), noise, random),
-      warnings);
+      test::close_modes_frfs(system, sensors, noise, random), warnings);
 }
 
 /// What expand_pole() finds under one pole fitted to all.
@@ -67,7 +45,8 @@ TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
   constexpr double kApart = 1e-4;
   std::mt19937_64 random(1);
   for (const Index count : {2, 3}) {
-    const test::SyntheticSystem system = close_modes(count, kApart, random);
+    const test::SyntheticSystem system =
+        test::close_modes(count, kApart, random);
     const Eigen::VectorXcd found =
         found_under_one(curves_of(system, {0, 1, 2}, 0.0, random));
     ASSERT_EQ(found.size(), count);
@@ -87,14 +66,14 @@ TEST(DoublePoles, OneModeIsNeverSplit) {
     std::mt19937_64 random(seed);
     const double noise = 0.002 * seed;  // up to 20 %
     const modal::Curves curves =
-        curves_of(close_modes(1, 0.0, random), {0, 1, 2}, noise, random);
+        curves_of(test::close_modes(1, 0.0, random), {0, 1, 2}, noise, random);
     EXPECT_EQ(found_under_one(curves).size(), 1) << seed;
   }
 }
 
 TEST(DoublePoles, NeedTwoReferences) {
   std::mt19937_64 random(3);
-  const test::SyntheticSystem system = close_modes(2, 1e-3, random);
+  const test::SyntheticSystem system = test::close_modes(2, 1e-3, random);
   EXPECT_EQ(found_under_one(curves_of(system, {0}, 0.0, random)).size(), 1);
 }
 
@@ -103,16 +82,11 @@ int right_of_twenty(Index count, Index references, double noise) {
   int right = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937_64 random(700 + seed);
-    const test::SyntheticSystem system = close_modes(count, 1e-3, random);
+    const test::SyntheticSystem system = test::close_modes(count, 1e-3, random);
     std::vector<Index> sensors{0, 1, 2};
     sensors.resize(static_cast<std::size_t>(references));
     const modal::ModeSet set = modal::identify_modes(
-        test::roving_hammer(system,
-                            sensors,
-                            test::line_points(30, 70, 400, 0.0),
-                            noise,
-                            random),
-        {});
+        test::close_modes_frfs(system, sensors, noise, random), {});
     bool good = static_cast<Index>(set.modes.size()) == count;
     for (Index r = 0; good && r < count; ++r) {
       const modal::Mode& mode = set.modes[static_cast<std::size_t>(r)];

@@ -1,7 +1,7 @@
 // Modes that share one pole: a square plate has them, and no fit of distinct
 // poles can hold them.
 #include "modal/identify_modes.hpp"
-#include "tests/modal/synthetic_frfs.hpp"
+#include "tests/modal/close_modes.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -15,25 +15,12 @@ namespace {
 
 using Eigen::Index;
 
-/// Modes at 50 Hz with one damping ratio and shapes of their own.
-test::SyntheticSystem equal_modes(Index count, std::mt19937_64& random) {
-  test::SyntheticSystem system;
-  system.frequency_hz = Eigen::VectorXd::Constant(count, 50.0);
-  system.damping_ratio = Eigen::VectorXd::Constant(count, 0.008);
-  system.phi = test::random_shapes(16, count, random);
-  system.phi.topRows(count) =
-      Eigen::MatrixXd::Identity(count, count).array() + 0.2;
-  return system;
-}
-
 modal::ModeSet identify(const test::SyntheticSystem& system,
                         const std::vector<Index>& sensors,
                         double noise,
                         std::mt19937_64& random) {
   return modal::identify_modes(
-      test::roving_hammer(
-          system, sensors, test::line_points(30, 70, 400, 0.0), noise, random),
-      {});
+      test::close_modes_frfs(system, sensors, noise, random), {});
 }
 
 /// Smallest cosine between the space of true shapes and that of the found.
@@ -65,7 +52,7 @@ bool says_so(const modal::ModeSet& set) {
 TEST(RepeatedPoles, KeepTheirNumberSpaceAndScale) {
   std::mt19937_64 random(11);
   for (const Index count : {2, 3}) {
-    const test::SyntheticSystem system = equal_modes(count, random);
+    const test::SyntheticSystem system = test::close_modes(count, 0.0, random);
     const modal::ModeSet set = identify(system, {0, 1, 2}, 0.0, random);
     ASSERT_EQ(static_cast<Index>(set.modes.size()), count);
     EXPECT_TRUE(says_so(set));
@@ -86,7 +73,7 @@ TEST(RepeatedPoles, AreFoundInNoise) {
     int right = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
       std::mt19937_64 random(900 + seed);
-      const test::SyntheticSystem system = equal_modes(2, random);
+      const test::SyntheticSystem system = test::close_modes(2, 0.0, random);
       const modal::ModeSet set = identify(system, {0, 1}, noise, random);
       const bool good =
           set.modes.size() == 2 &&
@@ -106,8 +93,8 @@ TEST(RepeatedPoles, PairsAtAnyDistanceAreTwoModes) {
       int right = 0;
       for (unsigned seed = 1; seed <= 10; ++seed) {
         std::mt19937_64 random(400 + seed);
-        test::SyntheticSystem system = equal_modes(2, random);
-        system.frequency_hz(1) *= 1.0 + apart;
+        const test::SyntheticSystem system =
+            test::close_modes(2, apart, random);
         const modal::ModeSet set = identify(system, {0, 1}, noise, random);
         const bool good =
             set.modes.size() == 2 && alignment(system, set) > 0.95;
@@ -123,7 +110,7 @@ TEST(RepeatedPoles, OneModeIsNeverTwo) {
     std::mt19937_64 random(seed);
     const double noise = 0.004 * seed;  // up to 20 %
     const modal::ModeSet set =
-        identify(equal_modes(1, random), {0, 1, 2}, noise, random);
+        identify(test::close_modes(1, 0.0, random), {0, 1, 2}, noise, random);
     EXPECT_EQ(set.modes.size(), 1U) << seed;
   }
 }
