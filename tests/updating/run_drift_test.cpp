@@ -34,7 +34,7 @@ class RunDriftTest : public PlateModel {
     FitSetting setting = fitter_->setting();
     setting.measured = measured;
     setting.targets = {make_target(measured)};
-    const Fitter fitter(*builder_, setting);
+    const Fitter fitter(builder_, setting);
     const Fit fit = fitter.fit({}, fitter.model_for({}));
     return run_drift(fit, fitter.target());
   }

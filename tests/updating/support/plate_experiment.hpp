@@ -15,19 +15,12 @@ namespace tapfit::updating {
 
 /// A test whose "measurement" is the model with an effect, its modulus off by
 /// 2 %, its damping scattered about 0.8 %, and noise on every line.
-class PlateExperiment {
+class PlateExperiment : private support::BasedPlate {
  public:
   PlateExperiment(const std::vector<PlacedEffect>& hidden,
                   double noise,
                   unsigned seed,
-                  double identified_damping = 0.008)
-      : deck_(support::plate_deck(true)),
-        bundle_(support::plate_bundle()),
-        setting_(support::plate_setting(bundle_, deck_)) {
-    builder_.emplace(deck_,
-                     bundle_.uncertain,
-                     support::plate_base(bundle_, deck_),
-                     Progress{});
+                  double identified_damping = 0.008) {
     FitSetting fit;
     fit.setting = setting_;
     fit.uncertain_sd = {0.03};
@@ -39,7 +32,7 @@ class PlateExperiment {
       signal::FrfSet set = support::plate_pairs(bundle_, s);
       fit.measured = set;
       fit.targets = {make_target(set)};
-      const Fitter truth(*builder_, fit);
+      const Fitter truth(builder_, fit);
       const auto model = truth.model_for(hidden);
       ModelState state = truth.first_state(*model, hidden);
       state.factor = {1.02};
@@ -64,7 +57,7 @@ class PlateExperiment {
     fit.measured = measured_.back();
     fit.targets = {make_target(measured_[0]), make_target(measured_[1])};
     fit.damping_ratio = identified_damping;
-    fitter_.emplace(*builder_, fit);
+    fitter_.emplace(builder_, fit);
   }
 
   [[nodiscard]] const Fitter& fitter() const { return *fitter_; }
@@ -77,10 +70,6 @@ class PlateExperiment {
   }
 
  private:
-  structure::Deck deck_;
-  acquisition::TestBundle bundle_;
-  effects::Setting setting_;
-  std::optional<BaseBuilder> builder_;
   std::vector<signal::FrfSet> measured_;
   std::optional<Fitter> fitter_;
 };

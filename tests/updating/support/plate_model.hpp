@@ -19,24 +19,17 @@ inline double difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
 }
 
 /// The sample plate with its fitter, and places of effects on it.
-class PlateModel : public ::testing::Test {
+class PlateModel : public ::testing::Test, protected support::BasedPlate {
  protected:
   PlateModel()
-      : deck_(support::plate_deck(true)),
-        bundle_(support::plate_bundle()),
-        setting_(support::plate_setting(bundle_, deck_)),
-        s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
+      : s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
         pairs_(support::plate_pairs(bundle_, s_)) {
-    builder_.emplace(deck_,
-                     bundle_.uncertain,
-                     support::plate_base(bundle_, deck_),
-                     Progress{});
     FitSetting fit;
     fit.setting = setting_;
     fit.measured = pairs_;
     fit.targets = {make_target(pairs_)};
     fit.uncertain_sd = {0.03};
-    fitter_.emplace(*builder_, fit);
+    fitter_.emplace(builder_, fit);
   }
 
   PlacedEffect at_node(const std::string& name, int node, double p) const {
@@ -58,12 +51,8 @@ class PlateModel : public ::testing::Test {
     throw std::logic_error("no clamp");
   }
 
-  structure::Deck deck_;
-  acquisition::TestBundle bundle_;
-  effects::Setting setting_;
   Eigen::VectorXcd s_;
   signal::FrfSet pairs_;
-  std::optional<BaseBuilder> builder_;
   std::optional<Fitter> fitter_;
 };
 

@@ -28,4 +28,23 @@ namespace tapfit::support {
 [[nodiscard]] signal::FrfSet plate_pairs(const acquisition::TestBundle& bundle,
                                          const Eigen::VectorXcd& s);
 
+/// The clamped plate with its test and its base; one stiffness is uncertain.
+class BasedPlate {
+ public:
+  BasedPlate(const BasedPlate&) = delete;
+  BasedPlate& operator=(const BasedPlate&) = delete;
+  BasedPlate(BasedPlate&&) = delete;
+  BasedPlate& operator=(BasedPlate&&) = delete;
+
+ protected:
+  BasedPlate() = default;
+  ~BasedPlate() = default;
+
+  structure::Deck deck_ = plate_deck(true);
+  acquisition::TestBundle bundle_ = plate_bundle();
+  effects::Setting setting_ = plate_setting(bundle_, deck_);
+  updating::BaseBuilder builder_{
+      deck_, bundle_.uncertain, plate_base(bundle_, deck_), Progress{}};
+};
+
 }  // namespace tapfit::support
