@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/effect_place.hpp"
+#include "updating/effects/catalogue.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +78,50 @@ EffectRef whole_of(const EffectRef& effect,
                  : "it is switched off: switch it on, or add another");
   }
   return whole;
+}
+
+/// "mass_kg" of "mass_kg.acc1".
+std::string stem_of(const effects::ParameterSpec& parameter) {
+  return parameter.name.substr(0, parameter.name.find('.'));
+}
+
+/// Whether two are forms of one effect at one place, one of which can do what
+/// the other does, or part of it: they would share a size in any way.
+bool overlap(const EffectRef& a,
+             const EffectRef& b,
+             const effects::Setting& setting) {
+  if (a.effect != b.effect || a.where.variant == b.where.variant) return false;
+  Where there = b.where;
+  there.variant = a.where.variant;
+  if (there != a.where) return false;
+  const effects::Effect& effect = effects::find(a.effect);
+  const std::vector<std::string> forms = effect.forms();
+  const bool plain = std::ranges::none_of(forms, [&](const auto& form) {
+    return form == a.where.variant || form == b.where.variant;
+  });
+  if (plain) return false;
+  const auto ours = effect.parameters(a.where, setting);
+  const auto theirs = effect.parameters(b.where, setting);
+  return std::ranges::any_of(ours, [&theirs](const auto& own) {
+    return std::ranges::find(theirs, stem_of(own), stem_of) != theirs.end();
+  });
+}
+
+/// @throws InputError where another form of the effect is switched on
+void refuse_overlap(const EffectHistory::Effects& effects,
+                    std::size_t own,
+                    const StackFit& how) {
+  const EffectRef& ref = effects[own].ref;
+  for (const AddedEffect& known : effects) {
+    if (!known.on || !overlap(ref, known.ref, how.setting)) continue;
+    throw InputError(
+        "another form of the effect is in the model already",
+        fmt::format("{} at {}", ref.effect, describe(ref.where)),
+        fmt::format("they would share one size in any way: first take out {} "
+                    "at {}, or keep it and leave this one",
+                    known.ref.effect,
+                    describe(known.ref.where)));
+  }
 }
 
 /// Each added, and at once switched off where it is off.
@@ -165,6 +210,7 @@ void EffectStack::add(const EffectRef& effect,
   const Effects before = history_.now;
   Effects more = before;
   more.push_back({whole_of(effect, before, how), true});
+  refuse_overlap(more, more.size() - 1, how);
   change_to(more, still_kept(), how, progress);
   history_.past.push_back(before);
   history_.future.clear();
@@ -196,6 +242,7 @@ void EffectStack::toggle(std::size_t effect,
   const Effects before = history_.now;
   Effects other = history_.now;
   other[effect].on = !other[effect].on;
+  if (other[effect].on) refuse_overlap(other, effect, how);
   change_to(other, still_kept(), how, progress);
   history_.past.push_back(before);
   history_.future.clear();

@@ -21,21 +21,16 @@ EffectRef mass_at(int node) {
 
 // The sample plate with 30 g on grid 9 and 20 g on grid 53, "measured" without
 // noise: with both the error is nothing, with one of them it is large.
-class EffectStackTest : public testing::Test {
+class EffectStackTest : public testing::Test, protected support::BasedPlate {
  protected:
-  EffectStackTest()
-      : deck_(support::plate_deck(true)), bundle_(support::plate_bundle()) {
-    builder_.emplace(deck_,
-                     bundle_.uncertain,
-                     support::plate_base(bundle_, deck_),
-                     Progress{});
+  EffectStackTest() {
     FitSetting fit;
-    fit.setting = support::plate_setting(bundle_, deck_);
+    fit.setting = setting_;
     fit.uncertain_sd = {0.03};
     fit.measured = support::plate_pairs(
         bundle_, damped_line({10.0, 400.0}, 3.0, {0.03, 120}));
     fit.targets = {make_target(fit.measured)};
-    const Fitter bare(*builder_, fit);
+    const Fitter bare(builder_, fit);
     const std::vector<PlacedEffect> hidden = {
         {&effects::find("added-mass"), mass_at(9).where, {0.030}},
         {&effects::find("added-mass"), mass_at(53).where, {0.020}}};
@@ -47,7 +42,7 @@ class EffectStackTest : public testing::Test {
       fit.measured.frfs[static_cast<std::size_t>(f)].H = H.col(f);
     }
     fit.targets = {make_target(fit.measured)};
-    fitter_.emplace(*builder_, fit);
+    fitter_.emplace(builder_, fit);
     Fit base;
     base.model = fitter_->model_for({});
     base.result.state = fitter_->first_state(*base.model, {});
@@ -67,9 +62,6 @@ class EffectStackTest : public testing::Test {
   }
 
   Progress none_;
-  structure::Deck deck_;
-  acquisition::TestBundle bundle_;
-  std::optional<BaseBuilder> builder_;
   std::optional<Fitter> fitter_;
   std::optional<EffectStack> stack_;
 };
@@ -214,6 +206,57 @@ TEST_F(EffectStackTest, WhatWasKeptAndUndoneIsFittedToItsEndWhenAddedAnew) {
   EXPECT_EQ(stack_->fits().back().stopped_after, 0);
   EXPECT_TRUE(stack_->history().kept.empty());
   EXPECT_LT(error(), reached);
+}
+
+// A mass with and one without an inertia at one grid: their masses add up, and
+// nothing tells how much is whose.
+TEST_F(EffectStackTest, TwoFormsOfOneEffectAreRefused) {
+  EffectRef rotary = mass_at(9);
+  rotary.where.variant = "rotary";
+  stack_->add(mass_at(9), how(), none_);
+  try {
+    stack_->add(rotary, how(), none_);
+    ADD_FAILURE() << "both were added";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("take out added-mass at node 9,"),
+              std::string::npos)
+        << error.what();
+  }
+  // Elsewhere it may be, and in place of the other.
+  rotary.where.node = 53;
+  stack_->add(rotary, how(), none_);
+  stack_->toggle(0, how(), none_);
+  rotary.where.node = 9;
+  stack_->add(rotary, how(), none_);
+  EXPECT_THROW(stack_->toggle(0, how(), none_), InputError);
+  EXPECT_EQ(stack_->effects().size(), 3U);
+}
+
+TEST_F(EffectStackTest, FormsThatShareNothingGoTogether) {
+  StackFit quick = how();
+  quick.fit = [this](const auto& effects, const Progress&) {
+    Fit fit = stack_->fits().front();
+    fit.effects = effects;
+    return fit;
+  };
+  const auto support = [](const std::string& variant) {
+    EffectRef ref{"soft-support", {}};
+    ref.where.variant = variant;
+    return ref;
+  };
+  const auto refused = [&](const std::string& variant) {
+    try {
+      stack_->add(support(variant), quick, none_);
+      return false;
+    } catch (const InputError&) {
+      return true;
+    }
+  };
+  EXPECT_FALSE(refused("rotation"));
+  EXPECT_TRUE(refused("both"));
+  EXPECT_TRUE(refused("rotation-varying"));
+  EXPECT_FALSE(refused("translation-varying"));
+  EXPECT_TRUE(refused("translation"));
 }
 
 TEST_F(EffectStackTest, AChangeThatFailsLeavesEverythingAsItWas) {
