@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/effects/point_effect.hpp"
 #include "updating/fitter.hpp"
 
 #include <fmt/format.h>
@@ -43,6 +44,33 @@ std::vector<int> numbers_in(const std::string& text) {
 }
 
 bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
+
+// Whose place is told by names, which may be numbers too.
+bool sits_on_channels(const effects::Effect& effect) {
+  return effect.entry() == effects::Entry::Measurement ||
+         effect.name().starts_with("sensor-");
+}
+
+// Throws where a place is not the one grid that an effect sits at.
+void check_grid(const effects::Effect& effect,
+                const std::string& place,
+                const std::string& text) {
+  const std::vector<std::string> parts = parts_of(place);
+  const bool one_grid = parts.size() == 1 && is_grid(parts[0]);
+  const bool at_a_grid =
+      dynamic_cast<const effects::PointEffect*>(&effect) != nullptr;
+  // What follows a grid is taken for a form.
+  const bool other =
+      parts.size() > 1 && is_grid(parts[0]) && !is_grid(parts[1]);
+  if (!at_a_grid || place.empty() || one_grid || other) return;
+  throw InputError(is_grid(parts[0])
+                       ? fmt::format("{} sits at one grid", effect.name())
+                       : fmt::format("\"{}\" is no grid", parts[0]),
+                   fmt::format("effect \"{}\"", text),
+                   fmt::format("write the id of one grid, for example {}@201; "
+                               "again for more",
+                               effect.name()));
+}
 
 bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
   return std::all_of(some.begin(), some.end(), [&all](int id) {
@@ -180,7 +208,10 @@ EffectRef parse_effect(const std::string& text) {
     if (end == std::string::npos) return ref;
     place.resize(end);
   }
-  const std::vector<int> numbers = numbers_in(place);
+  const effects::Effect& effect = effects::find(ref.effect);
+  check_grid(effect, place, text);
+  const std::vector<int> numbers =
+      sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
   if (!numbers.empty() && kind == ChangeKind::Elements) {
     ref.where.elements = numbers;
     std::sort(ref.where.elements.begin(), ref.where.elements.end());
@@ -188,7 +219,7 @@ EffectRef parse_effect(const std::string& text) {
     ref.where.nodes = numbers;
   } else if (numbers.size() == 1) {
     ref.where.node = numbers.front();
-  } else if (!place.empty() && numbers.empty() &&
+  } else if (!place.empty() && numbers.empty() && !sits_on_channels(effect) &&
              (kind || is_grid(parts_of(place).front()))) {
     throw InputError(
         fmt::format("{} has no form \"{}\"", ref.effect, place),

@@ -31,6 +31,14 @@ TEST_F(EffectPlace, ChannelsAreJoinedAsTheyAreTold) {
   EXPECT_EQ(refusal("sensor-mass@acc1,acc2"), "taken");
 }
 
+TEST_F(EffectPlace, AChannelMayBeNamedByANumber) {
+  for (acquisition::Channel& channel : bundle_.channels) {
+    if (channel.name == "acc1") channel.name = "1";
+  }
+  EXPECT_EQ(refusal("channel-gain@1"), "taken");
+  EXPECT_EQ(refusal("sensor-mass@1"), "taken");
+}
+
 TEST_F(EffectPlace, FormsAreThoseThatTheEffectHas) {
   EXPECT_EQ(parse_effect("added-mass@30:rotary").where.variant, "rotary");
   EXPECT_EQ(parse_effect("sensor-mass@acc1:acc2:each").where.variant, "each");
@@ -65,6 +73,16 @@ TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
   EXPECT_NE(refusal("added-mass@99999").find("no grid 99999"),
             std::string::npos);
   EXPECT_NE(refusal("sensor-mass@acc9").find("no channel \"acc9\""),
+            std::string::npos);
+  EXPECT_NE(refusal("added-mass@201x").find("\"201x\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("dashpot@acc1").find("\"acc1\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("absorber@201x:early").find("\"201x\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("ground-spring@30:31").find("sits at one grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("channel-gain@30").find("no channel \"30\""),
             std::string::npos);
   // Grid 1 is in the clamp.
   EXPECT_NE(refusal("added-mass@1").find("cannot sit there"),
