@@ -20,11 +20,13 @@ namespace tapfit::tui {
 
 namespace {
 
-/// Gives the candidates the values that all effects together have, and leaves
-/// the base's own parameters: the session names an effect's "EFFECT NAME".
+/// Gives the candidates the values that all effects together have and the error
+/// that these leave, and leaves the base's own parameters: the session names an
+/// effect's "EFFECT NAME".
 void take_final_values(updating::Diagnosis& diagnosis) {
   auto& parameters = diagnosis.model_parameters;
   for (auto& candidate : diagnosis.candidates) {
+    candidate.error = diagnosis.error_best;
     for (auto& estimate : candidate.parameters) {
       const auto found =
           std::ranges::find(parameters,

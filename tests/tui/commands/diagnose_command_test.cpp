@@ -200,12 +200,17 @@ TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {
                              .parameters = {mass("mass_kg", 1.0)}};
   updating::Rung second = first;
   second.where = at_node(2);
+  second.error = 0.05;
   const auto diagnosis = diagnosis_of_named({base, first, second},
                                             {},
                                             {mass("E:1", 7e10),
                                              mass("added-mass mass_kg", 3.0),
                                              mass("added-mass mass_kg", 4.0)});
   EXPECT_EQ(diagnosis.ladder[0].parameters[0].value, 1.0);
+  EXPECT_EQ(diagnosis.ladder[0].error, 0.2);
+  // Values and error belong together: those with all effects in the model.
+  EXPECT_EQ(diagnosis.candidates[0].error, 0.05);
+  EXPECT_EQ(diagnosis.candidates[1].error, 0.05);
   EXPECT_EQ(diagnosis.candidates[0].parameters[0].value, 3.0);
   EXPECT_EQ(diagnosis.candidates[1].parameters[0].value, 4.0);
   EXPECT_EQ(diagnosis.candidates[1].parameters[0].name, "mass_kg");
