@@ -4,6 +4,7 @@
 #include "acquisition/seeded_random.hpp"
 #include "updating/element_patches.hpp"
 #include "updating/joint_line.hpp"
+#include "updating/model_modes.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/support_line.hpp"
 #include "updating/virtual_habit.hpp"
@@ -21,8 +22,13 @@ using structure::Deck;
 
 // A test that a practice case may be cut down to.
 constexpr std::size_t fewest_points = 12;
-// A support that gives more at one end than at the other.
+// A support that gives more at one end than at the other, one that holds every
+// turn but moves, and one that does both.
 constexpr const char* uneven = "uneven-soft-support";
+constexpr const char* moving = "moving-soft-support";
+constexpr const char* loose = "turning-and-moving-soft-support";
+// Sensors of two makes.
+constexpr const char* unequal = "unequal-sensor-mass";
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Everything that sizes are scaled by.
@@ -92,25 +98,12 @@ class Draw {
     // What a plastic does in a room that warms up by a few degrees.
     if (name == "drift") return {name, {}, {random_.uniform(2.0, 5.0)}};
     if (name == "wrong-grid") return wrong_grid(name);
-    if (name == "soft-support") {
-      StiffnessChange change;
-      change.kind = ChangeKind::Support;
-      for (const std::vector<int>& group : support_groups(deck())) {
-        change.of.where.nodes.insert(
-            change.of.where.nodes.end(), group.begin(), group.end());
-      }
-      change.of.where.variant = "rotation";
-      return {name, {}, {typical(change) * log_uniform(0.3, 3.0)}};
+    if (name == unequal) {
+      const double light = mass * random_.uniform(0.005, 0.015);
+      const double heavy = light * random_.uniform(1.5, 3.0);
+      return either_way({"sensor-mass", {}, {light, heavy}});
     }
-    if (name == uneven) {
-      VirtualEffect support = effect("soft-support");
-      // One end's bolts were forgotten.
-      support.values.push_back(support.values[0] * log_uniform(0.05, 0.2));
-      if (random_.uniform(0, 1) < 0.5) {
-        std::swap(support.values[0], support.values[1]);
-      }
-      return support;
-    }
+    if (name.ends_with("soft-support")) return support(name);
     if (name == "stiffness-loss") return loss(name);
     if (name == "joint") return joint(name);
     const std::string channel =
@@ -138,6 +131,68 @@ class Draw {
   }
 
  private:
+  VirtualEffect either_way(VirtualEffect effect) {
+    if (random_.uniform(0, 1) < 0.5) {
+      std::swap(effect.values[0], effect.values[1]);
+    }
+    return effect;
+  }
+
+  VirtualEffect support(const std::string& name) {
+    VirtualEffect result{"soft-support", {}, {}};
+    if (name == moving || name == loose) {
+      result.form = name == moving ? "translation" : "both";
+      if (name == loose) result.values.push_back(felt_spring("rotation"));
+      result.values.push_back(felt_spring("translation"));
+      return result;
+    }
+    result.values.push_back(typical(clamp("rotation")) * log_uniform(0.3, 3.0));
+    if (name != uneven) return result;
+    // One end's bolts were forgotten.
+    result.values.push_back(result.values[0] * log_uniform(0.05, 0.2));
+    return either_way(std::move(result));
+  }
+
+  // A spring of the clamp that lowers omega^2 of one mode in the band by a few
+  // to thirty percent. The first order does not do here: much of the force on a
+  // clamp keeps itself in balance and is let go within an element or two.
+  double felt_spring(const std::string& variant) {
+    const ReducedBase base = builder_->build({}, {clamp(variant)});
+    const StiffnessTerm& term = base.terms.front();
+    const auto squares = [&](double k) {
+      const BaseModes modes =
+          solve_modes(base.K + (k - term.included) * term.S,
+                      Eigen::MatrixXd::Identity(base.size(), base.size()));
+      Eigen::VectorXd ascending = modes.omega.cwiseAbs2();
+      std::sort(ascending.begin(), ascending.end());
+      return Eigen::VectorXd(
+          ascending.head(static_cast<Eigen::Index>(elastic_hz_.size())));
+    };
+    const Eigen::VectorXd rigid = squares(term.absent);
+    const double wanted = log_uniform(0.03, 0.3);
+    double soft = std::log(term.lower);
+    double stiff = std::log(term.upper);
+    while (stiff - soft > 1e-3) {
+      const double k = 0.5 * (soft + stiff);
+      const double fall =
+          1.0 - squares(std::exp(k)).cwiseQuotient(rigid).minCoeff();
+      (fall > wanted ? soft : stiff) = k;
+    }
+    return std::exp(soft);
+  }
+
+  StiffnessChange clamp(const std::string& variant) {
+    StiffnessChange change;
+    change.kind = ChangeKind::Support;
+    change.component = setup_.component;
+    for (const std::vector<int>& group : support_groups(deck())) {
+      change.of.where.nodes.insert(
+          change.of.where.nodes.end(), group.begin(), group.end());
+    }
+    change.of.where.variant = variant;
+    return change;
+  }
+
   static VirtualBundleSpec blank(const std::string& structure,
                                  std::uint64_t seed) {
     VirtualBundleSpec spec;
@@ -278,7 +333,10 @@ const std::vector<std::string>& hidden_kinds() {
                                                  "drift",
                                                  "wrong-grid",
                                                  "nonlinearity",
-                                                 uneven};
+                                                 uneven,
+                                                 moving,
+                                                 loose,
+                                                 unequal};
   return kinds;
 }
 

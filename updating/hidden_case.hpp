@@ -12,9 +12,11 @@
 namespace tapfit::updating {
 
 /// What a case may hide: the catalogue's effects, "none", pairs joined with
-/// "+"; two that are no effects of the catalogue, "strut", a spring between two
-/// grids, and "drift", a stiffness that changes while the test goes on; and
-/// "wrong-grid", a hit point that is written down elsewhere.
+/// "+"; forms of a soft support ("uneven-", "moving-", "turning-and-moving-")
+/// and "unequal-sensor-mass"; two that are no effects of the catalogue,
+/// "strut", a spring between two grids, and "drift", a stiffness that changes
+/// while the test goes on; and "wrong-grid", a hit point that is written down
+/// elsewhere.
 [[nodiscard]] const std::vector<std::string>& hidden_kinds();
 
 /// @param kind one of hidden_kinds()

@@ -59,11 +59,14 @@ double longest_side(const Deck& deck) {
   return longest;
 }
 
-// Turning, and all that is held.
-bool same_support(const Where& found, const Deck& deck) {
+// Turning or moving as it does, or both, and all that is held.
+bool same_support(const VirtualEffect& hidden,
+                  const Where& found,
+                  const Deck& deck) {
   std::set<int> held;
   for (const structure::Constraint& c : deck.constraints) held.insert(c.grid);
-  return found.variant.starts_with("rotation") &&
+  const std::string form = hidden.form.empty() ? "rotation" : hidden.form;
+  return found.variant.starts_with(form) &&
          held == std::set<int>(found.nodes.begin(), found.nodes.end());
 }
 
@@ -71,7 +74,7 @@ bool same_support(const Where& found, const Deck& deck) {
 bool same_place(const VirtualEffect& hidden,
                 const Where& found,
                 const Deck& deck) {
-  if (hidden.name == "soft-support") return same_support(found, deck);
+  if (hidden.name == "soft-support") return same_support(hidden, found, deck);
   if (!found.channels.empty()) {
     return hidden.places.empty() || std::is_permutation(hidden.places.begin(),
                                                         hidden.places.end(),
@@ -100,7 +103,9 @@ std::vector<Estimate> counterparts(const VirtualEffect& hidden,
   for (const Estimate& e : rung.parameters) {
     // What follows a dot tells ends of a clamp.
     const std::string name = e.name.substr(0, e.name.find('.'));
-    if (name.ends_with("per_rad_per_m")) result.push_back(e);
+    if (name.ends_with("per_rad_per_m") || name.ends_with("per_m_per_m")) {
+      result.push_back(e);
+    }
   }
   return result;
 }
@@ -133,7 +138,7 @@ void judge_size(const VirtualEffect& effect,
   const std::vector<Estimate> found = counterparts(effect, rung);
   // Of other effects the first value is their size.
   const std::size_t sizes =
-      effect.name == "soft-support"
+      effect.name == "soft-support" || effect.name == "sensor-mass"
           ? effect.values.size()
           : std::min<std::size_t>(1, effect.values.size());
   for (std::size_t k = 0; k < sizes; ++k) {

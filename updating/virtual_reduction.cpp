@@ -31,6 +31,20 @@ SparseMatrix sum(const SparseMatrix& A, const Triplets& parts) {
   return A + change;
 }
 
+/// Of the sensors' masses that of one of them: their own, or one for all.
+///
+/// @param position of the sensor in its run
+double mass_of(const VirtualEffect& effect,
+               const std::string& channel,
+               std::size_t position) {
+  if (effect.values.size() < 2) return effect.values[0];
+  const auto own = std::ranges::find(effect.places, channel);
+  return effect.values.at(
+      effect.places.empty()
+          ? position
+          : static_cast<std::size_t>(own - effect.places.begin()));
+}
+
 /// The structure with one run's sensors on it.
 struct Loaded {
   SparseMatrix K;
@@ -43,7 +57,8 @@ Loaded put_on(const VirtualStructure& structure,
   Triplets stiffness;
   Triplets mass;
   Loaded loaded{{}, {}, structure.dashpots};
-  for (const VirtualSensor& sensor : sensors) {
+  for (std::size_t k = 0; k < sensors.size(); ++k) {
+    const VirtualSensor& sensor = sensors[k];
     const int at = structure.dof_index(sensor.dof);
     for (const VirtualEffect& effect : structure.effects) {
       if (!on_sensor(effect, sensor.channel)) continue;
@@ -53,8 +68,9 @@ Loaded put_on(const VirtualStructure& structure,
       }
       if (effect.name != "sensor-mass") continue;
       const int first = at - (sensor.dof.component - 1);
+      const double own = mass_of(effect, sensor.channel, k);
       for (int c = 0; c < 3; ++c) {
-        mass.emplace_back(first + c, first + c, effect.values[0]);
+        mass.emplace_back(first + c, first + c, own);
       }
     }
   }

@@ -85,17 +85,31 @@ void check_channels(const VirtualBundleSpec& spec,
         !effect.name.starts_with("sensor-")) {
       continue;
     }
+    if (effect.name == "sensor-mass" && effect.values.size() > 1 &&
+        effect.places.empty() && effect.values.size() != channels.size()) {
+      throw InputError(fmt::format("{} masses for {} sensors",
+                                   effect.values.size(),
+                                   channels.size()),
+                       effect.name,
+                       "Give one mass for all sensors, or one for each.");
+    }
     for (const std::string& place : effect.places) {
-      const bool hammer =
-          place == "hammer" && effect.name.starts_with("channel-");
+      // The hammer has no fellow to be swapped with.
+      const bool hammer = place == "hammer" &&
+                          effect.name.starts_with("channel-") &&
+                          effect.name != "channel-swap";
       if (hammer || std::find(channels.begin(), channels.end(), place) !=
                         channels.end()) {
         continue;
       }
-      throw InputError(
-          fmt::format("there is no channel '{}' here", place),
-          effect.name,
-          fmt::format("Name one of hammer, {}.", fmt::join(channels, ", ")));
+      throw InputError(fmt::format("there is no channel '{}' here", place),
+                       effect.name,
+                       fmt::format("Name one of {}{}.",
+                                   effect.name.starts_with("channel-") &&
+                                           effect.name != "channel-swap"
+                                       ? "hammer, "
+                                       : "",
+                                   fmt::join(channels, ", ")));
     }
   }
 }
@@ -160,7 +174,6 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
   const structure::Deck& deck = setup.model.model;
   setup.component = test_direction(deck);
   setup.sensor_channels = {"acc1", "acc2"};
-  check_channels(spec, setup.sensor_channels);
 
   const ModelShapes shapes =
       model_shapes(deck, setup.component, setup.band_hz[1]);
@@ -174,6 +187,7 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
                     deck,
                     setup.component));
   setup.sensor_channels.resize(points.sensors.size());
+  check_channels(spec, setup.sensor_channels);
   setup.runs = plan_runs(spec, points, setup.sensor_channels);
   setup.recorder.rate_hz = recorder_rate(setup.band_hz[1]);
   setup.hand = hand_for(spec,

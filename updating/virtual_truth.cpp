@@ -20,15 +20,29 @@ json rounded(const Eigen::VectorXd& values, double steps) {
   return list;
 }
 
+// Totals of what the clamp has per metre.
+void add_totals(const VirtualEffect& effect, double length, json& entry) {
+  const auto total = [&](const char* name, double first, double last) {
+    entry[name] = 0.5 * (first + last) * length;
+  };
+  const double one = effect.values.front();
+  const double other = effect.values.back();
+  const bool both = effect.form == "both";
+  if (effect.form != "translation") {
+    total("rotational_stiffness_nm_per_rad", one, both ? one : other);
+  }
+  if (!effect.form.empty()) {
+    total("translational_stiffness_n_per_m", both ? other : one, other);
+  }
+}
+
 json effects_json(const VirtualSetup& setup,
                   const VirtualStructure& structure) {
   json effects = json::array();
   for (const VirtualEffect& effect : structure.effects) {
     json entry = truth_entry(effect, setup.sensor_channels);
     if (effect.name == "soft-support") {
-      entry["rotational_stiffness_nm_per_rad"] =
-          0.5 * (effect.values.front() + effect.values.back()) *
-          structure.support_length;
+      add_totals(effect, structure.support_length, entry);
       entry["nodes"] = structure.support_nodes;
     }
     effects.push_back(entry);

@@ -153,7 +153,11 @@ INSTANTIATE_TEST_SUITE_P(
         FixedCase{32, "ladder", "nonlinearity"},
         FixedCase{33, "frame", "nonlinearity"},
         FixedCase{34, "frame", "drift"},
-        FixedCase{35, "frame", "uneven-soft-support"}),
+        FixedCase{35, "frame", "uneven-soft-support"},
+        FixedCase{36, "ladder", "moving-soft-support"},
+        FixedCase{37, "frame", "turning-and-moving-soft-support"},
+        FixedCase{38, "plate", "unequal-sensor-mass"},
+        FixedCase{39, "portal", "turning-and-moving-soft-support"}),
     name_of);
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::updating {
 namespace {
@@ -45,6 +46,33 @@ TEST(HiddenCase, EveryKindCanBeHiddenInThePortal) {
       for (const double value : effect.values) EXPECT_NE(value, 0.0) << kind;
     }
   }
+}
+
+TEST(HiddenCase, WhatIsDrawnCanBeWrittenDownAndReadAgain) {
+  for (const std::string& kind : hidden_kinds()) {
+    for (const VirtualEffect& effect : draw_hidden_case(kind, 11).effects) {
+      const std::string text = virtual_effect_text(effect);
+      EXPECT_EQ(parse_virtual_effect(text), effect) << text;
+    }
+  }
+}
+
+TEST(HiddenCase, FormsAreDrawnAsTheirNamesSay) {
+  const auto drawn = [](const std::string& kind) {
+    return draw_hidden_case(kind, 7).effects.at(0);
+  };
+  const VirtualEffect moving = drawn("moving-soft-support");
+  EXPECT_EQ(moving.name, "soft-support");
+  EXPECT_EQ(moving.form, "translation");
+  EXPECT_EQ(moving.values.size(), 1U);
+  const VirtualEffect loose = drawn("turning-and-moving-soft-support");
+  EXPECT_EQ(loose.form, "both");
+  EXPECT_EQ(loose.values.size(), 2U);
+  // Sensors of two makes: far enough apart to be no scatter.
+  const VirtualEffect unequal = drawn("unequal-sensor-mass");
+  EXPECT_EQ(unequal.name, "sensor-mass");
+  ASSERT_EQ(unequal.values.size(), 2U);
+  EXPECT_GT(std::abs(std::log(unequal.values[0] / unequal.values[1])), 0.4);
 }
 
 }  // namespace

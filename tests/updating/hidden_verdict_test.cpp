@@ -123,6 +123,61 @@ TEST(Judge, SupportMustTurnEverywhere) {
   EXPECT_FALSE(judge(hidden, found, deck).right_place);
 }
 
+TEST(Judge, ASupportThatMovesTooHasBothSizes) {
+  const structure::Deck deck = support::plate_deck(true);
+  VirtualBundleSpec hidden;
+  hidden.effects = {{"soft-support", {}, {100.0, 5e4}, "both"}};
+  Diagnosis found = finding("soft-support", 0, 100.0);
+  Rung& rung = found.ladder[0];
+  rung.where.nodes = {1, 12, 23, 34, 45};
+  const Estimate any = rung.parameters[0];
+  const auto estimate = [&any](const std::string& name, double value) {
+    Estimate e = any;
+    e.name = name;
+    e.value = e.lo95 = e.hi95 = value;
+    return e;
+  };
+  // As effect_estimates() has them, totals last.
+  rung.parameters = {estimate("rotational_stiffness_nm_per_rad_per_m", 101.0),
+                     estimate("translational_stiffness_n_per_m_per_m", 5.1e4),
+                     estimate("rotational_stiffness_nm_per_rad", 1.0),
+                     estimate("translational_stiffness_n_per_m", 1.0)};
+  rung.where.variant = "rotation";
+  EXPECT_FALSE(judge(hidden, found, deck).right_place) << "moves too";
+  rung.where.variant = "both";
+  EXPECT_TRUE(judge(hidden, found, deck).right_place);
+  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  EXPECT_NEAR(judge(hidden, found, deck).size_error, 0.02, 1e-12);
+  rung.parameters[1].value = 6e4;
+  EXPECT_FALSE(judge(hidden, found, deck).right_size);
+
+  hidden.effects = {{"soft-support", {}, {5e4}, "translation"}};
+  rung.where.variant = "translation";
+  rung.parameters = {estimate("translational_stiffness_n_per_m_per_m", 5.1e4)};
+  EXPECT_TRUE(judge(hidden, found, deck).right_place);
+  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  rung.where.variant = "rotation";
+  EXPECT_FALSE(judge(hidden, found, deck).right_place) << "it does not turn";
+}
+
+TEST(Judge, UnequalSensorsHaveASizeEach) {
+  const structure::Deck deck = support::plate_deck(true);
+  VirtualBundleSpec hidden;
+  hidden.effects = {{"sensor-mass", {}, {0.01, 0.02}}};
+  Diagnosis found = finding("sensor-mass", 0, 0.01);
+  Rung& rung = found.ladder[0];
+  rung.where.channels = {"acc1", "acc2"};
+  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "one for both";
+  rung.where.variant = "each";
+  rung.parameters = {{"mass_kg.acc1", 0.0102, 1e-4, 0.0098, 0.0104},
+                     {"mass_kg.acc2", 0.0199, 1e-4, 0.0195, 0.0203}};
+  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  EXPECT_EQ(judge(hidden, found, deck).intervals_hold, 2);
+  rung.parameters[1].value = 0.015;
+  rung.parameters[1].hi95 = 0.016;
+  EXPECT_FALSE(judge(hidden, found, deck).right_size);
+}
+
 TEST(Judge, AnUnevenSupportHasTwoSizes) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;

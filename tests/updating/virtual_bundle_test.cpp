@@ -127,6 +127,14 @@ TEST(VirtualBundle, RefusesADeckWithoutBandAndChannelsThatAreNone) {
   spec.effects = {parse_virtual_effect("channel-gain@acc9=1.1")};
   EXPECT_THROW((void)make_virtual_bundle(spec, fresh_folder("none")),
                InputError);
+  // The hammer is no sensor.
+  for (const char* text :
+       {"channel-swap@acc1:hammer", "sensor-mass@hammer=1"}) {
+    spec.effects = {parse_virtual_effect(text)};
+    EXPECT_THROW((void)make_virtual_bundle(spec, fresh_folder("none")),
+                 InputError)
+        << text;
+  }
   spec = small_spec();
   spec.structure = "somewhere.bdf";
   EXPECT_THROW((void)make_virtual_bundle(spec, fresh_folder("none")),

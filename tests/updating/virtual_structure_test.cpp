@@ -2,11 +2,11 @@
 
 #include "acquisition/input_error.hpp"
 #include "tests/updating/structure/deck_support.hpp"
+#include "tests/updating/support/virtual_strip.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/virtual_panel.hpp"
 #include "updating/virtual_points.hpp"
-#include "updating/virtual_support.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
@@ -20,58 +20,11 @@
 namespace tapfit::updating {
 namespace {
 
+using support::grid_at;
+using support::Strip;
+
 using Complex = std::complex<double>;
 constexpr double two_pi = 2.0 * std::numbers::pi;
-
-/// A clamped strip, 0.30 m x 0.04 m x 2 mm.
-Panel strip() {
-  Panel panel;
-  panel.x = {{0.30, 10}};
-  panel.y = {{0.04, 2}};
-  panel.fields = {"#"};
-  panel.thickness = 0.002;
-  panel.clamped = true;
-  return panel;
-}
-
-VirtualModel model_of(const Panel& panel, int split) {
-  PanelMesh fine = mesh_panel(panel, split);
-  return {mesh_panel(panel, 1).deck, fine.deck, fine.children};
-}
-
-int grid_at(const structure::Deck& deck, double x, double y) {
-  for (const structure::Grid& grid : deck.grids) {
-    if ((grid.position - Eigen::Vector3d(x, y, 0.0)).norm() < 1e-9) {
-      return grid.id;
-    }
-  }
-  ADD_FAILURE() << "no grid at " << x << ", " << y;
-  return 0;
-}
-
-/// The strip with a sensor at one tip corner, hit at the other.
-struct Strip {
-  VirtualModel model = model_of(strip(), 2);
-  Dof corner{grid_at(model.model, 0.30, 0.0), 3, 1};
-  Dof other{grid_at(model.model, 0.30, 0.04), 3, 1};
-  std::vector<VirtualSensor> sensors{{"acc1", corner}};
-
-  [[nodiscard]] ReducedTruth reduced(const std::vector<std::string>& texts,
-                                     double damping = 0.005,
-                                     double max_hz = 600.0) const {
-    std::vector<VirtualEffect> effects;
-    for (const std::string& text : texts) {
-      effects.push_back(parse_virtual_effect(text));
-    }
-    VirtualDamping law;
-    law.mean = damping;
-    return reduce_truth(build_virtual_structure(model, effects, 1.0, 3),
-                        sensors,
-                        {other, corner},
-                        max_hz,
-                        law);
-  }
-};
 
 Complex receptance(const ReducedTruth& truth, Eigen::Index hammer, double hz) {
   const Complex s(0.0, two_pi * hz);
@@ -222,34 +175,6 @@ TEST(VirtualStructure, ModulusScalesEveryFrequency) {
   EXPECT_NEAR(first(1.05) / first(1.0), std::sqrt(1.05), 1e-8);
 }
 
-TEST(VirtualStructure, SoftSupportRunsFromClampToHinge) {
-  const Strip strip;
-  const double clamped = strip.reduced({}).frequency_hz(0);
-  const double stiff = strip.reduced({"soft-support=1e9"}).frequency_hz(0);
-  const double soft = strip.reduced({"soft-support=300"}).frequency_hz(0);
-  // D / (k L) = 1e-6 at the stiffest.
-  EXPECT_NEAR(stiff, clamped, 1e-4 * clamped);
-  EXPECT_LT(soft, 0.98 * clamped);
-  // A rigid strip on a hinge: w^2 = k b / (m b L^2 / 3). The strip bends, so
-  // this is approached from below when the hinge is slack.
-  const double k = 0.5;
-  const double mass_per_area = 2700.0 * 0.002;
-  const double rigid =
-      std::sqrt(k / (mass_per_area * std::pow(0.30, 3) / 3.0)) / two_pi;
-  const double slack = strip.reduced({"soft-support=0.5"}).frequency_hz(0);
-  EXPECT_NEAR(slack, rigid, 2e-3 * rigid);
-}
-
-TEST(VirtualStructure, SupportStandsForItsWholeEdge) {
-  const SupportEdge edge = support_edge(mesh_panel(strip(), 3).deck);
-  double length = 0.0;
-  for (const auto& [grid, part] : edge.length_of) length += part;
-  EXPECT_NEAR(length, 0.04, 1e-12);
-  EXPECT_EQ(edge.component, 5) << "rotation about y";
-  EXPECT_THROW((void)support_edge(mesh_panel(plate_panel(), 1).deck),
-               InputError);
-}
-
 TEST(VirtualStructure, CableDashpotAddsItsDamping) {
   const Strip strip;
   const ReducedTruth plain = strip.reduced({});
@@ -272,6 +197,20 @@ TEST(VirtualStructure, SensorMassMovesWithItsSensor) {
   EXPECT_LT(at_tip, 0.9 * none);
   EXPECT_NEAR(at_root, none, 2e-3 * none);
   EXPECT_LT(at_root, none);
+}
+
+TEST(VirtualStructure, EverySensorMayHaveItsOwnMass) {
+  Strip strip;
+  strip.sensors.push_back({"acc2", strip.other});
+  const auto first = [&strip](const std::vector<std::string>& texts) {
+    return strip.reduced(texts).frequency_hz;
+  };
+  // The same mass matrix, so the same frequencies to the bit.
+  const Eigen::VectorXd each = first({"sensor-mass=0.004,0.01"});
+  EXPECT_EQ(each, first({"sensor-mass@acc1=0.004", "sensor-mass@acc2=0.01"}));
+  EXPECT_EQ(each, first({"sensor-mass@acc2:acc1=0.01,0.004"}));
+  EXPECT_EQ(first({"sensor-mass=0.01,0.01"}), first({"sensor-mass=0.01"}));
+  EXPECT_NE(each(0), first({"sensor-mass=0.01"})(0));
 }
 
 TEST(VirtualStructure, AbsorberAddsAMode) {
@@ -373,27 +312,6 @@ TEST(VirtualPoints, SensorsAreAmongWellSpreadPoints) {
     }
   }
   EXPECT_EQ(points.others[0], points.sensors[0]);
-}
-
-TEST(VirtualEffect, ReadsWhatIsWritten) {
-  const VirtualEffect effect = parse_virtual_effect("absorber@44=0.05,31");
-  EXPECT_EQ(effect.name, "absorber");
-  EXPECT_EQ(effect.numbers(), std::vector<int>{44});
-  EXPECT_EQ(effect.values, (std::vector<double>{0.05, 31.0}));
-  EXPECT_EQ(parse_virtual_effect("stiffness-loss@1:2:7=0.5").numbers(),
-            (std::vector<int>{1, 2, 7}));
-  EXPECT_TRUE(parse_virtual_effect("channel-polarity@acc2").values.empty());
-  for (const char* bad : {"magic=1",
-                          "added-mass=1",
-                          "added-mass@x=1",
-                          "added-mass@1",
-                          "added-mass@1=heavy",
-                          "added-mass@1=1,2",
-                          "soft-support@3=10",
-                          "sensor-mass=nan",
-                          ""}) {
-    EXPECT_THROW((void)parse_virtual_effect(bad), InputError) << bad;
-  }
 }
 
 }  // namespace
