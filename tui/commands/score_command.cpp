@@ -11,12 +11,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -65,7 +68,13 @@ ordered_json scored(const std::string& kind,
   const updating::Diagnosis& diagnosis = session.diagnosis(progress);
   const updating::Verdict v =
       updating::judge(spec, diagnosis, session.deck(progress));
+  std::vector<std::string> effects;
+  for (const updating::VirtualEffect& effect : spec.effects) {
+    effects.push_back(updating::virtual_effect_text(effect));
+  }
   return {{"seed", seed},
+          {"kind", kind},
+          {"effects", effects},
           {"structure", spec.structure},
           {"hidden", v.hidden},
           {"found", v.found},
@@ -80,16 +89,25 @@ ordered_json scored(const std::string& kind,
           {"intervals_hold", v.intervals_hold}};
 }
 
-std::pair<std::size_t, std::size_t> shard_of(const std::string& text) {
+/// Which of how many; nothing where the text is no such thing.
+std::optional<std::pair<std::size_t, std::size_t>> shard_of(
+    const std::string& text) {
   std::size_t k = 0;
   std::size_t m = 0;
-  const int read = std::sscanf(text.c_str(), "%zu/%zu", &k, &m);
-  if (read != 2 || k < 1 || m < 1 || k > m) {
-    throw InputError(fmt::format("\"{}\" is no shard", text),
-                     "--shard",
-                     "write for example 2/8: the second of eight");
-  }
-  return {k, m};
+  const char* end = text.data() + text.size();
+  const auto [slash, first] = std::from_chars(text.data(), end, k);
+  if (first != std::errc() || slash == end || *slash != '/') return {};
+  const auto [stop, second] = std::from_chars(slash + 1, end, m);
+  if (second != std::errc() || stop != end || k < 1 || k > m) return {};
+  return std::pair{k, m};
+}
+
+/// What is wrong with a shard as written; empty where nothing is.
+std::string shard_fault(const std::string& text) {
+  return shard_of(text) ? std::string()
+                        : "\"" + text +
+                              "\" is no shard: write for example 2/8, the "
+                              "second of eight";
 }
 
 ordered_json read_parts(const std::vector<std::string>& files) {
@@ -165,7 +183,7 @@ std::string summary_text(const ordered_json& cases) {
 }
 
 ordered_json run_cases(const Words& words, const Progress& progress) {
-  const auto [k, m] = shard_of(words.shard);
+  const auto [k, m] = shard_of(words.shard).value();
   const std::vector<std::string>& kinds =
       words.kinds.empty() ? updating::hidden_kinds() : words.kinds;
   ordered_json cases = ordered_json::array();
@@ -196,7 +214,8 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
   app.add_option("--cases", words.cases, "how many cases")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--seed", words.seed, "same seed, same cases");
-  app.add_option("--shard", words.shard, "K/M: only part K of M");
+  app.add_option("--shard", words.shard, "K/M: only part K of M")
+      ->check(CLI::Validator(shard_fault, "K/M"));
   app.add_option("--kind", words.kinds, "hide only this (again for more)")
       ->check(CLI::IsMember(updating::hidden_kinds()))
       ->take_all();

@@ -1,5 +1,6 @@
 #include "tui/commands/simulate_command.hpp"
 
+#include "acquisition/input_error.hpp"
 #include "updating/virtual_bundle.hpp"
 #include "updating/virtual_habit.hpp"
 
@@ -25,6 +26,17 @@ struct Words {
   VirtualBundleSpec spec;
 };
 
+/// What is wrong with an effect as written; empty where nothing is.
+std::string effect_fault(const std::string& text) {
+  if (text == "none") return {};
+  try {
+    static_cast<void>(updating::parse_virtual_effect(text));
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 void describe(CLI::App& app, Words& words) {
   VirtualBundleSpec& spec = words.spec;
   app.add_option("folder", words.folder, "folder to make")->required();
@@ -35,7 +47,8 @@ void describe(CLI::App& app, Words& words) {
   app.add_option(
          "--effect", words.effects, "what to hide (again for each), or none")
       ->expected(1)
-      ->take_all();
+      ->take_all()
+      ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE][=VALUE,...]"));
   app.add_option("--seed", spec.seed, "same seed, same bundle");
   app.add_option("--roving", words.roving, "hammer or sensor")
       ->check(CLI::IsMember({"hammer", "sensor"}));
@@ -60,6 +73,12 @@ void describe(CLI::App& app, Words& words) {
   app.add_flag("--force", spec.overwrite, "replace a test that is there");
   app.footer("Effects:\n" + updating::virtual_effect_help() +
              "Without --structure and --effect the demo is made.");
+}
+
+void check_band(const std::vector<double>& band) {
+  if (band.empty() || (band[0] > 0.0 && band[1] > band[0])) return;
+  throw CLI::ValidationError("--band",
+                             "give the lower frequency first, above 0 Hz");
 }
 
 VirtualBundleSpec spec_of(const CLI::App& app, const Words& words) {
@@ -110,6 +129,7 @@ int simulate_command(int argc, const char* const* argv) {
   describe(app, words);
   try {
     app.parse(argc, argv);
+    check_band(words.band);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

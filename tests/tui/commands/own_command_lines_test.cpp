@@ -1,0 +1,68 @@
+// The commands that read their own command line: what is wrong with it is told
+// apart from what is wrong with the input.
+#include "tui/commands/score_command.hpp"
+#include "tui/commands/simulate_command.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+  int status = 0;
+  std::string err;
+};
+
+template <typename Command>
+Ran ran(std::vector<const char*> arguments, Command command) {
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  Ran result;
+  result.status = command(static_cast<int>(arguments.size()), arguments.data());
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+  result.err = testing::internal::GetCapturedStderr();
+  return result;
+}
+
+TEST(SimulateCommand, WordsThatAreNoEffectAreStatusTwo) {
+  const fs::path folder = fs::path(testing::TempDir()) / "tapfit-no-effect";
+  for (const char* effect : {"magic=1",
+                             "added-mass@201x=1",
+                             "channel-swap@acc1:acc1",
+                             "soft-support@both=10"}) {
+    const Ran result =
+        ran({"simulate", folder.c_str(), "--effect", effect}, simulate_command);
+    EXPECT_EQ(result.status, 2) << effect;
+    EXPECT_NE(result.err.find(effect), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("Write one of"), std::string::npos);
+    EXPECT_FALSE(fs::exists(folder)) << effect;
+  }
+}
+
+TEST(SimulateCommand, ABandTheWrongWayRoundIsStatusTwo) {
+  const fs::path folder = fs::path(testing::TempDir()) / "tapfit-no-band";
+  const Ran result =
+      ran({"simulate", folder.c_str(), "--band", "60", "5"}, simulate_command);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--band"), std::string::npos) << result.err;
+}
+
+TEST(ScoreCommand, AShardThatIsNoneIsStatusTwo) {
+  for (const char* shard : {"3/2", "0/2", "1/0", "1", "1/2x", "-1/2", "a/b"}) {
+    const Ran result = ran({"score", "--cases", "1", "--shard", shard},
+                           [](int argc, const char* const* argv) {
+                             return score_command(argc, argv, {});
+                           });
+    EXPECT_EQ(result.status, 2) << shard;
+    EXPECT_NE(result.err.find(shard), std::string::npos) << result.err;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::tui
