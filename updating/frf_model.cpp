@@ -1,5 +1,6 @@
 #include "updating/frf_model.hpp"
 
+#include "updating/modal_sums.hpp"
 #include "updating/recording_chain.hpp"
 #include "updating/run_lines.hpp"
 #include "updating/structure/dashpots.hpp"
@@ -382,7 +383,13 @@ ModelResponse FrfModel::respond(const ModelState& state,
   }
   const std::vector<RunLines> all = walks(shared);
   const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : all) lines.respond(s, flexible, out);
+  for (const RunLines& lines : all) {
+    if (lines.B.cols() == 0) {
+      sum_modes(lines, s, flexible, out);
+    } else {
+      lines.respond(s, flexible, out);
+    }
+  }
   record(pairs_, shared, s, out);
   return out;
 }

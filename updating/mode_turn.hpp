@@ -44,6 +44,13 @@ class ModeTurn {
     return lambda_ + s * d_;
   }
 
+  /// The same in parts, d lambda and d d.
+  [[nodiscard]] const Eigen::VectorXd& stiffness() const { return lambda_; }
+  [[nodiscard]] const Eigen::VectorXd& damping() const { return d_; }
+
+  /// Whether take_close() has anything to take off.
+  [[nodiscard]] bool has_close() const { return !close_.empty(); }
+
   /// Takes Xo' dZ Xi of modes too close to each other for A, which is zero
   /// there, off a change of FRFs.
   /// @param Xo modes x responses
