@@ -5,7 +5,9 @@
 // mode, another modulus, noise, hum, drift and faulty hits.
 //
 // Case k has seed 9000 + k. Structures and kinds were written down before any
-// of them was diagnosed, and nothing in the program is set on them.
+// of them was diagnosed, and nothing in the program is set on them. Numbers
+// that are missing hid the same as another case, on another structure: the
+// whole is to run in five minutes.
 #include "updating/hidden_case.hpp"
 #include "updating/hidden_verdict.hpp"
 #include "updating/session.hpp"
@@ -139,8 +141,6 @@ INSTANTIATE_TEST_SUITE_P(
                   AtLeast::Place,
                   mesh_of_clamp},
         FixedCase{20, "frame", "strut"},
-        FixedCase{21, "portal", "strut"},
-        FixedCase{22, "plate", "drift"},
         FixedCase{23, "ladder", "drift"},
         FixedCase{24, "portal", "added-mass", AtLeast::Size, damping_of_loaded},
         FixedCase{25, "portal", "joint"},
@@ -150,7 +150,6 @@ INSTANTIATE_TEST_SUITE_P(
         FixedCase{29, "ladder", "absorber"},
         FixedCase{30, "frame", "wrong-grid"},
         FixedCase{31, "portal", "wrong-grid"},
-        FixedCase{32, "ladder", "nonlinearity"},
         FixedCase{33, "frame", "nonlinearity"},
         FixedCase{34, "frame", "drift"},
         FixedCase{35, "frame", "uneven-soft-support"},
