@@ -39,13 +39,16 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   const auto half_second = static_cast<Eigen::Index>(0.5 * sample_rate_hz);
   const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
   HammerSignal signal;
-  signal.force = without_drift(channel, segment);
-  const auto [low, high] = range_of(signal.force);
+  Driftless driftless = without_drift(channel, segment);
+  signal.force = std::move(driftless.values);
+  signal.pieces = std::move(driftless.pieces);
+  const auto [low, high] = joined(signal.pieces);
   // Undershoot after a blow stays well below the blow itself.
   const bool down = polarity ? *polarity < 0 : -low > 1.5 * high;
   if (down) {
     signal.polarity = -1.0;
     signal.force = -signal.force;
+    for (Range& piece : signal.pieces) piece = {-piece.high, -piece.low};
   }
   signal.peak = std::max(0.0, down ? -low : high);
   constexpr Eigen::Index enough = 1 << 13;
@@ -71,17 +74,17 @@ Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
 }
 
 std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
+                               const std::vector<Range>& pieces,
                                double level,
                                double rearm) {
   std::vector<Pulse> pulses;
   const Eigen::Index n = force.size();
-  // Most of a record is quiet and is passed over by pieces.
-  constexpr Eigen::Index piece = 256;
   for (Eigen::Index i = 0; i < n; ++i) {
-    while (i + piece <= n && force.segment(i, piece).maxCoeff() <= level) {
-      i += piece;
+    // Most of a record is quiet and is passed over by pieces.
+    if (pieces[static_cast<std::size_t>(i / piece_length)].high <= level) {
+      i += piece_length - i % piece_length - 1;
+      continue;
     }
-    if (i >= n) break;
     if (force[i] <= level) continue;
     const Eigen::Index first = i;
     Eigen::Index peak = i;

@@ -2,6 +2,8 @@
 // places where it rises over a level.
 #pragma once
 
+#include "acquisition/range.hpp"
+
 #include <Eigen/Core>
 
 #include <optional>
@@ -15,6 +17,8 @@ struct HammerSignal {
   double noise = 0.0;     ///< robust standard deviation (1.4826 MAD), > 0 [N]
   double polarity = 1.0;  ///< -1 when blows are negative in the file
   double peak = 0.0;      ///< largest value [N]
+  /// Ranges of `force`, as of piece_ranges().
+  std::vector<Range> pieces;
 };
 
 /// @param channel force as read [N]
@@ -39,8 +43,10 @@ struct Pulse {
 /// level for four samples or half a pulse width, whichever is longer: an
 /// anti-alias filter's ringing swings within two or three samples.
 ///
+/// @param pieces piece_ranges() of the force
 /// @param rearm that share, 0..1
 [[nodiscard]] std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
+                                             const std::vector<Range>& pieces,
                                              double level,
                                              double rearm = 0.5);
 

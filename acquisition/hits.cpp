@@ -86,8 +86,8 @@ void trigger(const TestBundle& bundle,
     run.level =
         trigger_level(bundle, bundle.runs[r], options, run.hammer, usual);
     if (run.hammer.peak > usable_snr * run.hammer.noise) {
-      run.pulses.pulses =
-          find_pulses(run.hammer.force, run.level, rearm_share(options));
+      run.pulses.pulses = find_pulses(
+          run.hammer.force, run.hammer.pieces, run.level, rearm_share(options));
     }
     if (run.pulses.pulses.empty()) {
       hitless.push_back({r, no_hit(bundle.runs[r], run)});

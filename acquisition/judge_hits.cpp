@@ -9,6 +9,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
@@ -106,19 +107,18 @@ bool is_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
 
 // @param top the largest value of sign * x
 bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
+                  const std::vector<Range>& pieces,
                   double sign,
                   double top,
                   double tolerance) {
   const double high = top - tolerance;
   const double fallen = top - 10.0 * tolerance;
-  // Most of a block lies far below its top and is passed over by pieces.
-  constexpr Index piece = 256;
   for (Index i = 0; i < x.size(); ++i) {
-    while (i + piece <= x.size() &&
-           (sign * x.segment(i, piece).array()).maxCoeff() < high) {
-      i += piece;
+    const Range& piece = pieces[static_cast<std::size_t>(i / piece_length)];
+    if (std::max(sign * piece.low, sign * piece.high) < high) {
+      i += piece_length - i % piece_length - 1;
+      continue;
     }
-    if (i >= x.size()) break;
     if (sign * x[i] < high) continue;
     const Index first = i;
     while (i + 1 < x.size() && sign * x[i + 1] >= high) ++i;
@@ -145,7 +145,14 @@ bool has_second_pulse(const HammerSignal& hammer,
       std::max<Index>(4, static_cast<Index>(std::ceil(1.4 * main.width)));
   const auto around =
       std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
+  // Most of a block is quiet and is passed over by pieces.
+  constexpr Index piece = 256;
   for (Index k = 0; k < force.size(); ++k) {
+    while (k + piece <= force.size() &&
+           force.segment(k, piece).maxCoeff() < 0.7 * limit) {
+      k += piece;
+    }
+    if (k >= force.size()) break;
     if (force[k] < 0.7 * limit || std::abs(k - main_peak) < near) continue;
     if (!is_local_maximum(force, k)) continue;
     // The mirror image of an undershoot is no blow: it must be there as read.
@@ -186,7 +193,8 @@ double force_level_db(const HammerSignal& hammer,
 bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
                    double full_scale,
                    double noise) {
-  const auto [low, high] = range_of(block);
+  const std::vector<Range> pieces = piece_ranges(block);
+  const auto [low, high] = joined(pieces);
   if (std::max(high, -low) >= 0.999 * full_scale) return true;
   const double swing = high - low;
   const double smooth = std::max(1e-5 * swing, 8.0 * noise);
@@ -194,8 +202,8 @@ bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
       std::max(smooth, 1.5 * quantisation(block, smooth / 1.5));
   // Far above noise and quantisation, else any top is flat.
   if (swing < 100.0 * tolerance) return false;
-  return has_flat_top(block, 1.0, high, tolerance) ||
-         has_flat_top(block, -1.0, -low, tolerance);
+  return has_flat_top(block, pieces, 1.0, high, tolerance) ||
+         has_flat_top(block, pieces, -1.0, -low, tolerance);
 }
 
 double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {
@@ -212,6 +220,8 @@ double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {
       const Index i = from + k * stride;
       steps[k] = std::abs(channel[i + 1] - channel[i]);
     }
+    // A part of which at least half is above is not quieter.
+    if (2 * (steps.array() < quietest).count() <= steps.size()) continue;
     quietest = std::min(quietest, median(std::move(steps)));
   }
   return 1.4826 / std::numbers::sqrt2 * quietest;

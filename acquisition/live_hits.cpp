@@ -67,8 +67,8 @@ FoundHits find_live_hits(const TestBundle& bundle,
                          LiveHits& known) {
   HammerRun work = prepare_run(run, piece.recording, settings.slope);
   work.level = settings.set.trigger_n;
-  work.pulses.pulses =
-      find_pulses(work.hammer.force, work.level, settings.rearm);
+  work.pulses.pulses = find_pulses(
+      work.hammer.force, work.hammer.pieces, work.level, settings.rearm);
   work.groups = groups_of(work, piece, settings, known);
   FoundHits found;
   if (known.last_trigger >= 0) {

@@ -25,4 +25,22 @@ Range range_of(const Eigen::Ref<const Eigen::VectorXd>& x) {
   return range;
 }
 
+std::vector<Range> piece_ranges(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  std::vector<Range> pieces;
+  pieces.reserve(static_cast<std::size_t>(x.size() / piece_length + 1));
+  for (Eigen::Index i = 0; i < x.size(); i += piece_length) {
+    pieces.push_back(
+        range_of(x.segment(i, std::min(piece_length, x.size() - i))));
+  }
+  return pieces;
+}
+
+Range joined(const std::vector<Range>& pieces) {
+  Range all;
+  for (const Range& piece : pieces) {
+    all = {std::min(all.low, piece.low), std::max(all.high, piece.high)};
+  }
+  return all;
+}
+
 }  // namespace tapfit::acquisition

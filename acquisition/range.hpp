@@ -1,9 +1,10 @@
-// Lowest and highest value of many samples in one pass.
+// Lowest and highest value of many samples in one pass, whole or by pieces.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <limits>
+#include <vector>
 
 namespace tapfit::acquisition {
 
@@ -14,5 +15,15 @@ struct Range {
 
 /// @param x finite values; none give an empty range, low above high
 [[nodiscard]] Range range_of(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+constexpr Eigen::Index piece_length = 256;
+
+/// Ranges of every `piece_length` samples, the last piece shorter: what lies
+/// low as a whole need not be looked at again.
+[[nodiscard]] std::vector<Range> piece_ranges(
+    const Eigen::Ref<const Eigen::VectorXd>& x);
+
+/// Range of all pieces together.
+[[nodiscard]] Range joined(const std::vector<Range>& pieces);
 
 }  // namespace tapfit::acquisition

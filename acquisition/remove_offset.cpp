@@ -28,18 +28,32 @@ Eigen::VectorXd thinned(const Eigen::Ref<const Eigen::VectorXd>& values,
                         Eigen::Index most) {
   const Eigen::Index n = values.size();
   if (n <= most) return values;
+  // 7919 is prime, so its multiples wander through a part. Parts are `least`
+  // or one more long; the multiples modulo either are added up, since a
+  // division takes longer than all else here.
+  const Eigen::Index least = n / most;
+  const Eigen::Index rest = n % most;
+  const Eigen::Index steps[] = {7919 % least, 7919 % (least + 1)};
+  Eigen::Index wander[] = {0, 0};
+  Eigen::Index from = 0;
+  Eigen::Index over = 0;  // k n modulo `most`
   Eigen::VectorXd result(most);
   for (Eigen::Index k = 0; k < most; ++k) {
-    const Eigen::Index from = k * n / most;
-    const Eigen::Index part = (k + 1) * n / most - from;
-    // 7919 is prime, so its multiples wander through the part.
-    result[k] = values[from + (7919 * k) % part];
+    over += rest;
+    const bool longer = over >= most;
+    if (longer) over -= most;
+    result[k] = values[from + wander[longer ? 1 : 0]];
+    from += least + (longer ? 1 : 0);
+    for (Eigen::Index j = 0; j < 2; ++j) {
+      wander[j] += steps[j];
+      if (wander[j] >= least + j) wander[j] -= least + j;
+    }
   }
   return result;
 }
 
-Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
-                              Eigen::Index segment) {
+Driftless without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                        Eigen::Index segment) {
   constexpr Eigen::Index enough = 512;
   const Eigen::Index n = channel.size();
   const Eigen::Index count = std::max<Eigen::Index>(1, n / segment);
@@ -52,7 +66,9 @@ Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
   }
   // Straight lines between the segments' middles, level before the first one
   // and after the last one.
-  Eigen::VectorXd result(n);
+  Driftless driftless;
+  Eigen::VectorXd& result = driftless.values;
+  result.resize(n);
   prefer_large_pages(result);
   Eigen::Index i = 0;
   for (Eigen::Index next = 0; next <= count; ++next) {
@@ -70,8 +86,16 @@ Eigen::VectorXd without_drift(const Eigen::Ref<const Eigen::VectorXd>& channel,
       result[i] = channel[i] - medians[left] -
                   slope * (static_cast<double>(i) - middle);
     }
+    // While they are in the cache.
+    const Eigen::Index known = piece_length * std::ssize(driftless.pieces);
+    const Eigen::Index whole = end == n ? n : i - i % piece_length;
+    if (whole <= known) continue;
+    for (const Range& piece :
+         piece_ranges(result.segment(known, whole - known))) {
+      driftless.pieces.push_back(piece);
+    }
   }
-  return result;
+  return driftless;
 }
 
 }  // namespace tapfit::acquisition

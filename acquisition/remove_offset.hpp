@@ -1,7 +1,11 @@
 // Takes DC and slow drift off a channel.
 #pragma once
 
+#include "acquisition/range.hpp"
+
 #include <Eigen/Core>
+
+#include <vector>
 
 namespace tapfit::acquisition {
 
@@ -24,6 +28,11 @@ namespace tapfit::acquisition {
 [[nodiscard]] Eigen::VectorXd thinned(
     const Eigen::Ref<const Eigen::VectorXd>& values, Eigen::Index most);
 
+struct Driftless {
+  Eigen::VectorXd values;
+  std::vector<Range> pieces;  ///< their ranges, as of piece_ranges()
+};
+
 /// A copy without its drift: medians of segments, joined by straight lines.
 /// A segment's median is taken from 512 of its samples at most; it is then
 /// known to 6 % of the noise.
@@ -33,7 +42,7 @@ namespace tapfit::acquisition {
 /// median near its mean.
 ///
 /// @param segment samples per segment, > 0
-[[nodiscard]] Eigen::VectorXd without_drift(
+[[nodiscard]] Driftless without_drift(
     const Eigen::Ref<const Eigen::VectorXd>& channel, Eigen::Index segment);
 
 }  // namespace tapfit::acquisition

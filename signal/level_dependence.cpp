@@ -39,6 +39,18 @@ VectorXd shuffled(VectorXd level, acquisition::SeededRandom& random) {
   return level;
 }
 
+// q level. Real and imaginary parts stand side by side ([complex.numbers],
+// array-oriented access), so that a real product, which is faster, does for
+// both.
+Eigen::VectorXcd weighted(const MatrixXcd& q, const VectorXd& level) {
+  Eigen::VectorXcd sum(q.rows());
+  VectorXd::Map(reinterpret_cast<double*>(sum.data()), 2 * q.rows()).noalias() =
+      MatrixXd::Map(
+          reinterpret_cast<const double*>(q.data()), 2 * q.rows(), q.cols()) *
+      level;
+  return sum;
+}
+
 }  // namespace
 
 MatrixXcd LevelDependence::add(const Spectra& spectra) {
@@ -87,7 +99,7 @@ VectorXd LevelDependence::explained(const Run& run,
                                     std::size_t sensor,
                                     const VectorXd& level,
                                     const VectorXd& spread) {
-  return (run.q[sensor] * level)
+  return weighted(run.q[sensor], level)
       .cwiseAbs2()
       .cwiseQuotient(spread.cwiseMax(1e-300));
 }

@@ -19,18 +19,18 @@ constexpr Eigen::Index fewest = 4;
 constexpr Eigen::Index smoothing = 24;
 
 Eigen::VectorXd smooth(const Eigen::VectorXd& x) {
-  Eigen::VectorXd result(x.size());
+  const Eigen::ArrayXd away =
+      Eigen::ArrayXd::LinSpaced(2 * smoothing + 1, -smoothing, smoothing);
+  const Eigen::VectorXd triangle = smoothing + 1.0 - away.abs();
+  Eigen::VectorXd result = x;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    double sum = 0.0;
-    double weights = 0.0;
-    for (Eigen::Index d = -smoothing; d <= smoothing; ++d) {
-      // The first two bins are what the offset's removal has eaten.
-      if (i + d < 2 || i + d >= x.size()) continue;
-      const double w = static_cast<double>(smoothing + 1 - std::abs(d));
-      sum += w * x(i + d);
-      weights += w;
-    }
-    result(i) = weights > 0.0 ? sum / weights : x(i);
+    // The first two bins are what the offset's removal has eaten.
+    const Eigen::Index first = std::max<Eigen::Index>(2, i - smoothing);
+    const Eigen::Index count = std::min(x.size(), i + smoothing + 1) - first;
+    if (count <= 0) continue;
+    const Eigen::Ref<const Eigen::VectorXd> weights =
+        triangle.segment(first - i + smoothing, count);
+    result(i) = weights.dot(x.segment(first, count)) / weights.sum();
   }
   return result;
 }

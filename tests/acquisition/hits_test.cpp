@@ -216,8 +216,8 @@ TEST(FindHits, HysteresisKeepsAWobblingPulseWhole) {
   testing::add_pulse(force, rate, 0.300, 20e-3, 30.0, false);
   testing::add_pulse(force, rate, 0.340, 20e-3, 30.0, false);
   force.segment(614, 84) = force.segment(614, 84).cwiseMax(4.0);
-  EXPECT_EQ(find_pulses(force, 5.0, 0.9).size(), 2U);
-  EXPECT_EQ(find_pulses(force, 5.0, 0.2).size(), 1U);
+  EXPECT_EQ(find_pulses(force, piece_ranges(force), 5.0, 0.9).size(), 2U);
+  EXPECT_EQ(find_pulses(force, piece_ranges(force), 5.0, 0.2).size(), 1U);
 }
 
 TEST(FindHits, HoldOffJoinsWhatFollowsSoon) {

@@ -25,7 +25,7 @@ std::vector<HammerRun> blows(double samples, bool filter, unsigned seed) {
   testing::add_noise(force, 0.01, random);
   HammerRun run;
   run.hammer = prepare_hammer(force, rate);
-  run.pulses.pulses = find_pulses(run.hammer.force, 4.0);
+  run.pulses.pulses = find_pulses(run.hammer.force, run.hammer.pieces, 4.0);
   return {run};
 }
 
