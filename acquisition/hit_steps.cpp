@@ -1,6 +1,7 @@
 #include "acquisition/hit_steps.hpp"
 
 #include "acquisition/judge_hits.hpp"
+#include "acquisition/overload.hpp"
 #include "acquisition/parallel.hpp"
 
 #include <algorithm>

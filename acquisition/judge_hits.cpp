@@ -1,6 +1,5 @@
 #include "acquisition/judge_hits.hpp"
 
-#include "acquisition/range.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "acquisition/sinc_interpolation.hpp"
 
@@ -9,7 +8,6 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
@@ -76,57 +74,6 @@ double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
   return std::max(sampled, interpolated_peak(turned, lowest - first).height);
 }
 
-// Smallest step between different neighbours: the quantisation of a record.
-// Looked for no further once it is `enough`: smaller ones make no difference.
-double quantisation(const Eigen::Ref<const Eigen::VectorXd>& block,
-                    double enough) {
-  constexpr double none = std::numeric_limits<double>::max();
-  double least = none;
-  for (Index i = 1; i < block.size() && least > enough; ++i) {
-    const double step = std::abs(block[i] - block[i - 1]);
-    if (step > 0.0) least = std::min(least, step);
-  }
-  return least == none ? 0.0 : least;
-}
-
-// Whether the run [first, last] of samples near the top falls off like a
-// clipped signal does on both sides. `sign` -1 turns the block over.
-bool is_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
-                 double sign,
-                 Index first,
-                 Index last,
-                 double fallen) {
-  const Index n = last - first + 1;
-  if (n < 3) return false;
-  const Index reach = std::max<Index>(1, n / 2);
-  const Index left = first - reach;
-  const Index right = last + reach;
-  if (left < 0 || right >= x.size()) return false;
-  return sign * x[left] < fallen && sign * x[right] < fallen;
-}
-
-// @param top the largest value of sign * x
-bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
-                  const std::vector<Range>& pieces,
-                  double sign,
-                  double top,
-                  double tolerance) {
-  const double high = top - tolerance;
-  const double fallen = top - 10.0 * tolerance;
-  for (Index i = 0; i < x.size(); ++i) {
-    const Range& piece = pieces[static_cast<std::size_t>(i / piece_length)];
-    if (std::max(sign * piece.low, sign * piece.high) < high) {
-      i += piece_length - i % piece_length - 1;
-      continue;
-    }
-    if (sign * x[i] < high) continue;
-    const Index first = i;
-    while (i + 1 < x.size() && sign * x[i + 1] >= high) ++i;
-    if (is_flat_top(x, sign, first, i, fallen)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 bool has_second_pulse(const HammerSignal& hammer,
@@ -188,22 +135,6 @@ double force_level_db(const HammerSignal& hammer,
   }
   const double low = spectrum(0.0);
   return 20.0 * std::log10(std::max(high, 1e-12) / std::max(low, 1e-12));
-}
-
-bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
-                   double full_scale,
-                   double noise) {
-  const std::vector<Range> pieces = piece_ranges(block);
-  const auto [low, high] = joined(pieces);
-  if (std::max(high, -low) >= 0.999 * full_scale) return true;
-  const double swing = high - low;
-  const double smooth = std::max(1e-5 * swing, 8.0 * noise);
-  const double tolerance =
-      std::max(smooth, 1.5 * quantisation(block, smooth / 1.5));
-  // Far above noise and quantisation, else any top is flat.
-  if (swing < 100.0 * tolerance) return false;
-  return has_flat_top(block, pieces, 1.0, high, tolerance) ||
-         has_flat_top(block, pieces, -1.0, -low, tolerance);
 }
 
 double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {

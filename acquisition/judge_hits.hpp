@@ -32,21 +32,6 @@ namespace tapfit::acquisition {
                                     double band_end_hz,
                                     double sample_rate_hz);
 
-/// Whether a channel was overdriven in a block: it reaches 99.9 % of the
-/// declared full scale, or its top is flat in a way that no smooth peak is.
-///
-/// A flat top is a run of n >= 3 samples within a tolerance d of the extreme,
-/// with the signal more than 10 d below it half a run further on both sides;
-/// a parabola falls at most 6 d there. d covers noise after the clipping (8
-/// standard deviations), a quantisation step and 1e-5 of the swing.
-///
-/// @param block the channel's samples in the block, offset and all
-/// @param full_scale of the channel, > 0, in the block's unit
-/// @param noise standard deviation of sample-to-sample noise
-[[nodiscard]] bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
-                                 double full_scale,
-                                 double noise);
-
 /// Sample-to-sample noise of a channel: robust standard deviation of its first
 /// differences over sqrt(2), from the quietest of 16 parts (of 4096 to 8191
 /// pairs of neighbours of each).

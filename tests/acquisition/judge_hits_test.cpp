@@ -189,6 +189,53 @@ TEST(Overload, FindsClippingBelowFullScale) {
   }
 }
 
+// So much noise that no single top shows it: 60 dB below full scale.
+TEST(Overload, FindsClippingInNoiseByAllTopsTogether) {
+  std::mt19937_64 random(7);
+  Rate rate;
+  for (; rate.all < 300; ++rate.all) {
+    const double clip = testing::between(0.3, 0.9, random);
+    const double level = testing::between(1.2, 3.0, random) * clip;
+    Eigen::VectorXd x =
+        decay16(testing::between(2.0, 400.0, random), level, clip);
+    testing::add_noise(x, 1e-3, random);
+    rate.yes += is_overloaded(x, 1.0, 1e-3) ? 1 : 0;
+  }
+  say("clipping found", rate);
+  EXPECT_GE(rate.percent(), 99.0);
+}
+
+// Responses of several modes, blows of many shapes.
+TEST(Overload, RaisesNoFalseAlarmInNoise) {
+  for (const double noise : {1e-4, 1e-3, 1e-2}) {
+    std::mt19937_64 random(6);
+    Rate rate;
+    for (; rate.all < 400; ++rate.all) {
+      const double level = testing::between(0.05, 0.95, random);
+      const Eigen::VectorXd x =
+          level * (rate.all % 2 == 0 ? testing::ringing_modes(random)
+                                     : testing::any_pulse(random));
+      rate.yes +=
+          testing::judged_overload(testing::converted(x, 1.0, noise, random));
+    }
+    say("overload false alarms", rate);
+    EXPECT_LE(rate.percent(), 0.5) << "noise " << noise;
+  }
+}
+
+// A channel that rests elsewhere after the blow than before it, always above.
+TEST(Overload, RestingOnEitherSideOfAStepIsNone) {
+  std::mt19937_64 random(8);
+  Eigen::VectorXd x(4000);
+  for (Index i = 0; i < x.size(); ++i) {
+    const double t = 0.01 * static_cast<double>(i - 400);
+    x[i] = t < 0.0 ? 0.0 : 0.4 - 0.2 * std::exp(-t) * std::cos(3.0 * t);
+  }
+  testing::add_noise(x, 1e-4, random);
+  EXPECT_FALSE(is_overloaded(x, 1.0, 1e-4));
+  EXPECT_FALSE(is_overloaded(-x, 1.0, 1e-4));
+}
+
 TEST(Overload, FindsFullScale) {
   Eigen::VectorXd x = decay16(40.0, 0.5, 1.0);
   EXPECT_FALSE(is_overloaded(x, 1.0, 1e-5));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "acquisition/judge_hits.hpp"
+#include "acquisition/overload.hpp"
 #include "tests/acquisition/hammer_record.hpp"
 
 namespace tapfit::testing {
@@ -71,6 +72,65 @@ inline Eigen::VectorXd decay16(double frequency, double level, double clip) {
     x[i] = std::round(std::clamp(value, -clip, clip) * 32768.0) / 32768.0;
   }
   return x;
+}
+
+inline double between(double low, double high, std::mt19937_64& random) {
+  return low *
+         std::pow(high / low, std::uniform_real_distribution<double>()(random));
+}
+
+// Two to five modes of any frequency, phase and decay; largest value 1.
+inline Eigen::VectorXd ringing_modes(std::mt19937_64& random) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(20000);
+  const int modes = std::uniform_int_distribution<int>(2, 5)(random);
+  for (int m = 0; m < modes; ++m) {
+    const double w = 2.0 * std::numbers::pi * between(1.0, 1000.0, random);
+    const double decay = between(0.02, 50.0, random);
+    const double gain = between(0.1, 1.0, random);
+    const double phase =
+        std::uniform_real_distribution<double>(0.0, 6.3)(random);
+    for (Index i = 0; i < x.size(); ++i) {
+      const double t = static_cast<double>(i) / 5000.0;
+      x[i] += gain * std::exp(-decay * t) * std::sin(w * t + phase);
+    }
+  }
+  return x / x.cwiseAbs().maxCoeff();
+}
+
+// A blow of 3 to 400 samples: cos^p, p from 1/2 to 3 (a spring gives 1, Hertz's
+// contact some 1.5), its top lifted or dented by up to 0.2; largest value 1.
+inline Eigen::VectorXd any_pulse(std::mt19937_64& random) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(5000);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double width = between(3.0, 400.0, random);
+  const double power = between(0.5, 3.0, random);
+  const double middle = 2000.0 + uniform(random);
+  const double dent = 0.4 * uniform(random) - 0.2;
+  for (Index i = 0; i < x.size(); ++i) {
+    const double t =
+        std::numbers::pi * (static_cast<double>(i) - middle) / width;
+    if (std::abs(t) >= 0.5 * std::numbers::pi) continue;
+    x[i] = std::pow(std::cos(t), power) * (1.0 + dent * std::cos(3.0 * t));
+  }
+  return x / x.maxCoeff();
+}
+
+// A record as it comes out of a converter that clips, with noise that follows
+// it: half a second of quiet, then the signal, in 24 bits.
+inline Eigen::VectorXd converted(const Eigen::VectorXd& signal,
+                                 double ceiling,
+                                 double noise,
+                                 std::mt19937_64& random) {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(signal.size() + 2500);
+  x.tail(signal.size()) = signal.cwiseMin(ceiling).cwiseMax(-ceiling);
+  add_noise(x, noise, random);
+  for (double& value : x) value = std::round(value * 0x1p23) * 0x1p-23;
+  return x;
+}
+
+// Whether it is called overdriven, its noise known as hits' noise is.
+inline bool judged_overload(const Eigen::VectorXd& x) {
+  return acquisition::is_overloaded(x, 1.0, acquisition::difference_noise(x));
 }
 
 }  // namespace tapfit::testing

@@ -16,15 +16,12 @@ namespace tapfit {
 namespace {
 
 using acquisition::is_overloaded;
+using testing::between;
 using testing::judged_double;
+using testing::judged_overload;
 using testing::make;
 using testing::Rate;
 using testing::Setting;
-
-double between(double low, double high, std::mt19937_64& random) {
-  return low *
-         std::pow(high / low, std::uniform_real_distribution<double>()(random));
-}
 
 // Whether some of the pulse's own width is left to be seen.
 enum class Width { SubSample, Resolved };
@@ -74,6 +71,35 @@ void second_blows(unsigned seed, int count) {
   }
 }
 
+// Several modes and blows of many shapes, the noise known from the record.
+void clipping_in_noise(unsigned seed, int count) {
+  for (const bool blow : {false, true}) {
+    for (const double noise : {1e-4, 1e-3, 3e-3, 1e-2}) {
+      std::mt19937_64 random(seed);
+      Rate alarms;
+      Rate found;
+      for (; alarms.all < count; ++alarms.all, ++found.all) {
+        const Eigen::VectorXd x =
+            blow ? testing::any_pulse(random) : testing::ringing_modes(random);
+        const double level = between(0.05, 0.95, random);
+        alarms.yes +=
+            judged_overload(testing::converted(level * x, 1.0, noise, random));
+        const double clip = between(0.3, 0.9, random);
+        const double over = between(1.2, 3.0, random);
+        found.yes += judged_overload(
+            testing::converted(over * clip * x, clip, noise, random));
+      }
+      const char* what = blow ? "blow" : "modes";
+      say(fmt::format("unclipped {} called overload, noise", what).c_str(),
+          noise,
+          alarms);
+      say(fmt::format("clipped {} found, noise after", what).c_str(),
+          noise,
+          found);
+    }
+  }
+}
+
 void clipping(unsigned seed, int count) {
   std::mt19937_64 random(seed + 2);
   Rate alarms;
@@ -95,6 +121,7 @@ void clipping(unsigned seed, int count) {
     }
     say("clipped below full scale found, noise after", noise, rate);
   }
+  clipping_in_noise(seed + 3, count);
 }
 
 }  // namespace
