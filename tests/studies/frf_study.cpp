@@ -5,6 +5,12 @@
 // Scale: two modes of random frequency, gain and damping that decay by 6 to 15
 // time constants within the block, windows ending at 1 to 0.01. Coverage:
 // truths within the stated 95 %, one to ten hits in noise.
+//
+// The largest error of |H| is the tail that six time constants leave beyond the
+// block: e^-6 = 0.25 % of each mode, times the force spectrum at the mode over
+// that at the line, and twice that where two modes half cancel. The closed form
+// sum_r R_r F(l_r)/F(s) exp((l_r - s) T) dt / (1 - exp((l_r - s) dt)) gives all
+// of the worst ones, up to 0.58 %, to 0.003 %.
 #include "tests/signal/band_coverage.hpp"
 #include "tests/signal/scale_error.hpp"
 
