@@ -102,8 +102,13 @@ bool has_second_pulse(const HammerSignal& hammer,
     if (k >= force.size()) break;
     if (force[k] < 0.7 * limit || std::abs(k - main_peak) < near) continue;
     if (!is_local_maximum(force, k)) continue;
-    // The mirror image of an undershoot is no blow: it must be there as read.
-    if (hammer.force[first + k] < 0.4 * std::max(force[k], limit)) continue;
+    // The mirror image of an undershoot is no blow: before the main pulse it
+    // must be there as read. Nothing undershoots ahead of a blow, so what is
+    // left behind it needs no such proof, though ringing may hide it.
+    if (k < main_peak &&
+        hammer.force[first + k] < 0.4 * std::max(force[k], limit)) {
+      continue;
+    }
     const Pulse pulse = measure_pulse(force, k);
     if (pulse.height < limit || pulse.width > 8.0 * main.width) continue;
     const double below = swing_below(force, k, around);

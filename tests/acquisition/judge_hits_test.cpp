@@ -70,6 +70,26 @@ TEST(SecondPulse, IsFound) {
   }
 }
 
+// Blows of less than half a sample look like the filter alone, and its ringing
+// three such widths on is as high as a second blow of 5 %. What rings alike
+// before and after tells them apart; without that 97.3 % are
+// found.
+TEST(SecondPulse, IsFoundAmongTheFiltersRinging) {
+  std::mt19937_64 random(13);
+  Rate found;
+  Rate alarms;
+  for (; found.all < 800; ++found.all, ++alarms.all) {
+    const double rate = testing::between(256.0, 2500.0, random);
+    const Setting s{rate, testing::between(0.05, 0.5, random) / rate, 1.0};
+    found.yes += judged_double(make(s, 0.05, 1e-4, random));
+    alarms.yes += judged_double(make(s, 0.0, 1e-4, random));
+  }
+  say("second blows found", found);
+  say("false alarms", alarms);
+  EXPECT_GE(found.percent(), 98.0);
+  EXPECT_LE(alarms.percent(), 0.5);
+}
+
 // Half sines at 16 times the rate through a causal Butterworth filter of order
 // 8 at 0.4 of the rate (bilinear transform, four sections), then every 16th
 // sample: rings after the pulse only, its first lobes at 30 % and 17 %.
