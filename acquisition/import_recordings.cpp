@@ -3,6 +3,7 @@
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/mat_file.hpp"
+#include "acquisition/remove_offset.hpp"
 #include "acquisition/units.hpp"
 #include "acquisition/write_test_bundle.hpp"
 
@@ -24,6 +25,27 @@ std::vector<ImportChannel> all_channels(const ImportOptions& options) {
   return channels;
 }
 
+// Says where a column of times leaves its step: with a gap, all times up to it
+// are far from a straight line through the ends.
+[[noreturn]] void refuse_uneven(const Eigen::VectorXd& time,
+                                const std::string& file) {
+  const Index n = time.size();
+  const Eigen::VectorXd steps = time.tail(n - 1) - time.head(n - 1);
+  const double usual = median(steps);
+  Index row = 0;
+  (steps.array() - usual).abs().maxCoeff(&row);
+  throw InputError(
+      fmt::format("the sampling is uneven: from row {} of the numbers to the "
+                  "next it goes on by {:.6g} s (at {:.6g} s), elsewhere by "
+                  "{:.6g} s",
+                  row + 1,
+                  steps[row],
+                  time[row],
+                  usual),
+      file,
+      "export without gaps, or cut the file at the gap");
+}
+
 // The sampling rate from a column of times; each time may be half a step off.
 double rate_of(const Eigen::VectorXd& time, const std::string& file) {
   const Index n = time.size();
@@ -37,14 +59,7 @@ double rate_of(const Eigen::VectorXd& time, const std::string& file) {
   for (Index i = 0; i < n; ++i) {
     const double expected = time[0] + static_cast<double>(i) * step;
     if (std::abs(time[i] - expected) < 0.5 * step) continue;
-    throw InputError(
-        fmt::format("the sampling is uneven: row {} of the numbers is at "
-                    "{:.6g} s, expected near {:.6g} s",
-                    i + 1,
-                    time[i],
-                    expected),
-        file,
-        "export without gaps, or cut the file at the gap");
+    refuse_uneven(time, file);
   }
   return 1.0 / step;
 }

@@ -42,6 +42,12 @@ const UffDataset& pick(const std::vector<const UffDataset*>& records,
   if (number >= 1 && static_cast<std::size_t>(number) <= records.size()) {
     return *records[static_cast<std::size_t>(number) - 1];
   }
+  if (records.empty()) {
+    throw InputError("holds no time records (dataset 58, function type 1)",
+                     file,
+                     "export the time records; tapfit uff FILE lists what it "
+                     "holds");
+  }
   throw InputError(
       fmt::format("there is no time record \"{}\"", column),
       file,
