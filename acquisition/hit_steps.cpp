@@ -3,6 +3,7 @@
 #include "acquisition/judge_hits.hpp"
 #include "acquisition/overload.hpp"
 #include "acquisition/parallel.hpp"
+#include "acquisition/remove_offset.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,21 @@ Eigen::VectorXd channel_noise(const Recording& recording) {
   return noise;
 }
 
+// Where a pulse's force spectrum has fallen by 10 dB, to 1/64 of what is looked
+// at.
+double reach_of(const HammerSignal& hammer,
+                const Pulse& pulse,
+                double most,
+                double rate) {
+  constexpr double fallen_db = 0.5 * softest_db;
+  constexpr int steps = 64;
+  for (int k = 1; k < steps; ++k) {
+    const double hz = most * k / steps;
+    if (force_level_db(hammer, pulse, hz, rate) < fallen_db) return hz;
+  }
+  return most;
+}
+
 // A hit as measured, not judged yet.
 Hit hit_of(const PulseGroup& group, const HitSet& set, double rate) {
   Hit hit;
@@ -70,6 +86,24 @@ double band_end(const TestBundle& bundle, double rate) {
   return bundle.band_hz ? (*bundle.band_hz)[1] : 0.4 * rate;
 }
 
+double judged_to(const TestBundle& bundle,
+                 const std::vector<HammerRun>& runs,
+                 double rate) {
+  const double most = band_end(bundle, rate);
+  if (bundle.band_hz) return most;
+  std::vector<double> reach;
+  for (const HammerRun& run : runs) {
+    // A few tell what is usual.
+    constexpr std::size_t enough = 16;
+    const std::size_t count = std::min(run.groups.size(), enough);
+    for (std::size_t k = 0; k < count; ++k) {
+      const Pulse& pulse = run.groups[k * run.groups.size() / count].largest;
+      reach.push_back(reach_of(run.hammer, pulse, most, rate));
+    }
+  }
+  return median(Eigen::VectorXd::Map(reach.data(), std::ssize(reach)));
+}
+
 std::vector<Hit> judge_alone(const TestBundle& bundle,
                              const Run& run,
                              const Recording& recording,
@@ -77,7 +111,6 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
                              const HitSet& set,
                              double double_percent) {
   const double rate = recording.sample_rate_hz;
-  const double band = band_end(bundle, rate);
   const Eigen::VectorXd noise = channel_noise(recording);
   std::vector<Hit> hits(work.groups.size());
   for_each_parallel(hits.size(), [&](std::size_t k) {
@@ -94,7 +127,8 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
       note(hit, HitFault::Overload);
     }
     if (hit.peak_n < least_snr * work.hammer.noise) note(hit, HitFault::Weak);
-    if (force_level_db(work.hammer, group.largest, band, rate) < softest_db) {
+    if (force_level_db(work.hammer, group.largest, set.judged_to_hz, rate) <
+        softest_db) {
       note(hit, HitFault::Soft);
     }
     if (wanted < 0 || stop > recording.samples.rows()) {

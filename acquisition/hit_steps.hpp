@@ -29,6 +29,14 @@ struct HammerRun {
 /// Upper end of the band; 0.4 of the sampling rate without one [Hz].
 [[nodiscard]] double band_end(const TestBundle& bundle, double rate);
 
+/// Up to where a hit must not be soft [Hz]: the end of the bundle's band. When
+/// none is given nobody asked for more than the hammer's tip excites: where the
+/// usual hit's force has fallen by 10 dB, at most 0.4 of the rate. A hit is
+/// soft there when it is 10 dB below the others.
+[[nodiscard]] double judged_to(const TestBundle& bundle,
+                               const std::vector<HammerRun>& runs,
+                               double rate);
+
 /// The run's groups as hits, with everything that can be told from each alone:
 /// double, overload, too little over the noise, soft, truncated.
 ///

@@ -230,6 +230,14 @@ void state_block(const Block& block, const HitOptions& options, HitSet& set) {
                   static_cast<double>(set.pre_trigger) / set.sample_rate_hz));
 }
 
+void state_reach(const TestBundle& bundle, HitSet& set) {
+  if (set.judged_to_hz >= band_end(bundle, set.sample_rate_hz)) return;
+  set.statements.push_back(fmt::format(
+      "no band is given: hits are judged up to {:.3g} Hz, where the "
+      "usual one's force has fallen by 10 dB; give band_hz",
+      set.judged_to_hz));
+}
+
 void state_polarity(const std::vector<HammerRun>& work,
                     const HitOptions& options,
                     HitSet& set) {
@@ -293,8 +301,10 @@ HitSet find_hits(const TestBundle& bundle,
   set.block = block.samples;
   set.pre_trigger = block.pre_trigger;
   set.hold_off = hold_off;
+  set.judged_to_hz = judged_to(bundle, work, rate);
   state_trigger(bundle, work, options, set);
   state_block(block, options, set);
+  state_reach(bundle, set);
   state_polarity(work, options, set);
   const std::string too_short = short_pulse_statement(work, rate);
   if (!too_short.empty()) set.statements.push_back(too_short);

@@ -40,6 +40,7 @@ struct HitSet {
   Eigen::Index pre_trigger = 0;  ///< samples of the block before the trigger
   Eigen::Index hold_off = 0;     ///< samples; a later pulse is a new hit
   double trigger_n = 0.0;        ///< lowest level used in any run [N]
+  double judged_to_hz = 0.0;     ///< up to where a hit must not be soft
   std::vector<std::vector<Hit>> runs;   ///< as TestBundle::runs
   std::vector<std::string> statements;  ///< what was chosen, and why
 };
@@ -57,7 +58,7 @@ struct HitOptions {
 ///
 /// The block is as long as the gaps between hits allow (and no longer than the
 /// response lasts), the same for all hits. The bundle's band says how soft a
-/// hit may be (without one: up to 0.4 of the sampling rate). Options that are
+/// hit may be (without one: see judged_to()). Options that are
 /// empty are taken from the bundle, else chosen and stated. A run whose hits
 /// are all judged out keeps its best one when that is merely weak or soft; else
 /// it is left without an accepted hit.

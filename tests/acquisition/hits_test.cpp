@@ -259,6 +259,34 @@ TEST(FindHits, ASoftTipIsNoticed) {
   for (const Hit& hit : good.runs[0]) EXPECT_EQ(reasons(hit), "");
 }
 
+// Half sines of 10 ms have fallen by 10 dB at 102 Hz:
+// |cos(pi f w) / (1 - (2 f w)^2)| = 0.316 at f w = 1.02. The strongest of the
+// last tenth of a band counts, and bands end at every 1/64 of 819 Hz.
+TEST(FindHits, WithoutABandHitsNeedNotReachFartherThanTheUsualOne) {
+  Scene scene;
+  scene.width_s = 0.010;
+  const TestBundle bundle = testing::hammer_bundle();
+  const HitSet hits = find_hits(bundle, {record(scene)}, {});
+  for (const Hit& hit : hits.runs[0]) EXPECT_EQ(reasons(hit), "");
+  EXPECT_GT(hits.judged_to_hz, 102.0);
+  EXPECT_LT(hits.judged_to_hz, 102.0 / 0.9 + 819.2 / 64.0);
+  EXPECT_TRUE(std::any_of(
+      hits.statements.begin(), hits.statements.end(), [](const auto& said) {
+        return said.find("no band is given") == 0;
+      }));
+  scene.width_s = 0.002;
+  Recording mixed = record(scene);
+  // The second blow is 10 ms long: 38 dB down where the others have 10.
+  mixed.samples.col(0).segment(9000, 2000).setConstant(0.3);
+  Eigen::VectorXd force = mixed.samples.col(0);
+  testing::add_pulse(force, scene.rate, 5.0, 0.010, 30.0, false);
+  mixed.samples.col(0) = force;
+  const HitSet one = find_hits(bundle, {mixed}, {});
+  ASSERT_EQ(one.runs[0].size(), 4U);
+  EXPECT_EQ(reasons(one.runs[0][0]), "");
+  EXPECT_EQ(reasons(one.runs[0][1]), "soft ");
+}
+
 TEST(FindHits, AHitTooNearTheEndIsTruncatedAndStaysOut) {
   Scene scene;
   scene.decay = 0.1;
