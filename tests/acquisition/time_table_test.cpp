@@ -176,5 +176,15 @@ TEST_F(TimeTables, ImportTakesTimeRecordsOfUniversalFiles) {
   EXPECT_TRUE(has(refusal(file, {"3"}), "number from 1 to 2"));
 }
 
+// Nodes only (dataset 15).
+TEST_F(TimeTables, AUniversalFileWithoutTimeRecordsSaysSo) {
+  const fs::path file = folder_.write(
+      "nodes.uff",
+      "    -1\n    15\n"
+      "         1         0         0         8  0.0  0.0  0.0\n    -1\n");
+  const std::string said = refusal(file, {"1"});
+  EXPECT_NE(said.find("no time records"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition
