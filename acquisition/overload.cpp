@@ -99,16 +99,21 @@ struct Below {
   }
 };
 
-// Whether the signal rests below a level at the block's beginning and end and
+// Whether the signal rests below a level at the block's beginning and end, and
 // most of the time: where it rests it piles up without being clipped.
-bool away_from_rest(const Eigen::Ref<const Eigen::VectorXd>& x,
-                    double sign,
-                    double level) {
-  constexpr Index enough = 1 << 10;
+bool begins_and_ends_below(const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double sign,
+                           double level) {
   const Index few = std::min<Index>(16, x.size());
   return sign * median(x.head(few)) < level &&
-         sign * median(x.tail(few)) < level &&
-         sign * median(thinned(x, enough)) < level;
+         sign * median(x.tail(few)) < level;
+}
+
+bool mostly_below(const Eigen::Ref<const Eigen::VectorXd>& x,
+                  double sign,
+                  double level) {
+  constexpr Index enough = 1 << 10;
+  return sign * median(thinned(x, enough)) < level;
 }
 
 // @param top the largest value of sign * x
@@ -120,6 +125,9 @@ bool piles_up(const Eigen::Ref<const Eigen::VectorXd>& x,
               double noise,
               double swing) {
   if (!(swing > least_swing)) return false;
+  // First, because it spares most quiet blocks the rest.
+  const double rest = top - 0.2 * swing * noise;
+  if (!begins_and_ends_below(x, sign, rest)) return false;
   Below below;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     const Range& piece = pieces[p];
@@ -138,7 +146,7 @@ bool piles_up(const Eigen::Ref<const Eigen::VectorXd>& x,
       (swing <= ample_swing || below.within_7 <= farther_from_top * far)) {
     return false;
   }
-  return away_from_rest(x, sign, top - 0.2 * swing * noise);
+  return mostly_below(x, sign, rest);
 }
 
 }  // namespace
