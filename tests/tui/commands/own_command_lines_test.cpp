@@ -32,6 +32,7 @@ Ran ran(std::vector<const char*> arguments, Command command) {
 
 TEST(SimulateCommand, WordsThatAreNoEffectAreStatusTwo) {
   const fs::path folder = fs::path(testing::TempDir()) / "tapfit-no-effect";
+  fs::remove_all(folder);  // of a run that failed
   for (const char* effect : {"magic=1",
                              "added-mass@201x=1",
                              "channel-swap@acc1:acc1",
