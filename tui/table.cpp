@@ -1,5 +1,6 @@
 #include "tui/table.hpp"
 
+#include "tui/line_text.hpp"
 #include "tui/text.hpp"
 
 #include <fmt/format.h>
@@ -149,7 +150,9 @@ void draw_table(Screen& screen,
   if (none_shown(table, state)) {
     screen.text(rect.x + 1,
                 rect.y + 1,
-                "nothing matches; Esc clears the filter",
+                fitting({"nothing matches; Esc clears the filter",
+                         "nothing matches (Esc)"},
+                        rect.width - 2),
                 {.colour = Colour::Grey},
                 rect.width - 2);
   }
