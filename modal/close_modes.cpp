@@ -128,19 +128,13 @@ bool take_over(const Curves& curves,
   return false;
 }
 
-/// Whether two poles explain the FRFs around them clearly better than one, with
-/// several references clearly better than its expansion.
+/// Whether two poles explain the FRFs around them clearly better than one fit.
 bool two_are_needed(const Curves& curves,
-                    const FrfMatrix& matrix,
                     const ModalFit& two,
-                    const ModalFit& one) {
-  const Index last = one.poles.size() - 1;
-  const Complex pole = one.poles(last);
+                    const ModalFit& one,
+                    const Complex& pole) {
   const LeftOver of_two = left_over_near(curves, two, pole);
-  const LeftOver of_one = left_over_near(
-      curves,
-      matrix.references < 2 ? one : expanded_fit(curves, one, last),
-      pole);
+  const LeftOver of_one = left_over_near(curves, one, pole);
   const double parameters = 2.0 * static_cast<double>(curves.count()) + 2.0;
   // An exponential window makes neighbouring lines share their noise.
   const double shared =
@@ -174,11 +168,14 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
   ModalFit one = refine_poles(curves, poles, 20);
   const Index last = rest.size();
   if (take_over(curves, rest, one.poles)) return {};
-  if (two_are_needed(curves, matrix, fit, one)) return {};
   // Beside a third there is no expansion that could take the two apart again.
   if (matrix.references > 1 && is_crowded(one, last)) return {};
   const PoleExpansion expansion = expand_pole(curves, matrix, one, last);
   if (are_apart_in(expansion, -one.poles(last).real())) return {};
+  // Two shapes under one pole keep what the expansion tells of them.
+  const bool two_shapes = expansion.residues.rank > 1;
+  const ModalFit rival = two_shapes ? expanded_fit(curves, one, last) : one;
+  if (two_are_needed(curves, fit, rival, one.poles(last))) return {};
   return one;
 }
 
@@ -205,26 +202,33 @@ ModalFit as_one(const Curves& curves,
   }
   Eigen::VectorXcd poles(rest.size() + 1);
   poles << rest, fit.poles(group).mean();
-  return refine_poles(curves, poles, 20);
+  return group.size() < 2 ? fit_residues(curves, poles)
+                          : refine_poles(curves, poles, 20);
 }
 
-/// The poles found put in and refined; none where they leave their place by
-/// more than the distance between them or cannot be modes.
+/// Poles found put in place of the last one of a fit, and refined; none where
+/// one is no mode, or they leave their place without clearly explaining more.
 std::optional<ModalFit> with_poles(const Curves& curves,
-                                   const Eigen::VectorXcd& others,
+                                   const ModalFit& one,
                                    const Eigen::VectorXcd& found,
                                    const IdentifyOptions& options) {
-  const double half = -found.real().mean();
-  if (half <= 0.0 || found.real().maxCoeff() >= 0.0) return {};
-  if (extent(found) > 2.0 * half) return {};
-  Eigen::VectorXcd poles(others.size() + found.size());
-  poles << others, found;
+  const Index last = one.poles.size() - 1;
+  const Complex around = one.poles(last);
+  const auto are_near = [&around](const Eigen::VectorXcd& poles) {
+    return (poles.array() - around).abs().maxCoeff() < -2.0 * around.real();
+  };
+  if (!are_near(found) || found.real().maxCoeff() >= 0.0) return {};
+  Eigen::VectorXcd poles(last + found.size());
+  poles << one.poles.head(last), found;
   ModalFit fit = refine_poles(curves, poles, 20);
   const Eigen::VectorXcd refined = fit.poles.tail(found.size());
-  if ((refined - found).array().abs().maxCoeff() > extent(found)) return {};
+  if (!are_near(refined)) return {};
   for (const Complex& pole : refined) {
     if (is_impossible(pole, options) || !in_band(curves, pole)) return {};
   }
+  const bool stayed =
+      (refined - found).array().abs().maxCoeff() < extent(found);
+  if (!stayed && !two_are_needed(curves, fit, one, around)) return {};
   return fit;
 }
 
@@ -263,18 +267,19 @@ ModalFit separate_close(const Curves& curves,
     const std::vector<Index> group = within_bandwidth(curves, fit, r);
     // A group is tried once, from the last of its poles.
     if (group.empty() || group.back() != r) continue;
-    if (group.size() < 2 && !holds_second_shape(matrix, fit.residues.col(r))) {
-      continue;
-    }
-    const ModalFit one = group.size() < 2 ? fit : as_one(curves, fit, group);
-    const Index last = group.size() < 2 ? r : one.poles.size() - 1;
+    const ModalFit one = as_one(curves, fit, group);
+    const Index last = one.poles.size() - 1;
     const PoleExpansion expansion = expand_pole(curves, matrix, one, last);
     if (expansion.residues.rank <= static_cast<Index>(group.size())) continue;
     const Eigen::VectorXcd found =
         (expansion.apart.array() + one.poles(last)).matrix();
-    std::optional<ModalFit> trial =
-        with_poles(curves, without(one.poles, last), found, options);
+    std::optional<ModalFit> trial = with_poles(curves, one, found, options);
     if (!trial || !are_known(curves, *trial, found.size())) continue;
+    const Complex& place = one.poles(last);
+    if (left_over_near(curves, *trial, place).sum >
+        left_over_near(curves, fit, place).sum) {
+      continue;
+    }
     fit = std::move(*trial);
     r = std::min(r, fit.poles.size());
   }

@@ -101,8 +101,17 @@ void check_lines(const Eigen::VectorXcd& s) {
   }
 }
 
+/// As the accelerance of a rigid mass would be, or of a dead channel.
+bool is_constant(const signal::Frf& frf) {
+  if (frf.H.size() == 0) return true;
+  const double change = (frf.H.array() - frf.H(0)).abs().maxCoeff();
+  return change <= 1e-9 * frf.H.cwiseAbs().maxCoeff();
+}
+
+/// @param others whether there are FRFs that are not constant
 bool usable(const signal::Frf& frf,
             Eigen::Index lines,
+            bool others,
             std::vector<std::string>& warnings) {
   if (frf.H.size() != lines) {
     throw InputError(fmt::format("{} values on {} lines", frf.H.size(), lines),
@@ -121,9 +130,10 @@ bool usable(const signal::Frf& frf,
                      "check its unit: no structure has such an accelerance, "
                      "and products of such values are lost");
   }
-  if (largest > 0.0) return true;
+  if (largest > 0.0 && !(others && is_constant(frf))) return true;
   warnings.push_back("FRF " + signal::name(frf) +
-                     " is zero throughout and was left out");
+                     (largest > 0.0 ? " is constant" : " is zero throughout") +
+                     " and was left out");
   return false;
 }
 
@@ -184,9 +194,10 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   curves.sigma = curves.s(0).real();
   curves.spacing = (curves.s(lines - 1) - curves.s(0)).imag() /
                    static_cast<double>(lines - 1);
+  const bool any = !std::ranges::all_of(frfs.frfs, is_constant);
   for (std::size_t f = 0; f < frfs.frfs.size(); ++f) {
     const signal::Frf& frf = frfs.frfs[f];
-    if (!usable(frf, frfs.lines(), warnings)) continue;
+    if (!usable(frf, frfs.lines(), any, warnings)) continue;
     curves.source.push_back(f);
     curves.response.push_back(positive(frf.response));
     curves.reference.push_back(positive(frf.reference));

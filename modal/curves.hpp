@@ -35,7 +35,8 @@ struct Curves {
   [[nodiscard]] Eigen::Index count() const { return H.cols(); }
 };
 
-/// Checks and prepares a set. FRFs that are zero throughout are left out.
+/// Checks and prepares a set. FRFs that are zero, or constant
+/// beside others that are not, are left out.
 ///
 /// @param warnings what was left out is said here
 /// @throws InputError for fewer than 8 lines, lines that are not evenly spaced

@@ -96,8 +96,11 @@ FrfMatrix arrange_frfs(const Curves& curves, Eigen::Index most_references) {
       best_matrix(rows_per_run(curves), curves, most_references);
   const FrfMatrix hammers =
       best_matrix(rows_per_response(curves), curves, most_references);
-  const FrfMatrix& best =
-      covered(hammers) > covered(sensors) ? hammers : sensors;
+  // The shorter side is the references: the outputs tell shapes apart.
+  const bool as_many = covered(hammers) == covered(sensors);
+  const bool by_hammers = as_many ? hammers.references < sensors.references
+                                  : covered(hammers) > covered(sensors);
+  const FrfMatrix& best = by_hammers ? hammers : sensors;
   // Half of the FRFs in a complete matrix of two or more references tell more
   // about close modes than all of them without.
   if (2 * covered(best) >= curves.count() && best.rows.size() > 1) return best;

@@ -129,14 +129,22 @@ void warn_about_unresolved(const std::vector<Complex>& poles,
   }
 }
 
-void warn_about_repeated(const Complex& pole,
-                         Index count,
-                         std::vector<std::string>& warnings) {
-  warnings.push_back(fmt::format(
-      "{} modes share the pole at {:.5g} Hz as far as the FRFs can tell: their "
-      "shapes are one basis of many",
-      count,
-      std::abs(pole) / kTwoPi));
+void warn_about_shared(const ModesOfPole& modes,
+                       std::vector<std::string>& warnings) {
+  const double hz = std::abs(modes.poles(0)) / kTwoPi;
+  if (modes.poles.size() < modes.shapes) {
+    warnings.push_back(fmt::format(
+        "the pole at {:.5g} Hz holds {} shapes that cannot be taken apart; the "
+        "one given is a mixture: measure the driving point of every reference",
+        hz,
+        modes.shapes));
+  } else if (modes.shapes > 1 && modes.are_equal()) {
+    warnings.push_back(fmt::format(
+        "{} modes share the pole at {:.5g} Hz as far as the FRFs can tell: "
+        "their shapes are one basis of many",
+        modes.shapes,
+        hz));
+  }
 }
 
 /// The fit on the lines and with the sign of each FRF given.
@@ -235,38 +243,45 @@ Identified of_set_ups(const RunModes& runs) {
 /// Puts in place of each pole the modes that its residues hold.
 void take_apart(const Curves& curves,
                 bool scaled,
+                const IdentifyOptions& options,
                 Identified& found,
                 std::vector<std::string>& warnings) {
-  const ModalFit fit = found.fit;
-  std::vector<Index> source;
-  std::vector<Complex> poles;
-  std::vector<double> extra;  // variance
-  Eigen::MatrixXcd residues(curves.count(), 0);
-  for (Index r = 0; r < fit.poles.size(); ++r) {
-    const ModesOfPole own = modes_of_pole(curves, fit, r, scaled);
-    const Index count = own.poles.size();
-    residues.conservativeResize(Eigen::NoChange, residues.cols() + count);
-    residues.rightCols(count) = own.residues;
-    poles.insert(poles.end(), own.poles.begin(), own.poles.end());
-    source.insert(source.end(), static_cast<std::size_t>(count), r);
-    extra.insert(extra.end(),
-                 static_cast<std::size_t>(count),
-                 own.deviation * own.deviation);
-    if (count > 1 && own.are_equal()) {
-      warn_about_repeated(fit.poles(r), count, warnings);
+  struct Part {
+    Complex pole;
+    Index source;
+    double variance;  // more than the source's
+    Eigen::VectorXcd residues;
+  };
+  std::vector<Part> parts;
+  for (Index r = 0; r < found.fit.poles.size(); ++r) {
+    const ModesOfPole own =
+        modes_of_pole(curves, found.fit, r, scaled, options);
+    for (Index k = 0; k < own.poles.size(); ++k) {
+      parts.push_back({own.poles(k),
+                       r,
+                       own.deviation * own.deviation,
+                       own.residues.col(k)});
     }
+    warn_about_shared(own, warnings);
   }
-  std::vector<Index> rows;  // of the covariance
-  for (const Index r : source) rows.insert(rows.end(), {2 * r, 2 * r + 1});
-  found.fit.residues = residues;
-  found.fit.poles = Eigen::Map<Eigen::VectorXcd>(
-      poles.data(), static_cast<Index>(poles.size()));
-  found.covariance = found.covariance(rows, rows).eval();
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const auto i = static_cast<Index>(k);
-    found.covariance(i, i) += 0.5 * extra[k / 2];
+  std::ranges::stable_sort(
+      parts, {}, [](const Part& part) { return std::abs(part.pole); });
+  Identified result = found;
+  const auto count = static_cast<Index>(parts.size());
+  result.fit.poles.resize(count);
+  result.fit.residues.resize(curves.count(), count);
+  result.residue_variance.resize(curves.count(), count);
+  result.covariance = Eigen::MatrixXd::Zero(2 * count, 2 * count);
+  for (Index k = 0; k < count; ++k) {
+    const Part& part = parts[static_cast<std::size_t>(k)];
+    result.fit.poles(k) = part.pole;
+    result.fit.residues.col(k) = part.residues;
+    result.residue_variance.col(k) = found.residue_variance.col(part.source);
+    result.covariance.block<2, 2>(2 * k, 2 * k) =
+        found.covariance.block<2, 2>(2 * part.source, 2 * part.source) +
+        0.5 * part.variance * Eigen::Matrix2d::Identity();
   }
-  found.residue_variance = found.residue_variance(Eigen::all, source).eval();
+  found = std::move(result);
 }
 
 void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
@@ -294,7 +309,7 @@ Identified identify(const Curves& curves,
   found.fit = std::move(selection.fit);
   found.covariance = pole_covariance(curves, found.fit);
   found.residue_variance = residue_variance(curves, found.fit);
-  take_apart(curves, set.scaled, found, set.warnings);
+  take_apart(curves, set.scaled, options, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
   set.unresolved = selection.unresolved;
   warn_about_complex(selection.out_of_phase, options, set.warnings);

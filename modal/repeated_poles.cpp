@@ -4,6 +4,7 @@
 #include "modal/complexity.hpp"
 #include "modal/double_poles.hpp"
 #include "modal/frf_matrix.hpp"
+#include "modal/hard_checks.hpp"
 #include "modal/neighbour_modes.hpp"
 
 #include <Eigen/Dense>
@@ -26,6 +27,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 
 constexpr double kApart = 3.0;       // standard deviations
+constexpr double kOverMisfit = 3.0;  // of a shape, as a share of the FRFs
 constexpr double kInPhase = 0.8;     // MPC of each shape
 constexpr double kReciprocal = 0.3;  // asymmetry of X X'
 
@@ -172,6 +174,50 @@ std::optional<Sides> any_basis(const PoleExpansion& expansion,
   return sides;
 }
 
+/// What a fit leaves within the half-power bandwidth, over what is there.
+double misfit_at(const Curves& curves,
+                 const ModalFit& fit,
+                 const Complex& pole) {
+  const double reach =
+      std::max(curves.sigma - pole.real(), 2.0 * curves.spacing);
+  const Eigen::RowVectorXd weight = fit.frf_weight.cwiseAbs2().transpose();
+  double left = 0.0;
+  double all = 0.0;
+  for (Index k = 0; k < curves.lines(); ++k) {
+    if (std::abs(curves.s(k).imag() - pole.imag()) > reach) continue;
+    const Eigen::RowVectorXcd H = curves.H.row(k);
+    left += (H - fit.H.row(k)).cwiseAbs2().dot(weight);
+    all += H.cwiseAbs2().dot(weight);
+  }
+  return std::sqrt(left / std::max(all, 1e-300));
+}
+
+/// Modes that the residues hold beside what the fit leaves: unlike noise that
+/// may have a shape, such as that of a mode next to it that was missed.
+Index modes_in(const Curves& curves,
+               const ModalFit& fit,
+               Index r,
+               const PoleExpansion& expansion) {
+  if (expansion.residues.rank < 2) return 1;
+  const ModalFit both = expanded_fit(curves, fit, r);
+  const double misfit = misfit_at(curves, both, fit.poles(r));
+  const Eigen::VectorXd values = expansion.residues.svd.singularValues();
+  const bool is_clear =
+      values(expansion.residues.rank - 1) > kOverMisfit * misfit * values(0);
+  return is_clear ? expansion.residues.rank : 1;
+}
+
+/// Whether poles are where the expansion holds and none fails a hard check.
+bool may_be_modes(const Curves& curves,
+                  const Complex& around,
+                  const Eigen::VectorXcd& poles,
+                  const IdentifyOptions& options) {
+  return std::ranges::all_of(poles, [&](const Complex& pole) {
+    return std::abs(pole - around) < -around.real() &&
+           !is_impossible(pole, options) && in_band(curves, pole);
+  });
+}
+
 bool stand_out(const PoleExpansion& expansion) {
   for (Index k = 0; k < expansion.apart.size(); ++k) {
     for (Index l = 0; l < k; ++l) {
@@ -187,31 +233,37 @@ bool stand_out(const PoleExpansion& expansion) {
 ModesOfPole modes_of_pole(const Curves& curves,
                           const ModalFit& fit,
                           Index r,
-                          bool scaled) {
+                          bool scaled,
+                          const IdentifyOptions& options) {
+  const Complex pole = fit.poles(r);
   ModesOfPole alone{fit.poles.segment(r, 1), 0.0, fit.residues.col(r)};
   // Residues of poles that close are known only together.
-  if (is_crowded(fit, r) || !in_band(curves, fit.poles(r))) return alone;
+  if (is_crowded(fit, r) || !in_band(curves, pole)) return alone;
   const FrfMatrix matrix =
       arrange_frfs(curves, std::numeric_limits<Index>::max());
   if (!holds_second_shape(matrix, fit.residues.col(r))) return alone;
   const PoleExpansion expansion = expand_pole(curves, matrix, fit, r);
-  const Index n = expansion.residues.rank;
+  const Index n = modes_in(curves, fit, r, expansion);
+  alone.shapes = n;
   if (n < 2) return alone;
   const Sides points = sides_of(curves, matrix);
+  const Eigen::VectorXcd apart = (expansion.apart.array() + pole).matrix();
   std::optional<Sides> sides;
-  if (stand_out(expansion)) sides = told_apart(expansion, points);
+  if (stand_out(expansion) && may_be_modes(curves, pole, apart, options)) {
+    sides = told_apart(expansion, points);
+  }
   const bool told = sides && move_in_phase(*sides);
-  if (!told) sides = any_basis(expansion, fit.poles(r), scaled, points);
+  if (!told) sides = any_basis(expansion, pole, scaled, points);
   if (!sides || !move_in_phase(*sides)) return alone;
   ModesOfPole modes;
+  modes.shapes = n;
   modes.residues = products(curves, *sides);
   if (modes.residues.size() == 0) return alone;
   // What contradicts the shapes is shared among them.
   const Eigen::VectorXcd rest =
       fit.residues.col(r) - modes.residues.rowwise().sum();
   modes.residues.colwise() += (rest / static_cast<double>(n)).eval();
-  modes.poles = Eigen::VectorXcd::Constant(n, fit.poles(r));
-  if (told) modes.poles += expansion.apart;
+  modes.poles = told ? apart : Eigen::VectorXcd::Constant(n, pole);
   modes.deviation = expansion.deviation;
   return modes;
 }

@@ -11,6 +11,7 @@
 // of their space. Taken is the one that is orthogonal over the outputs.
 #pragma once
 
+#include "modal/identify_modes.hpp"
 #include "modal/modal_fit.hpp"
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@ struct ModesOfPole {
   Eigen::VectorXcd poles;     ///< [rad/s]; all the same where not told apart
   double deviation = 0.0;     ///< of their distances [rad/s]
   Eigen::MatrixXcd residues;  ///< of receptance, n_frfs x n_modes
+  Eigen::Index shapes = 1;    ///< that the residues hold, taken apart or not
 
   [[nodiscard]] bool are_equal() const { return poles(0) == poles(1); }
 };
@@ -34,6 +36,7 @@ struct ModesOfPole {
 [[nodiscard]] ModesOfPole modes_of_pole(const Curves& curves,
                                         const ModalFit& fit,
                                         Eigen::Index r,
-                                        bool scaled);
+                                        bool scaled,
+                                        const IdentifyOptions& options);
 
 }  // namespace tapfit::modal

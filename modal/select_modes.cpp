@@ -312,6 +312,12 @@ Selection select_modes(const Curves& curves,
     fit = drop_weak(curves, std::move(fit), options, progress);
   }
   fit = unite_untold(curves, std::move(fit));
+  // One that a mode stands for now was not left out.
+  std::erase_if(selection.unresolved, [&fit](const Complex& left_out) {
+    return std::ranges::any_of(fit.poles, [&](const Complex& pole) {
+      return std::abs(pole - left_out) < -pole.real();
+    });
+  });
   edit_poles(curves, tracks, options, fit);
   if (fit.poles.size() > 0) fit = sorted(curves, fit);
   return selection;

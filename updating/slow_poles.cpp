@@ -19,10 +19,13 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
   std::vector<std::complex<double>> poles;
   const auto add = [&](const std::complex<double>& pole) {
     const double left = std::exp(pole.real() * block_s);
-    if (left > 1e-3 && left < 1.0) poles.push_back(pole);
+    // Modes may share a pole.
+    const bool there = std::ranges::find(poles, pole) != poles.end();
+    if (left > 1e-3 && left < 1.0 && !there) poles.push_back(pole);
   };
   for (const modal::Mode& mode : modes.modes) add(mode.pole);
   for (const std::complex<double>& pole : modes.unresolved) add(pole);
+  std::ranges::sort(poles, {}, [](const auto& pole) { return pole.imag(); });
   return Eigen::Map<Eigen::VectorXcd>(poles.data(),
                                       static_cast<Eigen::Index>(poles.size()));
 }

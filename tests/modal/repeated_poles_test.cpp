@@ -1,6 +1,7 @@
 // Modes that share one pole: a square plate has them, and no fit of distinct
 // poles can hold them.
 #include "modal/identify_modes.hpp"
+#include "modal/mac.hpp"
 #include "tests/modal/close_modes.hpp"
 
 #include <Eigen/Dense>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace tapfit {
 namespace {
@@ -103,6 +105,80 @@ TEST(RepeatedPoles, PairsAtAnyDistanceAreTwoModes) {
       EXPECT_GE(right, 9) << apart << ' ' << noise;
     }
   }
+}
+
+/// The same FRFs with hits and sensors in each other's place, all sensors on at
+/// each hit.
+signal::FrfSet turned_round(signal::FrfSet set) {
+  for (signal::Frf& frf : set.frfs) {
+    std::swap(frf.response, frf.reference);
+    frf.run = static_cast<std::size_t>(frf.reference.node);
+  }
+  return set;
+}
+
+TEST(RepeatedPoles, AreFoundFromFixedHitsToo) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937_64 random(30 + seed);
+    const test::SyntheticSystem system = test::close_modes(2, 0.0, random);
+    const modal::ModeSet set = modal::identify_modes(
+        turned_round(test::close_modes_frfs(system, {0, 1}, 0.01, random)), {});
+    ASSERT_EQ(set.modes.size(), 2U) << seed;
+    EXPECT_GT(alignment(system, set), 0.95) << seed;
+    // The basis is orthogonal over all points.
+    EXPECT_LT(modal::mac(set.modes[0].shape, set.modes[1].shape)(0, 0), 0.01);
+  }
+}
+
+// Two shapes, of which only one is scaled: neither can be told.
+TEST(RepeatedPoles, SayThatTheyCannotBeTakenApart) {
+  std::mt19937_64 random(8);
+  const test::SyntheticSystem system = test::close_modes(2, 0.0, random);
+  signal::FrfSet set = test::close_modes_frfs(system, {0, 1}, 0.01, random);
+  std::erase_if(set.frfs, [](const signal::Frf& frf) {
+    return frf.response.node == frf.reference.node && frf.response.node == 2;
+  });
+  const modal::ModeSet found = modal::identify_modes(set, {});
+  EXPECT_TRUE(std::ranges::any_of(found.warnings, [](const auto& warning) {
+    return warning.find("cannot be taken apart") != std::string::npos;
+  }));
+}
+
+// What is left of a mode that was dropped is no second shape of the next one.
+TEST(RepeatedPoles, AreNotMadeOfAMissedNeighbour) {
+  std::mt19937_64 random(5);
+  test::SyntheticSystem system = test::close_modes(2, 0.05, random);
+  modal::IdentifyOptions options;
+  options.edits = {{modal::PoleEdit::What::Drop, 50.0}};
+  const modal::ModeSet set = modal::identify_modes(
+      test::close_modes_frfs(system, {0, 1}, 0.01, random), options);
+  EXPECT_EQ(set.modes.size(), 1U);
+}
+
+// Bandwidths up to the distance to the next mode: none may be taken for one
+// with its neighbour.
+TEST(RepeatedPoles, HeavilyDampedModesStayApart) {
+  int right = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    std::mt19937_64 random(60 + seed);
+    test::SyntheticSystem system;
+    system.frequency_hz.resize(4);
+    system.frequency_hz << 60.0, 100.0, 150.0, 190.0;
+    system.damping_ratio = Eigen::VectorXd::Constant(4, 0.1);
+    system.phi = test::random_shapes(25, 4, random);
+    const Eigen::VectorXcd s = test::line_points(35, 240, 821, 0.0);
+    const modal::ModeSet set = modal::identify_modes(
+        test::roving_hammer(system, {7, 9}, s, 0.02, random), {});
+    bool good = set.modes.size() == 4;
+    for (std::size_t k = 0; good && k < 4; ++k) {
+      const double f = system.frequency_hz(static_cast<Index>(k));
+      good = std::abs(set.modes[k].frequency_hz / f - 1.0) < 0.005 &&
+             std::abs(set.modes[k].damping_ratio / 0.1 - 1.0) < 0.05;
+    }
+    right += good ? 1 : 0;
+  }
+  // Some shapes hardly move the two references: a mode stays hidden there.
+  EXPECT_GE(right, 7);
 }
 
 TEST(RepeatedPoles, OneModeIsNeverTwo) {
