@@ -20,7 +20,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kApart = 3.0;     // standard deviations
 constexpr double kReadable = 0.2;  // error of a shape: MAC 0.96
 constexpr double kNeeded = 4.0;    // F of a pole's residues, as in select_modes
 // Half bandwidths: the expansion of nearer poles around one is off by the

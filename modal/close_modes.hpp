@@ -10,6 +10,9 @@
 
 namespace tapfit::modal {
 
+/// Standard deviations that tell two poles apart.
+inline constexpr double kApart = 3.0;
+
 /// Whether another pole is so close that the residues of both are badly known.
 [[nodiscard]] bool is_crowded(const ModalFit& fit, Eigen::Index r);
 

@@ -26,7 +26,6 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr double kApart = 3.0;       // standard deviations
 constexpr double kOverMisfit = 3.0;  // of a shape, as a share of the FRFs
 constexpr double kInPhase = 0.8;     // MPC of each shape
 constexpr double kReciprocal = 0.3;  // asymmetry of X X'
