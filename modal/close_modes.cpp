@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -35,6 +36,21 @@ Eigen::VectorXd residue_error(const Curves& curves, const ModalFit& fit) {
   const Eigen::VectorXd size =
       (u * fit.residues).colwise().norm().transpose().cwiseMax(1e-300);
   return (u * deviation).colwise().norm().transpose().cwiseQuotient(size);
+}
+
+/// Distance of two poles in half bandwidths of the wider one.
+double distance(const ModalFit& fit, Index q, Index r) {
+  const double width = -std::min(fit.poles(q).real(), fit.poles(r).real());
+  return std::abs(fit.poles(r) - fit.poles(q)) / width;
+}
+
+/// To the nearest other pole, in half bandwidths.
+double nearest_distance(const ModalFit& fit, Index r) {
+  double least = std::numeric_limits<double>::max();
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    if (q != r) least = std::min(least, distance(fit, q, r));
+  }
+  return least;
 }
 
 /// Whether the last poles are apart and each with a shape that can be read.
@@ -77,8 +93,7 @@ std::vector<Pair> doubtful_pairs(const Curves& curves, const ModalFit& fit) {
       if (!in_band(curves, fit.poles(q)) || !in_band(curves, fit.poles(r))) {
         continue;
       }
-      const double width = -std::min(fit.poles(r).real(), fit.poles(q).real());
-      const double apart = std::abs(fit.poles(r) - fit.poles(q)) / width;
+      const double apart = distance(fit, q, r);
       const bool known = apart > kTrusted &&
                          std::max(error(q), error(r)) < kReadable &&
                          are_told_apart(covariance, fit, q, r);
@@ -167,8 +182,11 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
   ModalFit one = refine_poles(curves, poles, 20);
   const Index last = rest.size();
   if (take_over(curves, rest, one.poles)) return {};
-  // Beside a third there is no expansion that could take the two apart again.
-  if (matrix.references > 1 && is_crowded(one, last)) return {};
+  // Too near a third there is no expansion that could take the two apart again.
+  if (matrix.references > 1 && (nearest_distance(one, last) < kTrusted ||
+                                !stands_alone(curves, one, last))) {
+    return {};
+  }
   const PoleExpansion expansion = expand_pole(curves, matrix, one, last);
   if (are_apart_in(expansion, -one.poles(last).real())) return {};
   // Two shapes under one pole keep what the expansion tells of them.
@@ -184,9 +202,9 @@ std::vector<Index> within_bandwidth(const Curves& curves,
                                     Index r) {
   std::vector<Index> group;
   for (Index q = 0; q < fit.poles.size(); ++q) {
-    const double width = -std::min(fit.poles(r).real(), fit.poles(q).real());
-    const bool near = std::abs(fit.poles(q) - fit.poles(r)) < width;
-    if (near && in_band(curves, fit.poles(q))) group.push_back(q);
+    if (are_close(fit, q, r) && in_band(curves, fit.poles(q))) {
+      group.push_back(q);
+    }
   }
   return group;
 }
@@ -233,12 +251,26 @@ std::optional<ModalFit> with_poles(const Curves& curves,
 
 }  // namespace
 
+bool are_close(const ModalFit& fit, Index q, Index r) {
+  return distance(fit, q, r) < 1.0;
+}
+
 bool is_crowded(const ModalFit& fit, Index r) {
   for (Index q = 0; q < fit.poles.size(); ++q) {
-    const double width = std::max(-fit.poles(r).real(), -fit.poles(q).real());
-    if (q != r && std::abs(fit.poles(q) - fit.poles(r)) < width) return true;
+    if (q != r && are_close(fit, q, r)) return true;
   }
   return false;
+}
+
+bool stands_alone(const Curves& curves, const ModalFit& fit, Index r) {
+  if (!is_crowded(fit, r)) return true;
+  if (residue_error(curves, fit)(r) > kReadable) return false;
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    if (q == r || !are_close(fit, q, r)) continue;
+    if (!are_told_apart(covariance, fit, q, r)) return false;
+  }
+  return true;
 }
 
 bool are_told_apart(const Eigen::MatrixXd& covariance,

@@ -13,8 +13,20 @@ namespace tapfit::modal {
 /// Standard deviations that tell two poles apart.
 inline constexpr double kApart = 3.0;
 
-/// Whether another pole is so close that the residues of both are badly known.
+/// Whether two poles are within half a bandwidth, the wider one's.
+[[nodiscard]] bool are_close(const ModalFit& fit,
+                             Eigen::Index q,
+                             Eigen::Index r);
+
+/// Whether another pole is within half a bandwidth.
 [[nodiscard]] bool is_crowded(const ModalFit& fit, Eigen::Index r);
+
+/// Whether the residues of pole r are its own: no other pole is within half a
+/// bandwidth, or each is told apart from it and leaves it a shape that can be
+/// read.
+[[nodiscard]] bool stands_alone(const Curves& curves,
+                                const ModalFit& fit,
+                                Eigen::Index r);
 
 /// Whether two poles lie further apart than noise puts them.
 ///

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -137,20 +138,43 @@ bool usable(const signal::Frf& frf,
   return false;
 }
 
-/// Variance from how much a line differs from the mean of its neighbours, as
-/// the running median, which a resonance cannot move. For white noise the
-/// difference has 3/2 of its variance, and the median of |x|^2 is ln 2 of its
-/// mean.
-Eigen::VectorXd roughness(const Eigen::VectorXcd& H) {
+/// Correlation of the noise of lines d apart: that of an exponential window
+/// (modal/fit_noise.hpp).
+double correlation(double sigma_in_lines, int d) {
+  if (sigma_in_lines <= 0.0) return d == 0 ? 1.0 : 0.0;
+  const double x = static_cast<double>(d) / (2.0 * sigma_in_lines);
+  return 1.0 / (1.0 + x * x);
+}
+
+/// Variance from differences of the fourth order over the lines, to which a
+/// resonance of a few lines adds next to nothing, as the running median, which
+/// a narrow one cannot move. The median of |x|^2 is ln 2 of its mean.
+///
+/// @param sigma_in_lines Re(s) over the lines' spacing
+Eigen::VectorXd roughness(const Eigen::VectorXcd& H, double sigma_in_lines) {
+  constexpr std::array<double, 5> kFourth{1.0, -4.0, 6.0, -4.0, 1.0};
+  constexpr Eigen::Index kReach = 2;
+  double of_noise = 0.0;
+  for (int i = 0; i < 5; ++i) {
+    for (int j = 0; j < 5; ++j) {
+      of_noise += kFourth[static_cast<std::size_t>(i)] *
+                  kFourth[static_cast<std::size_t>(j)] *
+                  correlation(sigma_in_lines, i - j);
+    }
+  }
   const Eigen::Index n = H.size();
   const Eigen::Index half = std::max<Eigen::Index>(10, n / 20);
   Eigen::VectorXd difference = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index k = 1; k + 1 < n; ++k) {
-    difference(k) = std::norm(H(k) - 0.5 * (H(k - 1) + H(k + 1)));
+  for (Eigen::Index k = kReach; k + kReach < n; ++k) {
+    std::complex<double> sum = 0.0;
+    for (Eigen::Index i = 0; i < 5; ++i) {
+      sum += kFourth[static_cast<std::size_t>(i)] * H(k + i - kReach);
+    }
+    difference(k) = std::norm(sum);
   }
-  difference(0) = difference(1);
-  difference(n - 1) = difference(n - 2);
-  return running_median(difference, half) / (1.5 * std::numbers::ln2);
+  difference.head(kReach).setConstant(difference(kReach));
+  difference.tail(kReach).setConstant(difference(n - 1 - kReach));
+  return running_median(difference, half) / (of_noise * std::numbers::ln2);
 }
 
 Eigen::VectorXd clean_variance(const signal::Frf& frf, Eigen::Index lines) {
@@ -220,8 +244,8 @@ Curves prepare_curves(const signal::FrfSet& frfs,
     curves.H.col(f) = static_cast<double>(sign) * frf.H.tail(lines);
     curves.variance.col(f) = clean_variance(frf, frfs.lines()).tail(lines);
     if (frf.hits < 2 || curves.variance.col(f).isZero(0.0)) {
-      curves.variance.col(f) =
-          curves.variance.col(f).cwiseMax(roughness(curves.H.col(f)));
+      curves.variance.col(f) = curves.variance.col(f).cwiseMax(
+          roughness(curves.H.col(f), curves.sigma / curves.spacing));
     }
     curves.weight.col(f) = weights(curves.H.col(f), curves.variance.col(f));
   }

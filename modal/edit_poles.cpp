@@ -138,6 +138,7 @@ void edit_poles(const Curves& curves,
       add(curves, tracks, edit.hz, fit);
     }
   }
+  if (fit.poles.size() > 0) fit = by_frequency(curves, fit);
 }
 
 }  // namespace tapfit::modal

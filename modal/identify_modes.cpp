@@ -10,7 +10,7 @@
 #include "modal/pole_clusters.hpp"
 #include "modal/repeated_poles.hpp"
 #include "modal/run_modes.hpp"
-#include "modal/select_modes.hpp"
+#include "modal/select_from_orders.hpp"
 #include "modal/sensor_shifts.hpp"
 #include "modal/shape_uncertainty.hpp"
 #include "modal/shapes.hpp"
@@ -316,6 +316,21 @@ Identified identify(const Curves& curves,
   return found;
 }
 
+std::string why_none(const IdentifyOptions& options) {
+  if (!options.edits.empty()) return "no mode left: all were dropped by hand";
+  const IdentifyOptions usual;
+  if (options.least_damping_ratio > usual.least_damping_ratio ||
+      options.max_damping_ratio < usual.max_damping_ratio) {
+    return fmt::format(
+        "no mode found with a damping from {:.3g} to {:.3g} %, as was asked "
+        "for; widen these limits",
+        100.0 * options.least_damping_ratio,
+        100.0 * options.max_damping_ratio);
+  }
+  return "no mode found: no pole returns over the model orders; look at the "
+         "FRFs and the band";
+}
+
 }  // namespace
 
 ModeSet identify_modes(const signal::FrfSet& frfs,
@@ -334,8 +349,8 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   const Stabilisation stabilisation = stabilise(
       orders, curves.s(0).imag(), curves.s(curves.lines() - 1).imag(), options);
   set.diagram = stabilisation.diagram;
-  Selection selection = select_modes(
-      curves, stabilisation.tracks, orders.size(), options, progress);
+  Selection selection = select_from_orders(
+      curves, matrix, orders, stabilisation.tracks, options, progress);
   const std::optional<RunModes> runs =
       identify_per_set_up(curves, options, progress);
   if (runs) set.shifts = sensor_shifts(frfs, curves, graph, *runs);
@@ -356,13 +371,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
     set.synthesis_error = 1.0;
     set.unrefined_error = 1.0;
   }
-  if (set.modes.empty() && !options.edits.empty()) {
-    set.warnings.emplace_back("no mode left: all were dropped by hand");
-  } else if (set.modes.empty()) {
-    set.warnings.emplace_back(
-        "no mode found: no pole returns over the model orders; look at the "
-        "FRFs and the band");
-  }
+  if (set.modes.empty()) set.warnings.push_back(why_none(options));
   return set;
 }
 

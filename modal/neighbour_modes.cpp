@@ -1,5 +1,7 @@
 #include "modal/neighbour_modes.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tapfit::modal {
@@ -63,6 +65,12 @@ Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
   Eigen::VectorXcd result(poles.size() - 1);
   result << poles.head(leave_out), poles.tail(poles.size() - leave_out - 1);
   return result;
+}
+
+ModalFit by_frequency(const Curves& curves, const ModalFit& fit) {
+  Eigen::VectorXcd poles = fit.poles;
+  std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
+  return fit_residues(curves, poles);
 }
 
 ModalFit refine_in_reach(const Curves& curves,

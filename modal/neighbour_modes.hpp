@@ -18,6 +18,9 @@ namespace tapfit::modal {
 [[nodiscard]] Eigen::VectorXcd without(const Eigen::VectorXcd& poles,
                                        Eigen::Index leave_out);
 
+/// The same poles in the order of their frequencies.
+[[nodiscard]] ModalFit by_frequency(const Curves& curves, const ModalFit& fit);
+
 /// refine_poles() without the poles that run away from the band under it: there
 /// the residual terms do the same, and with both the fit is all but singular,
 /// so that sound modes lose their significance.

@@ -6,6 +6,8 @@
 #include "modal/frf_matrix.hpp"
 #include "modal/hard_checks.hpp"
 #include "modal/neighbour_modes.hpp"
+#include "modal/residue_rank.hpp"
+#include "modal/shape_uncertainty.hpp"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -206,6 +208,24 @@ Index modes_in(const Curves& curves,
   return is_clear ? expansion.residues.rank : 1;
 }
 
+/// Shapes in the residues of pole r that no pole close to it has: what
+/// near poles take of each other's residues is no second shape.
+Index shapes_of_its_own(const Curves& curves,
+                        const FrfMatrix& matrix,
+                        const ModalFit& fit,
+                        Index r) {
+  const Eigen::MatrixXd variance = residue_variance(curves, fit);
+  MatrixXcd R = arranged(matrix, fit.residues.col(r));
+  for (Index q = 0; q < fit.poles.size(); ++q) {
+    if (q == r || !are_close(fit, q, r)) continue;
+    const ResidueRank other =
+        residue_rank(matrix, fit.residues.col(q), variance.col(q));
+    const MatrixXcd U = other.svd.matrixU().leftCols(other.rank);
+    R -= U * (U.adjoint() * R);
+  }
+  return rank_above_noise(matrix, R, variance.col(r));
+}
+
 /// Whether poles are where the expansion holds and none fails a hard check.
 bool may_be_modes(const Curves& curves,
                   const Complex& around,
@@ -236,13 +256,16 @@ ModesOfPole modes_of_pole(const Curves& curves,
                           const IdentifyOptions& options) {
   const Complex pole = fit.poles(r);
   ModesOfPole alone{fit.poles.segment(r, 1), 0.0, fit.residues.col(r)};
-  // Residues of poles that close are known only together.
-  if (is_crowded(fit, r) || !in_band(curves, pole)) return alone;
+  if (!in_band(curves, pole)) return alone;
   const FrfMatrix matrix =
       arrange_frfs(curves, std::numeric_limits<Index>::max());
   if (!holds_second_shape(matrix, fit.residues.col(r))) return alone;
+  if (!stands_alone(curves, fit, r)) return alone;
   const PoleExpansion expansion = expand_pole(curves, matrix, fit, r);
   const Index n = modes_in(curves, fit, r, expansion);
+  if (is_crowded(fit, r) && shapes_of_its_own(curves, matrix, fit, r) < n) {
+    return alone;
+  }
   alone.shapes = n;
   if (n < 2) return alone;
   const Sides points = sides_of(curves, matrix);

@@ -16,6 +16,15 @@ Index count_above(const Eigen::VectorXd& values, double noise) {
   return (values.array() > least).count();
 }
 
+/// About the largest singular value of noise alone.
+double largest_of_noise(const FrfMatrix& matrix,
+                        const Eigen::VectorXd& variance) {
+  const double mean =
+      arranged(matrix, variance.cast<std::complex<double>>()).real().mean();
+  return std::sqrt(mean) * (std::sqrt(static_cast<double>(matrix.rows.size())) +
+                            std::sqrt(static_cast<double>(matrix.references)));
+}
+
 }  // namespace
 
 Eigen::MatrixXcd arranged(const FrfMatrix& matrix,
@@ -31,18 +40,20 @@ Eigen::MatrixXcd arranged(const FrfMatrix& matrix,
   return result;
 }
 
+Index rank_above_noise(const FrfMatrix& matrix,
+                       const Eigen::MatrixXcd& residues,
+                       const Eigen::VectorXd& variance) {
+  const Eigen::JacobiSVD<Eigen::MatrixXcd> svd(residues);
+  return count_above(svd.singularValues(), largest_of_noise(matrix, variance));
+}
+
 ResidueRank residue_rank(const FrfMatrix& matrix,
                          const Eigen::VectorXcd& residue,
                          const Eigen::VectorXd& variance) {
   ResidueRank result;
   const Eigen::MatrixXcd R = arranged(matrix, residue);
   result.svd.compute(R, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  // About the largest singular value of noise alone.
-  const double mean =
-      arranged(matrix, variance.cast<std::complex<double>>()).real().mean();
-  const double noise =
-      std::sqrt(mean) * (std::sqrt(static_cast<double>(matrix.rows.size())) +
-                         std::sqrt(static_cast<double>(matrix.references)));
+  const double noise = largest_of_noise(matrix, variance);
   result.rank = count_above(result.svd.singularValues(), noise);
   // A single bad FRF can add to the rank, a shape is seen at many outputs.
   for (Index o = 0; o < R.rows() && result.rank > 1; ++o) {

@@ -18,6 +18,14 @@ struct ResidueRank {
   Eigen::Index rank = 0;  ///< singular values of modes, not of noise
 };
 
+/// Singular values of a matrix, outputs x references, that stand out of the
+/// noise.
+///
+/// @param variance E|dR|^2 of each, n_frfs
+[[nodiscard]] Eigen::Index rank_above_noise(const FrfMatrix& matrix,
+                                            const Eigen::MatrixXcd& residues,
+                                            const Eigen::VectorXd& variance);
+
 /// The rank that is left whichever output is left out.
 ///
 /// @param residue n_frfs

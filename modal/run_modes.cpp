@@ -2,6 +2,7 @@
 
 #include "modal/frf_matrix.hpp"
 #include "modal/plscf.hpp"
+#include "modal/select_from_orders.hpp"
 #include "modal/select_modes.hpp"
 #include "modal/shape_uncertainty.hpp"
 #include "modal/stabilisation.hpp"
@@ -55,14 +56,16 @@ SetUpFit fit_set_up(const Curves& curves,
   result.frfs = frfs;
   result.curves = select_curves(curves, frfs);
   const Curves& part = result.curves;
+  const FrfMatrix matrix = arrange_frfs(part);
   const std::vector<OrderPoles> orders =
-      plscf_poles(part, arrange_frfs(part), options.max_order, progress);
+      plscf_poles(part, matrix, options.max_order, progress);
   result.tracks =
       stabilise(
           orders, part.s(0).imag(), part.s(part.lines() - 1).imag(), options)
           .tracks;
   result.fit =
-      select_modes(part, result.tracks, orders.size(), options, progress).fit;
+      select_from_orders(part, matrix, orders, result.tracks, options, progress)
+          .fit;
   return result;
 }
 

@@ -2,7 +2,6 @@
 
 #include "modal/close_modes.hpp"
 #include "modal/complexity.hpp"
-#include "modal/edit_poles.hpp"
 #include "modal/frf_matrix.hpp"
 #include "modal/hard_checks.hpp"
 #include "modal/mac.hpp"
@@ -47,9 +46,11 @@ bool run_together(const Track& a, const Track& b) {
   return 2 * both.size() >= std::min(a.orders.size(), b.orders.size());
 }
 
-Eigen::VectorXcd candidates(const Curves& curves,
-                            const std::vector<Track>& tracks,
-                            std::size_t orders) {
+}  // namespace
+
+Eigen::VectorXcd lasting_poles(const Curves& curves,
+                               const std::vector<Track>& tracks,
+                               std::size_t orders) {
   std::vector<const Track*> good;
   for (const Track& track : tracks) {
     if (lasts(track, orders)) good.push_back(&track);
@@ -76,6 +77,8 @@ Eigen::VectorXcd candidates(const Curves& curves,
                                       static_cast<Index>(poles.size()));
 }
 
+namespace {
+
 /// The mode to take out next, or -1.
 Index weakest(const Curves& curves,
               const ModalFit& fit,
@@ -94,14 +97,6 @@ Index weakest(const Curves& curves,
     worst = r;
   }
   return worst;
-}
-
-ModalFit sorted(const Curves& curves, const ModalFit& fit) {
-  std::vector<Complex> poles(fit.poles.begin(), fit.poles.end());
-  std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
-  return fit_residues(curves,
-                      Eigen::Map<Eigen::VectorXcd>(
-                          poles.data(), static_cast<Index>(poles.size())));
 }
 
 /// Residual power per line over what is usual, averaged over the half
@@ -282,13 +277,11 @@ bool are_needed(const Curves& curves,
 }
 
 Selection select_modes(const Curves& curves,
-                       const std::vector<Track>& tracks,
-                       std::size_t orders,
+                       const Eigen::VectorXcd& lasting,
                        const IdentifyOptions& options,
                        const Progress& progress) {
   Selection selection;
   ModalFit& fit = selection.fit;
-  const Eigen::VectorXcd lasting = candidates(curves, tracks, orders);
   fit = refine_in_reach(curves, lasting, 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
   if (fit.poles.size() > 0) {
@@ -318,8 +311,7 @@ Selection select_modes(const Curves& curves,
       return std::abs(pole - left_out) < -pole.real();
     });
   });
-  edit_poles(curves, tracks, options, fit);
-  if (fit.poles.size() > 0) fit = sorted(curves, fit);
+  if (fit.poles.size() > 0) fit = by_frequency(curves, fit);
   return selection;
 }
 

@@ -21,14 +21,16 @@ struct Selection {
   std::vector<std::complex<double>> out_of_phase;
 };
 
-/// Fits the candidates and takes out, weakest first, those without which the
-/// model is as good or which fail a hard check; then drops and adds what the
-/// options name.
-///
-/// @throws InputError when there is no pole to be dropped or added
+/// Poles of the tracks that return over most of the orders, each once, by
+/// frequency [rad/s].
+[[nodiscard]] Eigen::VectorXcd lasting_poles(const Curves& curves,
+                                             const std::vector<Track>& tracks,
+                                             std::size_t orders);
+
+/// Fits the lasting poles and takes out, weakest first, those without which the
+/// model is as good or which fail a hard check; looks for what they missed.
 [[nodiscard]] Selection select_modes(const Curves& curves,
-                                     const std::vector<Track>& tracks,
-                                     std::size_t orders,
+                                     const Eigen::VectorXcd& lasting,
                                      const IdentifyOptions& options,
                                      const Progress& progress);
 

@@ -117,6 +117,10 @@ bool same_lines(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) {
          (a - b).cwiseAbs().maxCoeff() <= 1e-5 * a.cwiseAbs().maxCoeff();
 }
 
+Eigen::Index count_bad(const Eigen::VectorXcd& H) {
+  return H.size() - H.array().isFinite().count();
+}
+
 // A non-finite line (often the one at 0 Hz) is taken out of all FRFs.
 void drop_bad_lines(UffFrfs& result) {
   std::vector<Eigen::Index> keep;
@@ -208,11 +212,20 @@ class Reader {
     Frf frf;
     frf.response = *function.response;
     frf.reference = *function.reference;
+    frf.H = sense->to_si *
+            convert(function.y, s, sense->form, FrfForm::Accelerance);
+    // Its lines would be taken out of all others too.
+    if (const Eigen::Index bad = count_bad(frf.H); 2 * bad > frf.H.size()) {
+      return skip(dataset,
+                  fmt::format("FRF {} is left out: {} of its {} values are not "
+                              "finite",
+                              name(frf),
+                              bad,
+                              frf.H.size()));
+    }
     const auto number =
         references_.try_emplace(frf.reference, references_.size());
     frf.run = number.first->second;
-    frf.H = sense->to_si *
-            convert(function.y, s, sense->form, FrfForm::Accelerance);
     frf.coherence = Eigen::VectorXd::Ones(s.size());
     frf.variance = Eigen::VectorXd::Zero(s.size());
     result_.set.frfs.push_back(std::move(frf));

@@ -93,6 +93,14 @@ TEST(BadFrfs, ThoseGivenTwiceAreNoTwoModes) {
   EXPECT_EQ(identified(set).modes.size(), 4U);
 }
 
+TEST(BadFrfs, LimitsOfDampingAreNamedWhereTheyLeaveNone) {
+  modal::IdentifyOptions options;
+  options.least_damping_ratio = 0.15;
+  const modal::ModeSet found = modal::identify_modes(four_modes(), options);
+  EXPECT_TRUE(found.modes.empty());
+  EXPECT_TRUE(says(found, "damping from 15 to 20 %"));
+}
+
 TEST(BadFrfs, AMassLineHasNoModes) {
   signal::FrfSet set = four_modes();
   set_all(set, [](const std::complex<double>& s) { return s * s; });

@@ -181,6 +181,44 @@ TEST(RepeatedPoles, HeavilyDampedModesStayApart) {
   EXPECT_GE(right, 7);
 }
 
+// A third mode beside a pair takes none of its shapes away: from a fifth of a
+// bandwidth on.
+TEST(RepeatedPoles, APairBesideAThirdModeStaysAPair) {
+  for (const double half_bandwidths : {0.4, 1.0, 2.0}) {
+    int right = 0;
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+      std::mt19937_64 random(700 + seed);
+      test::SyntheticSystem system = test::close_modes(3, 0.0, random);
+      system.frequency_hz(2) *= 1.0 + 0.008 * half_bandwidths;
+      const modal::ModeSet set = identify(system, {0, 1, 2}, 0.02, random);
+      const bool good = set.modes.size() == 3 && alignment(system, set) > 0.95;
+      right += good ? 1 : 0;
+    }
+    EXPECT_GE(right, 5) << half_bandwidths;
+  }
+}
+
+// Six modes whose bandwidths are about their distances: a high order spends
+// its poles on the noise, a low one finds them.
+TEST(RepeatedPoles, OverlappingModesAreFoundAtLowOrders) {
+  int right = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::mt19937_64 random(3000 + seed);
+    const test::SyntheticSystem system =
+        test::random_system(6, 25, 0.1, 0.1, random);
+    const Eigen::VectorXcd s = test::line_points(5, 100, 381, 0.0);
+    const modal::ModeSet set = modal::identify_modes(
+        test::roving_hammer(system, {7, 9}, s, 0.01, random), {});
+    bool good = set.modes.size() == 6;
+    for (std::size_t k = 0; good && k < 6; ++k) {
+      const double f = system.frequency_hz(static_cast<Index>(k));
+      good = std::abs(set.modes[k].frequency_hz / f - 1.0) < 0.01;
+    }
+    right += good ? 1 : 0;
+  }
+  EXPECT_GE(right, 7);
+}
+
 TEST(RepeatedPoles, OneModeIsNeverTwo) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     std::mt19937_64 random(seed);

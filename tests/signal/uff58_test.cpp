@@ -289,6 +289,19 @@ TEST(Uff58, DropsLinesThatAreNoNumbers) {
   EXPECT_EQ(result.skipped.size(), 1u);
 }
 
+// One dead FRF costs itself, not the lines of all others.
+TEST(Uff58, LeavesOutAnFrfThatHoldsNoNumbers) {
+  FrfSet set = some_set(0.0);
+  set.frfs[1].H.head(6).setConstant(std::nan(""));
+  const UffFrfs result = read_frfs_uff_text(written(set), "x");
+  ASSERT_EQ(result.set.frfs.size(), 1u);
+  EXPECT_EQ(result.set.lines(), 7);
+  ASSERT_EQ(result.skipped.size(), 1u);
+  EXPECT_NE(result.skipped[0].find("6 of its 7 values are not finite"),
+            std::string::npos)
+      << result.skipped[0];
+}
+
 TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
   const auto refuse = [](const std::string& text, const char* part) {
     try {
