@@ -17,12 +17,6 @@ bool ran_away(const Curves& curves, const Complex& pole) {
          omega > far * curves.s(curves.lines() - 1).imag();
 }
 
-double misfit(const Curves& curves, const ModalFit& fit) {
-  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
-          fit.frf_weight.asDiagonal())
-      .squaredNorm();
-}
-
 /// Tries one more pole outside the band, started at omega; keeps it when the
 /// misfit falls clearly and the pole stays outside.
 bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
@@ -46,6 +40,12 @@ bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
 }
 
 }  // namespace
+
+double misfit(const Curves& curves, const ModalFit& fit) {
+  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
+          fit.frf_weight.asDiagonal())
+      .squaredNorm();
+}
 
 bool in_band(const Curves& curves, const Complex& pole) {
   const double omega = std::abs(pole);

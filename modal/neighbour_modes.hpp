@@ -18,6 +18,9 @@ namespace tapfit::modal {
 [[nodiscard]] Eigen::VectorXcd without(const Eigen::VectorXcd& poles,
                                        Eigen::Index leave_out);
 
+/// Weighted squares of what a fit leaves.
+[[nodiscard]] double misfit(const Curves& curves, const ModalFit& fit);
+
 /// The same poles in the order of their frequencies.
 [[nodiscard]] ModalFit by_frequency(const Curves& curves, const ModalFit& fit);
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <utility>
 
 namespace tapfit::modal {
@@ -14,8 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLeastOrder = 20;   // for most of the orders to mean something
-constexpr double kClearly = 4.0;  // F of what is explained beyond
+constexpr int kLeastOrder = 20;  // for most of the orders to mean something
+constexpr double kClearlyLess = 0.5;  // of the misfit, squared
 
 int largest(const std::vector<OrderPoles>& orders) {
   return orders.empty() ? 0 : orders.back().order;
@@ -29,30 +28,14 @@ bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
   });
 }
 
-double left_over(const Curves& curves, const ModalFit& fit) {
-  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
-          fit.frf_weight.asDiagonal())
-      .squaredNorm();
-}
-
-/// Whether a fit leaves so much less than another that chance, or the modes
-/// that it has more, do not explain it.
+/// Whether a fit leaves so much less than another that this one must have lost
+/// a mode: noise that is not white can be followed a good way by some poles.
 bool explains_more(const Curves& curves,
                    const ModalFit& fit,
                    const ModalFit& other) {
   if (fit.poles.size() == 0) return false;
-  if (other.poles.size() == 0) return true;
-  const double more =
-      std::max(1.0, static_cast<double>(fit.poles.size() - other.poles.size()));
-  const double parameters =
-      more * (2.0 * static_cast<double>(curves.count()) + 2.0);
-  // An exponential window makes neighbouring lines share their noise.
-  const double shared =
-      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
-  const double left = left_over(curves, fit);
-  const double noise =
-      shared * left / (2.0 * static_cast<double>(curves.H.size()));
-  return left_over(curves, other) - left > kClearly * parameters * noise;
+  return other.poles.size() == 0 ||
+         misfit(curves, fit) < kClearlyLess * misfit(curves, other);
 }
 
 }  // namespace
