@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -146,35 +145,42 @@ double correlation(double sigma_in_lines, int d) {
   return 1.0 / (1.0 + x * x);
 }
 
-/// Variance from differences of the fourth order over the lines, to which a
-/// resonance of a few lines adds next to nothing, as the running median, which
-/// a narrow one cannot move. The median of |x|^2 is ln 2 of its mean.
+/// Variance from differences of an even order over the lines, as the running
+/// median, which a narrow resonance cannot move. The higher the order, the less
+/// is added by the curvature of wide ones. The median of |x|^2 is ln 2 of its
+/// mean.
 ///
 /// @param sigma_in_lines Re(s) over the lines' spacing
-Eigen::VectorXd roughness(const Eigen::VectorXcd& H, double sigma_in_lines) {
-  constexpr std::array<double, 5> kFourth{1.0, -4.0, 6.0, -4.0, 1.0};
-  constexpr Eigen::Index kReach = 2;
+Eigen::VectorXd roughness(const Eigen::VectorXcd& H,
+                          int order,
+                          double sigma_in_lines) {
+  Eigen::VectorXd of_unit = Eigen::VectorXd::Unit(order + 1, 0);
+  Eigen::VectorXcd difference = H;
+  for (int i = 0; i < order; ++i) {
+    of_unit.tail(order) -= of_unit.head(order).eval();
+    const Eigen::Index n = difference.size() - 1;
+    difference = (difference.tail(n) - difference.head(n)).eval();
+  }
   double of_noise = 0.0;
-  for (int i = 0; i < 5; ++i) {
-    for (int j = 0; j < 5; ++j) {
-      of_noise += kFourth[static_cast<std::size_t>(i)] *
-                  kFourth[static_cast<std::size_t>(j)] *
-                  correlation(sigma_in_lines, i - j);
+  for (int i = 0; i <= order; ++i) {
+    for (int j = 0; j <= order; ++j) {
+      of_noise += of_unit(i) * of_unit(j) * correlation(sigma_in_lines, i - j);
     }
   }
   const Eigen::Index n = H.size();
+  const Eigen::Index reach = order / 2;
+  Eigen::VectorXd power(n);
+  power.segment(reach, n - order) = difference.cwiseAbs2();
+  power.head(reach).setConstant(power(reach));
+  power.tail(reach).setConstant(power(n - 1 - reach));
   const Eigen::Index half = std::max<Eigen::Index>(10, n / 20);
-  Eigen::VectorXd difference = Eigen::VectorXd::Zero(n);
-  for (Eigen::Index k = kReach; k + kReach < n; ++k) {
-    std::complex<double> sum = 0.0;
-    for (Eigen::Index i = 0; i < 5; ++i) {
-      sum += kFourth[static_cast<std::size_t>(i)] * H(k + i - kReach);
-    }
-    difference(k) = std::norm(sum);
-  }
-  difference.head(kReach).setConstant(difference(kReach));
-  difference.tail(kReach).setConstant(difference(n - 1 - kReach));
-  return running_median(difference, half) / (of_noise * std::numbers::ln2);
+  return running_median(power, half) / (of_noise * std::numbers::ln2);
+}
+
+/// What stands for the noise of a FRF without scatter in its weights: curvature
+/// included, since a model follows a sharp peak less well than its skirts.
+Eigen::VectorXd rough_variance(const Eigen::VectorXcd& H) {
+  return roughness(H, 2, 0.0);
 }
 
 Eigen::VectorXd clean_variance(const signal::Frf& frf, Eigen::Index lines) {
@@ -243,11 +249,13 @@ Curves prepare_curves(const signal::FrfSet& frfs,
     const int sign = frf.response.sign * frf.reference.sign;
     curves.H.col(f) = static_cast<double>(sign) * frf.H.tail(lines);
     curves.variance.col(f) = clean_variance(frf, frfs.lines()).tail(lines);
-    if (frf.hits < 2 || curves.variance.col(f).isZero(0.0)) {
+    Eigen::VectorXd expected = curves.variance.col(f);
+    if (frf.hits < 2 || expected.isZero(0.0)) {
+      expected = expected.cwiseMax(rough_variance(curves.H.col(f)));
       curves.variance.col(f) = curves.variance.col(f).cwiseMax(
-          roughness(curves.H.col(f), curves.sigma / curves.spacing));
+          roughness(curves.H.col(f), 4, curves.sigma / curves.spacing));
     }
-    curves.weight.col(f) = weights(curves.H.col(f), curves.variance.col(f));
+    curves.weight.col(f) = weights(curves.H.col(f), expected);
   }
   return curves;
 }
