@@ -50,6 +50,17 @@ int CardReader::id(std::size_t field, const char* meaning) const {
   return value;
 }
 
+std::pair<int, int> CardReader::range(std::size_t thru,
+                                      const char* meaning) const {
+  const int from = id(thru - 1, meaning);
+  const int to = id(thru + 1, meaning);
+  if (to < from) {
+    fail(fmt::format("{} THRU {} runs backwards and names nothing", from, to),
+         "Put the smaller id first.");
+  }
+  return {from, to};
+}
+
 double CardReader::real(std::size_t field, const char* meaning) const {
   const std::optional<double> value = parse_real(text(field));
   if (!value) {

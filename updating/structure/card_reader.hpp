@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <utility>
 
 namespace tapfit::structure {
 
@@ -28,6 +29,11 @@ class CardReader {
 
   /// As `integer`, and above zero: an id.
   [[nodiscard]] int id(std::size_t field, const char* meaning) const;
+
+  /// The ids in front of and behind the THRU of a field.
+  /// @throws InputError when one is missing, or the second is below the first
+  [[nodiscard]] std::pair<int, int> range(std::size_t thru,
+                                          const char* meaning) const;
 
   /// @throws InputError when the field is blank or not a finite number
   [[nodiscard]] double real(std::size_t field, const char* meaning) const;

@@ -92,6 +92,10 @@ using CardTable = std::map<std::string, ReadCard>;
 /// Tables of the cards each reader understands. Systems on grids (CORD1R) need
 /// the grids, and the axes of grids these systems.
 [[nodiscard]] CardTable coordinate_cards();
+/// Puts each coordinate_cards() behind the one that it refers to; decks have
+/// them in any order.
+/// @throws InputError where they refer to each other in a ring
+void order_coordinate_cards(std::vector<Card>& cards);
 [[nodiscard]] CardTable grid_cards();
 [[nodiscard]] CardTable grid_coordinate_cards();
 [[nodiscard]] CardTable grid_axes_cards();

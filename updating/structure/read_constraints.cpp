@@ -29,8 +29,7 @@ void read_spc1(DeckBuilder& builder, const CardReader& card) {
       held.push_back({builder.grid(card, card.id(at, "G")).id, components});
       continue;
     }
-    const int from = card.id(at - 1, "G");
-    const int to = card.id(at + 1, "G");
+    const auto [from, to] = card.range(at, "G");
     // THRU may run over ids that do not exist.
     for (const Grid& grid : builder.deck.grids) {
       if (grid.id > from && grid.id <= to) {

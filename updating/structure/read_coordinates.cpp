@@ -4,8 +4,10 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -113,6 +115,40 @@ CardTable coordinate_cards() {
   return {{"CORD2R", read_by_points},
           {"CORD2C", read_by_points},
           {"CORD2S", read_by_points}};
+}
+
+void order_coordinate_cards(std::vector<Card>& cards) {
+  const CardTable by_points = coordinate_cards();
+  std::vector<std::size_t> places;
+  std::map<int, int> reference;
+  for (std::size_t k = 0; k < cards.size(); ++k) {
+    if (!by_points.contains(cards[k].name())) continue;
+    const CardReader card(cards[k]);
+    places.push_back(k);
+    reference.try_emplace(card.id(1, "CID"), card.integer_or(2, 0, "RID"));
+  }
+  // How many systems lie between a card's own and the basic one.
+  const auto depth = [&reference](const CardReader& card) {
+    std::size_t steps = 0;
+    auto at = reference.find(card.id(1, "CID"));
+    while (at != reference.end()) {
+      if (++steps > reference.size()) {
+        card.fail("its coordinate system refers to itself round a ring",
+                  "Let a system of the ring refer to the basic one (field 3 "
+                  "blank).");
+      }
+      at = reference.find(at->second);
+    }
+    return steps;
+  };
+  std::vector<std::pair<std::size_t, Card>> systems;
+  for (const std::size_t k : places) {
+    systems.emplace_back(depth(CardReader(cards[k])), cards[k]);
+  }
+  std::ranges::stable_sort(systems, {}, [](const auto& s) { return s.first; });
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    cards[places[k]] = std::move(systems[k].second);
+  }
 }
 
 CardTable grid_coordinate_cards() {

@@ -64,6 +64,7 @@ Deck read_deck(const std::filesystem::path& path) {
   refuse_matrix(path);
   BulkData bulk = read_bulk_data(path);
   fill_defaults(bulk);
+  order_coordinate_cards(bulk.cards);
   const std::vector<CardTable> passes{coordinate_cards(),
                                       grid_cards(),
                                       grid_coordinate_cards(),

@@ -60,8 +60,8 @@ const CoordinateSystem& DeckBuilder::system(const CardReader& card,
   const auto found = systems.find(id);
   if (found == systems.end()) {
     card.fail(fmt::format("coordinate system {} does not exist", id),
-              "Add a CORD2R, CORD2C or CORD2S in front of those that refer to "
-              "it (the axes of grids may also be a CORD1R, CORD1C or CORD1S).");
+              "Add a CORD2R, CORD2C or CORD2S (the axes of grids may also be a "
+              "CORD1R, CORD1C or CORD1S).");
   }
   return found->second;
 }

@@ -44,8 +44,7 @@ std::vector<int> listed_grids(const DeckBuilder& builder,
       grids.push_back(card.id(at, "GM"));
       continue;
     }
-    const int from = card.id(at - 1, "GM");
-    const int to = card.id(++at, "GM");
+    const auto [from, to] = card.range(at++, "GM");
     for (const Grid& grid : builder.deck.grids) {
       if (grid.id > from && grid.id <= to) grids.push_back(grid.id);
     }

@@ -90,8 +90,7 @@ std::optional<Lines> spc1(const Card& card,
       held.emplace_back(read.id(at, "G"), components);
       continue;
     }
-    const int from = read.id(at - 1, "G");
-    const int to = read.id(at + 1, "G");
+    const auto [from, to] = read.range(at, "G");
     for (const Grid& grid : deck.grids) {
       if (grid.id > from && grid.id <= to) {
         held.emplace_back(grid.id, components);

@@ -137,6 +137,22 @@ TEST(BadDeck, ElementIsCollapsed) {
                "no length");
 }
 
+TEST(BadDeck, CoordinateSystemsGoRoundInARing) {
+  expect_error(
+      "CORD2R,5,6,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n"
+      "CORD2R,6,5,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n",
+      "model.bdf:7 CORD2R 5",
+      "round a ring");
+  expect_error("CORD2R,5,6,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n",
+               "model.bdf:7 CORD2R 5",
+               "coordinate system 6 does not exist");
+}
+
+TEST(BadDeck, RangeOfGridsRunsBackwards) {
+  expect_error("SPC1,1,123456,4,THRU,1\n", "model.bdf:7 SPC1 1", "backwards");
+  expect_error("RBE2,5,1,123456,4,THRU,2\n", "model.bdf:7 RBE2 5", "backwards");
+}
+
 TEST(BadDeck, GridIsAttachedToNothing) {
   const Deck deck = deck_of(kGrids +
                             "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n"

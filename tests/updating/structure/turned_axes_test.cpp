@@ -105,6 +105,21 @@ TEST(TurnedAxes, CylinderAndSpherePlaceAndTurnGrids) {
   }
 }
 
+TEST(TurnedAxes, SystemsStandInAnyOrder) {
+  // Three systems, each turned by 90 degrees about the z of the one it refers
+  // to and moved by 1 along its x: x of the third points along -y of basic.
+  const std::string first = "CORD2R,1,,1.,0.,0.,1.,0.,1.\n,1.,1.,0.\n";
+  const std::string second = "CORD2R,2,1,1.,0.,0.,1.,0.,1.\n,1.,1.,0.\n";
+  const std::string third = "CORD2R,3,2,1.,0.,0.,1.,0.,1.\n,1.,1.,0.\n";
+  const std::string grid = "GRID,1,3,2.,0.,0.\n";
+  for (const std::string& deck : {first + second + third + grid,
+                                  third + second + first + grid,
+                                  grid + second + third + first}) {
+    const Eigen::Vector3d place = deck_of(deck).grids.front().position;
+    EXPECT_LT((place - Eigen::Vector3d(0.0, -1.0, 0.0)).norm(), 1e-14) << deck;
+  }
+}
+
 TEST(TurnedAxes, SystemOnThreeGrids) {
   const Deck deck = deck_of(
       "GRID,1,,1.,1.,1.\nGRID,2,,1.,1.,2.\nGRID,3,,1.,3.,1.\n"
