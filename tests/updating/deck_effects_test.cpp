@@ -96,6 +96,23 @@ class DeckEffects : public ::testing::Test {
     return structure::read_deck(path);
   }
 
+  // The same with constraints that give way.
+  structure::Deck with_support(const Model& m, const PlacedEffect& soft) const {
+    std::string written;
+    for (const std::string& line : structure::edit_cards(
+             m.deck.path,
+             {structure::release_constraints(
+                 m.deck, soft.effect->released(soft.where, m.setting))})) {
+      written += line + "\n";
+    }
+    for (const std::string& card :
+         soft.effect->bulk_data(soft.where, m.setting, soft.p)) {
+      written += card + "\n";
+    }
+    return structure::read_deck(
+        structure::write_text("sprung.bdf", written + "ENDDATA\n"));
+  }
+
   acquisition::TestBundle bundle_ = support::plate_bundle();
   VectorXcd s_ = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
   signal::FrfSet pairs_ = support::plate_pairs(bundle_, s_);
@@ -201,7 +218,7 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
 }
 
 // Constraints of every kind hold the clamped edge; what is written lets go of
-// the rotation alone.
+// what the form names alone.
 TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
   std::string text = plate_cards(
       "SPC,1,12,123456,,23,123456\nSPC1,1,123456,34\nSPC1,1,12346,45\n"
@@ -214,27 +231,31 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
     if (where.variant == "rotation") soft.where = where;
   }
   ASSERT_EQ(soft.where.nodes.size(), 5U);
-  soft.p = {1.0};
-  soft.p = {held->fitter->model_for({soft})->base().terms.front().start};
-  const std::vector<std::string> lines = structure::edit_cards(
-      held->deck.path,
-      {structure::release_constraints(
-          held->deck, soft.effect->released(soft.where, held->setting))});
-  std::string written;
-  for (const std::string& line : lines) written += line + "\n";
-  for (const std::string& card :
-       soft.effect->bulk_data(soft.where, held->setting, soft.p)) {
-    written += card + "\n";
+  for (const char* form : {"rotation",
+                           "translation",
+                           "both",
+                           "rotation-varying",
+                           "translation-varying"}) {
+    soft.where.variant = form;
+    soft.p = {1.0};
+    if (soft.effect->parameters(soft.where, held->setting).size() == 2) {
+      soft.p.push_back(1.0);
+    }
+    const auto base = held->fitter->model_for({soft});
+    for (const StiffnessTerm& term : base->base().terms) {
+      // The second end a third as stiff as the first.
+      soft.p[term.parameter] = term.start / (term.parameter == 0 ? 1.0 : 3.0);
+    }
+    const auto sprung = model_of(with_support(*held, soft));
+    // Seven digits of the springs.
+    EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 2e-6) << form;
+    EXPECT_GT(difference(frfs(*held, {}), frfs(*sprung, {})), 0.1) << form;
+    if (soft.where.variant != "rotation") continue;
+    // Halved, the edge is held as closely.
+    EXPECT_LT(difference(frfs(*model_of(held->deck, true), {soft}),
+                         frfs(*model_of(sprung->deck, true), {})),
+              1e-5);
   }
-  const auto sprung = model_of(structure::read_deck(
-      structure::write_text("sprung.bdf", written + "ENDDATA\n")));
-  // Seven digits of the springs.
-  EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 2e-6);
-  EXPECT_GT(difference(frfs(*held, {}), frfs(*sprung, {})), 0.1);
-  // Halved, the edge is held as closely.
-  EXPECT_LT(difference(frfs(*model_of(held->deck, true), {soft}),
-                       frfs(*model_of(sprung->deck, true), {})),
-            1e-5);
 }
 
 // The deck as `tapfit export` writes it: the elements on one side on doubled
