@@ -35,9 +35,11 @@ bool rings_both_ways(const Eigen::VectorXd& force, const Pulse& main) {
   return before > 0.3 * after && after > 0.3 * before;
 }
 
-// The block, with the pulse's ringing taken off. A linear-phase filter rings
-// alike before and after, so each side is freed of the other's mirror image;
-// nothing is done behind a filter that rings only afterwards.
+// The block, with the pulse and its ringing taken off. A linear-phase filter
+// rings alike before and after, so each side is freed of the other's mirror
+// image. The pulse goes with it: cut off from its ringing it would reach far
+// where heights are read between samples. Nothing is done behind a filter that
+// rings only afterwards.
 Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
                                 const Pulse& main,
                                 Index begin,
@@ -51,9 +53,6 @@ Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
   const Index to = std::min(count - 1, main.peak - first + reach);
   for (Index k = from; k <= to; ++k) {
     const double mirror = 2.0 * main.centre - static_cast<double>(first + k);
-    const double distance =
-        std::abs(static_cast<double>(first + k) - main.centre);
-    if (distance < main.width) continue;
     block[k] -= interpolate(force, mirror);
   }
   return block;

@@ -72,8 +72,8 @@ TEST(SecondPulse, IsFound) {
 
 // Blows of less than half a sample look like the filter alone, and its ringing
 // three such widths on is as high as a second blow of 5 %. What rings alike
-// before and after tells them apart; without that 97.3 % are
-// found.
+// before and after tells them apart; without that 97.3 % are found, and 99.4 %
+// where the pulse itself stays and is cut off from its ringing.
 TEST(SecondPulse, IsFoundAmongTheFiltersRinging) {
   std::mt19937_64 random(13);
   Rate found;
@@ -86,7 +86,7 @@ TEST(SecondPulse, IsFoundAmongTheFiltersRinging) {
   }
   say("second blows found", found);
   say("false alarms", alarms);
-  EXPECT_GE(found.percent(), 98.0);
+  EXPECT_GE(found.percent(), 99.8);
   EXPECT_LE(alarms.percent(), 0.5);
 }
 
