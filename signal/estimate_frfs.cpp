@@ -137,6 +137,12 @@ FrfSet joined(const TestBundle& bundle,
   return set;
 }
 
+// Seconds from trigger to the block's end.
+double ringing_time(const HitSet& hits) {
+  return static_cast<double>(hits.block - hits.pre_trigger) /
+         hits.sample_rate_hz;
+}
+
 FrfSet estimate_all(const TestBundle& bundle,
                     const std::vector<Recording>& recordings,
                     const HitSet& hits,
@@ -161,6 +167,9 @@ FrfSet estimate_all(const TestBundle& bundle,
   });
   progress("FRFs", 1.0);
   FrfSet set = joined(bundle, runs, plan);
+  const std::string followed =
+      tail_statement(plan.blocks.lasting_poles, ringing_time(hits));
+  if (!followed.empty()) set.statements.push_back(followed);
   if (!plan.lasting_hz) return set;
   Lasting lasting;
   for (const RunResult& run : runs) lasting.join(run.lasting);
@@ -195,12 +204,6 @@ void check(const TestBundle& bundle,
                      bundle.folder.string(),
                      "read the recordings anew");
   check_blocks(bundle, hits);
-}
-
-// Seconds from trigger to the block's end.
-double ringing_time(const HitSet& hits) {
-  return static_cast<double>(hits.block - hits.pre_trigger) /
-         hits.sample_rate_hz;
 }
 
 // Lowest frequency of interest: no lower than the block resolves.
@@ -257,7 +260,7 @@ FrfPlan plan_frfs(const TestBundle& bundle,
         2.0 * std::numbers::pi * step_hz * static_cast<double>(plan.first + i)};
   plan.blocks = {options.window.force_window,
                  lowest_hz(plan.s, hits),
-                 options.ringing_poles};
+                 options.lasting_poles};
   return plan;
 }
 
@@ -271,7 +274,7 @@ std::vector<std::string> block_statements(
       bundle.band_hz.value_or(std::array{0.0, 0.5 * hits.sample_rate_hz});
   const BlockOptions blocks{options.window.force_window,
                             std::max(band_hz[0], 1.0 / ringing_time(hits)),
-                            options.ringing_poles};
+                            options.lasting_poles};
   std::vector<Lasting> lasting(bundle.runs.size());
   for_each_parallel(lasting.size(), [&](std::size_t r) {
     lasting[r] = lasting_response(
@@ -312,7 +315,7 @@ FrfSet estimate_frfs_at(const TestBundle& bundle,
                         const std::vector<Recording>& recordings,
                         const HitSet& hits,
                         const Eigen::VectorXcd& s,
-                        const Eigen::VectorXcd& ringing_poles,
+                        const Eigen::VectorXcd& lasting_poles,
                         const Progress& progress) {
   check(bundle, recordings, hits);
   if (s.size() == 0 || !s.allFinite() || s.real().minCoeff() < 0.0)
@@ -321,7 +324,7 @@ FrfSet estimate_frfs_at(const TestBundle& bundle,
                      "give lines on or to the right of the imaginary axis");
   Plan plan;
   plan.s = s;
-  plan.blocks = {true, lowest_hz(s, hits), ringing_poles};
+  plan.blocks = {true, lowest_hz(s, hits), lasting_poles};
   plan.transform = [&s](const HitBlocks& b) { return spectra_at(b, s); };
   return estimate_all(bundle, recordings, hits, plan, progress);
 }

@@ -22,9 +22,10 @@ struct WindowOptions {
 struct FrfOptions {
   Estimator estimator = Estimator::H1;
   WindowOptions window;
-  /// Poles whose ringing from earlier hits is taken off the responses
-  /// (signal/ringing.hpp) [rad/s]; empty: nothing is taken off.
-  Eigen::VectorXcd ringing_poles;
+  /// Poles of modes that outlast a block [rad/s]; may be empty. Their ringing
+  /// from earlier hits is taken off (signal/ringing.hpp), their decay behind
+  /// the block's end is added (signal/block_tail.hpp).
+  Eigen::VectorXcd lasting_poles;
 };
 
 /// FRFs on the FFT lines of the block that lie inside the band.
@@ -74,17 +75,18 @@ struct FrfPlan {
 /// for comparing with a model on a damped line.
 ///
 /// H1 with the force window. The block's end cuts off exp(-Re(s) T) of what is
-/// left of the response: Re(s) T of 5 or more makes that less than 1 %.
+/// left of the response, but for the modes whose poles are given: Re(s) T of 5
+/// or more makes that less than 1 %.
 ///
 /// @param s complex angular frequencies [rad/s], Re(s) >= 0
-/// @param ringing_poles as in FrfOptions
+/// @param lasting_poles as in FrfOptions
 /// @throws InputError when no hit is accepted or a line lies at Re(s) < 0
 [[nodiscard]] FrfSet estimate_frfs_at(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,
     const Eigen::VectorXcd& s,
-    const Eigen::VectorXcd& ringing_poles,
+    const Eigen::VectorXcd& lasting_poles,
     const Progress& progress = {});
 
 }  // namespace tapfit::signal

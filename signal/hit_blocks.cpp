@@ -24,17 +24,24 @@ constexpr Index taper = 16;
 struct Place {
   Index trigger = 0;
   Index pulse_samples = 0;
-  Stretch before;  // quiet
-  Stretch rings;   // where the earlier hit's ringing is fitted
-  Stretch after;   // ringing, up to the next hit
+  Stretch before;      // quiet
+  Stretch rings;       // where the earlier hit's ringing is fitted
+  Stretch after;       // ringing, up to the next hit
+  bool whole = false;  // the block holds all of its samples and no other hit
+};
+
+// Length of the blocks, and of the quiet that gives the offset [samples].
+struct Lengths {
+  Index block = 0;
+  Index pre_trigger = 0;
+  Index wanted = 0;
 };
 
 std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
                              Index n_samples,
                              double fs,
-                             Index block,
-                             Index wanted,
-                             const Eigen::VectorXcd& ringing_poles) {
+                             const Lengths& lengths,
+                             const Eigen::VectorXcd& lasting_poles) {
   std::vector<Place> places;
   for (std::size_t k = 0; k < hits.size(); ++k) {
     if (!hits[k].accepted) continue;
@@ -47,14 +54,20 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
         k + 1 < hits.size() ? hits[k + 1].trigger - margin : n_samples;
     // A short pre-trigger must not be lost to the margin altogether.
     const Index onset = place.trigger - std::min(margin, place.trigger / 2);
-    place.before = quiet_stretch(earlier, onset, wanted);
+    place.before = quiet_stretch(earlier, onset, lengths.wanted);
     if (k > 0) {
       place.rings = ringing_stretch(
-          ringing_poles, fs, quiet_stretch(earlier, onset, n_samples));
+          lasting_poles, fs, quiet_stretch(earlier, onset, n_samples));
     }
     const Index start = std::min(place.trigger, n_samples);
-    place.after = {start,
-                   std::clamp(start + block, start, std::max(start, later))};
+    place.after = {
+        start,
+        std::clamp(start + lengths.block, start, std::max(start, later))};
+    // The next pulse begins at most its width before its trigger.
+    const Index next = k + 1 < hits.size()
+                           ? hits[k + 1].trigger - place.pulse_samples
+                           : n_samples;
+    place.whole = place.trigger - lengths.pre_trigger + lengths.block <= next;
     places.push_back(place);
   }
   return places;
@@ -80,17 +93,10 @@ struct CutChannel {
   std::vector<Eigen::VectorXd> quiet;
 };
 
-// Length of the blocks, and of the quiet that gives the offset [samples].
-struct Lengths {
-  Index block = 0;
-  Index pre_trigger = 0;
-  Index wanted = 0;
-};
-
 CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
                        const std::vector<Place>& places,
                        const Lengths& lengths,
-                       const Eigen::VectorXcd& ringing_poles,
+                       const Eigen::VectorXcd& lasting_poles,
                        double fs) {
   const Index block = lengths.block;
   CutChannel result;
@@ -105,7 +111,7 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
       const Index from = std::max<Index>(0, std::min(p.before.begin, begin));
       const Index to = std::min(begin + block, recorded.size());
       rung.segment(from, to - from) -=
-          ringing(recorded, p.rings, ringing_poles, fs, from, to - from);
+          ringing(recorded, p.rings, lasting_poles, fs, from, to - from);
     }
     const Eigen::Map<const Eigen::VectorXd> channel(
         rung.size() > 0 ? rung.data() : recorded.data(), recorded.size());
@@ -116,6 +122,18 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
         channel.segment(p.before.begin, p.before.length()).array() - level);
   }
   return result;
+}
+
+// What follows behind the blocks, as far as their ends are this hit's.
+BlockTail tail_of(const CutChannel& response,
+                  const std::vector<Place>& places,
+                  const HitBlocks& cut,
+                  const Eigen::VectorXcd& poles) {
+  BlockTail tail = fit_tail(response.blocks, cut.trigger, cut.dt, poles);
+  for (std::size_t k = 0; tail.poles.size() > 0 && k < places.size(); ++k) {
+    if (!places[k].whole) tail.amplitudes.col(static_cast<Index>(k)).setZero();
+  }
+  return tail;
 }
 
 double rms(const Eigen::VectorXd& x) {
@@ -192,12 +210,9 @@ HitBlocks cut_hits(const acquisition::Run& run,
   // Hann weights over four periods leave nothing of the band in the mean.
   const Index wanted = std::max<Index>(
       64, static_cast<Index>(std::ceil(4.0 * fs / options.lowest_hz)));
-  const std::vector<Place> places = places_of(run_hits,
-                                              recording.samples.rows(),
-                                              fs,
-                                              hits.block,
-                                              wanted,
-                                              options.ringing_poles);
+  const Lengths lengths{hits.block, hits.pre_trigger, wanted};
+  const std::vector<Place> places = places_of(
+      run_hits, recording.samples.rows(), fs, lengths, options.lasting_poles);
   HitBlocks result;
   result.dt = 1.0 / fs;
   result.trigger = hits.pre_trigger;
@@ -206,7 +221,7 @@ HitBlocks cut_hits(const acquisition::Run& run,
                               const Eigen::VectorXcd& poles) {
     return cut_channel(recording.samples.col(static_cast<Index>(at.channel)),
                        places,
-                       {hits.block, hits.pre_trigger, wanted},
+                       lengths,
                        poles,
                        fs);
   };
@@ -230,9 +245,11 @@ HitBlocks cut_hits(const acquisition::Run& run,
   result.response_power = window_power(hits.block, false, spans);
   result.noise.resize(run.sensors.size());
   result.responses.resize(run.sensors.size());
+  result.tails.resize(run.sensors.size());
   for_each_parallel(run.sensors.size(), [&](std::size_t c) {
-    CutChannel response = channel_at(run.sensors[c], options.ringing_poles);
+    CutChannel response = channel_at(run.sensors[c], options.lasting_poles);
     result.noise[c] = noise_spectrum(response.quiet, result.dt);
+    result.tails[c] = tail_of(response, places, result, options.lasting_poles);
     apply(false, spans, response.blocks);
     result.responses[c] = std::move(response.blocks);
   });

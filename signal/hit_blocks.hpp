@@ -3,6 +3,7 @@
 #pragma once
 
 #include "acquisition/hits.hpp"
+#include "signal/block_tail.hpp"
 #include "signal/noise_spectrum.hpp"
 
 #include <Eigen/Core>
@@ -22,13 +23,16 @@ struct HitBlocks {
   Eigen::VectorXd response_power;    ///< block, mean over hits of window^2
   NoiseSpectrum force_noise;         ///< before the hits
   std::vector<NoiseSpectrum> noise;  ///< per sensor, before the hits
+  /// Per sensor, behind the blocks' end; empty: nothing is known of it.
+  std::vector<BlockTail> tails;
 };
 
 struct BlockOptions {
   bool force_window = true;
   double lowest_hz = 0.0;  ///< lowest frequency of interest, above 0
-  /// Poles whose ringing from earlier hits is taken off [rad/s]; none: nothing.
-  Eigen::VectorXcd ringing_poles;
+  /// Poles of modes that outlast a block [rad/s]; may be empty. Their ringing
+  /// from earlier hits is taken off, their decay behind the block's end found.
+  Eigen::VectorXcd lasting_poles;
 };
 
 /// Cuts and prepares the accepted hits of one run.

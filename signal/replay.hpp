@@ -12,7 +12,7 @@
 namespace tapfit::signal {
 
 struct ReplayOptions {
-  FrfOptions frf;  ///< ringing_poles are not used
+  FrfOptions frf;  ///< lasting_poles are not used
   acquisition::HitOptions hits;
   double speed = 0.0;  ///< seconds of recording per second; 0: no waiting
   /// Samples (all channels of all runs) that the trial look at the beginning

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 namespace tapfit::signal {
 namespace {
@@ -57,6 +58,24 @@ void accumulate(const Kernel& e,
   sum.imag() += imag;
 }
 
+// Completes the transforms by what follows behind the blocks.
+//
+// kernel: exp(-s t) at the blocks' end
+void add_tails(const HitBlocks& blocks,
+               const Eigen::VectorXcd& s,
+               const Eigen::VectorXcd& kernel,
+               Spectra& spectra) {
+  for (std::size_t c = 0; c < blocks.tails.size(); ++c) {
+    if (blocks.tails[c].poles.size() == 0) continue;
+    spectra.responses[c] += tail_spectra(blocks.tails[c], s, kernel, blocks.dt);
+  }
+}
+
+// From trigger to the blocks' end [s].
+double seconds_of(const HitBlocks& blocks) {
+  return static_cast<double>(blocks.force.rows() - blocks.trigger) * blocks.dt;
+}
+
 }  // namespace
 
 Spectra fft_spectra(const HitBlocks& blocks,
@@ -77,6 +96,18 @@ Spectra fft_spectra(const HitBlocks& blocks,
           fft_columns(fft, blocks.responses[c - 1], window, first, last);
     }
   });
+  // The FFT counts from the block's begin: j omega turns by whole circles.
+  const double step =
+      2.0 * std::numbers::pi / (static_cast<double>(n) * blocks.dt);
+  Eigen::VectorXcd s(last - first + 1);
+  s.real().setConstant(sigma);
+  s.imag().setLinSpaced(step * static_cast<double>(first),
+                        step * static_cast<double>(last));
+  add_tails(blocks,
+            s,
+            Eigen::VectorXcd::Constant(s.size(),
+                                       std::exp(-sigma * seconds_of(blocks))),
+            result);
   return result;
 }
 
@@ -110,6 +141,8 @@ Spectra spectra_at(const HitBlocks& blocks, const Eigen::VectorXcd& s) {
   result.force = std::move(force);
   for (Index c = 0; c < sensors; ++c)
     result.responses.emplace_back(responses.middleCols(c * hits, hits));
+  add_tails(
+      blocks, s, (-s * seconds_of(blocks)).array().exp().matrix(), result);
   return result;
 }
 

@@ -2,7 +2,9 @@
 //
 //   X(s) = sum_n x_n exp(-s t_n),   t = 0 at the trigger
 //
-// without the factor dt, which cancels in response / force.
+// without the factor dt, which cancels in response / force; so does the phase
+// of FFT lines, which counts from the block's begin. Responses include what
+// follows behind the block where that is known (signal/block_tail.hpp).
 #pragma once
 
 #include "signal/fft.hpp"

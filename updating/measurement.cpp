@@ -6,7 +6,7 @@
 #include "signal/estimate_frfs.hpp"
 #include "signal/uff58.hpp"
 #include "updating/frf_runs.hpp"
-#include "updating/slow_poles.hpp"
+#include "updating/lasting_frfs.hpp"
 
 #include <fmt/format.h>
 
@@ -91,25 +91,11 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
-    signal::FrfOptions options;
-    auto set = signal::estimate_frfs(bundle_, all, found, options, progress);
-    // A mode that still rings when the next hit comes is known only once the
-    // modes are: FRFs, modes, and FRFs again without the ringing, until the
-    // poles rest. Each time leaves about a tenth of what was wrong with them.
-    constexpr int passes = 6;
-    const bool rings = bundle_.band_hz && several_hits(found);
-    for (int pass = 0; rings && pass < passes; ++pass) {
-      modal::ModeSet modes = modal::identify_modes(set, {}, progress);
-      Eigen::VectorXcd poles = slow_poles(modes, found);
-      if (at_rest(ringing_poles_, poles)) {
-        if (same_modes(choices_, {})) modes_ = std::move(modes);
-        break;
-      }
-      ringing_poles_ = std::move(poles);
-      options.ringing_poles = ringing_poles_;
-      set = signal::estimate_frfs(bundle_, all, found, options, progress);
-    }
-    frfs_ = std::move(set);
+    LastingFrfs found_frfs =
+        estimate_lasting_frfs(bundle_, all, found, progress);
+    lasting_poles_ = std::move(found_frfs.poles);
+    if (same_modes(choices_, {})) modes_ = std::move(found_frfs.modes);
+    frfs_ = std::move(found_frfs.set);
   }
   return *frfs_;
 }
@@ -133,11 +119,19 @@ bool Measurement::choose(const ModeChoices& choices, const Progress& progress) {
   return !known;
 }
 
+signal::FrfSet Measurement::frfs_as(signal::FrfOptions options,
+                                    const Progress& progress) {
+  static_cast<void>(frfs(progress));
+  options.lasting_poles = lasting_poles_;
+  return signal::estimate_frfs(
+      bundle_, recordings(progress), hits(progress), options, progress);
+}
+
 signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,
                                     const Progress& progress) const {
   if (bundle_.frfs) return modal::continue_frfs(*frfs_, *modes_, s);
   return signal::estimate_frfs_at(
-      bundle_, recordings_->recordings, *hits_, s, ringing_poles_, progress);
+      bundle_, recordings_->recordings, *hits_, s, lasting_poles_, progress);
 }
 
 double Measurement::block_s() const {
@@ -175,7 +169,7 @@ bool Measurement::overrule(const OverruledHit& which) {
   // Overruled twice, it is judged as before.
   if (std::erase(overruled_, which) == 0) overruled_.push_back(which);
   frfs_.reset();
-  ringing_poles_.resize(0);
+  lasting_poles_.resize(0);
   modes_.reset();
   return true;
 }

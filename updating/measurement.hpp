@@ -8,7 +8,7 @@
 #include "acquisition/recording.hpp"
 #include "acquisition/test_bundle.hpp"
 #include "modal/mode_set.hpp"
-#include "signal/frf_set.hpp"
+#include "signal/estimate_frfs.hpp"
 #include "updating/mode_choices.hpp"
 #include "updating/saved_session.hpp"
 
@@ -39,6 +39,11 @@ class Measurement {
   const signal::FrfSet& frfs(const Progress& progress);
   const modal::ModeSet& modes(const Progress& progress);
 
+  /// The FRFs of recordings with another estimator or window; the poles of
+  /// modes that outlast the block are those of frfs().
+  /// @throws InputError as of signal::estimate_frfs
+  [[nodiscard]] signal::FrfSet frfs_as(signal::FrfOptions options,
+                                       const Progress& progress);
   /// The FRFs on other lines, once frfs() and modes() are there.
   /// @param s [rad/s]
   [[nodiscard]] signal::FrfSet frfs_on(const Eigen::VectorXcd& s,
@@ -77,7 +82,7 @@ class Measurement {
   std::optional<acquisition::HitSet> hits_;
   std::vector<OverruledHit> overruled_;
   std::optional<signal::FrfSet> frfs_;
-  Eigen::VectorXcd ringing_poles_;  // of modes that outlast the block
+  Eigen::VectorXcd lasting_poles_;  // of modes that outlast the block
   ModeChoices choices_;
   std::optional<modal::ModeSet> modes_;
 };

@@ -79,6 +79,10 @@ const acquisition::HitSet& Session::hits(const Progress& progress) {
 const signal::FrfSet& Session::frfs(const Progress& progress) {
   return impl_->test.frfs(progress);
 }
+signal::FrfSet Session::frfs_as(const signal::FrfOptions& options,
+                                const Progress& progress) {
+  return impl_->test.frfs_as(options, progress);
+}
 const modal::ModeSet& Session::modes(const Progress& progress) {
   return impl_->test.modes(progress);
 }
@@ -187,9 +191,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
       d.warnings.push_back(
           modal::statement(*shifts, acquisition::channel_names(bundle())));
     }
-    for (auto& warning : model_warnings(progress)) {
-      d.warnings.push_back(std::move(warning));
-    }
+    for (auto& said : model_warnings(progress)) d.warnings.push_back(said);
     impl_->diagnosis = std::move(d);
   }
   return *impl_->diagnosis;
@@ -202,9 +204,8 @@ Signature Session::signature(int node, const Progress& progress) {
   // grid's own flexibility would be taken for something missing.
   Fit current = impl_->current();
   std::vector<PlacedEffect> with_node = current.effects;
-  Where where;
-  where.node = node;
-  with_node.push_back({&effects::find("added-mass"), where, {1.0}});
+  with_node.push_back({&effects::find("added-mass"), {}, {1.0}});
+  with_node.back().where.node = node;
   current.model = impl_->ground->fitter->model_for(with_node);
   return signature_at(current, impl_->ground->fitter->target(), node, progress);
 }
@@ -371,10 +372,9 @@ std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
 std::vector<std::string> Session::model_warnings(const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   std::vector<std::string> warnings = impl_->model->unsplit().warnings();
-  std::string high = floor_warning(base_comparison(progress));
-  if (!high.empty()) warnings.push_back(std::move(high));
-  std::string poor = base_error_warning(impl_->model->builder.error());
-  if (!poor.empty()) warnings.push_back(std::move(poor));
+  warnings.push_back(floor_warning(base_comparison(progress)));
+  warnings.push_back(base_error_warning(impl_->model->builder.error()));
+  std::erase(warnings, "");
   return warnings;
 }
 

@@ -46,6 +46,10 @@ class Session {
   const std::vector<acquisition::LeftOut>& left_out() const;
   const acquisition::HitSet& hits(const Progress& progress = {});
   const signal::FrfSet& frfs(const Progress& progress = {});
+  /// The FRFs of recordings with another estimator or window.
+  /// @throws InputError as of signal::estimate_frfs
+  signal::FrfSet frfs_as(const signal::FrfOptions& options,
+                         const Progress& progress = {});
   const modal::ModeSet& modes(const Progress& progress = {});
   /// The current model (base, or with what was added) against measurement.
   const Comparison& comparison(const Progress& progress = {});

@@ -7,12 +7,6 @@
 
 namespace tapfit::updating {
 
-bool several_hits(const acquisition::HitSet& hits) {
-  return std::any_of(hits.runs.begin(), hits.runs.end(), [](const auto& run) {
-    return run.size() > 1;
-  });
-}
-
 Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
                             const acquisition::HitSet& hits) {
   const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;

@@ -8,9 +8,6 @@
 
 namespace tapfit::updating {
 
-/// Whether any run has a hit that another one comes before.
-[[nodiscard]] bool several_hits(const acquisition::HitSet& hits);
-
 /// Poles of which more than a thousandth is left when the block ends [rad/s],
 /// also of modes that ring too much for their damping to be resolved.
 [[nodiscard]] Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,

@@ -6,6 +6,8 @@
 #include "signal/estimate_frfs.hpp"
 #include "tests/signal/generated_test.hpp"
 
+#include <functional>
+
 namespace tapfit::signal {
 
 struct Coverage {
@@ -14,10 +16,16 @@ struct Coverage {
   double bias = 0.0;   // mean error over mean |H|
 };
 
+// Poles of modes that outlast the block, as identified from a test.
+using IdentifiedPoles = std::function<Eigen::VectorXcd(const GeneratedTest&)>;
+
+// Where poles are identified, of FFT lines without a window, completed behind
+// the block's end and against the exact FRF.
 inline Coverage coverage(const std::vector<TestMode>& modes,
                          const GeneratedOptions& options,
                          bool damped_line,
-                         int repeats) {
+                         int repeats,
+                         const IdentifiedPoles& identified = {}) {
   GeneratedOptions quiet = options;
   quiet.response_noise = quiet.force_noise = quiet.spread = 0.0;
   int inside = 0;
@@ -39,11 +47,19 @@ inline Coverage coverage(const std::vector<TestMode>& modes,
           140, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 100.0);
       set = estimate_frfs_at(test.bundle, test.recordings, test.hits, s, {});
     } else {
-      set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
+      FrfOptions frf;
+      if (identified) {
+        frf.window.end_value = 1.0;
+        frf.lasting_poles = identified(test);
+      }
+      set = estimate_frfs(test.bundle, test.recordings, test.hits, frf);
     }
     // Against the noise-free estimate, so that truncation is not counted.
-    const FrfSet truth =
+    FrfSet truth =
         estimate_frfs_at(test.bundle, clean.recordings, clean.hits, set.s, {});
+    for (Eigen::Index i = 0; identified && i < set.lines(); ++i) {
+      truth.frfs[0].H(i) = exact_frf(modes, set.s(i));
+    }
     const Eigen::VectorXd radius = confidence_radius(set.frfs[0]);
     const Eigen::VectorXd reach = confidence_reach(set.frfs[0]);
     for (Eigen::Index i = 0; i < set.lines(); ++i) {

@@ -71,9 +71,7 @@ struct Worst {
 
 inline Worst worst_of(const GeneratedTest& test,
                       const std::vector<TestMode>& modes,
-                      double end_value) {
-  FrfOptions options;
-  options.window.end_value = end_value;
+                      const FrfOptions& options) {
   const FrfSet set =
       estimate_frfs(test.bundle, test.recordings, test.hits, options);
   Worst worst{worst_scale_error(set, modes), 0.0};

@@ -37,7 +37,9 @@ TEST(Scale, HoldsForSixTimeConstantsAndAnyWindow) {
         const auto modes = modes_with(time_constants, second_gain, o);
         const GeneratedTest test = generate_test(modes, o);
         for (const double end : {1.0, 0.5, 0.25, 0.1, 0.03, 0.01}) {
-          const Worst worst = worst_of(test, modes, end);
+          FrfOptions options;
+          options.window.end_value = end;
+          const Worst worst = worst_of(test, modes, options);
           EXPECT_LT(worst.scale, 0.005)
               << block << ' ' << time_constants << ' ' << end;
           EXPECT_LT(worst.damping, 0.01)

@@ -4,15 +4,19 @@
 //
 // Scale: two modes of random frequency, gain and damping that decay by 6 to 15
 // time constants within the block, windows ending at 1 to 0.01. Coverage:
-// truths within the stated 95 %, one to ten hits in noise.
+// truths within the stated 95 %, one to ten hits in noise; also of responses of
+// four time constants without a window, completed, against the exact FRF.
 //
-// The largest error of |H| is the tail that six time constants leave beyond the
-// block: e^-6 = 0.25 % of each mode, times the force spectrum at the mode over
-// that at the line, and twice that where two modes half cancel. The closed form
+// Scale is judged twice, from blocks as they are and with what their end cuts
+// off added by the identified poles. As they are the largest error of |H| is
+// the tail that six time constants leave beyond the block: e^-6 = 0.25 % of
+// each mode, times the force spectrum at the mode over that at the line, and
+// twice that where two modes half cancel. The closed form
 // sum_r R_r F(l_r)/F(s) exp((l_r - s) T) dt / (1 - exp((l_r - s) dt)) gives all
 // of the worst ones, up to 0.58 %, to 0.003 %.
 #include "tests/signal/band_coverage.hpp"
 #include "tests/signal/scale_error.hpp"
+#include "updating/lasting_frfs.hpp"
 
 #include <fmt/format.h>
 
@@ -47,9 +51,7 @@ std::vector<TestMode> random_modes(std::mt19937_64& random,
 // second mode nearby makes the fit itself err by some per cent.
 double damping_bias(const GeneratedTest& test,
                     const std::vector<TestMode>& modes,
-                    double end_value) {
-  FrfOptions options;
-  options.window.end_value = end_value;
+                    const FrfOptions& options) {
   FrfSet set = estimate_frfs(test.bundle, test.recordings, test.hits, options);
   FrfSet exact = set;
   const double sign = set.frfs[0].response.sign;
@@ -66,10 +68,38 @@ double damping_bias(const GeneratedTest& test,
   return worst;
 }
 
-void scale(unsigned seed, int count) {
-  std::mt19937_64 random(seed);
+Eigen::VectorXcd lasting_poles(const GeneratedTest& test) {
+  return updating::estimate_lasting_frfs(
+             test.bundle, test.recordings, test.hits, {})
+      .poles;
+}
+
+// Of one way to estimate.
+struct Errors {
   std::vector<double> scale;
   std::vector<double> damping;
+
+  void add(const GeneratedTest& test,
+           const std::vector<TestMode>& modes,
+           const FrfOptions& options) {
+    scale.push_back(worst_of(test, modes, options).scale);
+    damping.push_back(damping_bias(test, modes, options));
+  }
+};
+
+void print(const char* what, std::vector<double> errors) {
+  std::ranges::sort(errors);
+  fmt::print("{}: median {:.3f} %, largest {:.3f} % of {}\n",
+             what,
+             100.0 * errors[errors.size() / 2],
+             100.0 * errors.back(),
+             errors.size());
+}
+
+void scale(unsigned seed, int count) {
+  std::mt19937_64 random(seed);
+  Errors as_cut;
+  Errors completed;
   for (int k = 0; k < count; ++k) {
     GeneratedOptions o;
     o.block = between(0.0, 1.0, random) < 0.5 ? 4096 : 2048;
@@ -77,45 +107,52 @@ void scale(unsigned seed, int count) {
     // The worst case, six time constants, in every other one.
     const auto modes =
         random_modes(random, o, k % 2 == 0 ? 6.0 : between(6.0, 15.0, random));
-    const GeneratedTest test = generate_test(modes, o);
-    const double ends = k % 4 == 0 ? 1.0 : end;
-    scale.push_back(worst_of(test, modes, ends).scale);
-    damping.push_back(damping_bias(test, modes, ends));
+    GeneratedTest test = generate_test(modes, o);
+    test.bundle.band_hz = {5.0, 100.0};
+    FrfOptions options;
+    options.window.end_value = k % 4 == 0 ? 1.0 : end;
+    as_cut.add(test, modes, options);
+    options.lasting_poles = lasting_poles(test);
+    completed.add(test, modes, options);
   }
-  std::ranges::sort(scale);
-  std::ranges::sort(damping);
-  const auto print = [](const char* what, const std::vector<double>& sorted) {
-    fmt::print("{}: median {:.3f} %, largest {:.3f} % of {}\n",
-               what,
-               100.0 * sorted[sorted.size() / 2],
-               100.0 * sorted.back(),
-               sorted.size());
-  };
-  print("|H| at and between resonances", scale);
-  print("damping ratio, of itself", damping);
+  print("|H| at and between resonances, completed", completed.scale);
+  print("damping ratio, of itself, completed", completed.damping);
+  print("|H|, blocks as they are", as_cut.scale);
+  print("damping ratio, blocks as they are", as_cut.damping);
+}
+
+// Lines that are covered: as the program has them, damped, and completed
+// without a window.
+enum class Lines { Fft, Damped, Completed };
+
+void covered(Lines lines, int hits, int count, std::mt19937_64& random) {
+  const char* const names[] = {"FFT", "damped", "completed"};
+  IdentifiedPoles identified;
+  if (lines == Lines::Completed) identified = lasting_poles;
+  double share = 0.0;
+  constexpr int structures = 8;
+  for (int k = 0; k < structures; ++k) {
+    GeneratedOptions o = noisy(hits);
+    o.seed = static_cast<unsigned>(random());
+    const double time_constants = lines == Lines::Completed ? 4.0 : 8.0;
+    share += coverage(random_modes(random, o, time_constants),
+                      o,
+                      lines == Lines::Damped,
+                      std::max(1, count / (structures * hits)),
+                      identified)
+                 .share;
+  }
+  fmt::print("{} hits, {} lines: {:.1f} % covered\n",
+             hits,
+             names[static_cast<int>(lines)],
+             100.0 * share / structures);
+  std::fflush(stdout);
 }
 
 void covered(unsigned seed, int count) {
   std::mt19937_64 random(seed + 1);
-  for (const bool damped : {false, true}) {
-    for (const int hits : {1, 2, 3, 5, 10}) {
-      double share = 0.0;
-      constexpr int structures = 8;
-      for (int k = 0; k < structures; ++k) {
-        GeneratedOptions o = noisy(hits);
-        o.seed = static_cast<unsigned>(random());
-        share += coverage(random_modes(random, o, 8.0),
-                          o,
-                          damped,
-                          std::max(1, count / (structures * hits)))
-                     .share;
-      }
-      fmt::print("{} hits, {} lines: {:.1f} % covered\n",
-                 hits,
-                 damped ? "damped" : "FFT",
-                 100.0 * share / structures);
-      std::fflush(stdout);
-    }
+  for (const Lines lines : {Lines::Fft, Lines::Damped, Lines::Completed}) {
+    for (const int hits : {1, 2, 3, 5, 10}) covered(lines, hits, count, random);
   }
 }
 

@@ -129,19 +129,17 @@ signal::FrfSet frfs_as_asked(updating::Session& session,
   const bool as_usual =
       asked.estimator == "H1" && !asked.window && !asked.sigma;
   if (as_usual || session.bundle().frfs) return session.frfs(progress);
-  const auto& recordings = session.recordings(progress);
-  const auto& hits = session.hits(progress);
   signal::FrfOptions options;
   if (asked.estimator == "H2") options.estimator = signal::Estimator::H2;
   if (asked.estimator == "Hv") options.estimator = signal::Estimator::Hv;
   if (asked.window) options.window.end_value = *asked.window;
   if (asked.sigma) {
+    const auto& hits = session.hits(progress);
     const double block_s = static_cast<double>(hits.block - hits.pre_trigger) /
                            hits.sample_rate_hz;
     options.window.end_value = std::exp(-*asked.sigma * block_s);
   }
-  return signal::estimate_frfs(
-      session.bundle(), recordings, hits, options, progress);
+  return session.frfs_as(options, progress);
 }
 
 }  // namespace

@@ -1,0 +1,65 @@
+// FRFs of modes that outlast the block, their poles identified on the way.
+#include "updating/lasting_frfs.hpp"
+
+#include "tests/signal/scale_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+
+namespace tapfit::updating {
+namespace {
+
+using signal::GeneratedOptions;
+using signal::GeneratedTest;
+using signal::TestMode;
+
+// Both modes with `time_constants` of them in the block.
+std::vector<TestMode> modes_with(double time_constants,
+                                 const GeneratedOptions& o) {
+  const double T = static_cast<double>(o.block - o.pre_trigger) / o.fs;
+  std::vector<TestMode> modes{{20.0, 0.0, 1.0}, {61.0, 0.0, -0.7}};
+  for (TestMode& mode : modes) {
+    mode.zeta = time_constants / (2.0 * std::numbers::pi * mode.hz * T);
+  }
+  return modes;
+}
+
+TEST(LastingFrfs, AreRightWithoutAWindowFromASingleHit) {
+  GeneratedOptions o;
+  for (const double time_constants : {6.0, 3.0}) {
+    const auto modes = modes_with(time_constants, o);
+    GeneratedTest test = signal::generate_test(modes, o);
+    test.bundle.band_hz = {5.0, 100.0};
+    const LastingFrfs found =
+        estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+    ASSERT_EQ(found.poles.size(), 2);
+    signal::FrfOptions options;
+    options.window.end_value = 1.0;
+    const double cut = worst_of(test, modes, options).scale;
+    options.lasting_poles = found.poles;
+    EXPECT_LT(worst_of(test, modes, options).scale, 0.05 * cut)
+        << time_constants;
+  }
+}
+
+TEST(LastingFrfs, SayWhatWasDone) {
+  GeneratedOptions o;
+  const auto modes = modes_with(3.0, o);
+  GeneratedTest test = signal::generate_test(modes, o);
+  const auto said = [&] {
+    const auto set =
+        estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {}).set;
+    return std::ranges::count_if(set.statements, [](const std::string& words) {
+      return words.starts_with("modes that outlast the block: 2 (");
+    });
+  };
+  EXPECT_EQ(said(), 0);
+  test.bundle.band_hz = {5.0, 100.0};
+  EXPECT_EQ(said(), 1);
+}
+
+}  // namespace
+}  // namespace tapfit::updating
