@@ -1,6 +1,7 @@
 #include "acquisition/csv_table.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -127,7 +128,7 @@ std::size_t find_column(const Text& text,
                         const std::string& column) {
   for (std::size_t line = data; line-- > 0;) {
     const std::vector<std::string> fields =
-        split(text.lines[line], text.layout.separator);
+        split(as_utf8(text.lines[line]), text.layout.separator);
     const auto found = std::find(fields.begin(), fields.end(), column);
     if (found != fields.end()) {
       return static_cast<std::size_t>(found - fields.begin());

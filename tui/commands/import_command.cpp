@@ -130,9 +130,12 @@ std::string import_command(const CommandOptions& options,
                                       {"warnings", bundle.warnings}};
     return json.dump(2) + "\n";
   }
-  return fmt::format("Bundle {} written, {} runs\n",
-                     bundle.folder.string(),
-                     bundle.runs.size());
+  return fmt::format(
+      "Bundle {} written, {} runs\n"
+      "  note: the files do not say the channels' ranges; full_scale_volts is "
+      "room above the largest value, and overload is told by flat tops alone\n",
+      bundle.folder.string(),
+      bundle.runs.size());
 }
 
 }  // namespace tapfit::tui

@@ -1,0 +1,33 @@
+#include "acquisition/utf8.hpp"
+
+#include "acquisition/csv_table.hpp"
+#include "tests/acquisition/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+TEST(Utf8, StaysAsItIs) {
+  for (const char* text : {"", "acc1", "Kraft N\xc3\xa4he", "\xe2\x82\xac"}) {
+    EXPECT_EQ(as_utf8(text), text);
+  }
+}
+
+TEST(Utf8, ElseIsReadAsLatin1) {
+  EXPECT_EQ(as_utf8("N\xe4he"), "N\xc3\xa4he");
+  EXPECT_EQ(as_utf8("m/s\xb2"), "m/s\xc2\xb2");
+  // Cut in the middle of a character.
+  EXPECT_EQ(as_utf8("\xc3"), "\xc3\x83");
+}
+
+TEST(Utf8, ColumnsOfALatin1HeaderAreFoundByName) {
+  testing::TemporaryFolder folder;
+  const auto file =
+      folder.write("test.csv", "t;N\xe4he;acc\n0.0;1.5;2\n0.1;2.5;3\n");
+  const Eigen::MatrixXd x = read_csv_columns(file, {"N\xc3\xa4he"}, {});
+  EXPECT_EQ(x.col(0), Eigen::Vector2d(1.5, 2.5));
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
