@@ -27,9 +27,10 @@ struct LastingFrfs {
 };
 
 /// H1 with the windows of signal::FrfOptions. Without TestBundle::band_hz
-/// nothing is followed: where modes end and noise begins is not known.
+/// nothing is followed: where modes end and noise begins is not known; nor
+/// where modes cannot be identified.
 ///
-/// @throws InputError as of signal::estimate_frfs and modal::identify_modes
+/// @throws InputError as of signal::estimate_frfs
 [[nodiscard]] LastingFrfs estimate_lasting_frfs(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,

@@ -61,5 +61,16 @@ TEST(LastingFrfs, SayWhatWasDone) {
   EXPECT_EQ(said(), 1);
 }
 
+TEST(LastingFrfs, AreThereWhereTooFewLinesTellModes) {
+  GeneratedOptions o;
+  GeneratedTest test = signal::generate_test(modes_with(3.0, o), o);
+  test.bundle.band_hz = {19.9, 20.3};
+  const LastingFrfs found =
+      estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  EXPECT_LT(found.set.lines(), 8);
+  EXPECT_FALSE(found.modes);
+  EXPECT_EQ(found.poles.size(), 0);
+}
+
 }  // namespace
 }  // namespace tapfit::updating
