@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 namespace tapfit::acquisition {
@@ -68,6 +70,24 @@ class Usable {
 
 std::string statement(const LeftOut& left_out) {
   return fmt::format("run {} is left out: {}", left_out.run + 1, left_out.why);
+}
+
+void check_run_files(const TestBundle& bundle, Unreadable missing) {
+  const auto is_missing = [](const Run& run) {
+    std::error_code ignored;
+    return !std::filesystem::is_regular_file(run.file, ignored);
+  };
+  const auto first = std::ranges::find_if(bundle.runs, is_missing);
+  if (first == bundle.runs.end()) return;
+  const bool all = std::ranges::all_of(bundle.runs, is_missing);
+  if (missing == Unreadable::LeftOut && !all) return;
+  throw InputError(
+      fmt::format(
+          "there is no file {}{}",
+          first->file.string(),
+          all && bundle.runs.size() > 1 ? ", nor that of any other run" : ""),
+      fmt::format("test.json: runs[{}].file", first - bundle.runs.begin()),
+      "correct the path; it is relative to test.json's folder");
 }
 
 ReadableRecordings read_readable(const TestBundle& bundle) {

@@ -28,6 +28,12 @@ struct ReadableRecordings {
   std::vector<LeftOut> left_out;      ///< in the order of the runs
 };
 
+/// Whether the recordings that test.json names are there. One that is not is
+/// refused, or only where none of them is.
+///
+/// @throws InputError with the place of the first in test.json
+void check_run_files(const TestBundle& bundle, Unreadable missing);
+
 /// All runs in order; left out are those that cannot be read, and those whose
 /// sampling rate is not that of the first one which can.
 ///

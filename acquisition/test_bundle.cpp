@@ -191,7 +191,7 @@ Run read_run(const json& entry,
              const std::vector<Channel>& channels,
              const Source& source) {
   Run run;
-  run.file = existing_file(entry.at("file"), place + ".file", source);
+  run.file = source.folder / entry.at("file").get<std::string>();
   run.hammer =
       read_placement(entry.at("hammer"), place + ".hammer", channels, source);
   if (channels[run.hammer.channel].quantity != Quantity::Force) {

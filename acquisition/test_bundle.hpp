@@ -100,7 +100,7 @@ struct TestBundle {
 /// A universal file is a bundle by itself (acquisition/uff_bundle.hpp).
 ///
 /// @throws InputError with the field's place for a missing or wrong field, an
-///   unknown unit, a missing file, a channel that no entry of `channels` names
+///   unknown unit, a missing file but for recordings, a channel of no name
 [[nodiscard]] TestBundle read_test_bundle(const std::filesystem::path& folder);
 
 }  // namespace tapfit::acquisition

@@ -38,7 +38,9 @@ void warn_of(const std::vector<acquisition::LeftOut>& left_out,
 
 Measurement::Measurement(const std::filesystem::path& folder,
                          acquisition::Unreadable unreadable)
-    : bundle_(acquisition::read_test_bundle(folder)), unreadable_(unreadable) {}
+    : bundle_(acquisition::read_test_bundle(folder)), unreadable_(unreadable) {
+  acquisition::check_run_files(bundle_, unreadable_);
+}
 
 const std::vector<acquisition::LeftOut>& Measurement::left_out() const {
   static const std::vector<acquisition::LeftOut> none;

@@ -23,7 +23,7 @@ namespace tapfit::updating {
 
 class Measurement {
  public:
-  /// @throws InputError as of acquisition::read_test_bundle
+  /// @throws InputError as of acquisition::read_test_bundle, check_run_files
   Measurement(const std::filesystem::path& folder,
               acquisition::Unreadable unreadable);
 

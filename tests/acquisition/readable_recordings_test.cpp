@@ -70,6 +70,31 @@ TEST_F(ReadableRecordingsTest, LeaveOutWhatCannotBeRead) {
   EXPECT_EQ(all.recordings[2].samples.rows(), 8192);
 }
 
+TEST_F(ReadableRecordingsTest, LeaveOutWhatIsNotThere) {
+  EXPECT_NO_THROW(check_run_files(bundle_, Unreadable::Refused));
+  std::filesystem::remove(bundle_.runs[1].file);
+  const auto refused = [this](Unreadable missing) {
+    try {
+      check_run_files(bundle_, missing);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string said = refused(Unreadable::Refused);
+  EXPECT_NE(said.find("test.json: runs[1].file"), std::string::npos) << said;
+  EXPECT_EQ(refused(Unreadable::LeftOut), "");
+  const ReadableRecordings all = read_readable(bundle_);
+  ASSERT_EQ(all.left_out.size(), 1U);
+  EXPECT_EQ(all.left_out[0].run, 1U);
+  EXPECT_NE(all.left_out[0].why.find("run1"), std::string::npos);
+  for (const std::size_t r : {0U, 2U}) {
+    std::filesystem::remove(bundle_.runs[r].file);
+  }
+  const std::string none = refused(Unreadable::LeftOut);
+  EXPECT_NE(none.find("nor that of any other run"), std::string::npos) << none;
+}
+
 TEST_F(ReadableRecordingsTest, LeaveOutAnotherSamplingRate) {
   write(2, 2 * rate);
   const ReadableRecordings all = read_readable(bundle_);

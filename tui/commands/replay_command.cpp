@@ -1,6 +1,7 @@
 #include "tui/commands/replay_command.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/readable_recordings.hpp"
 #include "signal/replay.hpp"
 #include "signal/uff58.hpp"
 #include "tui/commands/frf_command.hpp"
@@ -35,6 +36,7 @@ std::string replay_command(const CommandOptions& options,
                            const Progress& progress) {
   const acquisition::TestBundle bundle =
       acquisition::read_test_bundle(options.input);
+  acquisition::check_run_files(bundle, acquisition::Unreadable::Refused);
   if (bundle.runs.empty()) {
     throw InputError("the bundle holds ready FRFs and no recording",
                      options.input.string(),
