@@ -4,11 +4,11 @@
 
 namespace tapfit::signal {
 
-Eigen::VectorXd confidence_radius(const Frf& frf) {
+Eigen::VectorXd confidence_radius(const Frf& frf, double outside) {
   const double n = frf.variance_freedom;
   const double squared = std::isfinite(n)
-                             ? 0.5 * n * (std::pow(20.0, 2.0 / n) - 1.0)
-                             : std::log(20.0);
+                             ? 0.5 * n * (std::pow(outside, -2.0 / n) - 1.0)
+                             : -std::log(outside);
   return (squared * frf.variance.array().max(0.0)).sqrt();
 }
 

@@ -1,8 +1,9 @@
 // How far the truth may be from an estimated FRF, where the variance itself is
 // an estimate of n degrees of freedom:
 //
-//   |dH|^2 <= (n / 2) (20^(2/n) - 1) E|dH|^2         around H, 95 % of the time
-//   |Re dH|, |Im dH|, |d|H||  <= t_n(0.975) sqrt(E|dH|^2 / 2)
+//   |dH|^2 <= (n / 2) (q^(-2/n) - 1) E|dH|^2     around H, but for q of the
+//   time |Re dH|, |Im dH|, |d|H||  <= t_n(0.975) sqrt(E|dH|^2 / 2), 95 % of the
+//   time
 //
 // (an F and a t quantile: circular noise over a chi-squared one). The
 // magnitude's band is to first order in dH.
@@ -15,7 +16,9 @@
 namespace tapfit::signal {
 
 /// Radius of the circle around H per line [(m/s^2)/N].
-[[nodiscard]] Eigen::VectorXd confidence_radius(const Frf& frf);
+/// @param outside q, how often the truth may lie outside of it
+[[nodiscard]] Eigen::VectorXd confidence_radius(const Frf& frf,
+                                                double outside = 0.05);
 
 /// Half width of the band of the real part, the imaginary part or the
 /// magnitude, per line [(m/s^2)/N].

@@ -38,7 +38,7 @@ void draw_driving(Screen& screen,
                          {},
                          {},
                          {Colour::Grey, Pattern::Dotted, '.', true}});
-  for (const Eigen::Index line : peak_lines(frf.H.cwiseAbs())) {
+  for (const Eigen::Index line : peak_lines(frf)) {
     const bool fair = frf.H[line].imag() > 0.0;
     plot.markers.push_back(
         {f[line],

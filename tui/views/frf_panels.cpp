@@ -195,7 +195,7 @@ Index chosen_peak(const FrfSet& frfs, const Frf& frf, const PlotRange& range) {
   const FrequencySpan span = frequency_span(frfs);
   const PlotRange shown = resolved(range, span.lo, span.hi);
   Index chosen = -1;
-  for (const Index line : peak_lines(size)) {
+  for (const Index line : peak_lines(frf)) {
     if (f[line] < shown.lo || f[line] > shown.hi) continue;
     const bool nearer = chosen >= 0 && std::abs(f[line] - range.cursor) <
                                            std::abs(f[chosen] - range.cursor);

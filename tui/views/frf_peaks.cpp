@@ -1,5 +1,7 @@
 #include "tui/views/frf_peaks.hpp"
 
+#include "signal/confidence_band.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -13,11 +15,14 @@ using Eigen::Index;
 using Complex = std::complex<double>;
 
 /// The lowest value on the way from the peak to something higher, or the end.
-double lowest_downhill(const Eigen::VectorXd& size, Index peak, Index step) {
-  double lowest = size[peak];
+double lowest_downhill(const Eigen::VectorXd& size,
+                       const Eigen::VectorXd& value,
+                       Index peak,
+                       Index step) {
+  double lowest = value[peak];
   for (Index i = peak + step; i >= 0 && i < size.size(); i += step) {
     if (size[i] > size[peak]) break;
-    lowest = std::min(lowest, size[i]);
+    lowest = std::min(lowest, value[i]);
   }
   return lowest;
 }
@@ -55,10 +60,26 @@ std::vector<Index> peak_lines(const Eigen::VectorXd& magnitude,
   for (Index i = 1; i + 1 < magnitude.size(); ++i) {
     if (!(magnitude[i] > magnitude[i - 1] && magnitude[i] >= magnitude[i + 1]))
       continue;
-    const double valley = std::max(lowest_downhill(magnitude, i, -1),
-                                   lowest_downhill(magnitude, i, 1));
+    const double valley = std::max(lowest_downhill(magnitude, magnitude, i, -1),
+                                   lowest_downhill(magnitude, magnitude, i, 1));
     if (magnitude[i] >= prominence * valley) found.push_back(i);
   }
+  return found;
+}
+
+std::vector<Index> peak_lines(const signal::Frf& frf) {
+  const Eigen::VectorXd size = frf.H.cwiseAbs();
+  std::vector<Index> found = peak_lines(size);
+  if (frf.variance.size() != size.size()) return found;  // not known
+  // One of n lines outside its circle is as likely as the sum of n.
+  const auto lines = static_cast<double>(size.size());
+  const Eigen::VectorXd radius = signal::confidence_radius(frf, 0.05 / lines);
+  const Eigen::VectorXd highest = size + radius;
+  std::erase_if(found, [&](Index i) {
+    const double valley = std::max(lowest_downhill(size, highest, i, -1),
+                                   lowest_downhill(size, highest, i, 1));
+    return size[i] - radius[i] <= valley;
+  });
   return found;
 }
 

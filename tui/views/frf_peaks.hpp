@@ -33,6 +33,11 @@ namespace tapfit::tui {
 [[nodiscard]] std::vector<Eigen::Index> peak_lines(
     const Eigen::VectorXd& magnitude, double prominence = 2.0);
 
+/// Those of an FRF of which its scatter leaves no doubt: the truth is higher at
+/// the line than in the valleys beside it wherever it is in the 95 % circles of
+/// all lines at once. Ripples of noise are not.
+[[nodiscard]] std::vector<Eigen::Index> peak_lines(const signal::Frf& frf);
+
 /// One mode fitted to the lines around a peak.
 struct PeakFit {
   std::complex<double> pole;     ///< [rad/s], Re < 0

@@ -45,7 +45,7 @@ Table peak_table(const FrfSet& frfs, const Frf& frf) {
   Table table{
       {{"peak Hz", true}, {"|H|", true}, {"phase", true}, {"damping %", true}},
       {}};
-  for (const Index line : peak_lines(frf.H.cwiseAbs())) {
+  for (const Index line : peak_lines(frf)) {
     const std::optional<PeakFit> fit = fit_peak(frfs.s, frf.H, line);
     const double hz = fit ? fit->frequency_hz() : frfs.frequency_hz()[line];
     table.rows.push_back(
@@ -100,7 +100,7 @@ void draw_side(Screen& screen,
   const Eigen::VectorXd f = frfs.frequency_hz();
   const Index at = chosen_peak(frfs, frfs.frfs[selected], state.range);
   Table marked = peaks;
-  const auto lines = peak_lines(frfs.frfs[selected].H.cwiseAbs());
+  const auto lines = peak_lines(frfs.frfs[selected]);
   ListState near;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] != at) continue;
@@ -117,7 +117,7 @@ std::optional<double> next_peak(const FrfSet& frfs,
                                 bool upwards) {
   const Eigen::VectorXd f = frfs.frequency_hz();
   std::optional<double> found;
-  for (const Index line : peak_lines(frf.H.cwiseAbs())) {
+  for (const Index line : peak_lines(frf)) {
     const double hz = f[line];
     if (upwards && (!range.cursor_set || hz > range.cursor + 1e-9)) return hz;
     if (!upwards && (!range.cursor_set || hz < range.cursor - 1e-9)) {

@@ -53,7 +53,60 @@ TEST(FrfPeaks, LeaveRipplesOut) {
   EXPECT_EQ(peak_lines(size), (std::vector<Eigen::Index>{1, 5}));
   EXPECT_EQ(peak_lines(size, 1.01), (std::vector<Eigen::Index>{1, 3, 5, 7}));
   EXPECT_TRUE(peak_lines(Eigen::VectorXd::Ones(5)).empty());
-  EXPECT_TRUE(peak_lines({}).empty());
+  EXPECT_TRUE(peak_lines(Eigen::VectorXd()).empty());
+}
+
+/// With circular noise of that deviation per line, as many hits would leave.
+signal::Frf noisy(const Eigen::VectorXcd& H,
+                  double sd,
+                  double freedom,
+                  unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> part(0.0, sd / std::sqrt(2.0));
+  std::chi_squared_distribution<double> spread(freedom);
+  signal::Frf frf;
+  frf.H = H;
+  frf.variance.resize(H.size());
+  frf.variance_freedom = freedom;
+  for (Eigen::Index i = 0; i < H.size(); ++i) {
+    frf.H[i] += Complex(part(random), part(random));
+    frf.variance[i] = sd * sd * spread(random) / freedom;
+  }
+  return frf;
+}
+
+// In 95 of 100 there is no peak that is none, by what the circles promise.
+TEST(FrfPeaks, OfNoiseAloneThereAreNone) {
+  int any = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    const signal::Frf frf =
+        noisy(Eigen::VectorXcd::Constant(600, 1.0), 0.5, 24.0, seed);
+    EXPECT_FALSE(peak_lines(frf.H.cwiseAbs()).empty());
+    any += peak_lines(frf).empty() ? 0 : 1;
+  }
+  EXPECT_LE(any, 5);
+}
+
+// Between the resonances |H| falls to 1, where the noise is as large.
+TEST(FrfPeaks, OfANoisyFrfAreItsResonances) {
+  const System system = two_oscillators(0.0);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const signal::Frf frf = noisy(system.H, 1.0, 24.0, seed);
+    EXPECT_GT(peak_lines(frf.H.cwiseAbs()).size(), 10U);
+    const auto found = peak_lines(frf);
+    ASSERT_EQ(found.size(), 2U) << seed;
+    // Its top is flat: a few lines wide at a damping of 1 %.
+    EXPECT_NEAR(system.s[found[0]].imag() / (2.0 * pi), 12.0, 0.15);
+    EXPECT_NEAR(system.s[found[1]].imag() / (2.0 * pi), 27.0, 0.25);
+  }
+}
+
+TEST(FrfPeaks, AreAllThatStandOutWhereNoVarianceIsKnown) {
+  signal::Frf frf;
+  frf.H = two_oscillators(0.0).H;
+  EXPECT_EQ(peak_lines(frf).size(), 2U);
+  frf.variance = Eigen::VectorXd::Zero(frf.H.size());
+  EXPECT_EQ(peak_lines(frf).size(), 2U);
 }
 
 // A ripple on the flank of a resonance is no resonance there.
