@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "tui/glyphs.hpp"
+#include "tui/palette.hpp"
 
 #include <ncurses.h>
 
@@ -54,13 +55,6 @@ bool wants_no_colour(const TerminalOptions& options) {
   return options.no_colour || (variable != nullptr && *variable != '\0');
 }
 
-// Terminal colours of Colour, in 256, 16 and 8 colours; -1 is its own.
-using Palette = std::array<short, colour_count>;
-constexpr Palette palette_256{-1, 33, 214, 36, 202, 175, 117, 227, 245};
-constexpr Palette light_256{-1, 25, 166, 29, 160, 90, 31, 136, 243};
-constexpr Palette palette_16{-1, 12, 3, 2, 9, 13, 14, 11, 8};
-constexpr Palette light_16{-1, 4, 3, 2, 1, 5, 6, 3, 8};
-constexpr Palette palette_8{-1, 4, 3, 2, 1, 5, 6, 3, -1};
 // Dark blue to yellow, light text stays readable up to the fourth.
 constexpr std::array<short, heat_levels + 1> heat_256{
     -1, 17, 18, 25, 30, 142, 220};
@@ -82,13 +76,13 @@ short pair_number(Colour colour, int heat) {
 
 void make_pairs(Colours colours, bool light) {
   if (colours == Colours::None) return;
-  const Palette& palette =
-      colours == Colours::Many      ? (light ? light_256 : palette_256)
-      : colours == Colours::Sixteen ? (light ? light_16 : palette_16)
-                                    : palette_8;
+  const int count = colours == Colours::Many      ? 256
+                    : colours == Colours::Sixteen ? 16
+                                                  : 8;
+  const Palette& inks = palette(count, light);
   for (int c = 0; c < colour_count; ++c) {
     const auto colour = static_cast<Colour>(c);
-    const short ink = palette[static_cast<std::size_t>(c)];
+    const short ink = inks[static_cast<std::size_t>(c)];
     init_pair(pair_number(colour, 0), ink, -1);
     if (colours != Colours::Many) continue;
     for (int heat = 1; heat <= heat_levels; ++heat) {
