@@ -321,7 +321,8 @@ Climbed climbed(const Fitter& fitter,
   double done = 0.05;
   for (int rung = 0; rung < options.max_rungs; ++rung) {
     const double next = done + 0.75 * (0.95 - done);
-    if (!climb.step(rung == 0, part_of(progress, done, next))) break;
+    const Progress part = part_of(progress, done, next);
+    if (!climb.step(rung == 0, numbered(part, "rung", rung + 1))) break;
     done = next;
   }
   const Fit& found = climb.current();
@@ -381,9 +382,7 @@ Diagnosis diagnose(const Fitter& fitter,
   }
   Climbed ladder = climb(used);
   // A point may stand out only once what else is missing is known.
-  while (leave(ladder.top, Looked::All)) {
-    ladder = climb(used);
-  }
+  while (leave(ladder.top, Looked::All)) ladder = climb(used);
   Diagnosis result = std::move(ladder.diagnosis);
   if (const auto drift = run_drift(ladder.top, used.target());
       drift && is_telling(*drift)) {
@@ -394,6 +393,7 @@ Diagnosis diagnose(const Fitter& fitter,
     result.warnings.push_back(describe(point) + "; its FRFs are left out");
   }
   result.misplaced = std::move(misplaced);
+  whole("error ladder", 1.0);
   return result;
 }
 

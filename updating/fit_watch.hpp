@@ -4,12 +4,14 @@
 #pragma once
 
 #include "acquisition/progress.hpp"
+#include "updating/overall_progress.hpp"
 #include "updating/update_history.hpp"
 
 #include <Eigen/Core>
 
 #include <functional>
 #include <string_view>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -49,6 +51,22 @@ struct FitWatch {
 [[nodiscard]] inline bool is_enough(const Progress& progress) {
   const auto* watch = progress.report.target<FitWatch>();
   return watch != nullptr && watch->enough && watch->enough();
+}
+
+/// As part_of(), but a watch is still told of the part's steps.
+/// @param whole outlives the part
+[[nodiscard]] inline Progress watched_part(const Progress& whole,
+                                           double from,
+                                           double to) {
+  Progress part = part_of(whole, from, to);
+  const auto* watch = whole.report.target<FitWatch>();
+  if (watch == nullptr) return part;
+  FitWatch inner{std::move(part.report), {}, {}};
+  // Asked itself, no copy: it may count.
+  if (watch->step) inner.step = [watch](const FitMoment& m) { watch->step(m); };
+  if (watch->enough) inner.enough = [watch] { return watch->enough(); };
+  part.report = std::move(inner);
+  return part;
 }
 
 }  // namespace tapfit::updating

@@ -1,5 +1,7 @@
 #include "updating/fitter.hpp"
 
+#include "updating/fit_watch.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -235,8 +237,16 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     options.objective_tolerance = last ? 1e-3 : 1e-1;
     const ModelState state = fit.result.state;
     const Prior prior = prior_for(*model, state);
-    fit.result = update(
-        *model, setting_.targets[stage], state, prior, options, progress);
+    // The last may be done once more.
+    const auto parts = static_cast<double>(setting_.targets.size() + 1);
+    const auto part = static_cast<double>(stage + (once_more ? 1 : 0));
+    fit.result =
+        update(*model,
+               setting_.targets[stage],
+               state,
+               prior,
+               options,
+               watched_part(progress, part / parts, (part + 1.0) / parts));
     // It starts where the last step of the stage ended.
     for (std::size_t k = once_more ? 1 : 0; k < fit.result.history.size();
          ++k) {

@@ -15,6 +15,17 @@ Progress part_of(const Progress& whole, double from, double to) {
   return part;
 }
 
+Progress numbered(const Progress& whole, const std::string& what, int number) {
+  if (!whole.report || number == 1) return whole;
+  Progress with_number = whole;
+  with_number.report = [report = whole.report,
+                        words = " (" + what + " " + std::to_string(number) +
+                                ")"](std::string_view stage, double fraction) {
+    report(std::string(stage) + words, fraction);
+  };
+  return with_number;
+}
+
 Progress never_falling(const Progress& whole) {
   if (!whole.report) return whole;
   Progress rising = whole;

@@ -30,6 +30,17 @@ TEST(OverallProgress, NeverFalls) {
   EXPECT_EQ(seen, (std::vector<double>{0.5, 0.5, 0.75}));
 }
 
+TEST(OverallProgress, NumbersStagesFromTheSecondRoundOn) {
+  std::vector<std::string> seen;
+  const Progress whole{
+      [&seen](std::string_view stage, double) { seen.emplace_back(stage); },
+      {}};
+  numbered(whole, "rung", 1)("screening", 0.5);
+  numbered(whole, "rung", 2)("screening", 0.5);
+  EXPECT_EQ(seen,
+            (std::vector<std::string>{"screening", "screening (rung 2)"}));
+}
+
 TEST(OverallProgress, StopsAsTheWholeDoes) {
   std::stop_source source;
   const Progress part = part_of(never_falling({{}, source.get_token()}), 0, 1);
