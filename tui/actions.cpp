@@ -5,14 +5,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <sstream>
+
 namespace tapfit::tui {
 namespace {
 
-/// Reads the ladder anew and tells its last step.
+/// Reads the ladder anew and tells its last step, of that many rungs.
 std::string last_step(Workbench& bench,
                       Snapshot& known,
                       const Progress& progress,
-                      const std::string& done) {
+                      const std::string& done,
+                      std::size_t rungs) {
   const std::vector<updating::Rung> ladder = bench.ladder(progress);
   known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
   known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
@@ -22,27 +26,39 @@ std::string last_step(Workbench& bench,
     return fmt::format(
         "{}: base model, error {}", done, percent(ladder.back().error));
   }
+  const std::size_t before =
+      ladder.size() - 1 - std::min(rungs, ladder.size() - 1);
   return fmt::format("{}: error {} → {}",
                      done,
-                     percent(ladder[ladder.size() - 2].error),
+                     percent(ladder[before].error),
                      percent(ladder.back().error));
 }
 
 std::string effects_changed(Workbench& bench,
                             Snapshot& known,
                             const Progress& progress,
-                            const std::string& done) {
+                            const std::string& done,
+                            std::size_t rungs = 1) {
   known.change_effects(bench.effects());
-  const std::string told = last_step(bench, known, progress, done);
+  const std::string told = last_step(bench, known, progress, done, rungs);
   return keep_work(bench, known, progress, told);
+}
+
+std::string names_of(const std::vector<updating::EffectRef>& effects) {
+  std::string names;
+  for (const updating::EffectRef& ref : effects) {
+    names += (names.empty() ? "" : "+") + ref.effect;
+  }
+  return names;
 }
 
 std::string add_now(Workbench& bench,
                     Snapshot& known,
                     const Progress& progress,
-                    const updating::EffectRef& effect) {
-  bench.add(effect, progress);
-  return effects_changed(bench, known, progress, "added " + effect.effect);
+                    const std::vector<updating::EffectRef>& effects) {
+  bench.add_together(effects, progress);
+  return effects_changed(
+      bench, known, progress, "added " + names_of(effects), effects.size());
 }
 
 /// Overruling is its own inverse. False when the hit's judgement stood firm.
@@ -120,18 +136,23 @@ Job overrule_again() {
       std::nullopt};
 }
 
-Job add_effect(const updating::EffectRef& effect) {
-  return {"adding " + effect.effect,
-          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
-            return add_now(bench, known, p, effect);
+Job add_effects(const std::vector<updating::EffectRef>& effects) {
+  return {"adding " + names_of(effects),
+          [effects](Workbench& bench, Snapshot& known, const Progress& p) {
+            return add_now(bench, known, p, effects);
           },
           std::nullopt};
 }
 
-Job add_effect(const std::string& effect) {
-  return {"adding " + effect,
-          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
-            return add_now(bench, known, p, bench.parse_effect(effect));
+Job add_effects(const std::string& typed) {
+  return {"adding " + typed,
+          [typed](Workbench& bench, Snapshot& known, const Progress& p) {
+            std::vector<updating::EffectRef> effects;
+            std::istringstream words(typed);
+            for (std::string word; words >> word;) {
+              effects.push_back(bench.parse_effect(word));
+            }
+            return add_now(bench, known, p, effects);
           },
           std::nullopt};
 }

@@ -17,9 +17,10 @@ namespace tapfit::tui {
 [[nodiscard]] Job restore_hit();
 /// Redo of that, until another hit is overruled.
 [[nodiscard]] Job overrule_again();
-[[nodiscard]] Job add_effect(const updating::EffectRef& effect);
-/// As typed: "added-mass@201".
-[[nodiscard]] Job add_effect(const std::string& effect);
+/// In this order, as one step.
+[[nodiscard]] Job add_effects(const std::vector<updating::EffectRef>& effects);
+/// As typed: "added-mass@201", or several, with spaces between.
+[[nodiscard]] Job add_effects(const std::string& typed);
 /// Switches an added effect off or on, counted from 0.
 [[nodiscard]] Job toggle_effect(std::size_t effect);
 /// To a file, or where that is empty to the usual one.

@@ -39,11 +39,12 @@ constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
 }};
 
 [[noreturn]] void refuse(std::string_view text) {
-  throw InputError(fmt::format("no such command: {}", text),
-                   "after ':'",
-                   "there are :q :help :add EFFECT@PLACE :toggle N :undo :redo "
-                   ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
-                   ":run N :report :deck :uff :stop :retry");
+  throw InputError(
+      fmt::format("no such command: {}", text),
+      "after ':'",
+      "there are :q :help :add EFFECT@PLACE ... :toggle N :undo :redo "
+      ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
+      ":run N :report :deck :uff :stop :retry");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -119,18 +120,20 @@ std::vector<std::string> completions(std::string_view text,
     return found;
   }
   const std::string_view word = text.substr(0, space);
-  std::string_view rest = text.substr(space + 1);
-  while (rest.starts_with(' ')) rest.remove_prefix(1);
   if (word != "add") return found;
+  // The last one; those before it stay.
+  const std::size_t begin = text.rfind(' ') + 1;
+  const std::string before(text.substr(0, begin));
+  const std::string_view rest = text.substr(begin);
   const std::size_t at = rest.find('@');
   for (const auto& effect : effects::catalogue()) {
     const std::string name = effect->name();
     if (at == std::string_view::npos) {
-      if (name.starts_with(rest)) found.push_back("add " + name);
+      if (name.starts_with(rest)) found.push_back(before + name);
     } else if (name == rest.substr(0, at)) {
       for (const std::string& place :
            place_words(*effect, setting, rest.substr(at + 1))) {
-        found.push_back(fmt::format("add {}@{}", name, place));
+        found.push_back(fmt::format("{}{}@{}", before, name, place));
       }
     }
   }

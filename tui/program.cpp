@@ -43,13 +43,15 @@ Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
   frf_page_ = frf_page.get();
   auto modes_page = std::make_unique<ModesPage>();
   modes_page_ = modes_page.get();
+  auto diagnose_page = std::make_unique<DiagnosePage>();
+  diagnose_page_ = diagnose_page.get();
   auto update_page = std::make_unique<UpdatePage>();
   update_page_ = update_page.get();
   pages_ = {std::move(recording_page),
             std::move(frf_page),
             std::move(modes_page),
             std::make_unique<ComparePage>(),
-            std::make_unique<DiagnosePage>(),
+            std::move(diagnose_page),
             std::move(update_page),
             std::make_unique<ReportPage>()};
   tick();
@@ -120,6 +122,7 @@ void Program::finish(Finished finished) {
     if (!finished.message.empty()) tell(finished.message);
     if (finished.title.starts_with("adding")) {
       current_ = update_screen;
+      diagnose_page_->untag();
       update_page_->mark_latest();
     }
   } else if (finished.how == How::Done && !finished.message.empty()) {
@@ -308,7 +311,7 @@ void Program::carry_out(const Command& command) {
     case Command::Kind::RestoreHit:
       return act(restore_hit());
     case Command::Kind::Add:
-      return act(add_effect(command.effect));
+      return act(add_effects(command.effects));
     case Command::Kind::Toggle:
       return act(toggle_effect(command.added));
     case Command::Kind::Write:

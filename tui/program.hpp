@@ -18,6 +18,7 @@
 
 namespace tapfit::tui {
 
+class DiagnosePage;
 class FrfPage;
 class ModesPage;
 class RecordingPage;
@@ -98,6 +99,7 @@ class Program {
   RecordingPage* recording_page_ = nullptr;  ///< one of pages_
   FrfPage* frf_page_ = nullptr;              ///< another
   ModesPage* modes_page_ = nullptr;          ///< another
+  DiagnosePage* diagnose_page_ = nullptr;    ///< another
   UpdatePage* update_page_ = nullptr;        ///< another
   std::size_t current_ = 0;
   Mode mode_ = Mode::Normal;

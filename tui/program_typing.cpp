@@ -86,7 +86,7 @@ void Program::run_colon(const std::string& text) {
     case Kind::Help:
       return open_help();
     case Kind::Add:
-      return act(add_effect(command.argument));
+      return act(add_effects(command.argument));
     case Kind::Toggle:
       return act(toggle_effect(command.number - 1));
     case Kind::Run:

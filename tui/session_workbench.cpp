@@ -86,8 +86,9 @@ class SessionWorkbench final : public Workbench {
   updating::EffectRef parse_effect(const std::string& text) override {
     return updating::parse_effect(text);
   }
-  void add(const updating::EffectRef& effect, const Progress& p) override {
-    session_.add(effect, p);
+  void add_together(const std::vector<updating::EffectRef>& effects,
+                    const Progress& p) override {
+    session_.add_together(effects, p);
   }
   void toggle(std::size_t effect, const Progress& p) override {
     session_.toggle(effect, p);

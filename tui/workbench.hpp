@@ -51,7 +51,8 @@ class Workbench {
   virtual bool undo_modes(const Progress&) = 0;
   virtual bool redo_modes(const Progress&) = 0;
   virtual updating::EffectRef parse_effect(const std::string& text) = 0;
-  virtual void add(const updating::EffectRef&, const Progress&) = 0;
+  virtual void add_together(const std::vector<updating::EffectRef>&,
+                            const Progress&) = 0;
   virtual void toggle(std::size_t effect, const Progress&) = 0;
   virtual bool undo(const Progress&) = 0;
   virtual bool redo(const Progress&) = 0;

@@ -14,13 +14,13 @@ namespace tapfit::updating {
 /// Where an effect sits; which member is used depends on the effect.
 struct Where {
   int node = 0;  ///< 0: not used
-  std::vector<int> nodes;
-  std::vector<int> elements;
-  std::vector<std::string> channels;
+  std::vector<int> nodes = {};
+  std::vector<int> elements = {};
+  std::vector<std::string> channels = {};
   /// Which form of the effect, where it has several: "rotation",
   /// "translation"; "each" for one mass per channel instead of a shared one;
   /// "rotary" for a mass with an inertia.
-  std::string variant;
+  std::string variant = {};
 
   bool operator==(const Where&) const = default;
 };
@@ -49,6 +49,7 @@ struct EffectRef {
 struct AddedEffect {
   EffectRef ref;
   bool on = true;
+  bool together = false;  ///< in one step with the one before it
 
   bool operator==(const AddedEffect&) const = default;
 };

@@ -14,10 +14,15 @@ using Effects = std::vector<AddedEffect>;
 
 std::optional<EffectChange> change_between(const Effects& before,
                                            const Effects& after) {
-  if (after.size() == before.size() + 1) {
-    return EffectChange{after.back().ref, {}};
+  if (after.size() > before.size()) {
+    EffectChange change;
+    for (std::size_t i = before.size(); i < after.size(); ++i) {
+      if (i > before.size() && !after[i].together) return std::nullopt;
+      change.added.push_back(after[i].ref);
+    }
+    return change;
   }
-  if (after.size() != before.size()) return std::nullopt;
+  if (after.size() < before.size()) return std::nullopt;
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (after[i].on != before[i].on) return EffectChange{{}, i};
   }
@@ -26,8 +31,7 @@ std::optional<EffectChange> change_between(const Effects& before,
 
 Effects after(Effects effects, const EffectChange& change) {
   if (!change.switched) {
-    effects.push_back({change.added, true});
-    return effects;
+    return with_added(std::move(effects), change.added);
   }
   if (*change.switched >= effects.size()) {
     throw InputError(
@@ -41,6 +45,13 @@ Effects after(Effects effects, const EffectChange& change) {
 }
 
 }  // namespace
+
+Effects with_added(Effects effects, const std::vector<EffectRef>& more) {
+  for (const EffectRef& ref : more) {
+    effects.push_back({ref, true, &ref != more.data()});
+  }
+  return effects;
+}
 
 std::vector<EffectChange> changes_through(const Effects& from,
                                           const std::vector<Effects>& states) {

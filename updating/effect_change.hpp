@@ -10,13 +10,17 @@
 
 namespace tapfit::updating {
 
-/// One change of the effects: one was added, or one that was there switched.
+/// One change of the effects: some were added, or one that was there switched.
 struct EffectChange {
-  EffectRef added;                        ///< where nothing was switched
+  std::vector<EffectRef> added;           ///< where nothing was switched
   std::optional<std::size_t> switched{};  ///< counted from 0
 
   bool operator==(const EffectChange&) const = default;
 };
+
+/// The effects with more of them, added in one step.
+[[nodiscard]] std::vector<AddedEffect> with_added(
+    std::vector<AddedEffect> effects, const std::vector<EffectRef>& more);
 
 /// What leads from one state to the next; the list ends early where that is no
 /// single change.

@@ -1,12 +1,15 @@
 #include "updating/effect_stack.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/effect_change.hpp"
 #include "updating/effect_place.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/fit_watch.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace tapfit::updating {
@@ -63,12 +66,14 @@ bool leads_to(const KeptFit& fit, const EffectHistory::Effects& effects) {
 }
 
 /// The effect with the whole place it acts at.
+EffectRef whole_of(const EffectRef& effect, const StackFit& how) {
+  const PlacedEffect placed = place_effect(effect, how.setting);
+  return {placed.effect->name(), placed.where};
+}
+
 /// @throws InputError where it is among those that are there already
-EffectRef whole_of(const EffectRef& effect,
-                   const std::vector<AddedEffect>& there,
-                   const StackFit& how) {
-  const PlacedEffect extra = place_effect(effect, how.setting);
-  EffectRef whole{extra.effect->name(), extra.where};
+void refuse_known(const EffectRef& whole,
+                  const std::vector<AddedEffect>& there) {
   for (const AddedEffect& known : there) {
     if (known.ref != whole) continue;
     throw InputError(
@@ -77,7 +82,6 @@ EffectRef whole_of(const EffectRef& effect,
         known.on ? "undo it first, or add another"
                  : "it is switched off: switch it on, or add another");
   }
-  return whole;
 }
 
 /// "mass_kg" of "mass_kg.acc1".
@@ -107,6 +111,25 @@ bool overlap(const EffectRef& a,
   });
 }
 
+/// Of effects that are to be added together.
+/// @throws InputError where the last is one of those before it, or another form
+///   of one
+void refuse_conflict(const std::vector<EffectRef>& added, const StackFit& how) {
+  const EffectRef& last = added.back();
+  for (const EffectRef& other : std::span(added).first(added.size() - 1)) {
+    if (other != last && !overlap(other, last, how.setting)) continue;
+    throw InputError(
+        other == last ? "the effect is there twice"
+                      : "two forms of one effect exclude each other",
+        fmt::format("{} at {} and at {}",
+                    last.effect,
+                    describe(other.where),
+                    describe(last.where)),
+        other == last ? "name it once"
+                      : "they would share one size: add one of them only");
+  }
+}
+
 /// @throws InputError where another form of the effect is switched on
 void refuse_overlap(const EffectHistory::Effects& effects,
                     std::size_t own,
@@ -124,17 +147,23 @@ void refuse_overlap(const EffectHistory::Effects& effects,
   }
 }
 
-/// Each added, and at once switched off where it is off.
+/// Each step added, and what of it is off at once switched off.
 std::vector<EffectHistory::Effects> past_of(
     const std::vector<AddedEffect>& effects) {
   std::vector<EffectHistory::Effects> past;
   EffectHistory::Effects so_far;
-  for (const AddedEffect& added : effects) {
+  while (so_far.size() < effects.size()) {
     past.push_back(so_far);
-    so_far.push_back({added.ref, true});
-    if (added.on) continue;
-    past.push_back(so_far);
-    so_far.back().on = false;
+    const std::size_t begin = so_far.size();
+    do {
+      so_far.push_back(effects[so_far.size()]);
+      so_far.back().on = true;
+    } while (so_far.size() < effects.size() && effects[so_far.size()].together);
+    for (std::size_t k = begin; k < so_far.size(); ++k) {
+      if (effects[k].on) continue;
+      past.push_back(so_far);
+      so_far[k].on = false;
+    }
   }
   return past;
 }
@@ -157,12 +186,18 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
                                        const Progress& progress) const {
   std::vector<Fit> fits = {fits_.front()};
   if (wanted.empty()) return fits;
+  // What is uncertain, then the effects.
+  const auto part = [&](std::size_t k) {
+    const auto begin = static_cast<double>(k);
+    const auto count = static_cast<double>(wanted.size() + 1);
+    return watched_part(progress, begin / count, (begin + 1.0) / count);
+  };
   const bool fitted = fits_.size() > 1 && fits_[1].effects.empty();
   const std::size_t first_effect = fitted ? 2 : 1;
   if (fitted) {
     fits.push_back(fits_[1]);
   } else if (uncertain_) {
-    fits.push_back(fit_of({}, fits.front(), kept, how, progress));
+    fits.push_back(fit_of({}, fits.front(), kept, how, part(0)));
   }
   bool same = true;
   std::vector<PlacedEffect> so_far;
@@ -174,7 +209,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
       fits.push_back(fits_[at]);
     } else {
       so_far.push_back(wanted[k]);
-      fits.push_back(fit_of(so_far, fits.back(), kept, how, progress));
+      fits.push_back(fit_of(so_far, fits.back(), kept, how, part(k + 1)));
     }
     so_far = fits.back().effects;
   }
@@ -204,13 +239,21 @@ std::vector<KeptFit> EffectStack::still_kept() const {
   return kept;
 }
 
-void EffectStack::add(const EffectRef& effect,
-                      const StackFit& how,
-                      const Progress& progress) {
+void EffectStack::add_together(const std::vector<EffectRef>& effects,
+                               const StackFit& how,
+                               const Progress& progress) {
+  if (effects.empty()) return;
   const Effects before = history_.now;
-  Effects more = before;
-  more.push_back({whole_of(effect, before, how), true});
-  refuse_overlap(more, more.size() - 1, how);
+  std::vector<EffectRef> added;
+  for (const EffectRef& effect : effects) {
+    added.push_back(whole_of(effect, how));
+    refuse_known(added.back(), before);
+    refuse_conflict(added, how);
+  }
+  const Effects more = with_added(before, added);
+  for (std::size_t k = before.size(); k < more.size(); ++k) {
+    refuse_overlap(more, k, how);
+  }
   change_to(more, still_kept(), how, progress);
   history_.past.push_back(before);
   history_.future.clear();
@@ -221,7 +264,9 @@ void EffectStack::restore(const EffectHistory& history,
                           const Progress& progress) {
   Effects whole;
   for (const AddedEffect& added : history.now) {
-    whole.push_back({whole_of(added.ref, whole, how), added.on});
+    const EffectRef ref = whole_of(added.ref, how);
+    refuse_known(ref, whole);
+    whole.push_back({ref, added.on, added.together});
   }
   change_to(whole, history.kept, how, progress);
   history_.past = history.past;

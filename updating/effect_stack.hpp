@@ -40,12 +40,20 @@ class EffectStack {
 
   /// Fits what is uncertain in the model with no effect added.
   void fit_uncertain(const StackFit& how, const Progress& progress);
-  /// What was ended by hand before, and then undone, is fitted to its end.
-  /// @throws InputError for an effect that is in the list already or has no
-  ///   such place
+  /// As add_together() of one.
   void add(const EffectRef& effect,
            const StackFit& how,
-           const Progress& progress);
+           const Progress& progress) {
+    add_together({effect}, how, progress);
+  }
+  /// One change, undone as one; each is a rung of its own, fitted in this
+  /// order. What was ended by hand before, and then undone, is fitted to its
+  /// end.
+  /// @throws InputError for an effect that is in the list already, has no such
+  ///   place, or would share a size with another
+  void add_together(const std::vector<EffectRef>& effects,
+                    const StackFit& how,
+                    const Progress& progress);
   /// Switches an effect off or on; those after it are fitted anew.
   /// @throws InputError where there is no such effect
   void toggle(std::size_t effect,

@@ -77,17 +77,32 @@ Where where_from(const json& value) {
   return where_in(value);
 }
 
+json flat(const EffectRef& ref) {
+  json result{{"effect", ref.effect}};
+  result.update(to_json(ref.where));
+  return result;
+}
+
 json to_json(const EffectChange& change) {
   if (change.switched) return {{"switched", *change.switched + 1}};
-  json result{{"effect", change.added.effect}};
-  result.update(to_json(change.added.where));
-  return result;
+  if (change.added.size() == 1) return flat(change.added.front());
+  json together = json::array();
+  for (const EffectRef& ref : change.added) together.push_back(flat(ref));
+  return {{"together", together}};
+}
+
+EffectRef ref_from(const json& value) {
+  check_fields(value,
+               "an effect of a change",
+               {"effect", "node", "nodes", "elements", "channels", "variant"});
+  return {value.at("effect"), where_in(value)};
 }
 
 EffectChange change_from(const json& value) {
   check_fields(value,
                "a change",
                {"switched",
+                "together",
                 "effect",
                 "node",
                 "nodes",
@@ -95,7 +110,12 @@ EffectChange change_from(const json& value) {
                 "channels",
                 "variant"});
   if (!value.contains("switched")) {
-    return {{value.at("effect"), where_in(value)}, {}};
+    EffectChange change;
+    for (const json& one : list_in(value, "together")) {
+      change.added.push_back(ref_from(one));
+    }
+    if (change.added.empty()) change.added = {ref_from(value)};
+    return change;
   }
   const auto number = value.at("switched").get<long long>();
   if (number < 1) throw std::out_of_range("effects are counted from 1");
@@ -264,11 +284,12 @@ SavedSession session_from(const json& value) {
   session.restored = hits_from(list_in(value, "restored_hits"));
   session.modes = choices_from(value.value("modes", json::object()));
   for (const json& effect : list_in(value, "effects")) {
-    check_fields(effect, "an effect", {"effect", "where", "on"});
+    check_fields(effect, "an effect", {"effect", "where", "on", "together"});
     session.effects.push_back(
         {{effect.at("effect"),
           where_from(effect.value("where", json::object()))},
-         effect.value("on", true)});
+         effect.value("on", true),
+         effect.value("together", false)});
   }
   for (const json& change : list_in(value, "undone")) {
     session.undone.push_back(change_from(change));
@@ -302,9 +323,11 @@ std::string as_text(const SavedSession& session) {
              {"kept_fits", json::array()},
              {"ladder", json::array()}};
   for (const AddedEffect& added : session.effects) {
-    value["effects"].push_back({{"effect", added.ref.effect},
-                                {"where", to_json(added.ref.where)},
-                                {"on", added.on}});
+    json one{{"effect", added.ref.effect},
+             {"where", to_json(added.ref.where)},
+             {"on", added.on}};
+    if (added.together) one["together"] = true;
+    value["effects"].push_back(std::move(one));
   }
   for (const EffectChange& change : session.undone) {
     value["undone"].push_back(to_json(change));

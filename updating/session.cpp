@@ -200,14 +200,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
 Signature Session::signature(int node, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   static_cast<void>(impl_->deck->grid_index(node));
-  // The base gains the static response at the grid looked at: without it the
-  // grid's own flexibility would be taken for something missing.
-  Fit current = impl_->current();
-  std::vector<PlacedEffect> with_node = current.effects;
-  with_node.push_back({&effects::find("added-mass"), {}, {1.0}});
-  with_node.back().where.node = node;
-  current.model = impl_->ground->fitter->model_for(with_node);
-  return signature_at(current, impl_->ground->fitter->target(), node, progress);
+  return signature_at(impl_->current(), *impl_->ground->fitter, node, progress);
 }
 
 std::vector<GridShare> Session::signature_map(const Progress& progress) {
@@ -287,9 +280,10 @@ bool Session::redo_modes(const Progress& progress) {
       impl_->future_choices, impl_->past_choices, progress);
 }
 
-void Session::add(const EffectRef& effect, const Progress& progress) {
+void Session::add_together(const std::vector<EffectRef>& effects,
+                           const Progress& progress) {
   impl_->prepare_fit(*this, progress);
-  impl_->stack->add(effect, impl_->stack_fit(), progress);
+  impl_->stack->add_together(effects, impl_->stack_fit(), progress);
   impl_->drop_current();
 }
 

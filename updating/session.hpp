@@ -80,7 +80,13 @@ class Session {
   /// How fits from now on identify their parameters.
   void set_update(const UpdateChoice& choice);
   /// Adds an effect to the current model and identifies all parameters anew.
-  void add(const EffectRef& effect, const Progress& progress = {});
+  void add(const EffectRef& effect, const Progress& progress = {}) {
+    add_together({effect}, progress);
+  }
+  /// Adds effects in this order as one step: the same rungs as one by one, and
+  /// one undo. Where one of them fails, none is added.
+  void add_together(const std::vector<EffectRef>& effects,
+                    const Progress& progress = {});
   /// Switches an added effect off or on, counted from 0.
   void toggle(std::size_t effect, const Progress& progress = {});
   /// Identifies what is uncertain in the model with no effect added; to be

@@ -1,6 +1,7 @@
 #include "updating/signature.hpp"
 
 #include "updating/absorber_law.hpp"
+#include "updating/effects/catalogue.hpp"
 #include "updating/place_patterns.hpp"
 
 #include <algorithm>
@@ -14,10 +15,17 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
 
-Signature signature_at(const Fit& current,
-                       const Target& target,
+Signature signature_at(Fit current,
+                       const Fitter& fitter,
                        int node,
                        const Progress& progress) {
+  // The base gains the static response at the grid looked at: without it the
+  // grid's own flexibility would be taken for something missing.
+  std::vector<PlacedEffect> with_node = current.effects;
+  with_node.push_back({&effects::find("added-mass"), {}, {1.0}});
+  with_node.back().where.node = node;
+  current.model = fitter.model_for(with_node);
+  const Target& target = fitter.target();
   const PlacePatterns patterns = place_patterns(
       current,
       target,

@@ -13,8 +13,8 @@
 namespace tapfit::updating {
 
 /// @param node a grid of the deck
-[[nodiscard]] Signature signature_at(const Fit& current,
-                                     const Target& target,
+[[nodiscard]] Signature signature_at(Fit current,
+                                     const Fitter& fitter,
                                      int node,
                                      const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "tests/tui/fake_workbench.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "updating/effect_change.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -145,9 +146,10 @@ class FakeWorkbench final : public Workbench {
     }
     return {"added-mass", diagnosis_.candidates[0].where};
   }
-  void add(const updating::EffectRef& effect, const Progress&) override {
+  void add_together(const std::vector<updating::EffectRef>& effects,
+                    const Progress&) override {
     past_.push_back(added_);
-    added_.push_back({effect, true});
+    added_ = updating::with_added(added_, effects);
     future_.clear();
   }
   void toggle(std::size_t effect, const Progress&) override {

@@ -32,5 +32,36 @@ TEST(Program, ShowsTheNewListOnceItIsThere) {
   EXPECT_FALSE(holds(text, "as of before")) << text;
 }
 
+TEST(Program, AddsWhatIsTaggedInOneStep) {
+  const std::string tagged = played("5\nwait\nj\n<Space>\nk\n<Space>");
+  EXPECT_TRUE(holds(tagged, "2 tagged")) << tagged;
+  EXPECT_TRUE(holds(tagged, "*1")) << tagged;  // the rung's number
+  const std::string add = "5\nwait\nj\n<Space>\nk\n<Space>\na\nwait\n";
+  const std::string both = played(add);
+  // In the order of the list, not of the tags.
+  EXPECT_TRUE(holds(both, "added added-mass+")) << both;
+  EXPECT_TRUE(holds(both, "2 effects added")) << both;
+  const std::string undone = played(add + "u\nwait");
+  EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
+  EXPECT_FALSE(holds(played(add + "5\nwait"), "tagged")) << both;
+}
+
+TEST(Program, TagsGoByEscape) {
+  const std::string tag = "5\nwait\n<Space>\n";
+  EXPECT_TRUE(holds(played(tag), "1 tagged"));
+  // The next one is selected, as on the Recording screen.
+  EXPECT_TRUE(holds(played(tag), "▸     1.7 %")) << played(tag);
+  for (const char* key : {"<Esc>", "k\n<Space>"}) {
+    EXPECT_FALSE(holds(played(tag + key), "1 tagged")) << key;
+  }
+  // A view on top goes first.
+  EXPECT_TRUE(holds(played(tag + "m\nwait\n<Esc>"), "1 tagged"));
+}
+
+TEST(Program, SaysWhereTaggedOnesLookAlike) {
+  const std::string text = played("5\nwait\n<Space>\n<Space>");
+  EXPECT_TRUE(holds(text, "neither size will be sure")) << text;
+}
+
 }  // namespace
 }  // namespace tapfit::tui

@@ -21,10 +21,20 @@ TEST(EffectChange, TellsWhatLeadsThroughTheStates) {
   const Effects off{{mass_at(5), false}, {mass_at(7), true}};
   const std::vector<Effects> states{off, two, one};  // the next one last
   const std::vector<EffectChange> changes = changes_through({}, states);
-  EXPECT_EQ(
-      changes,
-      (std::vector<EffectChange>{{{}, 0}, {mass_at(7), {}}, {mass_at(5), {}}}));
+  EXPECT_EQ(changes,
+            (std::vector<EffectChange>{
+                {{}, 0}, {{mass_at(7)}, {}}, {{mass_at(5)}, {}}}));
   EXPECT_EQ(states_through({}, changes), states);
+}
+
+TEST(EffectChange, OfSeveralAddedTogetherIsOne) {
+  const Effects both = with_added({}, {mass_at(5), mass_at(7)});
+  EXPECT_FALSE(both[0].together);
+  EXPECT_TRUE(both[1].together);
+  const std::vector<EffectChange> changes = changes_through({}, {both});
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].added.size(), 2U);
+  EXPECT_EQ(states_through({}, changes), std::vector<Effects>{both});
 }
 
 TEST(EffectChange, EndsWhereItIsNoSingleChange) {
@@ -32,6 +42,8 @@ TEST(EffectChange, EndsWhereItIsNoSingleChange) {
   EXPECT_TRUE(changes_through({}, {}).empty());
   EXPECT_TRUE(changes_through(one, {one}).empty());
   EXPECT_EQ(changes_through({}, {{}, one}).size(), 1U);
+  const Effects two{{mass_at(5), true}, {mass_at(7), true}};
+  EXPECT_TRUE(changes_through({}, {two}).empty());  // two steps
 }
 
 TEST(EffectChange, RefusesToSwitchWhatIsNotThere) {

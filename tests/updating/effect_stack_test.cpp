@@ -8,7 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -132,6 +134,62 @@ TEST_F(EffectStackTest, ItsHistoryLivesOnInAnotherStack) {
       third.restore(
           {{{mass_at(9), true}, {mass_at(9), true}}, {}, {}}, how(), none_),
       InputError);
+}
+
+// One step, and the same rungs to the last digit as one after the other.
+TEST_F(EffectStackTest, AddsSeveralTogetherAsOneStep) {
+  const Fit base = stack_->fits().front();
+  stack_->add(mass_at(9), how(), none_);
+  stack_->add(mass_at(53), how(), none_);
+  const double apart = error();
+  EffectStack other(base, true);
+  other.add_together({mass_at(9), mass_at(53)}, how(), none_);
+  EXPECT_EQ(other.fits().size(), 4U);
+  EXPECT_DOUBLE_EQ(other.fits().back().result.error, apart);
+  // So it is in a file, too, that has the effects alone.
+  EffectStack third(base, true);
+  third.restore({other.effects(), {}, {}}, how(), none_);
+  EXPECT_DOUBLE_EQ(third.fits().back().result.error, apart);
+  for (EffectStack* one : {&other, &third}) {
+    ASSERT_TRUE(one->undo(how(), none_));
+    EXPECT_TRUE(one->effects().empty());
+    EXPECT_FALSE(one->undo(how(), none_));
+    ASSERT_TRUE(one->redo(how(), none_));
+    EXPECT_EQ(one->effects().size(), 2U);
+  }
+}
+
+// Each fit has several stages: none of them starts again from nothing.
+TEST_F(EffectStackTest, ProgressDoesNotFallAndStepsAreStillTold) {
+  std::vector<double> shares;
+  int steps = 0;
+  FitWatch watch;
+  watch.report = [&shares](std::string_view, double s) { shares.push_back(s); };
+  watch.step = [&steps](const FitMoment&) { ++steps; };
+  stack_->add_together({mass_at(9), mass_at(53)}, how(), {watch, {}});
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  ASSERT_FALSE(shares.empty());
+  EXPECT_LT(shares.front(), 0.1);
+  EXPECT_GE(shares.back(), 2.0 / 3.0);  // the last of three fits
+  EXPECT_GT(steps, 3);
+}
+
+TEST_F(EffectStackTest, AddsNoneOfThoseThatExcludeEachOther) {
+  const auto refused = [this](const std::vector<EffectRef>& effects) {
+    try {
+      stack_->add_together(effects, how(), none_);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EffectRef rotary = mass_at(9);
+  rotary.where.variant = "rotary";
+  EXPECT_NE(refused({mass_at(9), rotary}).find("two forms"), std::string::npos);
+  EXPECT_NE(refused({mass_at(9), mass_at(9)}).find("twice"), std::string::npos);
+  EXPECT_NE(refused({mass_at(9), mass_at(999999)}), "");
+  EXPECT_TRUE(stack_->effects().empty());
+  EXPECT_FALSE(stack_->undo(how(), none_));
 }
 
 TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {

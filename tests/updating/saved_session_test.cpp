@@ -52,7 +52,7 @@ SavedSession sample() {
   session.modes.pairs = {{7.232, 2}, {13.0, -1}};
   session.effects = {{support, true}, {sensors, false}, {loss, true}};
   session.restored = {{1, 2}};
-  session.undone = {{{}, 2}, {support, {}}};
+  session.undone = {{{}, 2}, {{support}, {}}};
   session.kept = {{{support, loss}, 7}, {{}, 1}};
   SavedRung rung;
   rung.rung.added = "soft-support";
@@ -96,6 +96,19 @@ TEST_F(SavedSessionTest, CountsRunsAndHitsFromOneInTheFile) {
             std::string::npos);
 }
 
+TEST_F(SavedSessionTest, KeepsWhatWasAddedTogether) {
+  Where where;
+  where.node = 5;
+  const EffectRef mass{"added-mass", where};
+  const EffectRef spring{"ground-spring", where};
+  SavedSession session;
+  session.effects = with_added({}, {mass, spring});
+  session.undone = {{{spring, mass}, {}}};
+  const SavedSession read = read_saved_session(holding(as_text(session)));
+  EXPECT_EQ(read.effects, session.effects);
+  EXPECT_EQ(read.undone, session.undone);
+}
+
 // As versions before kept fits wrote it, with whole places in "undone".
 TEST_F(SavedSessionTest, ReadsFilesOfEarlierVersions) {
   const SavedSession read = read_saved_session(holding(
@@ -106,8 +119,9 @@ TEST_F(SavedSessionTest, ReadsFilesOfEarlierVersions) {
                       "elements": [], "channels": [], "variant": ""}]})"));
   Where where;
   where.node = 5;
-  EXPECT_EQ(read.undone,
-            (std::vector<EffectChange>{{{}, 1}, {{"added-mass", where}, {}}}));
+  EXPECT_EQ(
+      read.undone,
+      (std::vector<EffectChange>{{{}, 1}, {{{"added-mass", where}}, {}}}));
   EXPECT_TRUE(read.kept.empty());
   EXPECT_TRUE(read.restored.empty());
 }

@@ -248,7 +248,7 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   at_truth.result.state.factor = {1.02};
   Eigen::VectorXd& zeta = at_truth.result.state.zeta;
   for (Index q = 0; q < zeta.size(); ++q) zeta(q) = q % 2 == 0 ? 0.006 : 0.010;
-  const Signature s = signature_at(at_truth, test.fitter().target(), 30);
+  const Signature s = signature_at(at_truth, test.fitter(), 30);
   EXPECT_GT(s.explained, 0.95);
   EXPECT_LT(s.mass_unexplained, 0.5 * s.spring_unexplained);
   // Local flexibility beyond the base's modes is a few percent of a mass.

@@ -23,6 +23,11 @@ std::string first_size(const Candidate& candidate, bool named, int room) {
                                           : number(p.value, 3) + unit;
 }
 
+bool is_in(const std::vector<updating::EffectRef>& tagged, const Candidate& c) {
+  return std::ranges::find(tagged, updating::EffectRef{c.effect, c.where}) !=
+         tagged.end();
+}
+
 /// Which rung of the verdict it is; empty for what was tried besides.
 std::string rung_of(const updating::Diagnosis& d, const Candidate& c) {
   for (std::size_t i = 0; i < d.ladder.size(); ++i) {
@@ -106,8 +111,24 @@ std::string left_out(const Candidate& c) {
 
 bool is_wide(int width) { return width >= 110; }
 
-Table candidate_table(const updating::Diagnosis& d, int width, bool ascii) {
+std::vector<updating::EffectRef> tagged_of(
+    const updating::Diagnosis& d,
+    const std::vector<updating::EffectRef>& tagged) {
+  std::vector<updating::EffectRef> found;
+  for (const Candidate& c : d.candidates) {
+    if (is_in(tagged, c)) found.push_back({c.effect, c.where});
+  }
+  return found;
+}
+
+Table candidate_table(const updating::Diagnosis& d,
+                      const std::vector<updating::EffectRef>& tagged,
+                      int width,
+                      bool ascii) {
   Table table = is_wide(width) ? wide_table(d, ascii) : narrow_table(d, ascii);
+  for (std::size_t i = 0; i < d.candidates.size(); ++i) {
+    if (is_in(tagged, d.candidates[i])) table.rows[i].cells[0].insert(0, "*");
+  }
   const int room = room_for_size(table, width, ascii);
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
     table.rows[i].cells.push_back(

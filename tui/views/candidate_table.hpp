@@ -6,13 +6,22 @@
 #include "updating/diagnosis.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tapfit::tui {
 
+/// @param tagged marked with a star
 /// @param width of the screen [cells]; a wide one has columns more
-[[nodiscard]] Table candidate_table(const updating::Diagnosis& d,
-                                    int width,
-                                    bool ascii);
+[[nodiscard]] Table candidate_table(
+    const updating::Diagnosis& d,
+    const std::vector<updating::EffectRef>& tagged,
+    int width,
+    bool ascii);
+
+/// Those that are in the list, in its order.
+[[nodiscard]] std::vector<updating::EffectRef> tagged_of(
+    const updating::Diagnosis& d,
+    const std::vector<updating::EffectRef>& tagged);
 
 /// The error on data left out of the fit; "–" where it was not tried.
 [[nodiscard]] std::string left_out(const updating::Candidate& c);

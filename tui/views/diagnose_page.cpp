@@ -1,14 +1,32 @@
 // What the keys of the Diagnose screen do.
+#include "tui/number.hpp"
 #include "tui/views/diagnose_view.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tapfit::tui {
 namespace {
 
 using updating::Candidate;
+using updating::EffectRef;
 
 /// @pre there is one, of the model as it is or before
 const updating::Diagnosis& shown(const Snapshot& known) {
   return known.diagnosis ? *known.diagnosis : *known.last_diagnosis;
+}
+
+/// A word of caution where one of these can't be told from the candidate.
+std::string look_alike_among(const std::vector<EffectRef>& tagged,
+                             const Candidate& c) {
+  for (const EffectRef& other : c.indistinguishable_from) {
+    if (std::ranges::find(tagged, other) == tagged.end()) continue;
+    return fmt::format("neither size will be sure: it can't be told from {} {}",
+                       other.effect,
+                       place(other.where));
+  }
+  return {};
 }
 
 }  // namespace
@@ -24,7 +42,7 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   std::vector<Need> needs{{Stage::Model}};
   const updating::Diagnosis& d = *known.diagnosis;
   if (d.candidates.empty()) return needs;
-  const Table table = candidate_table(d, 80, true);
+  const Table table = candidate_table(d, {}, 80, true);
   const Candidate& c = d.candidates[settled(table, state_.list)];
   const std::vector<int> grids = grids_of(*known.bundle, c.where);
   if (!grids.empty()) needs.push_back({Stage::Signature, grids[0]});
@@ -43,9 +61,39 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
                        canvas);
 }
 
+bool DiagnosePage::leave_view() {
+  if (std::exchange(state_.map, false)) return true;
+  return !std::exchange(state_.tagged, {}).empty();
+}
+
+void DiagnosePage::press_tag(const updating::Diagnosis& d,
+                             const Table& table,
+                             Command& command) {
+  if (d.candidates.empty() || none_shown(table, state_.list)) return;
+  const Candidate& c = d.candidates[settled(table, state_.list)];
+  const EffectRef ref{c.effect, c.where};
+  if (std::erase(state_.tagged, ref) == 0) {
+    command.message = look_alike_among(tagged_of(d, state_.tagged), c);
+    state_.tagged.push_back(ref);
+  }
+  static_cast<void>(list_key(state_.list, table, keys::down));
+}
+
+void DiagnosePage::add_chosen(const updating::Diagnosis& d,
+                              const Table& table,
+                              Command& command) {
+  command.effects = tagged_of(d, state_.tagged);
+  if (command.effects.empty()) {
+    if (d.candidates.empty() || none_shown(table, state_.list)) return;
+    const Candidate& c = d.candidates[settled(table, state_.list)];
+    command.effects = {{c.effect, c.where}};
+  }
+  command.kind = Command::Kind::Add;
+}
+
 bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   const updating::Diagnosis& d = shown(known);
-  const Table table = candidate_table(d, 80, true);
+  const Table table = candidate_table(d, {}, 80, true);
   if (key == U'a' || key == keys::enter) {
     if (!known.diagnosis) {
       command.message =
@@ -53,10 +101,11 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
           "is found now";
       return true;
     }
-    if (d.candidates.empty() || none_shown(table, state_.list)) return true;
-    const Candidate& c = d.candidates[settled(table, state_.list)];
-    command.kind = Command::Kind::Add;
-    command.effect = {c.effect, c.where};
+    add_chosen(d, table, command);
+    return true;
+  }
+  if (key == U' ') {
+    press_tag(d, table, command);
     return true;
   }
   if (key == keys::tab || key == U'm') {
@@ -80,7 +129,8 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
 
 std::vector<KeyHelp> DiagnosePage::keys() const {
   return {{"j k", "candidate"},
-          {"a", "add it"},
+          {"a", state_.tagged.empty() ? "add it" : "add tagged"},
+          {"Space", "tag"},
           {"m", "place/map"},
           {"f", "all laws"},
           {"u", "undo"},
@@ -103,7 +153,8 @@ std::string DiagnosePage::help() const {
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
          "all. m maps how well each grid alone explains what is missing. a "
-         "adds the candidate to the model and identifies all parameters anew.";
+         "adds the candidate, or all that Space tagged (*) as one step, and "
+         "identifies all parameters anew.";
 }
 
 }  // namespace tapfit::tui

@@ -223,11 +223,14 @@ int write_chosen(Screen& screen,
 }
 
 /// A long list of kinds is cut, the errors behind it are not.
-std::string verdict_line(const updating::Diagnosis& d, int width) {
-  const std::string errors = fmt::format("   error {} → {}, floor {}",
-                                         percent(d.error_base),
-                                         percent(d.error_best),
-                                         percent(d.floor));
+std::string verdict_line(const updating::Diagnosis& d,
+                         std::size_t tagged,
+                         int width) {
+  std::string errors = fmt::format("   error {} → {}, floor {}",
+                                   percent(d.error_base),
+                                   percent(d.error_best),
+                                   percent(d.floor));
+  if (tagged > 0) errors += fmt::format("   {} tagged", tagged);
   return clipped("verdict: " + d.verdict, width - text_width(errors)) + errors;
 }
 
@@ -263,7 +266,8 @@ Screen diagnose_view(const DiagnoseInput& input,
                      const Canvas& canvas) {
   Screen screen(canvas);
   const updating::Diagnosis& d = input.diagnosis;
-  screen.text(1, 0, verdict_line(d, canvas.width - 2), {.bold = true});
+  const std::size_t tagged = tagged_of(d, state.tagged).size();
+  screen.text(1, 0, verdict_line(d, tagged, canvas.width - 2), {.bold = true});
   const bool warned = input.outdated || !d.warnings.empty();
   const std::string note =
       input.outdated ? "as of before the last change; it is looked for anew …"
@@ -276,7 +280,7 @@ Screen diagnose_view(const DiagnoseInput& input,
     screen.text(1, top + 1, "No candidate: nothing in the catalogue fits.");
     return screen;
   }
-  Table table = candidate_table(d, canvas.width, canvas.ascii);
+  Table table = candidate_table(d, state.tagged, canvas.width, canvas.ascii);
   if (input.outdated) {
     for (Row& row : table.rows) row.style.colour = Colour::Grey;
   }

@@ -21,7 +21,9 @@ struct DiagnoseInput {
 };
 
 struct DiagnoseState {
-  ListState list;   ///< candidates
+  ListState list;  ///< candidates
+  /// To be added together; also such as are not in the list (any more).
+  std::vector<updating::EffectRef> tagged;
   PlotRange range;  ///< [Hz], of the signature
   Pose pose;
   bool map = false;       ///< all grids instead of the candidate's place
@@ -55,13 +57,22 @@ class DiagnosePage final : public Page {
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
-  bool leave_view() override { return std::exchange(state_.map, false); }
+  /// What was tagged has been added.
+  void untag() { state_.tagged.clear(); }
+  bool leave_view() override;
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 
  private:
+  void press_tag(const updating::Diagnosis& d,
+                 const Table& table,
+                 Command& command);
+  void add_chosen(const updating::Diagnosis& d,
+                  const Table& table,
+                  Command& command);
+
   DiagnoseState state_;
 };
 

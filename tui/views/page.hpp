@@ -38,7 +38,7 @@ struct Command {
   std::size_t mode = 0;        ///< of ShowMode: measured ...
   std::size_t model_mode = 0;  ///< ... and the model's beside it
   Output output = Output::Report;
-  updating::EffectRef effect;
+  std::vector<updating::EffectRef> effects;  ///< of Add: in one step
   std::size_t added = 0;  ///< of Toggle: which of those added
   std::string message;    ///< for the message line, if not empty
 };

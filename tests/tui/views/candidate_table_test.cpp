@@ -20,7 +20,7 @@ TEST(CandidateTable, NumbersTheRungsOfTheVerdict) {
   d.ladder = {{"added-mass|sensor-mass", d.candidates[0].where, 0.1, {}},
               {"soft-support", clamp.where, 0.038, {}}};
   for (const int width : {80, 120}) {
-    const Table table = candidate_table(d, width, false);
+    const Table table = candidate_table(d, {}, width, false);
     EXPECT_EQ(table.rows[0].cells[0], "1");
     EXPECT_EQ(table.rows[1].cells[0], "");
     EXPECT_EQ(table.rows[2].cells[0], "2");
@@ -34,17 +34,18 @@ TEST(CandidateTable, CutsNoPlaceInsideItsBrackets) {
   where = {};
   where.variant = "rotation";
   for (int node = 1; node < 20; ++node) where.nodes.push_back(node);
-  EXPECT_EQ(candidate_table(d, 120, false).rows[0].cells[4],
+  EXPECT_EQ(candidate_table(d, {}, 120, false).rows[0].cells[4],
             "rotation, 19 nodes");
 }
 
 // The scatter is left out where it does not fit, and only there.
 TEST(CandidateTable, GivesTheSizeTheRoomThatIsLeft) {
   updating::Diagnosis d = testing::fake_diagnosis();
-  EXPECT_EQ(candidate_table(d, 80, false).rows[0].cells.back(),
+  EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
             "0.07850 ± 0.00060 kg");
   d.candidates[0].effect = "a-kind-with-a-rather-long-name";
-  EXPECT_EQ(candidate_table(d, 80, false).rows[0].cells.back(), "0.0785 kg");
+  EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
+            "0.0785 kg");
 }
 
 }  // namespace
