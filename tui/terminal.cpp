@@ -157,6 +157,8 @@ std::optional<Key> special_key(wint_t code) {
       return Key(keys::back_tab);
     case KEY_RESIZE:
       return Key(keys::resize);
+    case KEY_SUSPEND:  // what the Linux console calls Ctrl-Z
+      return Key(U'z', true);
     case KEY_MOUSE:
       return mouse_key();
     default:
@@ -181,6 +183,12 @@ Key character_key(wint_t code) {
       "print, such as: tapfit run BUNDLE");
 }
 
+/// Whether the terminal's kind has a capability that is a string.
+bool is_able(const char* capability) {
+  const char* text = tigetstr(capability);
+  return text != nullptr && text != reinterpret_cast<const char*>(-1);
+}
+
 /// A kind that is not known here, as of a new program at the other end of ssh,
 /// mostly does what xterm does.
 void start_screen() {
@@ -191,8 +199,7 @@ void start_screen() {
   if (screen == nullptr) refuse_terminal("this kind of terminal is not known");
   set_term(screen);
   // What draws anywhere on the screen has to get there.
-  const char* move = tigetstr("cup");
-  if (move == nullptr || move == reinterpret_cast<const char*>(-1)) {
+  if (!is_able("cup")) {
     delscreen(screen);
     tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
     refuse_terminal("this kind of terminal cannot place its cursor");
@@ -271,6 +278,8 @@ Terminal::~Terminal() {
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
   for (const int ending : endings) set_handler(ending, SIG_DFL);
   endwin();
+  // Without a screen of its own the last one stays, and the prompt goes on it.
+  if (!is_able("smcup")) std::fputs("\n", stdout);
 }
 
 int Terminal::width() const { return COLS; }

@@ -128,6 +128,21 @@ TEST(Terminal, CtrlZGivesTheTerminalBackAndTakesItAgain) {
   EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()));
 }
 
+// There Ctrl-Z is a key of its own.
+TEST(Terminal, CtrlZStopsItOnTheLinuxConsoleToo) {
+  TerminalSetting setting;
+  setting.kind = "linux";
+  PseudoTerminal terminal({copy_of_bundle()}, setting);
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("\032");
+  ASSERT_TRUE(terminal.stops(seconds(5)));
+  terminal.resize(110, 32);
+  terminal.resume();
+  EXPECT_TRUE(terminal.shows("3 accepted", seconds(5)));
+  terminal.type("q");
+  EXPECT_TRUE(terminal.ends(seconds(10)));
+}
+
 TEST(Terminal, SignalsThatEndRestoreIt) {
   for (const int number : {SIGTERM, SIGINT, SIGHUP, SIGQUIT}) {
     PseudoTerminal terminal({copy_of_bundle()});
