@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace tapfit::structure {
 
 std::size_t CardReader::size() const {
@@ -23,10 +25,12 @@ const std::string& CardReader::text(std::size_t field) const {
 int CardReader::integer(std::size_t field, const char* meaning) const {
   const std::optional<int> value = parse_integer(text(field));
   if (!value) {
-    fail(fmt::format("field {} ({}) is \"{}\", an integer is needed",
+    fail(fmt::format("field {} ({}) is \"{}\", an integer of at most {} "
+                     "is needed",
                      field + 1,
                      meaning,
-                     text(field)),
+                     text(field),
+                     std::numeric_limits<int>::max()),
          "Correct the field.");
   }
   return *value;

@@ -69,8 +69,14 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
   m.G2z = card.real_or(7, 0.0, "G2Z");
   m.rho = card.real_or(8, 0.0, "RHO");
   if (m.E <= 0.0 || m.E2 <= 0.0 || m.G <= 0.0 || m.nu * m.nu * m.E2 >= m.E) {
-    card.fail("E1, E2, G12 and NU12 are no elastic material",
-              "They must be above zero, and NU12^2 below E1/E2.");
+    card.fail(
+        fmt::format(
+            "E1 = {}, E2 = {}, NU12 = {}, G12 = {} is no elastic material",
+            m.E,
+            m.E2,
+            m.nu,
+            m.G),
+        "E1, E2 and G12 must be above zero, and NU12^2 below E1/E2.");
   }
   refuse_negative_density(card, m.rho);
   builder.deck.materials[m.id] = m;

@@ -210,6 +210,8 @@ TEST(ReadDeck, SaysWhatIsWrongAndWhere) {
   expect(kPlate + "PSHELL,2,8,.01\n", "material 8 does not exist");
   expect(kPlate + "PSHELL,2,1,-.01\n", "thickness");
   expect(kPlate + "MAT1,2,1.+9,,1.3\n", "no elastic material");
+  expect(kPlate + "MAT8,2,1.1+10,0.,.4,.7+9\n", "E2 = 0,");
+  expect(kPlate + "GRID,99999999999,,0.,0.,0.\n", "at most 2147483647");
   expect(kPlate + "SPC1,1,127,1\n", "digits 1 to 6");
   expect(kPlate + "SPC1,1,123,99\n", "grid 99 does not exist");
   expect(kPlate + "CELAS2,9,1.,1,7\n", "component 7");
