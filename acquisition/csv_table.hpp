@@ -22,9 +22,8 @@ struct CsvOptions {
 /// lines at the end do not matter. Without skip_lines the numbers begin with
 /// the first of two lines in a row whose first two fields are numbers.
 ///
-/// @param columns each a name found in a header line (UTF-8, also where the
-/// file
-///   is in Latin-1), or a number from 1 on
+/// @param columns each a name found in a header line, in UTF-8 also where the
+///   file is in Latin-1, or a number from 1 on
 /// @return n_rows x columns.size()
 /// @throws InputError with file:line:column for what is no finite number, for
 ///   a column that is not there, for a file without numbers

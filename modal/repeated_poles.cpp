@@ -263,11 +263,11 @@ ModesOfPole modes_of_pole(const Curves& curves,
   if (!stands_alone(curves, fit, r)) return alone;
   const PoleExpansion expansion = expand_pole(curves, matrix, fit, r);
   const Index n = modes_in(curves, fit, r, expansion);
+  if (n < 2) return alone;
   if (is_crowded(fit, r) && shapes_of_its_own(curves, matrix, fit, r) < n) {
     return alone;
   }
   alone.shapes = n;
-  if (n < 2) return alone;
   const Sides points = sides_of(curves, matrix);
   const Eigen::VectorXcd apart = (expansion.apart.array() + pole).matrix();
   std::optional<Sides> sides;
