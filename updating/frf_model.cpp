@@ -354,13 +354,14 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
       MatrixXcd coupled;
       if (lines.B.cols() > 0) {
         // diag(of' H* of) = diag(of' H of) - what the effects take away
-        coupled = lines.coupling(s(line), g);
+        coupled = lines.coupling(
+            s(line), lines.B.transpose() * (g.asDiagonal() * lines.B));
         const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
         own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
       }
       walk.own.row(line) = own.transpose();
-      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses).X;
-      const MatrixXcd Xi = lines.columns(g, coupled, lines.references).X;
+      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
+      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
       walk.Xo.push_back(same ? Xo : phi * Xo);
       walk.Xi.push_back(same ? Xi : phi * Xi);
     }
@@ -384,11 +385,7 @@ ModelResponse FrfModel::respond(const ModelState& state,
   const std::vector<RunLines> all = walks(shared);
   const MatrixXcd flexible = flexibility(shared, s);
   for (const RunLines& lines : all) {
-    if (lines.B.cols() == 0) {
-      sum_modes(lines, s, flexible, out);
-    } else {
-      lines.respond(s, flexible, out);
-    }
+    sum_modes(lines, s, flexible, out);
   }
   record(pairs_, shared, s, out);
   return out;

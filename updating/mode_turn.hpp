@@ -39,12 +39,8 @@ class ModeTurn {
     return A_.transpose() * R;
   }
 
-  /// What the modes' own dynamic stiffness s^2 + d s + lambda changes by.
-  [[nodiscard]] Eigen::VectorXcd stiffened(std::complex<double> s) const {
-    return lambda_ + s * d_;
-  }
-
-  /// The same in parts, d lambda and d d.
+  /// What the modes' own dynamic stiffness s^2 + d s + lambda changes by, in
+  /// parts: d lambda and d d.
   [[nodiscard]] const Eigen::VectorXd& stiffness() const { return lambda_; }
   [[nodiscard]] const Eigen::VectorXd& damping() const { return d_; }
 

@@ -53,42 +53,13 @@ struct RunLines {
   Eigen::MatrixXd references;  ///< modes x reference points
 
   /// D (I + B' H B D)^-1 of eq. 15.
-  [[nodiscard]] Eigen::MatrixXcd coupling(std::complex<double> s,
-                                          const Eigen::VectorXcd& g) const;
-  /// X = H* e for the points (eq. 15), X = H (points - B u).
-  struct Columns {
-    Eigen::MatrixXcd X;  ///< modes x points
-    Eigen::MatrixXcd u;  ///< actors x points; empty without actors
-  };
-  [[nodiscard]] Columns columns(const Eigen::VectorXcd& g,
-                                const Eigen::MatrixXcd& coupled,
-                                const Eigen::MatrixXd& points) const;
-  /// Fills the response of these pairs, with derivatives where out.dH is made.
-  /// @param flexible modes x lines, see flexibility()
-  void respond(const Eigen::VectorXcd& s,
-               const Eigen::MatrixXcd& flexible,
-               ModelResponse& out) const;
-
- private:
-  // Of one line.
-  struct Line {
-    std::complex<double> s;
-    Eigen::Index at = 0;
-    Columns o;  // of the response points
-    Columns i;  // of the reference points
-  };
-  // What a parameter that turns the modes changes of the modal rows.
-  struct Turned {
-    Eigen::MatrixXd responses;
-    Eigen::MatrixXd references;
-    Eigen::MatrixXd B;
-  };
-  void derive_turning(const Line& line,
-                      const std::vector<Turned>& turned,
-                      ModelResponse& out) const;
-  void derive_law(const Line& line, ModelResponse& out) const;
-  void derive_damping(const Line& line, ModelResponse& out) const;
-  void derive_effects(const Line& line, ModelResponse& out) const;
+  /// @param receptance B' H B of the base on this line, actors x actors
+  [[nodiscard]] Eigen::MatrixXcd coupling(
+      std::complex<double> s, const Eigen::MatrixXcd& receptance) const;
+  /// X = H* e for the points (eq. 15), modes x points.
+  [[nodiscard]] Eigen::MatrixXcd columns(const Eigen::VectorXcd& g,
+                                         const Eigen::MatrixXcd& coupled,
+                                         const Eigen::MatrixXd& points) const;
 };
 
 }  // namespace tapfit::updating

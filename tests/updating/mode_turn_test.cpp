@@ -37,8 +37,9 @@ MatrixXcd by_turning(const ModeTurn& turn,
                      complex<double> s) {
   const MatrixXcd X = z.cwiseInverse().asDiagonal() * R;
   const MatrixXcd Y = turn.turned(R).cast<complex<double>>();
+  const VectorXcd stiffened = turn.stiffness() + s * turn.damping();
   MatrixXcd change = Y.transpose() * X + X.transpose() * Y -
-                     X.transpose() * turn.stiffened(s).asDiagonal() * X;
+                     X.transpose() * stiffened.asDiagonal() * X;
   turn.take_close(s, X, X, change);
   return change;
 }
