@@ -26,6 +26,11 @@ void separate_weights(const Curves& curves, ModalFit& fit) {
   fit.line_weight = (logs.rowwise().mean().array() - mean).exp();
 }
 
+/// Measured FRFs by line weight, 2 n_lines x n_frfs.
+Eigen::MatrixXd weighted_frfs(const Curves& curves, const ModalFit& weights) {
+  return stack(weights.line_weight.asDiagonal() * curves.H);
+}
+
 /// The linear problem for given poles: weighted, columns of unit length.
 struct Linear {
   Eigen::MatrixXd Q;             ///< 2 n_lines x n_columns, orthonormal
@@ -36,7 +41,33 @@ struct Linear {
   double cost = 0.0;
 };
 
+/// Q R = phi, by Cholesky's factor of phi' phi, twice for orthogonality to
+/// rounding (Y. Yamamoto, Y. Nakatsukasa, Y. Yanagisawa, T. Fukaya, ETNA 44,
+/// 2015, p. 306): products of matrices, where Householder's reflections go over
+/// the columns one by one. Columns too alike for it are left to those.
+void orthogonalise(Eigen::MatrixXd phi, Linear& linear) {
+  constexpr double alike = 1e-12;  // condition 1e6, squared
+  const Index n = phi.cols();
+  linear.R.setIdentity(n, n);
+  for (int pass = 0; pass < 2; ++pass) {
+    Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(n, n);
+    gram.selfadjointView<Eigen::Lower>().rankUpdate(phi.transpose());
+    const Eigen::LLT<Eigen::MatrixXd> factor(gram);
+    if (factor.info() != Eigen::Success || factor.rcond() < alike) {
+      const Eigen::HouseholderQR<Eigen::MatrixXd> qr(phi);
+      linear.Q = qr.householderQ() * Eigen::MatrixXd::Identity(phi.rows(), n);
+      linear.R =
+          qr.matrixQR().topRows(n).triangularView<Eigen::Upper>() * linear.R;
+      return;
+    }
+    factor.matrixU().solveInPlace<Eigen::OnTheRight>(phi);
+    linear.R = factor.matrixU() * linear.R;
+  }
+  linear.Q = std::move(phi);
+}
+
 Linear solve_linear(const Curves& curves,
+                    const Eigen::MatrixXd& y,
                     const Eigen::VectorXcd& poles,
                     const ModalFit& weights,
                     Eigen::MatrixXcd& columns) {
@@ -49,15 +80,11 @@ Linear solve_linear(const Curves& curves,
   Eigen::MatrixXd phi = stack(weights.line_weight.asDiagonal() * columns);
   linear.scale = phi.colwise().norm().transpose().cwiseMax(1e-300);
   phi = phi * linear.scale.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(phi);
-  const Index n = phi.cols();
-  linear.Q = qr.householderQ() * Eigen::MatrixXd::Identity(phi.rows(), n);
-  linear.R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+  orthogonalise(std::move(phi), linear);
   // A diagonal of zero would be two equal columns.
-  for (Index c = 0; c < n; ++c) {
+  for (Index c = 0; c < linear.R.cols(); ++c) {
     if (std::abs(linear.R(c, c)) < 1e-12) linear.R(c, c) = 1e-12;
   }
-  const Eigen::MatrixXd y = stack(weights.line_weight.asDiagonal() * curves.H);
   const Eigen::MatrixXd Qy = linear.Q.transpose() * y;
   linear.coefficients = linear.scale.cwiseInverse().asDiagonal() *
                         linear.R.triangularView<Eigen::Upper>().solve(Qy);
@@ -225,10 +252,11 @@ void judge_modes(const Curves& curves, const Linear& linear, ModalFit& fit) {
 }
 
 ModalFit finish(const Curves& curves,
+                const Eigen::MatrixXd& y,
                 const Eigen::VectorXcd& poles,
                 ModalFit fit) {
   Eigen::MatrixXcd columns;
-  const Linear linear = solve_linear(curves, poles, fit, columns);
+  const Linear linear = solve_linear(curves, y, poles, fit, columns);
   const Index modes = poles.size();
   const Index terms = columns.cols() / 2 - modes;
   fit.poles = poles;
@@ -254,7 +282,7 @@ ModalFit finish(const Curves& curves,
 ModalFit fit_residues(const Curves& curves, const Eigen::VectorXcd& poles) {
   ModalFit fit;
   separate_weights(curves, fit);
-  return finish(curves, poles, fit);
+  return finish(curves, weighted_frfs(curves, fit), poles, fit);
 }
 
 ModalFit refine_poles(const Curves& curves,
@@ -262,9 +290,10 @@ ModalFit refine_poles(const Curves& curves,
                       int iterations) {
   ModalFit fit;
   separate_weights(curves, fit);
+  const Eigen::MatrixXd y = weighted_frfs(curves, fit);
   Eigen::VectorXcd poles = start;
   Eigen::MatrixXcd columns;
-  Linear linear = solve_linear(curves, poles, fit, columns);
+  Linear linear = solve_linear(curves, y, poles, fit, columns);
   double mu = 1e-3;
   for (int i = 0; i < iterations && poles.size() > 0; ++i) {
     const Eigen::MatrixXd E = projected_derivatives(curves, poles, fit, linear);
@@ -277,7 +306,7 @@ ModalFit refine_poles(const Curves& curves,
                               next.real().maxCoeff() < curves.sigma &&
                               next.imag().minCoeff() > 0.0;
       std::optional<Linear> trial;
-      if (admissible) trial = solve_linear(curves, next, fit, columns);
+      if (admissible) trial = solve_linear(curves, y, next, fit, columns);
       if (!trial || trial->cost >= linear.cost) {
         mu *= 10.0;
         continue;
@@ -291,14 +320,15 @@ ModalFit refine_poles(const Curves& curves,
     }
     if (!moved_on || relative < 1e-9) break;
   }
-  return finish(curves, poles, fit);
+  return finish(curves, y, poles, fit);
 }
 
 Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
   const Index modes = fit.poles.size();
   if (modes == 0) return {};
   Eigen::MatrixXcd columns;
-  const Linear linear = solve_linear(curves, fit.poles, fit, columns);
+  const Linear linear =
+      solve_linear(curves, weighted_frfs(curves, fit), fit.poles, fit, columns);
   const Eigen::MatrixXd E =
       projected_derivatives(curves, fit.poles, fit, linear);
   const Step step = gauss_newton(E, linear, fit.frf_weight);

@@ -1,6 +1,7 @@
 // The program: reads the command line, runs one command or the terminal, and
 // turns every fault into a message and an exit status.
 #include "acquisition/input_error.hpp"
+#include "acquisition/reuse_memory.hpp"
 #include "tui/app.hpp"
 #include "tui/commands/command_line.hpp"
 #include "tui/commands/progress_line.hpp"
@@ -86,6 +87,7 @@ int tapfit_main(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  tapfit::reuse_memory();
   try {
     return tapfit_main(argc, argv);
   } catch (const tapfit::InputError& error) {

@@ -1,0 +1,11 @@
+// Part of every test program: they keep memory as the program does.
+#include "acquisition/reuse_memory.hpp"
+
+namespace {
+
+[[maybe_unused]] const bool reused = [] {
+  tapfit::reuse_memory();
+  return true;
+}();
+
+}  // namespace
