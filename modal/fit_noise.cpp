@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <numbers>
+#include <vector>
 
 namespace tapfit::modal {
 namespace {
@@ -10,6 +13,87 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 constexpr Complex j{0.0, 1.0};
+
+// Lines of one FRF whose |H|^2 is alike.
+struct Level {
+  double power = 0.0;  // mean |H|^2
+  double left = 0.0;   // mean |e|^2 without what the fit follows
+  double lines = 0.0;
+};
+
+std::vector<Level> levels_of(const ModalFit& fit,
+                             const Eigen::VectorXd& left,
+                             const Eigen::VectorXd& power) {
+  constexpr double octaves = 2.0;  // levels of |H|^2 in one
+  constexpr double told = 0.3;     // a line followed further tells nothing
+  std::map<int, Level> levels;
+  for (Index k = 0; k < left.size(); ++k) {
+    const double free = 1.0 - fit.leverage(k);
+    if (free < told || !(power(k) > 0.0)) continue;
+    Level& level =
+        levels[static_cast<int>(std::floor(octaves * std::log2(power(k))))];
+    level.power += power(k);
+    level.left += left(k) / free;
+    level.lines += 1.0;
+  }
+  std::vector<Level> result;
+  for (auto& [at, level] : levels) {
+    level.power /= level.lines;
+    level.left /= level.lines;
+    result.push_back(level);
+  }
+  return result;
+}
+
+// Noise in proportion to the FRF, such as blows that scatter leave: b of the
+// variance a_f + b |H|^2, a for each FRF and b for all, of greatest likelihood
+// for |e|^2, which is exponentially distributed. Zero where it could be chance.
+//
+// Lines near a resonance too sharp for its neighbours to tell of its noise
+// have it from all others.
+double proportional_noise(const ModalFit& fit,
+                          const Eigen::MatrixXd& left,
+                          const Eigen::MatrixXd& power,
+                          double lines_correlated) {
+  constexpr int steps = 50;       // of a fixed point that settles in a few
+  constexpr double surely = 3.0;  // standard deviations
+  std::vector<std::vector<Level>> frfs;
+  for (Index f = 0; f < left.cols(); ++f) {
+    frfs.push_back(levels_of(fit, left.col(f), power.col(f)));
+  }
+  std::vector<double> a(frfs.size(), 0.0);
+  double b = 0.0;
+  double precision = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    double gain = 0.0;
+    precision = 0.0;
+    for (std::size_t f = 0; f < frfs.size(); ++f) {
+      // Weighted line of |e|^2 over |H|^2 with the weights of the last step.
+      double w = 0.0;
+      double x = 0.0;
+      double y = 0.0;
+      double xx = 0.0;
+      double xy = 0.0;
+      for (const Level& level : frfs[f]) {
+        const double variance = step == 0 ? level.left : a[f] + b * level.power;
+        const double weight =
+            level.lines / std::max(variance * variance, 1e-300);
+        w += weight;
+        x += weight * level.power;
+        y += weight * level.left;
+        xx += weight * level.power * level.power;
+        xy += weight * level.power * level.left;
+      }
+      if (!(w > 0.0)) continue;
+      a[f] = std::max(0.0, (y - b * x) / w);
+      gain += xy - x * y / w;
+      precision += xx - x * x / w;
+    }
+    if (!(precision > 0.0)) return 0.0;
+    b = std::max(0.0, gain / precision);
+  }
+  return b * std::sqrt(precision / lines_correlated) > surely ? b : 0.0;
+}
 
 }  // namespace
 
@@ -37,6 +121,11 @@ Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
     power.row(k) = left.middleRows(begin, n).colwise().mean().cwiseMax(
         curves.variance.middleRows(begin, n).colwise().mean());
   }
+  const Eigen::MatrixXd fitted = fit.H.cwiseAbs2();
+  const double shared =
+      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
+  const double b = proportional_noise(fit, left, fitted, shared);
+  power = power.cwiseMax(b * fitted);
   power = fit.line_weight.cwiseAbs2().asDiagonal() * power *
           fit.frf_weight.cwiseAbs2().asDiagonal();
   Noise noise;

@@ -13,7 +13,9 @@ struct Noise {
   Eigen::MatrixXd share;  ///< each FRF's variance over that, n_lines x n_frfs
 };
 
-/// From the FRFs' variance or what the fit leaves, whichever is larger.
+/// From the FRFs' variance or what the fit leaves, whichever is larger, both
+/// over a few lines; and not below what all lines say is in proportion to the
+/// FRFs, for resonances with no lines beside the peak.
 [[nodiscard]] Noise weighted_noise(const Curves& curves, const ModalFit& fit);
 
 /// Standard deviation of each FRF's noise over `per_line` where each mode is

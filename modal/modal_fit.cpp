@@ -273,6 +273,7 @@ ModalFit finish(const Curves& curves,
     }
   }
   fit.H = columns * linear.coefficients.cast<Complex>();
+  fit.leverage = 0.5 * unstack(linear.Q).rowwise().squaredNorm();
   judge_modes(curves, linear, fit);
   return fit;
 }

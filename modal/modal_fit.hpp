@@ -26,6 +26,8 @@ struct ModalFit {
   Eigen::MatrixXcd H;           ///< fitted accelerance, n_lines x n_frfs
   Eigen::VectorXd line_weight;  ///< v, n_lines
   Eigen::VectorXd frf_weight;   ///< u, n_frfs
+  Eigen::VectorXd leverage;     ///< share of a line's noise that the residues
+                                ///< and terms follow, n_lines
   /// F of each mode: the drop in weighted residual that its residues earn, per
   /// parameter, over the residual's variance around its frequency.
   Eigen::VectorXd significance;

@@ -25,6 +25,10 @@ constexpr double kLeastSignificance =
     4.0;                         // F that a mode's residues must earn
 constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
+// A weaker mode counts where the fit leaves a twentieth of the amplitude that
+// it would leave without it: no ripple of leakage or of noise does that.
+constexpr double kSurelyThere = 400.0;            // F
+constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -88,8 +92,11 @@ Index weakest(const Curves& curves,
   double least = 1.0;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (far_outside(curves, fit.poles(r))) continue;
-    double worth = std::min(fit.significance(r) / kLeastSignificance,
-                            fit.contribution(r) / kLeastContribution);
+    const double faint = std::min(fit.significance(r) / kSurelyThere,
+                                  fit.contribution(r) / kFaintestContribution);
+    double worth =
+        std::min(fit.significance(r) / kLeastSignificance,
+                 std::max(fit.contribution(r) / kLeastContribution, faint));
     if (is_impossible(fit.poles(r), options)) worth = 0.0;
     if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
     if (worth >= least) continue;
