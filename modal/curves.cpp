@@ -205,6 +205,17 @@ Eigen::VectorXd weights(const Eigen::VectorXcd& H,
       .matrix();
 }
 
+/// The same numbers of the same points once more would count as data.
+bool is_copy(const signal::Frf& frf,
+             const signal::FrfSet& set,
+             const std::vector<std::size_t>& kept) {
+  return std::ranges::any_of(kept, [&](std::size_t k) {
+    const signal::Frf& other = set.frfs[k];
+    return other.response == frf.response && other.reference == frf.reference &&
+           other.H == frf.H;
+  });
+}
+
 Dof positive(Dof dof) {
   dof.sign = 1;
   return dof;
@@ -228,6 +239,11 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   for (std::size_t f = 0; f < frfs.frfs.size(); ++f) {
     const signal::Frf& frf = frfs.frfs[f];
     if (!usable(frf, frfs.lines(), any, warnings)) continue;
+    if (is_copy(frf, frfs, curves.source)) {
+      warnings.push_back("FRF " + signal::name(frf) +
+                         " is there twice, to the digit, and counts once");
+      continue;
+    }
     curves.source.push_back(f);
     curves.response.push_back(positive(frf.response));
     curves.reference.push_back(positive(frf.reference));

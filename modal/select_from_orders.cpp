@@ -2,6 +2,7 @@
 
 #include "modal/edit_poles.hpp"
 #include "modal/neighbour_modes.hpp"
+#include "modal/overlapped_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,7 @@ Selection select_from_orders(const Curves& curves,
     Selection trial = select_modes(curves, lasting, options, quiet);
     if (explains_more(curves, trial.fit, best.fit)) best = std::move(trial);
   }
+  best.fit = add_overlapped(curves, std::move(best.fit), options);
   edit_poles(curves, tracks, options, best.fit);
   return best;
 }

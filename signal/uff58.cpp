@@ -143,6 +143,35 @@ void drop_bad_lines(UffFrfs& result) {
   }
 }
 
+// An FRF with a bad value on a line that most others have: the line would be
+// taken out of all of them, and leave a gap. Lines at the ends leave none.
+void leave_out_broken(UffFrfs& result) {
+  FrfSet& set = result.set;
+  std::vector<std::size_t> bad(static_cast<std::size_t>(set.lines()), 0);
+  for (const Frf& frf : set.frfs) {
+    for (std::size_t i = 0; i < bad.size(); ++i) {
+      if (!std::isfinite(std::abs(frf.H(static_cast<Eigen::Index>(i)))))
+        ++bad[i];
+    }
+  }
+  const auto whole = [](std::size_t count) { return count == 0; };
+  const auto first = std::find_if(bad.begin(), bad.end(), whole);
+  const auto last = std::find_if(bad.rbegin(), bad.rend(), whole).base();
+  const std::size_t most = set.frfs.size() / 2;
+  std::erase_if(set.frfs, [&](const Frf& frf) {
+    for (auto it = first; it < last; ++it) {
+      const Eigen::Index i = it - bad.begin();
+      if (std::isfinite(std::abs(frf.H(i))) || *it > most) continue;
+      result.skipped.push_back(
+          fmt::format("FRF {} is left out: its value at {:.6g} Hz is no number",
+                      name(frf),
+                      set.s(i).imag() / (2.0 * std::numbers::pi)));
+      return true;
+    }
+    return false;
+  });
+}
+
 // Dataset 1858: what the exponential window's decay rate was [1/s].
 double window_damping(const UffDataset& dataset) {
   constexpr std::size_t record = 3;
@@ -191,6 +220,7 @@ class Reader {
 
   UffFrfs finish() {
     for (const UffFunction& function : coherences_) take_coherence(function);
+    leave_out_broken(result_);
     drop_bad_lines(result_);
     return std::move(result_);
   }

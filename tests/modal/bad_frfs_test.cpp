@@ -85,8 +85,12 @@ TEST(BadFrfs, NothingButZerosIsRefused) {
 TEST(BadFrfs, ThoseGivenTwiceAreNoTwoModes) {
   signal::FrfSet set = four_modes();
   const std::vector<signal::Frf> once = set.frfs;
+  const double sd = identified(set).modes[0].frequency_sd_hz;
   set.frfs.insert(set.frfs.end(), once.begin(), once.end());
-  EXPECT_EQ(identified(set).modes.size(), 4U);
+  const modal::ModeSet twice = identified(set);
+  EXPECT_EQ(twice.modes.size(), 4U);
+  EXPECT_EQ(twice.modes[0].frequency_sd_hz, sd);
+  EXPECT_TRUE(says(twice, "is there twice"));
   for (signal::Frf& frf : set.frfs) frf.H = once[0].H;
   EXPECT_EQ(identified(set).modes.size(), 4U);
   set.frfs.assign(5, once[0]);

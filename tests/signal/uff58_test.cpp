@@ -302,6 +302,19 @@ TEST(Uff58, LeavesOutAnFrfThatHoldsNoNumbers) {
       << result.skipped[0];
 }
 
+TEST(Uff58, LeavesOutAnFrfWithAHole) {
+  FrfSet set = some_set(0.0);
+  set.frfs.resize(2);
+  set.frfs[0].H(0) = std::nan("");  // at the end of the band: of all FRFs
+  set.frfs[1].H(3) = std::nan("");
+  const UffFrfs result = read_frfs_uff_text(written(set), "x");
+  ASSERT_EQ(result.set.frfs.size(), 1u);
+  EXPECT_EQ(result.set.lines(), 6);
+  ASSERT_EQ(result.skipped.size(), 2u);
+  EXPECT_NE(result.skipped[0].find("is no number"), std::string::npos)
+      << result.skipped[0];
+}
+
 TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
   const auto refuse = [](const std::string& text, const char* part) {
     try {
