@@ -26,7 +26,8 @@ constexpr double kNeeded = 4.0;    // F of a pole's residues, as in select_modes
 // Half bandwidths: the expansion of nearer poles around one is off by the
 // square of it, their residues by the noise over it.
 constexpr double kOnePole = 0.1;
-constexpr double kTrusted = 0.3;  // half bandwidths, for the covariance
+constexpr double kTrusted = 0.3;       // half bandwidths, for the covariance
+constexpr double kOneReference = 0.5;  // half bandwidths, two by one reference
 
 /// Error of each pole's residues as a share of them, weighted.
 Eigen::VectorXd residue_error(const Curves& curves, const ModalFit& fit) {
@@ -79,9 +80,21 @@ double extent(const Eigen::VectorXcd& poles) {
 
 using Pair = std::pair<Index, Index>;
 
+/// Whether two poles may be one that differs a little from FRF to FRF: for
+/// residues R and shifts d both leave R / (s - p) + R d / (s - p)^2, up to the
+/// square of the distance. Only a second reference tells them apart.
+bool look_like_a_shift(const FrfMatrix& matrix,
+                       const ModalFit& fit,
+                       const Pair& pair) {
+  return matrix.references < 2 &&
+         distance(fit, pair.first, pair.second) < kOneReference;
+}
+
 /// Pairs of poles in the band that may be one, nearest first: not told apart,
 /// or too near for the covariance to be trusted.
-std::vector<Pair> doubtful_pairs(const Curves& curves, const ModalFit& fit) {
+std::vector<Pair> doubtful_pairs(const Curves& curves,
+                                 const FrfMatrix& matrix,
+                                 const ModalFit& fit) {
   std::vector<std::pair<double, Pair>> pairs;
   bool crowded = false;
   for (Index r = 0; r < fit.poles.size(); ++r) crowded |= is_crowded(fit, r);
@@ -95,6 +108,7 @@ std::vector<Pair> doubtful_pairs(const Curves& curves, const ModalFit& fit) {
       }
       const double apart = distance(fit, q, r);
       const bool known = apart > kTrusted &&
+                         !look_like_a_shift(matrix, fit, {q, r}) &&
                          std::max(error(q), error(r)) < kReadable &&
                          are_told_apart(covariance, fit, q, r);
       if (apart < 1.0 && !known) pairs.push_back({apart, {q, r}});
@@ -182,6 +196,7 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
   ModalFit one = refine_poles(curves, poles, 20);
   const Index last = rest.size();
   if (take_over(curves, rest, one.poles)) return {};
+  if (look_like_a_shift(matrix, fit, pair)) return one;
   // Too near a third there is no expansion that could take the two apart again.
   if (matrix.references > 1 && (nearest_distance(one, last) < kTrusted ||
                                 !stands_alone(curves, one, last))) {
@@ -317,14 +332,22 @@ ModalFit separate_close(const Curves& curves,
   return fit;
 }
 
-ModalFit unite_untold(const Curves& curves, ModalFit fit) {
+ModalFit unite_untold(const Curves& curves,
+                      ModalFit fit,
+                      std::vector<Complex>& shifting) {
   const FrfMatrix matrix = arrange_frfs(curves);
   std::optional<ModalFit> united;
   do {
     united.reset();
-    for (const Pair& pair : doubtful_pairs(curves, fit)) {
+    for (const Pair& pair : doubtful_pairs(curves, matrix, fit)) {
       united = as_one_pole(curves, matrix, fit, pair);
-      if (united) break;
+      if (!united) continue;
+      const Complex pole = united->poles(united->poles.size() - 1);
+      if (look_like_a_shift(matrix, fit, pair) &&
+          two_are_needed(curves, fit, *united, pole)) {
+        shifting.push_back(pole);
+      }
+      break;
     }
     if (united) fit = std::move(*united);
   } while (united);

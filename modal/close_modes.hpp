@@ -8,6 +8,9 @@
 #include "modal/modal_fit.hpp"
 #include "modal/stabilisation.hpp"
 
+#include <complex>
+#include <vector>
+
 namespace tapfit::modal {
 
 /// Standard deviations that tell two poles apart.
@@ -42,6 +45,12 @@ inline constexpr double kApart = 3.0;
                                       const IdentifyOptions& options);
 
 /// Puts one pole in place of two that are not told apart.
-[[nodiscard]] ModalFit unite_untold(const Curves& curves, ModalFit fit);
+///
+/// @param shifting takes up poles that one reference shows as two, so near each
+///   other that FRFs of slightly different poles would look the same
+[[nodiscard]] ModalFit unite_untold(
+    const Curves& curves,
+    ModalFit fit,
+    std::vector<std::complex<double>>& shifting);
 
 }  // namespace tapfit::modal

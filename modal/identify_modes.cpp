@@ -119,6 +119,17 @@ void warn_about_complex(const std::vector<Complex>& poles,
   }
 }
 
+void warn_about_shifting(const std::vector<Complex>& poles,
+                         std::vector<std::string>& warnings) {
+  for (const Complex& pole : poles) {
+    warnings.push_back(fmt::format(
+        "the pole at {:.5g} Hz is not quite the same in all FRFs (a sensor or "
+        "hammer that moved, a level that changed), or two modes share it: a "
+        "second reference tells",
+        std::abs(pole) / kTwoPi));
+  }
+}
+
 void warn_about_unresolved(const std::vector<Complex>& poles,
                            std::vector<std::string>& warnings) {
   for (const Complex& pole : poles) {
@@ -311,6 +322,7 @@ Identified identify(const Curves& curves,
   found.residue_variance = residue_variance(curves, found.fit);
   take_apart(curves, set.scaled, options, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
+  warn_about_shifting(selection.shifting, set.warnings);
   set.unresolved = selection.unresolved;
   warn_about_complex(selection.out_of_phase, options, set.warnings);
   return found;

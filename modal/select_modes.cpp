@@ -304,14 +304,14 @@ Selection select_modes(const Curves& curves,
   // What was only tried is not worth telling.
   selection.unresolved = told;
   drop_complex(curves, options, selection);
-  fit = unite_untold(curves, std::move(fit));
+  fit = unite_untold(curves, std::move(fit), selection.shifting);
   const Index before = fit.poles.size();
   fit = separate_close(curves, std::move(fit), options);
   // What stood for the modes that were hidden is needed no more.
   if (fit.poles.size() > before) {
     fit = drop_weak(curves, std::move(fit), options, progress);
   }
-  fit = unite_untold(curves, std::move(fit));
+  fit = unite_untold(curves, std::move(fit), selection.shifting);
   // One that a mode stands for now was not left out.
   std::erase_if(selection.unresolved, [&fit](const Complex& left_out) {
     return std::ranges::any_of(fit.poles, [&](const Complex& pole) {

@@ -19,6 +19,8 @@ struct Selection {
   std::vector<std::complex<double>> unresolved;
   /// Poles whose points do not move in phase as the options ask [rad/s].
   std::vector<std::complex<double>> out_of_phase;
+  /// Those that are not quite the same in all FRFs of one reference.
+  std::vector<std::complex<double>> shifting;
 };
 
 /// Poles of the tracks that return over most of the orders, each once, by
