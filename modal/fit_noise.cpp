@@ -45,54 +45,59 @@ std::vector<Level> levels_of(const ModalFit& fit,
   return result;
 }
 
-// Noise in proportion to the FRF, such as blows that scatter leave: b of the
-// variance a_f + b |H|^2, a for each FRF and b for all, of greatest likelihood
-// for |e|^2, which is exponentially distributed. Zero where it could be chance.
-//
-// Lines near a resonance too sharp for its neighbours to tell of its noise
-// have it from all others.
-double proportional_noise(const ModalFit& fit,
-                          const Eigen::MatrixXd& left,
-                          const Eigen::MatrixXd& power,
+// b of the variance a + b |H|^2 of one FRF, of greatest likelihood for |e|^2,
+// which is exponentially distributed. Zero where it could be chance.
+double proportional_noise(const std::vector<Level>& levels,
                           double lines_correlated) {
   constexpr int steps = 50;       // of a fixed point that settles in a few
   constexpr double surely = 3.0;  // standard deviations
-  std::vector<std::vector<Level>> frfs;
-  for (Index f = 0; f < left.cols(); ++f) {
-    frfs.push_back(levels_of(fit, left.col(f), power.col(f)));
-  }
-  std::vector<double> a(frfs.size(), 0.0);
+  double a = 0.0;
   double b = 0.0;
   double precision = 0.0;
   for (int step = 0; step < steps; ++step) {
-    double gain = 0.0;
-    precision = 0.0;
-    for (std::size_t f = 0; f < frfs.size(); ++f) {
-      // Weighted line of |e|^2 over |H|^2 with the weights of the last step.
-      double w = 0.0;
-      double x = 0.0;
-      double y = 0.0;
-      double xx = 0.0;
-      double xy = 0.0;
-      for (const Level& level : frfs[f]) {
-        const double variance = step == 0 ? level.left : a[f] + b * level.power;
-        const double weight =
-            level.lines / std::max(variance * variance, 1e-300);
-        w += weight;
-        x += weight * level.power;
-        y += weight * level.left;
-        xx += weight * level.power * level.power;
-        xy += weight * level.power * level.left;
-      }
-      if (!(w > 0.0)) continue;
-      a[f] = std::max(0.0, (y - b * x) / w);
-      gain += xy - x * y / w;
-      precision += xx - x * x / w;
+    // Weighted line of |e|^2 over |H|^2 with the weights of the last step.
+    double w = 0.0;
+    double x = 0.0;
+    double y = 0.0;
+    double xx = 0.0;
+    double xy = 0.0;
+    for (const Level& level : levels) {
+      const double variance = step == 0 ? level.left : a + b * level.power;
+      const double weight = level.lines / std::max(variance * variance, 1e-300);
+      w += weight;
+      x += weight * level.power;
+      y += weight * level.left;
+      xx += weight * level.power * level.power;
+      xy += weight * level.power * level.left;
     }
+    if (!(w > 0.0)) return 0.0;
+    precision = xx - x * x / w;
     if (!(precision > 0.0)) return 0.0;
-    b = std::max(0.0, gain / precision);
+    b = std::max(0.0, (xy - x * y / w) / precision);
+    a = std::max(0.0, (y - b * x) / w);
   }
   return b * std::sqrt(precision / lines_correlated) > surely ? b : 0.0;
+}
+
+// What the FRFs have in common of it, such as blows that scatter leave: the
+// middle one's, so that one FRF without a signal says nothing of the others.
+//
+// Lines at a resonance too sharp for its neighbours to tell of its noise have
+// it from all others.
+double common_proportion(const ModalFit& fit,
+                         const Eigen::MatrixXd& left,
+                         const Eigen::MatrixXd& power,
+                         double lines_correlated) {
+  std::vector<double> shares;
+  for (Index f = 0; f < left.cols(); ++f) {
+    shares.push_back(proportional_noise(
+        levels_of(fit, left.col(f), power.col(f)), lines_correlated));
+  }
+  if (shares.empty()) return 0.0;
+  const auto middle =
+      shares.begin() + static_cast<std::ptrdiff_t>((shares.size() - 1) / 2);
+  std::nth_element(shares.begin(), middle, shares.end());
+  return *middle;
 }
 
 }  // namespace
@@ -111,7 +116,9 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
   return result;
 }
 
-Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
+Noise weighted_noise(const Curves& curves,
+                     const ModalFit& fit,
+                     NoiseFrom from) {
   const Index lines = curves.lines();
   Eigen::MatrixXd power(lines, curves.count());
   const Eigen::MatrixXd left = (curves.H - fit.H).cwiseAbs2();
@@ -121,11 +128,13 @@ Noise weighted_noise(const Curves& curves, const ModalFit& fit) {
     power.row(k) = left.middleRows(begin, n).colwise().mean().cwiseMax(
         curves.variance.middleRows(begin, n).colwise().mean());
   }
-  const Eigen::MatrixXd fitted = fit.H.cwiseAbs2();
-  const double shared =
-      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
-  const double b = proportional_noise(fit, left, fitted, shared);
-  power = power.cwiseMax(b * fitted);
+  if (from == NoiseFrom::AllLines) {
+    const Eigen::MatrixXd fitted = fit.H.cwiseAbs2();
+    const double shared =
+        std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
+    power =
+        power.cwiseMax(common_proportion(fit, left, fitted, shared) * fitted);
+  }
   power = fit.line_weight.cwiseAbs2().asDiagonal() * power *
           fit.frf_weight.cwiseAbs2().asDiagonal();
   Noise noise;

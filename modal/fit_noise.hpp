@@ -14,9 +14,13 @@ struct Noise {
 };
 
 /// From the FRFs' variance or what the fit leaves, whichever is larger, both
-/// over a few lines; and not below what all lines say is in proportion to the
-/// FRFs, for resonances with no lines beside the peak.
-[[nodiscard]] Noise weighted_noise(const Curves& curves, const ModalFit& fit);
+/// over a few lines.
+///
+/// @param from all lines: not below what they say is in proportion to the FRFs,
+///   for resonances with no lines beside the peak
+[[nodiscard]] Noise weighted_noise(const Curves& curves,
+                                   const ModalFit& fit,
+                                   NoiseFrom from);
 
 /// Standard deviation of each FRF's noise over `per_line` where each mode is
 /// told from: an FRF in which a mode is large mostly has more noise there.

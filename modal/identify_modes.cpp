@@ -318,8 +318,9 @@ Identified identify(const Curves& curves,
   }
   Identified found;
   found.fit = std::move(selection.fit);
-  found.covariance = pole_covariance(curves, found.fit);
-  found.residue_variance = residue_variance(curves, found.fit);
+  found.covariance = pole_covariance(curves, found.fit, NoiseFrom::AllLines);
+  found.residue_variance =
+      residue_variance(curves, found.fit, NoiseFrom::AllLines);
   take_apart(curves, set.scaled, options, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
   warn_about_shifting(selection.shifting, set.warnings);

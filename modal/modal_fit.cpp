@@ -324,7 +324,9 @@ ModalFit refine_poles(const Curves& curves,
   return finish(curves, y, poles, fit);
 }
 
-Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
+Eigen::MatrixXd pole_covariance(const Curves& curves,
+                                const ModalFit& fit,
+                                NoiseFrom from) {
   const Index modes = fit.poles.size();
   if (modes == 0) return {};
   Eigen::MatrixXcd columns;
@@ -333,7 +335,7 @@ Eigen::MatrixXd pole_covariance(const Curves& curves, const ModalFit& fit) {
   const Eigen::MatrixXd E =
       projected_derivatives(curves, fit.poles, fit, linear);
   const Step step = gauss_newton(E, linear, fit.frf_weight);
-  const Noise noise = weighted_noise(curves, fit);
+  const Noise noise = weighted_noise(curves, fit, from);
   const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(E);
   const double ratio = curves.sigma / curves.spacing;
   const Eigen::MatrixXd V = 0.5 * (X.adjoint() * correlate(X, ratio)).real();

@@ -47,13 +47,20 @@ struct ModalFit {
                                     const Eigen::VectorXcd& start,
                                     int iterations);
 
+/// Where the noise of a line is learnt from: a few lines around it, or also
+/// from what all lines say is in proportion to the FRFs. The latter is for what
+/// is told of modes; a fit that still lacks some has its misfit there.
+enum class NoiseFrom { NearLines, AllLines };
+
 /// Covariance of the poles of a refined fit, from the FRFs' variance or from
 /// what the fit leaves, whichever is larger. Neighbouring lines of an
 /// exponentially windowed block are correlated; that is accounted for.
 ///
 /// @return 2 n_modes square, (Re lambda_1, Im lambda_1, Re lambda_2, ...)
 ///   [(rad/s)^2]
-[[nodiscard]] Eigen::MatrixXd pole_covariance(const Curves& curves,
-                                              const ModalFit& fit);
+[[nodiscard]] Eigen::MatrixXd pole_covariance(
+    const Curves& curves,
+    const ModalFit& fit,
+    NoiseFrom from = NoiseFrom::NearLines);
 
 }  // namespace tapfit::modal

@@ -351,8 +351,10 @@ std::optional<RunModes> identify_per_set_up(const Curves& curves,
   std::vector<Group> found = group_modes(fits);
   find_missing(options, fits, found);
   for (SetUpFit& own : fits) {
-    own.residue_variance = residue_variance(own.curves, own.fit);
-    own.pole_covariance = pole_covariance(own.curves, own.fit);
+    own.residue_variance =
+        residue_variance(own.curves, own.fit, NoiseFrom::AllLines);
+    own.pole_covariance =
+        pole_covariance(own.curves, own.fit, NoiseFrom::AllLines);
   }
   const std::vector<Group> groups = common_modes(fits, std::move(found));
   if (groups.empty()) return std::nullopt;

@@ -86,7 +86,9 @@ Eigen::VectorXd unscaled_deviations(const ShapeGraph& graph,
 
 }  // namespace
 
-Eigen::MatrixXd residue_variance(const Curves& curves, const ModalFit& fit) {
+Eigen::MatrixXd residue_variance(const Curves& curves,
+                                 const ModalFit& fit,
+                                 NoiseFrom from) {
   const Index modes = fit.poles.size();
   Eigen::MatrixXd variance(curves.count(), modes);
   if (modes == 0) return variance;
@@ -109,7 +111,7 @@ Eigen::MatrixXd residue_variance(const Curves& curves, const ModalFit& fit) {
   const Eigen::MatrixXd R_inverse =
       R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n));
   const Eigen::MatrixXd inverse = Q * R_inverse.topRows(2 * modes).transpose();
-  const Noise noise = weighted_noise(curves, fit);
+  const Noise noise = weighted_noise(curves, fit, from);
   const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(inverse);
   const Eigen::MatrixXd V =
       0.5 * (X.adjoint() * correlate(X, curves.sigma / curves.spacing)).real();

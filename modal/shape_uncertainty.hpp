@@ -17,8 +17,10 @@ namespace tapfit::modal {
 /// E|dR|^2 of each residue of a fit, its poles taken as known.
 ///
 /// @return n_frfs x n_modes
-[[nodiscard]] Eigen::MatrixXd residue_variance(const Curves& curves,
-                                               const ModalFit& fit);
+[[nodiscard]] Eigen::MatrixXd residue_variance(
+    const Curves& curves,
+    const ModalFit& fit,
+    NoiseFrom from = NoiseFrom::NearLines);
 
 /// Standard deviation sqrt(E|dphi|^2) of each value of the shapes.
 ///

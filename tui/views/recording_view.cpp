@@ -23,7 +23,7 @@ std::size_t run_count(const RecordingInput& input) {
       {input.bundle.runs.size(), input.traces.size(), input.hits.runs.size()});
 }
 
-std::string verdict(const Hit& hit) {
+std::string reasons_of(const Hit& hit) {
   std::vector<std::string> reasons;
   for (const acquisition::HitFault fault : hit.reasons) {
     // The user's own word counts, and stands where it is not cut off.
@@ -31,8 +31,11 @@ std::string verdict(const Hit& hit) {
     reasons.insert(first ? reasons.begin() : reasons.end(),
                    acquisition::name(fault));
   }
-  return fmt::format(
-      "{} {}", hit.accepted ? "✓" : "✗", fmt::join(reasons, ", "));
+  return fmt::format("{}", fmt::join(reasons, ", "));
+}
+
+std::string verdict(const Hit& hit) {
+  return fmt::format("{} {}", hit.accepted ? "✓" : "✗", reasons_of(hit));
 }
 
 Table hit_table(const RecordingInput& input, const RecordingState& state) {
@@ -97,6 +100,11 @@ std::string hits_line(const RecordingInput& input,
   }
   if (!state.tagged.empty()) {
     text += fmt::format("   {} tagged", state.tagged.size());
+  }
+  // In full here; the table has no room for it on small terminals.
+  const std::size_t at = state.list.selected;
+  if (at < hits.size() && !hits[at].reasons.empty()) {
+    text += fmt::format("   #{} {}", at + 1, reasons_of(hits[at]));
   }
   return text;
 }
@@ -213,11 +221,7 @@ void draw_side(Screen& screen,
                   split_top(map, 1).second,
                   coherence_map(input, state, selected));
   }
-  if (state.statements) {
-    draw_statements(screen, plot, input.hits);
-  } else {
-    draw_average(screen, plot, input, state);
-  }
+  draw_average(screen, plot, input, state);
 }
 
 }  // namespace
@@ -269,8 +273,12 @@ Screen recording_view(const RecordingInput& input,
   } else {
     screen.text(1, 1, hits_line(input, at), {}, canvas.width - 2);
   }
-  const int list_width = canvas.width >= 110 ? 46 : 36;
   const Rect body{0, 2, canvas.width, canvas.height - 2};
+  if (at.statements) {
+    draw_statements(screen, split_top(body, 1).second, input.hits);
+    return screen;
+  }
+  const int list_width = canvas.width >= 110 ? 46 : 36;
   const auto [plots, side] = split_left(body, canvas.width - list_width);
   draw_channels(
       screen, plots, input, at, at.playing.on ? at.list.selected : selected);

@@ -40,7 +40,7 @@ struct RecordingState {
   PlotRange range;         ///< [s]
   int zoom = 0;  ///< 0 as the range says, 1 the hit's pulse, 2 its block
   std::set<HitAt> tagged;
-  bool statements = false;  ///< what was chosen, instead of the average
+  bool statements = false;  ///< what was chosen, instead of the plots
   Playing playing;
 };
 

@@ -40,6 +40,13 @@ TEST(RecordingView, ShowsHitsAndReasons) {
     EXPECT_TRUE(holds(s, "▼"));
     EXPECT_TRUE(holds(s, "✗"));
     EXPECT_TRUE(holds(s, "block 2.734 s, trigger 1.5 N"));
+    RecordingState state;
+    state.list.selected = 1;
+    const Screen second = recording_view({bundle, all, hits}, state, canvas);
+    EXPECT_TRUE(holds(second, "trigger 1.5 N   #2 double"));
+    state.statements = true;
+    const Screen why = recording_view({bundle, all, hits}, state, canvas);
+    EXPECT_TRUE(holds(why, "block 2.73 s: the gap between hits"));
   }
 }
 
