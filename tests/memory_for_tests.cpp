@@ -1,4 +1,5 @@
-// Part of every test program: they keep memory as the program does.
+// Part of every test program and the benchmarks: they keep memory as the
+// program does.
 #include "acquisition/reuse_memory.hpp"
 
 namespace {
