@@ -38,7 +38,7 @@ TEST(OverlappedModes, AreFoundUnderNoise) {
   }
 }
 
-// A mode of which 60 dB less shows than of its neighbours, told only by what a
+// A mode of which 75 dB less shows than of its neighbours, told only by what a
 // fit without it leaves.
 TEST(FaintModes, StayWhereTheFrfsNeedThem) {
   test::SyntheticSystem system;
@@ -46,12 +46,12 @@ TEST(FaintModes, StayWhereTheFrfsNeedThem) {
   system.damping_ratio = Eigen::VectorXd::Constant(5, 0.01);
   std::mt19937_64 random(5);
   system.phi = test::random_shapes(14, 5, random);
-  system.phi.col(2) *= std::pow(10.0, -60.0 / 40.0);
+  system.phi.col(2) *= std::pow(10.0, -75.0 / 40.0);
   const modal::ModeSet set = modal::identify_modes(
       test::roving_hammer(system,
                           {0, 5},
                           test::line_points(5.0, 135.0, 1041, 0.0),
-                          1e-5,
+                          1e-6,
                           random),
       {});
   ASSERT_EQ(set.modes.size(), 5U);
