@@ -25,9 +25,9 @@ constexpr double kLeastSignificance =
     4.0;                         // F that a mode's residues must earn
 constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
-// A weaker mode counts where the fit leaves a twentieth of the amplitude that
-// it would leave without it: no ripple of leakage or of noise does that.
-constexpr double kSurelyThere = 400.0;            // F
+// A weaker mode counts where what the fit leaves without it is ten times the
+// noise: no ripple of leakage or of noise does that.
+constexpr double kSurelyThere = 100.0;            // F
 constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
 
 bool lasts(const Track& track, std::size_t orders) {
