@@ -16,8 +16,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-// F of a mode that noise does not stand in for, white or not.
-constexpr double kSurelyThere = 100.0;
 constexpr int kMostMissed = 4;
 constexpr double kReach = 3.0;   // half bandwidths from one mode to the next
 constexpr double kHeavy = 0.05;  // damping ratio that hides modes anywhere
@@ -32,22 +30,13 @@ std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
   return poles;
 }
 
-double middle_damping(const std::vector<Complex>& poles) {
-  std::vector<double> ratios;
-  for (const Complex& p : poles) ratios.push_back(-p.real() / std::abs(p));
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
-}
-
 /// Where a mode could hide: between two poles whose resonances would reach it,
 /// and between the outer ones and the ends of the band.
 std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
   const std::vector<Complex> poles = modes_in_band(curves, fit);
   std::vector<Complex> places;
   if (poles.empty()) return places;
-  const double zeta = middle_damping(poles);
+  const double zeta = usual_damping(fit);
   const auto look = [&](double low, double high) {
     const double half = 0.5 * zeta * (low + high);  // bandwidth
     const bool reached = high - low < 2.0 * kReach * half || zeta > kHeavy;

@@ -25,9 +25,7 @@ constexpr double kLeastSignificance =
     4.0;                         // F that a mode's residues must earn
 constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
 constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
-// A weaker mode counts where what the fit leaves without it is ten times the
-// noise: no ripple of leakage or of noise does that.
-constexpr double kSurelyThere = 100.0;            // F
+// A weaker mode counts where it is surely there.
 constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
 
 bool lasts(const Track& track, std::size_t orders) {
@@ -124,18 +122,6 @@ Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
   std::ranges::nth_element(values, values.begin() + power.size() / 2);
   const double usual = values[values.size() / 2];
   return smooth / std::max(usual, 1e-300);
-}
-
-double usual_damping(const ModalFit& fit) {
-  if (fit.poles.size() == 0) return 0.005;
-  std::vector<double> ratios;
-  for (const Complex& pole : fit.poles) {
-    ratios.push_back(-pole.real() / std::abs(pole));
-  }
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return *middle;
 }
 
 /// Damping over its standard deviation, per mode.
@@ -276,6 +262,18 @@ void drop_complex(const Curves& curves,
 }
 
 }  // namespace
+
+double usual_damping(const ModalFit& fit) {
+  if (fit.poles.size() == 0) return 0.005;
+  std::vector<double> ratios;
+  for (const Complex& pole : fit.poles) {
+    ratios.push_back(-pole.real() / std::abs(pole));
+  }
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return *middle;
+}
 
 bool are_needed(const Curves& curves,
                 const ModalFit& fit,

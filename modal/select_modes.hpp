@@ -10,6 +10,10 @@
 
 namespace tapfit::modal {
 
+/// F of a mode that no ripple of leakage or of noise stands in for: what the
+/// fit leaves without it is ten times the noise.
+inline constexpr double kSurelyThere = 100.0;
+
 struct Selection {
   /// The modes that stay, by frequency; poles a little outside the band may be
   /// among them. No poles when nothing is found.
@@ -35,6 +39,9 @@ struct Selection {
                                      const Eigen::VectorXcd& lasting,
                                      const IdentifyOptions& options,
                                      const Progress& progress);
+
+/// The middle damping ratio of a fit's poles.
+[[nodiscard]] double usual_damping(const ModalFit& fit);
 
 /// Whether the FRFs need every mode of a fit, and none fails a hard check:
 /// what select_modes() ends at.

@@ -11,15 +11,22 @@ namespace {
 
 using Eigen::Index;
 
+/// Modes in equal steps from 20 Hz, with shapes at 14 points.
+test::SyntheticSystem even_system(Index modes,
+                                  double last_hz,
+                                  double damping_ratio,
+                                  std::mt19937_64& random) {
+  return {Eigen::VectorXd::LinSpaced(modes, 20.0, last_hz),
+          Eigen::VectorXd::Constant(modes, damping_ratio),
+          test::random_shapes(14, modes, random)};
+}
+
 // Eight modes from 20 to 183 Hz, 10 % damped: from the third on each resonance
 // is wider than the step to the next. Smooth shapes, two references, noise of
 // 5 % of every value: no order's poles last, and nothing left has a peak.
 TEST(OverlappedModes, AreFoundUnderNoise) {
-  test::SyntheticSystem system;
-  system.frequency_hz = Eigen::VectorXd::LinSpaced(8, 20.0, 183.1);
-  system.damping_ratio = Eigen::VectorXd::Constant(8, 0.1);
   std::mt19937_64 random(4);
-  system.phi = test::random_shapes(14, 8, random);
+  const test::SyntheticSystem system = even_system(8, 183.1, 0.1, random);
   for (int seed = 0; seed < 3; ++seed) {
     const modal::ModeSet set = modal::identify_modes(
         test::roving_hammer(system,
@@ -41,11 +48,8 @@ TEST(OverlappedModes, AreFoundUnderNoise) {
 // A mode of which 75 dB less shows than of its neighbours, told only by what a
 // fit without it leaves.
 TEST(FaintModes, StayWhereTheFrfsNeedThem) {
-  test::SyntheticSystem system;
-  system.frequency_hz = Eigen::VectorXd::LinSpaced(5, 20.0, 113.2);
-  system.damping_ratio = Eigen::VectorXd::Constant(5, 0.01);
   std::mt19937_64 random(5);
-  system.phi = test::random_shapes(14, 5, random);
+  test::SyntheticSystem system = even_system(5, 113.2, 0.01, random);
   system.phi.col(2) *= std::pow(10.0, -75.0 / 40.0);
   const modal::ModeSet set = modal::identify_modes(
       test::roving_hammer(system,
