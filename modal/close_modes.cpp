@@ -184,6 +184,13 @@ bool are_apart_in(const PoleExpansion& expansion, double half) {
   return apart > kApart * expansion.deviation && (far || clean);
 }
 
+/// Between two poles, nearer to the one that the FRFs show more of.
+Complex between(const ModalFit& fit, Index q, Index r) {
+  const double a = fit.contribution(q);
+  const double b = fit.contribution(r);
+  return (a * fit.poles(q) + b * fit.poles(r)) / (a + b);
+}
+
 /// A fit with one pole, the last, in place of two; none where two are needed.
 std::optional<ModalFit> as_one_pole(const Curves& curves,
                                     const FrfMatrix& matrix,
@@ -192,7 +199,7 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
   const auto [q, r] = pair;
   const Eigen::VectorXcd rest = without(without(fit.poles, r), q);
   Eigen::VectorXcd poles(rest.size() + 1);
-  poles << rest, 0.5 * (fit.poles(q) + fit.poles(r));
+  poles << rest, between(fit, q, r);
   ModalFit one = refine_poles(curves, poles, 20);
   const Index last = rest.size();
   if (take_over(curves, rest, one.poles)) return {};
@@ -330,6 +337,11 @@ ModalFit separate_close(const Curves& curves,
     r = std::min(r, fit.poles.size());
   }
   return fit;
+}
+
+ModalFit at_rest_by_one_reference(const Curves& curves, ModalFit fit) {
+  if (fit.poles.size() == 0 || arrange_frfs(curves).references > 1) return fit;
+  return refine_in_reach(curves, fit.poles, 20);
 }
 
 ModalFit unite_untold(const Curves& curves,

@@ -44,6 +44,12 @@ inline constexpr double kApart = 3.0;
                                       ModalFit fit,
                                       const IdentifyOptions& options);
 
+/// Refines poles until they rest, for FRFs of one reference: whether two of its
+/// poles are one is seen there. With more, poles of one frequency would part to
+/// follow the noise, and are taken apart by their shapes.
+[[nodiscard]] ModalFit at_rest_by_one_reference(const Curves& curves,
+                                                ModalFit fit);
+
 /// Puts one pole in place of two that are not told apart.
 ///
 /// @param shifting takes up poles that one reference shows as two, so near each

@@ -5,6 +5,7 @@
 #include "modal/frf_matrix.hpp"
 #include "modal/lines_in_band.hpp"
 #include "modal/modal_fit.hpp"
+#include "modal/mode_warnings.hpp"
 #include "modal/neighbour_modes.hpp"
 #include "modal/plscf.hpp"
 #include "modal/pole_clusters.hpp"
@@ -57,105 +58,6 @@ Mode make_mode(const Complex& pole,
   mode.mpd_deg = mean_phase_deviation(shape);
   fill_uncertainty(covariance, mode);
   return mode;
-}
-
-double synthesis_error(const Curves& curves, const Eigen::MatrixXcd& H) {
-  return curves.weight.cwiseProduct(curves.H - H).norm() /
-         curves.weight.cwiseProduct(curves.H).norm();
-}
-
-void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
-  if (mode.damping_ratio < 3.0 * mode.damping_sd) {
-    warnings.push_back(fmt::format(
-        "mode at {:.4g} Hz: damping {:.2g} is not resolved (sd {:.1g}); a "
-        "longer block would help",
-        mode.frequency_hz,
-        mode.damping_ratio,
-        mode.damping_sd));
-  }
-  if (mode.mpc < 0.7 && mode.shape.size() > 2) {
-    warnings.push_back(fmt::format(
-        "mode at {:.4g} Hz: points do not move in phase (MPC {:.2f})",
-        mode.frequency_hz,
-        mode.mpc));
-  }
-}
-
-/// Without an exponential window the response has to die out in the block; it
-/// is down to 0.2 % where the half-power bandwidth is two lines.
-void warn_about_resolution(const Curves& curves,
-                           const Mode& mode,
-                           std::vector<std::string>& warnings) {
-  const double lines = -2.0 * mode.pole.real() / curves.spacing;
-  if (curves.sigma > 0.0 || lines >= 2.0) return;
-  warnings.push_back(fmt::format(
-      "mode at {:.4g} Hz: its half-power bandwidth is {:.1f} lines, damping "
-      "{:.2g} is hardly resolved and may be the block's; a longer block or an "
-      "exponential window would help",
-      mode.frequency_hz,
-      lines,
-      mode.damping_ratio));
-}
-
-void warn_about_misfit(double synthesis_error,
-                       std::vector<std::string>& warnings) {
-  if (synthesis_error < 0.5) return;
-  warnings.push_back(fmt::format(
-      "the modes do not explain the FRFs (synthesis error {:.0f} %): look at "
-      "their phase, at the sign of their imaginary part and at the band",
-      100.0 * synthesis_error));
-}
-
-void warn_about_complex(const std::vector<Complex>& poles,
-                        const IdentifyOptions& options,
-                        std::vector<std::string>& warnings) {
-  for (const Complex& pole : poles) {
-    warnings.push_back(fmt::format(
-        "a pole at {:.4g} Hz was left out: its points do not move in phase "
-        "(MPC below {:.2g} or MPD above {:.2g} deg)",
-        std::abs(pole) / kTwoPi,
-        options.least_mpc,
-        options.largest_mpd_deg));
-  }
-}
-
-void warn_about_shifting(const std::vector<Complex>& poles,
-                         std::vector<std::string>& warnings) {
-  for (const Complex& pole : poles) {
-    warnings.push_back(fmt::format(
-        "the pole at {:.5g} Hz is not quite the same in all FRFs (a sensor or "
-        "hammer that moved, a level that changed), or two modes share it: a "
-        "second reference tells",
-        std::abs(pole) / kTwoPi));
-  }
-}
-
-void warn_about_unresolved(const std::vector<Complex>& poles,
-                           std::vector<std::string>& warnings) {
-  for (const Complex& pole : poles) {
-    warnings.push_back(fmt::format(
-        "a pole at {:.4g} Hz was left out: its damping cannot be told from "
-        "none (hum, or a block too short for it)",
-        std::abs(pole) / kTwoPi));
-  }
-}
-
-void warn_about_shared(const ModesOfPole& modes,
-                       std::vector<std::string>& warnings) {
-  const double hz = std::abs(modes.poles(0)) / kTwoPi;
-  if (modes.poles.size() < modes.shapes) {
-    warnings.push_back(fmt::format(
-        "the pole at {:.5g} Hz holds {} shapes that cannot be taken apart; the "
-        "one given is a mixture: measure the driving point of every reference",
-        hz,
-        modes.shapes));
-  } else if (modes.shapes > 1 && modes.are_equal()) {
-    warnings.push_back(fmt::format(
-        "{} modes share the pole at {:.5g} Hz as far as the FRFs can tell: "
-        "their shapes are one basis of many",
-        modes.shapes,
-        hz));
-  }
 }
 
 /// The fit on the lines and with the sign of each FRF given.
@@ -222,13 +124,18 @@ void add_modes(const Curves& curves,
 
 /// Whether poles of each set-up's own leave clearly less than common ones, or
 /// as little with fewer of them: common poles can follow moving ones only by
-/// being many.
+/// being many. Every value counts by its own weight here, also on the flanks
+/// of one FRF's resonance where others are large.
 bool is_better(const Curves& curves,
                const RunModes& own,
                const ModalFit& common) {
+  const auto left = [&curves](const Eigen::MatrixXcd& H) {
+    return curves.weight.cwiseProduct(curves.H - H).norm();
+  };
   const bool found = common.poles.size() > 0;
-  const double together = found ? synthesis_error(curves, common.H) : 1.0;
-  const double apart = synthesis_error(curves, own.H);
+  const double together =
+      found ? left(common.H) : curves.weight.cwiseProduct(curves.H).norm();
+  const double apart = left(own.H);
   const bool fewer = own.poles.size() < common.poles.size();
   return apart <= 0.5 * together || (fewer && apart < 2.0 * together);
 }
@@ -249,6 +156,16 @@ Identified of_set_ups(const RunModes& runs) {
         std::pow(runs.scatter(r).imag(), 2);
   }
   return found;
+}
+
+/// Poles in order of frequency, equal ones once: two columns must not coincide.
+Eigen::VectorXcd distinct(const Eigen::VectorXcd& poles) {
+  std::vector<Complex> kept;
+  for (const Complex& pole : poles) {
+    if (std::ranges::find(kept, pole) == kept.end()) kept.push_back(pole);
+  }
+  return Eigen::Map<Eigen::VectorXcd>(kept.data(),
+                                      static_cast<Index>(kept.size()));
 }
 
 /// Puts in place of each pole the modes that its residues hold.
@@ -291,6 +208,9 @@ void take_apart(const Curves& curves,
     result.covariance.block<2, 2>(2 * k, 2 * k) =
         found.covariance.block<2, 2>(2 * part.source, 2 * part.source) +
         0.5 * part.variance * Eigen::Matrix2d::Identity();
+  }
+  if (count > found.fit.poles.size()) {
+    result.fit.H = fit_residues(curves, distinct(result.fit.poles)).H;
   }
   found = std::move(result);
 }
@@ -372,10 +292,10 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   if (found.fit.poles.size() > 0) {
     add_modes(curves, graph, found, set);
     set.fitted = fitted_frfs(frfs, curves, found.fit.H);
-    set.synthesis_error = synthesis_error(curves, found.fit.H);
+    set.synthesis_error = relative_misfit(curves, found.fit.H);
     warn_about_misfit(set.synthesis_error, set.warnings);
     add_clusters(stabilisation.tracks, set);
-    set.unrefined_error = synthesis_error(
+    set.unrefined_error = relative_misfit(
         curves,
         found.set_ups.empty()
             ? unrefined_fit(curves, stabilisation.tracks, found.fit.poles)

@@ -9,13 +9,16 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 
 namespace tapfit::modal {
 namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
+
+constexpr double kAtRest = 1e-9;     // relative step of the poles
+constexpr double kNoGain = 1e-10;    // of the cost, far less than the noise
+constexpr double kMostDamped = 1e4;  // in units of the normal matrix's diagonal
 
 /// Separable weights nearest to w_f(k): mean logarithms over lines and FRFs.
 void separate_weights(const Curves& curves, ModalFit& fit) {
@@ -166,11 +169,18 @@ Step gauss_newton(const Eigen::MatrixXd& E,
           along_residues(E.transpose() * linear.residual, linear, frf_weight)};
 }
 
+/// Poles moved by a step, each of them at most half of its way to where it
+/// would have no damping or no frequency: one that heads there must not hold up
+/// the others.
 Eigen::VectorXcd moved(const Eigen::VectorXcd& poles,
-                       const Eigen::VectorXd& step) {
-  Eigen::VectorXcd result = poles;
+                       const Eigen::VectorXd& step,
+                       double sigma) {
+  Eigen::VectorXcd result(poles.size());
   for (Index r = 0; r < poles.size(); ++r) {
-    result(r) += Complex(step(2 * r), step(2 * r + 1));
+    const double re = poles(r).real();
+    const double im = poles(r).imag();
+    result(r) = {std::min(re + step(2 * r), 0.5 * (re + sigma)),
+                 std::max(im + step(2 * r + 1), 0.5 * im)};
   }
   return result;
 }
@@ -300,28 +310,36 @@ ModalFit refine_poles(const Curves& curves,
     const Eigen::MatrixXd E = projected_derivatives(curves, poles, fit, linear);
     const Step step = gauss_newton(E, linear, fit.frf_weight);
     bool moved_on = false;
-    double relative = 0.0;
-    for (int attempt = 0; attempt < 6 && !moved_on; ++attempt) {
-      const Eigen::VectorXcd next = moved(poles, damped_solve(step, mu));
-      const bool admissible = next.allFinite() &&
-                              next.real().maxCoeff() < curves.sigma &&
-                              next.imag().minCoeff() > 0.0;
-      std::optional<Linear> trial;
-      if (admissible) trial = solve_linear(curves, y, next, fit, columns);
-      if (!trial || trial->cost >= linear.cost) {
-        mu *= 10.0;
-        continue;
-      }
+    double relative = 1.0;
+    for (double factor = 10.0;
+         mu < kMostDamped && relative > kAtRest && !moved_on;
+         mu *= factor, factor *= 10.0) {
+      const Eigen::VectorXd x = damped_solve(step, mu);
+      if (step.gradient.dot(x) < kNoGain * linear.cost) break;
+      const Eigen::VectorXcd next = moved(poles, x, curves.sigma);
+      if (!next.allFinite()) continue;
       relative =
           ((next - poles).array().abs() / poles.array().abs()).maxCoeff();
+      Linear trial = solve_linear(curves, y, next, fit, columns);
+      if (trial.cost >= linear.cost) continue;
       poles = next;
-      linear = std::move(*trial);
-      mu = std::max(0.1 * mu, 1e-9);
+      linear = std::move(trial);
       moved_on = true;
+      mu = std::max(0.1 * mu / factor, 1e-9);
     }
-    if (!moved_on || relative < 1e-9) break;
+    if (!moved_on || relative < kAtRest) break;
   }
   return finish(curves, y, poles, fit);
+}
+
+double relative_misfit(const Curves& curves, const Eigen::MatrixXcd& H) {
+  ModalFit fit;
+  separate_weights(curves, fit);
+  const auto size = [&fit](const Eigen::MatrixXcd& X) {
+    return (fit.line_weight.asDiagonal() * X * fit.frf_weight.asDiagonal())
+        .norm();
+  };
+  return size(curves.H - H) / size(curves.H);
 }
 
 Eigen::MatrixXd pole_covariance(const Curves& curves,

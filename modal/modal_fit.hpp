@@ -47,6 +47,13 @@ struct ModalFit {
                                     const Eigen::VectorXcd& start,
                                     int iterations);
 
+/// What the fitted H leave of the FRFs, over these: in the norm that the fit
+/// makes least, each value weighed by its line and FRF.
+///
+/// @param H n_lines x n_frfs
+[[nodiscard]] double relative_misfit(const Curves& curves,
+                                     const Eigen::MatrixXcd& H);
+
 /// Where the noise of a line is learnt from: a few lines around it, or also
 /// from what all lines say is in proportion to the FRFs. The latter is for what
 /// is told of modes; a fit that still lacks some has its misfit there.

@@ -36,7 +36,7 @@ std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
   const std::vector<Complex> poles = modes_in_band(curves, fit);
   std::vector<Complex> places;
   if (poles.empty()) return places;
-  const double zeta = usual_damping(fit);
+  const double zeta = usual_damping(curves, fit);
   const auto look = [&](double low, double high) {
     const double half = 0.5 * zeta * (low + high);  // bandwidth
     const bool reached = high - low < 2.0 * kReach * half || zeta > kHeavy;

@@ -142,7 +142,7 @@ bool is_convincing(const Curves& curves, const ModalFit& fit, Index r) {
   const Complex pole = fit.poles(r);
   const double zeta = -pole.real() / std::abs(pole);
   if (!in_band(curves, pole) || fit.contribution(r) < 0.25) return false;
-  if (zeta > 4.0 * usual_damping(fit)) return false;
+  if (zeta > 4.0 * usual_damping(curves, fit)) return false;
   if (curves.count() > 2 && phase_collinearity(fit.residues.col(r)) < 0.6) {
     return false;
   }
@@ -168,7 +168,7 @@ ModalFit recover_missed(const Curves& curves,
     }
     const double omega = curves.s(line).imag();
     Eigen::VectorXcd poles(fit.poles.size() + 1);
-    poles << fit.poles, Complex(-usual_damping(fit) * omega, omega);
+    poles << fit.poles, Complex(-usual_damping(curves, fit) * omega, omega);
     ModalFit trial = refine_poles(curves, poles, 12);
     const Index last = trial.poles.size() - 1;
     if (weakest(curves, trial, options) < 0 &&
@@ -263,12 +263,13 @@ void drop_complex(const Curves& curves,
 
 }  // namespace
 
-double usual_damping(const ModalFit& fit) {
-  if (fit.poles.size() == 0) return 0.005;
+double usual_damping(const Curves& curves, const ModalFit& fit) {
   std::vector<double> ratios;
   for (const Complex& pole : fit.poles) {
+    if (!in_band(curves, pole)) continue;
     ratios.push_back(-pole.real() / std::abs(pole));
   }
+  if (ratios.empty()) return 0.005;
   const auto middle =
       ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::ranges::nth_element(ratios, middle);
@@ -301,6 +302,7 @@ Selection select_modes(const Curves& curves,
   drop_unresolved(curves, selection);
   // What was only tried is not worth telling.
   selection.unresolved = told;
+  fit = at_rest_by_one_reference(curves, std::move(fit));
   drop_complex(curves, options, selection);
   fit = unite_untold(curves, std::move(fit), selection.shifting);
   const Index before = fit.poles.size();

@@ -40,8 +40,8 @@ struct Selection {
                                      const IdentifyOptions& options,
                                      const Progress& progress);
 
-/// The middle damping ratio of a fit's poles.
-[[nodiscard]] double usual_damping(const ModalFit& fit);
+/// The middle damping ratio of a fit's poles in the band.
+[[nodiscard]] double usual_damping(const Curves& curves, const ModalFit& fit);
 
 /// Whether the FRFs need every mode of a fit, and none fails a hard check:
 /// what select_modes() ends at.

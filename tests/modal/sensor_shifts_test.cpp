@@ -4,6 +4,7 @@
 #include "modal/loaded_frf_model.hpp"
 #include "signal/free_frfs.hpp"
 #include "signal/sensor_loads.hpp"
+#include "tests/modal/loaded_system.hpp"
 #include "tests/modal/synthetic_frfs.hpp"
 
 #include <Eigen/Dense>
@@ -32,30 +33,6 @@ SyntheticSystem test_system() {
   return system;
 }
 
-/// Accelerance with masses of `kg` at the points of `at`.
-Complex loaded(const SyntheticSystem& system,
-               const std::vector<Index>& at,
-               double kg,
-               Index a,
-               Index b,
-               Complex s) {
-  const auto k = static_cast<Index>(at.size());
-  Eigen::MatrixXcd core = Eigen::MatrixXcd::Identity(k, k);
-  Eigen::VectorXcd row(k);
-  Eigen::VectorXcd column(k);
-  for (Index t = 0; t < k; ++t) {
-    const Index p = at[static_cast<std::size_t>(t)];
-    row(t) = test::accelerance(system, a, p, s);
-    column(t) = test::accelerance(system, p, b, s);
-    for (Index u = 0; u < k; ++u) {
-      core(t, u) +=
-          kg * test::accelerance(system, p, at[static_cast<std::size_t>(u)], s);
-    }
-  }
-  return test::accelerance(system, a, b, s) -
-         kg * row.cwiseProduct(core.inverse() * column).sum();
-}
-
 /// Two sensors rove over all points, two at a time; the hammer stays at point
 /// 0, where the first run has a sensor too.
 signal::FrfSet roving_sensors(const SyntheticSystem& system,
@@ -77,7 +54,8 @@ signal::FrfSet roving_sensors(const SyntheticSystem& system,
       frf.reference = {1, 3, 1};
       frf.H.resize(set.lines());
       for (Index k = 0; k < set.lines(); ++k) {
-        frf.H(k) = loaded(system, places[run], kg, places[run][c], 0, set.s(k));
+        frf.H(k) = test::loaded_accelerance(
+            system, places[run], kg, places[run][c], 0, set.s(k));
       }
       const double sd =
           noise * frf.H.norm() / std::sqrt(static_cast<double>(set.lines()));
