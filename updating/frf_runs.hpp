@@ -6,12 +6,20 @@
 
 namespace tapfit::updating {
 
-/// Gives a test without recordings a run for each reference point, a channel
-/// "hammer" and one for each response point, "12Z". Universal files do not say
-/// which sensor was where: each response point counts as a sensor that stayed,
-/// which is said among the set's statements.
+/// What a file of ready FRFs does not say.
+enum class Sensors {
+  Stayed,  ///< one for each response point, all there all the time
+  Moved,   ///< one for each direction, moved from grid to grid
+};
+
+/// Gives a test without recordings its runs and channels: "hammer" and, for
+/// sensors that stayed, a run for each reference point and a channel for each
+/// response point, "12Z"; for sensors that moved, a run for each reference
+/// point and place and a channel for each direction, "sensor Z".
 ///
 /// @param set its FRFs get their run and channel
-void lay_out_runs(signal::FrfSet& set, acquisition::TestBundle& bundle);
+void lay_out_runs(signal::FrfSet& set,
+                  acquisition::TestBundle& bundle,
+                  Sensors sensors);
 
 }  // namespace tapfit::updating

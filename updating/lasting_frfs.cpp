@@ -1,27 +1,12 @@
 #include "updating/lasting_frfs.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "modal/identify_modes.hpp"
 #include "signal/estimate_frfs.hpp"
 #include "updating/slow_poles.hpp"
+#include "updating/usual_modes.hpp"
 
 #include <utility>
 
 namespace tapfit::updating {
-namespace {
-
-// None where modes cannot be told, from a few lines say: FRFs there are.
-std::optional<modal::ModeSet> modes_of(const signal::FrfSet& set,
-                                       const Progress& progress) {
-  try {
-    return modal::identify_modes(set, {}, progress);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
-}  // namespace
-
 LastingFrfs estimate_lasting_frfs(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
@@ -35,7 +20,7 @@ LastingFrfs estimate_lasting_frfs(
   };
   result.set = estimate();
   for (int pass = 0; bundle.band_hz && pass < passes; ++pass) {
-    std::optional<modal::ModeSet> modes = modes_of(result.set, progress);
+    std::optional<modal::ModeSet> modes = usual_modes(result.set, progress);
     if (!modes) break;
     Eigen::VectorXcd poles = slow_poles(*modes, hits);
     if (at_rest(result.poles, poles)) {

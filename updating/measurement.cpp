@@ -4,9 +4,8 @@
 #include "modal/continue_frfs.hpp"
 #include "modal/identify_modes.hpp"
 #include "signal/estimate_frfs.hpp"
-#include "signal/uff58.hpp"
-#include "updating/frf_runs.hpp"
 #include "updating/lasting_frfs.hpp"
+#include "updating/ready_frfs.hpp"
 
 #include <fmt/format.h>
 
@@ -87,8 +86,9 @@ const acquisition::HitSet& Measurement::hits(const Progress& progress) {
 const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_ && bundle_.frfs) {
     progress("FRFs: reading", 0.0);
-    frfs_ = signal::read_frfs_uff(*bundle_.frfs).set;
-    lay_out_runs(*frfs_, bundle_);
+    ReadyFrfs ready = read_ready_frfs(bundle_, progress);
+    if (same_modes(choices_, {})) modes_ = std::move(ready.modes);
+    frfs_ = std::move(ready.set);
   }
   if (!frfs_) {
     const auto& all = recordings(progress);
