@@ -88,18 +88,18 @@ TEST(Program, DropsAndPutsInModesByOneKey) {
 }
 
 TEST(Program, SwitchesAnEffectOffAndOn) {
-  const std::string off = played("5\nwait\na\nwait\nt\nwait");
+  const std::string off = played("5\nwait\na\nwait\n<Space>\nwait");
   EXPECT_TRUE(holds(off, "added-mass switched off")) << off;
   EXPECT_TRUE(holds(off,
                     "nothing added yet: error 38.8 %, 1 off, floor 3.1 %; 5 "
                     "finds what is missing"))
       << off;
   const std::string on = played(
-      "5\nwait\na\nwait\nt\nwait\n:toggle 1<Enter>\n"
+      "5\nwait\na\nwait\n<Space>\nwait\n:toggle 1<Enter>\n"
       "wait");
   EXPECT_TRUE(holds(on, "added-mass switched on: error 38.8 % → 0.01 %")) << on;
   EXPECT_TRUE(holds(on, "1 effect added: error")) << on;
-  const std::string undone = played("5\nwait\na\nwait\nt\nwait\nu\nwait");
+  const std::string undone = played("5\nwait\na\nwait\n<Space>\nwait\nu\nwait");
   EXPECT_TRUE(holds(undone, "1 effect added: error")) << undone;
 }
 
