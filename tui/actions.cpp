@@ -11,6 +11,8 @@
 namespace tapfit::tui {
 namespace {
 
+using updating::OverruledHit;
+
 /// Reads the ladder anew and tells its last step, of that many rungs.
 std::string last_step(Workbench& bench,
                       Snapshot& known,
@@ -61,19 +63,39 @@ std::string add_now(Workbench& bench,
       bench, known, progress, "added " + names_of(effects), effects.size());
 }
 
-/// Overruling is its own inverse. False when the hit's judgement stood firm.
+/// Overruling is its own inverse. False where it changes nothing: a truncated
+/// hit stays rejected, and runs that are left out have none.
 bool toggle_hit(Workbench& bench,
                 Snapshot& known,
                 const Progress& progress,
-                std::size_t run,
-                std::size_t hit) {
-  const bool before = bench.hits(progress).runs.at(run).at(hit).accepted;
+                const OverruledHit& which) {
+  const auto& [run, hit, together] = which;
+  const std::vector<acquisition::Hit>& there =
+      bench.hits(progress).runs.at(run);
+  if (hit >= there.size()) return false;
+  const bool before = there[hit].accepted;
   bench.overrule_hit(run, hit);
   known.forget_from_hits();
   known.hits =
       std::make_shared<const acquisition::HitSet>(bench.hits(progress));
-  known.overruled = bench.overruled();
   return known.hits->runs[run][hit].accepted != before;
+}
+
+/// Carries the last act of one list over to the other; tells what it was.
+std::string move_act(Workbench& bench,
+                     Snapshot& known,
+                     const Progress& progress,
+                     std::vector<OverruledHit>& from,
+                     std::vector<OverruledHit>& to,
+                     const char* done) {
+  const std::vector<OverruledHit> hits = updating::take_last_act(from);
+  for (const OverruledHit& hit : hits) toggle_hit(bench, known, progress, hit);
+  updating::add_act(to, hits);
+  const std::string which =
+      hits.size() == 1
+          ? fmt::format("run {}, hit {}", hits[0].run + 1, hits[0].hit + 1)
+          : fmt::format("{} hits", hits.size());
+  return keep_work(bench, known, progress, fmt::format("{}: {}", which, done));
 }
 
 }  // namespace
@@ -82,16 +104,18 @@ Job overrule_hits(
     const std::vector<std::pair<std::size_t, std::size_t>>& hits) {
   return {"overruling the hit",
           [hits](Workbench& bench, Snapshot& known, const Progress& p) {
-            std::size_t firm = 0;
-            known.restored.clear();
+            std::vector<OverruledHit> changed;
             for (const auto& [run, hit] : hits) {
-              if (!toggle_hit(bench, known, p, run, hit)) ++firm;
+              const OverruledHit which{run, hit};
+              if (toggle_hit(bench, known, p, which)) changed.push_back(which);
             }
+            updating::add_act(known.hit_acts.done, changed);
+            if (!changed.empty()) known.hit_acts.undone.clear();
             std::string told;
             if (hits.size() > 1) {
-              told = fmt::format("{} hits overruled", hits.size() - firm);
+              told = fmt::format("{} hits overruled", changed.size());
             }
-            if (firm > 0) {
+            if (changed.size() < hits.size()) {
               told += fmt::format("{}a truncated hit stays rejected",
                                   told.empty() ? "" : "; ");
             }
@@ -100,40 +124,24 @@ Job overrule_hits(
           std::nullopt};
 }
 
-Job restore_hit() {
-  return {
-      "taking the overruling back",
-      [](Workbench& bench, Snapshot& known, const Progress& p) {
-        if (known.overruled.empty()) {
-          return std::string("no hit was overruled");
-        }
-        const auto [run, hit] = known.overruled.back();
-        toggle_hit(bench, known, p, run, hit);
-        known.restored.push_back({run, hit});
-        return keep_work(
-            bench,
-            known,
-            p,
-            fmt::format("run {}, hit {}: judged as before", run + 1, hit + 1));
-      },
-      std::nullopt};
+Job restore_hits() {
+  return {"taking the overruling back",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            auto& [done, undone] = known.hit_acts;
+            if (done.empty()) return std::string("no hit was overruled");
+            return move_act(bench, known, p, done, undone, "judged as before");
+          },
+          std::nullopt};
 }
 
 Job overrule_again() {
-  return {
-      "overruling the hit again",
-      [](Workbench& bench, Snapshot& known, const Progress& p) {
-        if (known.restored.empty()) return std::string("nothing to redo");
-        const auto [run, hit] = known.restored.back();
-        known.restored.pop_back();
-        toggle_hit(bench, known, p, run, hit);
-        return keep_work(
-            bench,
-            known,
-            p,
-            fmt::format("run {}, hit {}: overruled again", run + 1, hit + 1));
-      },
-      std::nullopt};
+  return {"overruling the hit again",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            auto& [done, undone] = known.hit_acts;
+            if (undone.empty()) return std::string("nothing to redo");
+            return move_act(bench, known, p, undone, done, "overruled again");
+          },
+          std::nullopt};
 }
 
 Job add_effects(const std::vector<updating::EffectRef>& effects) {

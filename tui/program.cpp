@@ -20,6 +20,7 @@
 namespace tapfit::tui {
 namespace {
 
+constexpr std::size_t recording_screen = 0;
 constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
@@ -259,12 +260,13 @@ void Program::press_global(Key key) {
   } else if (key == U'/' && page().list() != nullptr) {
     mode_ = Mode::Filter;
   } else if (key == U'u') {
-    act(current_ == modes_screen ? undo_modes() : undo());
+    act(current_ == recording_screen ? restore_hits()
+        : current_ == modes_screen   ? undo_modes()
+                                     : undo());
   } else if (key == Key(U'r', true)) {
-    const bool hit = current_ == 0 && !known_.restored.empty();
-    act(hit                        ? overrule_again()
-        : current_ == modes_screen ? redo_modes()
-                                   : redo());
+    act(current_ == recording_screen ? overrule_again()
+        : current_ == modes_screen   ? redo_modes()
+                                     : redo());
   } else if (key == U'S' && acting()) {
     worker_.keep();
     tell("ending with what is reached …");
@@ -308,8 +310,6 @@ void Program::carry_out(const Command& command) {
       return;
     case Command::Kind::OverruleHit:
       return act(overrule_hits(command.hits));
-    case Command::Kind::RestoreHit:
-      return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effects(command.effects));
     case Command::Kind::Toggle:

@@ -114,9 +114,6 @@ class FakeWorkbench final : public Workbench {
   }
   void overrule_hit(std::size_t run, std::size_t hit) override {
     acquisition::overrule(hits_.runs.at(run).at(hit));
-    if (std::erase(overruled_, updating::OverruledHit{run, hit}) == 0) {
-      overruled_.push_back({run, hit});
-    }
   }
   // A mode edited away or put in: only their number is right.
   void choose_modes(const updating::ModeChoices& choices,
@@ -159,12 +156,8 @@ class FakeWorkbench final : public Workbench {
   bool undo(const Progress&) override { return move(past_, future_); }
   bool redo(const Progress&) override { return move(future_, past_); }
   std::vector<updating::AddedEffect> effects() override { return added_; }
-  std::vector<updating::OverruledHit> overruled() override {
-    return overruled_;
-  }
-  std::vector<updating::OverruledHit> restored() override { return {}; }
-  std::string save(const std::vector<updating::OverruledHit>&,
-                   const Progress&) override {
+  updating::HitActs hit_acts() override { return {}; }
+  std::string save(const updating::HitActs&, const Progress&) override {
     return options_.unsaved;
   }
 
@@ -216,7 +209,6 @@ class FakeWorkbench final : public Workbench {
   Effects added_;
   std::vector<Effects> past_;
   std::vector<Effects> future_;
-  std::vector<updating::OverruledHit> overruled_;
 };
 
 }  // namespace
