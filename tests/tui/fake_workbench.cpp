@@ -144,7 +144,14 @@ class FakeWorkbench final : public Workbench {
     return {"added-mass", diagnosis_.candidates[0].where};
   }
   void add_together(const std::vector<updating::EffectRef>& effects,
-                    const Progress&) override {
+                    const Progress& progress) override {
+    while (options_.held != nullptr && *options_.held) {
+      progress("fitting", 0.43);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (!options_.add_fails.empty()) {
+      throw InputError(options_.add_fails, "", "");
+    }
     past_.push_back(added_);
     added_ = updating::with_added(added_, effects);
     future_.clear();
