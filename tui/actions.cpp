@@ -13,36 +13,36 @@ namespace {
 
 using updating::OverruledHit;
 
-/// Reads the ladder anew and tells its last step, of that many rungs.
-std::string last_step(Workbench& bench,
-                      Snapshot& known,
-                      const Progress& progress,
-                      const std::string& done,
-                      std::size_t rungs) {
+/// Reads the ladder anew and tells what the change did to the error.
+/// @param before the error it was, where that is known
+std::string told_of_change(Workbench& bench,
+                           Snapshot& known,
+                           const Progress& progress,
+                           const std::string& done,
+                           std::optional<double> before) {
   const std::vector<updating::Rung> ladder = bench.ladder(progress);
   known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
   known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
       bench.model_parameters(progress));
   if (ladder.empty()) return done;
+  const std::string now = percent(ladder.back().error);
   if (ladder.size() == 1) {
-    return fmt::format(
-        "{}: base model, error {}", done, percent(ladder.back().error));
+    return fmt::format("{}: base model, error {}", done, now);
   }
-  const std::size_t before =
-      ladder.size() - 1 - std::min(rungs, ladder.size() - 1);
-  return fmt::format("{}: error {} → {}",
-                     done,
-                     percent(ladder[before].error),
-                     percent(ladder.back().error));
+  if (!before) return fmt::format("{}: error {}", done, now);
+  return fmt::format("{}: error {} → {}", done, percent(*before), now);
 }
 
 std::string effects_changed(Workbench& bench,
                             Snapshot& known,
                             const Progress& progress,
-                            const std::string& done,
-                            std::size_t rungs = 1) {
+                            const std::string& done) {
+  std::optional<double> before;
+  if (known.ladder && !known.ladder->empty()) {
+    before = known.ladder->back().error;
+  }
   known.change_effects(bench.effects());
-  const std::string told = last_step(bench, known, progress, done, rungs);
+  const std::string told = told_of_change(bench, known, progress, done, before);
   return keep_work(bench, known, progress, told);
 }
 
@@ -59,8 +59,7 @@ std::string add_now(Workbench& bench,
                     const Progress& progress,
                     const std::vector<updating::EffectRef>& effects) {
   bench.add_together(effects, progress);
-  return effects_changed(
-      bench, known, progress, "added " + names_of(effects), effects.size());
+  return effects_changed(bench, known, progress, "added " + names_of(effects));
 }
 
 /// Overruling is its own inverse. False where it changes nothing: a truncated

@@ -7,6 +7,7 @@
 #include "updating/live_fit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -28,10 +29,15 @@ std::shared_ptr<const T> shared(T value) {
 std::string taken_up(const Snapshot& known) {
   const std::size_t hits = overruled_now(known.hit_acts.done).size();
   if (known.effects.empty() && hits == 0) return {};
-  return fmt::format("as left last time: {} added, {} hit{} judged by hand",
-                     effects_text(known.effects.size()),
-                     hits,
-                     hits == 1 ? "" : "s");
+  std::vector<std::string> parts;
+  if (!known.effects.empty()) {
+    parts.push_back(effects_text(known.effects.size()) + " added");
+  }
+  if (hits > 0) {
+    parts.push_back(
+        fmt::format("{} hit{} judged by hand", hits, hits == 1 ? "" : "s"));
+  }
+  return fmt::format("as left last time: {}", fmt::join(parts, ", "));
 }
 
 /// What is worked at again is noted where it was last.
