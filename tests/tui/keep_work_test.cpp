@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 namespace tapfit::tui {
 namespace {
 
@@ -88,6 +91,11 @@ TEST_F(LeavingDuringAFit, LeavesAtOnceWhereAskedAgain) {
 
 TEST_F(LeavingDuringAFit, StaysByEscWithTheFitGoingOn) {
   program_.press(Key(keys::escape));
+  for (int i = 0; i < 25; ++i) {  // long enough to be stopped in
+    program_.tick();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_TRUE(program_.busy());
   end_the_fit();
   EXPECT_FALSE(program_.quit());
   EXPECT_TRUE(holds(seen(), "1 effect added")) << seen();

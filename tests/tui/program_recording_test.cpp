@@ -37,6 +37,9 @@ TEST(ProgramRecording, UndoesAndRedoesAnActOnSeveralHitsAsOne) {
 TEST(ProgramRecording, UndoesWhatTurnedAHitBack) {
   const std::string text = played("wait\n \nwait\n \nwait\nu\nwait");
   EXPECT_TRUE(holds(text, "#1 by hand")) << text;
+  const std::string all = played("wait\n \nwait\n \nwait\nu\nwait\nu\nwait");
+  EXPECT_TRUE(holds(all, "run 1, hit 1: judged as before")) << all;
+  EXPECT_FALSE(holds(all, "by hand")) << all;
 }
 
 TEST(ProgramRecording, ReplaysARunAsItCame) {
