@@ -11,36 +11,38 @@
 namespace tapfit::tui {
 namespace {
 
-/// Reads the ladder anew and tells its last step, of that many rungs.
-std::string last_step(Workbench& bench,
-                      Snapshot& known,
-                      const Progress& progress,
-                      const std::string& done,
-                      std::size_t rungs) {
+using updating::OverruledHit;
+
+/// Reads the ladder anew and tells what the change did to the error.
+/// @param before the error it was, where that is known
+std::string told_of_change(Workbench& bench,
+                           Snapshot& known,
+                           const Progress& progress,
+                           const std::string& done,
+                           std::optional<double> before) {
   const std::vector<updating::Rung> ladder = bench.ladder(progress);
   known.ladder = std::make_shared<const std::vector<updating::Rung>>(ladder);
   known.parameters = std::make_shared<const std::vector<updating::Estimate>>(
       bench.model_parameters(progress));
   if (ladder.empty()) return done;
+  const std::string now = percent(ladder.back().error);
   if (ladder.size() == 1) {
-    return fmt::format(
-        "{}: base model, error {}", done, percent(ladder.back().error));
+    return fmt::format("{}: base model, error {}", done, now);
   }
-  const std::size_t before =
-      ladder.size() - 1 - std::min(rungs, ladder.size() - 1);
-  return fmt::format("{}: error {} → {}",
-                     done,
-                     percent(ladder[before].error),
-                     percent(ladder.back().error));
+  if (!before) return fmt::format("{}: error {}", done, now);
+  return fmt::format("{}: error {} → {}", done, percent(*before), now);
 }
 
 std::string effects_changed(Workbench& bench,
                             Snapshot& known,
                             const Progress& progress,
-                            const std::string& done,
-                            std::size_t rungs = 1) {
+                            const std::string& done) {
+  std::optional<double> before;
+  if (known.ladder && !known.ladder->empty()) {
+    before = known.ladder->back().error;
+  }
   known.change_effects(bench.effects());
-  const std::string told = last_step(bench, known, progress, done, rungs);
+  const std::string told = told_of_change(bench, known, progress, done, before);
   return keep_work(bench, known, progress, told);
 }
 
@@ -57,23 +59,42 @@ std::string add_now(Workbench& bench,
                     const Progress& progress,
                     const std::vector<updating::EffectRef>& effects) {
   bench.add_together(effects, progress);
-  return effects_changed(
-      bench, known, progress, "added " + names_of(effects), effects.size());
+  return effects_changed(bench, known, progress, "added " + names_of(effects));
 }
 
-/// Overruling is its own inverse. False when the hit's judgement stood firm.
+/// Overruling is its own inverse. False where it changes nothing: a truncated
+/// hit stays rejected, and runs that are left out have none.
 bool toggle_hit(Workbench& bench,
                 Snapshot& known,
                 const Progress& progress,
-                std::size_t run,
-                std::size_t hit) {
-  const bool before = bench.hits(progress).runs.at(run).at(hit).accepted;
+                const OverruledHit& which) {
+  const auto& [run, hit, together] = which;
+  const std::vector<acquisition::Hit>& there =
+      bench.hits(progress).runs.at(run);
+  if (hit >= there.size()) return false;
+  const bool before = there[hit].accepted;
   bench.overrule_hit(run, hit);
   known.forget_from_hits();
   known.hits =
       std::make_shared<const acquisition::HitSet>(bench.hits(progress));
-  known.overruled = bench.overruled();
   return known.hits->runs[run][hit].accepted != before;
+}
+
+/// Carries the last act of one list over to the other; tells what it was.
+std::string move_act(Workbench& bench,
+                     Snapshot& known,
+                     const Progress& progress,
+                     std::vector<OverruledHit>& from,
+                     std::vector<OverruledHit>& to,
+                     const char* done) {
+  const std::vector<OverruledHit> hits = updating::take_last_act(from);
+  for (const OverruledHit& hit : hits) toggle_hit(bench, known, progress, hit);
+  updating::add_act(to, hits);
+  const std::string which =
+      hits.size() == 1
+          ? fmt::format("run {}, hit {}", hits[0].run + 1, hits[0].hit + 1)
+          : fmt::format("{} hits", hits.size());
+  return keep_work(bench, known, progress, fmt::format("{}: {}", which, done));
 }
 
 }  // namespace
@@ -82,16 +103,18 @@ Job overrule_hits(
     const std::vector<std::pair<std::size_t, std::size_t>>& hits) {
   return {"overruling the hit",
           [hits](Workbench& bench, Snapshot& known, const Progress& p) {
-            std::size_t firm = 0;
-            known.restored.clear();
+            std::vector<OverruledHit> changed;
             for (const auto& [run, hit] : hits) {
-              if (!toggle_hit(bench, known, p, run, hit)) ++firm;
+              const OverruledHit which{run, hit};
+              if (toggle_hit(bench, known, p, which)) changed.push_back(which);
             }
+            updating::add_act(known.hit_acts.done, changed);
+            if (!changed.empty()) known.hit_acts.undone.clear();
             std::string told;
             if (hits.size() > 1) {
-              told = fmt::format("{} hits overruled", hits.size() - firm);
+              told = fmt::format("{} hits overruled", changed.size());
             }
-            if (firm > 0) {
+            if (changed.size() < hits.size()) {
               told += fmt::format("{}a truncated hit stays rejected",
                                   told.empty() ? "" : "; ");
             }
@@ -100,40 +123,24 @@ Job overrule_hits(
           std::nullopt};
 }
 
-Job restore_hit() {
-  return {
-      "taking the overruling back",
-      [](Workbench& bench, Snapshot& known, const Progress& p) {
-        if (known.overruled.empty()) {
-          return std::string("no hit was overruled");
-        }
-        const auto [run, hit] = known.overruled.back();
-        toggle_hit(bench, known, p, run, hit);
-        known.restored.push_back({run, hit});
-        return keep_work(
-            bench,
-            known,
-            p,
-            fmt::format("run {}, hit {}: judged as before", run + 1, hit + 1));
-      },
-      std::nullopt};
+Job restore_hits() {
+  return {"taking the overruling back",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            auto& [done, undone] = known.hit_acts;
+            if (done.empty()) return std::string("no hit was overruled");
+            return move_act(bench, known, p, done, undone, "judged as before");
+          },
+          std::nullopt};
 }
 
 Job overrule_again() {
-  return {
-      "overruling the hit again",
-      [](Workbench& bench, Snapshot& known, const Progress& p) {
-        if (known.restored.empty()) return std::string("nothing to redo");
-        const auto [run, hit] = known.restored.back();
-        known.restored.pop_back();
-        toggle_hit(bench, known, p, run, hit);
-        return keep_work(
-            bench,
-            known,
-            p,
-            fmt::format("run {}, hit {}: overruled again", run + 1, hit + 1));
-      },
-      std::nullopt};
+  return {"overruling the hit again",
+          [](Workbench& bench, Snapshot& known, const Progress& p) {
+            auto& [done, undone] = known.hit_acts;
+            if (undone.empty()) return std::string("nothing to redo");
+            return move_act(bench, known, p, undone, done, "overruled again");
+          },
+          std::nullopt};
 }
 
 Job add_effects(const std::vector<updating::EffectRef>& effects) {

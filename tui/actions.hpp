@@ -13,8 +13,8 @@ namespace tapfit::tui {
 /// Hits as run and number, counted from 0.
 [[nodiscard]] Job overrule_hits(
     const std::vector<std::pair<std::size_t, std::size_t>>& hits);
-/// Takes the last overruling back.
-[[nodiscard]] Job restore_hit();
+/// Takes the last overruling back, of all hits that it was of.
+[[nodiscard]] Job restore_hits();
 /// Redo of that, until another hit is overruled.
 [[nodiscard]] Job overrule_again();
 /// In this order, as one step.

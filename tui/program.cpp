@@ -20,6 +20,7 @@
 namespace tapfit::tui {
 namespace {
 
+constexpr std::size_t recording_screen = 0;
 constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
@@ -110,6 +111,7 @@ void Program::finish(Finished finished) {
   running_ = false;
   known_ = std::move(finished.snapshot);
   const bool action = !finished.need;
+  const bool leaving = action && std::exchange(quit_asked_, false);
   using How = Finished::How;
   if (finished.how == How::Failed) {
     if (finished.need) failed_[*finished.need] = finished.message;
@@ -128,6 +130,7 @@ void Program::finish(Finished finished) {
   } else if (finished.how == How::Done && !finished.message.empty()) {
     tell(finished.message, true);
   }
+  if (leaving && finished.how == How::Done) ask_to_quit();
   changed_ = true;
 }
 
@@ -162,7 +165,6 @@ bool Program::animate() {
 void Program::tell(const std::string& text, bool error) {
   message_ = text;
   message_is_error_ = error;
-  message_open_ = error && text_width(text) > canvas_.width - 2;
   changed_ = true;
 }
 
@@ -183,20 +185,19 @@ void Program::leave() {
 }
 
 void Program::ask_to_quit() {
-  const bool would_lose = !actions_.empty() || acting() || known_.unsaved;
-  quit_ = !would_lose || quit_warned_;
-  quit_warned_ = would_lose;
+  const bool works = !actions_.empty() || acting();
+  quit_asked_ = works || known_.unsaved;
+  quit_ = !quit_asked_ || quit_asked_before_;
   if (quit_) return;
-  if (actions_.empty() && !acting()) {
+  if (!works) {
     return tell(
-        "what was done could not be saved and would be lost; q again "
-        "leaves",
+        "what was done could not be saved and would be lost; q again leaves",
         true);
   }
   const std::string what =
       actions_.empty() ? shown_.title : actions_.back().title;
-  tell(fmt::format("{} is not done and would be lost; q again leaves", what),
-       true);
+  tell(fmt::format("{} ends first, then tapfit: q leaves now, Esc stays",
+                   clipped(what, 26)));
 }
 
 void Program::go_to(std::size_t index) {
@@ -222,15 +223,14 @@ void Program::press(Key key) {
   changed_ = true;
   if (key == keys::resize) return;
   if (scroll_help(key)) return;
-  const bool boxed = help_open_ || message_open_;
+  const bool covered = help_open_ || boxed();
   // The key that closes the help does nothing else, but for those that lead
   // elsewhere.
   const bool helped = help_open_ && !leads_elsewhere(key);
   help_open_ = false;
-  message_open_ = false;
   tell("");  // what was told has been read
-  if (key != U'q' && key != keys::enter) quit_warned_ = false;
-  if (helped || (boxed && only_closes(key))) return;
+  quit_asked_before_ = std::exchange(quit_asked_, false);
+  if (helped || (covered && only_closes(key))) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
   if (mode_ == Mode::Colon) return press_colon(key);
@@ -259,12 +259,13 @@ void Program::press_global(Key key) {
   } else if (key == U'/' && page().list() != nullptr) {
     mode_ = Mode::Filter;
   } else if (key == U'u') {
-    act(current_ == modes_screen ? undo_modes() : undo());
+    act(current_ == recording_screen ? restore_hits()
+        : current_ == modes_screen   ? undo_modes()
+                                     : undo());
   } else if (key == Key(U'r', true)) {
-    const bool hit = current_ == 0 && !known_.restored.empty();
-    act(hit                        ? overrule_again()
-        : current_ == modes_screen ? redo_modes()
-                                   : redo());
+    act(current_ == recording_screen ? overrule_again()
+        : current_ == modes_screen   ? redo_modes()
+                                     : redo());
   } else if (key == U'S' && acting()) {
     worker_.keep();
     tell("ending with what is reached …");
@@ -293,6 +294,7 @@ void Program::stop_work() {
 // What lies on top goes first: what was asked for, a filter, a view in the main
 // one's place, the way back; then work that goes on beside.
 void Program::escape() {
+  if (quit_asked_before_) return;  // it takes that back, and nothing else
   if (running_ && (acting() || !ready())) return stop_work();
   ListState* list = page().list();
   const bool filtered = list != nullptr && !list->filter.empty();
@@ -308,8 +310,6 @@ void Program::carry_out(const Command& command) {
       return;
     case Command::Kind::OverruleHit:
       return act(overrule_hits(command.hits));
-    case Command::Kind::RestoreHit:
-      return act(restore_hit());
     case Command::Kind::Add:
       return act(add_effects(command.effects));
     case Command::Kind::Toggle:

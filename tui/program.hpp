@@ -79,6 +79,10 @@ class Program {
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
   void retry();
   void tell(const std::string& text, bool error = false);
+  /// What is told does not fit its line and stands in a box.
+  [[nodiscard]] bool boxed() const;
+  /// The filter in force, for the line that messages stand in.
+  [[nodiscard]] std::string filter_words() const;
 
   [[nodiscard]] Screen body(const Canvas& canvas) const;
   [[nodiscard]] Screen waiting(const Canvas& canvas) const;
@@ -108,11 +112,13 @@ class Program {
   std::string typed_before_;         ///< and what was carried out last
   std::string message_;
   bool message_is_error_ = false;
-  bool message_open_ = false;  ///< in a box, as it does not fit the line
   bool help_open_ = false;
   int help_row_ = 0;  ///< the first line shown of a help that is too long
   bool quit_ = false;
-  bool quit_warned_ = false;  ///< q was pressed while an action ran
+  /// q was the last key and something would be lost: it leaves once that is
+  /// done, and at once where q comes again.
+  bool quit_asked_ = false;
+  bool quit_asked_before_ = false;  ///< by the key before
   bool changed_ = true;
 
   std::map<Need, std::string> failed_;  ///< not asked for again by itself

@@ -134,7 +134,7 @@ Screen Program::draw() const {
 Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
   draw_live(screen);
-  if (message_open_) {
+  if (boxed()) {
     draw_text_box(
         screen,
         "message (any key closes)",
@@ -266,12 +266,20 @@ void Program::draw_line(Screen& screen, int y) const {
     return;
   }
   if (shown_.busy) return draw_work(screen, y);
-  std::string words = message_;
-  if (list != nullptr && !list->filter.empty()) {
-    words = fmt::format("filter /{}  (Esc clears)  {}", list->filter, message_);
-  }
+  const std::string words = filter_words() + (boxed() ? "" : message_);
   const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
   screen.text(1, y, words, {.colour = colour}, width);
+}
+
+std::string Program::filter_words() const {
+  const ListState* list = page().list();
+  if (list == nullptr || list->filter.empty()) return {};
+  return fmt::format("filter /{}  (Esc clears)  ", list->filter);
+}
+
+bool Program::boxed() const {
+  return !message_.empty() &&
+         text_width(filter_words() + message_) > canvas_.width - 2;
 }
 
 /// What runs and how far it is; to its left what there is to tell.
@@ -279,7 +287,7 @@ void Program::draw_work(Screen& screen, int y) const {
   const int width = screen.width() - 2;
   const int bar_width = std::min(20, width / 4);
   int x = 1;
-  if (!message_.empty()) {
+  if (!message_.empty() && !boxed()) {
     const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
     x = screen.text(1, y, message_, {.colour = colour}, width) + 2;
   }

@@ -21,7 +21,7 @@ class SessionWorkbench final : public Workbench {
     if (std::filesystem::exists(file_, ignored)) {
       const updating::SavedSession saved = updating::read_saved_session(file_);
       session_.take_up(saved);
-      restored_ = saved.restored;
+      hit_acts_ = {saved.overruled, saved.restored};
     }
   }
 
@@ -98,20 +98,16 @@ class SessionWorkbench final : public Workbench {
   std::vector<updating::AddedEffect> effects() override {
     return session_.effects();
   }
-  std::vector<updating::OverruledHit> overruled() override {
-    return session_.overruled();
-  }
-  std::vector<updating::OverruledHit> restored() override { return restored_; }
+  updating::HitActs hit_acts() override { return hit_acts_; }
   std::filesystem::path write(Output what,
                               const std::filesystem::path& to,
                               const Progress& p) override;
-  std::string save(const std::vector<updating::OverruledHit>& restored,
-                   const Progress& p) override;
+  std::string save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
   updating::Session session_;
   std::filesystem::path file_;
-  std::vector<updating::OverruledHit> restored_;  ///< when it was opened
+  updating::HitActs hit_acts_;  ///< when it was opened
 };
 
 std::filesystem::path SessionWorkbench::write(Output what,
@@ -133,11 +129,12 @@ std::filesystem::path SessionWorkbench::write(Output what,
   return path;
 }
 
-std::string SessionWorkbench::save(
-    const std::vector<updating::OverruledHit>& restored, const Progress& p) {
+std::string SessionWorkbench::save(const updating::HitActs& acts,
+                                   const Progress& p) {
   try {
     updating::SavedSession saved = session_.saved(p);
-    saved.restored = restored;
+    saved.overruled = acts.done;
+    saved.restored = acts.undone;
     std::error_code ignored;
     if (!saved.empty()) {
       updating::write_saved_session(file_, saved);

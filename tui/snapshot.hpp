@@ -58,10 +58,7 @@ struct Snapshot {
   Shared<std::vector<Trace>> traces;
   std::vector<acquisition::LeftOut> left_out;  ///< runs that cannot be used
   Shared<acquisition::HitSet> hits;
-  /// Judgements that were overruled, the last one last.
-  std::vector<updating::OverruledHit> overruled;
-  /// Those that were taken back, for a redo, the last one last.
-  std::vector<updating::OverruledHit> restored;
+  updating::HitActs hit_acts;  ///< judgements overruled by hand
   std::map<int, Shared<RunLook>> run_looks;
   Shared<signal::FrfSet> frfs;
   Shared<FrfChecks> frf_checks;

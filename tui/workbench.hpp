@@ -57,20 +57,17 @@ class Workbench {
   virtual bool undo(const Progress&) = 0;
   virtual bool redo(const Progress&) = 0;
   virtual std::vector<updating::AddedEffect> effects() = 0;
-  virtual std::vector<updating::OverruledHit> overruled() = 0;
 
   /// Writes to the file named, or where nothing is named to report.md,
   /// measured.uff or updated.bdf beside the saved session; says where.
   virtual std::filesystem::path write(Output what,
                                       const std::filesystem::path& to,
                                       const Progress&) = 0;
-  /// Overrulings that had been taken back when it was opened, the last one
-  /// last.
-  virtual std::vector<updating::OverruledHit> restored() = 0;
-  /// Writes down what was done so far, with what was taken back since;
+  /// How hits had been judged by hand when it was opened.
+  virtual updating::HitActs hit_acts() = 0;
+  /// Writes down what was done so far, with how hits were judged by hand;
   /// returns what went wrong, if anything.
-  virtual std::string save(const std::vector<updating::OverruledHit>& restored,
-                           const Progress&) = 0;
+  virtual std::string save(const updating::HitActs& acts, const Progress&) = 0;
 };
 
 }  // namespace tapfit::tui

@@ -7,6 +7,7 @@
 #include "updating/live_fit.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cassert>
@@ -26,11 +27,17 @@ std::shared_ptr<const T> shared(T value) {
 }
 
 std::string taken_up(const Snapshot& known) {
-  if (known.effects.empty() && known.overruled.empty()) return {};
-  return fmt::format("as left last time: {} added, {} hit{} judged by hand",
-                     effects_text(known.effects.size()),
-                     known.overruled.size(),
-                     known.overruled.size() == 1 ? "" : "s");
+  const std::size_t hits = overruled_now(known.hit_acts.done).size();
+  if (known.effects.empty() && hits == 0) return {};
+  std::vector<std::string> parts;
+  if (!known.effects.empty()) {
+    parts.push_back(effects_text(known.effects.size()) + " added");
+  }
+  if (hits > 0) {
+    parts.push_back(
+        fmt::format("{} hit{} judged by hand", hits, hits == 1 ? "" : "s"));
+  }
+  return fmt::format("as left last time: {}", fmt::join(parts, ", "));
 }
 
 /// What is worked at again is noted where it was last.
@@ -159,8 +166,7 @@ Worker::Worker(std::unique_ptr<Workbench> bench) : bench_(std::move(bench)) {
   known_.bundle = shared(bench_->bundle());
   known_.has_model = bench_->has_model();
   known_.effects = bench_->effects();
-  known_.overruled = bench_->overruled();
-  known_.restored = bench_->restored();
+  known_.hit_acts = bench_->hit_acts();
   finished_ = Finished{
       Finished::How::Done, "opening", taken_up(known_), std::nullopt, known_};
   thread_ = std::jthread([this](const std::stop_token& leave) { loop(leave); });

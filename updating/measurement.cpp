@@ -182,7 +182,7 @@ void Measurement::overrule_found() {
   const auto is_left_out = [this](std::size_t run) {
     return std::ranges::count(left_out(), run, &acquisition::LeftOut::run) > 0;
   };
-  for (const auto& [run, hit] : overruled_) {
+  for (const auto& [run, hit, together] : overruled_) {
     if (is_left_out(run)) continue;
     if (run < hits_->runs.size() && hit < hits_->runs[run].size()) {
       acquisition::overrule(hits_->runs[run][hit]);

@@ -248,8 +248,10 @@ std::size_t index_from(const json& value) {
 std::vector<OverruledHit> hits_from(const json& list) {
   std::vector<OverruledHit> hits;
   for (const json& hit : list) {
-    check_fields(hit, "a hit", {"run", "hit"});
-    hits.push_back({index_from(hit.at("run")), index_from(hit.at("hit"))});
+    check_fields(hit, "a hit", {"run", "hit", "together"});
+    hits.push_back({index_from(hit.at("run")),
+                    index_from(hit.at("hit")),
+                    hit.value("together", false)});
   }
   return hits;
 }
@@ -258,6 +260,7 @@ json to_json(const std::vector<OverruledHit>& hits) {
   json list = json::array();
   for (const OverruledHit& hit : hits) {
     list.push_back({{"run", hit.run + 1}, {"hit", hit.hit + 1}});
+    if (hit.together) list.back()["together"] = true;
   }
   return list;
 }

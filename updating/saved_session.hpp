@@ -8,20 +8,13 @@
 #include "updating/effect_change.hpp"
 #include "updating/kept_fit.hpp"
 #include "updating/mode_choices.hpp"
+#include "updating/overruled_hit.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace tapfit::updating {
-
-/// Counted from 0; in the file, as on the screens, from 1.
-struct OverruledHit {
-  std::size_t run = 0;
-  std::size_t hit = 0;
-
-  bool operator==(const OverruledHit&) const = default;
-};
 
 /// A rung and the model's modes with it.
 struct SavedRung {
@@ -30,10 +23,9 @@ struct SavedRung {
 };
 
 struct SavedSession {
-  std::string title;  ///< of the bundle
-  std::vector<OverruledHit> overruled;
-  /// Overrulings that were taken back, for a redo, the next one last.
-  std::vector<OverruledHit> restored = {};
+  std::string title;                        ///< of the bundle
+  std::vector<OverruledHit> overruled;      ///< as HitActs::done
+  std::vector<OverruledHit> restored = {};  ///< as HitActs::undone
   ModeChoices modes;
   std::vector<AddedEffect> effects;
   std::vector<EffectChange> undone = {};  ///< for a redo, the next one last

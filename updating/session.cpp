@@ -342,7 +342,7 @@ SavedSession Session::saved(const Progress& progress) {
 }
 
 void Session::take_up(const SavedSession& saved) {
-  impl_->test.set_overruled(saved.overruled);
+  impl_->test.set_overruled(overruled_now(saved.overruled));
   impl_->test.set_choices(saved.modes);
   impl_->waiting.now = saved.effects;
   impl_->waiting.future = states_through(saved.effects, saved.undone);

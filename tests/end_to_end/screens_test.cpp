@@ -119,5 +119,15 @@ TEST(Screens, AHitTakenBackIsOverruledAgainAfterARestart) {
   EXPECT_TRUE(holds(again, "by hand")) << again;
 }
 
+TEST(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
+  const SmallTest test;
+  const std::string act = test.replay("1\nwait\ntt \nwait\n");
+  EXPECT_TRUE(holds(act, "2 hits overruled")) << act;
+  const std::string back = test.replay("1\nwait\nu\nwait\n");
+  EXPECT_TRUE(holds(back, "2 hits: judged as before")) << back;
+  const std::string again = test.replay("1\nwait\n<C-r>\nwait\n");
+  EXPECT_TRUE(holds(again, "2 hits: overruled again")) << again;
+}
+
 }  // namespace
 }  // namespace tapfit::end_to_end

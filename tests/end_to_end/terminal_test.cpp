@@ -187,6 +187,41 @@ TEST(Terminal, HangUpKeepsTheSession) {
               again.shows("by hand", seconds(10)));
 }
 
+// Whatever ends it while work runs: a crash, a signal, the last resort.
+TEST(Terminal, NoSignalCostsWhatWasDone) {
+  for (const int number : {SIGSEGV, SIGABRT, SIGTERM, SIGHUP, SIGKILL}) {
+    const std::string bundle = copy_of_bundle();
+    PseudoTerminal terminal({bundle});
+    ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+    terminal.type(" ");
+    ASSERT_TRUE(terminal.shows("by hand", seconds(20)));
+    terminal.type("5");
+    ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
+    terminal.send(number);
+    ASSERT_TRUE(terminal.ends(seconds(10))) << number;
+    if (number != SIGKILL) {
+      EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()))
+          << number;
+    }
+    PseudoTerminal again({bundle});
+    EXPECT_TRUE(again.shows("#1 by hand", seconds(20))) << number;
+  }
+}
+
+TEST(Terminal, StoppedFromOutsideADiagnosisGoesOnAfterwards) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("5");
+  ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
+  terminal.send(SIGSTOP);
+  ASSERT_TRUE(terminal.stops(seconds(5)));
+  terminal.resume();
+  terminal.type("1");
+  EXPECT_TRUE(terminal.shows("3 accepted", seconds(5)));
+  terminal.type("5");
+  EXPECT_TRUE(terminal.shows("verdict:", seconds(120)));
+}
+
 /// Seconds that all cores together have been busy since the machine started.
 double busy_s() {
   std::ifstream stat("/proc/stat");

@@ -114,9 +114,6 @@ class FakeWorkbench final : public Workbench {
   }
   void overrule_hit(std::size_t run, std::size_t hit) override {
     acquisition::overrule(hits_.runs.at(run).at(hit));
-    if (std::erase(overruled_, updating::OverruledHit{run, hit}) == 0) {
-      overruled_.push_back({run, hit});
-    }
   }
   // A mode edited away or put in: only their number is right.
   void choose_modes(const updating::ModeChoices& choices,
@@ -147,7 +144,14 @@ class FakeWorkbench final : public Workbench {
     return {"added-mass", diagnosis_.candidates[0].where};
   }
   void add_together(const std::vector<updating::EffectRef>& effects,
-                    const Progress&) override {
+                    const Progress& progress) override {
+    while (options_.held != nullptr && *options_.held) {
+      progress("fitting", 0.43);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (!options_.add_fails.empty()) {
+      throw InputError(options_.add_fails, "", "");
+    }
     past_.push_back(added_);
     added_ = updating::with_added(added_, effects);
     future_.clear();
@@ -159,12 +163,8 @@ class FakeWorkbench final : public Workbench {
   bool undo(const Progress&) override { return move(past_, future_); }
   bool redo(const Progress&) override { return move(future_, past_); }
   std::vector<updating::AddedEffect> effects() override { return added_; }
-  std::vector<updating::OverruledHit> overruled() override {
-    return overruled_;
-  }
-  std::vector<updating::OverruledHit> restored() override { return {}; }
-  std::string save(const std::vector<updating::OverruledHit>&,
-                   const Progress&) override {
+  updating::HitActs hit_acts() override { return {}; }
+  std::string save(const updating::HitActs&, const Progress&) override {
     return options_.unsaved;
   }
 
@@ -216,7 +216,6 @@ class FakeWorkbench final : public Workbench {
   Effects added_;
   std::vector<Effects> past_;
   std::vector<Effects> future_;
-  std::vector<updating::OverruledHit> overruled_;
 };
 
 }  // namespace

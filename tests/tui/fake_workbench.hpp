@@ -5,6 +5,7 @@
 #include "tests/tui/fake_results.hpp"
 #include "tui/workbench.hpp"
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,12 +15,14 @@ namespace tapfit::tui::testing {
 struct FakeOptions {
   std::vector<updating::AddedEffect> left_with = {};  ///< effects from before
   bool model = true;
-  bool hits_fail = false;          ///< hits() throws InputError
-  bool unreadable = false;         ///< the second run
-  bool hitless = false;            ///< the second run
-  std::string unsaved = {};        ///< what save() answers
-  bool endless_modes = false;      ///< modes() runs until it is stopped
-  bool endless_diagnosis = false;  ///< the same once something was added
+  bool hits_fail = false;             ///< hits() throws InputError
+  bool unreadable = false;            ///< the second run
+  bool hitless = false;               ///< the second run
+  std::string unsaved = {};           ///< what save() answers
+  bool endless_modes = false;         ///< modes() runs until it is stopped
+  bool endless_diagnosis = false;     ///< the same once something was added
+  std::atomic<bool>* held = nullptr;  ///< add_together() waits while it is set
+  std::string add_fails = {};         ///< what add_together() throws
 };
 
 [[nodiscard]] std::unique_ptr<Workbench> fake_workbench(

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 namespace tapfit::tui {
 namespace {
 
@@ -41,6 +44,72 @@ TEST(KeepWork, LeavingAsksNothingWhereAllIsSaved) {
   (void)replay(program, parse_key_script("5\nwait\na\nwait"));
   program.press(Key(U'q'));
   EXPECT_TRUE(program.quit());
+}
+
+/// A program whose fit runs until `held` is cleared, and q pressed meanwhile.
+class LeavingDuringAFit : public ::testing::Test {
+ protected:
+  explicit LeavingDuringAFit(const std::string& add_fails = {})
+      : program_(testing::fake_workbench(options(add_fails)), {}) {
+    (void)replay(program_, parse_key_script("5\nwait"));
+    program_.press(Key(U'a'));
+    program_.tick();
+    program_.press(Key(U'q'));
+  }
+  ~LeavingDuringAFit() override { held_ = false; }
+  LeavingDuringAFit(const LeavingDuringAFit&) = delete;
+  LeavingDuringAFit& operator=(const LeavingDuringAFit&) = delete;
+
+  FakeOptions options(const std::string& add_fails) {
+    FakeOptions options;
+    options.held = &held_;
+    options.add_fails = add_fails;
+    return options;
+  }
+  void end_the_fit() {
+    held_ = false;
+    wait_until_idle(program_);
+  }
+  [[nodiscard]] std::string seen() const { return program_.draw().to_text(); }
+
+  std::atomic<bool> held_ = true;
+  Program program_;
+};
+
+TEST_F(LeavingDuringAFit, WaitsForItsEndAndSaysSo) {
+  EXPECT_FALSE(program_.quit());
+  EXPECT_TRUE(holds(seen(), "adding added-mass ends first")) << seen();
+  EXPECT_TRUE(holds(seen(), "q leaves now, Esc stays")) << seen();
+  end_the_fit();
+  EXPECT_TRUE(program_.quit());
+}
+
+TEST_F(LeavingDuringAFit, LeavesAtOnceWhereAskedAgain) {
+  program_.press(Key(U'q'));
+  EXPECT_TRUE(program_.quit());
+}
+
+TEST_F(LeavingDuringAFit, StaysByEscWithTheFitGoingOn) {
+  program_.press(Key(keys::escape));
+  for (int i = 0; i < 25; ++i) {  // long enough to be stopped in
+    program_.tick();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  EXPECT_TRUE(program_.busy());
+  end_the_fit();
+  EXPECT_FALSE(program_.quit());
+  EXPECT_TRUE(holds(seen(), "1 effect added")) << seen();
+}
+
+class LeavingDuringAFitThatFails : public LeavingDuringAFit {
+ protected:
+  LeavingDuringAFitThatFails() : LeavingDuringAFit("it cannot be fitted") {}
+};
+
+TEST_F(LeavingDuringAFitThatFails, StaysForTheMessage) {
+  end_the_fit();
+  EXPECT_FALSE(program_.quit());
+  EXPECT_TRUE(holds(seen(), "it cannot be fitted")) << seen();
 }
 
 TEST(KeepWork, LeavingByCommandAsksToo) {

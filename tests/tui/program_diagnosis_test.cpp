@@ -33,10 +33,10 @@ TEST(Program, ShowsTheNewListOnceItIsThere) {
 }
 
 TEST(Program, AddsWhatIsTaggedInOneStep) {
-  const std::string tagged = played("5\nwait\nj\n<Space>\nk\n<Space>");
+  const std::string tagged = played("5\nwait\nj\nt\nk\nt");
   EXPECT_TRUE(holds(tagged, "2 tagged")) << tagged;
   EXPECT_TRUE(holds(tagged, "*1")) << tagged;  // the rung's number
-  const std::string add = "5\nwait\nj\n<Space>\nk\n<Space>\na\nwait\n";
+  const std::string add = "5\nwait\nj\nt\nk\nt\na\nwait\n";
   const std::string both = played(add);
   // In the order of the list, not of the tags.
   EXPECT_TRUE(holds(both, "added added-mass+")) << both;
@@ -47,11 +47,11 @@ TEST(Program, AddsWhatIsTaggedInOneStep) {
 }
 
 TEST(Program, TagsGoByEscape) {
-  const std::string tag = "5\nwait\n<Space>\n";
+  const std::string tag = "5\nwait\nt\n";
   EXPECT_TRUE(holds(played(tag), "1 tagged"));
   // The next one is selected, as on the Recording screen.
   EXPECT_TRUE(holds(played(tag), "▸     1.7 %")) << played(tag);
-  for (const char* key : {"<Esc>", "k\n<Space>"}) {
+  for (const char* key : {"<Esc>", "k\nt"}) {
     EXPECT_FALSE(holds(played(tag + key), "1 tagged")) << key;
   }
   // A view on top goes first.
@@ -59,7 +59,7 @@ TEST(Program, TagsGoByEscape) {
 }
 
 TEST(Program, SaysWhereTaggedOnesLookAlike) {
-  const std::string text = played("5\nwait\n<Space>\n<Space>");
+  const std::string text = played("5\nwait\nt\nt");
   EXPECT_TRUE(holds(text, "neither size will be sure")) << text;
 }
 

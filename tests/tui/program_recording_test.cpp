@@ -17,6 +17,31 @@ TEST(ProgramRecording, TagsHitsAndActsOnThem) {
   EXPECT_TRUE(holds(played("wait\nNN", {120, 35}), "run 2 of 2"));
 }
 
+// Hit 1 was accepted and hit 2 rejected; both are turned round in one act.
+TEST(ProgramRecording, UndoesAndRedoesAnActOnSeveralHitsAsOne) {
+  const std::string act = "wait\ntt \nwait\n";
+  const std::string undone = played(act + "u\nwait", {120, 35});
+  EXPECT_TRUE(holds(undone, "2 hits: judged as before")) << undone;
+  EXPECT_FALSE(holds(undone, "by hand")) << undone;
+  EXPECT_TRUE(holds(played(act + "u\nwait\nu\nwait", {120, 35}),
+                    "no hit was overruled"));
+  const std::string redone = played(act + "u\nwait\n<C-r>\nwait", {120, 35});
+  EXPECT_TRUE(holds(redone, "2 hits: overruled again")) << redone;
+  EXPECT_TRUE(holds(redone, "by hand")) << redone;
+  // And as one again.
+  EXPECT_FALSE(holds(played(act + "u\nwait\n<C-r>\nwait\nu\nwait", {120, 35}),
+                     "by hand"));
+}
+
+// Space twice is two acts: the second is taken back first.
+TEST(ProgramRecording, UndoesWhatTurnedAHitBack) {
+  const std::string text = played("wait\n \nwait\n \nwait\nu\nwait");
+  EXPECT_TRUE(holds(text, "#1 by hand")) << text;
+  const std::string all = played("wait\n \nwait\n \nwait\nu\nwait\nu\nwait");
+  EXPECT_TRUE(holds(all, "run 1, hit 1: judged as before")) << all;
+  EXPECT_FALSE(holds(all, "by hand")) << all;
+}
+
 TEST(ProgramRecording, ReplaysARunAsItCame) {
   Program program(testing::fake_workbench(), {120, 35, false});
   wait_until_idle(program);

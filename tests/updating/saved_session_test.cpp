@@ -51,7 +51,7 @@ SavedSession sample() {
   session.modes.edits = {{What::Add, 20.0}, {What::Drop, 12.98}};
   session.modes.pairs = {{7.232, 2}, {13.0, -1}};
   session.effects = {{support, true}, {sensors, false}, {loss, true}};
-  session.restored = {{1, 2}};
+  session.restored = {{1, 2}, {1, 3, true}};
   session.undone = {{{}, 2}, {{support}, {}}};
   session.kept = {{{support, loss}, 7}, {{}, 1}};
   SavedRung rung;

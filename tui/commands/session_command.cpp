@@ -20,7 +20,8 @@ constexpr double same = 1e-6;
 
 std::string session_text(const updating::SavedSession& session) {
   std::string text;
-  for (const updating::OverruledHit& hit : session.overruled) {
+  for (const updating::OverruledHit& hit :
+       updating::overruled_now(session.overruled)) {
     text += fmt::format(
         "run {}, hit {}: judged by hand\n", hit.run + 1, hit.hit + 1);
   }

@@ -1,5 +1,6 @@
 // What the keys of the Diagnose screen do.
 #include "tui/number.hpp"
+#include "tui/views/diagnose_details.hpp"
 #include "tui/views/diagnose_view.hpp"
 
 #include <fmt/format.h>
@@ -62,6 +63,7 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
 }
 
 bool DiagnosePage::leave_view() {
+  if (std::exchange(state_.details, {})) return true;
   if (std::exchange(state_.map, false)) return true;
   return !std::exchange(state_.tagged, {}).empty();
 }
@@ -91,9 +93,29 @@ void DiagnosePage::add_chosen(const updating::Diagnosis& d,
   command.kind = Command::Kind::Add;
 }
 
+/// Pages scroll there; all other keys do what they always do.
+bool DiagnosePage::press_details(const updating::Diagnosis& d,
+                                 const Table& table,
+                                 Key key) {
+  if (d.candidates.empty()) return false;
+  if (key == U'i') {
+    state_.details = state_.details ? std::nullopt : std::optional<int>(0);
+    return true;
+  }
+  const bool down = key == keys::page_down;
+  if (!state_.details || (!down && key != keys::page_up)) return false;
+  constexpr int page = 10;
+  const Candidate& chosen = d.candidates[settled(table, state_.list)];
+  const auto lines = static_cast<int>(details_of(d, chosen, 78).size());
+  state_.details = std::clamp(
+      *state_.details + (down ? page : -page), 0, std::max(lines - page, 0));
+  return true;
+}
+
 bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   const updating::Diagnosis& d = shown(known);
   const Table table = candidate_table(d, {}, 80, true);
+  if (press_details(d, table, key)) return true;
   if (key == U'a' || key == keys::enter) {
     if (!known.diagnosis) {
       command.message =
@@ -104,8 +126,12 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     add_chosen(d, table, command);
     return true;
   }
-  if (key == U' ') {
+  if (key == U't' || key == U' ') {
     press_tag(d, table, command);
+    return true;
+  }
+  if (key == U'T') {
+    untag();
     return true;
   }
   if (key == keys::tab || key == U'm') {
@@ -130,8 +156,9 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
 std::vector<KeyHelp> DiagnosePage::keys() const {
   return {{"j k", "candidate"},
           {"a", state_.tagged.empty() ? "add it" : "add tagged"},
-          {"Space", "tag"},
+          {"t", "tag"},
           {"m", "place/map"},
+          {"i", "all in words"},
           {"f", "all laws"},
           {"u", "undo"},
           {"^R", "redo"},
@@ -139,6 +166,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"< > ( )", "turn"},
           {"+ -", "zoom"},
           {"[ ]", "pan"},
+          {"T", "tags off"},
           {"/", "filter"}};
 }
 
@@ -152,9 +180,8 @@ std::string DiagnosePage::help() const {
          "stiffness at the place: a mass falls with the square of frequency, a "
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
-         "all. m maps how well each grid alone explains what is missing. a "
-         "adds the candidate, or all that Space tagged (*) as one step, and "
-         "identifies all parameters anew.";
+         "all. m maps what each grid alone explains. a adds the candidate, or "
+         "all tagged (*) at once.";
 }
 
 }  // namespace tapfit::tui

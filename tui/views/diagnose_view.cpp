@@ -6,6 +6,7 @@
 #include "tui/number.hpp"
 #include "tui/plot.hpp"
 #include "tui/text.hpp"
+#include "tui/views/diagnose_details.hpp"
 #include "tui/views/signature_plot.hpp"
 
 #include <fmt/format.h>
@@ -19,41 +20,6 @@ namespace {
 
 using updating::Candidate;
 using updating::Signature;
-
-std::string look_alikes(const Candidate& c) {
-  if (c.indistinguishable_from.empty()) return "told apart from all others";
-  std::string text = "can't be told from:";
-  for (const updating::EffectRef& other : c.indistinguishable_from) {
-    text += fmt::format(" {} {};", other.effect, place(other.where));
-  }
-  text.pop_back();
-  return text;
-}
-
-/// What to measure to know, where the candidate is in the verdict.
-std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
-  for (const updating::NextMeasurement& next : d.next) {
-    if (next.one.effect != c.effect || next.one.where != c.where) continue;
-    return fmt::format(
-        "{} or {}? {}; ", c.effect, next.other.effect, advice(next, d.floor));
-  }
-  return {};
-}
-
-std::string all_sizes(const Candidate& c) {
-  std::string text;
-  for (const updating::Estimate& p : c.parameters) {
-    const NameAndUnit split = split_unit(p.name);
-    text += fmt::format("{}{} {} {} (95 %: {} to {})",
-                        text.empty() ? "" : "; ",
-                        split.name,
-                        with_sd(p.value, p.sd),
-                        split.unit,
-                        number(p.lo95),
-                        number(p.hi95));
-  }
-  return text.empty() ? "no parameters" : text;
-}
 
 std::string whole_percent(double share) { return fixed(100.0 * share, 0); }
 
@@ -234,6 +200,38 @@ std::string verdict_line(const updating::Diagnosis& d,
   return clipped("verdict: " + d.verdict, width - text_width(errors)) + errors;
 }
 
+/// What stands in the way or, where nothing does, how it was compared. All of
+/// it is in the details.
+std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
+  if (outdated) return "as of before the last change; it is looked for anew …";
+  const bool warned = !d.warnings.empty();
+  const std::string note = warned ? "! " + d.warnings[0] : d.contour;
+  const std::string more =
+      d.warnings.size() > 1
+          ? fmt::format("  (1 of {} notes, i: all)", d.warnings.size())
+          : "  (i: all)";
+  if (text_width(note) <= width && d.warnings.size() < 2) return note;
+  return clipped(note, width - text_width(more)) + more;
+}
+
+/// In place of table and plots, scrolled down so far.
+void draw_details(Screen& screen,
+                  const updating::Diagnosis& d,
+                  const Candidate& chosen,
+                  int first) {
+  const std::vector<std::string> lines =
+      details_of(d, chosen, screen.width() - 2);
+  const int rows = screen.height() - 3;
+  const int count = static_cast<int>(lines.size());
+  first = std::clamp(first, 0, std::max(count - rows, 0));
+  for (int i = 0; i < std::min(rows, count - first); ++i) {
+    screen.text(1, 3 + i, lines[static_cast<std::size_t>(first + i)]);
+  }
+  const int right = screen.width() - 1;
+  if (first > 0) screen.put(right, 3, U'↑');
+  if (first + rows < count) screen.put(right, screen.height() - 1, U'↓');
+}
+
 }  // namespace
 
 std::vector<int> grids_of(const acquisition::TestBundle& bundle,
@@ -269,15 +267,19 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::size_t tagged = tagged_of(d, state.tagged).size();
   screen.text(1, 0, verdict_line(d, tagged, canvas.width - 2), {.bold = true});
   const bool warned = input.outdated || !d.warnings.empty();
-  const std::string note =
-      input.outdated ? "as of before the last change; it is looked for anew …"
-      : warned       ? fmt::format("! {}", d.warnings[0])
-                     : d.contour;
-  const Colour note_colour = warned ? Colour::Yellow : Colour::Grey;
-  const int top =
-      write(screen, 1, wrapped(note, canvas.width - 2, 2), note_colour);
+  screen.text(1,
+              1,
+              note_line(d, input.outdated, canvas.width - 2),
+              {.colour = warned ? Colour::Yellow : Colour::Grey});
+  constexpr int top = 2;
   if (d.candidates.empty()) {
-    screen.text(1, top + 1, "No candidate: nothing in the catalogue fits.");
+    int y = write(screen,
+                  top + 1,
+                  {"No candidate: nothing in the catalogue fits.", ""},
+                  Colour::Default);
+    for (const std::string& warning : d.warnings) {
+      y = write(screen, y, wrapped("! " + warning, canvas.width - 2), {});
+    }
     return screen;
   }
   Table table = candidate_table(d, state.tagged, canvas.width, canvas.ascii);
@@ -285,6 +287,10 @@ Screen diagnose_view(const DiagnoseInput& input,
     for (Row& row : table.rows) row.style.colour = Colour::Grey;
   }
   const Candidate& chosen = d.candidates[settled(table, state.list)];
+  if (state.details) {
+    draw_details(screen, d, chosen, *state.details);
+    return screen;
+  }
   const Rect body{0, top, canvas.width, canvas.height - top};
   const int rows = std::clamp(static_cast<int>(d.candidates.size()) + 1,
                               4,

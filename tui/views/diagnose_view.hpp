@@ -28,6 +28,8 @@ struct DiagnoseState {
   Pose pose;
   bool map = false;       ///< all grids instead of the candidate's place
   bool all_laws = false;  ///< mass, spring and dashpot, not the best alone
+  /// All in words, from that line on, in place of table and plots.
+  std::optional<int> details = {};
 };
 
 [[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
@@ -66,6 +68,7 @@ class DiagnosePage final : public Page {
   std::string help() const override;
 
  private:
+  bool press_details(const updating::Diagnosis& d, const Table& table, Key key);
   void press_tag(const updating::Diagnosis& d,
                  const Table& table,
                  Command& command);

@@ -183,8 +183,8 @@ void FrfPage::select(std::size_t frf, std::optional<double> hz) {
 
 bool FrfPage::press_view(const Snapshot& known, Key key) {
   const FrfSet& frfs = *known.frfs;
-  const std::size_t selected =
-      settled(frf_table(frfs, state_.tagged), state_.list);
+  const Table table = frf_table(frfs, state_.tagged);
+  const std::size_t selected = settled(table, state_.list);
   if (key == U'x') {
     state_.log = !state_.log;
   } else if (key == U'X') {
@@ -195,18 +195,30 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
     state_.checks = !state_.checks;
   } else if (key == U'o') {
     state_.both_ways = !state_.both_ways;
-  } else if (key == U' ' && !state_.checks) {
+  } else if (state_.checks) {
+    return press_panel(key);
+  } else if (key == U't' || key == U' ') {
+    if (none_shown(table, state_.list)) return true;
     if (state_.tagged.erase(selected) == 0) state_.tagged.insert(selected);
+    static_cast<void>(list_key(state_.list, table, keys::down));
+  } else if (key == U'*') {
+    for (const std::size_t row : visible_rows(table, state_.list.filter)) {
+      state_.tagged.insert(row);
+    }
   } else if (key == U'T') {
     state_.tagged.clear();
-  } else if (key == keys::tab || key == U'c') {
-    constexpr int panels = static_cast<int>(Panel::Magnitude) + 1;
-    state_.panel =
-        static_cast<Panel>((static_cast<int>(state_.panel) + 1) % panels);
-    state_.checks = false;
   } else {
-    return false;
+    return press_panel(key);
   }
+  return true;
+}
+
+bool FrfPage::press_panel(Key key) {
+  if (key != keys::tab && key != U'c') return false;
+  constexpr int panels = static_cast<int>(Panel::Magnitude) + 1;
+  state_.panel =
+      static_cast<Panel>((static_cast<int>(state_.panel) + 1) % panels);
+  state_.checks = false;
   return true;
 }
 
@@ -214,7 +226,7 @@ bool FrfPage::leave_view() {
   const bool main = !state_.checks && state_.panel == Panel::Phase;
   state_.checks = false;
   state_.panel = Panel::Phase;
-  return !main;
+  return !main || !std::exchange(state_.tagged, {}).empty();
 }
 
 bool FrfPage::press_band(const FrfSet& frfs, const Frf& frf, Key key) {
@@ -278,25 +290,14 @@ std::vector<KeyHelp> FrfPage::keys() const {
             {"z", "zoom to band"},
             {"/", "filter"}};
   }
-  return {{"Tab", "next plot"},
-          {"j k", "FRF"},
-          {"Space", "overlay"},
-          {"h l", "cursor"},
-          {"n p", "peak"},
-          {"d", "checks"},
-          {"m", "band cursor"},
-          {"Enter", "its hits"},
-          {"x", "log/linear"},
-          {"z", "zoom to band"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"_", "whole band"},
-          {"X", "log frequency"},
-          {"b", "confidence"},
-          {"o", "other way round"},
-          {"T", "overlays off"},
-          {"H L", "cursor faster"},
-          {"/", "filter"}};
+  return {
+      {"Tab", "next plot"},     {"j k", "FRF"},          {"t", "tag: overlay"},
+      {"h l", "cursor"},        {"n p", "peak"},         {"d", "checks"},
+      {"m", "band cursor"},     {"Enter", "its hits"},   {"x", "log/linear"},
+      {"z", "zoom to band"},    {"+ -", "zoom"},         {"[ ]", "pan"},
+      {"_", "whole band"},      {"X", "log frequency"},  {"b", "confidence"},
+      {"o", "other way round"}, {"*", "tag all listed"}, {"T", "tags off"},
+      {"H L", "cursor faster"}, {"/", "filter"}};
 }
 
 std::string FrfPage::help() const {
@@ -305,8 +306,9 @@ std::string FrfPage::help() const {
          "relative deviation, the faint band the 95 % confidence from the "
          "scatter over hits. Tab goes round: phase, coherence, real and "
          "imaginary, Nyquist with the circle of the peak at the cursor, "
-         "magnitude. Space lays an FRF over the others, o the one measured "
-         "the other way round. m sets one end of the band cursor, the cursor "
+         "magnitude. Tagged FRFs are laid over the selected one, with o also "
+         "the one measured the other way round. m sets one end of the band "
+         "cursor, the cursor "
          "is the other. d holds driving points and pairs measured both ways "
          "against physics. The exponential window's sigma is in the FRF, but "
          "not in the dampings.";

@@ -57,6 +57,7 @@ class FrfPage final : public Page {
 
  private:
   bool press_view(const Snapshot& known, Key key);
+  bool press_panel(Key key);
   bool press_band(const signal::FrfSet& frfs, const signal::Frf& frf, Key key);
 
   FrfState state_;

@@ -20,7 +20,6 @@ struct Command {
   enum class Kind {
     None,
     OverruleHit,
-    RestoreHit,
     Add,
     Toggle,
     ShowRun,

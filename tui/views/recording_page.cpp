@@ -125,8 +125,6 @@ bool RecordingPage::press_hit(const RecordingInput& input,
     command.hits.assign(state_.tagged.begin(), state_.tagged.end());
     if (command.hits.empty()) command.hits = {{state_.run, selected}};
     state_.tagged.clear();
-  } else if (key == U'u') {
-    command.kind = Command::Kind::RestoreHit;
   } else if (key == U't') {
     if (hits.empty() || none) return true;
     const RecordingState::HitAt at{state_.run, selected};
@@ -179,7 +177,7 @@ bool RecordingPage::leave_view() {
   if (state_.zoom != 0) state_.range = {};
   state_.zoom = 0;
   state_.statements = false;
-  return !main;
+  return !main || !std::exchange(state_.tagged, {}).empty();
 }
 
 bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {

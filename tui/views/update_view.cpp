@@ -327,13 +327,13 @@ bool UpdatePage::press(const Snapshot& known, Key key, Command& command) {
     constexpr int panels = static_cast<int>(UpdateState::Panel::LCurve) + 1;
     state_.panel = static_cast<UpdateState::Panel>(
         (static_cast<int>(state_.panel) + 1) % panels);
-  } else if (key == U' ') {
+  } else if (key == U'R') {
     state_.slide = 0.0;
   } else if (key == U'n') {
     state_.effect = effect + 1;
   } else if (key == U'p') {
     state_.effect = effect == 0 ? 0 : effect - 1;
-  } else if (key == U't') {
+  } else if (key == U' ') {
     command.kind = Command::Kind::Toggle;
     command.added = effect;
   } else if (!list_key(state_.list, frf_names(*known.frfs), key)) {
@@ -360,9 +360,9 @@ std::vector<KeyHelp> UpdatePage::keys() const {
           {"Tab", "curves/fit"},
           {"u", "undo"},
           {"^R", "redo"},
-          {"t", "effect off/on"},
+          {"Space", "effect off/on"},
           {"n p", "which"},
-          {"Space", "slide again"},
+          {"R", "slide again"},
           {"h l", "cursor"},
           {"x", "log/linear"},
           {"+ -", "zoom"},
@@ -376,10 +376,10 @@ std::string UpdatePage::help() const {
          "what was added, ± one standard deviation, and how the error fell "
          "with each effect (the mark on a bar is the floor). Below, the "
          "updated model over the measurement, with the base model for "
-         "comparison. u takes the last change back, Ctrl-R does it again. t "
-         "switches the marked effect off or on, n and p mark another. Tab "
-         "shows "
-         "how its fit came about: its error and parameters step by step, how "
+         "comparison. u takes the last change back, Ctrl-R does it again. "
+         "Space switches the marked effect off or on, n and p mark another. "
+         "Tab shows how its fit came about: its error and parameters step by "
+         "step, how "
          "far their estimates hang together, and the L-curve (how far the "
          "parameters had to move, |x|, for what is left, |S x - d|). E:1 is E "
          "of material 1; mesh size and mesh edges take up what the mesh does "

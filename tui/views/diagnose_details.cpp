@@ -1,0 +1,75 @@
+#include "tui/views/diagnose_details.hpp"
+
+#include "tui/line_text.hpp"
+#include "tui/number.hpp"
+#include "tui/text.hpp"
+#include "tui/views/candidate_table.hpp"
+
+#include <fmt/format.h>
+
+namespace tapfit::tui {
+
+using updating::Candidate;
+
+std::string look_alikes(const Candidate& c) {
+  if (c.indistinguishable_from.empty()) return "told apart from all others";
+  std::string text = "can't be told from:";
+  for (const updating::EffectRef& other : c.indistinguishable_from) {
+    text += fmt::format(" {} {};", other.effect, place(other.where));
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
+  for (const updating::NextMeasurement& next : d.next) {
+    if (next.one.effect != c.effect || next.one.where != c.where) continue;
+    return fmt::format(
+        "{} or {}? {}; ", c.effect, next.other.effect, advice(next, d.floor));
+  }
+  return {};
+}
+
+std::string all_sizes(const Candidate& c) {
+  std::string text;
+  for (const updating::Estimate& p : c.parameters) {
+    const NameAndUnit split = split_unit(p.name);
+    text += fmt::format("{}{} {} {} (95 %: {} to {})",
+                        text.empty() ? "" : "; ",
+                        split.name,
+                        with_sd(p.value, p.sd),
+                        split.unit,
+                        number(p.lo95),
+                        number(p.hi95));
+  }
+  return text.empty() ? "no parameters" : text;
+}
+
+std::vector<std::string> details_of(const updating::Diagnosis& d,
+                                    const Candidate& c,
+                                    int width) {
+  std::vector<std::string> paragraphs{"verdict: " + d.verdict,
+                                      "compared on " + d.contour};
+  for (const std::string& warning : d.warnings) {
+    paragraphs.push_back("! " + warning);
+  }
+  paragraphs.push_back(
+      fmt::format("{} at {}: probability {}, error {}, on data left out {}",
+                  c.effect,
+                  place(c.where),
+                  probability(c.probability),
+                  percent(c.error),
+                  left_out(c)));
+  paragraphs.push_back(all_sizes(c));
+  paragraphs.push_back(next_step(d, c) + look_alikes(c));
+  std::vector<std::string> lines;
+  for (const std::string& paragraph : paragraphs) {
+    if (!lines.empty()) lines.emplace_back();
+    for (const std::string& line : wrapped(paragraph, width)) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace tapfit::tui

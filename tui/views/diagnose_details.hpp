@@ -1,0 +1,29 @@
+// What the Diagnose screen has to say of a candidate in words, and all of it
+// where lines of the screen had no room.
+#pragma once
+
+#include "updating/diagnosis.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// "can't be told from: joint at line 34:35", or that it can from all.
+[[nodiscard]] std::string look_alikes(const updating::Candidate& candidate);
+
+/// What to measure to know, where the candidate is in the verdict; else empty.
+[[nodiscard]] std::string next_step(const updating::Diagnosis& diagnosis,
+                                    const updating::Candidate& candidate);
+
+/// Every parameter with its standard deviation and interval.
+[[nodiscard]] std::string all_sizes(const updating::Candidate& candidate);
+
+/// Verdict, how it was compared, every warning, and all about the candidate;
+/// in lines of at most `width` cells.
+[[nodiscard]] std::vector<std::string> details_of(
+    const updating::Diagnosis& diagnosis,
+    const updating::Candidate& candidate,
+    int width);
+
+}  // namespace tapfit::tui
