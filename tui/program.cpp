@@ -21,6 +21,7 @@ namespace tapfit::tui {
 namespace {
 
 constexpr std::size_t recording_screen = 0;
+constexpr std::size_t frf_screen = 1;
 constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
@@ -109,7 +110,10 @@ void Program::start(Job job) {
 
 void Program::finish(Finished finished) {
   running_ = false;
+  const bool opened = !known_.bundle;
   known_ = std::move(finished.snapshot);
+  // Ready FRFs have no recordings to begin with.
+  if (opened && known_.bundle && known_.bundle->frfs) current_ = frf_screen;
   const bool action = !finished.need;
   const bool leaving = action && std::exchange(quit_asked_, false);
   using How = Finished::How;

@@ -15,6 +15,7 @@ namespace tapfit::tui::testing {
 struct FakeOptions {
   std::vector<updating::AddedEffect> left_with = {};  ///< effects from before
   bool model = true;
+  bool ready_frfs = false;            ///< no recordings
   bool hits_fail = false;             ///< hits() throws InputError
   bool unreadable = false;            ///< the second run
   bool hitless = false;               ///< the second run

@@ -29,6 +29,14 @@ TEST(Program, WalksAllSevenScreens) {
   }
 }
 
+TEST(Program, BeginsWithTheFrfsWhereTheyCameReady) {
+  FakeOptions options;
+  options.ready_frfs = true;
+  const std::string text = played("wait", {}, options);
+  EXPECT_TRUE(holds(text, "coh")) << text;
+  EXPECT_FALSE(holds(text, "run-01.wav")) << text;
+}
+
 TEST(Program, HoldsOnlyAsciiInAsciiMode) {
   for (const char screen : std::string("1234567")) {
     const std::string script =
