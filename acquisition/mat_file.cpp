@@ -54,13 +54,17 @@ InputError unreadable(const std::filesystem::path& file) {
           "save it with save -v7 (or -v6), and check its name"};
 }
 
-// Versions 5 to 7: behind a header of 128 bytes elements of a type, a length
-// and as many bytes.
+// Elements of versions 5 to 7, up to `end`: a type, a length and as many bytes.
+// Those of a matrix are elements again, its name one of them. They begin at
+// multiples of 8; compressed ones, which are only outermost, touch the next.
 void walk_elements(std::ifstream& in,
                    const std::filesystem::path& file,
-                   std::uintmax_t size,
+                   std::uintmax_t at,
+                   std::uintmax_t end,
                    bool little) {
-  for (std::uintmax_t at = 128; at + 8 <= size;) {
+  constexpr std::uint32_t matrix = 14;
+  constexpr std::uint32_t compressed = 15;
+  while (at + 8 <= end) {
     std::array<unsigned char, 8> tag{};
     in.seekg(static_cast<std::streamoff>(at));
     in.read(reinterpret_cast<char*>(tag.data()), tag.size());
@@ -69,10 +73,12 @@ void walk_elements(std::ifstream& in,
     // Small elements hold length and bytes within their tag.
     const std::uintmax_t length =
         type >> 16U != 0 ? 0 : number_at(tag.data() + 4, little);
-    if (length > size - at - 8) {
-      throw ends_early(file, at, static_cast<double>(length), size - at - 8);
+    if (length > end - at - 8) {
+      throw ends_early(file, at, static_cast<double>(length), end - at - 8);
     }
-    at += 8 + length;
+    at += 8;
+    if (type == matrix) continue;  // its own elements come next
+    at += type == compressed ? length : (length + 7) / 8 * 8;
   }
 }
 
@@ -125,7 +131,7 @@ void refuse_cut_file(const std::filesystem::path& file) {
   if (!whole || (!little && mark != "MI")) {
     walk_variables(in, file, size);
   } else if (header[little ? 125 : 124] == 1) {
-    walk_elements(in, file, size, little);
+    walk_elements(in, file, header.size(), size, little);
   }
   // Else 7.3, which is HDF5 and looks after itself.
 }
