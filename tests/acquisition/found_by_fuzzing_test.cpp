@@ -40,6 +40,19 @@ constexpr const char* long_name =
     "0000c800000002000000010000000900e7bf6163630009000000080000000000000000"
     "000000";
 
+// A packed variable of two numbers, one byte of the second changed: only the
+// checksum at its end shows that.
+constexpr const char* changed_byte =
+    "0001494d0f0000005b0000007801015000afff0e000000480000000600000008000000"
+    "0600000000000000050000000800000002000000010000000100000003000000616363"
+    "00000000000900000010000000000000000000f03f000000000000004f54de032e";
+
+// The endless name, packed, and its checksum right.
+constexpr const char* packed_long_name =
+    "0001494d0f0000005b0000007801015000afff0e000000480000000600000008000000"
+    "060000000000000005000000080000000200000001000000010000000900e7bf616363"
+    "00000000000900000010000000000000000000f03f00000000000000408d0304da";
+
 TEST(FoundByFuzzing, SoundFileThatAnnouncesMoreThanItCanHold) {
   const testing::TemporaryFolder folder;
   try {
@@ -78,6 +91,23 @@ TEST(FoundByFuzzing, MatlabVariableWithAnEndlessName) {
     // Behind 128 of the header, 8 of the matrix, twice 16 of flags and size.
     EXPECT_NE(error.where().find("byte 168"), std::string::npos)
         << error.where();
+  }
+}
+
+// matio took the changed number for a good one.
+TEST(FoundByFuzzing, MatlabVariablesThatDoNotUnpack) {
+  const testing::TemporaryFolder folder;
+  for (const char* variable : {changed_byte, packed_long_name}) {
+    const std::string text = std::string(124, ' ') + bytes(variable);
+    try {
+      (void)read_mat_columns(folder.write("packed.mat", text), {"acc"});
+      ADD_FAILURE() << variable;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("does not unpack"),
+                std::string::npos)
+          << error.what();
+      EXPECT_NE(error.where().find("byte 128"), std::string::npos);
+    }
   }
 }
 
