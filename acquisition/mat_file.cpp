@@ -37,16 +37,31 @@ File open_mat(const std::filesystem::path& file) {
   throw no_mat_file(file);
 }
 
-std::string names_in(mat_t* file) {
-  std::string names;
+std::vector<std::string> names_in(mat_t* file) {
+  std::vector<std::string> names;
   std::size_t count = 0;
   char** list = Mat_GetDir(file, &count);
   for (std::size_t i = 0; list != nullptr && i < count; ++i) {
-    if (list[i] != nullptr)
-      names += (names.empty() ? "" : ", ") + std::string(list[i]);
+    if (list[i] != nullptr) names.emplace_back(list[i]);
   }
-  return names.empty() ? "it holds none, or is damaged: save it anew"
-                       : "use one of " + names;
+  return names;
+}
+
+// A file without variables, or one that is listed and does not come.
+InputError damaged(const std::filesystem::path& path, const std::string& what) {
+  return {what + " cannot be read",
+          path.string(),
+          "the file is damaged: copy it again, or save it anew"};
+}
+
+InputError not_found(mat_t* file,
+                     const std::filesystem::path& path,
+                     const std::string& text) {
+  const std::vector<std::string> names = names_in(file);
+  if (names.empty()) return damaged(path, "its variables");
+  return {fmt::format("there is no variable \"{}\"", text),
+          path.string(),
+          fmt::format("use one of {}", fmt::join(names, ", "))};
 }
 
 template <class Number>
@@ -137,6 +152,9 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                             const std::string& text,
                             const Name& name) {
   const Variable variable(Mat_VarRead(file, name.path[0].c_str()));
+  if (!variable && std::ranges::count(names_in(file), name.path[0]) > 0) {
+    throw damaged(path, fmt::format("\"{}\"", name.path[0]));
+  }
   const matvar_t* found = variable.get();
   for (std::size_t k = 1; found != nullptr && k < name.path.size(); ++k) {
     found = found->class_type == MAT_C_STRUCT
@@ -144,11 +162,7 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                       const_cast<matvar_t*>(found), name.path[k].c_str(), 0)
                 : nullptr;
   }
-  if (found == nullptr) {
-    throw InputError(fmt::format("there is no variable \"{}\"", text),
-                     path.string(),
-                     names_in(file));
-  }
+  if (found == nullptr) throw not_found(file, path, text);
   // Deflate packs a thousand bytes into one at most.
   std::error_code ignored;
   const auto size =
