@@ -1,16 +1,14 @@
 #include "acquisition/mat_file.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/mat_elements.hpp"
 
 #include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -31,122 +29,39 @@ using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 // matio's own messages go nowhere; what is wrong is said by InputError.
 void say_nothing(int, char*) {}
 
-std::uint32_t number_at(const unsigned char* at, bool little) {
-  std::uint32_t value = 0;
-  for (int k = 0; k < 4; ++k) value = value << 8U | at[little ? 3 - k : k];
-  return value;
-}
-
-InputError ends_early(const std::filesystem::path& file,
-                      std::uintmax_t at,
-                      double announced,
-                      std::uintmax_t there) {
-  return {fmt::format("ends early: {:.0f} bytes are announced, {} are there",
-                      announced,
-                      there),
-          fmt::format("{}, byte {}", file.string(), at),
-          "copy the file again, or save it anew"};
-}
-
-InputError unreadable(const std::filesystem::path& file) {
-  return {"cannot be read as a MATLAB file",
-          file.string(),
-          "save it with save -v7 (or -v6), and check its name"};
-}
-
-// Versions 5 to 7: behind a header of 128 bytes elements of a type, a length
-// and as many bytes.
-void walk_elements(std::ifstream& in,
-                   const std::filesystem::path& file,
-                   std::uintmax_t size,
-                   bool little) {
-  for (std::uintmax_t at = 128; at + 8 <= size;) {
-    std::array<unsigned char, 8> tag{};
-    in.seekg(static_cast<std::streamoff>(at));
-    in.read(reinterpret_cast<char*>(tag.data()), tag.size());
-    if (!in) return;
-    const std::uint32_t type = number_at(tag.data(), little);
-    // Small elements hold length and bytes within their tag.
-    const std::uintmax_t length =
-        type >> 16U != 0 ? 0 : number_at(tag.data() + 4, little);
-    if (length > size - at - 8) {
-      throw ends_early(file, at, static_cast<double>(length), size - at - 8);
-    }
-    at += 8 + length;
-  }
-}
-
-// Version 4: variables of five numbers (type, rows, columns, imaginary part,
-// length of the name), the name and the values. The type's decimal digits are
-// byte order, 0, width of a value, kind of matrix.
-void walk_variables(std::ifstream& in,
-                    const std::filesystem::path& file,
-                    std::uintmax_t size) {
-  constexpr std::array<double, 6> widths{8, 4, 4, 2, 2, 1};
-  constexpr std::uint32_t largest_type = 4052;
-  for (std::uintmax_t at = 0; at + 20 <= size;) {
-    std::array<unsigned char, 20> header{};
-    in.seekg(static_cast<std::streamoff>(at));
-    in.read(reinterpret_cast<char*>(header.data()), header.size());
-    if (!in) return;
-    std::uint32_t type = number_at(header.data(), true);
-    if (type > largest_type) type = number_at(header.data(), false);
-    const std::size_t order = type / 1000;  // 0: little endian, 1: big
-    const std::size_t width = type / 10 % 10;
-    if (type > largest_type || order > 1 || width >= widths.size()) {
-      throw unreadable(file);
-    }
-    const auto number = [&](int k) {
-      return number_at(header.data() + 4 * k, order == 0);
-    };
-    const double values = static_cast<double>(number(1)) * number(2) *
-                          (number(3) != 0 ? 2.0 : 1.0);
-    const double length = number(4) + values * widths.at(width);
-    if (length > static_cast<double>(size - at - 20)) {
-      throw ends_early(file, at, length, size - at - 20);
-    }
-    at += 20 + static_cast<std::uintmax_t>(length);
-  }
-}
-
-// A file that is shorter than it says is not tried: matio makes room for what
-// is announced, and leaves zeros where nothing is.
-void refuse_cut_file(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::array<unsigned char, 128> header{};
-  in.read(reinterpret_cast<char*>(header.data()), header.size());
-  const bool whole = static_cast<bool>(in);
-  in.clear();
-  std::error_code ignored;
-  const std::uintmax_t size = std::filesystem::file_size(file, ignored);
-  if (ignored) return;
-  const std::string mark(header.begin() + 126, header.end());
-  const bool little = mark == "IM";
-  if (!whole || (!little && mark != "MI")) {
-    walk_variables(in, file, size);
-  } else if (header[little ? 125 : 124] == 1) {
-    walk_elements(in, file, size, little);
-  }
-  // Else 7.3, which is HDF5 and looks after itself.
-}
-
 File open_mat(const std::filesystem::path& file) {
-  refuse_cut_file(file);
+  check_mat_elements(file);
   Mat_LogInitFunc("tapfit", say_nothing);
   File handle(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
   if (handle) return handle;
-  throw unreadable(file);
+  throw no_mat_file(file);
 }
 
-std::string names_in(mat_t* file) {
-  std::string names;
+std::vector<std::string> names_in(mat_t* file) {
+  std::vector<std::string> names;
   std::size_t count = 0;
   char** list = Mat_GetDir(file, &count);
   for (std::size_t i = 0; list != nullptr && i < count; ++i) {
-    if (list[i] != nullptr)
-      names += (names.empty() ? "" : ", ") + std::string(list[i]);
+    if (list[i] != nullptr) names.emplace_back(list[i]);
   }
-  return names.empty() ? "it holds none" : "use one of " + names;
+  return names;
+}
+
+// A file without variables, or one that is listed and does not come.
+InputError damaged(const std::filesystem::path& path, const std::string& what) {
+  return {what + " cannot be read",
+          path.string(),
+          "the file is damaged: copy it again, or save it anew"};
+}
+
+InputError not_found(mat_t* file,
+                     const std::filesystem::path& path,
+                     const std::string& text) {
+  const std::vector<std::string> names = names_in(file);
+  if (names.empty()) return damaged(path, "its variables");
+  return {fmt::format("there is no variable \"{}\"", text),
+          path.string(),
+          fmt::format("use one of {}", fmt::join(names, ", "))};
 }
 
 template <class Number>
@@ -237,6 +152,9 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                             const std::string& text,
                             const Name& name) {
   const Variable variable(Mat_VarRead(file, name.path[0].c_str()));
+  if (!variable && std::ranges::count(names_in(file), name.path[0]) > 0) {
+    throw damaged(path, fmt::format("\"{}\"", name.path[0]));
+  }
   const matvar_t* found = variable.get();
   for (std::size_t k = 1; found != nullptr && k < name.path.size(); ++k) {
     found = found->class_type == MAT_C_STRUCT
@@ -244,11 +162,7 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                       const_cast<matvar_t*>(found), name.path[k].c_str(), 0)
                 : nullptr;
   }
-  if (found == nullptr) {
-    throw InputError(fmt::format("there is no variable \"{}\"", text),
-                     path.string(),
-                     names_in(file));
-  }
+  if (found == nullptr) throw not_found(file, path, text);
   // Deflate packs a thousand bytes into one at most.
   std::error_code ignored;
   const auto size =

@@ -26,6 +26,14 @@ double quantisation(const Eigen::Ref<const Eigen::VectorXd>& block,
   return least == none ? 0.0 : least;
 }
 
+// Two peaks that have just parted, x = top - (t^2 - a^2)^2, dip between them by
+// a^4 = d and lie within d of the top over |t| <= sqrt(2) a; half of that
+// further out, at sqrt(8) a, they have fallen by 49 d.
+constexpr double least_fall = 49.0;
+// In so many standard deviations of noise lie 99.9 % of tops of ten samples.
+// Longer ones are found as a pile.
+constexpr double range_of_ten = 6.0;
+
 // Whether the run [first, last] of samples near the top falls off like a
 // clipped signal does on both sides. `sign` -1 turns the block over.
 bool is_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
@@ -49,7 +57,7 @@ bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
                   double top,
                   double tolerance) {
   const double high = top - tolerance;
-  const double fallen = top - 17.0 * tolerance;
+  const double fallen = top - least_fall * tolerance;
   for (Index i = 0; i < x.size(); ++i) {
     const Range& piece = pieces[static_cast<std::size_t>(i / piece_length)];
     if (std::max(sign * piece.low, sign * piece.high) < high) {
@@ -158,7 +166,7 @@ bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
   const auto [low, high] = joined(pieces);
   if (std::max(high, -low) >= 0.999 * full_scale) return true;
   const double swing = high - low;
-  const double smooth = std::max(1e-5 * swing, 8.0 * noise);
+  const double smooth = std::max(1e-5 * swing, range_of_ten * noise);
   const double tolerance =
       std::max(smooth, 1.5 * quantisation(block, smooth / 1.5));
   const double unit =
@@ -167,8 +175,7 @@ bool is_overloaded(const Eigen::Ref<const Eigen::VectorXd>& block,
       piles_up(block, pieces, -1.0, -low, unit, swing / unit)) {
     return true;
   }
-  // Far above noise and quantisation, else any top is flat.
-  if (swing < 100.0 * tolerance) return false;
+  if (swing < least_fall * tolerance) return false;
   return has_flat_top(block, pieces, 1.0, high, tolerance) ||
          has_flat_top(block, pieces, -1.0, -low, tolerance);
 }

@@ -16,7 +16,7 @@ namespace {
 void add_nodes_15(UffLines lines, UffGeometry& geometry) {
   while (!lines.only_blanks_left()) {
     const std::vector<double> v = lines.mixed(4, 13, 3);
-    geometry.nodes[static_cast<int>(v[0])] = {v[4], v[5], v[6]};
+    geometry.nodes[as_integer(v[0])] = {v[4], v[5], v[6]};
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 std::vector<int> as_integers(const std::vector<double>& values) {
   std::vector<int> result;
   for (const double value : values) {
-    result.push_back(std::abs(value) < 2e9 ? static_cast<int>(value) : 0);
+    result.push_back(as_integer(value));
   }
   return result;
 }
@@ -24,6 +24,10 @@ bool all_finite(const std::vector<double>& values) {
 }
 
 }  // namespace
+
+int as_integer(double value) {
+  return std::abs(value) < 2e9 ? static_cast<int>(value) : 0;
+}
 
 bool UffLines::only_blanks_left() const {
   return std::all_of(

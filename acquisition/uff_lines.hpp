@@ -8,6 +8,9 @@
 
 namespace tapfit::acquisition {
 
+/// Cut to an integer; 0 where that has no 32 bits to fit.
+[[nodiscard]] int as_integer(double value);
+
 class UffLines {
  public:
   /// @param dataset outlives this object

@@ -8,6 +8,7 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(MATIO REQUIRED IMPORTED_TARGET matio)
 pkg_check_modules(SNDFILE REQUIRED IMPORTED_TARGET sndfile)
+find_package(ZLIB REQUIRED)
 pkg_check_modules(NCURSES REQUIRED IMPORTED_TARGET ncursesw)
 # It asks for _DEFAULT_SOURCE, which compilers of C++ imply; defined on the
 # command line it would keep the precompiled header from being shared.

@@ -31,7 +31,7 @@ std::size_t rank(const std::string& folder) {
 std::string c_library(const std::string& header) {
   static const std::regex pattern(
       R"(^(?:suitesparse/|ncursesw/|ncurses/)?)"
-      R"((fftw3|sndfile|matio|ncurses|curses|panel|cholmod)\.(?:h|hh)$)");
+      R"((fftw3|sndfile|matio|zlib|ncurses|curses|panel|cholmod)\.(?:h|hh)$)");
   std::smatch match;
   if (!std::regex_match(header, match, pattern)) return {};
   const std::string name = match[1];

@@ -2,6 +2,7 @@
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/mat_file.hpp"
+#include "acquisition/uff_geometry.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,25 @@ constexpr const char* half_a_variable =
     "0001494d0f00000055000000789ce36360604800623620e680d220c00ae5b300312314"
     "f3ff71496a71497c5a516a61696a5e722523004d";
 
+// A matrix of 56 bytes whose name is 3.2 GB long; matio took that much for it.
+constexpr const char* long_name =
+    "0001494d0e0000003800000006000000080000000600000000000000050000000800"
+    "0000c800000002000000010000000900e7bf6163630009000000080000000000000000"
+    "000000";
+
+// A packed variable of two numbers, one byte of the second changed: only the
+// checksum at its end shows that.
+constexpr const char* changed_byte =
+    "0001494d0f0000005b0000007801015000afff0e000000480000000600000008000000"
+    "0600000000000000050000000800000002000000010000000100000003000000616363"
+    "00000000000900000010000000000000000000f03f000000000000004f54de032e";
+
+// The endless name, packed, and its checksum right.
+constexpr const char* packed_long_name =
+    "0001494d0f0000005b0000007801015000afff0e000000480000000600000008000000"
+    "060000000000000005000000080000000200000001000000010000000900e7bf616363"
+    "00000000000900000010000000000000000000f03f00000000000000408d0304da";
+
 TEST(FoundByFuzzing, SoundFileThatAnnouncesMoreThanItCanHold) {
   const testing::TemporaryFolder folder;
   try {
@@ -56,6 +76,51 @@ TEST(FoundByFuzzing, MatlabVariableThatEndsEarly) {
         << error.what();
     EXPECT_NE(error.where().find("byte 128"), std::string::npos);
   }
+}
+
+TEST(FoundByFuzzing, MatlabVariableWithAnEndlessName) {
+  const testing::TemporaryFolder folder;
+  const std::string text = std::string(124, ' ') + bytes(long_name);
+  try {
+    (void)read_mat_columns(folder.write("name.mat", text), {"acc"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("3219587081 bytes are announced"),
+              std::string::npos)
+        << error.what();
+    // Behind 128 of the header, 8 of the matrix, twice 16 of flags and size.
+    EXPECT_NE(error.where().find("byte 168"), std::string::npos)
+        << error.where();
+  }
+}
+
+// matio took the changed number for a good one.
+TEST(FoundByFuzzing, MatlabVariablesThatDoNotUnpack) {
+  const testing::TemporaryFolder folder;
+  for (const char* variable : {changed_byte, packed_long_name}) {
+    const std::string text = std::string(124, ' ') + bytes(variable);
+    try {
+      (void)read_mat_columns(folder.write("packed.mat", text), {"acc"});
+      ADD_FAILURE() << variable;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("does not unpack"),
+                std::string::npos)
+          << error.what();
+      EXPECT_NE(error.where().find("byte 128"), std::string::npos);
+    }
+  }
+}
+
+// No node has a number of a hundred digits; it was cast to an int.
+TEST(FoundByFuzzing, NodeNumberOfAHundredDigits) {
+  const std::string line = std::string(100, '3') + " 1 0 1 1.0 2.0 3.0";
+  UffDataset dataset;
+  dataset.type = 15;
+  dataset.lines = {line};
+  UffGeometry geometry;
+  add_geometry(dataset, geometry);
+  ASSERT_EQ(geometry.nodes.size(), 1U);
+  EXPECT_EQ(geometry.nodes.begin()->first, 0);
 }
 
 }  // namespace

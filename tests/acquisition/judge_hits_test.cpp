@@ -225,6 +225,52 @@ TEST(Overload, FindsClippingInNoiseByAllTopsTogether) {
   EXPECT_GE(rate.percent(), 99.0);
 }
 
+// A dented blow: x = 1 - (t^2 - a^2)^2 has two peaks, the dip between them a^4
+// deep. Where noise all but hides that, no smooth top is flatter: of these
+// alone one in ten may pass for clipped, by chance of their few samples.
+TEST(Overload, TwoPeaksJustPartedAreNone) {
+  std::mt19937_64 random(10);
+  for (const double noise : {1e-5, 1e-4, 3e-4, 1e-3}) {
+    Rate rate;
+    for (; rate.all < 200; ++rate.all) {
+      const double dip = testing::between(4.0, 8.0, random) * noise;
+      const double half_width = testing::between(5.0, 100.0, random);
+      Eigen::VectorXd x(1000);
+      for (Index i = 0; i < x.size(); ++i) {
+        const double t = static_cast<double>(i - 500) / half_width;
+        x[i] = 0.8 * (1.0 - std::pow(t * t - std::sqrt(dip), 2));
+      }
+      x = x.cwiseMax(0.0).eval();
+      testing::add_noise(x, 0.8 * noise, random);
+      rate.yes += is_overloaded(x, 1.0, 0.8 * noise) ? 1 : 0;
+    }
+    say("parted peaks called overload", rate);
+    EXPECT_LE(rate.percent(), 10.0) << "noise " << noise;
+  }
+}
+
+// Four to ten samples on a ceiling are too few for a pile: half sines cut off
+// at half their height, in noise 54 dB below the ceiling.
+TEST(Overload, FindsShortBlowsCutOff) {
+  std::mt19937_64 random(11);
+  Rate rate;
+  for (; rate.all < 200; ++rate.all) {
+    // cos is above 1/2 for two thirds of its length.
+    const double length = 1.5 * testing::between(5.0, 10.0, random);
+    const double middle = testing::between(500.0, 501.0, random);
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(1000);
+    for (Index i = 0; i < x.size(); ++i) {
+      const double t = (static_cast<double>(i) - middle) / length;
+      if (std::abs(t) < 0.5) x[i] = std::cos(std::numbers::pi * t);
+    }
+    x = x.cwiseMin(0.5).eval();
+    testing::add_noise(x, 1e-3, random);
+    rate.yes += is_overloaded(x, 1.0, 1e-3) ? 1 : 0;
+  }
+  say("short blows found clipped", rate);
+  EXPECT_GE(rate.percent(), 95.0);
+}
+
 // Responses of several modes, blows of many shapes.
 TEST(Overload, RaisesNoFalseAlarmInNoise) {
   for (const double noise : {1e-4, 1e-3, 1e-2}) {

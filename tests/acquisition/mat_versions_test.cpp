@@ -1,10 +1,14 @@
 // MATLAB files of every version: 4 (byte by byte, mat_text.hpp), 5 plain and
 // compressed, 7.3 (HDF5), written by matio itself.
+#include "acquisition/input_error.hpp"
 #include "acquisition/mat_file.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <matio.h>
+
+#include <fstream>
+#include <iterator>
 
 namespace tapfit::acquisition {
 namespace {
@@ -64,6 +68,30 @@ INSTANTIATE_TEST_SUITE_P(
                       std::pair{MAT_FT_MAT5, MAT_COMPRESSION_ZLIB},
                       std::pair{MAT_FT_MAT73, MAT_COMPRESSION_NONE},
                       std::pair{MAT_FT_MAT73, MAT_COMPRESSION_ZLIB}));
+
+// Behind the 512 bytes that precede HDF5, whatever looks like the beginning of
+// packed numbers (a multiple of 31 that begins with 0x78) goes on wrongly.
+TEST(MatDamage, PackedNumbersOfHdf5AreRefusedByName) {
+  const testing::TemporaryFolder folder;
+  const auto file = folder.path() / "test.mat";
+  write_mat(file, MAT_FT_MAT73, MAT_COMPRESSION_ZLIB);
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (std::size_t i = 512; i + 6 < text.size(); ++i) {
+    const int next = static_cast<unsigned char>(text[i + 1]);
+    if (text[i] == 0x78 && (0x7800 + next) % 31 == 0) {
+      text.replace(i + 2, 4, "\xff\xff\xff\xff");
+    }
+  }
+  try {
+    (void)read_mat_columns(folder.write("bad.mat", text), {"force"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"force\" cannot be read"),
+              std::string::npos)
+        << error.what();
+  }
+}
 
 }  // namespace
 }  // namespace tapfit::acquisition
