@@ -56,18 +56,13 @@ void state_noise(const Frf& frf, std::vector<std::string>& statements) {
                   frf.coherence.mean()));
 }
 
-void state_no_scatter(const std::vector<Frf>& frfs,
-                      std::vector<std::string>& statements) {
-  const auto unknown = [](const Frf& frf) {
-    return frf.variance.maxCoeff() <= 0.0;
-  };
-  const auto found = std::ranges::find_if(frfs, unknown);
-  if (found == frfs.end()) return;
-  statements.push_back(fmt::format(
-      "run {}: how far its FRFs scatter is not known, and counted as nothing: "
-      "a single hit with no quiet before it. Hit again, or begin to record a "
-      "second before the blow",
-      found->run + 1));
+std::string no_quiet(std::size_t run) {
+  return fmt::format(
+      "run {}: a single hit with no quiet before it; how far its FRFs scatter "
+      "is not known, and counted as what neighbouring samples differ by at the "
+      "least, which may be too much. Hit again, or begin to record a second "
+      "before the blow",
+      run + 1);
 }
 
 /// What comes of one run; no FRFs where none of its hits is accepted.
@@ -75,6 +70,7 @@ struct RunResult {
   std::vector<Frf> frfs;
   LevelDependence levels;
   Lasting lasting;
+  bool scatter_known = true;
 };
 
 RunResult estimate_run(const TestBundle& bundle,
@@ -91,6 +87,7 @@ RunResult estimate_run(const TestBundle& bundle,
   RunAverage average;
   average.s = plan.s;
   add_hits(blocks, spectra, average);
+  result.scatter_known = blocks.quiet || blocks.force.cols() > 1;
   result.frfs = average_frfs(average, bundle, run, plan.estimator);
   for (Index c = 0; c < change.cols(); ++c) {
     result.frfs[static_cast<std::size_t>(c)].change_with_level = change.col(c);
@@ -120,7 +117,7 @@ FrfSet joined(const TestBundle& bundle,
                       r + 1,
                       bundle.runs[r].file.filename().string()));
     }
-    state_no_scatter(runs[r].frfs, set.statements);
+    if (!runs[r].scatter_known) set.statements.push_back(no_quiet(r));
     for (Frf& frf : runs[r].frfs) {
       state_noise(frf, set.statements);
       set.frfs.push_back(std::move(frf));

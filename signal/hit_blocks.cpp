@@ -1,6 +1,7 @@
 #include "signal/hit_blocks.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/judge_hits.hpp"
 #include "acquisition/parallel.hpp"
 #include "signal/offset.hpp"
 #include "signal/ringing.hpp"
@@ -226,10 +227,12 @@ HitBlocks cut_hits(const acquisition::Run& run,
                        fs);
   };
 
+  // Stretches are the same in all channels.
   CutChannel force = channel_at(run.hammer, {});
+  result.force_noise = noise_spectrum(force.quiet, result.dt);
+  result.quiet = result.force_noise.S.size() > 0;
   const std::vector<PulseSpan> spans =
       pulse_spans(force, places, hits.pre_trigger);
-  result.force_noise = noise_spectrum(force.quiet, result.dt);
   apply(options.force_window, spans, force.blocks);
   result.force = std::move(force.blocks);
   check_force(result.force, run);
@@ -249,6 +252,11 @@ HitBlocks cut_hits(const acquisition::Run& run,
   for_each_parallel(run.sensors.size(), [&](std::size_t c) {
     CutChannel response = channel_at(run.sensors[c], options.lasting_poles);
     result.noise[c] = noise_spectrum(response.quiet, result.dt);
+    if (!result.quiet) {
+      const double most = acquisition::difference_noise(
+          recording.samples.col(static_cast<Index>(run.sensors[c].channel)));
+      result.noise[c].S = Eigen::VectorXd::Constant(1, most * most);
+    }
     result.tails[c] = tail_of(response, places, result, options.lasting_poles);
     apply(false, spans, response.blocks);
     result.responses[c] = std::move(response.blocks);

@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace tapfit::signal {
@@ -97,6 +99,31 @@ TEST(FrfVariance, FallsWithTheNumberOfHits) {
   // Strengths 20, 26, 32 N repeated: sum of squares 2100 for three, 6776 for
   // ten. The variance itself is known to about a fifth.
   EXPECT_NEAR(mean_variance(3) / mean_variance(10), 6776.0 / 2100.0, 1.0);
+}
+
+// A record that begins with its only blow: the noise is known from its calm
+// end, as well as from the quiet before the blow of another record.
+TEST(FrfVariance, IsKnownWithoutQuietAndSaysSo) {
+  const auto frfs = [](Eigen::Index lead) {
+    GeneratedOptions o = noisy(1);
+    o.force_noise = 0.0;  // known from the quiet alone
+    o.lead = lead;
+    GeneratedTest test = generate_test({{20.0, 0.05, 1.0}}, o);
+    test.bundle.band_hz = {10.0, 70.0};
+    return estimate_frfs(test.bundle, test.recordings, test.hits, {});
+  };
+  const FrfSet quiet = frfs(600);
+  const FrfSet none = frfs(2);
+  // The quiet's spectrum has some 44 degrees of freedom, a fifth at 1 sd.
+  EXPECT_NEAR(
+      none.frfs[0].variance.mean() / quiet.frfs[0].variance.mean(), 1.0, 0.5);
+  const auto said = [](const FrfSet& set) {
+    return std::ranges::any_of(set.statements, [](const std::string& text) {
+      return text.find("no quiet before it") != std::string::npos;
+    });
+  };
+  EXPECT_FALSE(said(quiet));
+  EXPECT_TRUE(said(none));
 }
 
 TEST(FrfVariance, IsFiniteForDataWithoutNoise) {
