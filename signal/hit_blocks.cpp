@@ -231,12 +231,6 @@ HitBlocks cut_hits(const acquisition::Run& run,
   CutChannel force = channel_at(run.hammer, {});
   result.force_noise = noise_spectrum(force.quiet, result.dt);
   result.quiet = result.force_noise.S.size() > 0;
-  const auto noise_at_most = [&](const acquisition::Placement& at) {
-    const double most = acquisition::difference_noise(
-        recording.samples.col(static_cast<Index>(at.channel)));
-    return NoiseSpectrum{0.0, Eigen::VectorXd::Constant(1, most * most)};
-  };
-  if (!result.quiet) result.force_noise = noise_at_most(run.hammer);
   const std::vector<PulseSpan> spans =
       pulse_spans(force, places, hits.pre_trigger);
   apply(options.force_window, spans, force.blocks);
@@ -257,8 +251,12 @@ HitBlocks cut_hits(const acquisition::Run& run,
   result.tails.resize(run.sensors.size());
   for_each_parallel(run.sensors.size(), [&](std::size_t c) {
     CutChannel response = channel_at(run.sensors[c], options.lasting_poles);
-    result.noise[c] = result.quiet ? noise_spectrum(response.quiet, result.dt)
-                                   : noise_at_most(run.sensors[c]);
+    result.noise[c] = noise_spectrum(response.quiet, result.dt);
+    if (!result.quiet) {
+      const double most = acquisition::difference_noise(
+          recording.samples.col(static_cast<Index>(run.sensors[c].channel)));
+      result.noise[c].S = Eigen::VectorXd::Constant(1, most * most);
+    }
     result.tails[c] = tail_of(response, places, result, options.lasting_poles);
     apply(false, spans, response.blocks);
     result.responses[c] = std::move(response.blocks);

@@ -23,9 +23,10 @@ struct HitBlocks {
   Eigen::VectorXd response_power;    ///< block, mean over hits of window^2
   NoiseSpectrum force_noise;         ///< before the hits
   std::vector<NoiseSpectrum> noise;  ///< per sensor, before the hits
-  /// Whether something precedes the hits that tells the channels' noise. If not
-  /// it is what neighbouring samples differ by where they differ least, which
-  /// ringing only adds to.
+  /// Whether something precedes the hits that tells the channels' noise. If
+  /// not, a sensor's is what neighbouring samples differ by where they differ
+  /// least, which ringing only adds to. The force's is left at nothing: few of
+  /// its samples are within the pulse, and their noise is common to many lines.
   bool quiet = true;
   /// Per sensor, behind the blocks' end; empty: nothing is known of it.
   std::vector<BlockTail> tails;
