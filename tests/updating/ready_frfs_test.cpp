@@ -9,46 +9,15 @@
 namespace tapfit::updating {
 namespace {
 
-using Eigen::Index;
+constexpr std::size_t kPoints = 6;
 
-constexpr Index kPoints = 6;
-
-/// Four modes in the band and one above, hit at point 1.
-test::SyntheticSystem test_system() {
-  std::mt19937_64 random(3);
-  test::SyntheticSystem system;
-  system.frequency_hz.resize(5);
-  system.frequency_hz << 15.0, 34.0, 58.0, 81.0, 130.0;
-  system.damping_ratio = Eigen::VectorXd::Constant(5, 0.005);
-  system.phi = test::random_shapes(kPoints, 5, random);
-  system.phi.row(0).setOnes();
-  return system;
-}
-
-/// A file of the FRFs from point 1 to all, a sensor of so many kg at the
-/// response point of each and nowhere else.
+/// A file of FRFs from one point to all.
 acquisition::TestBundle with_sensor(double kg,
                                     const std::filesystem::path& folder) {
-  const test::SyntheticSystem system = test_system();
-  std::mt19937_64 random(7);
-  std::normal_distribution<double> normal;
-  signal::FrfSet set;
-  set.s = test::line_points(5, 100, 800, 0.0);
-  for (Index point = 0; point < kPoints; ++point) {
-    signal::Frf frf;
-    frf.response = {static_cast<int>(point) + 1, 3, 1};
-    frf.reference = {1, 3, 1};
-    frf.H.resize(set.lines());
-    for (Index k = 0; k < set.lines(); ++k) {
-      frf.H(k) =
-          (1.0 + 0.003 * normal(random)) *
-          test::loaded_accelerance(system, {point}, kg, point, 0, set.s(k));
-    }
-    set.frfs.push_back(frf);
-  }
   acquisition::TestBundle bundle;
   bundle.frfs = folder / "frfs.uff";
-  signal::write_frfs_uff(set, "six points", *bundle.frfs);
+  signal::write_frfs_uff(
+      test::one_reference(kg, 0.003), "six points", *bundle.frfs);
   return bundle;
 }
 
@@ -65,7 +34,7 @@ TEST(SensorsOfReadyFrfs, ASensorThatMovedIsSeenByItsMass) {
   EXPECT_NEAR(ready.modes->shifts->masses[0].kg, sensor, 0.05 * sensor);
   ASSERT_EQ(bundle.channels.size(), 2U);
   EXPECT_EQ(bundle.channels[1].name, "sensor Z");
-  ASSERT_EQ(bundle.runs.size(), static_cast<std::size_t>(kPoints));
+  ASSERT_EQ(bundle.runs.size(), kPoints);
   EXPECT_EQ(bundle.runs[4].sensors[0].dof, (Dof{5, 3, 1}));
   ASSERT_EQ(ready.set.statements.size(), 1U);
   EXPECT_NE(ready.set.statements[0].find("moved"), std::string::npos);
@@ -79,7 +48,7 @@ TEST(SensorsOfReadyFrfs, WithoutLoadingAllSensorsStayed) {
   EXPECT_EQ(ready.modes->modes.size(), 4U);
   EXPECT_TRUE(ready.modes->set_ups.empty());
   EXPECT_EQ(bundle.runs.size(), 1U);
-  EXPECT_EQ(bundle.channels.size(), static_cast<std::size_t>(kPoints) + 1);
+  EXPECT_EQ(bundle.channels.size(), kPoints + 1);
   ASSERT_EQ(ready.set.statements.size(), 1U);
   EXPECT_NE(ready.set.statements[0].find("stayed"), std::string::npos);
 }
