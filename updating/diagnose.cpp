@@ -1,6 +1,8 @@
 #include "updating/diagnose.hpp"
 
 #include "updating/effects/catalogue.hpp"
+#include "updating/error_ladder.hpp"
+#include "updating/held_back.hpp"
 #include "updating/misplaced_points.hpp"
 #include "updating/next_measurement.hpp"
 #include "updating/overall_progress.hpp"
@@ -63,50 +65,6 @@ struct Worth {
   }
 };
 
-// Error after each rung, in the order of the largest drop: refits with ever
-// more of the effects.
-std::vector<Rung> ladder_of(const Fit& fit,
-                            const std::vector<Chosen>& all,
-                            std::size_t already,
-                            const Fitter& fitter,
-                            const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
-  std::vector<std::size_t> left;
-  for (std::size_t k = already; k < fit.effects.size(); ++k) left.push_back(k);
-  std::vector<PlacedEffect> so_far(
-      fit.effects.begin(),
-      fit.effects.begin() + static_cast<std::ptrdiff_t>(already));
-  std::vector<Rung> ladder;
-  while (!left.empty()) {
-    double least = 1e300;
-    std::size_t next = left.front();
-    for (const std::size_t k : left) {
-      if (left.size() == 1) {
-        least = fit.result.error;
-        break;
-      }
-      std::vector<PlacedEffect> tried = so_far;
-      tried.push_back(fit.effects[k]);
-      const Fit with = fitter.fit(tried, fitter.model_for(tried), progress);
-      if (with.result.error < least) {
-        least = with.result.error;
-        next = k;
-      }
-    }
-    Rung rung;
-    rung.added = all[next - already].name;
-    rung.probability = all[next - already].probability;
-    rung.alike = all[next - already].alike;
-    rung.where = fit.effects[next].where;
-    rung.error = least;
-    rung.parameters = effect_estimates(fit, next, setting);
-    ladder.push_back(std::move(rung));
-    so_far.push_back(fit.effects[next]);
-    left.erase(std::find(left.begin(), left.end(), next));
-  }
-  return ladder;
-}
-
 // The strongest look-alike of another kind, or of the same kind elsewhere.
 const EffectRef& rival_of(const Rung& rung) {
   const auto other = std::find_if(
@@ -146,33 +104,6 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
     }
   }
   return result;
-}
-
-// Candidates that made it into the model are reported as fitted with all
-// others, first and in the ladder's order.
-void lead_with_ladder(std::vector<Candidate>& candidates,
-                      const std::vector<Rung>& ladder,
-                      double error) {
-  const std::vector<Rung> last_first(ladder.rbegin(), ladder.rend());
-  for (const Rung& rung : last_first) {
-    const std::string kind = leading_kind(rung);
-    Candidate lead;
-    const auto it = std::find_if(
-        candidates.begin(), candidates.end(), [&](const Candidate& c) {
-          return c.effect == kind && c.where == rung.where;
-        });
-    if (it != candidates.end()) {
-      lead = *it;
-      candidates.erase(it);
-    }
-    lead.effect = kind;
-    lead.probability = rung.probability;
-    lead.where = rung.where;
-    lead.indistinguishable_from = rung.alike;
-    lead.parameters = rung.parameters;
-    lead.error = error;
-    candidates.insert(candidates.begin(), lead);
-  }
 }
 
 // The climb of the error ladder: what is in the model so far, and why.
@@ -335,7 +266,11 @@ Climbed climbed(const Fitter& fitter,
   lead_with_ladder(result.candidates, result.ladder, result.error_best);
   result.model_parameters = property_estimates(found, options.properties);
   warn_of_bounds(result);
-  set_verdict(fitter.setting().measured.level, result);
+  const auto fitted =
+      all_estimates(found, options.properties, fitter.setting().setting);
+  set_verdict(fitter.setting().measured.level,
+              held_back(options.properties, fitted),
+              result);
   return {std::move(result), found};
 }
 

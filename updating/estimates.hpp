@@ -10,11 +10,12 @@
 
 namespace tapfit::updating {
 
-/// Name, unit and nominal value of an uncertain property.
+/// Name, unit, nominal value and prior of an uncertain property.
 struct PropertyName {
   std::string name;
   std::string unit;
   double nominal = 0.0;
+  double prior_sd = 0.0;  ///< of ln(value / nominal)
 };
 
 /// Parameters of the fit's effect at a position, with derived ones (a total

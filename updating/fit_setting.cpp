@@ -49,7 +49,8 @@ std::vector<PropertyName> property_names(const acquisition::TestBundle& bundle,
   for (std::size_t k = 0; k < bundle.uncertain.size(); ++k) {
     const PropertyLaw law = property_law(
         deck, bundle.uncertain[k], fmt::format("test.json: uncertain[{}]", k));
-    names.push_back({law.name, law.unit, law.nominal});
+    const double sd = bundle.uncertain[k].sd_percent / 100.0;
+    names.push_back({law.name, law.unit, law.nominal, sd});
   }
   return names;
 }

@@ -1,5 +1,6 @@
 #include "updating/set_verdict.hpp"
 
+#include "updating/held_back.hpp"
 #include "updating/rung_search.hpp"
 
 #include <fmt/format.h>
@@ -80,7 +81,9 @@ bool follows_the_force(const signal::LevelFinding& level, double error) {
   return level.is_nonlinear() && level.change >= part * error;
 }
 
-void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
+void set_verdict(const signal::LevelFinding& level,
+                 const std::vector<std::string>& held,
+                 Diagnosis& result) {
   constexpr double wide = 0.1;
   if (level.runs == 0 && result.floor > wide) {
     result.warnings.emplace_back(
@@ -92,8 +95,15 @@ void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
   result.verdict =
       joined(result.ladder, std::vector<bool>(result.ladder.size(), true));
   if (result.ladder.empty()) {
-    result.verdict =
-        result.error_base <= 3.0 * result.floor ? "none" : "unexplained";
+    const bool small = result.error_base <= 3.0 * result.floor;
+    result.verdict = small ? "none" : "unexplained";
+    if (small || held.empty()) return;
+    result.warnings.push_back(
+        fmt::format("an error of {:.3g} is left, far above the floor of "
+                    "{:.3g}: {}",
+                    result.error_best,
+                    result.floor,
+                    what_is_left(held)));
     return;
   }
   // Three times the floor, or a tenth of the base error where the floor is far
@@ -104,11 +114,12 @@ void set_verdict(const signal::LevelFinding& level, Diagnosis& result) {
   if (result.error_best <= std::max(3.0 * result.floor, 0.1 * base)) return;
   result.warnings.push_back(fmt::format(
       "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
-      "of {:.3g}: something else is missing",
+      "of {:.3g}: {}",
       result.verdict,
       result.error_base,
       result.error_best,
-      result.floor));
+      result.floor,
+      what_is_left(held)));
   result.verdict = "unexplained";
 }
 

@@ -4,6 +4,9 @@
 #include "signal/level_finding.hpp"
 #include "updating/diagnosis.hpp"
 
+#include <string>
+#include <vector>
+
 namespace tapfit::updating {
 
 /// Whether what the FRFs change with the force is a good part of an error: then
@@ -20,8 +23,11 @@ namespace tapfit::updating {
 /// from all other grids tells its place.
 ///
 /// @param level of the FRFs that the diagnosis was made on
+/// @param held what else than the data holds the parameters: held_back()
 /// @param result with ladder, candidates and errors; gains the verdict, and
 ///   warnings where it is "unexplained"
-void set_verdict(const signal::LevelFinding& level, Diagnosis& result);
+void set_verdict(const signal::LevelFinding& level,
+                 const std::vector<std::string>& held,
+                 Diagnosis& result);
 
 }  // namespace tapfit::updating

@@ -32,7 +32,7 @@ Diagnosis with_mass(double best) {
 }
 
 std::string verdict(Diagnosis diagnosis, const signal::LevelFinding& level) {
-  set_verdict(level, diagnosis);
+  set_verdict(level, {}, diagnosis);
   return diagnosis.verdict;
 }
 
@@ -41,20 +41,36 @@ TEST(SetVerdict, NamesTheLadderNoneOrUnexplained) {
   EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), {}), "none");
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), {}), "unexplained");
   Diagnosis far = with_mass(0.3);
-  set_verdict({}, far);
+  set_verdict({}, {}, far);
   EXPECT_EQ(far.verdict, "unexplained");
   EXPECT_EQ(far.warnings.size(), 1U);
 }
 
+TEST(SetVerdict, NamesWhatHoldsTheFitBeforeAnythingIsMissing) {
+  const std::vector<std::string> held = {"E:1 ended at its upper bound, 9"};
+  for (Diagnosis diagnosis : {with_mass(0.3), errors(0.5, 0.5, 0.02)}) {
+    set_verdict({}, held, diagnosis);
+    EXPECT_EQ(diagnosis.verdict, "unexplained");
+    ASSERT_EQ(diagnosis.warnings.size(), 1U);
+    EXPECT_NE(diagnosis.warnings[0].find(
+                  "0.02: E:1 ended at its upper bound, 9; or something else"),
+              std::string::npos)
+        << diagnosis.warnings[0];
+  }
+  Diagnosis good = with_mass(0.03);
+  set_verdict({}, held, good);
+  EXPECT_TRUE(good.warnings.empty());
+}
+
 TEST(SetVerdict, SaysWhereNonlinearityCouldNotBeLookedFor) {
   Diagnosis scattered = errors(0.4, 0.4, 0.3);
-  set_verdict({}, scattered);
+  set_verdict({}, {}, scattered);
   ASSERT_EQ(scattered.warnings.size(), 1U);
   EXPECT_NE(scattered.warnings[0].find("three hits"), std::string::npos);
   signal::LevelFinding seen;
   seen.runs = 8;
   Diagnosis looked = errors(0.4, 0.4, 0.3);
-  set_verdict(seen, looked);
+  set_verdict(seen, {}, looked);
   EXPECT_TRUE(looked.warnings.empty());
 }
 
@@ -90,7 +106,7 @@ TEST(SetVerdict, ALinearStandInTellsThePlaceOnly) {
   spring.where.node = 17;
   diagnosis.ladder = {spring};
   diagnosis.candidates.resize(1);
-  set_verdict(changing(0.2), diagnosis);
+  set_verdict(changing(0.2), {}, diagnosis);
   EXPECT_EQ(diagnosis.verdict, "nonlinearity");
   ASSERT_EQ(diagnosis.candidates.size(), 2U);
   EXPECT_EQ(diagnosis.candidates[0].effect, nonlinearity);
@@ -104,7 +120,7 @@ TEST(SetVerdict, ALinearStandInTellsThePlaceOnly) {
   Where next;
   next.node = 18;
   diagnosis.ladder[0].alike = {{"ground-spring", next}};
-  set_verdict(changing(0.2), diagnosis);
+  set_verdict(changing(0.2), {}, diagnosis);
   EXPECT_EQ(diagnosis.candidates[0].where.node, 0);
 }
 

@@ -5,12 +5,12 @@
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/effect_output.hpp"
 #include "tui/commands/hand_choices.hpp"
-#include "tui/commands/held_back.hpp"
 #include "tui/commands/open_bundle.hpp"
 #include "tui/commands/update_output.hpp"
+#include "updating/fit_setting.hpp"
+#include "updating/held_back.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -117,11 +117,10 @@ updating::Diagnosis diagnosis_of_named(
   if (diagnosis.error_best > 3.0 * diagnosis.floor) {
     diagnosis.warnings.push_back(
         fmt::format("an error of {:.3g} is left where the measurement supports "
-                    "{:.3g}: {}{}something else is missing",
+                    "{:.3g}: {}",
                     diagnosis.error_best,
                     diagnosis.floor,
-                    fmt::join(held, "; "),
-                    held.empty() ? "" : "; or "));
+                    updating::what_is_left(held)));
   }
   return diagnosis;
 }
@@ -154,11 +153,17 @@ std::string update_command(const CommandOptions& options,
   for (const auto& effect : effects) session.add(effect, progress);
   const auto records = session.update_records(progress);
   const auto parameters = session.model_parameters(progress);
+  std::vector<std::string> held = updating::held_back(
+      updating::property_names(session.bundle(), session.deck(progress)),
+      parameters);
+  if (!records.empty() && !records.back().converged) {
+    const auto& last = records.back();
+    held.push_back(fmt::format("the fit of {} did not arrive ({})",
+                               effect_text(last.added, last.where),
+                               last.message));
+  }
   updating::Diagnosis diagnosis = diagnosis_of_named(
-      session.ladder(progress),
-      session.comparison(progress),
-      parameters,
-      held_back(session.deck(progress), session.bundle(), parameters, records));
+      session.ladder(progress), session.comparison(progress), parameters, held);
   const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());

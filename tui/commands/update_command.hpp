@@ -11,7 +11,8 @@ namespace tapfit::tui {
 ///
 /// @param ladder base rung first
 /// @param comparison its floor counts
-/// @param held what else than the data holds the parameters: see held_back()
+/// @param held what else than the data holds the parameters: see
+/// updating::held_back()
 [[nodiscard]] updating::Diagnosis diagnosis_of_named(
     const std::vector<updating::Rung>& ladder,
     const updating::Comparison& comparison,
