@@ -1,8 +1,11 @@
-// What a changed model costs: solved anew, by Woodbury, with derivatives; and
-// what the base costs, once. `line` is the time for one spectral line.
+// What a changed model costs: solved anew, by Woodbury, with derivatives, in a
+// step of the updater; and what the base costs, once. `line` is the time for
+// one spectral line.
 #include "tests/benchmarks/plate_case.hpp"
+#include "updating/residual.hpp"
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
+#include "updating/updater.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -85,20 +88,63 @@ void analytic(benchmark::State& state) {
 }
 BENCHMARK(analytic)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
-void parameters(benchmark::State& state) {
-  respond(state,
+// One step of the updater: FRFs with derivatives, the step, FRFs of where it
+// goes. The masses' sizes are off by a half.
+void iterate(benchmark::State& state,
+             const PlateCase& plate,
+             std::size_t masses,
+             Eigen::Index lines) {
+  const Eigen::VectorXcd s = band_lines(lines);
+  const updating::FrfModel model = frf_model(plate, s);
+  const updating::ModelState truth = with_masses(plate, masses, 0.01);
+  signal::FrfSet measured = measured_pairs(plate.bundle, s);
+  const Eigen::MatrixXcd H = model.respond(truth, s, false).H;
+  for (Eigen::Index f = 0; f < H.cols(); ++f) {
+    measured.frfs[static_cast<std::size_t>(f)].H = H.col(f);
+  }
+  const updating::Target target = updating::make_target(measured);
+  const updating::ModelState start = with_masses(plate, masses, 0.015);
+  const auto count = static_cast<Eigen::Index>(masses) + start.zeta.size();
+  const updating::Prior prior{Eigen::VectorXd::Zero(count),
+                              Eigen::VectorXd::Constant(count, 1e6),
+                              Eigen::VectorXd::Constant(count, -1e3),
+                              Eigen::VectorXd::Constant(count, 1e3)};
+  updating::UpdateOptions options;
+  options.max_iterations = 1;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(
+        updating::update(model, target, start, prior, options));
+  }
+  count_lines(state, plate, lines);
+  state.counters["parameters"] = static_cast<double>(count);
+}
+
+void iteration_size(benchmark::State& state) {
+  iterate(state,
+          plate_case(static_cast<int>(state.range(0)),
+                     static_cast<int>(state.range(1))),
+          1,
+          kLines);
+}
+BENCHMARK(iteration_size)->Apply(sizes)->Unit(benchmark::kMillisecond);
+
+void iteration_parameters(benchmark::State& state) {
+  iterate(state,
           plate_case(41, 40),
           static_cast<std::size_t>(state.range(0)),
-          kLines,
-          true);
+          kLines);
 }
-BENCHMARK(parameters)->DenseRange(0, 6, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK(iteration_parameters)
+    ->DenseRange(0, 6, 2)
+    ->Unit(benchmark::kMillisecond);
 
-void lines(benchmark::State& state) {
-  respond(state, plate_case(41, 40), 1, state.range(0), true);
+void iteration_lines(benchmark::State& state) {
+  iterate(state, plate_case(41, 40), 1, state.range(0));
 }
-BENCHMARK(lines)->RangeMultiplier(4)->Range(16, 4096)->Unit(
-    benchmark::kMillisecond);
+BENCHMARK(iteration_lines)
+    ->RangeMultiplier(4)
+    ->Range(16, 4096)
+    ->Unit(benchmark::kMillisecond);
 
 void eigenmodes(benchmark::State& state) {
   const PlateCase& plate = plate_case(static_cast<int>(state.range(0)),
