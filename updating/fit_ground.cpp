@@ -23,7 +23,8 @@ SolvedModel solve_model(const structure::Deck& deck,
   options.high_hz = high_hz;
   options.cache = user_cache();
   options.points = measured_points(deck, bundle);
-  options.split = !deck.given && 4 * deck.grids.size() <= refined_grid_limit;
+  const bool has_mesh = !deck.shells.empty() || !deck.bars.empty();
+  options.split = has_mesh && 4 * deck.grids.size() <= refined_grid_limit;
   SolvedModel model{
       BaseBuilder(deck, bundle.uncertain, options, progress), {}, 0};
   if (options.split) {
