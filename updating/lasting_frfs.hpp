@@ -22,13 +22,13 @@ namespace tapfit::updating {
 struct LastingFrfs {
   signal::FrfSet set;
   Eigen::VectorXcd poles;  ///< of modes that outlast the block [rad/s]
-  /// As identified from `set`, where that was done.
+  /// As identified from all lines of `set`, where that was done.
   std::optional<modal::ModeSet> modes;
 };
 
 /// H1 with the windows of signal::FrfOptions. Without TestBundle::band_hz
-/// nothing is followed: where modes end and noise begins is not known; nor
-/// where modes cannot be identified.
+/// modes are followed up to HitSet::judged_to_hz; where none can be identified,
+/// none is.
 ///
 /// @throws InputError as of signal::estimate_frfs
 [[nodiscard]] LastingFrfs estimate_lasting_frfs(

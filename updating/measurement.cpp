@@ -16,9 +16,11 @@ namespace tapfit::updating {
 
 namespace {
 
-modal::IdentifyOptions as_chosen(const ModeChoices& choices) {
+// Of FRFs from recordings there are no lines outside the test's band.
+modal::IdentifyOptions as_chosen(const ModeChoices& choices,
+                                 const acquisition::TestBundle& bundle) {
   modal::IdentifyOptions options;
-  options.band_hz = choices.band_hz;
+  options.band_hz = choices.band_hz ? choices.band_hz : bundle.band_hz;
   options.edits = choices.edits;
   return options;
 }
@@ -106,7 +108,7 @@ const modal::ModeSet& Measurement::modes(const Progress& progress) {
   // Taking off the ringing may have found them.
   const signal::FrfSet& set = frfs(progress);
   if (!modes_) {
-    modes_ = modal::identify_modes(set, as_chosen(choices_), progress);
+    modes_ = modal::identify_modes(set, as_chosen(choices_, bundle_), progress);
   }
   return *modes_;
 }
@@ -115,7 +117,7 @@ bool Measurement::choose(const ModeChoices& choices, const Progress& progress) {
   const signal::FrfSet& set = frfs(progress);
   const bool known = modes_ && same_modes(choices, choices_);
   if (!known) {
-    modes_ = modal::identify_modes(set, as_chosen(choices), progress);
+    modes_ = modal::identify_modes(set, as_chosen(choices, bundle_), progress);
   }
   choices_ = choices;
   return !known;

@@ -44,7 +44,8 @@ ReadyFrfs laid_out(signal::FrfSet set,
                    Sensors sensors,
                    const Progress& progress) {
   lay_out_runs(set, bundle, sensors);
-  std::optional<modal::ModeSet> modes = usual_modes(set, progress);
+  std::optional<modal::ModeSet> modes =
+      usual_modes(set, bundle.band_hz, progress);
   return {std::move(set), std::move(modes)};
 }
 

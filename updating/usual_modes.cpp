@@ -5,10 +5,14 @@
 
 namespace tapfit::updating {
 
-std::optional<modal::ModeSet> usual_modes(const signal::FrfSet& frfs,
-                                          const Progress& progress) {
+std::optional<modal::ModeSet> usual_modes(
+    const signal::FrfSet& frfs,
+    const std::optional<std::array<double, 2>>& band_hz,
+    const Progress& progress) {
+  modal::IdentifyOptions options;
+  options.band_hz = band_hz;
   try {
-    return modal::identify_modes(frfs, {}, progress);
+    return modal::identify_modes(frfs, options, progress);
   } catch (const InputError&) {
     return std::nullopt;
   }

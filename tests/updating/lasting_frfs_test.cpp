@@ -56,9 +56,27 @@ TEST(LastingFrfs, SayWhatWasDone) {
       return words.starts_with("modes that outlast the block: 2 (");
     });
   };
-  EXPECT_EQ(said(), 0);
   test.bundle.band_hz = {5.0, 100.0};
   EXPECT_EQ(said(), 1);
+  test.bundle.band_hz = {40.0, 50.0};
+  EXPECT_EQ(said(), 0);
+}
+
+// A test that names no band is followed as far as its hits excite.
+TEST(LastingFrfs, AreFollowedWithoutABandUpToWhereHitsReach) {
+  GeneratedOptions o;
+  const auto modes = modes_with(3.0, o);
+  GeneratedTest test = signal::generate_test(modes, o);
+  ASSERT_FALSE(test.bundle.band_hz);
+  test.hits.judged_to_hz = 100.0;
+  LastingFrfs found =
+      estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  EXPECT_EQ(found.poles.size(), 2);
+  EXPECT_FALSE(found.modes) << "they are not of all lines";
+  test.hits.judged_to_hz = 45.0;
+  found = estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  ASSERT_EQ(found.poles.size(), 1);
+  EXPECT_NEAR(found.poles(0).imag(), 2.0 * std::numbers::pi * 20.0, 0.1);
 }
 
 TEST(LastingFrfs, AreThereWhereTooFewLinesTellModes) {

@@ -53,5 +53,23 @@ TEST(SensorsOfReadyFrfs, WithoutLoadingAllSensorsStayed) {
   EXPECT_NE(ready.set.statements[0].find("stayed"), std::string::npos);
 }
 
+TEST(SensorsOfReadyFrfs, TheirModesAreThoseOfTheBand) {
+  const testing::TemporaryFolder folder;
+  acquisition::TestBundle bundle = with_sensor(0.0, folder.path());
+  const ReadyFrfs all = read_ready_frfs(bundle, {});
+  ASSERT_TRUE(all.modes.has_value());
+  ASSERT_EQ(all.modes->modes.size(), 4U);
+  const auto hz = [&all](std::size_t k) {
+    return all.modes->modes[k].frequency_hz;
+  };
+  bundle = with_sensor(0.0, folder.path());
+  bundle.band_hz = {0.5 * (hz(0) + hz(1)), 0.5 * (hz(2) + hz(3))};
+  const ReadyFrfs some = read_ready_frfs(bundle, {});
+  ASSERT_TRUE(some.modes.has_value());
+  ASSERT_EQ(some.modes->modes.size(), 2U);
+  EXPECT_NEAR(some.modes->modes[0].frequency_hz, hz(1), 1e-4 * hz(1));
+  EXPECT_NEAR(some.modes->modes[1].frequency_hz, hz(2), 1e-4 * hz(2));
+}
+
 }  // namespace
 }  // namespace tapfit::updating
