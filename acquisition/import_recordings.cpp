@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace tapfit::acquisition {
 namespace {
@@ -180,11 +181,37 @@ void check_options(const ImportOptions& options) {
                      options.folder.string(),
                      "choose another folder, or ask to overwrite it");
   }
+  // Before the first is read: that may take a while.
+  for (const ImportFile& source : options.files) {
+    if (fs::is_regular_file(source.file, ignored)) continue;
+    throw InputError("no such file",
+                     source.file.string(),
+                     "check its path; nothing has been imported");
+  }
   if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
     throw InputError("no such file",
                      options.deck->string(),
                      "name the Nastran deck, or import without one");
   }
+}
+
+// A sensor that was not connected, or a column that is another's.
+std::vector<std::string> dead_columns(const ImportOptions& options,
+                                      const std::vector<Table>& tables) {
+  const std::vector<ImportChannel> channels = all_channels(options);
+  std::vector<std::string> notes;
+  for (std::size_t r = 0; r < tables.size(); ++r) {
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+      if (!tables[r].values.col(static_cast<Index>(k)).isZero(0.0)) continue;
+      notes.push_back(
+          fmt::format("{}: column \"{}\" ({}) is zero throughout; check that "
+                      "it is the right one",
+                      options.files[r].file.filename().string(),
+                      channels[k].column,
+                      channels[k].channel));
+    }
+  }
+  return notes;
 }
 
 // "run-01.csv" becomes "run-01.wav"; a name used before gets a number.
@@ -231,7 +258,11 @@ TestBundle import_recordings(const ImportOptions& options) {
     bundle.runs.push_back(bundle_run(options.files[r], options, file));
   }
   write_test_bundle(bundle, options.folder);
-  return read_test_bundle(options.folder);
+  TestBundle written = read_test_bundle(options.folder);
+  for (std::string& note : dead_columns(options, tables)) {
+    written.warnings.push_back(std::move(note));
+  }
+  return written;
 }
 
 }  // namespace tapfit::acquisition

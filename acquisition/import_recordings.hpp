@@ -54,12 +54,13 @@ struct ImportOptions {
 };
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
-/// returns it. The samples keep every digit: 64-bit WAV, scaled by a power of
-/// two that leaves room above the largest value.
+/// returns it, with a warning for each column that is zero throughout. The
+/// samples keep every digit: 64-bit WAV, scaled by a power of two that leaves
+/// room above the largest value.
 ///
-/// @throws InputError for what read_time_table refuses, uneven sampling, a
-///   rate that is no whole number of Hz (sound files cannot say it), an
-///   unknown unit, a bundle that is there already
+/// @throws InputError for a file that is not there, what read_time_table
+///   refuses, uneven sampling, a rate that is no whole number of Hz (sound files
+///   cannot say it), an unknown unit, a bundle that is there already
 TestBundle import_recordings(const ImportOptions& options);
 
 }  // namespace tapfit::acquisition

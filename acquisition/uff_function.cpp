@@ -95,6 +95,40 @@ std::vector<double> text_values(const UffDataset& dataset,
   return values;
 }
 
+// Numbers in binary data; the last value may have lost some of its own.
+std::size_t count_binary(const UffDataset& dataset, const UffHeader& shape) {
+  const std::size_t wide = shape.is_double ? 8 : 4;
+  const std::size_t lead = shape.even ? 0 : 4;
+  const std::size_t bytes = lead + (shape.complex ? 2 * wide : wide);
+  const std::size_t whole = dataset.data.size() / bytes * per_value(shape);
+  const std::size_t left = dataset.data.size() % bytes;
+  if (left < lead) return whole;
+  return whole + (lead > 0 ? 1 : 0) + (left - lead) / wide;
+}
+
+std::size_t count_text(const UffDataset& dataset,
+                       const UffHeader& shape,
+                       const std::function<void(std::string_view)>& passed) {
+  constexpr std::size_t now_and_then = 16 << 20;
+  std::vector<double> values;
+  std::size_t count = 0;
+  std::size_t told = 0;
+  int number = 0;
+  for (std::size_t at = 0; at < dataset.data.size();) {
+    values.clear();
+    take_uff_line(dataset,
+                  next_line(dataset.data, at),
+                  ++number,
+                  shape.is_double,
+                  values);
+    count += values.size();
+    if (!passed || at - told < now_and_then) continue;
+    passed(dataset.data.substr(told, at - told));
+    told = at;
+  }
+  return count;
+}
+
 void take_values(const std::vector<double>& values, UffFunction& function) {
   const UffHeader& shape = function;
   function.x.resize(shape.count);
@@ -136,6 +170,17 @@ UffHeader read_header(const UffDataset& dataset) {
   header.numerator = axis(dataset.lines[8]);
   header.denominator = axis(dataset.lines[9]);
   read_layout(dataset, header);
+  return header;
+}
+
+UffHeader check_function(const UffDataset& dataset,
+                         const std::function<void(std::string_view)>& passed) {
+  UffHeader header = read_header(dataset);
+  const std::size_t count = dataset.binary
+                                ? count_binary(dataset, header)
+                                : count_text(dataset, header, passed);
+  if (count < all_values(header))
+    throw uff_cut_off(dataset, count, all_values(header));
   return header;
 }
 

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -62,5 +63,14 @@ struct UffFunction : UffHeader {
 /// @throws InputError for missing records, an unknown data type, fewer values
 ///   than announced, text that is no number
 [[nodiscard]] UffFunction read_function(const UffDataset& dataset);
+
+/// Goes through dataset 58 or 58b as read_function() does and keeps no value: a
+/// record may be larger than memory.
+///
+/// @param passed told of each part of the data that was gone through
+/// @throws InputError as of read_function()
+[[nodiscard]] UffHeader check_function(
+    const UffDataset& dataset,
+    const std::function<void(std::string_view)>& passed = {});
 
 }  // namespace tapfit::acquisition

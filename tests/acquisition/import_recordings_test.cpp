@@ -104,6 +104,29 @@ TEST_F(Csv, BecomesABundleWithPhysicalValues) {
   EXPECT_NO_THROW(import_recordings(options));
 }
 
+TEST_F(Csv, NamesColumnsThatAreZeroThroughout) {
+  ImportOptions options = simple(folder_);
+  options.files = {{folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}},
+                   {folder_.write("two.csv", "t,f,a\n0,7,0\n.01,2,0\n"), {}}};
+  const TestBundle bundle = import_recordings(options);
+  ASSERT_EQ(bundle.warnings.size(), 1U);
+  EXPECT_NE(bundle.warnings[0].find("two.csv: column \"a\" (acc1) is zero"),
+            std::string::npos)
+      << bundle.warnings[0];
+}
+
+TEST_F(Csv, MissesAFileBeforeTheFirstIsRead) {
+  ImportOptions options = simple(folder_);
+  options.files = {{folder_.write("broken.csv", "t,f,a\n0,1,x\n"), {}},
+                   {folder_.path() / "gone.csv", {}}};
+  try {
+    import_recordings(options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), (folder_.path() / "gone.csv").string());
+  }
+}
+
 TEST_F(Csv, RefusesUnevenTimeAndOddRates) {
   ImportOptions options = simple(folder_);
   options.files = {

@@ -16,7 +16,10 @@ void read_parts(const std::filesystem::path& path) {
   acquisition::UffGeometry geometry;
   for (const acquisition::UffDataset& dataset : file.datasets) {
     add_geometry(dataset, geometry);
-    if (dataset.type == 58) (void)read_function(dataset);
+    if (dataset.type == 58) {
+      (void)check_function(dataset);
+      (void)read_function(dataset);
+    }
     if (dataset.type == 55 || dataset.type == 2414) (void)read_shape(dataset);
   }
 }

@@ -37,7 +37,9 @@ std::string plain(std::string_view text) {
   return result;
 }
 
-void take(const UffDataset& dataset, Contents& found) {
+void take(const UffDataset& dataset,
+          const acquisition::MappedFile& bytes,
+          Contents& found) {
   switch (dataset.type) {
     case 151:
       for (std::size_t i = 0;
@@ -62,7 +64,8 @@ void take(const UffDataset& dataset, Contents& found) {
       break;
     case 58:
       // All of it, so that a broken one is told of here.
-      found.functions.push_back(read_function(dataset));
+      found.functions.push_back(check_function(
+          dataset, [&bytes](std::string_view part) { bytes.forget(part); }));
       break;
     case 1858:
       break;
@@ -194,7 +197,7 @@ std::string uff_command(const CommandOptions& options,
   }
   Contents found;
   for (std::size_t k = 0; k < file.datasets.size(); ++k) {
-    take(file.datasets[k], found);
+    take(file.datasets[k], file.bytes, found);
     progress(
         "reading",
         static_cast<double>(k + 1) / static_cast<double>(file.datasets.size()));
