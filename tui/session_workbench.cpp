@@ -55,6 +55,10 @@ class SessionWorkbench final : public Workbench {
   const updating::Diagnosis& diagnosis(const Progress& p) override {
     return session_.diagnosis(p);
   }
+  std::optional<updating::Diagnosis> known_diagnosis(
+      std::size_t effects, const Progress& p) override {
+    return session_.known_diagnosis(effects, p);
+  }
   updating::Signature signature(int node, const Progress& p) override {
     return session_.signature(node, p);
   }

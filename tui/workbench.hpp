@@ -6,7 +6,9 @@
 #include "acquisition/progress.hpp"
 #include "updating/session.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +39,9 @@ class Workbench {
   virtual const updating::Comparison& comparison(const Progress&) = 0;
   virtual const updating::Comparison& base_comparison(const Progress&) = 0;
   virtual const updating::Diagnosis& diagnosis(const Progress&) = 0;
+  /// As of an earlier run of the program, with the first of the effects.
+  virtual std::optional<updating::Diagnosis> known_diagnosis(
+      std::size_t effects, const Progress&) = 0;
   virtual updating::Signature signature(int node, const Progress&) = 0;
   virtual std::vector<updating::GridShare> signature_map(const Progress&) = 0;
   virtual std::vector<updating::UpdateRecord> update_records(

@@ -94,6 +94,25 @@ void make_traces(Workbench& bench, Snapshot& known, const Progress& progress) {
   known.traces = shared(std::move(traces));
 }
 
+// Of the model as it is, and of those that it was on the way.
+void take_known_diagnoses(Workbench& bench,
+                          Snapshot& known,
+                          const Progress& progress) {
+  Snapshot::Effects effects = known.effects_on();
+  const std::size_t all = effects.size();
+  for (std::size_t count = all + 1; count-- > 0;) {
+    effects.resize(count);
+    if (known.diagnosis_of(effects)) continue;
+    auto found = bench.known_diagnosis(count, progress);
+    if (!found) continue;
+    if (count == all) {
+      known.diagnosis = shared(*std::move(found));
+    } else {
+      known.diagnoses.emplace_back(effects, shared(*std::move(found)));
+    }
+  }
+}
+
 void make_result(Workbench& bench,
                  Snapshot& known,
                  const Need& need,
@@ -130,6 +149,7 @@ void make_result(Workbench& bench,
       return;
     case Stage::Comparison:
       known.comparison = shared(bench.comparison(progress));
+      take_known_diagnoses(bench, known, progress);
       return;
     case Stage::Ladder:
       known.ladder = shared(bench.ladder(progress));

@@ -1,9 +1,8 @@
 #include "updating/kept_base.hpp"
 
-#include <fmt/format.h>
+#include "updating/program_stamp.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 
 namespace tapfit::updating {
@@ -11,17 +10,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
-// Size of the running program and when it was written.
-std::optional<std::string> program_stamp() {
-  const std::filesystem::path self = "/proc/self/exe";
-  std::error_code fault;
-  const auto bytes = std::filesystem::file_size(self, fault);
-  if (fault) return std::nullopt;
-  const auto written = std::filesystem::last_write_time(self, fault);
-  if (fault) return std::nullopt;
-  return fmt::format("{} {}", bytes, written.time_since_epoch().count());
-}
 
 bool is_of_size(const MatrixXd& matrix, Index rows, Index columns) {
   return matrix.rows() == rows && matrix.cols() == columns;

@@ -1,17 +1,16 @@
 #include "updating/session.hpp"
 
-#include "acquisition/channel_names.hpp"
-#include "modal/sensor_shifts.hpp"
 #include "updating/base_error.hpp"
 #include "updating/compare.hpp"
-#include "updating/diagnose.hpp"
 #include "updating/effect_stack.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/estimates.hpp"
 #include "updating/fit_ground.hpp"
+#include "updating/kept_diagnosis.hpp"
 #include "updating/measurement.hpp"
 #include "updating/plain_fit.hpp"
 #include "updating/signature.hpp"
+#include "updating/test_diagnosis.hpp"
 #include "updating/test_model.hpp"
 
 #include <cmath>
@@ -48,6 +47,7 @@ struct Session::Impl {
   [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
                             const Progress& progress);
   [[nodiscard]] Comparison compare_now(const Fit& fit);
+  [[nodiscard]] DiagnosisKeeper keeper(std::size_t effects);
   [[nodiscard]] StackFit stack_fit();
   [[nodiscard]] MeasuredTest measured();
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
@@ -65,7 +65,6 @@ const acquisition::TestBundle& Session::bundle() const {
   return impl_->test.bundle();
 }
 bool Session::has_model() const { return bundle().deck || bundle().matrices; }
-
 const std::vector<acquisition::Recording>& Session::recordings(
     const Progress& progress) {
   return impl_->test.recordings(progress);
@@ -118,7 +117,6 @@ void Session::Impl::prepare_fit(Session& session, const Progress& progress) {
   stack_waiting(progress);
 }
 
-// Its stages are there by now.
 MeasuredTest Session::Impl::measured() {
   return {setting(), test, test.modes({})};
 }
@@ -142,6 +140,17 @@ Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
         progress);
   }
   return plain_fit(fitter, *plain, effects, base);
+}
+
+// With the first so many effects. Fits asked for in another way, and what is
+// uncertain fitted before any effect, end elsewhere.
+DiagnosisKeeper Session::Impl::keeper(std::size_t effects) {
+  const bool usual = !choice.is_plain() &&
+                     (stack->fits().size() != 2 || !current().effects.empty());
+  return {usual ? user_cache() : std::nullopt,
+          {test.bundle(), *deck, test.frfs({}), test.modes({})},
+          stack->history(),
+          effects};
 }
 
 Comparison Session::Impl::compare_now(const Fit& fit) {
@@ -174,27 +183,24 @@ const Comparison& Session::comparison(const Progress& progress) {
 }
 
 const Diagnosis& Session::diagnosis(const Progress& progress) {
-  if (!impl_->diagnosis) {
-    const Comparison& base = base_comparison(progress);
-    DiagnoseOptions options;
-    options.floor = base.floor;
-    options.contour = base.contour;
-    options.properties = impl_->ground->properties;
-    const auto& found = modes(progress).modes;
-    options.modes_in_band = std::max(1, static_cast<int>(found.size()));
-    Diagnosis d = diagnose(
-        *impl_->ground->fitter, impl_->current().effects, options, progress);
-    // Nothing fitted yet: the base is the deck as it is.
-    if (impl_->stack->fits().size() == 1) d.error_base = base.error;
-    if (const auto& shifts = modes(progress).shifts;
-        modal::is_telling(shifts)) {
-      d.warnings.push_back(
-          modal::statement(*shifts, acquisition::channel_names(bundle())));
-    }
-    for (auto& said : model_warnings(progress)) d.warnings.push_back(said);
-    impl_->diagnosis = std::move(d);
-  }
+  if (impl_->diagnosis) return *impl_->diagnosis;
+  const Comparison& base = base_comparison(progress);
+  const Fit& now = impl_->current();
+  impl_->diagnosis = impl_->keeper(now.effects.size()).kept_or_made([&] {
+    return diagnose_test(*impl_->ground,
+                         now,
+                         base,
+                         impl_->measured(),
+                         model_warnings(progress),
+                         progress);
+  });
   return *impl_->diagnosis;
+}
+
+std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
+                                                  const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  return impl_->keeper(effects).load();
 }
 
 Signature Session::signature(int node, const Progress& progress) {

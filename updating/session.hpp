@@ -55,8 +55,14 @@ class Session {
   const Comparison& comparison(const Progress& progress = {});
   /// The base model's comparison, whatever has been added since.
   const Comparison& base_comparison(const Progress& progress = {});
-  /// Ranks what is missing from the current model.
+  /// Ranks what is missing from the current model; what an earlier run of the
+  /// program found is taken as it was.
   const Diagnosis& diagnosis(const Progress& progress = {});
+  /// What an earlier run of the program, or this one, found missing with the
+  /// first of the current effects in the model and kept; nothing is worked out.
+  /// @param effects how many of those that are on, from 0
+  std::optional<Diagnosis> known_diagnosis(std::size_t effects,
+                                           const Progress& progress = {});
   /// Missing dynamic stiffness at a grid, for the current model.
   Signature signature(int node, const Progress& progress = {});
   /// How well each grid explains what is missing, the best first.

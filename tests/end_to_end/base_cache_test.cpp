@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace tapfit::end_to_end {
@@ -37,6 +38,33 @@ class BaseCacheTest : public ::testing::Test {
 
   const fs::path folder_ = fresh_folder() / "cache";
 };
+
+// What one run found is there for the next, as long as nothing changed.
+TEST_F(BaseCacheTest, ADiagnosisIsKeptUntilSomethingChanges) {
+  const fs::path bundle = folder_.parent_path() / "bundle";
+  ASSERT_EQ(run_tapfit("simulate '" + bundle.string() +
+                       "' --structure portal --effect none --runs 3 --hits 2")
+                .exit_status,
+            0);
+  const auto diagnosed = [&bundle] {
+    const ProgramResult result =
+        run_tapfit("diagnose '" + bundle.string() + "' --json");
+    EXPECT_EQ(result.exit_status, 0) << result.err;
+    return result.out;
+  };
+  const std::string first = diagnosed();
+  const std::size_t kept = files();
+  EXPECT_EQ(kept, 3U);  // two bases and the diagnosis
+  EXPECT_EQ(diagnosed(), first);
+  EXPECT_EQ(files(), kept);
+  // Any change of test.json counts.
+  std::ifstream in(bundle / "test.json");
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  text.insert(text.find('{') + 1, "\n");
+  std::ofstream(bundle / "test.json") << text;
+  static_cast<void>(diagnosed());
+  EXPECT_EQ(files(), kept + 1);
+}
 
 // JSON shows numbers to the last digit, so that equal texts are equal bits.
 TEST_F(BaseCacheTest, ResultsAreTheSameToTheBitWithAndWithout) {

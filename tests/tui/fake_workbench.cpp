@@ -63,6 +63,12 @@ class FakeWorkbench final : public Workbench {
   const updating::Comparison& base_comparison(const Progress&) override {
     return base_;
   }
+  std::optional<updating::Diagnosis> known_diagnosis(
+      std::size_t effects, const Progress& progress) override {
+    progress("known diagnosis", 0.0);
+    if (!options_.diagnosed_before || effects > 0) return std::nullopt;
+    return diagnosis_;
+  }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
     while (options_.endless_diagnosis && !added_.empty()) {

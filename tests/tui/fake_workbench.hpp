@@ -21,6 +21,7 @@ struct FakeOptions {
   bool hitless = false;               ///< the second run
   std::string unsaved = {};           ///< what save() answers
   bool endless_modes = false;         ///< modes() runs until it is stopped
+  bool diagnosed_before = false;      ///< the base, by an earlier run
   bool endless_diagnosis = false;     ///< the same once something was added
   std::atomic<bool>* held = nullptr;  ///< add_together() waits while it is set
   std::string add_fails = {};         ///< what add_together() throws

@@ -27,6 +27,19 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
 }
 
+TEST(Program, ReportsWhatAnEarlierRunFoundMissing) {
+  const auto report = [](bool before) {
+    FakeOptions options;
+    options.diagnosed_before = before;
+    Program program(testing::fake_workbench(options), {});
+    (void)replay(program, parse_key_script("7\nwait\n"));
+    return program.draw().to_text();
+  };
+  EXPECT_TRUE(holds(report(false), "not diagnosed yet")) << report(false);
+  EXPECT_FALSE(holds(report(true), "not diagnosed yet")) << report(true);
+  EXPECT_TRUE(holds(report(true), "added-mass")) << report(true);
+}
+
 TEST(Program, ShowsTheNewListOnceItIsThere) {
   const std::string text = played("5\nwait\na\nwait\n5\nwait");
   EXPECT_FALSE(holds(text, "as of before")) << text;
