@@ -136,8 +136,14 @@ class Climb {
   bool try_to_add(bool first,
                   RungSearch::Depth depth,
                   const Progress& progress);
-  [[nodiscard]] bool is_explained() const {
+  [[nodiscard]] bool is_at_floor() const {
     return current_.result.error <= at_floor * options_.floor;
+  }
+  // The mesh's share of the floor counts the whole difference to a finer mesh,
+  // of which the fit takes a good part: an effect may hide beneath it.
+  [[nodiscard]] bool is_explained() const {
+    return is_at_floor() &&
+           current_.result.error <= clear_of_floor * options_.floor_noise;
   }
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
@@ -158,7 +164,8 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
                                             const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
-  worth.share = worth_it;
+  // What the mesh may explain must be left behind by far.
+  worth.share = is_at_floor() ? 1.0 / clear_of_floor : worth_it;
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
   const double left = round.hypotheses.front().fit.result.error;
   if (!first || left <= clear_of_floor * options_.floor) return {0, worth};

@@ -16,6 +16,7 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const Progress& progress) {
   DiagnoseOptions options;
   options.floor = base.floor;
+  options.floor_noise = base.floor_noise;
   options.contour = base.contour;
   options.properties = ground.properties;
   options.modes_in_band =

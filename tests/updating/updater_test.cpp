@@ -230,6 +230,25 @@ TEST(DiagnoseTest, SaysNoneWhenNothingIsMissing) {
   EXPECT_TRUE(d.ladder.empty());
 }
 
+// The mesh's share of the floor is the most that it may explain, of which its
+// factors take a good part: what stands far above the noise is looked into.
+TEST(DiagnoseTest, FindsWhatHidesBeneathTheFloorOfTheMesh) {
+  const double mesh = 0.5;
+  const PlateExperiment test({at_node("added-mass", 30, 0.03)}, 0.02, 1);
+  const Diagnosis d = test.diagnose_it({}, mesh);
+  EXPECT_LT(d.error_base, mesh);
+  EXPECT_EQ(d.verdict, "added-mass");
+  ASSERT_EQ(d.ladder.size(), 1U);
+  EXPECT_EQ(d.ladder[0].where.node, 30);
+  const PlateExperiment plain({}, 0.02, 4);
+  EXPECT_EQ(plain.diagnose_it({}, mesh).verdict, "none");
+  // A little that an effect explains best may still be the mesh.
+  const PlateExperiment slight({at_node("added-mass", 30, 0.004)}, 0.02, 1);
+  const Diagnosis beneath = slight.diagnose_it({}, mesh);
+  EXPECT_GT(beneath.candidates.front().probability, 0.95);
+  EXPECT_EQ(beneath.verdict, "none");
+}
+
 TEST(DiagnoseTest, FindsTwoEffects) {
   const PlateExperiment test(
       {both_sensors(0.008), at_node("ground-spring", 50, 2e3)}, 0.02, 5);

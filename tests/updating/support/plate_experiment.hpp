@@ -6,6 +6,7 @@
 #include "updating/diagnose.hpp"
 #include "updating/fitter.hpp"
 
+#include <cmath>
 #include <complex>
 #include <optional>
 #include <random>
@@ -61,9 +62,12 @@ class PlateExperiment : private support::BasedPlate {
   }
 
   [[nodiscard]] const Fitter& fitter() const { return *fitter_; }
-  [[nodiscard]] Diagnosis diagnose_it(const Progress& progress = {}) const {
+  /// @param mesh_floor what a coarse mesh might explain
+  [[nodiscard]] Diagnosis diagnose_it(const Progress& progress = {},
+                                      double mesh_floor = 0.0) const {
     DiagnoseOptions options;
-    options.floor = std::max(noise_error(fitter_->target()), 1e-3);
+    options.floor_noise = std::max(noise_error(fitter_->target()), 1e-3);
+    options.floor = std::hypot(options.floor_noise, mesh_floor);
     options.modes_in_band = 5;
     options.properties = {{"E:1", "Pa", 70e9}};
     return diagnose(*fitter_, {}, options, progress);
