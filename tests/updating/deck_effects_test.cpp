@@ -353,8 +353,8 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
   const Eigen::VectorXd read = structure::modes_of(jointed, 8).frequency_hz;
   // Seven digits of the cards.
   EXPECT_LT((read - direct).cwiseQuotient(direct).cwiseAbs().maxCoeff(), 1e-6);
-  EXPECT_GT(structure::modes_of(whole->deck, 8).frequency_hz(0) - read(0),
-            1e-4 * read(0));
+  EXPECT_GT(structure::modes_of(whole->deck, 8).frequency_hz(7) - read(7),
+            1e-2 * read(7));
 }
 
 }  // namespace

@@ -5,10 +5,14 @@
 namespace tapfit::structure {
 namespace {
 
-// gamma for the mean over the element, which in-plane bending does not turn,
-// and for the rest: Nastran's K6ROT = 100.
-constexpr double kDrillingCentre = 1.0;
-constexpr double kDrillingSpread = 1e-4;
+// gamma of the quadrilateral: a tenth holds what turns one grid and still
+// stiffens a box of single elements, whose rotations jump from one to the next,
+// by 1e-4.
+constexpr double kQuad = 0.1;
+// That of the triangle's mean over the element and of the rest: Nastran's
+// K6ROT = 100.
+constexpr double kTriangleCentre = 1.0;
+constexpr double kTriangleSpread = 1e-4;
 
 // Strains (exx, eyy, 2 exy) of one function's u and v from its slopes.
 Eigen::Matrix<double, 3, 2> strain_of(double dx, double dy) {
@@ -17,20 +21,18 @@ Eigen::Matrix<double, 3, 2> strain_of(double dx, double dy) {
   return B;
 }
 
-// Two inner modes (1 - xi^2, 1 - eta^2) with the Jacobian of the centre, which
-// makes the element pass the patch test on any quadrilateral.
-Eigen::Matrix<double, 3, 4> incompatible(const Corners& xy,
-                                         const Eigen::Vector2d& at,
-                                         double area_ratio) {
+// Slopes of the two inner modes (1 - xi^2, 1 - eta^2) with the Jacobian of the
+// centre, which makes the element pass the patch test on any quadrilateral.
+Corners inner_slopes(const Corners& xy,
+                     const Eigen::Vector2d& at,
+                     double area_ratio) {
   const Eigen::Matrix2d J0 = jacobian(xy, Eigen::Vector2d::Zero());
   const Eigen::Matrix2d J0i = J0.inverse();
-  Eigen::Matrix<double, 3, 4> B;
+  Corners slopes(2, 2);
   for (Eigen::Index k = 0; k < 2; ++k) {
-    const Eigen::Vector2d slope =
-        J0i.col(k) * (-2.0 * at(k) * J0.determinant() / area_ratio);
-    B.middleCols<2>(2 * k) = strain_of(slope.x(), slope.y());
+    slopes.row(k) = J0i.col(k) * (-2.0 * at(k) * J0.determinant() / area_ratio);
   }
-  return B;
+  return slopes;
 }
 
 // theta_z - (v,x - u,y) / 2 over the corners' u, v, theta_z.
@@ -47,41 +49,54 @@ Corners slopes(const Corners& xy, const Eigen::Vector2d& at) {
   return corner_slopes(xy.rows(), at) * jacobian(xy, at).inverse().transpose();
 }
 
+// Takes the inner modes, which load nothing, out of K: they are the last.
+Eigen::MatrixXd condensed(const Eigen::MatrixXd& K, Eigen::Index inner) {
+  const Eigen::Index n = K.rows() - inner;
+  if (inner == 0) return K;
+  return K.topLeftCorner(n, n) -
+         K.topRightCorner(n, inner) * K.bottomRightCorner(inner, inner)
+                                          .ldlt()
+                                          .solve(K.bottomLeftCorner(inner, n));
+}
+
 }  // namespace
 
 Eigen::MatrixXd membrane_stiffness(const Corners& xy,
                                    const ShellSection& section) {
   const Eigen::Index n = xy.rows();
   const Eigen::Index inner = n == 4 ? 4 : 0;
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * n, 3 * n);
-  Eigen::MatrixXd Kab = Eigen::MatrixXd::Zero(3 * n, inner);
-  Eigen::MatrixXd Kaa = Eigen::MatrixXd::Zero(inner, inner);
+  const double spread = n == 4 ? kQuad : kTriangleSpread;
   const double G = section.membrane(2, 2);
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * n + inner, 3 * n + inner);
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 3 * n + inner);
+  Eigen::RowVectorXd drill(3 * n + inner);
   double area = 0.0;
   for (const GaussPoint& point : gauss_points(n, 2)) {
     const Eigen::Matrix2d J = jacobian(xy, point.at);
     const double dA = point.weight * J.determinant();
     area += dA;
     const Corners dN = slopes(xy, point.at);
-    Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 3 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
       B.middleCols<2>(3 * i) = strain_of(dN(i, 0), dN(i, 1));
     }
+    drill.head(3 * n) = drilling(dN, corner_values(n, point.at));
+    if (inner > 0) {
+      const Corners I = inner_slopes(xy, point.at, J.determinant());
+      for (Eigen::Index k = 0; k < 2; ++k) {
+        B.middleCols<2>(3 * n + 2 * k) = strain_of(I(k, 0), I(k, 1));
+        drill.segment<2>(3 * n + 2 * k) << 0.5 * I(k, 1), -0.5 * I(k, 0);
+      }
+    }
     K += dA * B.transpose() * section.membrane * B;
-    const Eigen::RowVectorXd drill = drilling(dN, corner_values(n, point.at));
-    K += dA * kDrillingSpread * G * drill.transpose() * drill;
-    if (inner == 0) continue;
-    const Eigen::MatrixXd I = incompatible(xy, point.at, J.determinant());
-    Kab += dA * B.transpose() * section.membrane * I;
-    Kaa += dA * I.transpose() * section.membrane * I;
+    K += dA * spread * G * drill.transpose() * drill;
   }
-  const Eigen::Vector2d centre =
-      Eigen::Vector2d::Constant(n == 3 ? 1.0 / 3.0 : 0.0);
-  const Eigen::RowVectorXd drill =
-      drilling(slopes(xy, centre), corner_values(n, centre));
-  K += area * kDrillingCentre * G * drill.transpose() * drill;
-  if (inner > 0) K -= Kab * Kaa.ldlt().solve(Kab.transpose());
-  return K;
+  if (n == 3) {
+    const Eigen::Vector2d centre = Eigen::Vector2d::Constant(1.0 / 3.0);
+    const Eigen::RowVectorXd mean =
+        drilling(slopes(xy, centre), corner_values(n, centre));
+    K += area * kTriangleCentre * G * mean.transpose() * mean;
+  }
+  return condensed(K, inner);
 }
 
 }  // namespace tapfit::structure

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <numbers>
 
 namespace tapfit::structure {
 namespace {
@@ -114,8 +115,8 @@ TEST(ShellElement, HasSixRigidMotionsAndNoMore) {
     const Eigen::VectorXd values =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(e.K).eigenvalues();
     const double largest = values.maxCoeff();
-    // Drilling is held with 1e-4 of the shear stiffness, so the seventh is
-    // small but far above rounding.
+    // A triangle's drilling is held with 1e-4 of the shear stiffness: small,
+    // but far above rounding.
     EXPECT_LT(values.head(6).cwiseAbs().maxCoeff(), 1e-13 * largest);
     EXPECT_GT(values(6), 1e-8 * largest);
   }
@@ -186,6 +187,46 @@ TEST(ShellElement, FollowsTheMaterialAxis) {
   const ElementMatrices a = shell_matrices(deck, deck.shells[0]);
   const ElementMatrices b = shell_matrices(other, other.shells[0]);
   EXPECT_LT((a.K - b.K).norm(), 1e-10 * a.K.norm());
+}
+
+// Moment that turns the middle grid of a sheet of n x n elements with a held
+// edge by one about the normal.
+double turning_stiffness(bool triangles, int n) {
+  Deck deck = plate_deck({.triangles = triangles}, n, n);
+  const System system = assemble(deck);
+  std::vector<Eigen::Index> free;
+  Eigen::Index middle = -1;
+  for (std::size_t i = 0; i < deck.grids.size(); ++i) {
+    const Eigen::Vector3d from =
+        deck.grids[i].position - Eigen::Vector3d(0.5, 0.5, 0.0);
+    if (from.cwiseAbs().maxCoeff() > 0.5 - 1e-9) continue;
+    if (from.norm() < 1e-9) middle = static_cast<Eigen::Index>(free.size()) + 2;
+    for (const Eigen::Index c : {0, 1, 5}) {
+      free.push_back(6 * static_cast<Eigen::Index>(i) + c);
+    }
+  }
+  const Eigen::MatrixXd K = Eigen::MatrixXd(system.K)(free, free);
+  const Eigen::VectorXd load = Eigen::VectorXd::Unit(K.rows(), middle);
+  return 1.0 / K.llt().solve(load)(middle);
+}
+
+// A rigid disc of radius r in a wide sheet resists with 4 pi G t r^2. One grid
+// is as a disc of some part of its elements' size, and of the same part however
+// fine they are, or moments and offset masses turn it as though it were loose.
+// Among triangles the part falls slowly.
+TEST(ShellElement, HoldsOneGridAgainstTurningAboutTheNormal) {
+  const double G = Plate{}.material.G;
+  for (const bool triangles : {false, true}) {
+    std::vector<double> part;
+    for (const int n : {8, 16, 32}) {
+      const double K = turning_stiffness(triangles, n);
+      part.push_back(
+          n * std::sqrt(K / (4.0 * std::numbers::pi * G * Plate{}.thickness)));
+    }
+    EXPECT_LT(part.front(), 1.0 / 2.0);
+    EXPECT_GT(part.front(), 1.0 / 20.0);
+    EXPECT_GT(part.back(), (triangles ? 0.75 : 0.99) * part.front());
+  }
 }
 
 TEST(ShellElement, RefusesBadShapes) {
