@@ -19,9 +19,16 @@ bool same_place(const PlacedEffect& a, const PlacedEffect& b) {
   return a.effect == b.effect && a.where == b.where;
 }
 
-// Says so where a fit leaves as much as the one before it.
+// Says so where a fit leaves as much as the one before it, or more: a law for
+// the damping takes the place of a ratio for each mode.
 Fit judged(Fit fit, const Fit& before) {
-  if (!(fit.result.error < before.result.error)) {
+  constexpr double rounding = 1e-6;
+  if (fit.result.error > (1.0 + rounding) * before.result.error) {
+    fit.result.message +=
+        fmt::format(", but the error rises from {:.4g} to {:.4g}: leave it out",
+                    before.result.error,
+                    fit.result.error);
+  } else if (!(fit.result.error < before.result.error)) {
     fit.result.message +=
         ", but the error does not fall: the data do not ask for it";
   }

@@ -94,13 +94,23 @@ TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
   const std::string said = "the error does not fall";
   stack_->add(mass_at(9), how(), {});
   EXPECT_EQ(stack_->fits().back().result.message.find(said), std::string::npos);
-  // Again what is there.
+  // Again what is there; then one that can do less than what it takes the place
+  // of.
   StackFit again = how();
-  again.fit = [this](const auto&, const Progress&) {
-    return stack_->fits().back();
+  double factor = 1.0;
+  again.fit = [&](const std::vector<PlacedEffect>& effects, const Progress&) {
+    Fit fit = stack_->fits().back();
+    fit.effects = effects;
+    fit.result.message.clear();
+    fit.result.error *= factor;
+    return fit;
   };
   stack_->add(mass_at(30), again, {});
   EXPECT_NE(stack_->fits().back().result.message.find(said), std::string::npos);
+  factor = 1.1;
+  stack_->add(mass_at(40), again, {});
+  EXPECT_NE(stack_->fits().back().result.message.find("leave it out"),
+            std::string::npos);
 }
 
 // As when the FRFs behind a stack change: what was done is not lost.
