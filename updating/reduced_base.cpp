@@ -13,6 +13,7 @@
 #include "updating/structure/eigenmodes.hpp"
 #include "updating/structure/factor.hpp"
 #include "updating/structure/free_motions.hpp"
+#include "updating/structure/material_checks.hpp"
 #include "updating/structure/refine_mesh.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/subspace.hpp"
@@ -118,9 +119,7 @@ BaseBuilder::BaseBuilder(
   }
   m.mass = structure::total_mass(m.mesh.deck, m.system);
   if (!(m.mass > 0.0)) {
-    throw InputError("the model has no mass",
-                     deck.path.string(),
-                     "give the materials a density (RHO)");
+    structure::refuse_without_density(deck, "the model has no mass");
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   m.answers.emplace(m.system, m.motions, m.shift);

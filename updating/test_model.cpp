@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "signal/uff58.hpp"
+#include "updating/structure/material_checks.hpp"
 #include "updating/structure/matrix_market.hpp"
 #include "updating/structure/rigid_motion.hpp"
 #include "updating/structure/scale_units.hpp"
@@ -147,6 +148,8 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   }
   structure::Deck deck = read_model(bundle);
   structure::scale_to_si(deck, bundle.units);
+  std::ranges::move(structure::material_unit_warnings(deck),
+                    std::back_inserter(deck.warnings));
   check_points(bundle, deck);
   warn_of_turned_supports(deck);
   return deck;

@@ -4,6 +4,7 @@
 #include "tui/commands/text_table.hpp"
 #include "updating/structure/deck.hpp"
 #include "updating/structure/deck_modes.hpp"
+#include "updating/structure/material_checks.hpp"
 #include "updating/structure/system.hpp"
 #include "updating/test_model.hpp"
 
@@ -18,7 +19,13 @@ namespace {
 
 // The model of a bundle, or a deck by itself.
 structure::Deck read_any_model(const std::filesystem::path& input) {
-  if (!std::filesystem::is_directory(input)) return structure::read_deck(input);
+  if (!std::filesystem::is_directory(input)) {
+    structure::Deck deck = structure::read_deck(input);
+    for (std::string& text : structure::material_unit_warnings(deck)) {
+      deck.warnings.push_back(std::move(text));
+    }
+    return deck;
+  }
   return updating::read_test_model(acquisition::read_test_bundle(input));
 }
 

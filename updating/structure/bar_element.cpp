@@ -143,6 +143,31 @@ void release(const Bar& bar, Matrix12& K, Matrix12& M) {
   M = (T.transpose() * M * T).eval();
 }
 
+// Mass that moves along with both ends in each local direction.
+Eigen::Vector3d carried(const Matrix12& M) {
+  Eigen::Vector3d mass;
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    mass(c) = M(c, c) + M(c + 6, c + 6) + 2.0 * M(c, c + 6);
+  }
+  return mass;
+}
+
+// Pins at both ends may leave the bar to float: its mass would be lost.
+void refuse_loose(const Deck& deck,
+                  const Bar& bar,
+                  const Eigen::Vector3d& before,
+                  const Eigen::Vector3d& after) {
+  constexpr double rounding = 1e-6;
+  if ((before - after).maxCoeff() <= rounding * before.maxCoeff()) return;
+  throw InputError(
+      fmt::format("its pins (PA {}, PB {}) let go of the bar, whose mass would "
+                  "be lost",
+                  bar.released[0],
+                  bar.released[1]),
+      card_place(deck, bar.where, fmt::format("bar {}", bar.id)),
+      "Release each direction at one end only.");
+}
+
 struct Axes {
   double length = 0.0;
   Eigen::Matrix3d local;  // columns: axis, plane 1, plane 2
@@ -210,7 +235,9 @@ ElementMatrices bar_matrices(const Deck& deck, const Bar& bar) {
   }
   K = local_stiffness(p, m, axes.length);
   M = local_mass(bar, p, m, axes.length, deck.coupled_mass);
+  const Eigen::Vector3d before = carried(M);
   release(bar, K, M);
+  refuse_loose(deck, bar, before, carried(M));
   const Matrix12 T = transformation(bar, axes.local);
   return {{bar.grids[0], bar.grids[1]},
           T.transpose() * K * T,

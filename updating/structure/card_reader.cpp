@@ -8,6 +8,17 @@
 #include <limits>
 
 namespace tapfit::structure {
+namespace {
+
+// A field as a message quotes it: long ones, of files that are no deck, in
+// part.
+std::string quoted(const std::string& text) {
+  constexpr std::size_t most = 40;
+  if (text.size() <= most) return text;
+  return text.substr(0, most) + "...";
+}
+
+}  // namespace
 
 std::size_t CardReader::size() const {
   std::size_t count = card_.fields.size();
@@ -29,7 +40,7 @@ int CardReader::integer(std::size_t field, const char* meaning) const {
                      "is needed",
                      field + 1,
                      meaning,
-                     text(field),
+                     quoted(text(field)),
                      std::numeric_limits<int>::max()),
          "Correct the field.");
   }
@@ -71,7 +82,7 @@ double CardReader::real(std::size_t field, const char* meaning) const {
     fail(fmt::format("field {} ({}) is \"{}\", a number is needed",
                      field + 1,
                      meaning,
-                     text(field)),
+                     quoted(text(field))),
          "Correct the field.");
   }
   return *value;
@@ -98,7 +109,7 @@ std::string CardReader::components(std::size_t field) const {
       fail(fmt::format("field {} (components) is \"{}\", digits 1 to 6 are "
                        "needed",
                        field + 1,
-                       text(field)),
+                       quoted(text(field))),
            "Correct the field.");
     }
     digits += c;

@@ -50,15 +50,34 @@ void check_materials(const Deck& deck,
   }
 }
 
+// MAT8 is a layer's material: it says nothing of a bar's axis.
+template <typename Property>
+void refuse_orthotropic(const Deck& deck,
+                        const Property& property,
+                        const char* kind) {
+  const auto found = deck.materials.find(property.material);
+  if (found == deck.materials.end() || !found->second.orthotropic) return;
+  throw InputError(
+      fmt::format("material {} is a MAT8, which is for shells",
+                  property.material),
+      card_place(deck,
+                 property.where,
+                 fmt::format("{} {}", kind, std::abs(property.id))),
+      "Name a MAT1.");
+}
+
 void check_properties(const Deck& deck) {
   for (const auto& [id, p] : deck.shell_properties) {
     check_materials(deck, p, {p.membrane, p.bending, p.shear}, "PSHELL");
   }
   for (const auto& [id, p] : deck.bar_properties) {
     check_materials(deck, p, {p.material}, "PBAR");
+    refuse_orthotropic(deck, p, "PBAR");
   }
   for (const auto& [id, p] : deck.rod_properties) {
-    check_materials(deck, p, {p.material}, id < 0 ? "CONROD" : "PROD");
+    const char* kind = id < 0 ? "CONROD" : "PROD";
+    check_materials(deck, p, {p.material}, kind);
+    refuse_orthotropic(deck, p, kind);
   }
 }
 

@@ -112,6 +112,7 @@ struct Material {
   double E2 = 0.0;
   double G1z = 0.0;  ///< 0: infinitely stiff in transverse shear
   double G2z = 0.0;
+  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
 /// PSHELL. Material ids 0 mean the part is absent.

@@ -5,6 +5,7 @@
 #include "updating/structure/factor.hpp"
 #include "updating/structure/free_motions.hpp"
 #include "updating/structure/held_dofs.hpp"
+#include "updating/structure/material_checks.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -131,16 +132,18 @@ std::vector<std::string> describe(const Deck& deck,
 // @param M over the free degrees of freedom
 void refuse_without_modes(const Deck& deck, const SparseMatrix& M) {
   if (M.rows() > 0 && M.norm() > 0.0) return;
-  throw with_notes(
-      InputError(
-          M.rows() == 0 ? "nothing can move: every component is held, or "
-                          "without stiffness"
-                        : "nothing that can move has mass: the model has "
-                          "no modes",
-          deck.path.filename().string(),
-          M.rows() == 0 ? "Check the SPCs, and that elements join the grids."
-                        : "Give the materials a density (RHO) or add CONM2."),
-      deck.warnings);
+  try {
+    if (M.rows() > 0) {
+      refuse_without_density(
+          deck, "nothing that can move has mass: the model has no modes");
+    }
+    throw InputError(
+        "nothing can move: every component is held, or without stiffness",
+        deck.path.filename().string(),
+        "Check the SPCs, and that elements join the grids.");
+  } catch (const InputError& error) {
+    throw with_notes(error, deck.warnings);
+  }
 }
 
 }  // namespace

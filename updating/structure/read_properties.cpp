@@ -20,6 +20,7 @@ void read_mat1(DeckBuilder& builder, const CardReader& card) {
   Material m;
   m.id = card.id(1, "MID");
   builder.define(card, "material", m.id);
+  m.where = card.where();
   m.E = card.real_or(2, 0.0, "E");
   m.G = card.real_or(3, 0.0, "G");
   m.nu = card.real_or(4, 0.0, "NU");
@@ -60,6 +61,7 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
   Material m;
   m.id = card.id(1, "MID");
   builder.define(card, "material", m.id);
+  m.where = card.where();
   m.orthotropic = true;
   m.E = card.real(2, "E1");
   m.E2 = card.real(3, "E2");

@@ -37,6 +37,11 @@ std::string lacks(const BarProperty& p) {
   return fmt::format("no {}, the bars lack that stiffness", zero.substr(2));
 }
 
+std::string lacks(const RodProperty& p) {
+  if (p.area != 0.0) return {};
+  return "no A, the rods neither resist nor weigh";
+}
+
 // Cards by what they lack.
 using Lacking = std::map<std::string, std::vector<std::string>>;
 
@@ -60,6 +65,7 @@ std::vector<std::string> weak_property_warnings(const Deck& deck) {
   Lacking lacking;
   add(deck, deck.shell_properties, used(deck.shells), "PSHELL", lacking);
   add(deck, deck.bar_properties, used(deck.bars), "PBAR", lacking);
+  add(deck, deck.rod_properties, used(deck.rods), "PROD", lacking);
   std::vector<std::string> texts;
   for (const auto& [fault, cards] : lacking) {
     texts.push_back(fmt::format(

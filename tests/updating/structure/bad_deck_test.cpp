@@ -51,6 +51,36 @@ TEST(BadDeck, PropertyOrMaterialIsMissing) {
   expect_error("CONROD,5,1,2,8,1.-4\n", "model.bdf:7 CONROD 5", "material 8");
 }
 
+TEST(BadDeck, BarOrRodIsOrthotropic) {
+  const std::string wood = "MAT8,8,1.+10,1.+9,.3,1.+9\n";
+  const std::string what = "material 8 is a MAT8";
+  expect_error(wood + "PBAR,2,8,1.-4\n", "model.bdf:8 PBAR 2", what);
+  expect_error(wood + "PROD,2,8,1.-4\n", "model.bdf:8 PROD 2", what);
+  expect_error(wood + "CONROD,5,1,2,8,1.-4\n", "model.bdf:8 CONROD 5", what);
+}
+
+TEST(BadDeck, BarIsLetGoOfByItsPins) {
+  const std::string bar =
+      "PBAR,2,1,1.-4,1.-9,1.-9,1.-9\nCBAR,5,2,1,2,0.,0.,1.\n";
+  for (const char* pins : {"1,1", "2,2", "356,35"}) {
+    expect_error(bar + "," + pins + "\n", "model.bdf:8 CBAR 5", "let go of");
+  }
+  // What one end lets go of, the other holds.
+  for (const char* pins : {"56,56", "123", ",1", "1,2"}) {
+    const Deck deck = deck_of(
+        "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\n"
+        "MAT1,1,7.+10,,.3,2700.\n" +
+        bar + "," + pins + "\n");
+    EXPECT_NEAR(total_mass(deck, assemble(deck)), 0.27, 1e-9) << pins;
+  }
+}
+
+TEST(BadDeck, FieldIsQuotedInPart) {
+  const InputError error = error_of("GRID,1,," + std::string(500, 'x') + "\n");
+  EXPECT_THAT(error.what(), HasSubstr("\"xxxx"));
+  EXPECT_LT(std::string(error.what()).size(), 250U);
+}
+
 TEST(BadDeck, ThicknessIsZero) {
   expect_error("PSHELL,2,1,0.\n", "model.bdf:7 PSHELL 2", "thickness is 0");
 }
@@ -104,7 +134,9 @@ TEST(BadDeck, ModelHasNoMassOrNothingThatMoves) {
   const std::string plate =
       "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,1.,1.,0.\n"
       "PSHELL,1,1,0.01,1,,1\nCTRIA3,5,1,1,2,3\n";
-  EXPECT_THAT(error_of(plate + "MAT1,1,7.+10,,.3\n").what(), HasSubstr("RHO"));
+  const InputError error = error_of(plate + "MAT1,1,7.+10,,.3\n");
+  EXPECT_THAT(error.remedy(), HasSubstr("RHO"));
+  EXPECT_THAT(error.where(), HasSubstr("model.bdf:6 MAT1 1"));
   EXPECT_THAT(error_of(plate + "MAT1,1,7.+10,,.3,2700.\n"
                                "SPC1,1,123456,1,2,3\n")
                   .what(),

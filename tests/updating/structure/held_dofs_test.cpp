@@ -57,6 +57,15 @@ TEST(HeldDofs, MassWithoutStiffnessIsNamed) {
   EXPECT_TRUE(solved(meant).warnings.empty());
 }
 
+TEST(HeldDofs, RodWithoutAreaIsNamed) {
+  const Deck deck = deck_of(
+      "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCONM2,9,2,,2.\n"
+      "MAT1,1,7.+10,,.3,2700.\nPROD,2,1\nCROD,1,2,1,2\n");
+  ASSERT_FALSE(deck.warnings.empty());
+  EXPECT_THAT(deck.warnings[0],
+              HasSubstr("model.bdf:5 PROD 2: no A, the rods neither resist"));
+}
+
 TEST(HeldDofs, VeryThinPlateStillBends) {
   // Frequencies of a plate go with its thickness, however thin it is.
   Plate plate;
