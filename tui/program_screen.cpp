@@ -87,10 +87,14 @@ std::string elapsed_text(const WorkerStatus& status) {
   return fmt::format(", {} min {} s", seconds / 60, seconds % 60);
 }
 
-std::string progress_text(const WorkerStatus& status) {
+/// A long name is cut, how far it is and for how long are not.
+std::string progress_text(const WorkerStatus& status, int room) {
   const int percents = static_cast<int>(std::lround(100 * status.fraction));
-  return fmt::format(
-      "{} … {} %{}", work_text(status), percents, elapsed_text(status));
+  const std::string what = work_text(status);
+  const std::string far = fmt::format("{} %{}", percents, elapsed_text(status));
+  const std::string whole = fmt::format("{} … {}", what, far);
+  if (text_width(whole) <= room) return whole;
+  return clipped(what, room - text_width(far) - 1) + " " + far;
 }
 
 /// What was done on the way, the last at the end, in at most that many rows.
@@ -190,8 +194,9 @@ Screen Program::waiting(const Canvas& canvas) const {
     }
     const int width = std::min(canvas.width - 8, 72);
     const bool other = shown_.busy && shown_.title != name(need.stage);
-    std::vector<std::string> lines{
-        progress_text(shown_), bar(shown_.fraction, width, canvas.ascii), ""};
+    std::vector<std::string> lines{progress_text(shown_, width),
+                                   bar(shown_.fraction, width, canvas.ascii),
+                                   ""};
     for (const std::string& line : done_lines(shown_, width, 6)) {
       lines.push_back(line);
     }
@@ -293,8 +298,11 @@ void Program::draw_work(Screen& screen, int y) const {
   }
   const int room = width - bar_width - x;
   if (room < 16) return;
-  x = screen.text(
-      x, y, progress_text(shown_) + "  ", {.colour = Colour::Yellow}, room);
+  x = screen.text(x,
+                  y,
+                  progress_text(shown_, room - 2) + "  ",
+                  {.colour = Colour::Yellow},
+                  room);
   screen.text(x,
               y,
               bar(shown_.fraction, bar_width, screen.ascii()),

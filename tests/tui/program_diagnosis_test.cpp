@@ -74,6 +74,7 @@ TEST(Program, TagsGoByEscape) {
 TEST(Program, SaysWhereTaggedOnesLookAlike) {
   const std::string text = played("5\nwait\nt\nt");
   EXPECT_TRUE(holds(text, "neither size will be sure")) << text;
+  EXPECT_FALSE(holds(text, "any key closes")) << text;  // the list stays free
 }
 
 }  // namespace

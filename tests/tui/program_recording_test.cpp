@@ -42,6 +42,14 @@ TEST(ProgramRecording, UndoesWhatTurnedAHitBack) {
   EXPECT_FALSE(holds(all, "by hand")) << all;
 }
 
+TEST(ProgramRecording, ActsOnNothingThatIsCovered) {
+  const std::string plain = played("wait", {120, 35});
+  EXPECT_EQ(played("wait\ni++]\ni", {120, 35}), plain);
+  const std::string text = played("wait\ni \nwait", {120, 35});
+  EXPECT_TRUE(holds(text, "does nothing here")) << text;
+  EXPECT_FALSE(holds(played("wait\ni \nwait\ni", {120, 35}), "by hand"));
+}
+
 TEST(ProgramRecording, ReplaysARunAsItCame) {
   Program program(testing::fake_workbench(), {120, 35, false});
   wait_until_idle(program);

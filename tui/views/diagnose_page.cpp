@@ -23,7 +23,7 @@ std::string look_alike_among(const std::vector<EffectRef>& tagged,
                              const Candidate& c) {
   for (const EffectRef& other : c.indistinguishable_from) {
     if (std::ranges::find(tagged, other) == tagged.end()) continue;
-    return fmt::format("neither size will be sure: it can't be told from {} {}",
+    return fmt::format("{} {} looks the same: neither size will be sure",
                        other.effect,
                        place(other.where));
   }
@@ -157,8 +157,8 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
   return {{"j k", "candidate"},
           {"a", state_.tagged.empty() ? "add it" : "add tagged"},
           {"t", "tag"},
+          {"i", "in words"},
           {"m", "place/map"},
-          {"i", "all in words"},
           {"f", "all laws"},
           {"u", "undo"},
           {"^R", "redo"},

@@ -188,16 +188,20 @@ int write_chosen(Screen& screen,
   return write(screen, y, wrapped(words, width, 3), Colour::Yellow);
 }
 
-/// A long list of kinds is cut, the errors behind it are not.
-std::string verdict_line(const updating::Diagnosis& d,
-                         std::size_t tagged,
-                         int width) {
-  std::string errors = fmt::format("   error {} → {}, floor {}",
+/// The verdict and the errors, which get a line of their own beside a long
+/// list of kinds.
+std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
+                                       std::size_t tagged,
+                                       int width) {
+  std::string errors = fmt::format("error {} → {}, floor {}",
                                    percent(d.error_base),
                                    percent(d.error_best),
                                    percent(d.floor));
   if (tagged > 0) errors += fmt::format("   {} tagged", tagged);
-  return clipped("verdict: " + d.verdict, width - text_width(errors)) + errors;
+  const std::string verdict = "verdict: " + d.verdict;
+  const std::string both = verdict + "   " + errors;
+  if (text_width(both) <= width) return {both};
+  return {verdict, errors};
 }
 
 /// What stands in the way or, where nothing does, how it was compared. All of
@@ -214,21 +218,22 @@ std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
   return clipped(note, width - text_width(more)) + more;
 }
 
-/// In place of table and plots, scrolled down so far.
+/// In place of table and plots, from row `top` on, scrolled down so far.
 void draw_details(Screen& screen,
                   const updating::Diagnosis& d,
                   const Candidate& chosen,
+                  int top,
                   int first) {
   const std::vector<std::string> lines =
       details_of(d, chosen, screen.width() - 2);
-  const int rows = screen.height() - 3;
+  const int rows = screen.height() - top;
   const int count = static_cast<int>(lines.size());
   first = std::clamp(first, 0, std::max(count - rows, 0));
   for (int i = 0; i < std::min(rows, count - first); ++i) {
-    screen.text(1, 3 + i, lines[static_cast<std::size_t>(first + i)]);
+    screen.text(1, top + i, lines[static_cast<std::size_t>(first + i)]);
   }
   const int right = screen.width() - 1;
-  if (first > 0) screen.put(right, 3, U'↑');
+  if (first > 0) screen.put(right, top, U'↑');
   if (first + rows < count) screen.put(right, screen.height() - 1, U'↓');
 }
 
@@ -265,13 +270,16 @@ Screen diagnose_view(const DiagnoseInput& input,
   Screen screen(canvas);
   const updating::Diagnosis& d = input.diagnosis;
   const std::size_t tagged = tagged_of(d, state.tagged).size();
-  screen.text(1, 0, verdict_line(d, tagged, canvas.width - 2), {.bold = true});
+  const int room = canvas.width - 2;
+  int top = 0;
+  for (const std::string& line : verdict_lines(d, tagged, room)) {
+    screen.text(1, top++, line, {.bold = true}, room);
+  }
   const bool warned = input.outdated || !d.warnings.empty();
   screen.text(1,
-              1,
-              note_line(d, input.outdated, canvas.width - 2),
+              top++,
+              note_line(d, input.outdated, room),
               {.colour = warned ? Colour::Yellow : Colour::Grey});
-  constexpr int top = 2;
   if (d.candidates.empty()) {
     int y = write(screen,
                   top + 1,
@@ -288,7 +296,7 @@ Screen diagnose_view(const DiagnoseInput& input,
   }
   const Candidate& chosen = d.candidates[settled(table, state.list)];
   if (state.details) {
-    draw_details(screen, d, chosen, *state.details);
+    draw_details(screen, d, chosen, top + 1, *state.details);
     return screen;
   }
   const Rect body{0, top, canvas.width, canvas.height - top};

@@ -186,6 +186,8 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   if (runs == 0) return false;
   state_.run = std::min(state_.run, runs - 1);
   if (press_replay(key) || press_run(input, key)) return true;
+  // What the other keys act on is covered.
+  if (state_.statements) return false;
   if (press_hit(input, key, command)) return true;
   const std::vector<Hit>& hits = input.hits.runs[state_.run];
   if (list_key(state_.list, rows_of(hits), key)) {

@@ -60,6 +60,18 @@ TEST(DiagnoseDetails, StandBehindANoteThatIsCut) {
             "(i: all)\n #    prob"));
 }
 
+TEST(DiagnoseDetails, ALongVerdictHasALineToItself) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  updating::Diagnosis d = fake_diagnosis();
+  d.verdict = "sensor-mass+soft-support+stiffness-loss|ground-spring";
+  const std::string text =
+      diagnose_view({bundle, d, {}}, {}, {80, 21, false}).to_text();
+  EXPECT_TRUE(holds(text,
+                    " verdict: " + d.verdict +
+                        "\n error 38.8 % → 3.8 %, floor 3.1 %\n s = 5 + jw\n"))
+      << text;
+}
+
 TEST(DiagnoseDetails, AllNotesStandWhereThereIsNoCandidate) {
   const acquisition::TestBundle bundle;
   updating::Diagnosis d;
