@@ -151,6 +151,25 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
   return {};
 }
 
+// Where an effect may sit.
+std::string remedy(const effects::Effect& effect,
+                   std::optional<ChangeKind> kind) {
+  if (kind == ChangeKind::Elements) {
+    return "name shells or bars of the model, joined with \":\"";
+  }
+  if (kind == ChangeKind::Joint) {
+    return "a joint sits along a straight line of shell edges from free edge "
+           "to "
+           "free edge, or at the end of a bar: name grids of one such line, "
+           "joined with \":\"";
+  }
+  if (kind == ChangeKind::Support) return "name grids that the model holds";
+  if (sits_on_channels(effect)) {
+    return "name a channel of the test, or two joined with \":\"";
+  }
+  return "name a grid of the model that can move";
+}
+
 [[noreturn]] void refuse(const EffectRef& ref,
                          std::optional<ChangeKind> kind,
                          const effects::Setting& setting) {
@@ -172,9 +191,7 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
                   ref.where.node != 0 ? "@" : " at ",
                   ref.where.node != 0 ? fmt::format("{}", ref.where.node)
                                       : describe(ref.where)),
-      "give a grid of the model that can move, elements or grids of a line "
-      "joined with \":\", a channel (two of them joined with \":\"), or a "
-      "support of the model");
+      remedy(effects::find(ref.effect), kind));
 }
 
 }  // namespace

@@ -84,8 +84,10 @@ TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
             std::string::npos);
   EXPECT_NE(refusal("channel-gain@30").find("no channel \"30\""),
             std::string::npos);
-  // Grid 1 is in the clamp.
-  EXPECT_NE(refusal("added-mass@1").find("cannot sit there"),
+  // Grid 1 is in the clamp, 6 and 30 are on no one line.
+  EXPECT_NE(refusal("added-mass@1").find("a grid of the model that can move"),
+            std::string::npos);
+  EXPECT_NE(refusal("joint@6:30").find("from free edge to free edge"),
             std::string::npos);
 }
 

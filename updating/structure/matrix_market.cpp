@@ -248,6 +248,24 @@ std::unordered_map<int, Eigen::Vector3d> positions(
   return known;
 }
 
+void check_diagonal(const SparseMatrix& A,
+                    const std::vector<Row>& rows,
+                    const std::filesystem::path& path) {
+  const Eigen::VectorXd diagonal = A.diagonal();
+  Eigen::Index least = 0;
+  if (diagonal.minCoeff(&least) >= 0.0) return;
+  const Row& row = rows[static_cast<std::size_t>(least)];
+  throw InputError(
+      fmt::format("row {} (node {}, component {}) has {:.6g} on the diagonal: "
+                  "its motion would have negative energy",
+                  least + 1,
+                  row.node,
+                  row.component,
+                  diagonal(least)),
+      path.filename().string(),
+      "Check the signs, and which matrix it is.");
+}
+
 // Makes the grids and tells where each row goes.
 std::vector<int> place_rows(const std::vector<Row>& rows, Deck& deck) {
   const std::unordered_map<int, Eigen::Vector3d> known = positions(rows);
@@ -331,6 +349,8 @@ Deck read_matrix_model(const std::filesystem::path& stiffness,
   }
   check_symmetric(K, stiffness);
   check_symmetric(M, mass);
+  check_diagonal(K, rows, stiffness);
+  check_diagonal(M, rows, mass);
   Deck deck;
   deck.path = dofs;  // what names the grids
   deck.materials[1] = {.id = 1, .E = 1.0, .rho = 1.0};

@@ -127,6 +127,24 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
   }
 }
 
+TEST(MatrixMarket, NamesTheRowBelowZero) {
+  const std::filesystem::path K = write_text(
+      "K.mtx",
+      "%%MatrixMarket matrix coordinate real symmetric\n"
+      "2 2 2\n1 1 300.\n2 2 -5.\n");
+  const std::filesystem::path M = write_text("M.mtx", kMass);
+  const std::filesystem::path table = write_text("dofs.csv", "7,1\n9,2\n");
+  try {
+    static_cast<void>(read_matrix_model(K, M, table));
+    FAIL() << "taken";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "K.mtx");
+    EXPECT_NE(std::string(error.what()).find("node 9, component 2"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(ScaleUnits, MillimetresAndTonnesGiveTheSameFrequencies) {
   const auto elements = [](const std::string& offset) {
     return "CQUAD4,1,1,1,2,3,4\nCBAR,2,1,1,2,0.,0.,1.\n,,,0.,0.," + offset +
