@@ -97,8 +97,8 @@ std::string paper_text(const PaperReport& report) {
     text += "\n" + table_text(table);
   }
   if (report.parameters.empty()) return text;
-  return text + "\n  Convergence, property over its nominal value\n" +
-         history_text(report);
+  return text + "\n  " + report.history_name +
+         ", property over its nominal value\n" + history_text(report);
 }
 
 }  // namespace tapfit::tui

@@ -36,6 +36,7 @@ struct PaperReport {
   std::vector<PaperTable> tables;
   std::vector<std::string> parameters;  ///< names of the history's columns
   Eigen::MatrixXd history;              ///< parameters over nominal, by step
+  std::string history_name = "Convergence";
 };
 
 [[nodiscard]] nlohmann::ordered_json paper_json(const PaperReport& report);

@@ -133,6 +133,7 @@ PaperReport paper_truss(const std::filesystem::path& folder,
   for (const int rod : rods)
     report.parameters.push_back(fmt::format("E:{}", rod));
   report.history = plain.history;
+  report.history_name = "Figure 5, convergence";
   return report;
 }
 

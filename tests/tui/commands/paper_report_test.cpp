@@ -16,6 +16,7 @@ PaperReport sample() {
   report.parameters = {"E:1"};
   report.history.resize(2, 1);
   report.history << 1.0, 1.1;
+  report.history_name = "Figure 5, convergence";
   return report;
 }
 
@@ -28,7 +29,7 @@ TEST(PaperReport, TextHasThreeColumnsAndTheConvergence) {
             "  case 1          -       -           -  diverged\n"
             "  a note\n"
             "\n"
-            "  Convergence, property over its nominal value\n"
+            "  Figure 5, convergence, property over its nominal value\n"
             "  step     E:1\n"
             "     0  1.0000\n"
             "     1  1.1000\n");
