@@ -157,7 +157,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
   return {{"j k", "candidate"},
           {"a", state_.tagged.empty() ? "add it" : "add tagged"},
           {"t", "tag"},
-          {"i", "in words"},
+          {"i", "notes"},
           {"m", "place/map"},
           {"f", "all laws"},
           {"u", "undo"},
