@@ -158,7 +158,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"a", state_.tagged.empty() ? "add it" : "add tagged"},
           {"t", "tag"},
           {"i", "notes"},
-          {"m", "place/map"},
+          {"m", state_.map ? "place" : "map"},
           {"f", "all laws"},
           {"u", "undo"},
           {"^R", "redo"},
