@@ -69,6 +69,12 @@ Kind kind_of(std::string_view word, std::string_view text) {
   return kind;
 }
 
+bool takes_nothing(Kind kind) {
+  constexpr std::array<Kind, 6> alone{
+      Kind::Quit, Kind::Help, Kind::Undo, Kind::Redo, Kind::Stop, Kind::Retry};
+  return std::ranges::find(alone, kind) != alone.end();
+}
+
 }  // namespace
 
 ColonCommand parse_colon_command(std::string_view text) {
@@ -84,6 +90,11 @@ ColonCommand parse_colon_command(std::string_view text) {
   if (command.kind == Kind::Add && rest.empty()) {
     throw InputError(
         "which effect?", ":add", "write for example :add added-mass@201");
+  }
+  if (takes_nothing(command.kind) && !rest.empty()) {
+    throw InputError(fmt::format("nothing goes with it, not \"{}\"", rest),
+                     fmt::format(":{}", word),
+                     "write it alone, again for more");
   }
   if (command.kind == Kind::Screen) {
     if (rest.size() != 1 || rest[0] < '1' || rest[0] > '7') {

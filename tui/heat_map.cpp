@@ -107,6 +107,11 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
                    .column = static_cast<std::size_t>(map.left + c)});
     }
   }
+  const int right = rect.x + rect.width - 1;
+  if (map.top > 0) screen.put(right, rect.y + 1, U'↑');
+  if (map.top + shown_rows < map.values.rows()) {
+    screen.put(right, rect.y + static_cast<int>(shown_rows), U'↓');
+  }
 }
 
 }  // namespace tapfit::tui

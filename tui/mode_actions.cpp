@@ -105,6 +105,15 @@ Job pair_mode(std::size_t measured, int model) {
               "pair",
               fmt::format("{} were identified", modes.size()));
         }
+        const auto there = known.comparison == nullptr
+                               ? Eigen::Index{model + 1}
+                               : known.comparison->modes.frequency_hz.size();
+        if (model >= there) {
+          throw InputError(
+              fmt::format("the model has no mode {} in the band", model + 1),
+              "pair",
+              fmt::format("it has {} there", there));
+        }
         bench.choose_modes(with_pair(bench.mode_choices(),
                                      {modes[measured].frequency_hz, model}),
                            p);

@@ -218,9 +218,14 @@ void draw_title(Screen& screen, const Rect& rect, const Plot& plot) {
     x = screen.text(
         x + 2, rect.y, plot.title, {.bold = true}, rect.x + rect.width - x - 2);
   }
+  const int end = rect.x + rect.width;
+  int unnamed = 0;
   for (const Curve& curve : plot.curves) {
-    const int width = text_width(curve.label) + 3;
-    if (curve.label.empty() || x + width + 2 > rect.x + rect.width) continue;
+    if (curve.label.empty()) continue;
+    if (x + text_width(curve.label) + 5 > end) {
+      ++unnamed;
+      continue;
+    }
     const Style style{.colour = curve.pen.colour};
     const char32_t mark = screen.ascii() ? static_cast<char32_t>(curve.pen.mark)
                           : curve.pen.pattern == Pattern::Solid  ? U'━'
@@ -229,6 +234,12 @@ void draw_title(Screen& screen, const Rect& rect, const Plot& plot) {
     screen.put(x + 2, rect.y, mark, style);
     x = screen.text(x + 4, rect.y, curve.label, style);
   }
+  if (unnamed == 0 || x + 4 > end) return;
+  screen.text(x + 2,
+              rect.y,
+              fmt::format("+{}", unnamed),
+              {.colour = Colour::Grey},
+              end - x - 2);
 }
 
 void draw_below_curves(Screen& screen, const Frame& frame, const Plot& plot) {

@@ -67,6 +67,14 @@ void Program::resize(int width, int height) {
   changed_ = true;
 }
 
+bool Program::lacks_model() const {
+  return known_.bundle && page().wants_model() && !known_.has_model;
+}
+
+std::vector<KeyHelp> Program::page_keys() const {
+  return lacks_model() ? page().keys_without_model() : page().keys();
+}
+
 bool Program::ready() const {
   if (page().wants_model() && !known_.has_model) return false;
   const std::vector<Need> needs = page().essential();
@@ -77,8 +85,7 @@ bool Program::ready() const {
 }
 
 std::optional<Need> Program::next_need() const {
-  if (!known_.bundle) return std::nullopt;
-  if (page().wants_model() && !known_.has_model) return std::nullopt;
+  if (!known_.bundle || lacks_model()) return std::nullopt;
   for (const Need& need : page().essential()) {
     if (known_.has(need)) continue;
     if (failed_.contains(need)) return std::nullopt;
@@ -110,6 +117,7 @@ void Program::start(Job job) {
 
 void Program::finish(Finished finished) {
   running_ = false;
+  if (message_is_to_wait_) tell("");
   const bool opened = !known_.bundle;
   known_ = std::move(finished.snapshot);
   // Ready FRFs have no recordings to begin with.
@@ -169,6 +177,7 @@ bool Program::animate() {
 void Program::tell(const std::string& text, bool error) {
   message_ = text;
   message_is_error_ = error;
+  message_is_to_wait_ = false;
   changed_ = true;
 }
 
@@ -248,6 +257,9 @@ void Program::press_normal(Key key) {
   if (!key.ctrl && ready()) {
     Command command;
     if (page().press(known_, key, command)) return carry_out(command);
+  } else if (!key.ctrl && lacks_model()) {
+    Command command;
+    if (page().press_without_model(key, command)) return carry_out(command);
   }
   press_global(key);
 }
@@ -282,9 +294,11 @@ void Program::press_global(Key key) {
   } else if (key == keys::back_tab) {
     show_screen((current_ + pages_.size() - 1) % pages_.size());
   } else if (key.code < 0xE000 && !key.ctrl) {
-    tell(ready() || !running_
-             ? fmt::format("{} does nothing here; ? shows the keys", name(key))
-             : fmt::format("{} has to wait for the result", name(key)));
+    const bool waits = !ready() && running_;
+    tell(waits ? fmt::format("{} has to wait for the result", name(key))
+               : fmt::format("{} does nothing here; ? shows the keys",
+                             name(key)));
+    message_is_to_wait_ = waits;
   }
 }
 

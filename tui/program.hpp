@@ -71,12 +71,17 @@ class Program {
   bool go_back();
   void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
+  void show_run(std::size_t number);
   /// What is known of the test that places are named in.
   [[nodiscard]] effects::Setting setting() const;
   void carry_out(const Command& command);
   void act(Job job);
   /// What runs is what the user asked for, and not a screen's need.
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
+  /// The screen is about a model, and the bundle has none.
+  [[nodiscard]] bool lacks_model() const;
+  /// Those that do something now.
+  [[nodiscard]] std::vector<KeyHelp> page_keys() const;
   void retry();
   void tell(const std::string& text, bool error = false);
   /// What is told does not fit its line and stands in a box.
@@ -112,6 +117,7 @@ class Program {
   std::string typed_before_;         ///< and what was carried out last
   std::string message_;
   bool message_is_error_ = false;
+  bool message_is_to_wait_ = false;  ///< and ends with what runs
   bool help_open_ = false;
   int help_row_ = 0;  ///< the first line shown of a help that is too long
   bool quit_ = false;

@@ -60,7 +60,7 @@ std::vector<std::string> Program::help_lines() const {
   const int width = std::min(canvas_.width - 8, 72);
   std::vector<std::string> lines = wrapped(page().help(), width);
   lines.emplace_back();
-  std::vector<KeyHelp> all = page().keys();
+  std::vector<KeyHelp> all = page_keys();
   const std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
                                         {":", "command"},
                                         {"u", "undo"},

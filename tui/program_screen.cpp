@@ -176,7 +176,7 @@ Screen Program::waiting(const Canvas& canvas) const {
     draw_text_box(
         screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
   };
-  if (known_.bundle && page().wants_model() && !known_.has_model) {
+  if (lacks_model()) {
     say(page().title(),
         "This bundle has no model, so there is nothing to compare with. "
         "Recording (1), FRFs (2) and modes (3) need none.\n \nTo go on, put "
@@ -317,7 +317,7 @@ void Program::draw_keys(Screen& screen, int y) const {
   screen.fill({0, y, screen.width(), 1}, U' ', {.reverse = true});
   int x = 1;
   // A long one that does not fit makes room for those behind it.
-  for (const KeyHelp& key : page().keys()) {
+  for (const KeyHelp& key : page_keys()) {
     if (x + key_width(key) > end) continue;
     x = draw_key(screen, x, y, key);
   }

@@ -4,7 +4,10 @@
 #include "tui/colon_command.hpp"
 #include "tui/mode_actions.hpp"
 #include "tui/program.hpp"
+#include "tui/text.hpp"
 #include "tui/views/recording_view.hpp"
+
+#include <fmt/format.h>
 
 namespace tapfit::tui {
 namespace {
@@ -22,6 +25,20 @@ bool clear_key(std::string& line, Key key) {
   return true;
 }
 
+/// Puts a character to the end, where the key is one.
+void type_key(std::string& line, Key key) {
+  const bool named = key.code >= 0xE000 && key.code <= 0xF8FF;
+  if (key.ctrl || key.code < U' ' || key.code == 0x7F || named) return;
+  append_utf8(line, key.code);
+}
+
+/// The last character, with all bytes that it takes.
+void take_back(std::string& line) {
+  const auto follows = [](char c) { return (c & '\xC0') == '\x80'; };
+  while (!line.empty() && follows(line.back())) line.pop_back();
+  if (!line.empty()) line.pop_back();
+}
+
 }  // namespace
 
 void Program::press_filter(Key key) {
@@ -32,11 +49,9 @@ void Program::press_filter(Key key) {
     list->filter.clear();
     mode_ = Mode::Normal;
   } else if (key == keys::backspace) {
-    if (!list->filter.empty()) list->filter.pop_back();
-  } else if (clear_key(list->filter, key)) {
-    return;
-  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
-    list->filter.push_back(static_cast<char>(key.code));
+    take_back(list->filter);
+  } else if (!clear_key(list->filter, key)) {
+    type_key(list->filter, key);
   }
 }
 
@@ -54,12 +69,10 @@ void Program::press_colon(Key key) {
     if (typed_.empty()) {
       mode_ = Mode::Normal;
     } else {
-      typed_.pop_back();
+      take_back(typed_);
     }
-  } else if (clear_key(typed_, key)) {
-    return;
-  } else if (!key.ctrl && key.code >= U' ' && key.code < 0x7F) {
-    typed_.push_back(static_cast<char>(key.code));
+  } else if (!clear_key(typed_, key)) {
+    type_key(typed_, key);
   }
 }
 
@@ -90,8 +103,7 @@ void Program::run_colon(const std::string& text) {
     case Kind::Toggle:
       return act(toggle_effect(command.number - 1));
     case Kind::Run:
-      recording_page_->select(command.number - 1);
-      return show_screen(0);
+      return show_run(command.number);
     case Kind::Report:
       return act(write_output(Output::Report, command.argument));
     case Kind::Deck:
@@ -114,6 +126,15 @@ void Program::run_colon(const std::string& text) {
     case Kind::Screen:
       return show_screen(command.number - 1);
   }
+}
+
+void Program::show_run(std::size_t number) {
+  const std::size_t runs = known_.bundle ? known_.bundle->runs.size() : 0;
+  if (number > runs) {
+    return tell(fmt::format("there is no run {}, of {}", number, runs), true);
+  }
+  recording_page_->select(number - 1);
+  show_screen(0);
 }
 
 void Program::run_mode_action(const ColonCommand& command) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 
 namespace tapfit::tui {
@@ -105,6 +106,25 @@ std::size_t settled(const Table& table, const ListState& state) {
   if (rows.empty()) return 0;
   const auto found = std::lower_bound(rows.begin(), rows.end(), state.selected);
   return found == rows.end() ? rows.back() : *found;
+}
+
+bool is_row_key(Key key) {
+  const std::array<Key, 15> all{U'j',
+                                U'k',
+                                U'g',
+                                U'G',
+                                U't',
+                                U' ',
+                                U'a',
+                                U'i',
+                                keys::up,
+                                keys::down,
+                                keys::home,
+                                keys::end,
+                                keys::page_up,
+                                keys::page_down,
+                                keys::enter};
+  return std::ranges::find(all, key) != all.end();
 }
 
 bool list_key(ListState& state, const Table& table, Key key, int page) {

@@ -35,6 +35,11 @@ struct ListState {
 
 /// Whether the filter leaves none of the rows: then there is nothing to act on.
 [[nodiscard]] bool none_shown(const Table& table, const ListState& state);
+/// Whether a key moves from row to row or acts on the selected one.
+[[nodiscard]] bool is_row_key(Key key);
+/// What is told then of keys that act on a row.
+inline constexpr const char* nothing_matches =
+    "the filter matches nothing; Esc clears it";
 
 /// The selection, moved to a row that exists and is visible; 0 if none is.
 [[nodiscard]] std::size_t settled(const Table& table, const ListState& state);

@@ -1,6 +1,7 @@
 #include "tui/terminal.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "tui/escape_sequence.hpp"
 #include "tui/glyphs.hpp"
 #include "tui/palette.hpp"
 
@@ -39,6 +40,9 @@ void restore_and_die(int signal_number) {
   std::signal(signal_number, SIG_DFL);
   raise(signal_number);
 }
+
+// Within this, what follows an Esc belongs to it.
+constexpr int escape_delay_ms = 25;
 
 constexpr std::array<int, 5> crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array<int, 4> endings{SIGTERM, SIGHUP, SIGINT, SIGQUIT};
@@ -175,6 +179,21 @@ Key character_key(wint_t code) {
   return Key(static_cast<char32_t>(code));
 }
 
+/// The key Esc, or what a sequence that terminfo does not know stands for.
+std::optional<Key> key_from_escape() {
+  timeout(escape_delay_ms);
+  const EscapeSequence read =
+      read_escape_sequence([]() -> std::optional<char32_t> {
+        wint_t code = 0;
+        const int kind = get_wch(&code);
+        if (kind == OK) return static_cast<char32_t>(code);
+        if (kind == KEY_CODE_YES) ungetch(static_cast<int>(code));
+        return std::nullopt;
+      });
+  if (read.unread) unget_wch(static_cast<wchar_t>(*read.unread));
+  return read.is_one ? read.key : Key(keys::escape);
+}
+
 [[noreturn]] void refuse_terminal(const char* why) {
   throw InputError(
       why,
@@ -260,7 +279,7 @@ Terminal::Terminal(const TerminalOptions& options)
   noecho();
   nonl();
   keypad(stdscr, TRUE);
-  set_escdelay(25);
+  set_escdelay(escape_delay_ms);
   curs_set(0);
   if (!options.no_mouse) {
     mouseinterval(0);
@@ -328,7 +347,7 @@ std::optional<Key> Terminal::read_key(int milliseconds) {
     return std::nullopt;
   }
   if (kind == KEY_CODE_YES) return special_key(code);
-  return character_key(code);
+  return code == 27 ? key_from_escape() : character_key(code);
 }
 
 bool locale_is_utf8() {

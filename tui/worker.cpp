@@ -30,8 +30,11 @@ std::string taken_up(const Snapshot& known) {
   const std::size_t hits = overruled_now(known.hit_acts.done).size();
   if (known.effects.empty() && hits == 0) return {};
   std::vector<std::string> parts;
-  if (!known.effects.empty()) {
-    parts.push_back(effects_text(known.effects.size()) + " added");
+  const auto on = static_cast<std::size_t>(
+      std::ranges::count(known.effects, true, &updating::AddedEffect::on));
+  if (on > 0) parts.push_back(effects_text(on) + " added");
+  if (on < known.effects.size()) {
+    parts.push_back(effects_text(known.effects.size() - on) + " switched off");
   }
   if (hits > 0) {
     parts.push_back(

@@ -124,6 +124,7 @@ class Climb {
   bool step(bool first, const Progress& progress);
 
   [[nodiscard]] const Fit& current() const { return current_; }
+  [[nodiscard]] double held_out_error() const { return held_out_; }
   [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
     return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
@@ -270,7 +271,10 @@ Climbed climbed(const Fitter& fitter,
   result.ladder = climb.ladder(last);
   result.candidates = climb.candidates();
   result.next = next_measurements(found, result.ladder, fitter, last);
-  lead_with_ladder(result.candidates, result.ladder, result.error_best);
+  lead_with_ladder(result.candidates,
+                   result.ladder,
+                   result.error_best,
+                   climb.held_out_error());
   result.model_parameters = property_estimates(found, options.properties);
   warn_of_bounds(result);
   const auto fitted =

@@ -22,15 +22,15 @@ bool same_place(const PlacedEffect& a, const PlacedEffect& b) {
 // Says so where a fit leaves as much as the one before it, or more: a law for
 // the damping takes the place of a ratio for each mode.
 Fit judged(Fit fit, const Fit& before) {
-  constexpr double rounding = 1e-6;
-  if (fit.result.error > (1.0 + rounding) * before.result.error) {
+  constexpr double noticeable = 1e-3;
+  if (fit.result.error > (1.0 + noticeable) * before.result.error) {
     fit.result.message +=
-        fmt::format(", but the error rises from {:.4g} to {:.4g}: leave it out",
-                    before.result.error,
-                    fit.result.error);
+        fmt::format("; the error rises from {:.3g} % to {:.3g} %: leave it out",
+                    100.0 * before.result.error,
+                    100.0 * fit.result.error);
   } else if (!(fit.result.error < before.result.error)) {
     fit.result.message +=
-        ", but the error does not fall: the data do not ask for it";
+        "; the error does not fall: the data do not ask for it";
   }
   return fit;
 }
@@ -52,7 +52,9 @@ Fit fit_of(const std::vector<PlacedEffect>& effects,
   const std::vector<EffectRef> refs = refs_of(effects);
   const auto known = std::ranges::find(kept, refs, &KeptFit::effects);
   Fit fit = fit_kept(
-      [&](const Progress& watched) { return how.fit(effects, watched); },
+      [&](const Progress& watched) {
+        return how.fit(effects, before, watched);
+      },
       known == kept.end() ? 0 : known->steps,
       progress);
   if (fit.stopped_after > 0) {

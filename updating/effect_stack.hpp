@@ -13,8 +13,11 @@ namespace tapfit::updating {
 /// How the effects of a stack are placed and fitted.
 struct StackFit {
   effects::Setting setting;
-  /// Fit of these effects with everything else that is uncertain.
-  std::function<Fit(const std::vector<PlacedEffect>&, const Progress&)> fit;
+  /// Fit of these effects with everything else that is uncertain, after the fit
+  /// of those before the last.
+  std::function<Fit(
+      const std::vector<PlacedEffect>&, const Fit& before, const Progress&)>
+      fit;
 };
 
 /// The effects that are added, and how that came about.

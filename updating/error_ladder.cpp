@@ -52,7 +52,8 @@ std::vector<Rung> ladder_of(const Fit& fit,
 
 void lead_with_ladder(std::vector<Candidate>& candidates,
                       const std::vector<Rung>& ladder,
-                      double error) {
+                      double error,
+                      double held_out_error) {
   const std::vector<Rung> last_first(ladder.rbegin(), ladder.rend());
   for (const Rung& rung : last_first) {
     const std::string kind = leading_kind(rung);
@@ -71,6 +72,7 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
     lead.indistinguishable_from = rung.alike;
     lead.parameters = rung.parameters;
     lead.error = error;
+    lead.held_out_error = held_out_error;
     candidates.insert(candidates.begin(), lead);
   }
 }

@@ -27,9 +27,10 @@ namespace tapfit::updating {
 /// Candidates that made it into the model are reported as fitted with all
 /// others, first and in the ladder's order.
 ///
-/// @param error with the whole ladder
+/// @param error with the whole ladder; on data left out, too
 void lead_with_ladder(std::vector<Candidate>& candidates,
                       const std::vector<Rung>& ladder,
-                      double error);
+                      double error,
+                      double held_out_error);
 
 }  // namespace tapfit::updating

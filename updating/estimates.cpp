@@ -1,5 +1,7 @@
 #include "updating/estimates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,6 +73,15 @@ double variance_at(const Fit& fit, std::size_t k) {
 
 }  // namespace
 
+std::string label_of(const std::vector<PlacedEffect>& effects,
+                     std::size_t own) {
+  const PlacedEffect& placed = effects.at(own);
+  const auto kind =
+      std::ranges::count(effects, placed.effect, &PlacedEffect::effect);
+  const std::string name = placed.effect->name();
+  return kind > 1 ? fmt::format("{} ({})", name, describe(placed.where)) : name;
+}
+
 std::vector<Estimate> effect_estimates(const Fit& fit,
                                        std::size_t effect,
                                        const effects::Setting& setting) {
@@ -114,7 +125,7 @@ std::vector<Estimate> all_estimates(const Fit& fit,
   std::vector<Estimate> result = property_estimates(fit, names);
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
     for (Estimate e : effect_estimates(fit, k, setting)) {
-      e.name = fit.effects[k].effect->name() + " " + e.name;
+      e.name = label_of(fit.effects, k) + " " + e.name;
       result.push_back(std::move(e));
     }
   }

@@ -18,6 +18,10 @@ struct PropertyName {
   double prior_sd = 0.0;  ///< of ln(value / nominal)
 };
 
+/// "added-mass", or "added-mass (node 5)" where it is not alone of its kind.
+[[nodiscard]] std::string label_of(const std::vector<PlacedEffect>& effects,
+                                   std::size_t own);
+
 /// Parameters of the fit's effect at a position, with derived ones (a total
 /// from a value per metre).
 [[nodiscard]] std::vector<Estimate> effect_estimates(

@@ -222,9 +222,48 @@ ModelState Fitter::start_state(const FrfModel& model,
   return state;
 }
 
+// Where a fit of fewer effects ended, with the others at that end of their
+// bounds where they change least: as good as not there. Nothing where the one
+// does not contain the other.
+std::optional<ModelState> Fitter::continued(const FrfModel& model,
+                                            const ModelState& state,
+                                            const ModelState& fewer) const {
+  const std::size_t n = fewer.effects.size();
+  const auto same = [](const PlacedEffect& a, const PlacedEffect& b) {
+    return a.effect == b.effect && a.where == b.where;
+  };
+  const bool contains = n < state.effects.size() &&
+                        fewer.zeta.size() == state.zeta.size() &&
+                        fewer.factor.size() == state.factor.size() &&
+                        std::equal(fewer.effects.begin(),
+                                   fewer.effects.end(),
+                                   state.effects.begin(),
+                                   same);
+  if (!contains) return std::nullopt;
+  const auto with = [&](double effects::ParameterSpec::*bound) {
+    ModelState result = fewer;
+    for (std::size_t k = n; k < state.effects.size(); ++k) {
+      PlacedEffect effect = state.effects[k];
+      const auto specs = parameters_of(effect, model);
+      for (std::size_t p = 0; p < specs.size(); ++p) {
+        effect.p[p] = specs[p].*bound;
+      }
+      result.effects.push_back(std::move(effect));
+    }
+    return result;
+  };
+  const auto error = [&](const ModelState& tried) {
+    return relative_error(target(), model.respond(tried, target().s, false).H);
+  };
+  const ModelState least = with(&effects::ParameterSpec::lower);
+  const ModelState most = with(&effects::ParameterSpec::upper);
+  return error(most) < error(least) ? most : least;
+}
+
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
-                const Progress& progress) const {
+                const Progress& progress,
+                const Fit* before) const {
   Fit fit;
   fit.result.state = start_state(*model, start);
   std::vector<UpdateStep> history;
@@ -268,6 +307,20 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     state.zeta_other = now;
     if (!last) continue;
     go_on(k, true);
+    if (fit.result.error > found.error) fit.result = found;
+  }
+  const auto from_before = [&]() -> std::optional<ModelState> {
+    constexpr double rounding = 1e-6;
+    if (before == nullptr ||
+        fit.result.error <= (1.0 + rounding) * before->result.error) {
+      return std::nullopt;
+    }
+    return continued(*model, fit.result.state, before->result.state);
+  };
+  if (std::optional<ModelState> known = from_before()) {
+    const UpdateResult found = fit.result;
+    fit.result.state = std::move(*known);
+    go_on(setting_.targets.size() - 1, true);
     if (fit.result.error > found.error) fit.result = found;
   }
   fit.result.history = std::move(history);

@@ -62,9 +62,12 @@ class Fitter {
   ///
   /// @param start effects with their starting sizes
   /// @param model as from model_for(), for these effects or more
+  /// @param before a fit of the first of these effects, if there is one: where
+  ///   more effects end with more error they go on from there
   [[nodiscard]] Fit fit(const std::vector<PlacedEffect>& start,
                         std::shared_ptr<const FrfModel> model,
-                        const Progress& progress = {}) const;
+                        const Progress& progress = {},
+                        const Fit* before = nullptr) const;
 
   /// Goes on from a fit with some runs left out of the last target; returns
   /// the error on those runs.
@@ -94,6 +97,10 @@ class Fitter {
 
  private:
   void scan_start(const FrfModel& model, ModelState& state) const;
+  [[nodiscard]] std::optional<ModelState> continued(
+      const FrfModel& model,
+      const ModelState& state,
+      const ModelState& fewer) const;
 
   const BaseBuilder* builder_;
   FitSetting setting_;

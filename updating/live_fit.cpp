@@ -1,5 +1,6 @@
 #include "updating/live_fit.hpp"
 
+#include "updating/estimates.hpp"
 #include "updating/frf_model.hpp"
 #include "updating/residual.hpp"
 #include "updating/uncertain_property.hpp"
@@ -44,11 +45,13 @@ std::vector<LiveParameter> parameters(const FitMoment& moment) {
                                moment));
   }
   Index k = static_cast<Index>(state.factor.size()) + state.zeta.size();
-  for (const PlacedEffect& placed : state.effects) {
+  for (std::size_t e = 0; e < state.effects.size(); ++e) {
+    const PlacedEffect& placed = state.effects[e];
+    const std::string label = label_of(state.effects, e);
     const auto specs = placed.effect->parameters(placed.where, setting);
     for (std::size_t p = 0; p < specs.size(); ++p, ++k) {
-      result.push_back(parameter(
-          placed.effect->name() + " " + specs[p].name, placed.p[p], k, moment));
+      result.push_back(
+          parameter(label + " " + specs[p].name, placed.p[p], k, moment));
     }
   }
   return result;

@@ -225,7 +225,7 @@ ModalUpdate modal_update(const ScaledModel& model,
   result.history.push_back(
       {at.objective, 0.0, damping, at.theta, at.residual.frequency_hz});
   result.message =
-      fmt::format("{} steps were not enough", options.max_iterations);
+      fmt::format("not converged in {} steps", options.max_iterations);
   for (int k = 0; k < options.max_iterations; ++k) {
     progress("updating", static_cast<double>(k) / options.max_iterations);
     Advance step = advance(task, at, options, damping);

@@ -45,6 +45,7 @@ struct Session::Impl {
   void stack_waiting(const Progress& progress);
   void prepare_fit(Session& session, const Progress& progress);
   [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
+                            const Fit& before,
                             const Progress& progress);
   [[nodiscard]] Comparison compare_now(const Fit& fit);
   [[nodiscard]] DiagnosisKeeper keeper(std::size_t effects);
@@ -122,16 +123,15 @@ MeasuredTest Session::Impl::measured() {
 }
 
 StackFit Session::Impl::stack_fit() {
-  return {setting(), [this](const auto& effects, const Progress& progress) {
-            return fit_now(effects, progress);
-          }};
+  return {setting(), std::bind_front(&Impl::fit_now, this)};
 }
 
 Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
+                           const Fit& before,
                            const Progress& progress) {
   const Fitter& fitter = *ground->fitter;
   const auto base = fitter.model_for(effects);
-  if (!choice.is_plain()) return fitter.fit(effects, base, progress);
+  if (!choice.is_plain()) return fitter.fit(effects, base, progress, &before);
   if (!plain) {
     plain = plain_task(
         choice,

@@ -41,10 +41,12 @@ Named named_parameters(const ModelState& state,
   for (Index q = 0; q < state.zeta.size(); ++q) {
     add(fmt::format("damping of mode {}", q + 1), 1.0, false);
   }
-  for (const PlacedEffect& e : state.effects) {
+  for (std::size_t k = 0; k < state.effects.size(); ++k) {
+    const PlacedEffect& e = state.effects[k];
+    const std::string label = label_of(state.effects, k);
     for (const effects::ParameterSpec& spec :
          e.effect->parameters(e.where, setting)) {
-      add(e.effect->name() + " " + spec.name, 1.0, true);
+      add(label + " " + spec.name, 1.0, true);
     }
   }
   return all;

@@ -108,7 +108,7 @@ UpdateResult update(const FrfModel& model,
   double damping = 1e-3;
   result.history.push_back({at->r.norm(), 0.0, damping, at->theta});
   result.message = first.size() == 0 ? "nothing to identify"
-                                     : fmt::format("{} steps were not enough",
+                                     : fmt::format("not converged in {} steps",
                                                    options.max_iterations);
   for (int k = 0; k < options.max_iterations && first.size() > 0; ++k) {
     progress("updating", static_cast<double>(k) / options.max_iterations);

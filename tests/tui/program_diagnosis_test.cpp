@@ -71,6 +71,13 @@ TEST(Program, TagsGoByEscape) {
   EXPECT_TRUE(holds(played(tag + "m\nwait\n<Esc>"), "1 tagged"));
 }
 
+TEST(Program, ShowsNoCandidateThatTheFilterLeavesOut) {
+  const std::string text = played("5\nwait\n/zz<Enter>\na");
+  EXPECT_TRUE(holds(text, "the filter matches nothing")) << text;
+  EXPECT_FALSE(holds(text, "kg")) << text;
+  EXPECT_FALSE(holds(text, "added added-mass")) << text;
+}
+
 TEST(Program, SaysWhereTaggedOnesLookAlike) {
   const std::string text = played("5\nwait\nt\nt");
   EXPECT_TRUE(holds(text, "neither size will be sure")) << text;

@@ -50,6 +50,23 @@ TEST(ProgramRecording, ActsOnNothingThatIsCovered) {
   EXPECT_FALSE(holds(played("wait\ni \nwait\ni", {120, 35}), "by hand"));
 }
 
+TEST(ProgramRecording, ReadsOutWhatIsUnderTheCursor) {
+  EXPECT_FALSE(holds(played("wait", {120, 35}), " s: "));
+  const std::string text = played("wait\nl", {120, 35});
+  EXPECT_TRUE(holds(text, "hammer 3Z+  ")) << text;
+  EXPECT_TRUE(holds(text, " s: ")) << text;
+  EXPECT_TRUE(holds(text, " N ")) << text;
+}
+
+TEST(ProgramRecording, SaysThatAFilterLeavesNoHit) {
+  for (const char* key : {"<Enter>", " ", "t", "j"}) {
+    const std::string text =
+        played(std::string("wait\n/zz<Enter>\n") + key, {120, 35});
+    EXPECT_TRUE(holds(text, "the filter matches nothing")) << key << text;
+    EXPECT_TRUE(holds(text, "trigger")) << text;  // not zoomed
+  }
+}
+
 TEST(ProgramRecording, ReplaysARunAsItCame) {
   Program program(testing::fake_workbench(), {120, 35, false});
   wait_until_idle(program);

@@ -74,6 +74,8 @@ TEST(Program, DropsAndPutsInModesAsTyped) {
   EXPECT_TRUE(holds(band, "band 5 to 20 Hz: 3 modes")) << band;
   const std::string pair = played("3\nwait\n:pair 2:none\n<Enter>\nwait");
   EXPECT_TRUE(holds(pair, "mode 2 is paired by hand")) << pair;
+  const std::string none = played("4\nwait\n:pair 1:99\n<Enter>\nwait");
+  EXPECT_TRUE(holds(none, "the model has no mode 99")) << none;
   const std::string wrong = played("3\nwait\n:pair 9:1\n<Enter>\nwait");
   EXPECT_TRUE(holds(wrong, "there is no measured mode 9")) << wrong;
   const std::string bad = played("3\nwait\n:drop x\n<Enter>\nwait");
@@ -130,7 +132,9 @@ TEST(Program, TakesUpWhatWasLeftLastTime) {
   testing::FakeOptions options;
   options.left_with = {{{"added-mass", {}}, true}, {{"joint", {}}, false}};
   const std::string first = played("wait", {100, 30, false}, options);
-  EXPECT_TRUE(holds(first, "as left last time: 2 effects added")) << first;
+  EXPECT_TRUE(
+      holds(first, "as left last time: 1 effect added, 1 effect switched off"))
+      << first;
   EXPECT_FALSE(holds(first, "0 hits")) << first;
   const std::string update = played("6\nwait", {100, 30, false}, options);
   EXPECT_TRUE(holds(update, "1 effect added: error")) << update;

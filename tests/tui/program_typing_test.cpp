@@ -46,6 +46,42 @@ TEST(Program, CompletesPlaces) {
   EXPECT_FALSE(holds(played("5\nwait\n:add no-such@"), "Tab:"));
 }
 
+TEST(Program, TakesLettersOfAnyScript) {
+  const std::string typed = played("5\nwait\n:report prüf.md");
+  EXPECT_TRUE(holds(typed, "\n:report prüf.md")) << typed;
+  EXPECT_TRUE(holds(played("5\nwait\n:prü<BS>f"), "\n:prf"));
+  EXPECT_TRUE(holds(played("2\nwait\n/ö<BS>x"), "\n/x"));
+}
+
+TEST(Program, RefusesWhatACommandDoesNotTake) {
+  const std::string run = played("1\nwait\n:run 99<Enter>");
+  EXPECT_TRUE(holds(run, "there is no run 99, of 2")) << run;
+  EXPECT_TRUE(holds(run, "run 1 of 2")) << run;
+  const std::string undo = played("5\nwait\na\nwait\n:undo 5<Enter>\nwait");
+  EXPECT_TRUE(holds(undo, "nothing goes with it")) << undo;
+  EXPECT_TRUE(holds(undo, "1 effect added")) << undo;
+}
+
+// What is told while a result is worked out is gone with it.
+TEST(Program, NoLongerTellsToWaitOnceItIsThere) {
+  Program program(testing::fake_workbench(), {});
+  program.press(Key(U'j'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  EXPECT_TRUE(holds(seen(), "j has to wait")) << seen();
+  wait_until_idle(program);
+  EXPECT_FALSE(holds(seen(), "has to wait")) << seen();
+}
+
+TEST(Program, WritesWhatThereIsWithoutAModel) {
+  FakeOptions options;
+  options.model = false;
+  const std::string keys = played("7\nwait", {}, options);
+  EXPECT_TRUE(holds(keys, "w write report")) << keys;
+  EXPECT_FALSE(holds(keys, "write deck")) << keys;
+  EXPECT_TRUE(holds(played("7\nwait\nw\nwait", {}, options), "written:"));
+  EXPECT_TRUE(holds(played("7\nwait\ne", {}, options), "e does nothing here"));
+}
+
 // What does not fit is counted.
 TEST(Program, CountsCompletionsThatDoNotFit) {
   const std::string text = played("5\nwait\n:add ");

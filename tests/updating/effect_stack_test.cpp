@@ -54,9 +54,10 @@ class EffectStackTest : public testing::Test, protected support::BasedPlate {
   [[nodiscard]] StackFit how() const {
     return {fitter_->setting().setting,
             [this](const std::vector<PlacedEffect>& effects,
+                   const Fit& before,
                    const Progress& progress) {
               return fitter_->fit(
-                  effects, fitter_->model_for(effects), progress);
+                  effects, fitter_->model_for(effects), progress, &before);
             }};
   }
   [[nodiscard]] double error() const {
@@ -98,7 +99,9 @@ TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
   // of.
   StackFit again = how();
   double factor = 1.0;
-  again.fit = [&](const std::vector<PlacedEffect>& effects, const Progress&) {
+  again.fit = [&](const std::vector<PlacedEffect>& effects,
+                  const Fit&,
+                  const Progress&) {
     Fit fit = stack_->fits().back();
     fit.effects = effects;
     fit.result.message.clear();
@@ -302,7 +305,7 @@ TEST_F(EffectStackTest, TwoFormsOfOneEffectAreRefused) {
 
 TEST_F(EffectStackTest, FormsThatShareNothingGoTogether) {
   StackFit quick = how();
-  quick.fit = [this](const auto& effects, const Progress&) {
+  quick.fit = [this](const auto& effects, const Fit&, const Progress&) {
     Fit fit = stack_->fits().front();
     fit.effects = effects;
     return fit;

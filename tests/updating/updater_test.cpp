@@ -97,6 +97,22 @@ TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
   EXPECT_NEAR((history.back().theta - pack(fit.result.state)).norm(), 0, 1e-12);
 }
 
+// A fit that is cut short goes on from where the one before it ended.
+TEST(UpdaterTest, OneMoreEffectIsNoWorseThanWithoutIt) {
+  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
+  std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.005)};
+  const Fit before = test.fitter().fit(effects, test.fitter().model_for({}));
+  effects.push_back(at_node("added-mass", 9, 0.005));
+  const auto model = test.fitter().model_for(effects);
+  Progress impatient;
+  impatient.report = FitWatch{{}, {}, [] { return true; }};
+  const Fit alone = test.fitter().fit(effects, model, impatient);
+  EXPECT_GT(alone.result.error, 1.005 * before.result.error);
+  const Fit after = test.fitter().fit(effects, model, impatient, &before);
+  EXPECT_LT(after.result.error, 1.001 * before.result.error);
+  EXPECT_LT(after.effects.at(1).p[0], 1e-3);
+}
+
 TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
   const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};

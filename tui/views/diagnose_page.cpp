@@ -71,7 +71,7 @@ bool DiagnosePage::leave_view() {
 void DiagnosePage::press_tag(const updating::Diagnosis& d,
                              const Table& table,
                              Command& command) {
-  if (d.candidates.empty() || none_shown(table, state_.list)) return;
+  if (d.candidates.empty()) return;
   const Candidate& c = d.candidates[settled(table, state_.list)];
   const EffectRef ref{c.effect, c.where};
   if (std::erase(state_.tagged, ref) == 0) {
@@ -86,7 +86,7 @@ void DiagnosePage::add_chosen(const updating::Diagnosis& d,
                               Command& command) {
   command.effects = tagged_of(d, state_.tagged);
   if (command.effects.empty()) {
-    if (d.candidates.empty() || none_shown(table, state_.list)) return;
+    if (d.candidates.empty()) return;
     const Candidate& c = d.candidates[settled(table, state_.list)];
     command.effects = {{c.effect, c.where}};
   }
@@ -115,6 +115,10 @@ bool DiagnosePage::press_details(const updating::Diagnosis& d,
 bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   const updating::Diagnosis& d = shown(known);
   const Table table = candidate_table(d, {}, 80, true);
+  if (none_shown(table, state_.list) && is_row_key(key)) {
+    command.message = nothing_matches;
+    return true;
+  }
   if (press_details(d, table, key)) return true;
   if (key == U'a' || key == keys::enter) {
     if (!known.diagnosis) {

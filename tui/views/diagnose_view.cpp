@@ -40,12 +40,24 @@ std::vector<std::string> law_lines(const Signature& s, int width) {
                                    number(s.absorber.mass_kg, 3),
                                    hz,
                                    left),
-                       fmt::format(", absorber at {} Hz {} %", hz, left)},
+                       fmt::format(", absorber at {} Hz {} %", hz, left),
+                       fmt::format(", absorber {} %", left)},
                       width - text_width(second));
   }
   const std::string whole = first + " " + second;
   if (text_width(whole) <= width) return {whole};
   return {first, second};
+}
+
+/// In two lines: words go before numbers and their unit do.
+std::vector<std::string> cursor_lines(const Plot& plot, int width) {
+  std::string words = read_out(plot, *plot.cursor);
+  if (wrapped(words, width).size() <= 2) return wrapped(words, width);
+  const std::string law = " law";
+  for (std::size_t at = 0; (at = words.find(law, at)) != std::string::npos;) {
+    words.erase(at, law.size());
+  }
+  return wrapped(words, width, 2);
 }
 
 void draw_signature(Screen& screen,
@@ -81,7 +93,7 @@ void draw_signature(Screen& screen,
                    whole_percent(s.explained)));
   std::vector<std::string> lines = law_lines(s, text.width - 1);
   if (plot.cursor) {
-    lines = wrapped(read_out(plot, *plot.cursor), text.width - 1, 2);
+    lines = cursor_lines(plot, text.width - 1);
   }
   for (std::size_t i = 0; i < lines.size(); ++i) {
     line(static_cast<int>(i) + 1, lines[i]);
@@ -295,6 +307,10 @@ Screen diagnose_view(const DiagnoseInput& input,
     for (Row& row : table.rows) row.style.colour = Colour::Grey;
   }
   const Candidate& chosen = d.candidates[settled(table, state.list)];
+  if (none_shown(table, state.list)) {
+    draw_table(screen, {0, top, canvas.width, 4}, table, state.list, true);
+    return screen;
+  }
   if (state.details) {
     draw_details(screen, d, chosen, top + 1, *state.details);
     return screen;

@@ -2,6 +2,7 @@
 
 #include "signal/confidence_band.hpp"
 #include "tui/layout.hpp"
+#include "tui/line_text.hpp"
 #include "tui/number.hpp"
 #include "tui/plane_plot.hpp"
 #include "tui/plot.hpp"
@@ -130,6 +131,17 @@ std::pair<Index, Index> nyquist_lines(const FrfSet& frfs,
   return {at(range.lo), std::clamp<Index>(at(range.hi), 0, last)};
 }
 
+std::string circle_words(const PeakFit& fit, int width) {
+  const std::string hz = number(fit.frequency_hz(), 6);
+  const std::string damping = number(100.0 * fit.damping_ratio(), 4);
+  const std::string size =
+      fmt::format("{} {}", number(2.0 * fit.radius), accelerance_unit);
+  return fitting(
+      {fmt::format("{} Hz, damping {} %, diameter {}", hz, damping, size),
+       fmt::format("{} Hz, {} %, diam. {}", hz, damping, size)},
+      width);
+}
+
 void draw_nyquist(Screen& screen,
                   const Rect& rect,
                   const FrfChoice& choice,
@@ -178,10 +190,7 @@ void draw_nyquist(Screen& screen,
               lines.width - 1);
   screen.text(lines.x + 1,
               lines.y + 1,
-              fit ? fmt::format("{} Hz, damping {} %, diameter {}",
-                                number(fit->frequency_hz(), 6),
-                                number(100.0 * fit->damping_ratio(), 4),
-                                number(2.0 * fit->radius))
+              fit ? circle_words(*fit, lines.width - 1)
                   : "no circle: no resonance at the cursor",
               {},
               lines.width - 1);

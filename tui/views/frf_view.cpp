@@ -104,7 +104,7 @@ void draw_side(Screen& screen,
   ListState near;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] != at) continue;
-    near.selected = i;
+    if (state.range.cursor_set) near.selected = i;
     marked.rows[i].style = {.colour = Colour::Yellow};
   }
   draw_table(screen, below, marked, near, false);
@@ -270,6 +270,10 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
   const Table table = state_.checks && known.frf_checks
                           ? check_table(frfs, *known.frf_checks)
                           : frf_table(frfs, state_.tagged);
+  if (state_.checks && table.rows.empty()) {
+    command.message = "there is nothing to check; d goes back to the FRFs";
+    return true;
+  }
   if (list_key(*list(), table, key)) return true;
   const FrequencySpan span = frequency_span(frfs);
   return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));

@@ -80,7 +80,10 @@ void draw_diagram(Screen& screen,
   plot.y = {"order", "", 0.0, orders + 1.0, false};
   const bool cmif = input.cmif != nullptr && input.cmif->size() > 0;
   plot.title = cmif ? "stabilisation over CMIF" : "stabilisation over mean |H|";
-  if (shown.cursor_set) plot.cursor = shown.cursor;
+  if (shown.cursor_set) {
+    plot.cursor = shown.cursor;
+    plot.title += fmt::format("   {} Hz, p picks", number(shown.cursor, 6));
+  }
   for (std::size_t i = 0; i < input.modes.modes.size(); ++i) {
     Style style{.colour = Colour::Yellow, .bold = true};
     style.reverse = i == selected;
@@ -231,11 +234,16 @@ int draw_warning(Screen& screen, const ModesInput& input) {
   if (!input.shifts.empty()) warnings.insert(warnings.begin(), input.shifts);
   if (warnings.empty()) return 0;
   std::string text = "! " + warnings.front();
+  const int width = screen.width() - 2;
+  std::vector<std::string> lines = wrapped(text, width, 2);
   if (warnings.size() > 1) {
-    text += fmt::format(" (and {} more in the report)", warnings.size() - 1);
+    // However long the first one is, that there are others is said.
+    const std::string more =
+        fmt::format(" (and {} more in the report)", warnings.size() - 1);
+    lines.back() = clipped(lines.back(), width - text_width(more)) + more;
   }
   int rows = 0;
-  for (const std::string& line : wrapped(text, screen.width() - 2, 2)) {
+  for (const std::string& line : lines) {
     screen.text(1, 1 + rows++, line, {.colour = Colour::Yellow});
   }
   return rows;

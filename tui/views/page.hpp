@@ -74,6 +74,8 @@ class Page {
   /// @pre as of draw()
   /// @return true when the key meant something here
   virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
+  /// The same where the bundle has no model and the screen wants one.
+  virtual bool press_without_model(Key, Command&) { return false; }
   /// Goes back from what a key put in place of the screen's main view.
   /// @return false when that is what is shown
   virtual bool leave_view() { return false; }
@@ -88,6 +90,9 @@ class Page {
   virtual bool animate(const Snapshot&) { return false; }
   /// Most useful first; the key bar shows as many as fit.
   [[nodiscard]] virtual std::vector<KeyHelp> keys() const = 0;
+  [[nodiscard]] virtual std::vector<KeyHelp> keys_without_model() const {
+    return {};
+  }
   /// What the screen shows and how to read it.
   [[nodiscard]] virtual std::string help() const = 0;
 };

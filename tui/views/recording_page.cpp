@@ -118,15 +118,19 @@ bool RecordingPage::press_hit(const RecordingInput& input,
   const std::vector<Hit>& hits = input.hits.runs[state_.run];
   const Table table = rows_of(hits);
   const std::size_t selected = settled(table, state_.list);
-  const bool none = none_shown(table, state_.list);
+  const bool acts_on_tags = key == U' ' && !state_.tagged.empty();
+  if (none_shown(table, state_.list) && is_row_key(key) && !acts_on_tags) {
+    command.message = nothing_matches;
+    return true;
+  }
   if (key == U' ') {
-    if (hits.empty() || (none && state_.tagged.empty())) return true;
+    if (hits.empty()) return true;
     command.kind = Command::Kind::OverruleHit;
     command.hits.assign(state_.tagged.begin(), state_.tagged.end());
     if (command.hits.empty()) command.hits = {{state_.run, selected}};
     state_.tagged.clear();
   } else if (key == U't') {
-    if (hits.empty() || none) return true;
+    if (hits.empty()) return true;
     const RecordingState::HitAt at{state_.run, selected};
     if (state_.tagged.erase(at) == 0) state_.tagged.insert(at);
     state_.list.selected = std::min(selected + 1, hits.size() - 1);

@@ -103,6 +103,31 @@ Plot channel_plot(const RecordingInput& input,
   return plot;
 }
 
+/// Time and value under the cursor; of a thinned record the lowest and highest
+/// of the samples that lie there.
+std::string under_cursor(const Trace& trace,
+                         std::size_t channel,
+                         const Plot& plot) {
+  const auto column = static_cast<Eigen::Index>(channel);
+  if (!plot.cursor || trace.low.rows() == 0 || column >= trace.low.cols()) {
+    return {};
+  }
+  const double sample = std::round(*plot.cursor * trace.sample_rate_hz);
+  const Eigen::Index row = std::clamp<Eigen::Index>(
+      static_cast<Eigen::Index>(sample) / trace.stretch,
+      0,
+      trace.low.rows() - 1);
+  const double low = trace.low(row, column);
+  const double high = trace.high(row, column);
+  const std::string value =
+      low == high ? number(low, 4)
+                  : fmt::format("{} to {}", number(low, 4), number(high, 4));
+  return fmt::format("{} s: {} {}",
+                     number(sample / trace.sample_rate_hz, 6),
+                     value,
+                     plot.y.unit);
+}
+
 void mark_hits(Plot& plot,
                const RecordingInput& input,
                const RecordingState& state,
@@ -195,10 +220,22 @@ void draw_channels(Screen& screen,
         pane == 0 ? run.hammer : run.sensors[sensor];
     Plot plot = channel_plot(input, state, at.channel, here.width);
     plot.x_labels = last;
-    plot.title =
+    const std::string title =
         pane == 0
             ? "hammer " + name(at.dof)
             : fmt::format("{} ({} of {})", name(at.dof), sensor + 1, sensors);
+    plot.title = title;
+    const std::string value =
+        under_cursor(input.traces[state.run], at.channel, plot);
+    if (!value.empty()) {
+      // What a window's curve is has room behind it, if there is any.
+      const int room =
+          here.width - text_width(plot.y.label + " []  " + plot.y.unit);
+      const int legend = window == nullptr ? 0 : pane == 0 ? 16 : 22;
+      const std::string brief = name(at.dof) + "  " + value;
+      plot.title = fitting({title + "  " + value, brief}, room - legend);
+      if (text_width(plot.title) > room) plot.title = value;
+    }
     mark_hits(plot, input, state, selected);
     if (window != nullptr && pane == 0) add_force_window(plot, *window);
     if (window != nullptr && pane > 0) add_exponential_window(plot, *window);

@@ -293,17 +293,24 @@ Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
   return report_view(input_of(known), first_row_, canvas);
 }
 
+bool ReportPage::press_without_model(Key key, Command& command) {
+  if (key != U'w' && key != U'f') return false;
+  command.kind = Command::Kind::Write;
+  command.output = key == U'w' ? Output::Report : Output::Uff;
+  return true;
+}
+
 bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
   const int rows = report_sheet(input_of(known), 80, false).height();
   if (key == keys::down || key == U'j' || key == keys::wheel_down) {
     ++first_row_;
   } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
     --first_row_;
-  } else if (key == U'w' || key == U'e' || key == U'f') {
+  } else if (key == U'e') {
     command.kind = Command::Kind::Write;
-    command.output = key == U'w'   ? Output::Report
-                     : key == U'e' ? Output::Deck
-                                   : Output::Uff;
+    command.output = Output::Deck;
+  } else if (press_without_model(key, command)) {
+    return true;
   } else if (key == keys::page_down || key == U' ') {
     first_row_ += 10;
   } else if (key == keys::page_up) {
@@ -328,6 +335,10 @@ std::vector<KeyHelp> ReportPage::keys() const {
           {"f", "write UFF"},
           {"u", "undo"},
           {"^R", "redo"}};
+}
+
+std::vector<KeyHelp> ReportPage::keys_without_model() const {
+  return {{"w", "write report"}, {"f", "write UFF"}};
 }
 
 std::string ReportPage::help() const {

@@ -34,7 +34,9 @@ class ReportPage final : public Page {
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  bool press_without_model(Key key, Command& command) override;
   std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys_without_model() const override;
   std::string help() const override;
 
  private:

@@ -52,7 +52,9 @@ Pen pen_of(std::size_t i) {
       {Colour::Yellow, Pattern::Dashed, 'e'},
       {Colour::Red, Pattern::Dotted, 'f'},
   }};
-  return pens[i % pens.size()];
+  Pen pen = pens[i % pens.size()];
+  pen.mark = static_cast<char>('a' + i % 26);
+  return pen;
 }
 
 /// Without colour a letter on each curve tells them apart, each on a step of

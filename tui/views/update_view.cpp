@@ -44,8 +44,9 @@ std::string effect_of(const std::string& name, const UpdateInput& input) {
 
 /// Short enough for its column; what tells two parameters of an effect apart
 /// stands at the end and is kept.
-std::string parameter_name(const std::string& name, const UpdateInput& input) {
-  constexpr int room = 26;
+std::string parameter_name(const std::string& name,
+                           const UpdateInput& input,
+                           int room) {
   std::string plain = split_unit(name).name;
   const std::string effect = effect_of(name, input);
   if (effect.empty()) return clipped(plain, room);
@@ -60,15 +61,23 @@ std::string parameter_name(const std::string& name, const UpdateInput& input) {
   return clipped(effect, left) + " " + plain;
 }
 
-Table parameter_table(const UpdateInput& input) {
+Table parameter_table(const UpdateInput& input, int width) {
+  constexpr int least = 26;  // for a name
   Table table{{{"parameter"}, {"value"}}, {}};
+  int widest = 0;
   for (const updating::Estimate& p : input.parameters) {
     table.rows.push_back(
-        {{parameter_name(p.name, input),
+        {{"",
           fmt::format("{} {}",
                       with_sd(p.value, p.sd),
                       p.unit.empty() ? split_unit(p.name).unit : p.unit)},
          {}});
+    widest = std::max(widest, text_width(table.rows.back().cells[1]));
+  }
+  const int room = std::max(width - widest - 4, least);
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    table.rows[i].cells[0] =
+        parameter_name(input.parameters[i].name, input, room);
   }
   return table;
 }
@@ -271,14 +280,15 @@ Screen update_view(const UpdateInput& input,
   Screen screen(canvas);
   screen.text(1, 0, headline_of(input), {.bold = true}, canvas.width - 2);
   const Rect body{0, 1, canvas.width, canvas.height - 1};
-  const Table parameters = parameter_table(input);
+  const int half = canvas.width * 7 / 12;
+  const Table parameters = parameter_table(input, half);
   const int wanted = std::max({static_cast<int>(parameters.rows.size()),
                                static_cast<int>(ladder_rows(input, 0).size()),
                                2}) +
                      1;
   const auto [upper, lower] =
       split_top(body, std::min(wanted, body.height * 2 / 5));
-  const auto [left, right] = split_left(upper, canvas.width * 7 / 12);
+  const auto [left, right] = split_left(upper, half);
   draw_table(screen, left, parameters, {}, false);
   draw_ladder(screen, right, input, selected_effect(input.effects, state));
   if (input.frfs.frfs.empty()) return screen;

@@ -13,7 +13,7 @@ updating::UpdateRecord example() {
   record.where.node = 7;
   record.lines = "some lines";
   record.converged = false;
-  record.message = "30 steps were not enough";
+  record.message = "not converged in 30 steps";
   record.parameters = {"E:1", "added-mass mass_kg"};
   const Eigen::Vector2d start(7e10, 0.1);
   const Eigen::Vector2d after(7.1e10, 0.2);
@@ -39,8 +39,8 @@ TEST(UpdateOutput, TextShowsStepsReasonCorrelationAndCorner) {
       updates_text({example()}),
       "\nOn some lines\n"
       "  identified            steps  residual from      to\n"
-      "  added-mass at node 7      2         60.0 %  25.0 %  30 steps were "
-      "not enough\n"
+      "  added-mass at node 7      2         60.0 %  25.0 %  not converged in 30 "
+      "steps\n"
       "  note: the data alone do not tell apart E:1, rho:1\n"
       "  note: the data say nothing of A:2\n"
       "\n"
