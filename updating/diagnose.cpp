@@ -10,6 +10,8 @@
 #include "updating/rung_search.hpp"
 #include "updating/set_verdict.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -128,6 +130,12 @@ class Climb {
   [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
     return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
+  /// The mesh's share of the floor counts the whole difference to a finer mesh,
+  /// of which the fit takes a good part: an effect may hide beneath it.
+  [[nodiscard]] bool is_explained() const {
+    return is_at_floor() &&
+           current_.result.error <= clear_of_floor * options_.floor_noise;
+  }
   /// Everything tried on the first step.
   [[nodiscard]] std::vector<Candidate> candidates() const {
     return candidates_;
@@ -139,12 +147,6 @@ class Climb {
                   const Progress& progress);
   [[nodiscard]] bool is_at_floor() const {
     return current_.result.error <= at_floor * options_.floor;
-  }
-  // The mesh's share of the floor counts the whole difference to a finer mesh,
-  // of which the fit takes a good part: an effect may hide beneath it.
-  [[nodiscard]] bool is_explained() const {
-    return is_at_floor() &&
-           current_.result.error <= clear_of_floor * options_.floor_noise;
   }
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
@@ -282,6 +284,16 @@ Climbed climbed(const Fitter& fitter,
   set_verdict(fitter.setting().measured.level,
               held_back(options.properties, fitted),
               result);
+  if (result.verdict == "none" && !climb.is_explained()) {
+    result.warnings.push_back(fmt::format(
+        "{:.3g} is left, far above the noise ({:.3g}) and below what the mesh "
+        "may explain (the floor is {:.3g}): an effect may hide there, and the "
+        "values of the model's own parameters make up for it; a finer mesh "
+        "would tell",
+        result.error_best,
+        options.floor_noise,
+        result.floor));
+  }
   return {std::move(result), found};
 }
 

@@ -232,8 +232,8 @@ std::optional<ModelState> Fitter::continued(const FrfModel& model,
   const auto same = [](const PlacedEffect& a, const PlacedEffect& b) {
     return a.effect == b.effect && a.where == b.where;
   };
+  // It may hold another number of modes in the band at its start.
   const bool contains = n < state.effects.size() &&
-                        fewer.zeta.size() == state.zeta.size() &&
                         fewer.factor.size() == state.factor.size() &&
                         std::equal(fewer.effects.begin(),
                                    fewer.effects.end(),

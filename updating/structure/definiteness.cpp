@@ -60,12 +60,16 @@ std::vector<std::string> negative_masses(const Deck& deck) {
   for (const PointMass& e : deck.masses) {
     if (is_positive(e)) continue;
     cards.push_back(
-        fmt::format("{} (M = {:.6g}, I11 = {:.6g}, I22 = {:.6g}, "
-                    "I33 = {:.6g})",
+        fmt::format("{} (M = {:.6g}, I11 = {:.6g}, I21 = {:.6g}, "
+                    "I22 = {:.6g}, I31 = {:.6g}, I32 = {:.6g}, I33 = {:.6g})",
                     place(deck, {"CONM2"}, e.id),
                     e.mass,
                     e.inertia(0, 0),
+                    // As the card has them: products with a minus.
+                    -e.inertia(1, 0),
                     e.inertia(1, 1),
+                    -e.inertia(2, 0),
+                    -e.inertia(2, 1),
                     e.inertia(2, 2)));
   }
   return cards;

@@ -5,6 +5,7 @@
 #include "updating/structure/card_defaults.hpp"
 #include "updating/structure/deck.hpp"
 #include "updating/structure/deck_builder.hpp"
+#include "updating/structure/doubled_parts.hpp"
 #include "updating/structure/element_shapes.hpp"
 #include "updating/structure/error_notes.hpp"
 #include "updating/structure/listed.hpp"
@@ -93,6 +94,9 @@ Deck read_deck(const std::filesystem::path& path) {
     check_references(deck);
     warn_unattached(bulk, deck);
     for (std::string& text : weak_property_warnings(deck)) {
+      deck.warnings.push_back(std::move(text));
+    }
+    for (std::string& text : doubled_part_warnings(deck)) {
       deck.warnings.push_back(std::move(text));
     }
     for (std::string& text : element_shape_warnings(deck)) {

@@ -40,7 +40,7 @@ void read_mat1(DeckBuilder& builder, const CardReader& card) {
     card.fail(
         fmt::format(
             "E = {}, G = {}, NU = {} is no elastic material", m.E, m.G, m.nu),
-        "Give two of E, G and NU, positive, NU below 0.5.");
+        "Give two of E, G and NU, positive, NU 0.5 at most.");
   }
   const double implied = m.E / (2.0 * (1.0 + m.nu));
   if (std::abs(m.G - implied) > 0.01 * m.G) {
