@@ -7,6 +7,7 @@
 #include "acquisition/uff_units.hpp"
 #include "acquisition/uff_values.hpp"
 #include "acquisition/units.hpp"
+#include "acquisition/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -33,6 +34,8 @@ struct Record {
   double step = 0.0;
   Eigen::Index count = 0;
   std::optional<double> full_scale;  ///< [SI], where an ID line says one
+  /// A force in an unknown unit. The motions beside it are no other force's.
+  bool lost = false;
 
   [[nodiscard]] bool force() const { return quantity == Quantity::Force; }
 };
@@ -56,7 +59,7 @@ std::optional<Quantity> quantity_of(const UffAxis& axis,
   return unit->quantity;
 }
 
-// The record, or why it is none that can be used.
+// The record, or why it is none that can be used; of a lost force both.
 std::optional<Record> record_of(const UffHeader& header,
                                 const UffUnits& units,
                                 std::string& reason) {
@@ -64,7 +67,7 @@ std::optional<Record> record_of(const UffHeader& header,
   const auto quantity = quantity_of(header.numerator, unit);
   if (!quantity) {
     reason = fmt::format("\"{}\" (data type {}) is no force or motion",
-                         header.numerator.unit,
+                         as_utf8(header.numerator.unit),
                          header.numerator.type);
   } else if (!header.response) {
     reason = "it says no direction";
@@ -76,15 +79,17 @@ std::optional<Record> record_of(const UffHeader& header,
     reason = "its values are complex";
   }
   if (!reason.empty()) return std::nullopt;
+  const auto to_si = uff_unit_to_si(header.numerator.unit, *quantity, units);
   Record record;
   record.quantity = *quantity;
+  if (!to_si) {
+    reason = no_uff_unit(header.numerator.unit, *quantity);
+    record.lost = record.force();
+    if (!record.lost) return std::nullopt;
+  }
   record.dof = *header.response;
-  const bool labelled = unit && unit->quantity == *quantity;
-  record.unit = labelled ? header.numerator.unit : "";
-  record.unit_to_si =
-      labelled
-          ? unit->si
-          : 1.0 / (*quantity == Quantity::Force ? units.force : units.length);
+  record.unit = unit ? header.numerator.unit : "";
+  record.unit_to_si = to_si.value_or(1.0);
   record.step = header.step;
   record.count = header.count;
   record.full_scale = number_in_id(header.id, "FULL SCALE =");
@@ -126,7 +131,8 @@ Contents contents_of(const UffFile& file) {
     if (auto record = record_of(header, units, reason)) {
       record->dataset = k;
       found.records.push_back(*record);
-    } else {
+    }
+    if (!reason.empty()) {
       found.skipped.push_back(fmt::format(
           "{}: a time record is left out: {}", dataset.place, reason));
     }
@@ -150,9 +156,9 @@ bool begins_run(const Group& group, const Record& record) {
 }
 
 bool is_run(const Group& group) {
-  const auto forces = std::count_if(
-      group.begin(), group.end(), [](const Record& r) { return r.force(); });
-  return forces == 1 && group.size() > 1;
+  const auto forces = std::ranges::count_if(group, &Record::force);
+  const bool lost = std::ranges::any_of(group, &Record::lost);
+  return forces == 1 && group.size() > 1 && !lost;
 }
 
 std::vector<Group> groups_of(const std::vector<Record>& records) {

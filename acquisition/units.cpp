@@ -19,9 +19,10 @@ constexpr auto acceleration = Quantity::Acceleration;
 constexpr auto velocity = Quantity::Velocity;
 constexpr auto displacement = Quantity::Displacement;
 
-constexpr std::array<Entry, 28> table{{
+constexpr auto table = std::to_array<Entry>({
     {"N", force, 1.0},
     {"mN", force, 1e-3},
+    {"daN", force, 10.0},
     {"kN", force, 1e3},
     {"MN", force, 1e6},
     {"lbf", force, pound_force},
@@ -34,21 +35,46 @@ constexpr std::array<Entry, 28> table{{
     {"g", acceleration, standard_gravity},
     {"gn", acceleration, standard_gravity},
     {"mg", acceleration, 1e-3 * standard_gravity},
+    {"ug", acceleration, 1e-6 * standard_gravity},
+    {"um/s^2", acceleration, 1e-6},
     {"mm/s^2", acceleration, 1e-3},
     {"cm/s^2", acceleration, 1e-2},
     {"Gal", acceleration, 1e-2},
     {"in/s^2", acceleration, inch},
     {"ft/s^2", acceleration, 12.0 * inch},
     {"m/s", velocity, 1.0},
+    {"um/s", velocity, 1e-6},
     {"mm/s", velocity, 1e-3},
     {"cm/s", velocity, 1e-2},
     {"in/s", velocity, inch},
+    {"ft/s", velocity, 12.0 * inch},
     {"m", displacement, 1.0},
+    {"cm", displacement, 1e-2},
     {"mm", displacement, 1e-3},
     {"um", displacement, 1e-6},
+    {"ft", displacement, 12.0 * inch},
     {"in", displacement, inch},
     {"mil", displacement, 1e-3 * inch},
-}};
+});
+
+struct Spelling {
+  std::string_view text;
+  std::string_view usual;
+};
+
+// What other programs call units of the table.
+constexpr auto spellings = std::to_array<Spelling>({
+    {"newton", "N"},     {"newtons", "N"},   {"Newton", "N"},
+    {"Newtons", "N"},    {"lbs", "lbf"},     {"LB", "lbf"},
+    {"LBF", "lbf"},      {"pound", "lbf"},   {"pounds", "lbf"},
+    {"Pound", "lbf"},    {"Pounds", "lbf"},  {"pound-force", "lbf"},
+    {"kips", "kip"},     {"kp", "kgf"},      {"dyne", "dyn"},
+    {"G", "g"},          {"g's", "g"},       {"G's", "g"},
+    {"gal", "Gal"},      {"ms^-2", "m/s^2"}, {"ms-2", "m/s^2"},
+    {"m.s^-2", "m/s^2"}, {"m.s-2", "m/s^2"}, {"m*s^-2", "m/s^2"},
+    {"M/S^2", "m/s^2"},  {"ips", "in/s"},    {"meter", "m"},
+    {"micron", "um"},    {"microns", "um"},  {"mils", "mil"},
+});
 
 void replace_all(std::string& text,
                  std::string_view from,
@@ -65,7 +91,12 @@ void replace_all(std::string& text,
   text = result;
 }
 
-// One spelling for "m / s²", "m/s**2", "m/s2", "(m/s^2)", "m/s/s".
+bool in_brackets(std::string_view text) {
+  return text.size() > 2 && ((text.front() == '(' && text.back() == ')') ||
+                             (text.front() == '[' && text.back() == ']'));
+}
+
+// One spelling for "m / s²", "m/s**2", "m/s2", "(m/s^2)", "m/s/s", "m/sec^2".
 std::string normalise(std::string_view text) {
   std::string plain(text);
   std::erase(plain, ' ');
@@ -74,13 +105,17 @@ std::string normalise(std::string_view text) {
   replace_all(plain, "\u00b5", "u");
   replace_all(plain, "\u03bc", "u");
   replace_all(plain, "**", "^");
-  if (plain.size() > 2 && plain.front() == '(' && plain.back() == ')') {
-    plain = plain.substr(1, plain.size() - 2);
-  }
+  if (in_brackets(plain)) plain = plain.substr(1, plain.size() - 2);
+  replace_all(plain, "inches", "in");
+  replace_all(plain, "inch", "in");
+  replace_all(plain, "/sec", "/s");
   for (const std::string_view ending : {"/s/s", "/s2"}) {
     if (!plain.ends_with(ending)) continue;
     plain.resize(plain.size() - ending.size());
     plain += "/s^2";
+  }
+  for (const Spelling& spelling : spellings) {
+    if (spelling.text == plain) return std::string(spelling.usual);
   }
   return plain;
 }

@@ -14,7 +14,8 @@ struct Unit {
   double si = 1.0;  ///< SI value of one unit: N, m/s^2, m/s, m
 };
 
-/// Looks a unit up: "N", "lbf", "g", "mm/s^2", "m/s2", "m/s²" ...; blanks do
+/// Looks a unit up: "N", "lbf", "g", "mm/s^2", "m/s2", "m/s²" ..., and what
+/// other programs write for them ("pound", "G", "g's", "m/sec^2"); blanks do
 /// not matter, upper and lower case do. Empty when it is not known.
 [[nodiscard]] std::optional<Unit> find_unit(std::string_view text);
 

@@ -6,6 +6,7 @@
 #include "acquisition/uff_function.hpp"
 #include "acquisition/uff_units.hpp"
 #include "acquisition/units.hpp"
+#include "acquisition/utf8.hpp"
 #include "signal/convert.hpp"
 
 #include <fmt/format.h>
@@ -43,35 +44,62 @@ std::optional<FrfForm> form_of(const UffAxis& axis,
   return std::nullopt;
 }
 
-bool same_kind(FrfForm form, Quantity quantity) {
-  return (form == FrfForm::Accelerance && quantity == Quantity::Acceleration) ||
-         (form == FrfForm::Mobility && quantity == Quantity::Velocity) ||
-         (form == FrfForm::Receptance && quantity == Quantity::Displacement);
+Quantity quantity_of(FrfForm form) {
+  switch (form) {
+    case FrfForm::Receptance:
+      return Quantity::Displacement;
+    case FrfForm::Mobility:
+      return Quantity::Velocity;
+    case FrfForm::Accelerance:
+      break;
+  }
+  return Quantity::Acceleration;
+}
+
+// "m/s^2/N" in the numerator's label, as some programs write it, is both.
+void split_ratio(UffAxis& over, UffAxis& under) {
+  const std::size_t slash = over.unit.rfind('/');
+  if (slash == std::string::npos || acquisition::find_unit(over.unit)) return;
+  const std::string force = over.unit.substr(slash + 1);
+  const auto unit = acquisition::find_unit(force);
+  if (!unit || unit->quantity != Quantity::Force) return;
+  if (!acquisition::is_unlabelled(under.unit) && under.unit != force) return;
+  over.unit.resize(slash);
+  under.unit = force;
+}
+
+std::string described(const UffAxis& axis) {
+  return fmt::format(
+      "\"{}\" (data type {})", acquisition::as_utf8(axis.unit), axis.type);
 }
 
 std::optional<Meaning> meaning(const UffFunction& function,
                                const UffUnits& factors,
                                std::string& reason) {
-  const auto over = acquisition::find_unit(function.numerator.unit);
-  const auto under = acquisition::find_unit(function.denominator.unit);
-  const std::optional<FrfForm> form = form_of(function.numerator, over);
-  const bool by_force = function.denominator.type == 13 ||
-                        function.denominator.type == 9 ||
-                        (function.denominator.type <= 1 && under &&
-                         under->quantity == Quantity::Force);
+  UffAxis numerator = function.numerator;
+  UffAxis denominator = function.denominator;
+  split_ratio(numerator, denominator);
+  const auto under = acquisition::find_unit(denominator.unit);
+  const std::optional<FrfForm> form =
+      form_of(numerator, acquisition::find_unit(numerator.unit));
+  const bool by_force =
+      denominator.type == 13 || denominator.type == 9 ||
+      (denominator.type <= 1 && under && under->quantity == Quantity::Force);
   if (!function.response || !function.reference)
     reason = "its response or reference has no direction";
   else if (!form)
-    reason = "its numerator is no motion";
+    reason = "its numerator is no motion: " + described(numerator);
   else if (!by_force)
-    reason = "its denominator is no force";
+    reason = "its denominator is no force: " + described(denominator);
   if (!reason.empty()) return std::nullopt;
-  // The label is what the values are in; without a known one 164 counts.
-  const bool label_over = over && same_kind(*form, over->quantity);
-  const bool label_under = under && under->quantity == Quantity::Force;
-  return Meaning{*form,
-                 (label_over ? over->si : 1.0 / factors.length) /
-                     (label_under ? under->si : 1.0 / factors.force)};
+  const Quantity motion = quantity_of(*form);
+  const auto over_si = uff_unit_to_si(numerator.unit, motion, factors);
+  const auto under_si =
+      uff_unit_to_si(denominator.unit, Quantity::Force, factors);
+  if (over_si && under_si) return Meaning{*form, *over_si / *under_si};
+  reason = over_si ? no_uff_unit(denominator.unit, Quantity::Force)
+                   : no_uff_unit(numerator.unit, motion);
+  return std::nullopt;
 }
 
 // The number behind a key in an ID line: "SIGMA = 0.25 1/s".
@@ -121,6 +149,21 @@ Eigen::Index count_bad(const Eigen::VectorXcd& H) {
   return H.size() - H.array().isFinite().count();
 }
 
+// An FRF that is left out is missing in all that follows.
+void leave_out(std::string line, UffFrfs& result) {
+  result.set.statements.push_back(line);
+  result.skipped.push_back(std::move(line));
+}
+
+// The first few of many FRFs that are left out are enough.
+void shorten(std::vector<std::string>& statements) {
+  constexpr std::size_t enough = 4;
+  if (statements.size() <= enough + 1) return;
+  const std::size_t more = statements.size() - enough;
+  statements.resize(enough);
+  statements.push_back(fmt::format("{} more FRFs are left out", more));
+}
+
 // A non-finite line (often the one at 0 Hz) is taken out of all FRFs.
 void drop_bad_lines(UffFrfs& result) {
   std::vector<Eigen::Index> keep;
@@ -162,10 +205,11 @@ void leave_out_broken(UffFrfs& result) {
     for (auto it = first; it < last; ++it) {
       const Eigen::Index i = it - bad.begin();
       if (std::isfinite(std::abs(frf.H(i))) || *it > most) continue;
-      result.skipped.push_back(
+      leave_out(
           fmt::format("FRF {} is left out: its value at {:.6g} Hz is no number",
                       name(frf),
-                      set.s(i).imag() / (2.0 * std::numbers::pi)));
+                      set.s(i).imag() / (2.0 * std::numbers::pi)),
+          result);
       return true;
     }
     return false;
@@ -222,6 +266,7 @@ class Reader {
     for (const UffFunction& function : coherences_) take_coherence(function);
     leave_out_broken(result_);
     drop_bad_lines(result_);
+    shorten(result_.set.statements);
     return std::move(result_);
   }
 
@@ -230,15 +275,20 @@ class Reader {
     result_.skipped.push_back(fmt::format("{}: {}", dataset.place, why));
   }
 
+  void leave_out_frf(const UffDataset& dataset, const std::string& why) {
+    leave_out(fmt::format("{}: an FRF is left out: {}", dataset.place, why),
+              result_);
+  }
+
   void take_frf(const UffDataset& dataset) {
     const UffFunction function = read_function(dataset);
     std::string reason;
     const auto sense = meaning(function, factors_, reason);
-    if (!sense) return skip(dataset, "an FRF is left out: " + reason);
+    if (!sense) return leave_out_frf(dataset, reason);
     const Eigen::VectorXcd s = lines_of(function, sigma_);
     if (result_.set.frfs.empty()) result_.set.s = s;
     if (!same_lines(result_.set.s, s))
-      return skip(dataset, "an FRF is left out: its lines differ");
+      return leave_out_frf(dataset, "its lines differ");
     Frf frf;
     frf.response = *function.response;
     frf.reference = *function.reference;
@@ -246,12 +296,14 @@ class Reader {
             convert(function.y, s, sense->form, FrfForm::Accelerance);
     // Its lines would be taken out of all others too.
     if (const Eigen::Index bad = count_bad(frf.H); 2 * bad > frf.H.size()) {
-      return skip(dataset,
-                  fmt::format("FRF {} is left out: {} of its {} values are not "
-                              "finite",
-                              name(frf),
-                              bad,
-                              frf.H.size()));
+      return leave_out(
+          fmt::format("{}: FRF {} is left out: {} of its {} values "
+                      "are not finite",
+                      dataset.place,
+                      name(frf),
+                      bad,
+                      frf.H.size()),
+          result_);
     }
     const auto number =
         references_.try_emplace(frf.reference, references_.size());

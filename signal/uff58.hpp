@@ -31,13 +31,14 @@ struct UffFrfs {
 /// Line ends of any system, Fortran's D exponents, lines cut short and glued
 /// columns are accepted. Receptances, mobilities and FRFs of velocity or
 /// displacement are made accelerances; units that dataset 164 or the axis
-/// names give are made SI. Datasets of another kind, and FRFs whose lines
-/// differ from the first one's, are skipped and named. An exponential window's
-/// decay rate, from write_frfs_uff's ID line or a dataset 1858, comes back in
-/// s; without one s = j omega. What a universal
-/// file does not hold is set: coherence 1, variance 0, hits 0, channel 0; run
-/// counts the reference points. Coherence
-/// functions (type 6) of the same degrees of freedom are taken in.
+/// names give are made SI. Datasets of another kind, FRFs whose lines differ
+/// from the first one's, and FRFs with a unit label that is not known are
+/// skipped and named, FRFs among the set's statements too. An exponential
+/// window's decay rate, from write_frfs_uff's ID line or a dataset 1858, comes
+/// back in s; without one s = j omega. What a universal file does not hold is
+/// set: coherence 1, variance 0, hits 0, channel 0; run counts the reference
+/// points. Coherence functions (type 6) of the same degrees of freedom are
+/// taken in.
 ///
 /// @throws InputError for a missing file, a broken record (with its line), a
 ///   file without any FRF

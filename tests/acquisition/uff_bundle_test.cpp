@@ -4,6 +4,7 @@
 #include "tests/acquisition/temporary_folder.hpp"
 #include "tests/acquisition/uff_text.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace tapfit::acquisition {
@@ -77,6 +78,55 @@ TEST_F(UffBundle, UnlabelledValuesAreInTheUnitsOf164) {
   const Recording recording = read_recording(bundle, bundle.runs.at(0));
   EXPECT_DOUBLE_EQ(recording.samples(1, 0), 2.0);
   EXPECT_DOUBLE_EQ(recording.samples(1, 1), 0.5);
+}
+
+// A record in what nobody knows is no record in SI.
+TEST_F(UffBundle, UnknownLabelsAreLeftOutByName) {
+  for (const char* label : {"mV", "V", "g rms", "m/s^2/V", "furlong", "N"}) {
+    const TestBundle bundle = read_test_bundle(folder_.write(
+        "label.uff",
+        uff_ascii(force(3, {0, 1})) +
+            uff_ascii({.node = 1, .unit = label, .values = {0, 1}}) +
+            uff_ascii({.node = 2, .unit = "G", .values = {0, 1}})));
+    ASSERT_EQ(bundle.runs.size(), 1U) << label;
+    EXPECT_EQ(bundle.runs[0].sensors.size(), 1U) << label;
+    EXPECT_EQ(read_recordings(bundle)[0].samples(1, 1), 9.80665) << label;
+    ASSERT_EQ(bundle.warnings.size(), 1U) << label;
+    for (const std::string& part :
+         {std::string("label.uff, line "),
+          fmt::format("\"{}\" is no known unit of acceleration", label),
+          std::string("mm/s^2")}) {
+      EXPECT_NE(bundle.warnings[0].find(part), std::string::npos)
+          << bundle.warnings[0];
+    }
+  }
+}
+
+TEST_F(UffBundle, RefusesAForceInAnUnknownUnit) {
+  UffTestRecord hammer = force(3, {0, 1});
+  hammer.unit = "mV";
+  const std::string said =
+      refusal(uff_ascii(hammer) + uff_ascii({.node = 1, .values = {0, 1}}));
+  EXPECT_NE(said.find("\"mV\" is no known unit of force; known are N,"),
+            std::string::npos)
+      << said;
+}
+
+// Else a moved sensor's record would count as an answer to the blow before.
+TEST_F(UffBundle, MotionsOfALostForceAreNotTheRunsBefore) {
+  UffTestRecord lost = force(3, {0, 1});
+  lost.unit = "mV";
+  const TestBundle bundle = read_test_bundle(folder_.write(
+      "lost.uff",
+      uff_ascii(force(3, {0, 1})) + uff_ascii({.node = 1, .values = {0, 1}}) +
+          uff_ascii(lost) + uff_ascii({.node = 2, .values = {0, 1}}) +
+          uff_ascii(force(3, {0, 1})) +
+          uff_ascii({.node = 5, .values = {0, 1}})));
+  ASSERT_EQ(bundle.runs.size(), 2U);
+  ASSERT_EQ(bundle.runs[0].sensors.size(), 1U);
+  EXPECT_EQ(bundle.runs[0].sensors[0].dof.node, 1);
+  EXPECT_EQ(bundle.runs[1].sensors.at(0).dof.node, 5);
+  EXPECT_EQ(bundle.warnings.size(), 2U);
 }
 
 TEST_F(UffBundle, SaysWhatItLeavesOut) {

@@ -27,6 +27,31 @@ TEST(Units, AcceptsSpellings) {
   EXPECT_FALSE(find_unit(""));
 }
 
+// As other programs write them; factors as above.
+TEST(Units, KnowsOtherProgramsSpellings) {
+  for (const char* text : {"G", "g's", "G's", "g", "(g)", "[g]"}) {
+    ASSERT_TRUE(find_unit(text)) << text;
+    EXPECT_EQ(find_unit(text)->quantity, Quantity::Acceleration) << text;
+    EXPECT_EQ(find_unit(text)->si, 9.80665) << text;
+  }
+  for (const char* text : {"pound", "pounds", "lb", "lbs", "LBF"}) {
+    ASSERT_TRUE(find_unit(text)) << text;
+    EXPECT_EQ(find_unit(text)->quantity, Quantity::Force) << text;
+    EXPECT_EQ(find_unit(text)->si, 4.4482216152605) << text;
+  }
+  for (const char* text : {"m/sec^2", "m/sec2", "m/sec/sec", "[m/s^2]"}) {
+    ASSERT_TRUE(find_unit(text)) << text;
+    EXPECT_EQ(find_unit(text)->si, 1.0) << text;
+  }
+  EXPECT_EQ(find_unit("Newtons")->si, 1.0);
+  EXPECT_EQ(find_unit("gal")->si, 0.01);
+  EXPECT_EQ(find_unit("inch/sec^2")->si, 0.0254);
+  EXPECT_EQ(find_unit("cm")->si, 0.01);
+  for (const char* text : {"mV", "V", "g rms", "m/s^2/V", "Pa", "sec"}) {
+    EXPECT_FALSE(find_unit(text)) << text;
+  }
+}
+
 TEST(Units, ReadsSensitivities) {
   EXPECT_EQ(find_sensitivity_unit("mV/g")->volts, 1e-3);
   EXPECT_DOUBLE_EQ(find_sensitivity_unit("mV/g")->unit.si, 9.80665);

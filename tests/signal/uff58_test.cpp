@@ -138,7 +138,8 @@ std::string dataset(int type,
                     const std::string& data,
                     const std::string& numerator =
                         "        12    0    0    0 Acceleration         m/s^2",
-                    const std::string& tag = "    58") {
+                    const std::string& tag = "    58",
+                    const std::string& force = "N") {
   return fmt::format(
       "    -1\n{}\nFRF\nNONE\nNONE\nNONE\nNONE\n"
       "{:5}         1    0         0 NONE              12   3 NONE           "
@@ -146,7 +147,7 @@ std::string dataset(int type,
       "{:10}{:10}{:10}  2.00000E+00  5.00000E-01  0.00000E+00\n"
       "        18    0    0    0 Frequency            Hz\n"
       "{}\n"
-      "        13    0    0    0 Force                N\n"
+      "        13    0    0    0 Force                {}\n"
       "         0    0    0    0 NONE                 NONE\n"
       "{}    -1\n",
       tag,
@@ -155,7 +156,20 @@ std::string dataset(int type,
       count,
       even,
       numerator,
+      force,
       data);
+}
+
+// One value, 1, in units of the given labels.
+std::string labelled(const std::string& motion, const std::string& force) {
+  return dataset(4,
+                 5,
+                 1,
+                 1,
+                 " 1. 0.\n",
+                 "        12    0    0    0 Acceleration         " + motion,
+                 "    58",
+                 force);
 }
 
 TEST(Uff58, ReadsEveryLayout) {
@@ -237,6 +251,58 @@ TEST(Uff58, TakesUnitsOf164WhereTheLabelSaysNothing) {
           .set;
   // mm/s^2 over N (labelled): 1e-3.
   EXPECT_LT(std::abs(set.frfs[0].H(0) - 1e-3 * complex(1.0, 2.0)), 1e-15);
+}
+
+TEST(Uff58, TakesLabelsOfOtherPrograms) {
+  const auto value = [](const std::string& motion, const std::string& force) {
+    return read_frfs_uff_text(labelled(motion, force), "x")
+        .set.frfs[0]
+        .H(0)
+        .real();
+  };
+  EXPECT_DOUBLE_EQ(value("G", "N"), 9.80665);
+  EXPECT_DOUBLE_EQ(value("m/sec^2", "pound"), 1.0 / 4.4482216152605);
+  // The ratio as label of the numerator.
+  EXPECT_DOUBLE_EQ(value("g/N", "NONE"), 9.80665);
+  EXPECT_DOUBLE_EQ(value("(m/s^2)/N", "N"), 1.0);
+  EXPECT_DOUBLE_EQ(value("m/s2/lbf", ""), 1.0 / 4.4482216152605);
+}
+
+// What the numbers are in is not known then, and SI would be a guess.
+TEST(Uff58, LeavesOutFrfsInUnknownUnits) {
+  const std::vector<std::pair<std::string, std::string>> labels{{"mV", "N"},
+                                                                {"V", "V"},
+                                                                {"g rms", "N"},
+                                                                {"m/s^2", "Pa"},
+                                                                {"N", "N"},
+                                                                {"g/N", "lbf"}};
+  for (const auto& [motion, force] : labels) {
+    const UffFrfs result = read_frfs_uff_text(
+        labelled(motion, force) + labelled("m/s^2", "N"), "x.uff");
+    ASSERT_EQ(result.set.frfs.size(), 1u) << motion << " " << force;
+    EXPECT_EQ(result.set.frfs[0].H(0), complex(1.0, 0.0));
+    ASSERT_EQ(result.set.statements.size(), 1u) << motion;
+    const std::string& said = result.set.statements[0];
+    const bool by_motion = motion != "m/s^2";
+    for (const std::string& part :
+         {std::string("x.uff, line 2"),
+          fmt::format("\"{}\" is no known unit of {}; known are",
+                      by_motion ? motion : force,
+                      by_motion ? "acceleration" : "force")}) {
+      EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
+    EXPECT_THROW((void)read_frfs_uff_text(labelled(motion, force), "x"),
+                 InputError);
+  }
+}
+
+TEST(Uff58, NamesTheFirstOfManyFrfsLeftOut) {
+  std::string text = labelled("m/s^2", "N");
+  for (int i = 0; i < 20; ++i) text += labelled("V", "N");
+  const UffFrfs result = read_frfs_uff_text(text, "x.uff");
+  EXPECT_EQ(result.skipped.size(), 20u);
+  ASSERT_EQ(result.set.statements.size(), 5u);
+  EXPECT_EQ(result.set.statements.back(), "16 more FRFs are left out");
 }
 
 TEST(Uff58, ReadsBinaryOfEitherByteOrder) {
