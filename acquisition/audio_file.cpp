@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/large_pages.hpp"
+#include "acquisition/sample_bytes.hpp"
 
 #include <fmt/format.h>
 #include <sndfile.h>
@@ -11,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <regex>
 #include <string>
 
@@ -64,23 +66,29 @@ Handle open_to_read(const std::filesystem::path& file, SF_INFO& info) {
 
 // A WAV or AIFF that ends early is opened without complaint, but libsndfile's
 // log then says "data : 1000 (should be 500)": announced and present bytes.
-void refuse_cut_file(SNDFILE* handle, const std::filesystem::path& file) {
+std::optional<SampleBytes> logged_bytes(SNDFILE* handle) {
   std::array<char, 8192> log{};
   sf_command(handle, SFC_GET_LOG_INFO, log.data(), log.size());
   static const std::regex pattern(
       R"((?:data|SSND)\s*:\s*(\d+)\s*\(should be (\d+)\))");
   std::cmatch match;
-  if (!std::regex_search(log.data(), match, pattern)) return;
-  const unsigned long long announced = std::stoull(match[1].str());
-  const unsigned long long present = std::stoull(match[2].str());
+  if (!std::regex_search(log.data(), match, pattern)) return std::nullopt;
+  const SampleBytes found{std::stoull(match[1].str()),
+                          std::stoull(match[2].str())};
   // A recorder that writes as it goes leaves all ones until it is stopped.
-  const bool open_ended = announced >= 0xFFFFFF00ULL;
-  if (announced <= present || open_ended) return;
+  const bool open_ended = found.announced >= 0xFFFFFF00ULL;
+  return open_ended ? std::nullopt : std::optional(found);
+}
+
+void refuse_cut_file(SNDFILE* handle, const std::filesystem::path& file) {
+  std::optional<SampleBytes> found = sample_bytes(file);
+  if (!found) found = logged_bytes(handle);
+  if (!found || found->announced <= found->present) return;
   throw InputError(
       fmt::format(
           "ends early: {} bytes of samples were announced, {} are there",
-          announced,
-          present),
+          found->announced,
+          found->present),
       file.string(),
       "copy the file again, or save it anew with the recording program");
 }

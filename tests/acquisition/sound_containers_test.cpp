@@ -1,6 +1,8 @@
 // Every container and width of number that a recorder may write, from files
 // made byte by byte: samples come back as they are, to the last bit.
 #include "acquisition/audio_file.hpp"
+#include "acquisition/input_error.hpp"
+#include "acquisition/sample_bytes.hpp"
 #include "tests/acquisition/sound_text.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
@@ -76,6 +78,46 @@ TEST_F(SoundContainers, FloatingPointOfBothWidths) {
     expect_back("aifc" + tag, aiff_bytes(x, as, 51200), x, true);
     expect_back("caf" + tag, caf_bytes(x, as, 51200), x, true);
     expect_back("caf-big" + tag, caf_bytes(x, big, 51200), x, true);
+  }
+}
+
+// As a WAV says it: 600 x 3 numbers of 2 bytes are announced, the last 700
+// bytes are gone.
+TEST_F(SoundContainers, CutFilesAreRefused) {
+  const Eigen::MatrixXd x = steps(16);
+  const SoundNumber as{16, false, false};
+  for (const auto& [name, bytes] :
+       {std::pair{"wav", wav_bytes(x, as, 51200)},
+        std::pair{"rf64", rf64_bytes(x, as, 51200)},
+        std::pair{"w64", w64_bytes(x, as, 51200)}}) {
+    const auto file = folder_.write(name, bytes.substr(0, bytes.size() - 700));
+    try {
+      (void)AudioReader(file);
+      ADD_FAILURE() << name << " was read though it is cut off";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what())
+                    .find("ends early: 3600 bytes of samples were announced, "
+                          "2900 are there"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+// A recorder that writes as it goes does not know yet how long it will be.
+TEST_F(SoundContainers, LengthsThatAreNotKnownYetAreTaken) {
+  const Eigen::MatrixXd x = steps(16);
+  const SoundNumber as{16, false, false};
+  const std::string ones(8, '\xff');
+  std::string rf64 = rf64_bytes(x, as, 51200);
+  // Behind "RF64", length, "WAVE", "ds64" and its length: riff, then data.
+  rf64.replace(28, 8, ones);
+  std::string w64 = w64_bytes(x, as, 51200);
+  w64.replace(w64.find("data") + 16, 8, ones);
+  for (const auto& [name, bytes] :
+       {std::pair{"rf64", rf64}, std::pair{"w64", w64}}) {
+    const auto file = folder_.write(name, bytes);
+    EXPECT_FALSE(sample_bytes(file)) << name;
   }
 }
 
