@@ -3,13 +3,16 @@
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/mat_file.hpp"
+#include "acquisition/rate_of_times.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "acquisition/units.hpp"
 #include "acquisition/write_test_bundle.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -48,39 +51,65 @@ std::vector<ImportChannel> all_channels(const ImportOptions& options) {
 }
 
 // The sampling rate from a column of times; each time may be half a step off.
-double rate_of(const Eigen::VectorXd& time, const std::string& file) {
-  const Index n = time.size();
-  const double step =
-      n < 2 ? 0.0 : (time[n - 1] - time[0]) / static_cast<double>(n - 1);
-  if (!(step > 0.0)) {
+RateOfTimes rate_of(const Eigen::VectorXd& time, const std::string& file) {
+  const auto rate = rate_of_times(time);
+  if (!rate) {
     throw InputError("the time column does not rise",
                      file,
                      "name the column that holds seconds, or give the rate");
   }
-  for (Index i = 0; i < n; ++i) {
-    const double expected = time[0] + static_cast<double>(i) * step;
-    if (std::abs(time[i] - expected) < 0.5 * step) continue;
-    refuse_uneven(time, file);
-  }
-  return 1.0 / step;
+  if (rate->uneven) refuse_uneven(time, file);
+  return *rate;
 }
 
-int whole_rate(double rate, const std::string& file) {
-  const double whole = std::round(rate);
-  // Times printed with few digits give the rate with few digits.
-  if (whole >= 1.0 && whole < 1e9 && std::abs(rate - whole) < 1e-3 * rate) {
-    return static_cast<int>(whole);
-  }
+[[noreturn]] void refuse_rate(double rate,
+                              bool from_times,
+                              const std::string& file) {
   throw InputError(
-      fmt::format("is sampled at {:.6g} Hz, which is no whole number", rate),
+      fmt::format("is sampled at {:.8g} Hz, which is no whole number: the "
+                  "sound files of a bundle cannot say it",
+                  rate),
       file,
-      "give the sampling rate, or resample to a whole number of Hz");
+      from_times ? "give the sampling rate if the times are rounded, or "
+                   "resample to a whole number of Hz"
+                 : "resample to a whole number of Hz, or give the records as a "
+                   "universal file (dataset 58, with their points): that keeps "
+                   "the rate and is a bundle by itself");
+}
+
+// Sound files hold whole numbers of Hz. Times printed with few digits give the
+// rate with few digits, and so do multiples of a step of four; a rate that is
+// stated is what it is.
+int whole_rate(double rate,
+               const std::optional<double>& spread,
+               const std::string& file,
+               std::vector<std::string>& notes) {
+  if (!(rate > 0.0) || !(rate < 1e9)) {
+    throw InputError(fmt::format("has a sampling rate of {:.6g} Hz", rate),
+                     file,
+                     "give the sampling rate in Hz, a number above zero");
+  }
+  constexpr double exact = 1e-6;
+  const double whole = std::round(rate);
+  const double off = std::abs(rate - whole) / rate;
+  const double allowed = spread ? std::max(1e-4, *spread) : exact;
+  if (whole < 1.0 || off > allowed) refuse_rate(rate, spread.has_value(), file);
+  if (off > exact) {
+    notes.push_back(
+        fmt::format("{}: its times give {:.8g} Hz; {:.0f} Hz are taken, since "
+                    "sound files hold whole numbers of Hz",
+                    file,
+                    rate,
+                    whole));
+  }
+  return static_cast<int>(whole);
 }
 
 struct Table {
   int rate = 0;
   Eigen::MatrixXd values;          ///< n_rows x (1 + sensors), as in the file
   std::vector<std::string> units;  ///< as the file says, may be empty
+  std::vector<std::string> notes;  ///< on the rate
 };
 
 Table read_table(const ImportFile& source, const ImportOptions& options) {
@@ -98,12 +127,20 @@ Table read_table(const ImportFile& source, const ImportOptions& options) {
     columns.push_back(options.time_column);
   }
   TimeTable read = read_time_table(source.file, columns, options.csv);
-  if (!rate) {
-    rate = read.rate_hz ? *read.rate_hz : rate_of(read.values.col(count), file);
+  std::optional<double> spread;
+  if (!rate && read.rate_hz) {
+    rate = read.rate_hz;
+    spread = read.rate_spread;
+  } else if (!rate) {
+    const RateOfTimes timed = rate_of(read.values.col(count), file);
+    rate = timed.hz;
+    spread = timed.spread;
   }
-  return {whole_rate(*rate, file),
-          read.values.leftCols(count),
-          std::move(read.units)};
+  Table table;
+  table.rate = whole_rate(*rate, spread, file, table.notes);
+  table.values = read.values.leftCols(count);
+  table.units = std::move(read.units);
+  return table;
 }
 
 // The channel's unit: as given, else as the files say, else the usual one.
@@ -259,6 +296,9 @@ TestBundle import_recordings(const ImportOptions& options) {
   }
   write_test_bundle(bundle, options.folder);
   TestBundle written = read_test_bundle(options.folder);
+  for (Table& table : tables) {
+    std::ranges::move(table.notes, std::back_inserter(written.warnings));
+  }
   for (std::string& note : dead_columns(options, tables)) {
     written.warnings.push_back(std::move(note));
   }

@@ -54,13 +54,14 @@ struct ImportOptions {
 };
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
-/// returns it, with a warning for each column that is zero throughout. The
+/// returns it, with a warning for each column that is zero throughout and each
+/// rate that a column of times gave and that was rounded. The
 /// samples keep every digit: 64-bit WAV, scaled by a power of two that leaves
 /// room above the largest value.
 ///
 /// @throws InputError for a file that is not there, what read_time_table
-///   refuses, uneven sampling, a rate that is no whole number of Hz (sound files
-///   cannot say it), an unknown unit, a bundle that is there already
+///   refuses, uneven sampling, a rate that is no whole number of Hz (sound
+///   files cannot say it), an unknown unit, a bundle that is there already
 TestBundle import_recordings(const ImportOptions& options);
 
 }  // namespace tapfit::acquisition

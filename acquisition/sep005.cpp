@@ -1,6 +1,7 @@
 #include "acquisition/sep005.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/rate_of_times.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,27 +64,27 @@ Eigen::VectorXd list_of(const json& signal,
   return values;
 }
 
-double rate_of(const json& signal,
-               const std::filesystem::path& file,
-               std::size_t entry) {
-  if (signal.contains("fs")) {
-    if (signal["fs"].is_number() && signal["fs"].get<double>() > 0.0) {
-      return signal["fs"].get<double>();
-    }
-    throw fault(file, entry, "fs", "is no rate above zero");
+double stated_rate(const json& signal,
+                   const std::filesystem::path& file,
+                   std::size_t entry) {
+  if (signal["fs"].is_number() && signal["fs"].get<double>() > 0.0) {
+    return signal["fs"].get<double>();
   }
-  const Eigen::VectorXd time = list_of(signal, "time", file, entry);
-  const Index n = time.size();
-  const double step =
-      n < 2 ? 0.0 : (time[n - 1] - time[0]) / static_cast<double>(n - 1);
-  for (Index i = 0; i < n; ++i) {
-    const double expected = time[0] + static_cast<double>(i) * step;
-    if (step > 0.0 && std::abs(time[i] - expected) < 0.5 * step) continue;
-    throw fault(
-        file, entry, fmt::format("time[{}]", i), "is not evenly spaced");
+  throw fault(file, entry, "fs", "is no rate above zero");
+}
+
+RateOfTimes timed_rate(const json& signal,
+                       const std::filesystem::path& file,
+                       std::size_t entry) {
+  const auto rate = rate_of_times(list_of(signal, "time", file, entry));
+  if (!rate) throw fault(file, entry, "time", "does not rise");
+  if (rate->uneven) {
+    throw fault(file,
+                entry,
+                fmt::format("time[{}]", *rate->uneven),
+                "is not evenly spaced");
   }
-  if (!(step > 0.0)) throw fault(file, entry, "time", "does not rise");
-  return 1.0 / step;
+  return *rate;
 }
 
 std::string text_of(const json& signal, const char* key) {
@@ -116,9 +117,12 @@ TimeTable read_sep005(const std::filesystem::path& file,
     const std::size_t entry = find(document, columns[k], file);
     const json& signal = document[entry];
     const Eigen::VectorXd data = list_of(signal, "data", file, entry);
-    const double rate = rate_of(signal, file, entry);
+    std::optional<RateOfTimes> timed;
+    if (!signal.contains("fs")) timed = timed_rate(signal, file, entry);
+    const double rate = timed ? timed->hz : stated_rate(signal, file, entry);
     if (k == 0) {
       table.rate_hz = rate;
+      if (timed) table.rate_spread = timed->spread;
       table.values.resize(data.size(), static_cast<Index>(columns.size()));
     }
     if (data.size() == 0 || data.size() != table.values.rows()) {

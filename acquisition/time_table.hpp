@@ -23,6 +23,9 @@ struct TimeTable {
   Eigen::MatrixXd values;          ///< n_rows x columns
   std::vector<std::string> units;  ///< per column; empty where the file is mute
   std::optional<double> rate_hz;   ///< where the file says it
+  /// How far rate_hz may be off, relative to it, where times gave it; empty
+  /// where the file states it.
+  std::optional<double> rate_spread;
 };
 
 /// Whether the file itself says how it was sampled (SEP-005, universal file).

@@ -4,6 +4,7 @@
 #include "acquisition/input_error.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace tapfit::acquisition {
@@ -144,6 +145,74 @@ TEST_F(Csv, RefusesUnevenTimeAndOddRates) {
   EXPECT_THROW(import_recordings(options), InputError);
   options.sample_rate_hz = 12.0;
   EXPECT_NO_THROW(import_recordings(options));
+}
+
+// 205 Hz for 204.8 Hz would put every frequency off by 0.1 %.
+TEST_F(Csv, AFractionalRateIsNotRounded) {
+  ImportOptions options = simple(folder_);
+  std::string table = "t,f,a\n";
+  for (int i = 0; i < 100; ++i) {
+    table += fmt::format("{:.6f},{},{}\n", i / 204.8, i % 7, i % 5);
+  }
+  const auto refused = [&](const std::filesystem::path& file) {
+    options.files = {{file, {}}};
+    try {
+      (void)import_recordings(options);
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("204.8"), std::string::npos)
+          << error.what();
+      return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused(folder_.write("times.csv", table)));
+  const auto signals = [](const std::string& rate) {
+    return fmt::format(
+        R"([{{"name": "f", "data": [1, 2, 3], "unit_str": "N", {0}}},
+            {{"name": "a", "data": [1, 2, 4], "unit_str": "g", {0}}}])",
+        rate);
+  };
+  EXPECT_TRUE(refused(folder_.write("fs.json", signals("\"fs\": 204.8"))));
+  EXPECT_TRUE(refused(folder_.write(
+      "time.json", signals("\"time\": [0, 0.0048828125, 0.009765625]"))));
+  options.sample_rate_hz = 204.8;
+  EXPECT_TRUE(refused(folder_.write("rate.csv", table)));
+}
+
+TEST_F(Csv, TimesPrintedWithFewDigitsGiveTheWholeRate) {
+  ImportOptions options = simple(folder_);
+  std::string rounded = "t,f,a\n";
+  std::string multiples = rounded;
+  for (int i = 0; i < 101; ++i) {
+    rounded += fmt::format("{:.4f},{},{}\n", i / 1024.0, i % 7, i % 5);
+    multiples += fmt::format("{:.7f},{},{}\n", 0.0004883 * i, i % 7, i % 5);
+  }
+  // The last time is 0.0977 for 0.09766: 1023.54 Hz.
+  options.files = {{folder_.write("rounded.csv", rounded), {}}};
+  EXPECT_EQ(read_recordings(import_recordings(options))[0].sample_rate_hz,
+            1024.0);
+  options.overwrite = true;
+  options.files = {{folder_.write("multiples.csv", multiples), {}}};
+  const TestBundle bundle = import_recordings(options);
+  EXPECT_EQ(read_recordings(bundle)[0].sample_rate_hz, 2048.0);
+  ASSERT_EQ(bundle.warnings.size(), 1U);
+  EXPECT_NE(bundle.warnings[0].find("2047.9214 Hz; 2048 Hz are taken"),
+            std::string::npos)
+      << bundle.warnings[0];
+}
+
+TEST_F(Csv, ARateOfNothingIsNoRate) {
+  ImportOptions options = simple(folder_);
+  options.files = {{folder_.write("a.csv", "t,f,a\n0,1,3\n1,2,4\n"), {}}};
+  options.sample_rate_hz = 0.0;
+  try {
+    (void)import_recordings(options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("has a sampling rate of 0 Hz"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 // Real files: PCD-400A, 50 Hz, one hit each with negative blows, the pulse one
