@@ -69,6 +69,22 @@ Index choose_pre_trigger(const std::vector<std::vector<PulseGroup>>& runs,
   return pre;
 }
 
+// The length asked for, unless that would not hold the pre-trigger and a pulse.
+void take_wish(double block_s, const BlockNeeds& needs, Block& block) {
+  const Index wished = rounded(block_s * needs.sample_rate_hz);
+  const Index least =
+      block.pre_trigger + std::max<Index>(2, rounded(2.0 * needs.pulse_width));
+  block.samples = std::max(wished, least);
+  block.reason =
+      wished >= least
+          ? "as asked for"
+          : fmt::format(
+                "not the {:.4g} s asked for, which do not hold the pre-trigger "
+                "and a pulse of {:.2g} s",
+                block_s,
+                needs.pulse_width / needs.sample_rate_hz);
+}
+
 }  // namespace
 
 Index choose_hold_off(const std::vector<RunPulses>& runs,
@@ -152,9 +168,7 @@ Block choose_block(const std::vector<std::vector<PulseGroup>>& runs,
   Block block;
   block.pre_trigger = choose_pre_trigger(runs, needs, options, room);
   if (options.block_s) {
-    block.samples = rounded(*options.block_s * needs.sample_rate_hz);
-    block.samples = std::max(block.samples, block.pre_trigger + 2);
-    block.reason = "as asked for";
+    take_wish(*options.block_s, needs, block);
     return block;
   }
   Index after = room;

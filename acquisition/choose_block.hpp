@@ -45,7 +45,9 @@ struct Block {
 /// block fits into the smallest room, unless at most a fifth of the hits have
 /// much less room than the rest (then those are given up, but never all hits
 /// of a run); it is cut where the response has died away, and its length has
-/// only the prime factors 2, 3, 5 and 7.
+/// only the prime factors 2, 3, 5 and 7. A length that was asked for is kept,
+/// unless it does not hold the pre-trigger and a pulse: the reason says so
+/// then.
 ///
 /// @param lasting samples until the response has died away
 /// @param pulse_width usual width of a pulse [samples]

@@ -293,6 +293,16 @@ void read_options(const json& document, TestBundle& bundle) {
         "test.json: block_s",
         "give at most an hour");
   }
+  if (bundle.pre_trigger_s && bundle.block_s &&
+      *bundle.pre_trigger_s >= *bundle.block_s) {
+    throw InputError(
+        fmt::format("a pre-trigger of {} s leaves nothing of a block (block_s) "
+                    "of {} s",
+                    *bundle.pre_trigger_s,
+                    *bundle.block_s),
+        "test.json: pre_trigger_s",
+        "give a pre_trigger_s far below block_s, 2 % of it for example");
+  }
 }
 
 // A file that was named instead of a bundle and begins like no JSON object.

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace tapfit::acquisition {
@@ -173,6 +174,22 @@ TEST(FindHits, OptionsAreObeyed) {
   EXPECT_EQ(hits.block, 3072);
   EXPECT_EQ(hits.pre_trigger, 512);
   EXPECT_EQ(hits.runs[0].size(), 3U);
+}
+
+TEST(FindHits, ABlockTooShortForAPulseIsToldOf) {
+  HitOptions options;
+  options.block_s = 0.0005;  // one sample of 2048 Hz
+  const HitSet hits = find({record({})}, options);
+  EXPECT_GT(hits.block, hits.pre_trigger + 2);
+  const auto says = [&](const char* part) {
+    return std::any_of(hits.statements.begin(),
+                       hits.statements.end(),
+                       [&](const std::string& s) {
+                         return s.find(part) != std::string::npos;
+                       });
+  };
+  EXPECT_TRUE(says("not the 0.0005 s asked for"));
+  EXPECT_FALSE(says(", as asked for"));
 }
 
 TEST(FindHits, LevelMayBeGivenInPercentOfTheRange) {

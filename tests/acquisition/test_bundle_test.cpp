@@ -73,6 +73,17 @@ TEST_F(Bundle, ReadsEveryField) {
   EXPECT_TRUE(bundle.warnings.empty());
 }
 
+TEST_F(Bundle, RefusesAPreTriggerThatFillsTheBlock) {
+  json document = good();
+  document["block_s"] = 2.0;
+  for (const double pre : {2.0, 10.0}) {
+    document["pre_trigger_s"] = pre;
+    refuses(document, "test.json: pre_trigger_s");
+  }
+  document["pre_trigger_s"] = 0.5;
+  EXPECT_EQ(read(document).pre_trigger_s, 0.5);
+}
+
 TEST_F(Bundle, AcceptsThePathOfTheFileItself) {
   read(good());
   EXPECT_EQ(read_test_bundle(folder_.path() / "test.json").runs.size(), 1U);
