@@ -43,21 +43,6 @@ Eigen::VectorXd channel_noise(const Recording& recording) {
   return noise;
 }
 
-// Where a pulse's force spectrum has fallen by 10 dB, to 1/64 of what is looked
-// at.
-double reach_of(const HammerSignal& hammer,
-                const Pulse& pulse,
-                double most,
-                double rate) {
-  constexpr double fallen_db = 0.5 * softest_db;
-  constexpr int steps = 64;
-  for (int k = 1; k < steps; ++k) {
-    const double hz = most * k / steps;
-    if (force_level_db(hammer, pulse, hz, rate) < fallen_db) return hz;
-  }
-  return most;
-}
-
 // A hit as measured, not judged yet.
 Hit hit_of(const PulseGroup& group, const HitSet& set, double rate) {
   Hit hit;
@@ -98,7 +83,8 @@ double judged_to(const TestBundle& bundle,
     const std::size_t count = std::min(run.groups.size(), enough);
     for (std::size_t k = 0; k < count; ++k) {
       const Pulse& pulse = run.groups[k * run.groups.size() / count].largest;
-      reach.push_back(reach_of(run.hammer, pulse, most, rate));
+      reach.push_back(
+          force_reach_hz(run.hammer, pulse, 0.5 * softest_db, most, rate));
     }
   }
   return median(Eigen::VectorXd::Map(reach.data(), std::ssize(reach)));

@@ -73,6 +73,28 @@ double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
   return std::max(sampled, interpolated_peak(turned, lowest - first).height);
 }
 
+// The main pulse's spectrum by a direct sum, at a frequency in cycles per
+// sample [N].
+double force_spectrum(const HammerSignal& hammer,
+                      const Pulse& main,
+                      double frequency) {
+  const Eigen::VectorXd& force = hammer.force;
+  const auto reach =
+      std::max<Index>(4, static_cast<Index>(std::ceil(1.5 * main.width)));
+  const Index from = std::max<Index>(0, main.peak - reach);
+  const Index to = std::min(force.size() - 1, main.peak + reach);
+  const double step = 2.0 * std::numbers::pi * frequency;
+  std::complex<double> sum = 0.0;
+  for (Index i = from; i <= to; ++i) {
+    sum += force[i] * std::polar(1.0, -step * static_cast<double>(i - from));
+  }
+  return std::abs(sum);
+}
+
+double decibels(double value, double reference) {
+  return 20.0 * std::log10(std::max(value, 1e-12) / std::max(reference, 1e-12));
+}
+
 }  // namespace
 
 bool has_second_pulse(const HammerSignal& hammer,
@@ -120,25 +142,37 @@ double force_level_db(const HammerSignal& hammer,
                       const Pulse& main,
                       double band_end_hz,
                       double sample_rate_hz) {
-  const Eigen::VectorXd& force = hammer.force;
-  const auto reach =
-      std::max<Index>(4, static_cast<Index>(std::ceil(1.5 * main.width)));
-  const Index from = std::max<Index>(0, main.peak - reach);
-  const Index to = std::min(force.size() - 1, main.peak + reach);
-  const auto spectrum = [&](double frequency_hz) {
-    std::complex<double> sum = 0.0;
-    const double step = 2.0 * std::numbers::pi * frequency_hz / sample_rate_hz;
-    for (Index i = from; i <= to; ++i) {
-      sum += force[i] * std::polar(1.0, -step * static_cast<double>(i - from));
-    }
-    return std::abs(sum);
-  };
+  const double end = band_end_hz / sample_rate_hz;
   double high = 0.0;
   for (const double part : {0.9, 0.925, 0.95, 0.975, 1.0}) {
-    high = std::max(high, spectrum(part * band_end_hz));
+    high = std::max(high, force_spectrum(hammer, main, part * end));
   }
-  const double low = spectrum(0.0);
-  return 20.0 * std::log10(std::max(high, 1e-12) / std::max(low, 1e-12));
+  return decibels(high, force_spectrum(hammer, main, 0.0));
+}
+
+double force_reach_hz(const HammerSignal& hammer,
+                      const Pulse& main,
+                      double fallen_db,
+                      double most_hz,
+                      double sample_rate_hz) {
+  const double most = most_hz / sample_rate_hz;
+  const double low = force_spectrum(hammer, main, 0.0);
+  const auto fallen = [&](double frequency) {
+    return decibels(force_spectrum(hammer, main, frequency), low) < fallen_db;
+  };
+  // A twentieth of 1 / width is small beside a main lobe, which is 2 / width
+  // wide or more (a half sine's: 3), and a zero is not stepped over.
+  const double step = 0.05 / std::max(1.0, main.width);
+  double above = 0.0;
+  while (above < most && !fallen(std::min(above + step, most))) above += step;
+  if (above >= most) return most_hz;
+  double below = std::min(above + step, most);
+  constexpr int halvings = 7;  // to 1 in 2000 of 1 / width
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (above + below);
+    (fallen(middle) ? below : above) = middle;
+  }
+  return below * sample_rate_hz;
 }
 
 double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {

@@ -13,7 +13,8 @@
 
 namespace tapfit::testing {
 
-/// Adds a half-sine pulse of given peak and base width, centred at `time_s`.
+/// Adds a half-sine pulse of given peak and base width, centred at `time_s`;
+/// another power than 1 gives cos^power, 2 the shape of Hann's window.
 ///
 /// With the filter, each sample is the pulse convolved with a Hann-windowed
 /// sinc that cuts at 0.42 of the sampling rate (24 samples to either side),
@@ -23,11 +24,14 @@ inline void add_pulse(Eigen::VectorXd& force,
                       double time_s,
                       double width_s,
                       double peak,
-                      bool filter) {
+                      bool filter,
+                      double power = 1.0) {
   const double pi = std::numbers::pi;
   const double half = 24.0;
   const auto shape = [&](double t) {
-    return std::abs(t) < 0.5 * width_s ? std::cos(pi * t / width_s) : 0.0;
+    if (std::abs(t) >= 0.5 * width_s) return 0.0;
+    const double cosine = std::cos(pi * t / width_s);
+    return power == 1.0 ? cosine : std::pow(cosine, power);
   };
   const double reach = 0.5 * width_s * rate + half + 1.0;
   const auto centre = static_cast<Eigen::Index>(std::llround(time_s * rate));

@@ -7,6 +7,7 @@
 // COUNT records of each kind. Width counts as the hammer channel shows it: two
 // samples more than the blow's own, which the anti-alias filter adds.
 #include "tests/acquisition/judged_records.hpp"
+#include "tests/acquisition/soft_records.hpp"
 
 #include <fmt/format.h>
 
@@ -100,6 +101,25 @@ void clipping_in_noise(unsigned seed, int count) {
   }
 }
 
+// Blows of one tip, its width scattering as an ordinary hand's does; shapes
+// from a half sine to Hann's, no band given.
+void soft_blows(unsigned seed, int count) {
+  for (const double scatter : {0.0, 0.08}) {
+    std::mt19937_64 random(seed + 4);
+    Rate rate;
+    for (int k = 0; k < count; ++k) {
+      const Setting s = draw(Width::Resolved, random);
+      const double power =
+          std::uniform_real_distribution<double>(1.0, 2.0)(random);
+      const acquisition::HitSet hits =
+          testing::hits_of({s.rate, s.width_s, power, scatter}, random);
+      rate.yes += testing::judged_soft(hits);
+      rate.all += static_cast<int>(hits.runs[0].size());
+    }
+    say("usual blow called soft, scatter of width", scatter, rate);
+  }
+}
+
 void clipping(unsigned seed, int count) {
   std::mt19937_64 random(seed + 2);
   Rate alarms;
@@ -131,6 +151,7 @@ int main(int argc, char** argv) {
   const int seed = argc > 1 ? std::atoi(argv[1]) : 1;
   const int count = argc > 2 ? std::atoi(argv[2]) : 500;
   tapfit::second_blows(static_cast<unsigned>(seed), count);
+  tapfit::soft_blows(static_cast<unsigned>(seed), count);
   tapfit::clipping(static_cast<unsigned>(seed), count);
   return 0;
 }
