@@ -10,7 +10,7 @@ using Eigen::Index;
 RecordingStream::RecordingStream(const TestBundle& bundle,
                                  const Run& run,
                                  const UffFile* uff)
-    : bundle_(bundle), run_(run), uff_(uff) {
+    : bundle_(bundle), run_(run), uff_(uff), dead_(bundle, run) {
   if (run.datasets.empty()) {
     audio_.emplace(run.file);
     rate_ = audio_->sample_rate_hz();
@@ -55,7 +55,9 @@ Index RecordingStream::read(Eigen::Ref<Eigen::MatrixXd> out) {
   if (!audio_ || audio_->floating_point()) {
     check_finite(rows, done_, rate_, bundle_, run_.file.string());
   }
+  dead_.look_at(rows);
   done_ += count;
+  if (done_ == samples_) dead_.refuse();
   return count;
 }
 

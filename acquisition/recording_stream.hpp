@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/audio_file.hpp"
+#include "acquisition/dead_channels.hpp"
 #include "acquisition/recording.hpp"
 #include "acquisition/uff_bundle.hpp"
 #include "acquisition/uff_values.hpp"
@@ -24,7 +25,9 @@ class RecordingStream {
   /// The next samples [SI], as many as `out` has rows, fewer at the end.
   ///
   /// @param out rows x channels of the bundle
-  /// @throws InputError for a file that ends early, a sample that is not finite
+  /// @throws InputError for a file that ends early, a sample that is not
+  /// finite,
+  ///   and at the end for a channel in use that has had but one value
   Eigen::Index read(Eigen::Ref<Eigen::MatrixXd> out);
 
  private:
@@ -34,6 +37,7 @@ class RecordingStream {
   const TestBundle& bundle_;
   const Run& run_;
   const UffFile* uff_;
+  DeadChannels dead_;
   std::optional<AudioReader> audio_;
   std::vector<UffValues> records_;  ///< as Run::datasets
   double rate_ = 0.0;

@@ -1,41 +1,19 @@
 #include "acquisition/run_reader.hpp"
 
 #include "acquisition/audio_file.hpp"
-#include "acquisition/input_error.hpp"
-
-#include <fmt/format.h>
+#include "acquisition/dead_channels.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
 
-// A cable that is off: the converter delivers one value, and an FRF of nothing
-// would count as a measurement of nothing.
 void check_alive(const Recording& recording,
                  const TestBundle& bundle,
                  const Run& run) {
-  std::vector<std::size_t> used = {run.hammer.channel};
-  for (const Placement& sensor : run.sensors) used.push_back(sensor.channel);
-  for (const std::size_t c : used) {
-    const auto channel = recording.samples.col(static_cast<Eigen::Index>(c));
-    // Mostly the second sample already differs.
-    const double first = channel[0];
-    if (std::any_of(channel.begin(), channel.end(), [&](double value) {
-          return value != first;
-        })) {
-      continue;
-    }
-    throw InputError(
-        fmt::format("channel \"{}\" is dead: every sample is {:g} {}",
-                    bundle.channels[c].name,
-                    first / bundle.channels[c].unit_to_si,
-                    bundle.channels[c].unit),
-        run.file.string(),
-        "record the run again, or take the channel (or the run) "
-        "out of `runs`");
-  }
+  DeadChannels dead(bundle, run);
+  dead.look_at(recording.samples);
+  dead.refuse();
 }
 
 Recording read_sound(const TestBundle& bundle, const Run& run) {

@@ -184,6 +184,35 @@ TEST_F(Replay, StopsWhenAsked) {
   EXPECT_THROW((void)replay(test_.bundle, options_, {}, progress), Stopped);
 }
 
+// As whole recordings are: seen at the end, since it may yet wake up. The
+// trial look sees but the beginning.
+TEST_F(Replay, RefusesADeadChannelAtTheEnd) {
+  Eigen::MatrixXd& samples = test_.recordings[1].samples;
+  const auto write = [&] {
+    write_audio(test_.bundle.runs[1].file,
+                samples / full_scale,
+                512,
+                acquisition::AudioFormat::WavFloat64);
+  };
+  samples.col(1).setZero();
+  write();
+  int seen = 0;
+  try {
+    (void)replay(test_.bundle, options_, [&](const LiveHit&) { ++seen; });
+    FAIL() << "nothing was averaged";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("channel \"acc1\" is dead: every sample is 0"),
+              std::string::npos)
+        << error.what();
+  }
+  // Its last hits are in the piece that tells.
+  EXPECT_GT(seen, 60);
+  samples(samples.rows() - 1, 1) = 0.1;
+  write();
+  EXPECT_NO_THROW((void)replay(test_.bundle, options_, {}));
+}
+
 TEST_F(Replay, RefusesWhatIsNotFiniteWithItsTime) {
   test_.recordings[0].samples(100000, 1) =
       std::numeric_limits<double>::quiet_NaN();
