@@ -48,6 +48,9 @@ std::vector<std::string> split(std::string_view line, char separator) {
 
 std::optional<double> to_number(std::string field, const Layout& layout) {
   if (layout.decimal_comma) std::replace(field.begin(), field.end(), ',', '.');
+  // Fortran's exponents.
+  std::ranges::replace_if(
+      field, [](char c) { return c == 'D' || c == 'd'; }, 'e');
   const char* begin = field.data();
   const char* end = begin + field.size();
   if (begin != end && *begin == '+') ++begin;
@@ -70,6 +73,30 @@ Layout find_layout(const std::vector<std::string>& lines) {
   return {',', false};
 }
 
+// Text in two bytes a character: a mark in front, or zeros in the first line.
+void refuse_utf16(const Text& text) {
+  const std::string& first = text.lines.front();
+  if (!first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF") &&
+      first.find('\0') == std::string::npos) {
+    return;
+  }
+  throw InputError("is UTF-16 text, or no text",
+                   text.name,
+                   "save it as UTF-8 (or ASCII) text");
+}
+
+// Some old programs end lines by a carriage return alone.
+void split_at_returns(std::vector<std::string>& lines) {
+  if (lines.size() != 1) return;
+  const std::string whole = std::move(lines.front());
+  lines.clear();
+  for (std::size_t at = 0; at <= whole.size();) {
+    const std::size_t end = std::min(whole.find('\r', at), whole.size());
+    lines.push_back(whole.substr(at, end - at));
+    at = end + 1;
+  }
+}
+
 Text read_lines(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
@@ -84,6 +111,8 @@ Text read_lines(const std::filesystem::path& file) {
     }
     text.lines.push_back(line);
   }
+  if (!text.lines.empty()) refuse_utf16(text);
+  split_at_returns(text.lines);
   while (!text.lines.empty() && trim(text.lines.back()).empty()) {
     text.lines.pop_back();
   }
@@ -118,7 +147,8 @@ std::size_t first_data_line(const Text& text, const CsvOptions& options) {
   }
   throw InputError("holds no rows of numbers",
                    text.name,
-                   "say how many header lines to skip");
+                   "export it with a row of numbers for each sample, separated "
+                   "by commas, semicolons or tabs");
 }
 
 // Position of a column: by name in the header line nearest to the data that
@@ -171,7 +201,7 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
       if (!value || !std::isfinite(*value)) {
         throw InputError(fmt::format("\"{}\" is no finite number", field),
                          fmt::format("{}:{}:{}", text.name, i + 1, at + 1),
-                         "correct the cell, or skip the lines before it");
+                         "correct the cell, or export the measurement again");
       }
       values(static_cast<Eigen::Index>(i - data),
              static_cast<Eigen::Index>(k)) = *value;

@@ -27,7 +27,9 @@ json parse(const std::filesystem::path& file) {
     throw InputError(error.what(), file.string(), "correct the JSON");
   }
   // One signal may stand alone.
-  if (document.is_object()) document = json::array({document});
+  if (document.is_object() && document.contains("data")) {
+    document = json::array({document});
+  }
   if (!document.is_array() || document.empty()) {
     throw InputError("is no list of signals",
                      file.string(),
@@ -100,11 +102,14 @@ std::size_t find(const json& document,
   for (std::size_t i = 0; i < document.size(); ++i) {
     const std::string name = text_of(document[i], "name");
     if (name == column || std::to_string(i + 1) == column) return i;
-    known += (i == 0 ? "" : ", ") + name;
+    if (!name.empty()) known += name + ", ";
   }
   throw InputError(fmt::format("there is no signal \"{}\"", column),
                    file.string(),
-                   "use one of " + known + ", or a number from 1 on");
+                   fmt::format("use {}{}a number from 1 to {}",
+                               known,
+                               known.empty() ? "" : "or ",
+                               document.size()));
 }
 
 }  // namespace

@@ -57,9 +57,12 @@ json parse_json(const std::string& text, const std::string& source) {
     std::string what = error.what();
     const std::size_t colon = what.find("syntax error");
     if (colon != std::string::npos) what = what.substr(colon);
-    throw InputError(what,
-                     fmt::format("{}:{}:{}", source, line, column),
-                     "look for a missing comma, quote or bracket just before");
+    const bool encoding = what.find("UTF-8") != std::string::npos;
+    throw InputError(
+        what,
+        fmt::format("{}:{}:{}", source, line, column),
+        encoding ? "save the file as UTF-8 text"
+                 : "look for a missing comma, quote or bracket just before");
   } catch (const json::exception& error) {
     throw InputError(error.what(), source, "correct the JSON");
   }

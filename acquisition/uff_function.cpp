@@ -53,12 +53,13 @@ void read_layout(const UffDataset& dataset, UffHeader& result) {
   // A count that the file cannot hold must not be allocated: each value takes
   // two characters at least.
   const std::size_t size = dataset.data.size();
+  const std::string_view said = column(line, 10, 10);
   if (result.count <= 0 || all_values(result) > size)
-    throw InputError(
-        fmt::format(
-            "{} values are announced, {} bytes are there", result.count, size),
-        dataset.place,
-        "the file is cut off or record 7 is wrong");
+    throw InputError(fmt::format("{} values are announced, {} bytes are there",
+                                 said.empty() ? "no" : said,
+                                 size),
+                     dataset.place,
+                     "the file is cut off or record 7 is wrong");
 }
 
 // Binary data: an uneven abscissa is single precision, even beside doubles.

@@ -1,4 +1,4 @@
-// Names out of older files, which are written in Latin-1.
+// Text out of files of unknown encoding; older ones are in Latin-1.
 #pragma once
 
 #include <string>
@@ -8,5 +8,10 @@ namespace tapfit::acquisition {
 
 /// The text in UTF-8: as it is where it is that already, else read as Latin-1.
 [[nodiscard]] std::string as_utf8(std::string_view text);
+
+/// Text of any origin for a terminal or JSON: UTF-8 as it is, bytes that are
+/// none of it read as Latin-1, control characters but line ends and tabs as
+/// "?".
+[[nodiscard]] std::string printable(std::string_view text);
 
 }  // namespace tapfit::acquisition

@@ -53,6 +53,28 @@ TEST_F(Csv, FindsTheNumbersBelowALoggersHeader) {
   EXPECT_EQ(read(text, {"CH8", "CH2"}), expected);
 }
 
+TEST_F(Csv, TakesFortransExponentsAndOldLineEnds) {
+  Eigen::MatrixXd expected(2, 2);
+  expected << 1500.0, -0.25, 2.0, 0.0;
+  const std::vector<std::string> columns{"a", "b"};
+  EXPECT_EQ(read("t,a,b\n0,1.5D+03,-2.5d-1\n1,2,0D0\n", columns), expected);
+  EXPECT_EQ(read("t,a,b\r0,1500,-.25\r1,2,0\r", columns), expected);
+}
+
+TEST_F(Csv, SaysThatATextIsUtf16) {
+  std::string wide("\xff\xfe");
+  for (const char c : std::string("t,a\n0,1\n1,2\n")) wide += {c, '\0'};
+  for (const std::string& text : {wide, wide.substr(2)}) {
+    try {
+      (void)read(text, {"a"});
+      FAIL();
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("UTF-16"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST_F(Csv, NamesLineAndColumnOfAFault) {
   const std::string name = (folder_.path() / "a.csv").string();
   EXPECT_EQ(refusal("t,a\n0,1\n1,2\n2,x\n", {"a"}), name + ":4:2");
@@ -213,6 +235,25 @@ TEST_F(Csv, ARateOfNothingIsNoRate) {
               std::string::npos)
         << error.what();
   }
+}
+
+TEST_F(Csv, AnObjectIsNoListOfSignals) {
+  const auto said = [&](const std::string& text) {
+    try {
+      (void)read_time_table(folder_.write("a.json", text), {"f"}, {});
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(said(R"({"F": 1})").find("is no list of signals"),
+            std::string::npos);
+  EXPECT_NE(said(R"([{"data": [1]}, {"data": [2]}])")
+                .find("use a number from 1 to 2"),
+            std::string::npos);
+  EXPECT_NE(said(R"([{"data": [1]}, {"data": [2], "name": "b"}])")
+                .find("use b, or a number from 1 to 2"),
+            std::string::npos);
 }
 
 // Real files: PCD-400A, 50 Hz, one hit each with negative blows, the pulse one

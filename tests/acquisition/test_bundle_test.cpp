@@ -84,6 +84,20 @@ TEST_F(Bundle, RefusesAPreTriggerThatFillsTheBlock) {
   EXPECT_EQ(read(document).pre_trigger_s, 0.5);
 }
 
+TEST_F(Bundle, SaysThatATextIsLatin1) {
+  folder_.write("test.json",
+                "{\"title\": \"Pr\xfc"
+                "fling\"}");
+  try {
+    (void)read_test_bundle(folder_.path());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.remedy().find("UTF-8"), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\xfc'), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(Bundle, AcceptsThePathOfTheFileItself) {
   read(good());
   EXPECT_EQ(read_test_bundle(folder_.path() / "test.json").runs.size(), 1U);

@@ -1,6 +1,7 @@
 #include "acquisition/utf8.hpp"
 
 #include "acquisition/csv_table.hpp"
+#include "acquisition/input_error.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -19,6 +20,25 @@ TEST(Utf8, ElseIsReadAsLatin1) {
   EXPECT_EQ(as_utf8("m/s\xb2"), "m/s\xc2\xb2");
   // Cut in the middle of a character.
   EXPECT_EQ(as_utf8("\xc3"), "\xc3\x83");
+}
+
+TEST(Utf8, PrintableTextHasNoOddBytes) {
+  EXPECT_EQ(printable("m/s\xb2 \xc3\xa4\n"), "m/s\xc2\xb2 \xc3\xa4\n");
+  EXPECT_EQ(printable(std::string("a\0b\x1b[2J", 7)), "a?b?[2J");
+  // CSI of one byte, and as UTF-8; a character cut in the middle.
+  EXPECT_EQ(printable("\x9b"), "?");
+  EXPECT_EQ(printable("\xc2\x9b|"), "?|");
+  EXPECT_EQ(printable("\xe2\x82"), "\xc3\xa2?");
+}
+
+TEST(Utf8, MessagesShowWhateverIsInTheInput) {
+  const InputError error(std::string("\"1\0002\" is no number", 18),
+                         "Pr\xfc"
+                         "f.csv:2",
+                         "correct it");
+  EXPECT_STREQ(error.what(),
+               "Pr\xc3\xbc"
+               "f.csv:2: \"1?2\" is no number (correct it)");
 }
 
 TEST(Utf8, ColumnsOfALatin1HeaderAreFoundByName) {

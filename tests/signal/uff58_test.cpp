@@ -395,7 +395,8 @@ TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
   refuse(dataset(1, 2, 2, 1, " 1. 2.\n"), "function type 1");
   refuse(dataset(4, 5, 2, 1, " 1. 2. 3.\n"), "3 of 4");
   refuse(dataset(4, 5, 2, 1, " 1. 2. 3. four\n"), "data line 1");
-  refuse(dataset(4, 5, 2000000000, 1, " 1. 2. 3. 4.\n"), "announced");
+  refuse(dataset(4, 5, 2000000000, 1, " 1. 2. 3. 4.\n"),
+         "2000000000 values are announced");
   refuse(dataset(4, 3, 2, 1, " 1. 2. 3. 4.\n"), "data type 3");
   refuse("    -1\n    58\nFRF\n    -1\n", "no FRF");
   refuse(dataset(4,

@@ -6,6 +6,7 @@
 #include "acquisition/uff_geometry.hpp"
 #include "acquisition/uff_shapes.hpp"
 #include "acquisition/uff_units.hpp"
+#include "acquisition/utf8.hpp"
 #include "tui/commands/text_table.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 namespace tapfit::tui {
 namespace {
 
+using acquisition::printable;
 using acquisition::UffDataset;
 using acquisition::UffHeader;
 using acquisition::UffShape;
@@ -30,13 +32,6 @@ struct Contents {
   std::vector<std::string> skipped;
 };
 
-// Text that a terminal and JSON can take, whatever bytes the file has.
-std::string plain(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c < ' ' || c > '~' ? '?' : c;
-  return result;
-}
-
 void take(const UffDataset& dataset,
           const acquisition::MappedFile& bytes,
           Contents& found) {
@@ -46,7 +41,7 @@ void take(const UffDataset& dataset,
            i < std::min<std::size_t>(3, dataset.lines.size());
            ++i) {
         found.header.push_back(
-            plain(acquisition::column(dataset.lines[i], 0, 80)));
+            printable(acquisition::column(dataset.lines[i], 0, 80)));
       }
       break;
     case 164:
@@ -103,8 +98,8 @@ std::string point(const std::optional<Dof>& dof) {
 }
 
 std::string ordinate(const UffHeader& f) {
-  const std::string over = plain(f.numerator.unit);
-  const std::string under = plain(f.denominator.unit);
+  const std::string over = printable(f.numerator.unit);
+  const std::string under = printable(f.denominator.unit);
   return under.empty() || under == "NONE" ? over
                                           : fmt::format("({})/{}", over, under);
 }
