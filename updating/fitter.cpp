@@ -296,12 +296,12 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
     go_on(k);
     ModelState& state = fit.result.state;
-    const double before = state.zeta_other;
+    const double assumed = state.zeta_other;
     const double now = typical(state);
     const bool last = k + 1 == setting_.targets.size();
     // Within this all is as well as the scatter of ratios lets one know.
     const bool settled =
-        std::abs(std::log(now / before)) < 0.2 * setting_.damping_spread;
+        std::abs(std::log(now / assumed)) < 0.2 * setting_.damping_spread;
     if (settled) continue;
     const UpdateResult found = fit.result;
     state.zeta_other = now;
