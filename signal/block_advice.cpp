@@ -1,10 +1,5 @@
 #include "signal/block_advice.hpp"
 
-#include "acquisition/choose_block.hpp"
-#include "acquisition/remove_offset.hpp"
-#include "signal/fft.hpp"
-#include "signal/offset.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,73 +12,6 @@ namespace {
 using acquisition::Hit;
 using acquisition::HitSet;
 using Eigen::Index;
-
-constexpr double enough = 6.0;      // time constants
-constexpr double above_noise = 30;  // 15 dB over the median of the lines
-constexpr double worth = 1e-4;      // of the strongest that is left
-constexpr Index fewest_lines = 8;
-// What decays less than this within the block may be no response at all.
-constexpr double hardly = 0.2;
-constexpr Index beside = 8;  // lines
-
-// Power summed over each line and its two neighbours, which count half.
-Eigen::VectorXd power_near(const Eigen::VectorXcd& lines) {
-  const Eigen::VectorXd power = lines.cwiseAbs2();
-  Eigen::VectorXd result = 2.0 * power;
-  const Index n = power.size();
-  result.head(n - 1) += power.tail(n - 1);
-  result.tail(n - 1) += power.head(n - 1);
-  return result;
-}
-
-/// Halves of one response, as power per line.
-struct Halves {
-  Eigen::VectorXd early;
-  Eigen::VectorXd late;
-};
-
-// Whether a line is the highest among its neighbours, two on either side.
-bool is_peak(const Eigen::VectorXd& power, Index i) {
-  const Index first = std::max<Index>(0, i - 2);
-  const Index count = std::min(power.size(), i + 3) - first;
-  return power(i) >= power.segment(first, count).maxCoeff();
-}
-
-Lasting lasting_lines(const Halves& halves,
-                      double first_hz,
-                      double step_hz,
-                      double half_s) {
-  const double noise = above_noise * acquisition::median(halves.late);
-  const double least = std::max(noise, worth * halves.late.maxCoeff());
-  const auto time_constants = [&](Index i) {
-    return std::max(0.0, std::log(halves.early(i) / halves.late(i)));
-  };
-  Lasting found;
-  // Lines next to hum are of both, and say nothing.
-  std::vector<bool> spoilt(static_cast<std::size_t>(halves.late.size()));
-  const auto last = static_cast<Index>(spoilt.size()) - 1;
-  for (Index i = 0; i <= last; ++i) {
-    if (!(halves.late(i) > least) || time_constants(i) >= hardly) continue;
-    if (found.hum_hz == 0.0) {
-      found.hum_hz = first_hz + static_cast<double>(i) * step_hz;
-    }
-    for (Index k = std::max<Index>(0, i - beside);
-         k <= std::min(last, i + beside);
-         ++k) {
-      spoilt[static_cast<std::size_t>(k)] = true;
-    }
-  }
-  for (Index i = 0; i <= last; ++i) {
-    if (!(halves.late(i) > least) || spoilt[static_cast<std::size_t>(i)] ||
-        time_constants(i) >= enough || !is_peak(halves.late, i)) {
-      continue;
-    }
-    const double hz = first_hz + static_cast<double>(i) * step_hz;
-    found.join(
-        {time_constants(i), 0.5 * time_constants(i) / half_s, hz, hz, hz});
-  }
-  return found;
-}
 
 // Whether and how a band leaves [low, high] out and keeps half its width. A
 // factor of 1.5 is far enough from a resonance for what the end of the block
@@ -120,50 +48,6 @@ std::string proposal(const BlockAdvice& advice) {
 
 }  // namespace
 
-void Lasting::join(const Lasting& other) {
-  if (other.time_constants < time_constants) {
-    time_constants = other.time_constants;
-    rate = other.rate;
-    hz = other.hz;
-  }
-  if (hum_hz == 0.0) hum_hz = other.hum_hz;
-  low_hz = std::min(low_hz, other.low_hz);
-  high_hz = std::max(high_hz, other.high_hz);
-}
-
-Lasting lasting_response(const HitBlocks& blocks,
-                         const std::array<double, 2>& band_hz) {
-  Lasting found;
-  if (blocks.force.cols() == 0) return found;
-  Index strongest = 0;
-  blocks.force.colwise().squaredNorm().maxCoeff(&strongest);
-  const Index half =
-      acquisition::smooth_length((blocks.force.rows() - blocks.trigger) / 2);
-  const double step_hz = 1.0 / (static_cast<double>(half) * blocks.dt);
-  const auto first = std::max<Index>(
-      2, static_cast<Index>(std::ceil(band_hz[0] / step_hz - 1e-9)));
-  const auto last = std::min<Index>(
-      half / 2, static_cast<Index>(std::floor(band_hz[1] / step_hz + 1e-9)));
-  if (last - first + 1 < fewest_lines) return found;
-  RealFft fft(half);
-  const Eigen::VectorXd window = hann(half);
-  const auto power = [&](const Eigen::MatrixXd& response, Index row) {
-    Eigen::VectorXcd lines(last - first + 1);
-    fft.transform(
-        response.col(strongest).segment(row, half), window, first, lines);
-    return power_near(lines);
-  };
-  for (const Eigen::MatrixXd& response : blocks.responses) {
-    const Halves halves{power(response, blocks.trigger),
-                        power(response, blocks.trigger + half)};
-    found.join(lasting_lines(halves,
-                             static_cast<double>(first) * step_hz,
-                             step_hz,
-                             static_cast<double>(half) * blocks.dt));
-  }
-  return found;
-}
-
 std::optional<BlockAdvice> advise_block(const Lasting& lasting,
                                         const HitSet& hits,
                                         const std::vector<Index>& samples,
@@ -173,7 +57,7 @@ std::optional<BlockAdvice> advise_block(const Lasting& lasting,
   const double pre_s = static_cast<double>(hits.pre_trigger) / rate;
   BlockAdvice advice;
   advice.lasting = lasting;
-  advice.block_s = pre_s + enough / lasting.rate;
+  advice.block_s = pre_s + enough_time_constants / lasting.rate;
   advice.band_hz = narrower(lasting, band_hz);
   advice.every_run = true;
   for (std::size_t r = 0; r < hits.runs.size(); ++r) {
@@ -222,6 +106,22 @@ std::string hum_statement(const Lasting& lasting) {
       lasting.hum_hz);
 }
 
+std::string excited_statement(const Lasting& lasting) {
+  const Excited& excited = lasting.excited;
+  if (excited.hz == 0.0) return {};
+  const std::string when =
+      excited.after_s > 0.0
+          ? fmt::format("decays for {:.3g} s after the blow and is then",
+                        excited.after_s)
+          : std::string("does not decay after the blow: it is");
+  return fmt::format(
+      "the response at {:.4g} Hz {} excited by something else (wind, machines, "
+      "people), which a longer block does not take away: measure when it is "
+      "quiet, hit harder or more often",
+      excited.hz,
+      when);
+}
+
 std::vector<std::string> lasting_statements(
     const Lasting& lasting,
     const HitSet& hits,
@@ -232,8 +132,10 @@ std::vector<std::string> lasting_statements(
   if (const auto advice = advise_block(lasting, hits, samples, band_hz)) {
     said.push_back(statement(*advice, sigma));
   }
-  const std::string hum = hum_statement(lasting);
-  if (!hum.empty()) said.push_back(hum);
+  for (const std::string& more :
+       {hum_statement(lasting), excited_statement(lasting)}) {
+    if (!more.empty()) said.push_back(more);
+  }
   return said;
 }
 

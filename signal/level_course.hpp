@@ -1,0 +1,55 @@
+// How the level at a line goes on through a block: as decays make it, or with
+// something that comes anew.
+//
+// The block behind the trigger is transformed in segments of an eighth, half
+// over each other, all under Hann windows. Of a sum of p decays (a tone that
+// lasts is one that does not decay) a line z_k of segment k is
+//
+//   z_k = sum_r c_r q_r^k,  q_r = exp(lambda_r h),  h from segment to segment,
+//
+// whatever the window, so that each z is the same combination of the p before
+// it (G. R. de Prony, 1795). What wind, machines or people excite is none: on
+// the structure's own resonance, too, its level rises and falls at random.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace tapfit::signal {
+
+/// What follows the blow, up to where something else is louder.
+struct Fall {
+  double rate = 0.0;   ///< of the decay [1/s]
+  double end_s = 0.0;  ///< behind the trigger; middle of the last segment
+};
+
+struct LevelCourse {
+  /// Up to three decays tell all of it, or it cannot be told.
+  bool decays = true;
+  /// The same level from beginning to end, within 2 dB.
+  bool steady = false;
+  /// Empty where it falls by less than 6 dB before it rises or stays.
+  std::optional<Fall> fall;
+};
+
+/// The segments of one response.
+class Segments {
+ public:
+  /// @param response from the trigger to the block's end [SI]
+  /// @param dt sampling interval [s]
+  Segments(const Eigen::Ref<const Eigen::VectorXd>& response, double dt);
+
+  /// @param noise mean square of a line of noise over the sum of the squared
+  ///   window [SI^2]
+  [[nodiscard]] LevelCourse course(double hz, double noise) const;
+
+ private:
+  double dt_;
+  Eigen::Index length_;  ///< of a segment
+  Eigen::Index hop_;
+  Eigen::MatrixXcd lines_;  ///< lines x segments
+  double window_power_ = 0.0;
+};
+
+}  // namespace tapfit::signal
