@@ -41,6 +41,12 @@ double mean_coherence(const signal::Frf& frf) {
   return frf.coherence.size() > 0 ? frf.coherence.mean() : 0.0;
 }
 
+// A single hit's is 1 whatever it is worth.
+std::string coherence_text(const signal::Frf& frf) {
+  if (frf.coherence.size() == 0 || frf.hits == 1) return "-";
+  return fmt::format("{:.4f}", mean_coherence(frf));
+}
+
 }  // namespace
 
 double median_sd_percent(const signal::Frf& frf) {
@@ -94,7 +100,7 @@ std::string frf_text(const signal::FrfSet& frfs, signal::FrfForm form) {
     table.add({name(frf),
                fmt::format("{}", frf.run + 1),
                fmt::format("{}", frf.hits),
-               fmt::format("{:.4f}", mean_coherence(frf)),
+               coherence_text(frf),
                percent(median_sd_percent(frf) / 100.0)});
   }
   text += "\n" + table.text();

@@ -51,5 +51,19 @@ TEST(FrfCommand, TextGivesLinesBandAndWindow) {
   EXPECT_NE(text.find("12Z+ / 3Z+"), std::string::npos) << text;
 }
 
+// One hit agrees with itself: the coherence is 1 by its definition.
+TEST(FrfCommand, TextShowsNoCoherenceOfASingleHit) {
+  signal::FrfSet set = sample_frfs();
+  EXPECT_NE(frf_text(set).find("0.9000"), std::string::npos) << frf_text(set);
+  set.frfs[0].coherence.setOnes();
+  set.frfs[0].hits = 1;
+  const std::string text = frf_text(set);
+  EXPECT_EQ(text.find("1.0000"), std::string::npos) << text;
+  EXPECT_NE(text.find(" - "), std::string::npos) << text;
+  // Ready FRFs say nothing of hits; theirs is as the file gives it.
+  set.frfs[0].hits = 0;
+  EXPECT_NE(frf_text(set).find("1.0000"), std::string::npos) << frf_text(set);
+}
+
 }  // namespace
 }  // namespace tapfit::tui
