@@ -92,7 +92,7 @@ std::string progress_text(const WorkerStatus& status, int room) {
   const int percents = static_cast<int>(std::lround(100 * status.fraction));
   const std::string what = work_text(status);
   const std::string far = fmt::format("{} %{}", percents, elapsed_text(status));
-  const std::string whole = fmt::format("{} … {}", what, far);
+  std::string whole = fmt::format("{} … {}", what, far);
   if (text_width(whole) <= room) return whole;
   return clipped(what, room - text_width(far) - 1) + " " + far;
 }

@@ -83,7 +83,7 @@ void DiagnosePage::press_tag(const updating::Diagnosis& d,
 
 void DiagnosePage::add_chosen(const updating::Diagnosis& d,
                               const Table& table,
-                              Command& command) {
+                              Command& command) const {
   command.effects = tagged_of(d, state_.tagged);
   if (command.effects.empty()) {
     if (d.candidates.empty()) return;

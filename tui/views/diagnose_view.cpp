@@ -221,7 +221,7 @@ std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
 std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
   if (outdated) return "as of before the last change; it is looked for anew …";
   const bool warned = !d.warnings.empty();
-  const std::string note = warned ? "! " + d.warnings[0] : d.contour;
+  std::string note = warned ? "! " + d.warnings[0] : d.contour;
   const std::string more =
       d.warnings.size() > 1
           ? fmt::format("  (1 of {} notes, i: all)", d.warnings.size())

@@ -74,7 +74,7 @@ class DiagnosePage final : public Page {
                  Command& command);
   void add_chosen(const updating::Diagnosis& d,
                   const Table& table,
-                  Command& command);
+                  Command& command) const;
 
   DiagnoseState state_;
 };
