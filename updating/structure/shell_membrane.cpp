@@ -5,14 +5,9 @@
 namespace tapfit::structure {
 namespace {
 
-// gamma of the quadrilateral: a tenth holds what turns one grid and still
-// stiffens a box of single elements, whose rotations jump from one to the next,
-// by 1e-4.
-constexpr double kQuad = 0.1;
-// That of the triangle's mean over the element and of the rest: Nastran's
-// K6ROT = 100.
-constexpr double kTriangleCentre = 1.0;
-constexpr double kTriangleSpread = 1e-4;
+// gamma: a tenth holds what turns one grid, and still stiffens a box of single
+// elements, whose rotations jump from one to the next, by 1e-4.
+constexpr double kDrilling = 0.1;
 
 // Strains (exx, eyy, 2 exy) of one function's u and v from its slopes.
 Eigen::Matrix<double, 3, 2> strain_of(double dx, double dy) {
@@ -65,16 +60,13 @@ Eigen::MatrixXd membrane_stiffness(const Corners& xy,
                                    const ShellSection& section) {
   const Eigen::Index n = xy.rows();
   const Eigen::Index inner = n == 4 ? 4 : 0;
-  const double spread = n == 4 ? kQuad : kTriangleSpread;
   const double G = section.membrane(2, 2);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * n + inner, 3 * n + inner);
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 3 * n + inner);
   Eigen::RowVectorXd drill(3 * n + inner);
-  double area = 0.0;
   for (const GaussPoint& point : gauss_points(n, 2)) {
     const Eigen::Matrix2d J = jacobian(xy, point.at);
     const double dA = point.weight * J.determinant();
-    area += dA;
     const Corners dN = slopes(xy, point.at);
     for (Eigen::Index i = 0; i < n; ++i) {
       B.middleCols<2>(3 * i) = strain_of(dN(i, 0), dN(i, 1));
@@ -88,13 +80,7 @@ Eigen::MatrixXd membrane_stiffness(const Corners& xy,
       }
     }
     K += dA * B.transpose() * section.membrane * B;
-    K += dA * spread * G * drill.transpose() * drill;
-  }
-  if (n == 3) {
-    const Eigen::Vector2d centre = Eigen::Vector2d::Constant(1.0 / 3.0);
-    const Eigen::RowVectorXd mean =
-        drilling(slopes(xy, centre), corner_values(n, centre));
-    K += area * kTriangleCentre * G * mean.transpose() * mean;
+    K += dA * kDrilling * G * drill.transpose() * drill;
   }
   return condensed(K, inner);
 }

@@ -7,9 +7,9 @@
 // Source: R. L. Taylor, P. J. Beresford, E. L. Wilson, "A non-conforming
 // element for stress analysis", Int. J. Numer. Meth. Engng 10, 1976; T. J. R.
 // Hughes, F. Brezzi, "On drilling degrees of freedom", Comput. Methods Appl.
-// Mech. Engng 72, 1989. gamma is 0.1 in a quadrilateral, whose inner modes turn
-// the plane, too. In a triangle it is 1 for the mean over the element and 1e-4
-// for the rest (Nastran's K6ROT = 100).
+// Mech. Engng 72, 1989. gamma is 0.1; the inner modes of a quadrilateral turn
+// the plane, too. A weak tie (Nastran's K6ROT = 100 is 1e-4) lets twisted
+// surfaces go soft where elements are smaller than the thickness.
 #pragma once
 
 #include "updating/structure/shell_section.hpp"

@@ -76,10 +76,16 @@ TEST(CurvedShell, TwistedBeam) {
     // Converged to the fourth digit of the published values.
     EXPECT_NEAR(tip_deflection(quads, 2) / c.along, 1.0, 0.003);
     EXPECT_NEAR(tip_deflection(quads, 1) / c.across, 1.0, 0.003);
-    // Constant strain: a strip four triangles wide is some percent too stiff.
-    const Deck triangles = twisted_beam(c.thickness, 24, true);
-    EXPECT_NEAR(tip_deflection(triangles, 2) / c.along, 1.0, 0.02);
-    EXPECT_NEAR(tip_deflection(triangles, 1) / c.across, 1.0, 0.04);
+    // Constant strain: a strip four triangles wide is some percent too stiff,
+    // and the finer, the less so, beyond elements smaller than the thickness.
+    double stiff = 0.08;
+    for (const int n : {24, 48, 96}) {
+      const Deck triangles = twisted_beam(c.thickness, n, true);
+      const double along = 1.0 - tip_deflection(triangles, 2) / c.along;
+      const double across = 1.0 - tip_deflection(triangles, 1) / c.across;
+      EXPECT_LT(std::max(std::abs(along), std::abs(across)), stiff) << n;
+      stiff /= 2.5;
+    }
   }
 }
 
