@@ -130,11 +130,11 @@ class Climb {
   [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
     return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
-  /// The mesh's share of the floor counts the whole difference to a finer mesh,
-  /// of which the fit takes a good part: an effect may hide beneath it.
-  [[nodiscard]] bool is_explained() const {
+  /// At the floor only for the mesh's share, which counts the whole difference
+  /// to a finer mesh. The fit takes a good part of that: an effect may hide.
+  [[nodiscard]] bool is_left_to_the_mesh() const {
     return is_at_floor() &&
-           current_.result.error <= clear_of_floor * options_.floor_noise;
+           current_.result.error > clear_of_floor * options_.floor_noise;
   }
   /// Everything tried on the first step.
   [[nodiscard]] std::vector<Candidate> candidates() const {
@@ -147,6 +147,9 @@ class Climb {
                   const Progress& progress);
   [[nodiscard]] bool is_at_floor() const {
     return current_.result.error <= at_floor * options_.floor;
+  }
+  [[nodiscard]] bool is_explained() const {
+    return is_at_floor() && !is_left_to_the_mesh();
   }
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
@@ -284,7 +287,7 @@ Climbed climbed(const Fitter& fitter,
   set_verdict(fitter.setting().measured.level,
               held_back(options.properties, fitted),
               result);
-  if (result.verdict == "none" && !climb.is_explained()) {
+  if (result.verdict == "none" && climb.is_left_to_the_mesh()) {
     result.warnings.push_back(fmt::format(
         "{:.3g} is left, far above the noise ({:.3g}) and below what the mesh "
         "may explain (the floor is {:.3g}): an effect may hide there, and the "

@@ -159,9 +159,8 @@ std::string remedy(const effects::Effect& effect,
   }
   if (kind == ChangeKind::Joint) {
     return "a joint sits along a straight line of shell edges from free edge "
-           "to "
-           "free edge, or at the end of a bar: name grids of one such line, "
-           "joined with \":\"";
+           "to free edge, or at the end of a bar: name grids of one such "
+           "line, joined with \":\"";
   }
   if (kind == ChangeKind::Support) return "name grids that the model holds";
   if (sits_on_channels(effect)) {

@@ -119,7 +119,7 @@ BaseBuilder::BaseBuilder(
   }
   m.mass = structure::total_mass(m.mesh.deck, m.system);
   if (!(m.mass > 0.0)) {
-    structure::refuse_without_density(deck, "the model has no mass");
+    throw structure::no_density(deck, "the model has no mass");
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   m.answers.emplace(m.system, m.motions, m.shift);

@@ -134,7 +134,7 @@ void refuse_without_modes(const Deck& deck, const SparseMatrix& M) {
   if (M.rows() > 0 && M.norm() > 0.0) return;
   try {
     if (M.rows() > 0) {
-      refuse_without_density(
+      throw no_density(
           deck, "nothing that can move has mass: the model has no modes");
     }
     throw InputError(

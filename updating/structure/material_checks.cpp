@@ -43,12 +43,12 @@ std::vector<std::string> material_unit_warnings(const Deck& deck) {
   return texts;
 }
 
-void refuse_without_density(const Deck& deck, const std::string& what) {
+InputError no_density(const Deck& deck, const std::string& what) {
   std::vector<std::string> without;
   for (const auto& [id, m] : deck.materials) {
     if (m.rho == 0.0) without.push_back(place_of(deck, m));
   }
-  throw InputError(
+  return InputError(
       what,
       without.empty() ? deck.path.filename().string() : listed(without),
       "Give the materials a density (RHO) or add CONM2.");

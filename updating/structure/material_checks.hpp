@@ -2,6 +2,7 @@
 // densities that were forgotten.
 #pragma once
 
+#include "acquisition/input_error.hpp"
 #include "updating/structure/deck.hpp"
 
 #include <string>
@@ -14,9 +15,7 @@ namespace tapfit::structure {
 /// @param deck in SI units
 [[nodiscard]] std::vector<std::string> material_unit_warnings(const Deck& deck);
 
-/// Names the materials without density.
-/// @throws InputError always, with `what` as its message
-[[noreturn]] void refuse_without_density(const Deck& deck,
-                                         const std::string& what);
+/// That `what`, with the materials without density as its place.
+[[nodiscard]] InputError no_density(const Deck& deck, const std::string& what);
 
 }  // namespace tapfit::structure
