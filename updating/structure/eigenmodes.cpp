@@ -21,6 +21,9 @@ namespace {
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
 
+// Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
+constexpr double least_mu = 1e-14;
+
 struct Pairs {
   Eigen::VectorXd lambda;  // ascending
   Eigen::MatrixXd phi;
@@ -59,14 +62,63 @@ Pairs solve_dense(const SparseMatrix& A,
                      "Look for parts that are not held or not joined.");
   }
   const Eigen::VectorXd& mu = solver.eigenvalues();
-  const double least = 1e-14 * mu.cwiseAbs().maxCoeff();
-  const Eigen::Index finite = (mu.array() > least).count();
+  const Eigen::Index finite =
+      (mu.array() > least_mu * mu.cwiseAbs().maxCoeff()).count();
   const Eigen::Index n = std::min(count, finite);
   Pairs pairs{Eigen::VectorXd(n), Eigen::MatrixXd(A.rows(), n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index from = mu.size() - 1 - i;
     pairs.lambda(i) = sigma + 1.0 / mu(from);
     pairs.phi.col(i) = solver.eigenvectors().col(from) / std::sqrt(mu(from));
+  }
+  return pairs;
+}
+
+std::vector<Eigen::Index> massive(const SparseMatrix& M) {
+  const Eigen::VectorXd m = M.diagonal();
+  std::vector<Eigen::Index> dofs;
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    if (m(i) != 0.0) dofs.push_back(i);
+  }
+  return dofs;
+}
+
+// Where few degrees of freedom have mass there are no more modes than these:
+// with M = F F',
+//
+//   F' A^-1 F u = mu u,   x = A^-1 F u / mu
+Pairs solve_by_masses(const Factor& factor,
+                      const SparseMatrix& M,
+                      const std::vector<Eigen::Index>& dofs,
+                      double sigma,
+                      Eigen::Index count) {
+  const auto m = static_cast<Eigen::Index>(dofs.size());
+  Eigen::MatrixXd own(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      own(i, j) = M.coeff(dofs[static_cast<std::size_t>(i)],
+                          dofs[static_cast<std::size_t>(j)]);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> root(own);
+  const Eigen::MatrixXd f =
+      root.eigenvectors() *
+      root.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(M.rows(), m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    F.row(dofs[static_cast<std::size_t>(i)]) = f.row(i);
+  }
+  const Eigen::MatrixXd answers = factor.solve(F);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(F.transpose() *
+                                                              answers);
+  const Eigen::VectorXd& mu = solver.eigenvalues();
+  const Eigen::Index finite = (mu.array() > least_mu * mu.maxCoeff()).count();
+  const Eigen::Index n = std::min(count, finite);
+  Pairs pairs{Eigen::VectorXd(n), Eigen::MatrixXd(M.rows(), n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    pairs.lambda(i) = sigma + 1.0 / mu(m - 1 - i);
+    pairs.phi.col(i) =
+        answers * solver.eigenvectors().col(m - 1 - i) / mu(m - 1 - i);
   }
   return pairs;
 }
@@ -145,6 +197,10 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   Eigen::Index asked = count + 2;
   if (dense) {
     return to_modes(solve_dense(A, M, sigma, count), count);
+  }
+  if (const auto dofs = massive(M);
+      static_cast<Eigen::Index>(dofs.size()) <= kDense) {
+    return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
   }
   Eigen::Index basis = std::min(n, 2 * asked + 10);
   for (int attempt = 0; attempt < 4; ++attempt) {

@@ -96,6 +96,28 @@ TEST(Eigenmodes, CutsTheCountToWhatThereIs) {
   EXPECT_NEAR(modes.frequency_hz(1), 4 / (2 * M_PI), 1e-9);
 }
 
+// Three masses on a plate that weighs nothing: as many modes as these can move
+// in ways, and none of infinite frequency among them.
+TEST(Eigenmodes, FindsTheFewOfFewMasses) {
+  Deck deck = plate_deck({}, 8, 8);
+  deck.materials[1].rho = 0.0;
+  hold(deck, "123456", [](const Eigen::Vector3d& p) { return p.x() < 1e-9; });
+  for (const int grid : {40, 60, 81}) {
+    PointMass mass;
+    mass.id = 100 + grid;
+    mass.grid = grid;
+    mass.mass = 0.1;
+    deck.masses.push_back(mass);
+  }
+  const System system = assemble(deck);
+  const std::vector<int> free = system.free_dofs();
+  const SparseMatrix K = extract(system.K, free);
+  const SparseMatrix M = extract(system.M, free);
+  const Eigenmodes modes = eigenmodes(K, M, 20);
+  EXPECT_EQ(modes.frequency_hz.size(), 9);
+  expect_modes(K, M, modes);
+}
+
 TEST(Extract, TakesRowsAndColumns) {
   Eigen::Matrix3d A;
   A << 1, 2, 3, 2, 5, 6, 3, 6, 9;
