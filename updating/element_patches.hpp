@@ -7,9 +7,10 @@
 
 namespace tapfit::updating {
 
-/// Each shell and bar alone; growing boxes of them around the middle of each
-/// and around each grid, up to a quarter of all; all of a property where that
-/// is not most of the structure. Every set once, ids ascending.
+/// Each shell, bar and rod alone; growing boxes of them around the middle of
+/// each, around each grid and each edge of a shell, up to a quarter of all;
+/// bars in line; all of a property where that is not most of the structure.
+/// Every set once, ids ascending.
 [[nodiscard]] std::vector<std::vector<int>> element_patches(
     const structure::Deck& deck);
 
