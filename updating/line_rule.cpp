@@ -187,6 +187,13 @@ VectorXd lines_of(const LineRule& rule,
   return Eigen::Map<VectorXd>(inside.data(), static_cast<Index>(inside.size()));
 }
 
+void check_lines(const LineRule& rule, std::array<double, 2> band_hz) {
+  const bool waits_for_resonances =
+      rule.kind == LineKind::Damped || rule.kind == LineKind::BeforePeaks;
+  if (waits_for_resonances) return;
+  static_cast<void>(lines_of(rule, band_hz, {}));
+}
+
 std::optional<PeakRule> gaps_of(const LineRule& rule,
                                 const VectorXd& resonances_hz) {
   if (rule.kind != LineKind::Rule) return std::nullopt;

@@ -46,6 +46,11 @@ struct LineRule {
                                        std::array<double, 2> band_hz,
                                        const Eigen::VectorXd& resonances_hz);
 
+/// Refuses what lines_of() would refuse whatever is measured, before anything
+/// is.
+/// @throws InputError
+void check_lines(const LineRule& rule, std::array<double, 2> band_hz);
+
 /// The gaps around resonances; empty but for the rule of section 2.3.
 [[nodiscard]] std::optional<PeakRule> gaps_of(
     const LineRule& rule, const Eigen::VectorXd& resonances_hz);

@@ -13,8 +13,6 @@
 #include "updating/test_diagnosis.hpp"
 #include "updating/test_model.hpp"
 
-#include <cmath>
-
 namespace tapfit::updating {
 
 struct Session::Impl {
@@ -356,6 +354,7 @@ void Session::take_up(const SavedSession& saved) {
 }
 
 void Session::set_update(const UpdateChoice& choice) {
+  if (const auto& band = bundle().band_hz) check_lines(choice.lines, *band);
   impl_->choice = choice;
   impl_->plain.reset();
 }

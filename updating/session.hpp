@@ -84,6 +84,7 @@ class Session {
   bool redo_modes(const Progress& progress = {});
 
   /// How fits from now on identify their parameters.
+  /// @throws InputError for lines of which the bundle's band holds none
   void set_update(const UpdateChoice& choice);
   /// Adds an effect to the current model and identifies all parameters anew.
   void add(const EffectRef& effect, const Progress& progress = {}) {

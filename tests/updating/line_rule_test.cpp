@@ -78,5 +78,15 @@ TEST(LineRuleTest, RefusesLinesThatLeaveNothing) {
       InputError);
 }
 
+TEST(LineRuleTest, RefusesBeforeAnythingIsMeasuredWhatNeedsNothing) {
+  for (const auto* text : {"5", "even:30", "even:1e-6"}) {
+    EXPECT_THROW(check_lines(parse_lines(text), {10.0, 20.0}), InputError)
+        << text;
+  }
+  for (const auto* text : {"15", "even:3", "random", "rule", "before-peaks"}) {
+    EXPECT_NO_THROW(check_lines(parse_lines(text), {10.0, 20.0})) << text;
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::updating
