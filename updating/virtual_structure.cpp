@@ -2,6 +2,7 @@
 
 #include "acquisition/input_error.hpp"
 #include "updating/released_system.hpp"
+#include "updating/structure/eigenmodes.hpp"
 #include "updating/virtual_support.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,10 @@ using structure::SparseMatrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-constexpr double suspension_hz = 1.3;
+// As bungees give it; of a structure that bends slowly a share of where it does
+// so first: above a tenth it would stiffen what is measured.
+constexpr double usual_suspension_hz = 1.3;
+constexpr double suspension_share = 0.05;
 
 void add_diagonal(SparseMatrix& A, const Triplets& parts) {
   SparseMatrix change(A.rows(), A.cols());
@@ -203,11 +207,24 @@ void add_at_node(const VirtualEffect& effect,
   }
 }
 
+double suspension_hz(const structure::Deck& deck) {
+  const structure::System system = structure::assemble(deck);
+  const structure::FreeMotions motions = structure::free_motions(system);
+  const Eigen::VectorXd hz =
+      structure::eigenmodes(
+          motions.reduce(system.K), motions.reduce(system.M), 12)
+          .frequency_hz;
+  const double bending = 1e-3 * hz.maxCoeff();
+  const auto first =
+      std::ranges::find_if(hz, [bending](double f) { return f > bending; });
+  return std::min(usual_suspension_hz, suspension_share * *first);
+}
+
 // Rigid and light bungees: every rigid motion gets the suspension's frequency.
-void hang(VirtualStructure& structure) {
-  const double w = two_pi * suspension_hz;
+void hang(const structure::Deck& deck, VirtualStructure& structure) {
+  structure.suspension_hz = suspension_hz(deck);
+  const double w = two_pi * structure.suspension_hz;
   structure.K += w * w * structure.M;
-  structure.suspension_hz = suspension_hz;
 }
 
 }  // namespace
@@ -239,7 +256,7 @@ VirtualStructure build_virtual_structure(
   for (std::size_t k = 0; k < fine.grids.size(); ++k) {
     result.grid_index[fine.grids[k].id] = static_cast<int>(k);
   }
-  if (hangs_free(model.model)) hang(result);
+  if (hangs_free(model.model)) hang(model.model, result);
   for (const VirtualEffect& effect : effects) {
     if (effect.name == "soft-support") {
       soften_support(model, effect, component, system, result);
