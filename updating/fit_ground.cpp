@@ -59,7 +59,7 @@ FitGround prepare_fits(const SolvedModel& model,
     const Eigen::VectorXd bias = mesh_error(
         *base.model, *coarse.model_for({}), base.result.state, target);
     ground.floor_mesh = bias.norm();
-    ground.fitter->set_mesh_bias(bias);
+    ground.fitter->set_mesh(*model.coarse, model.mesh_factors, bias);
   }
   return ground;
 }

@@ -1,6 +1,8 @@
 #include "updating/fitter.hpp"
 
+#include "updating/compare.hpp"
 #include "updating/fit_watch.hpp"
+#include "updating/mesh_at_state.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -102,8 +104,17 @@ std::vector<int> measured_points(const structure::Deck& deck,
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
+void Fitter::set_mesh(const BaseBuilder& coarser,
+                      std::size_t factors,
+                      const Eigen::VectorXd& bias) {
+  coarser_ = &coarser;
+  mesh_factors_ = factors;
+  setting_.targets.back().mesh_bias = bias;
+}
+
 Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
-  FitSetting rest = setting_;
+  Fitter result = *this;
+  FitSetting& rest = result.setting_;
   std::vector<Index> kept;
   rest.measured.frfs.clear();
   for (std::size_t f = 0; f < setting_.measured.frfs.size(); ++f) {
@@ -112,7 +123,7 @@ Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
     rest.measured.frfs.push_back(setting_.measured.frfs[f]);
   }
   for (Target& part : rest.targets) part = part_of(part, kept);
-  return {*builder_, std::move(rest)};
+  return result;
 }
 
 std::shared_ptr<const FrfModel> Fitter::model_for(
@@ -260,6 +271,18 @@ std::optional<ModelState> Fitter::continued(const FrfModel& model,
   return error(most) < error(least) ? most : least;
 }
 
+// Where a stiffness changed, the mesh matters differently to the modes.
+void Fitter::take_mesh_at(const ModelState& state,
+                          std::shared_ptr<const FrfModel>& model,
+                          Target& target) const {
+  if (coarser_ == nullptr || model->base().terms.empty()) return;
+  const Fitter on_coarser(*coarser_, setting_);
+  const auto other = on_coarser.model_for(state.effects);
+  model = with_mesh_at(
+      *model, *other, state, setting_.uncertain_sd.size() - mesh_factors_);
+  target.mesh_bias = mesh_error(*model, *other, state, target);
+}
+
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress,
@@ -267,8 +290,9 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   Fit fit;
   fit.result.state = start_state(*model, start);
   std::vector<UpdateStep> history;
+  std::vector<Target> targets = setting_.targets;
   const auto go_on = [&](std::size_t stage, bool once_more = false) {
-    const bool last = stage + 1 == setting_.targets.size();
+    const bool last = stage + 1 == targets.size();
     UpdateOptions options;
     options.max_iterations = last ? 30 : 10;
     options.tolerance = last ? 1e-6 : 1e-3;
@@ -277,11 +301,11 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     const ModelState state = fit.result.state;
     const Prior prior = prior_for(*model, state);
     // The last may be done once more.
-    const auto parts = static_cast<double>(setting_.targets.size() + 1);
+    const auto parts = static_cast<double>(targets.size() + 1);
     const auto part = static_cast<double>(stage + (once_more ? 1 : 0));
     fit.result =
         update(*model,
-               setting_.targets[stage],
+               targets[stage],
                state,
                prior,
                options,
@@ -293,12 +317,15 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
       history.back().stage = static_cast<int>(stage);
     }
   };
-  for (std::size_t k = 0; k < setting_.targets.size(); ++k) {
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    if (k + 1 == targets.size()) {
+      take_mesh_at(fit.result.state, model, targets.back());
+    }
     go_on(k);
     ModelState& state = fit.result.state;
     const double assumed = state.zeta_other;
     const double now = typical(state);
-    const bool last = k + 1 == setting_.targets.size();
+    const bool last = k + 1 == targets.size();
     // Within this all is as well as the scatter of ratios lets one know.
     const bool settled =
         std::abs(std::log(now / assumed)) < 0.2 * setting_.damping_spread;
@@ -320,7 +347,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   if (std::optional<ModelState> known = from_before()) {
     const UpdateResult found = fit.result;
     fit.result.state = std::move(*known);
-    go_on(setting_.targets.size() - 1, true);
+    go_on(targets.size() - 1, true);
     if (fit.result.error > found.error) fit.result = found;
   }
   fit.result.history = std::move(history);

@@ -84,10 +84,14 @@ class Fitter {
   [[nodiscard]] ModelState first_state(
       const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
 
+  /// What fits need to know of the mesh's error.
+  /// @param coarser the deck's own mesh, where that of the base is split
+  /// @param factors how many of the last in FitSetting::uncertain_sd are the
+  ///   mesh's
   /// @param bias what the mesh may be off by, see Target::mesh_bias
-  void set_mesh_bias(const Eigen::VectorXd& bias) {
-    setting_.targets.back().mesh_bias = bias;
-  }
+  void set_mesh(const BaseBuilder& coarser,
+                std::size_t factors,
+                const Eigen::VectorXd& bias);
 
   /// The same with some FRFs of the set left out.
   [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
@@ -102,7 +106,13 @@ class Fitter {
       const ModelState& state,
       const ModelState& fewer) const;
 
+  void take_mesh_at(const ModelState& state,
+                    std::shared_ptr<const FrfModel>& model,
+                    Target& target) const;
+
   const BaseBuilder* builder_;
+  const BaseBuilder* coarser_ = nullptr;
+  std::size_t mesh_factors_ = 0;
   FitSetting setting_;
 };
 

@@ -6,9 +6,8 @@
 #include "updating/structure/dashpots.hpp"
 #include "updating/uncertain_parts.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -24,25 +23,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
-
-// Of the deck's own dashpots: a factor F of C = sum of c b b' = F F'. As wide
-// as the dashpots are independent in the base, however many there are.
-MatrixXd damping_factor(const structure::Deck& deck, const MatrixXd& rows) {
-  MatrixXd C = MatrixXd::Zero(rows.cols(), rows.cols());
-  for (const structure::Dashpot& dashpot : structure::dashpots(deck)) {
-    VectorXd b = VectorXd::Zero(rows.cols());
-    for (const auto& [dof, part] : dashpot.direction) {
-      b += part * rows.row(dof).transpose();
-    }
-    C += dashpot.damping * b * b.transpose();
-  }
-  if (C.isZero(0.0)) return MatrixXd(rows.cols(), 0);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(C);
-  const VectorXd& c = solver.eigenvalues();
-  const Index rank = (c.array() > 1e-13 * c(c.size() - 1)).count();
-  return solver.eigenvectors().rightCols(rank) *
-         c.tail(rank).cwiseSqrt().asDiagonal();
-}
 
 // Whether Woodbury's formula has anything left to add.
 bool acts_beside(const PlacedEffect& placed) {
@@ -64,7 +44,7 @@ FrfModel::FrfModel(ReducedBase base,
                    const signal::FrfSet& measured)
     : base_(std::move(base)),
       setting_(setting),
-      dashpots_(damping_factor(*setting.deck, base_.rows)) {
+      dashpots_(structure::damping_factor(*setting.deck, base_.rows)) {
   std::map<Dof, Index> column;
   std::set<std::size_t> runs;
   std::vector<VectorXd> points;
@@ -154,6 +134,17 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
 
 void FrfModel::set_reference(const ModelState& state) {
   reference_phi_ = base_modes(state).phi;
+}
+
+void FrfModel::set_part(std::size_t factor, MatrixXd K, MatrixXd M) {
+  const auto own = [factor](const std::vector<int>& power) {
+    return factor < power.size() && power[factor] > 0;
+  };
+  const auto at = std::ranges::find_if(base_.part_power, own);
+  assert(at != base_.part_power.end());
+  const auto t = static_cast<std::size_t>(at - base_.part_power.begin());
+  base_.K_part[t] = std::move(K);
+  base_.M_part[t] = std::move(M);
 }
 
 // The position in zeta of each mode's ratio, or -1. Springs and masses move

@@ -97,6 +97,10 @@ class FrfModel {
   /// later states are matched to those at this one.
   void set_reference(const ModelState& state);
 
+  /// Gives a factor that K and M are linear in, and that no other multiplies,
+  /// other matrices, r x r.
+  void set_part(std::size_t factor, Eigen::MatrixXd K, Eigen::MatrixXd M);
+
  private:
   [[nodiscard]] ModalState modal_state(const ModelState& state) const;
   [[nodiscard]] std::vector<ConstantChange> changes_of(

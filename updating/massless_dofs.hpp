@@ -14,10 +14,17 @@
 namespace tapfit::updating {
 
 /// The mass lent, on the diagonal.
-/// @param points degrees of freedom that are hit, measured or acted on; others
-///   without mass stay so: where nothing holds them they are a mechanism
+/// @param dofs that are hit, measured, acted on or released; others without
+///   mass stay so: where nothing holds them they are a mechanism
 /// @param high_hz top of the band; FRFs up to it change by some 1e-10
-/// @return n x n; empty where none of the points is without mass
+/// @return n x n; empty where none of them is without mass
+[[nodiscard]] structure::SparseMatrix lent_mass(
+    const structure::SparseMatrix& stiffness,
+    const structure::SparseMatrix& mass,
+    const std::vector<int>& dofs,
+    double high_hz);
+
+/// The same, of those that neither follow others nor lack stiffness.
 [[nodiscard]] structure::SparseMatrix lent_mass(const structure::System& system,
                                                 const std::vector<int>& points,
                                                 double high_hz);

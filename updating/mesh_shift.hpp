@@ -12,10 +12,12 @@ struct MeshModes {
   Eigen::VectorXd hz;
 };
 
-/// To first order what has to be added to the modal stiffness and mass of the
-/// finer mesh, diag(omega^2) and I, for its modes to change as they did when
-/// the mesh was split. A mode phi_r that gains delta = sum_k phi_k T_kr turns
-/// I into I - T - T' and diag(l) into diag(l + dl) - T' diag(l) - diag(l) T.
+/// What has to be added to the modal stiffness and mass of the finer mesh,
+/// diag(l) with l = omega^2, and I, for its modes to change as they did when the
+/// mesh was split. Where the coarser mesh's modes are Phi B at the grids that
+/// both have, Phi the finer one's and A = B^-1,
+///
+///   K = diag(l) - A' diag(l_coarse) A,   M = I - A' A
 struct MeshShift {
   Eigen::MatrixXd K;  ///< modes x modes of the finer mesh [rad^2/s^2]
   Eigen::MatrixXd M;

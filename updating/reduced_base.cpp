@@ -53,6 +53,16 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   }
 }
 
+// A support's rotations seldom have a mass.
+void lend_to_released(const std::vector<int>& free,
+                      double high_hz,
+                      ReleasedSystem& released) {
+  std::vector<int> loose;
+  std::ranges::set_difference(released.active, free, std::back_inserter(loose));
+  const SparseMatrix lent = lent_mass(released.K, released.M, loose, high_hz);
+  if (lent.size() > 0) released.M += lent;
+}
+
 // Stiffness that elements keep, from all of it to next to none.
 const StiffnessTerm loss_term = {{}, 0, {}, 1.0, 1.0, 0.04, 0.4, 1.0};
 
@@ -357,6 +367,7 @@ ReducedBase BaseBuilder::build(
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
     own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
+    lend_to_released(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {

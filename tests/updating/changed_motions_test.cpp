@@ -120,6 +120,23 @@ TEST_F(ChangedMotions, SupportTurns) {
   EXPECT_LT(worst_error(change, true), exact);
 }
 
+// A base that holds all that has mass leaves the released rotations none.
+TEST_F(ChangedMotions, SupportTurnsWhereFewGridsHaveMass) {
+  deck_.materials[1].rho = 0.0;
+  for (const int grid : {11, 36, 42}) {
+    structure::PointMass mass;
+    mass.id = 100 + grid;
+    mass.grid = grid;
+    mass.mass = 0.1;
+    deck_.masses.push_back(mass);
+  }
+  StiffnessChange change;
+  change.kind = ChangeKind::Support;
+  change.of.where.nodes = {1, 12, 23, 34, 45};
+  change.of.where.variant = "rotation";
+  EXPECT_LT(worst_error(change, false), exact);
+}
+
 // A clamp that holds no moment is a hinge: the range reaches far enough down
 // for a cantilever to swing about it.
 TEST_F(ChangedMotions, TheSoftestSupportIsNearlyAHinge) {
@@ -133,9 +150,9 @@ TEST_F(ChangedMotions, TheSoftestSupportIsNearlyAHinge) {
   const StiffnessTerm& term = base.terms.front();
   const auto first_at = [&](double k) {
     const MatrixXd K = base.K + (k - term.included) * term.S;
-    return std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(
-                         K, Eigen::EigenvaluesOnly)
-                         .eigenvalues()(0));
+    return std::sqrt(
+        Eigen::SelfAdjointEigenSolver<MatrixXd>(K, Eigen::EigenvaluesOnly)
+            .eigenvalues()(0));
   };
   // A rigid plate on springs that lower omega^2 a hundredfold.
   EXPECT_LT(first_at(term.lower), 0.11 * first_at(term.upper));

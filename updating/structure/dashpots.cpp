@@ -2,6 +2,8 @@
 
 #include "updating/structure/element_matrices.hpp"
 
+#include <Eigen/Eigenvalues>
+
 namespace tapfit::structure {
 namespace {
 
@@ -51,6 +53,23 @@ std::set<int> damped_dofs(const Deck& deck) {
     }
   }
   return dofs;
+}
+
+Eigen::MatrixXd damping_factor(const Deck& deck, const Eigen::MatrixXd& rows) {
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
+  for (const Dashpot& dashpot : dashpots(deck)) {
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(rows.cols());
+    for (const auto& [dof, part] : dashpot.direction) {
+      b += part * rows.row(dof).transpose();
+    }
+    C += dashpot.damping * b * b.transpose();
+  }
+  if (C.isZero(0.0)) return Eigen::MatrixXd(rows.cols(), 0);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(C);
+  const Eigen::VectorXd& c = solver.eigenvalues();
+  const Eigen::Index rank = (c.array() > 1e-13 * c(c.size() - 1)).count();
+  return solver.eigenvectors().rightCols(rank) *
+         c.tail(rank).cwiseSqrt().asDiagonal();
 }
 
 }  // namespace tapfit::structure

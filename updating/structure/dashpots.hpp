@@ -4,6 +4,8 @@
 
 #include "updating/structure/deck.hpp"
 
+#include <Eigen/Core>
+
 #include <set>
 #include <utility>
 #include <vector>
@@ -22,5 +24,12 @@ struct Dashpot {
 
 /// Degrees of freedom that they act on.
 [[nodiscard]] std::set<int> damped_dofs(const Deck& deck);
+
+/// F with V' C V = F F', as wide as the dashpots are independent in a base V,
+/// however many there are.
+/// @param rows of V for the deck's grids, 6 n_grids x r
+/// @return r x rank
+[[nodiscard]] Eigen::MatrixXd damping_factor(const Deck& deck,
+                                             const Eigen::MatrixXd& rows);
 
 }  // namespace tapfit::structure
