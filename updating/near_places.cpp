@@ -1,6 +1,8 @@
 #include "updating/near_places.hpp"
 
+#include <bit>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -52,6 +54,16 @@ std::optional<double> distance(const Where& a,
   return shared > 0.0 ? std::optional(-shared) : std::nullopt;
 }
 
+// Patches of at most this many times as many elements, or as few, are near.
+constexpr double most_times = 8.0;
+// Of each size.
+constexpr int per_size = 2;
+
+// Sizes within a factor of two.
+int size_class(const Where& where) {
+  return static_cast<int>(std::bit_width(where.elements.size()));
+}
+
 }  // namespace
 
 std::vector<Where> places_near(const Where& at,
@@ -75,10 +87,19 @@ std::vector<Where> places_near(const Where& at,
   std::stable_sort(order.begin(), order.end(), [](auto& a, auto& b) {
     return a.first < b.first;
   });
-  const auto n =
-      std::min<std::size_t>(order.size(), static_cast<std::size_t>(count) + 1);
-  for (std::size_t k = 0; k < n; ++k) {
-    result.push_back(std::move(order[k].second));
+  // Patches that share most are about as large. A small one with a large loss
+  // may stand for a large one with a small: some of other sizes, too.
+  const auto own = static_cast<double>(at.elements.size());
+  std::map<int, int> of_size;
+  for (auto& [far, where] : order) {
+    const auto size = static_cast<double>(where.elements.size());
+    const bool near = static_cast<int>(result.size()) <= count;
+    const bool other_size = size <= most_times * own &&
+                            own <= most_times * size &&
+                            of_size[size_class(where)] < per_size;
+    if (!near && (where.elements.empty() || !other_size)) continue;
+    ++of_size[size_class(where)];
+    result.push_back(std::move(where));
   }
   return result;
 }

@@ -17,10 +17,11 @@ template <class Id>
 }
 
 /// Places that are most like one, itself first: the nearest grids, the nearest
-/// seams, or the patches that share most elements.
+/// seams, or the patches that share most elements and, of each other size up to
+/// eight times as large or small, the two that do.
 ///
 /// @param patches the places of the effect where it does not sit at grids
-/// @param count how many besides itself, at most
+/// @param count how many besides itself, at most; not counting other sizes
 [[nodiscard]] std::vector<Where> places_near(const Where& at,
                                              const std::vector<Where>& patches,
                                              const structure::Deck& deck,
