@@ -320,7 +320,9 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnFormsOfASupport) {
     ASSERT_EQ(terms.size(), 2U) << form;
     effects.back().p = {terms[0].start, 0.3 * terms[1].start};
     const ModelState state = fitter_->first_state(*model, effects);
-    EXPECT_LT(derivative_error(*model, state, s_), 1e-5) << form;
+    // Rounding: it grows as the step shrinks, 1e-4 at a tenth of it and 6e-7
+    // at ten times, where other parameters' differences are 4e-5 off.
+    EXPECT_LT(derivative_error(*model, state, s_), 3e-5) << form;
   }
 }
 
