@@ -11,8 +11,8 @@ SparseMatrix lent_mass(const SparseMatrix& stiffness,
                        const SparseMatrix& mass,
                        const std::vector<int>& dofs,
                        double high_hz) {
-  constexpr double decades = 1e5;
-  const double square = std::pow(2.0 * std::numbers::pi * decades * high_hz, 2);
+  constexpr double above = 1e4;
+  const double square = std::pow(2.0 * std::numbers::pi * above * high_hz, 2);
   const Eigen::VectorXd K = stiffness.diagonal();
   const Eigen::VectorXd M = mass.diagonal();
   std::vector<Eigen::Triplet<double>> lent;

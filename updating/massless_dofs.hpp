@@ -4,7 +4,7 @@
 //
 //   omega_i^2 = K_ii / m_i,
 //
-// lies five decades above the band, where all they do is follow.
+// lies four decades above the band, where all they do is follow.
 #pragma once
 
 #include "updating/structure/system.hpp"
@@ -16,7 +16,7 @@ namespace tapfit::updating {
 /// The mass lent, on the diagonal.
 /// @param dofs that are hit, measured, acted on or released; others without
 ///   mass stay so: where nothing holds them they are a mechanism
-/// @param high_hz top of the band; FRFs up to it change by some 1e-10
+/// @param high_hz top of the band; FRFs up to it change by some 1e-8
 /// @return n x n; empty where none of them is without mass
 [[nodiscard]] structure::SparseMatrix lent_mass(
     const structure::SparseMatrix& stiffness,

@@ -2,7 +2,7 @@
 
 #include "updating/mesh_shift.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <numbers>
 
@@ -39,8 +39,9 @@ std::shared_ptr<const FrfModel> with_mesh_at(const FrfModel& model,
   const MeshShift shift =
       mesh_shift(finer, seen_by_grids(coarser, coarser.base_modes(unscaled)));
   // phi' M phi = I: what is diagonal in the modes is M phi times it.
-  const MatrixXd M_phi =
-      modes.phi.transpose().inverse().leftCols(finer.hz.size());
+  const MatrixXd turned = modes.phi.transpose();
+  const MatrixXd M_phi = turned.householderQr().solve(
+      MatrixXd::Identity(turned.rows(), finer.hz.size()));
   auto result = std::make_shared<FrfModel>(model);
   result->set_part(factor,
                    M_phi * shift.K * M_phi.transpose(),

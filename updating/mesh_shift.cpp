@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -68,7 +67,7 @@ MatrixXd inverse_within(MatrixXd T, double limit) {
     if (T.col(r).norm() > limit) T.col(r).setZero();
   }
   const MatrixXd I = MatrixXd::Identity(T.rows(), T.cols());
-  return (I - T).inverse();
+  return (I - T).householderQr().solve(I);
 }
 
 bool leaves_mass(const MatrixXd& A) {
