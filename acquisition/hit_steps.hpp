@@ -32,8 +32,7 @@ struct HammerRun {
 /// Up to where a hit must not be soft [Hz]: the end of the bundle's band. When
 /// none is given nobody asked for more than the hammer's tip excites: where the
 /// usual hit's force has fallen by 10 dB, at most 0.4 of the rate. A hit is
-/// soft there when it is some 12 dB below the others (10 from the place itself,
-/// force_level_db() takes the largest of the last tenth below it).
+/// then soft when its force falls by 20 dB before 0.9 of that.
 [[nodiscard]] double judged_to(const TestBundle& bundle,
                                const std::vector<HammerRun>& runs,
                                double rate);

@@ -138,18 +138,6 @@ bool has_second_pulse(const HammerSignal& hammer,
   return false;
 }
 
-double force_level_db(const HammerSignal& hammer,
-                      const Pulse& main,
-                      double band_end_hz,
-                      double sample_rate_hz) {
-  const double end = band_end_hz / sample_rate_hz;
-  double high = 0.0;
-  for (const double part : {0.9, 0.925, 0.95, 0.975, 1.0}) {
-    high = std::max(high, force_spectrum(hammer, main, part * end));
-  }
-  return decibels(high, force_spectrum(hammer, main, 0.0));
-}
-
 double force_reach_hz(const HammerSignal& hammer,
                       const Pulse& main,
                       double fallen_db,

@@ -22,18 +22,10 @@ namespace tapfit::acquisition {
                                     Eigen::Index end,
                                     double percent);
 
-/// Force spectrum at the band's end against its low end [dB], by a direct
-/// Fourier sum over the main pulse; 0 = as strong as at zero frequency.
-///
-/// The largest of the last tenth of the band is taken, so that a zero of the
-/// pulse's spectrum which happens to lie on the end is not decisive.
-[[nodiscard]] double force_level_db(const HammerSignal& hammer,
-                                    const Pulse& main,
-                                    double band_end_hz,
-                                    double sample_rate_hz);
-
 /// Where the main pulse's force spectrum has first fallen below its low end by
-/// so many decibels [Hz], to 1 in 1000 of what a pulse as wide reaches.
+/// so many decibels [Hz], to 1 in 1000 of what a pulse as wide reaches. What
+/// lobes of the spectrum bring behind that does not count: lines before them,
+/// at its zeros, are without force.
 ///
 /// @param fallen_db below 0
 /// @param most_hz the answer where it does not fall as far up to there

@@ -157,7 +157,7 @@ TEST(SecondPulse, UndershootAndHumAreNone) {
 }
 
 // A half sine's spectrum is cos(pi f w) / (1 - (2 f w)^2).
-TEST(ForceLevel, AgreesWithTheClosedForm) {
+TEST(ForceReach, AgreesWithTheClosedForm) {
   const double rate = 51200.0;
   const double width = 2e-3;
   Eigen::VectorXd force = Eigen::VectorXd::Zero(4096);
@@ -166,15 +166,19 @@ TEST(ForceLevel, AgreesWithTheClosedForm) {
   hammer.force = force;
   Index peak = 0;
   force.maxCoeff(&peak);
-  const double end = 500.0;
-  const double f = 0.9 * end;  // the strongest of the last tenth
+  const double f = 600.0;  // before the first zero at 1.5 / w, 750 Hz
   const double closed =
       20.0 * std::log10(std::cos(std::numbers::pi * f * width) /
                         (1.0 - std::pow(2.0 * f * width, 2)));
   // 102 samples over the pulse: the sum is good to (1/102)^2 of its value.
-  EXPECT_NEAR(force_level_db(hammer, measure_pulse(force, peak), end, rate),
-              closed,
-              0.05);
+  EXPECT_NEAR(
+      force_reach_hz(hammer, measure_pulse(force, peak), closed, 2000.0, rate),
+      f,
+      1.0);
+  // The lobe behind the zero reaches -23 dB at 1000 Hz.
+  EXPECT_LT(
+      force_reach_hz(hammer, measure_pulse(force, peak), -40.0, 1000.0, rate),
+      750.0);
 }
 
 // Three equal samples in a row are no overload: at low frequencies every

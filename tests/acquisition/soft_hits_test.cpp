@@ -57,6 +57,24 @@ TEST(SoftHits, CleanBlowsAreNone) {
   }
 }
 
+// With a band a hit is soft where its spectrum is 20 dB down anywhere in it: a
+// half sine's from 1.31 / width on, through the zero at 1.5 and the lobes.
+TEST(SoftHits, WithABandTheyFallBy20DecibelsInIt) {
+  std::mt19937_64 random(3);
+  TestBundle bundle = testing::hammer_bundle();
+  for (const double width : {2e-3, 8e-3}) {
+    const Recording recording = testing::blows_of({4096.0, width, 1.0}, random);
+    for (const double x :
+         {1.2, 1.28, 1.34, 1.36, 1.44, 1.5, 1.6, 1.75, 2.0, 2.4, 2.5, 3.1}) {
+      bundle.band_hz = {5.0, x / width};
+      const bool soft =
+          testing::judged_soft(find_hits(bundle, {recording}, {})) > 0;
+      EXPECT_EQ(soft, std::abs(level(1.0, std::min(x, 1.5))) < 0.1)
+          << x << " of 1 / width, " << width << " s";
+    }
+  }
+}
+
 // What is twice as wide as the others is soft, whatever the rate.
 TEST(SoftHits, AMuchWiderBlowIsOne) {
   std::mt19937_64 random(2);

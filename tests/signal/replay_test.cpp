@@ -51,7 +51,7 @@ class Replay : public ::testing::Test {
                   512,
                   acquisition::AudioFormat::WavFloat64);
     }
-    test_.bundle.band_hz = {2.0, 100.0};
+    test_.bundle.band_hz = {2.0, 90.0};
     // The trial look sees the first ten hits of each run.
     options_.trial_samples = 2 * 2 * 10 * o.gap;
     // Seven pieces or more: 25,000 samples of two channels.
