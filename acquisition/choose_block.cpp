@@ -85,6 +85,34 @@ void take_wish(double block_s, const BlockNeeds& needs, Block& block) {
                 needs.pulse_width / needs.sample_rate_hz);
 }
 
+/// What would do, were there room, and why.
+struct Enough {
+  Index samples = 0;
+  std::string reason;
+};
+
+Enough enough_for(const BlockNeeds& needs) {
+  Enough enough{needs.lasting + needs.lasting / 5,
+                "as long as the response lasts"};
+  if (needs.slowest) {
+    // A tenth more, since the rate is estimated.
+    const double seconds = 1.1 * decayed_time_constants / needs.slowest->rate;
+    const Index samples = rounded(seconds * needs.sample_rate_hz);
+    if (samples > enough.samples) {
+      enough = {samples,
+                fmt::format("as long as the response lasts ({:.2g} time "
+                            "constants of {:.3g} s between {:.3g} and {:.3g} "
+                            "Hz)",
+                            1.1 * decayed_time_constants,
+                            1.0 / needs.slowest->rate,
+                            needs.slowest->octave_hz[0],
+                            needs.slowest->octave_hz[1])};
+    }
+  }
+  if (needs.least <= enough.samples) return enough;
+  return {needs.least, "as long as the band's resolution needs"};
+}
+
 }  // namespace
 
 Index choose_hold_off(const std::vector<RunPulses>& runs,
@@ -171,16 +199,13 @@ Block choose_block(const std::vector<std::vector<PulseGroup>>& runs,
     take_wish(*options.block_s, needs, block);
     return block;
   }
-  Index after = room;
-  block.reason = "as long as the hits' spacing and the files' ends allow";
-  const Index enough = std::max(needs.least, needs.lasting + needs.lasting / 5);
-  if (enough < after) {
-    after = enough;
-    block.reason = needs.least > needs.lasting + needs.lasting / 5
-                       ? "as long as the band's resolution needs"
-                       : "as long as the response lasts";
-  }
-  block.samples = smooth_length(after + block.pre_trigger);
+  const Enough enough = enough_for(needs);
+  const bool fits = enough.samples < room;
+  block.reason = fits
+                     ? enough.reason
+                     : "as long as the hits' spacing and the files' ends allow";
+  block.samples =
+      smooth_length((fits ? enough.samples : room) + block.pre_trigger);
   return block;
 }
 

@@ -3,8 +3,9 @@
 
 #include "acquisition/hammer_pulses.hpp"
 #include "acquisition/hits.hpp"
+#include "acquisition/octave_decay.hpp"
 
-#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,16 +45,18 @@ struct Block {
 /// The room after a trigger ends before the next hit or with the file. The
 /// block fits into the smallest room, unless at most a fifth of the hits have
 /// much less room than the rest (then those are given up, but never all hits
-/// of a run); it is cut where the response has died away, and its length has
-/// only the prime factors 2, 3, 5 and 7. A length that was asked for is kept,
-/// unless it does not hold the pre-trigger and a pulse: the reason says so
-/// then.
+/// of a run); it is cut where the response has died away: lost in its noise,
+/// and decayed by six time constants in every octave. Its length has only the
+/// prime factors 2, 3, 5 and 7. A length that was asked for is kept, unless it
+/// does not hold the pre-trigger and a pulse: the reason says so then.
 ///
-/// @param lasting samples until the response has died away
+/// @param lasting samples until the response is lost in its noise
+/// @param slowest decay in any octave; empty where none is seen
 /// @param pulse_width usual width of a pulse [samples]
 /// @param least samples that the band needs for its resolution
 struct BlockNeeds {
   Eigen::Index lasting = 0;
+  std::optional<OctaveDecay> slowest;
   Eigen::Index least = 0;
   double pulse_width = 1.0;
   double sample_rate_hz = 1.0;

@@ -59,6 +59,10 @@ Hit hit_of(const PulseGroup& group, const HitSet& set, double rate) {
 
 }  // namespace
 
+double rearm_share(const HitOptions& options) {
+  return 0.01 * options.trigger.rearm_percent.value_or(50.0);
+}
+
 HammerRun prepare_run(const Run& run,
                       const Recording& recording,
                       std::optional<int> slope) {
@@ -68,6 +72,15 @@ HammerRun prepare_run(const Run& run,
       recording.samples.col(channel), recording.sample_rate_hz, slope);
   result.pulses.samples = recording.samples.rows();
   return result;
+}
+
+double usual_width(const std::vector<HammerRun>& runs) {
+  std::vector<double> widths;
+  for (const HammerRun& run : runs) {
+    for (const Pulse& pulse : run.pulses.pulses) widths.push_back(pulse.width);
+  }
+  return median(
+      Eigen::VectorXd::Map(widths.data(), static_cast<Index>(widths.size())));
 }
 
 double band_end(const TestBundle& bundle, double rate) {

@@ -11,6 +11,11 @@
 
 namespace tapfit::acquisition {
 
+inline constexpr double default_trigger = 0.05;  ///< of the largest peak
+
+/// Of the trigger's level, where it is armed again.
+[[nodiscard]] double rearm_share(const HitOptions& options);
+
 /// One run on its way through the steps.
 struct HammerRun {
   HammerSignal hammer;
@@ -25,6 +30,9 @@ struct HammerRun {
 [[nodiscard]] HammerRun prepare_run(const Run& run,
                                     const Recording& recording,
                                     std::optional<int> slope);
+
+/// The median width of all runs' pulses [samples].
+[[nodiscard]] double usual_width(const std::vector<HammerRun>& runs);
 
 /// Upper end of the band; 0.4 of the sampling rate without one [Hz].
 [[nodiscard]] double band_end(const TestBundle& bundle, double rate);

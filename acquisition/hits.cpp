@@ -2,14 +2,15 @@
 // block, judge each hit, and say what was chosen.
 #include "acquisition/hits.hpp"
 
+#include "acquisition/block_for.hpp"
 #include "acquisition/choose_block.hpp"
 #include "acquisition/compare_hits.hpp"
+#include "acquisition/hit_statements.hpp"
 #include "acquisition/hit_steps.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/no_hits.hpp"
 #include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
-#include "acquisition/short_pulses.hpp"
 
 #include <fmt/format.h>
 
@@ -22,12 +23,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double default_trigger = 0.05;  // of the run's largest peak
-constexpr double usable_snr = 10.0;       // ... of the largest in a run
-
-double rearm_share(const HitOptions& options) {
-  return 0.01 * options.trigger.rearm_percent.value_or(50.0);
-}
+constexpr double usable_snr = 10.0;  // of the largest peak in a run
 
 double usual_peak(const std::vector<HammerRun>& work) {
   Eigen::VectorXd peaks(static_cast<Index>(work.size()));
@@ -96,161 +92,6 @@ void trigger(const TestBundle& bundle,
   if (!hitless.empty()) throw NoHits(std::move(hitless));
 }
 
-double usual_width(const std::vector<HammerRun>& work) {
-  std::vector<double> widths;
-  for (const HammerRun& run : work) {
-    for (const Pulse& pulse : run.pulses.pulses) widths.push_back(pulse.width);
-  }
-  return median(
-      Eigen::VectorXd::Map(widths.data(), static_cast<Index>(widths.size())));
-}
-
-// The largest hit of those with room enough to watch the response die.
-const PulseGroup& clearest_hit(const std::vector<PulseGroup>& groups) {
-  Index longest = 0;
-  for (const PulseGroup& group : groups) {
-    longest = std::max(longest, group.room);
-  }
-  const PulseGroup* best = nullptr;
-  for (const PulseGroup& group : groups) {
-    if (2 * group.room < longest) continue;
-    if (best == nullptr || group.largest.height > best->largest.height) {
-      best = &group;
-    }
-  }
-  return *best;
-}
-
-// How long the responses of a run's clearest hit last.
-Index lasting_response(const Run& run,
-                       const Recording& recording,
-                       const PulseGroup& hit) {
-  std::vector<Index> lasting(run.sensors.size());
-  for_each_parallel(lasting.size(), [&](std::size_t k) {
-    const auto channel =
-        recording.samples.col(static_cast<Index>(run.sensors[k].channel));
-    constexpr Index enough = 1 << 13;
-    const double level = median(thinned(channel, enough));
-    const Eigen::VectorXd response =
-        channel.segment(hit.first.first, hit.room).array() - level;
-    lasting[k] = response_length(response);
-  });
-  return lasting.empty() ? 0
-                         : *std::max_element(lasting.begin(), lasting.end());
-}
-
-// The longest of all runs.
-Index lasting_response(const TestBundle& bundle,
-                       const std::vector<Recording>& recordings,
-                       const std::vector<HammerRun>& work) {
-  std::vector<Index> lasting(work.size());
-  for_each_parallel(work.size(), [&](std::size_t r) {
-    lasting[r] = lasting_response(
-        bundle.runs[r], recordings[r], clearest_hit(work[r].groups));
-  });
-  return *std::max_element(lasting.begin(), lasting.end());
-}
-
-Block block_for(const TestBundle& bundle,
-                const std::vector<Recording>& recordings,
-                const std::vector<HammerRun>& work,
-                const HitOptions& options) {
-  const double rate = recordings[0].sample_rate_hz;
-  const double low = bundle.band_hz ? (*bundle.band_hz)[0] : 0.0;
-  const double high = band_end(bundle, rate);
-  // 200 lines in the band and four periods of its lowest frequency.
-  double least_s = 200.0 / (high - low);
-  if (low > 0.0) least_s = std::max(least_s, 4.0 / low);
-  BlockNeeds needs;
-  needs.lasting = lasting_response(bundle, recordings, work);
-  needs.least = static_cast<Index>(std::ceil(least_s * rate));
-  needs.pulse_width = usual_width(work);
-  needs.sample_rate_hz = rate;
-  std::vector<std::vector<PulseGroup>> groups;
-  for (const HammerRun& run : work) groups.push_back(run.groups);
-  return choose_block(groups, needs, options);
-}
-
-// "2.4 mV, 0.05 % of the range" for a force; empty where no range is declared.
-std::string in_volts(const Channel& hammer, double force) {
-  const double part = force / std::abs(hammer.full_scale_si());
-  if (!(part > 0.0)) return {};
-  return fmt::format(" ({:.3g} mV, {:.2g} % of the range)",
-                     1e3 * part * hammer.full_scale_volts,
-                     100.0 * part);
-}
-
-std::string level_reason(const HitOptions& options) {
-  if (options.trigger_n) return "as fixed before";
-  if (options.trigger.range_percent) return "as asked for";
-  if (options.trigger_percent) {
-    return fmt::format("{:.2g} % of each run's largest peak",
-                       *options.trigger_percent);
-  }
-  return fmt::format("{:.2g} % of each run's largest peak or 8 times its noise",
-                     100.0 * default_trigger);
-}
-
-void state_trigger(const TestBundle& bundle,
-                   const std::vector<HammerRun>& work,
-                   const HitOptions& options,
-                   HitSet& set) {
-  double highest = 0.0;
-  double peak = 0.0;
-  set.trigger_n = work[0].level;
-  for (const HammerRun& run : work) {
-    set.trigger_n = std::min(set.trigger_n, run.level);
-    highest = std::max(highest, run.level);
-    peak = std::max(peak, run.hammer.peak);
-  }
-  const Channel& hammer = bundle.channels[bundle.runs[0].hammer.channel];
-  set.statements.push_back(
-      fmt::format("trigger at {:.3g} to {:.3g} N{}, {} (largest peak of all: "
-                  "{:.3g} N); armed again below {:.2g} % of it",
-                  set.trigger_n,
-                  highest,
-                  in_volts(hammer, set.trigger_n),
-                  level_reason(options),
-                  peak,
-                  100.0 * rearm_share(options)));
-}
-
-void state_block(const Block& block, const HitOptions& options, HitSet& set) {
-  set.statements.push_back(fmt::format(
-      "pulses within {:.3g} s belong to one hit: {}",
-      static_cast<double>(set.hold_off) / set.sample_rate_hz,
-      options.trigger.hold_off_s ? "as asked for"
-      : options.block_s          ? "the block"
-                                 : "a fifth of the usual time between hits"));
-  set.statements.push_back(
-      fmt::format("block of {:.4g} s ({} samples), {}; pre-trigger {:.3g} s",
-                  static_cast<double>(set.block) / set.sample_rate_hz,
-                  set.block,
-                  block.reason,
-                  static_cast<double>(set.pre_trigger) / set.sample_rate_hz));
-}
-
-void state_reach(const TestBundle& bundle, HitSet& set) {
-  if (set.judged_to_hz >= band_end(bundle, set.sample_rate_hz)) return;
-  set.statements.push_back(fmt::format(
-      "no band is given: hits are judged up to {:.3g} Hz, where the "
-      "usual one's force has fallen by 10 dB; give band_hz",
-      set.judged_to_hz));
-}
-
-void state_polarity(const std::vector<HammerRun>& work,
-                    const HitOptions& options,
-                    HitSet& set) {
-  const bool negative =
-      std::any_of(work.begin(), work.end(), [](const HammerRun& run) {
-        return run.hammer.polarity < 0.0;
-      });
-  if (!negative || options.trigger.slope) return;
-  set.statements.emplace_back(
-      "blows are negative in the hammer channel of at least one run: is its "
-      "polarity right?");
-}
-
 // What is not given is taken from the bundle.
 HitOptions completed(const HitOptions& given, const TestBundle& bundle) {
   HitOptions options = given;
@@ -300,14 +141,10 @@ HitSet find_hits(const TestBundle& bundle,
   set.sample_rate_hz = rate;
   set.block = block.samples;
   set.pre_trigger = block.pre_trigger;
+  set.block_reason = block.reason;
   set.hold_off = hold_off;
   set.judged_to_hz = judged_to(bundle, work, rate);
-  state_trigger(bundle, work, options, set);
-  state_block(block, options, set);
-  state_reach(bundle, set);
-  state_polarity(work, options, set);
-  const std::string too_short = short_pulse_statement(work, rate);
-  if (!too_short.empty()) set.statements.push_back(too_short);
+  state_choices(bundle, work, options, set);
   set.runs.resize(work.size());
   for_each_parallel(work.size(), [&](std::size_t r) {
     std::vector<Hit>& hits = set.runs[r];

@@ -38,6 +38,7 @@ struct HitSet {
   double sample_rate_hz = 0.0;
   Eigen::Index block = 0;        ///< samples per block, the same for all hits
   Eigen::Index pre_trigger = 0;  ///< samples of the block before the trigger
+  std::string block_reason;      ///< why the block is as long as that
   Eigen::Index hold_off = 0;     ///< samples; a later pulse is a new hit
   double trigger_n = 0.0;        ///< lowest level used in any run [N]
   double judged_to_hz = 0.0;     ///< up to where a hit must not be soft

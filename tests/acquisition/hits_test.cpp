@@ -119,6 +119,25 @@ TEST(FindHits, BlocksEndWhenTheResponseHasDied) {
   EXPECT_LT(block_s, 1.2);
 }
 
+TEST(FindHits, HumDoesNotHideTheResponseFromTheBlock) {
+  Scene scene;
+  scene.decay = 2.0;  // six time constants are 3 s of the 4 between hits
+  Recording recording = record(scene);
+  Eigen::VectorXd hum = Eigen::VectorXd::LinSpaced(
+      recording.samples.rows(), 0.0, 2.0 * std::numbers::pi * 150.0);
+  hum *= scene.length_s;
+  recording.samples.col(1).array() +=
+      0.05 * recording.samples.col(1).maxCoeff() * hum.array().sin();
+  const HitSet hits = find({recording});
+  const double after_s =
+      static_cast<double>(hits.block - hits.pre_trigger) / scene.rate;
+  EXPECT_GT(after_s, 3.0);
+  EXPECT_LT(after_s, 3.6);
+  EXPECT_TRUE(std::ranges::any_of(hits.statements, [](const auto& said) {
+    return said.find("time constants of 0.5") != std::string::npos;
+  })) << ::testing::PrintToString(hits.statements);
+}
+
 TEST(FindHits, ADoubleHitShortensNoBlock) {
   Scene scene;
   scene.decay = 0.1;

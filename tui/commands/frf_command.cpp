@@ -148,6 +148,15 @@ signal::FrfSet frfs_as_asked(updating::Session& session,
   return session.frfs_as(options, progress);
 }
 
+// Ready FRFs come without blocks.
+std::string block_text(updating::Session& session, const Progress& progress) {
+  if (session.bundle().frfs) return {};
+  const acquisition::HitSet& hits = session.hits(progress);
+  return fmt::format("  blocks of {:.4g} s, {}\n",
+                     static_cast<double>(hits.block) / hits.sample_rate_hz,
+                     hits.block_reason);
+}
+
 }  // namespace
 
 std::string frf_command(const CommandOptions& options,
@@ -161,7 +170,7 @@ std::string frf_command(const CommandOptions& options,
     signal::write_frfs_uff(frfs, session.bundle().title, *options.uff, form);
   }
   return options.json ? frf_json(frfs, form).dump(2) + "\n"
-                      : frf_text(frfs, form);
+                      : frf_text(frfs, form) + block_text(session, progress);
 }
 
 }  // namespace tapfit::tui
