@@ -1,12 +1,13 @@
 #include "acquisition/hit_statements.hpp"
 
-#include "acquisition/short_pulses.hpp"
+#include "acquisition/hit_warnings.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace tapfit::acquisition {
 namespace {
@@ -78,19 +79,6 @@ void state_reach(const TestBundle& bundle, HitSet& set) {
       set.judged_to_hz));
 }
 
-void state_polarity(const std::vector<HammerRun>& work,
-                    const HitOptions& options,
-                    HitSet& set) {
-  const bool negative =
-      std::any_of(work.begin(), work.end(), [](const HammerRun& run) {
-        return run.hammer.polarity < 0.0;
-      });
-  if (!negative || options.trigger.slope) return;
-  set.statements.emplace_back(
-      "blows are negative in the hammer channel of at least one run: is its "
-      "polarity right?");
-}
-
 }  // namespace
 
 void state_choices(const TestBundle& bundle,
@@ -100,9 +88,10 @@ void state_choices(const TestBundle& bundle,
   state_trigger(bundle, runs, options, set);
   state_block(options, set);
   state_reach(bundle, set);
-  state_polarity(runs, options, set);
-  const std::string too_short = short_pulse_statement(runs, set.sample_rate_hz);
-  if (!too_short.empty()) set.statements.push_back(too_short);
+  for (std::string& warning : hit_warnings(bundle, runs, options, set)) {
+    set.statements.push_back(warning);
+    set.warnings.push_back(std::move(warning));
+  }
 }
 
 }  // namespace tapfit::acquisition

@@ -7,7 +7,7 @@
 
 namespace tapfit::acquisition {
 
-/// Adds to the set's statements.
+/// Adds to the set's statements and warnings.
 ///
 /// @param runs with levels and pulses
 /// @param options as completed by the bundle's

@@ -44,6 +44,9 @@ struct HitSet {
   double judged_to_hz = 0.0;     ///< up to where a hit must not be soft
   std::vector<std::vector<Hit>> runs;   ///< as TestBundle::runs
   std::vector<std::string> statements;  ///< what was chosen, and why
+  /// Those of the statements that whoever sees FRFs or modes only must know,
+  /// too: something in the recording or in test.json wants to be set right.
+  std::vector<std::string> warnings;
 };
 
 struct HitOptions {

@@ -8,6 +8,7 @@
 #include "updating/ready_frfs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,6 +34,21 @@ void warn_of(const std::vector<acquisition::LeftOut>& left_out,
     if (std::ranges::count(bundle.warnings, words) > 0) continue;
     bundle.warnings.push_back(words);
   }
+}
+
+// Why there is none is often a setting that is warned of.
+void check_accepted(const acquisition::TestBundle& bundle,
+                    const acquisition::HitSet& hits) {
+  const bool any = std::ranges::any_of(hits.runs, [](const auto& run) {
+    return std::ranges::any_of(run, &acquisition::Hit::accepted);
+  });
+  if (any) return;
+  throw InputError("no run has an accepted hit",
+                   bundle.folder.string(),
+                   hits.warnings.empty()
+                       ? "look at the reasons with tapfit hits, and accept at "
+                         "least one hit by hand"
+                       : fmt::format("{}", fmt::join(hits.warnings, "; ")));
 }
 
 }  // namespace
@@ -95,11 +111,15 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
+    check_accepted(bundle_, found);
     LastingFrfs found_frfs =
         estimate_lasting_frfs(bundle_, all, found, progress);
     lasting_poles_ = std::move(found_frfs.poles);
     if (same_modes(choices_, {})) modes_ = std::move(found_frfs.modes);
     frfs_ = std::move(found_frfs.set);
+    frfs_->statements.insert(frfs_->statements.begin(),
+                             found.warnings.begin(),
+                             found.warnings.end());
   }
   return *frfs_;
 }
@@ -127,8 +147,12 @@ signal::FrfSet Measurement::frfs_as(signal::FrfOptions options,
                                     const Progress& progress) {
   static_cast<void>(frfs(progress));
   options.lasting_poles = lasting_poles_;
-  return signal::estimate_frfs(
-      bundle_, recordings(progress), hits(progress), options, progress);
+  const acquisition::HitSet& found = hits(progress);
+  signal::FrfSet set = signal::estimate_frfs(
+      bundle_, recordings(progress), found, options, progress);
+  set.statements.insert(
+      set.statements.begin(), found.warnings.begin(), found.warnings.end());
+  return set;
 }
 
 signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,

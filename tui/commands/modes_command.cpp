@@ -237,9 +237,13 @@ std::string modes_command(const CommandOptions& options,
   modal::IdentifyOptions identify = told.identify;
   identify.band_hz = usual.band_hz;
   identify.edits = usual.edits;
-  const modal::ModeSet modes =
-      identify == usual ? session.modes(progress)
-                        : modal::identify_modes(frfs, identify, progress);
+  modal::ModeSet modes = identify == usual
+                             ? session.modes(progress)
+                             : modal::identify_modes(frfs, identify, progress);
+  if (!session.bundle().frfs) {
+    const std::vector<std::string>& hits = session.hits(progress).warnings;
+    modes.warnings.insert(modes.warnings.begin(), hits.begin(), hits.end());
+  }
   const std::string& title = session.bundle().title;
   if (options.uff) {
     modal::write_modes_uff(modes,
