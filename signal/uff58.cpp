@@ -8,6 +8,7 @@
 #include "acquisition/units.hpp"
 #include "acquisition/utf8.hpp"
 #include "signal/convert.hpp"
+#include "signal/finite_lines.hpp"
 
 #include <fmt/format.h>
 
@@ -149,7 +150,7 @@ Eigen::Index count_bad(const Eigen::VectorXcd& H) {
   return H.size() - H.array().isFinite().count();
 }
 
-// An FRF that is left out is missing in all that follows.
+// What is left out is missing in all that follows.
 void leave_out(std::string line, UffFrfs& result) {
   result.set.statements.push_back(line);
   result.skipped.push_back(std::move(line));
@@ -162,58 +163,6 @@ void shorten(std::vector<std::string>& statements) {
   const std::size_t more = statements.size() - enough;
   statements.resize(enough);
   statements.push_back(fmt::format("{} more FRFs are left out", more));
-}
-
-// A non-finite line (often the one at 0 Hz) is taken out of all FRFs.
-void drop_bad_lines(UffFrfs& result) {
-  std::vector<Eigen::Index> keep;
-  FrfSet& set = result.set;
-  for (Eigen::Index i = 0; i < set.lines(); ++i) {
-    bool good = std::isfinite(set.s(i).imag());
-    for (const Frf& frf : set.frfs)
-      good = good && std::isfinite(std::abs(frf.H(i)));
-    if (good) keep.push_back(i);
-  }
-  const auto dropped = set.lines() - static_cast<Eigen::Index>(keep.size());
-  if (dropped == 0) return;
-  result.skipped.push_back(
-      fmt::format("{} lines without a finite value", dropped));
-  set.s = set.s(keep).eval();
-  for (Frf& frf : set.frfs) {
-    frf.H = frf.H(keep).eval();
-    frf.coherence = frf.coherence(keep).eval();
-    frf.variance = frf.variance(keep).eval();
-  }
-}
-
-// An FRF with a bad value on a line that most others have: the line would be
-// taken out of all of them, and leave a gap. Lines at the ends leave none.
-void leave_out_broken(UffFrfs& result) {
-  FrfSet& set = result.set;
-  std::vector<std::size_t> bad(static_cast<std::size_t>(set.lines()), 0);
-  for (const Frf& frf : set.frfs) {
-    for (std::size_t i = 0; i < bad.size(); ++i) {
-      if (!std::isfinite(std::abs(frf.H(static_cast<Eigen::Index>(i)))))
-        ++bad[i];
-    }
-  }
-  const auto whole = [](std::size_t count) { return count == 0; };
-  const auto first = std::find_if(bad.begin(), bad.end(), whole);
-  const auto last = std::find_if(bad.rbegin(), bad.rend(), whole).base();
-  const std::size_t most = set.frfs.size() / 2;
-  std::erase_if(set.frfs, [&](const Frf& frf) {
-    for (auto it = first; it < last; ++it) {
-      const Eigen::Index i = it - bad.begin();
-      if (std::isfinite(std::abs(frf.H(i))) || *it > most) continue;
-      leave_out(
-          fmt::format("FRF {} is left out: its value at {:.6g} Hz is no number",
-                      name(frf),
-                      set.s(i).imag() / (2.0 * std::numbers::pi)),
-          result);
-      return true;
-    }
-    return false;
-  });
 }
 
 // Dataset 1858: what the exponential window's decay rate was [1/s].
@@ -264,9 +213,12 @@ class Reader {
 
   UffFrfs finish() {
     for (const UffFunction& function : coherences_) take_coherence(function);
-    leave_out_broken(result_);
-    drop_bad_lines(result_);
+    for (std::string& broken : leave_out_broken(result_.set)) {
+      leave_out(std::move(broken), result_);
+    }
     shorten(result_.set.statements);
+    const std::string dropped = drop_bad_lines(result_.set);
+    if (!dropped.empty()) leave_out(dropped, result_);
     return std::move(result_);
   }
 

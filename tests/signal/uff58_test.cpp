@@ -352,7 +352,15 @@ TEST(Uff58, DropsLinesThatAreNoNumbers) {
       read_frfs_uff_text(dataset(4, 5, 2, 1, " NaN NaN 3. 4.\n"), "x");
   ASSERT_EQ(result.set.lines(), 1);
   EXPECT_EQ(result.set.frfs[0].H(0), complex(3.0, 4.0));
-  EXPECT_EQ(result.skipped.size(), 1u);
+  ASSERT_EQ(result.skipped.size(), 1u);
+  // Whoever sees the FRFs only is told, too.
+  EXPECT_EQ(result.set.statements, result.skipped);
+  EXPECT_NE(result.skipped[0].find("1 line is left out of all FRFs"),
+            std::string::npos)
+      << result.skipped[0];
+  EXPECT_NE(result.skipped[0].find("1 of " + name(result.set.frfs[0])),
+            std::string::npos)
+      << result.skipped[0];
 }
 
 // One dead FRF costs itself, not the lines of all others.
