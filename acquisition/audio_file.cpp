@@ -116,6 +116,32 @@ InputError ends_early(const std::filesystem::path& file,
           "copy the file again, or save it anew with the recording program"};
 }
 
+// Whether samples come back as they were written. FLAC counts as PCM.
+bool keeps_samples(int subtype) {
+  switch (subtype) {
+    case SF_FORMAT_PCM_S8:
+    case SF_FORMAT_PCM_U8:
+    case SF_FORMAT_PCM_16:
+    case SF_FORMAT_PCM_24:
+    case SF_FORMAT_PCM_32:
+    case SF_FORMAT_FLOAT:
+    case SF_FORMAT_DOUBLE:
+    case SF_FORMAT_DWVW_12:
+    case SF_FORMAT_DWVW_16:
+    case SF_FORMAT_DWVW_24:
+    case SF_FORMAT_DWVW_N:
+    case SF_FORMAT_DPCM_8:
+    case SF_FORMAT_DPCM_16:
+    case SF_FORMAT_ALAC_16:
+    case SF_FORMAT_ALAC_20:
+    case SF_FORMAT_ALAC_24:
+    case SF_FORMAT_ALAC_32:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace
 
 struct AudioReader::State {
@@ -179,6 +205,21 @@ Eigen::Index AudioReader::read(Eigen::Ref<Eigen::MatrixXd> out,
     state_->done += got;
   }
   return filled;
+}
+
+std::string lossy_encoding(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return {};
+  SF_INFO info{};
+  const Handle handle(sf_open(file.c_str(), SFM_READ, &info));
+  const int subtype = info.format & SF_FORMAT_SUBMASK;
+  if (!handle || keeps_samples(subtype)) return {};
+  SF_FORMAT_INFO about{};
+  about.format = subtype;
+  const bool named =
+      sf_command(nullptr, SFC_GET_FORMAT_INFO, &about, sizeof(about)) == 0 &&
+      about.name != nullptr;
+  return named ? about.name : fmt::format("libsndfile's {:#x}", subtype);
 }
 
 Eigen::MatrixXd room_for(Eigen::Index samples,

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace tapfit::acquisition {
 
@@ -49,6 +50,11 @@ class AudioReader {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The name of an encoding that does not keep the samples as they were, such as
+/// "Microsoft ADPCM" or "Vorbis"; empty for one that does, and for what is no
+/// sound file.
+[[nodiscard]] std::string lossy_encoding(const std::filesystem::path& file);
 
 /// Room for all samples of a file, not yet filled.
 /// @throws InputError where memory does not hold them

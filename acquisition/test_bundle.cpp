@@ -3,6 +3,7 @@
 #include "acquisition/test_bundle.hpp"
 
 #include "acquisition/input_error.hpp"
+#include "acquisition/lossy_files.hpp"
 #include "acquisition/test_schema.hpp"
 #include "acquisition/uff_bundle.hpp"
 #include "acquisition/units.hpp"
@@ -371,6 +372,9 @@ TestBundle read_test_bundle(const fs::path& folder) {
   for (const std::string& place : unknown_fields(document)) {
     bundle.warnings.push_back(
         fmt::format("{}: unknown field, not used", source.at(place)));
+  }
+  for (std::string& lossy : lossy_statements(bundle)) {
+    bundle.warnings.push_back(std::move(lossy));
   }
   return bundle;
 }

@@ -2,12 +2,15 @@
 // made byte by byte: samples come back as they are, to the last bit.
 #include "acquisition/audio_file.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/lossy_files.hpp"
 #include "acquisition/sample_bytes.hpp"
 #include "tests/acquisition/sound_text.hpp"
 #include "tests/acquisition/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sndfile.h>
+
+#include <algorithm>
 
 namespace tapfit::acquisition {
 namespace {
@@ -140,6 +143,55 @@ TEST_F(SoundContainers, FlacOf16And24Bits) {
     const Audio audio = read_audio(file);
     EXPECT_EQ(audio.samples, x) << bits;
   }
+}
+
+// Written by libsndfile, too; the samples do not matter.
+TEST_F(SoundContainers, EncodingsWithLossAreToldOf) {
+  struct Case {
+    int format;
+    const char* name;  ///< nullptr: none is told
+  };
+  const Case cases[] = {
+      {SF_FORMAT_WAV | SF_FORMAT_MS_ADPCM, "ADPCM"},
+      {SF_FORMAT_WAV | SF_FORMAT_IMA_ADPCM, "ADPCM"},
+      {SF_FORMAT_WAV | SF_FORMAT_GSM610, "GSM"},
+      {SF_FORMAT_WAV | SF_FORMAT_ULAW, "U-Law"},
+      {SF_FORMAT_WAV | SF_FORMAT_ALAW, "A-Law"},
+      {SF_FORMAT_AU | SF_FORMAT_G721_32, "G721"},
+      {SF_FORMAT_OGG | SF_FORMAT_VORBIS, "Vorbis"},
+      {SF_FORMAT_WAV | SF_FORMAT_PCM_16, nullptr},
+      {SF_FORMAT_WAV | SF_FORMAT_FLOAT, nullptr},
+      {SF_FORMAT_FLAC | SF_FORMAT_PCM_24, nullptr},
+      {SF_FORMAT_CAF | SF_FORMAT_ALAC_24, nullptr},
+  };
+  TestBundle bundle;
+  for (const Case& one : cases) {
+    const auto file = folder_.path() / std::to_string(bundle.runs.size());
+    SF_INFO info{};
+    info.samplerate = 8000;
+    info.channels = 1;
+    info.format = one.format;
+    SNDFILE* handle = sf_open(file.c_str(), SFM_WRITE, &info);
+    ASSERT_NE(handle, nullptr) << sf_strerror(nullptr);
+    const Eigen::VectorXf x = Eigen::VectorXf::LinSpaced(4000, -0.5F, 0.5F);
+    ASSERT_EQ(sf_writef_float(handle, x.data(), x.size()), x.size());
+    sf_close(handle);
+    acquisition::Run run;
+    run.file = file;
+    bundle.runs.push_back(run);
+    const std::string name = lossy_encoding(file);
+    EXPECT_EQ(name.empty(), one.name == nullptr) << name;
+    if (one.name != nullptr) {
+      EXPECT_NE(name.find(one.name), std::string::npos) << name;
+    }
+  }
+  bundle.runs.push_back(bundle.runs.front());
+  const std::vector<std::string> said = lossy_statements(bundle);
+  EXPECT_EQ(said.size(), 7U);
+  EXPECT_TRUE(std::ranges::any_of(said, [](const std::string& text) {
+    return text.starts_with("0 and 1 more are compressed with loss") &&
+           text.find("PCM WAV or FLAC") != std::string::npos;
+  })) << ::testing::PrintToString(said);
 }
 
 }  // namespace

@@ -54,6 +54,19 @@ class Bundle : public ::testing::Test {
   testing::TemporaryFolder folder_;
 };
 
+// Four samples of 8 bits, mu-law: every command begins with the bundle.
+TEST_F(Bundle, ARecordingWithLossIsWarnedOf) {
+  folder_.write("run.wav",
+                std::string("RIFF\x26\0\0\0WAVEfmt \x12\0\0\0"
+                            "\x07\0\x01\0\x40\x1f\0\0\x40\x1f\0\0"
+                            "\x01\0\x08\0\0\0data\x04\0\0\0\x80\x7f\xff\x12",
+                            50));
+  const TestBundle bundle = read(good());
+  ASSERT_EQ(bundle.warnings.size(), 1U);
+  EXPECT_NE(bundle.warnings[0].find("U-Law"), std::string::npos)
+      << bundle.warnings[0];
+}
+
 TEST_F(Bundle, ReadsEveryField) {
   const TestBundle bundle = read(good());
   EXPECT_EQ(bundle.title, "A plate");
