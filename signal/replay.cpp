@@ -67,11 +67,20 @@ std::vector<LiveSettings> trial(const Source& source,
   const auto channels = static_cast<Index>(bundle.channels.size());
   const Index each =
       options.trial_samples / std::max<Index>(1, runs * channels);
+  const Index most = std::max<Index>(1024, each);
   std::vector<Recording> beginnings;
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    beginnings.push_back(beginning(source, r, std::max<Index>(1024, each)));
+    beginnings.push_back(beginning(source, r, most));
   }
   HitSet set = acquisition::find_hits(bundle, beginnings, options.hits);
+  if (std::ranges::any_of(beginnings, [most](const Recording& of) {
+        return of.samples.rows() == most;
+      })) {
+    set.statements.push_back(fmt::format(
+        "these were chosen from the first {:.4g} s of each run; hits and frf "
+        "look at the whole of it, and may choose another level and block",
+        static_cast<double>(most) / set.sample_rate_hz));
+  }
   set.runs.assign(bundle.runs.size(), {});
   const auto chosen = [](const auto& mine, const auto& theirs) {
     return mine ? mine : theirs;

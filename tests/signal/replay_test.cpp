@@ -114,6 +114,20 @@ TEST_F(Replay, GivesWhatTheWholeRecordGives) {
 
 // The same records in a universal file: streamed, binary or text, they give
 // what the sound files give. Text has 13 digits.
+// What the beginning has chosen is not what the whole record would choose.
+TEST_F(Replay, SaysWhatWasChosenFromTheBeginning) {
+  const auto says = [&] {
+    const Replayed live = replay(test_.bundle, options_, {});
+    return std::ranges::count_if(
+        live.hits.statements, [](const std::string& text) {
+          return text.starts_with("these were chosen from the first");
+        });
+  };
+  EXPECT_EQ(says(), 1);
+  options_.trial_samples = 4 << 20;
+  EXPECT_EQ(says(), 0);
+}
+
 TEST_F(Replay, StreamsUniversalFiles) {
   const Replayed sound = replay(test_.bundle, options_, {});
   for (const auto& [encoding, digits] :
