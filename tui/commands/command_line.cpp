@@ -293,7 +293,8 @@ void add_import(CLI::App& app, Invocation& invocation) {
   command->add_option("--time", given.time_column, "Column of the time [s]");
   command->add_option("--title", given.title, "Title of the bundle");
   command->add_option("--deck", options.deck, "Its bulk data model");
-  command->add_option("--band", given.band_hz, "Lowest and highest frequency");
+  command->add_option("--band", given.band_hz, "Lowest and highest frequency")
+      ->delimiter(',');
   command->add_flag("--overwrite", given.overwrite, "Replace a test.json");
   command->add_flag("--json", options.json, "Print one JSON object");
   command->callback([&invocation] {

@@ -106,6 +106,7 @@ void add_mode_choices(CLI::App& command, HandChoices& by_hand) {
           },
           "LOW HIGH: modes are sought in the lines between only [Hz]")
       ->expected(2)
+      ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
   add_edits(command,
             "--drop",

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <unistd.h>
 
 namespace tapfit::tui {
 namespace {
@@ -20,8 +21,11 @@ namespace {
 void show(const acquisition::TestBundle& bundle, const signal::LiveHit& now) {
   std::vector<std::string> reasons;
   for (const auto fault : now.hit.reasons) reasons.push_back(name(fault));
+  // Only there is a line of progress to be overwritten.
+  const bool terminal = isatty(STDERR_FILENO) != 0;
   fmt::print(stderr,
-             "\r\x1b[K{}  {:.3f} s  {:.4g} N  {}\n",
+             "{}{}  {:.3f} s  {:.4g} N  {}\n",
+             terminal ? "\r\x1b[K" : "",
              bundle.runs[now.run].file.filename().string(),
              now.hit.time_s,
              now.hit.peak_n,

@@ -56,7 +56,9 @@ void describe(CLI::App& app, Words& words) {
       ->check(CLI::Range(2, 999));
   app.add_option("--hits", spec.hits, "hits at each point")
       ->check(CLI::Range(1, 99));
-  app.add_option("--band", words.band, "band of interest [Hz]")->expected(2);
+  app.add_option("--band", words.band, "band of interest [Hz]")
+      ->expected(2)
+      ->delimiter(',');
   app.add_option("--gap", spec.gap_s, "time between hits [s]")
       ->check(CLI::Range(0.05, 600.0));
   app.add_option("--modulus", spec.modulus_percent, "E off by [%]")

@@ -126,6 +126,22 @@ TEST(CommandLine, PaperTakesStructuresAndAFolder) {
   EXPECT_EQ(answered({"paper", "bridge"}).exit_status, 2);
 }
 
+// As its help shows it, and as shells make it easy.
+TEST(CommandLine, ImportTakesTheBandWithAndWithoutAComma) {
+  const std::vector<const char*> some = {
+      "import", "a.csv", "-o", "out", "--hammer", "2@1Z+", "--sensor", "3@1Z+"};
+  std::vector<const char*> comma = some;
+  comma.insert(comma.end(), {"--band", "8,100"});
+  std::vector<const char*> blank = some;
+  blank.insert(blank.end(), {"--band", "8", "100"});
+  const std::array<double, 2> band = {8.0, 100.0};
+  EXPECT_EQ(parsed(comma).options.imports.band_hz, band);
+  EXPECT_EQ(parsed(blank).options.imports.band_hz, band);
+  EXPECT_EQ(
+      parsed({"modes", "b", "--band", "8,100"}).options.by_hand.modes.band_hz,
+      band);
+}
+
 TEST(CommandLine, SimulateGetsItsArgumentsUntouched) {
   const Invocation invocation =
       parsed({"simulate", "out", "--seed", "7", "--help"});
