@@ -42,7 +42,9 @@ void state_trigger(const TestBundle& bundle,
   for (const HammerRun& run : work) {
     set.trigger_n = std::min(set.trigger_n, run.level);
     highest = std::max(highest, run.level);
-    peak = std::max(peak, run.hammer.peak);
+    for (const Pulse& pulse : run.pulses.pulses) {
+      peak = std::max(peak, pulse.height);
+    }
   }
   const Channel& hammer = bundle.channels[bundle.runs[0].hammer.channel];
   set.statements.push_back(

@@ -36,6 +36,14 @@ void warn_of(const std::vector<acquisition::LeftOut>& left_out,
   }
 }
 
+// Whoever sees the FRFs only is told as well.
+signal::FrfSet with_warnings(const acquisition::HitSet& hits,
+                             signal::FrfSet set) {
+  set.statements.insert(
+      set.statements.begin(), hits.warnings.begin(), hits.warnings.end());
+  return set;
+}
+
 // Why there is none is often a setting that is warned of.
 void check_accepted(const acquisition::TestBundle& bundle,
                     const acquisition::HitSet& hits) {
@@ -67,9 +75,13 @@ const std::vector<acquisition::LeftOut>& Measurement::left_out() const {
 const std::vector<acquisition::Recording>& Measurement::recordings(
     const Progress& progress) {
   if (!recordings_ && bundle_.frfs) {
-    throw InputError("the test consists of ready FRFs: it has no recordings",
-                     (bundle_.folder / "test.json").string(),
-                     "for hits and recordings give \"runs\"");
+    const bool alone = bundle_.uff.has_value();
+    throw InputError(
+        "the test consists of ready FRFs: it has no recordings",
+        (alone ? *bundle_.uff : bundle_.folder / "test.json").string(),
+        alone ? "for hits and recordings give a file of time records "
+                "(dataset 58, function type 1)"
+              : "for hits and recordings give \"runs\"");
   }
   if (!recordings_) {
     progress("recordings: reading", 0.0);
@@ -116,10 +128,7 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
         estimate_lasting_frfs(bundle_, all, found, progress);
     lasting_poles_ = std::move(found_frfs.poles);
     if (same_modes(choices_, {})) modes_ = std::move(found_frfs.modes);
-    frfs_ = std::move(found_frfs.set);
-    frfs_->statements.insert(frfs_->statements.begin(),
-                             found.warnings.begin(),
-                             found.warnings.end());
+    frfs_ = with_warnings(found, std::move(found_frfs.set));
   }
   return *frfs_;
 }
@@ -148,18 +157,22 @@ signal::FrfSet Measurement::frfs_as(signal::FrfOptions options,
   static_cast<void>(frfs(progress));
   options.lasting_poles = lasting_poles_;
   const acquisition::HitSet& found = hits(progress);
-  signal::FrfSet set = signal::estimate_frfs(
-      bundle_, recordings(progress), found, options, progress);
-  set.statements.insert(
-      set.statements.begin(), found.warnings.begin(), found.warnings.end());
-  return set;
+  return with_warnings(
+      found,
+      signal::estimate_frfs(
+          bundle_, recordings(progress), found, options, progress));
 }
 
 signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,
                                     const Progress& progress) const {
   if (bundle_.frfs) return modal::continue_frfs(*frfs_, *modes_, s);
-  return signal::estimate_frfs_at(
-      bundle_, recordings_->recordings, *hits_, s, lasting_poles_, progress);
+  return with_warnings(*hits_,
+                       signal::estimate_frfs_at(bundle_,
+                                                recordings_->recordings,
+                                                *hits_,
+                                                s,
+                                                lasting_poles_,
+                                                progress));
 }
 
 double Measurement::block_s() const {

@@ -120,6 +120,49 @@ TEST_F(BadInput, HealthySampleGivesItsHitAsJson) {
   EXPECT_TRUE(hits.at(0).at("accepted").is_boolean());
 }
 
+// Every FRF has the wrong sign then.
+TEST_F(BadInput, NegativeBlowsAreToldOfWhereverFrfsAreSeen) {
+  auto samples = sample_tap();
+  for (std::size_t k = 0; k < samples.size(); k += 2) samples[k] *= -1.0F;
+  write_file(bundle_ / "run-01.wav", float_wav(2, 1024, samples));
+  for (const char* command :
+       {"hits", "frf", "frf --estimator H2", "modes", "modes --json", "run"}) {
+    const ProgramResult result = run(command);
+    ASSERT_EQ(result.exit_status, 0) << command << result.err;
+    EXPECT_NE(result.out.find("blows are negative"), std::string::npos)
+        << command;
+  }
+}
+
+TEST_F(BadInput, TheBlockIsNamedWhereItSpoilsAllHits) {
+  json test = sample_test_json();
+  test["block_s"] = 2.5;
+  write_json(test);
+  auto samples = sample_tap();  // once more, 1.5 s later
+  for (std::size_t k = samples.size(); k-- > 2 * 1536;) {
+    samples[k] += samples[k - 2 * 1536];
+  }
+  write_file(bundle_ / "run-01.wav", float_wav(2, 1024, samples));
+  expect_input_fault(run("frf"),
+                     {"no run has an accepted hit", "block_s of 2.5"});
+}
+
+TEST_F(BadInput, NothingIsErasedWhereThereIsNoTerminal) {
+  const ProgramResult result = run("replay");
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  EXPECT_EQ(result.err.find_first_of("\r\x1b"), std::string::npos);
+  EXPECT_NE(result.err.find("average of 1"), std::string::npos);
+}
+
+TEST_F(BadInput, AFileOfFrfsIsNoTestJson) {
+  const fs::path file = bundle_ / "frfs.uff";
+  ASSERT_EQ(run(fmt::format("frf --uff '{}'", file.string())).exit_status, 0);
+  const ProgramResult result =
+      run_tapfit(fmt::format("hits '{}'", file.string()));
+  expect_input_fault(result, {"frfs.uff", "time records"});
+  EXPECT_EQ(result.err.find("test.json"), std::string::npos) << result.err;
+}
+
 TEST_F(BadInput, MissingFolderIsNamed) {
   fs::remove_all(bundle_);
   expect_input_fault(run("run"), {bundle_.string()});
