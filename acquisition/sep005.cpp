@@ -6,14 +6,42 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <string>
+#include <string_view>
 
 namespace tapfit::acquisition {
 namespace {
 
 using Eigen::Index;
 using nlohmann::json;
+
+// Python writes what is not finite as NaN and Infinity, which JSON does not
+// know: where in a list the text before such a word has come.
+InputError refusal(const std::filesystem::path& file,
+                   const json::parse_error& error) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(error.byte + 8, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  const std::size_t at = std::max<std::size_t>(1, error.byte) - 1;
+  const std::string_view rest = std::string_view(text).substr(at);
+  if (!rest.starts_with("NaN") && !rest.starts_with("Infinity")) {
+    return {error.what(), file.string(), "correct the JSON"};
+  }
+  const std::string_view before = std::string_view(text).substr(0, at);
+  const std::size_t list = before.rfind('[');
+  const auto index = list == std::string_view::npos
+                         ? 0
+                         : std::ranges::count(before.substr(list), ',');
+  return {fmt::format("value {} of a list is no finite number ({}, byte {})",
+                      index + 1,
+                      rest.front() == 'N' ? "NaN" : "Infinity",
+                      error.byte),
+          file.string(),
+          "cut the record there, or export the measurement again"};
+}
 
 json parse(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -23,6 +51,8 @@ json parse(const std::filesystem::path& file) {
   json document;
   try {
     document = json::parse(in);
+  } catch (const json::parse_error& error) {
+    throw refusal(file, error);
   } catch (const json::exception& error) {
     throw InputError(error.what(), file.string(), "correct the JSON");
   }

@@ -111,6 +111,13 @@ TEST_F(TimeTables, Sep005RefusesWithThePlace) {
   EXPECT_TRUE(has(of("[]"), "no list of signals"));
   EXPECT_TRUE(has(of("[{]"), "rec.json"));
   EXPECT_TRUE(has(of(R"([{"data": [1, "x"], "fs": 1}])"), "[0].data[1]"));
+  for (const char* word : {"NaN", "Infinity", "-Infinity"}) {
+    const std::string refused =
+        of(fmt::format(R"([{{"data": [1, 2, {}, 4], "fs": 1}}])", word));
+    EXPECT_TRUE(has(refused, "value 3 of a list is no finite number"))
+        << refused;
+  }
+  EXPECT_TRUE(has(of(R"([{"data": [1, 2, 1e999], "fs": 1}])"), "overflow"));
   EXPECT_TRUE(has(of(R"([{"data": [1, 2]}])"), "[0].time"));
   EXPECT_TRUE(has(of(R"([{"data": [1, 2], "fs": 0}])"), "[0].fs"));
   EXPECT_TRUE(has(of(R"([{"data": [1, 2], "fs": 1},
