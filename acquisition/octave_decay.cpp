@@ -39,6 +39,26 @@ Eigen::VectorXd octave_taps() {
   return taps;
 }
 
+// As decimate(x, 2): every other tap of that filter but the middle one is zero.
+Eigen::VectorXd half_rate(const Eigen::VectorXd& x) {
+  static const Eigen::VectorXd taps = anti_alias_taps(2);
+  const Index middle = taps.size() / 2;
+  const Index side = (middle + 1) / 2;
+  const Index first = middle - 2 * side + 1;
+  Eigen::VectorXd odd_taps(2 * side);
+  for (Index j = 0; j < odd_taps.size(); ++j) {
+    odd_taps(j) = taps(first + 2 * j);
+  }
+  Eigen::VectorXd odd = Eigen::VectorXd::Zero(x.size() / 2 + 2 * side + 1);
+  for (Index i = 0; i < x.size() / 2; ++i) odd(side + i) = x(2 * i + 1);
+  Eigen::VectorXd slow((x.size() + 1) / 2);
+  for (Index m = 0; m < slow.size(); ++m) {
+    slow(m) =
+        taps(middle) * x(2 * m) + odd_taps.dot(odd.segment(m, odd_taps.size()));
+  }
+  return slow;
+}
+
 /// Levels in windows of equal length.
 struct Levels {
   Eigen::VectorXd rms;
@@ -126,7 +146,7 @@ std::vector<Octave> octaves_of(const Eigen::VectorXd& response,
       Levels levels = octave_levels(x);
       octaves.push_back({hz, std::move(levels.rms), levels.window / rate});
     }
-    x = decimate(x, 2);
+    x = half_rate(x);
   }
   return octaves;
 }
