@@ -12,6 +12,9 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tapfit::end_to_end {
 namespace {
@@ -82,6 +85,46 @@ TEST_F(Demo, SomeHitsAreRejectedForDoubleHitAndOverload) {
   }
   EXPECT_TRUE(reasons.contains("double"));
   EXPECT_TRUE(reasons.contains("overload"));
+}
+
+/// The percentages of the README's error ladder, top to bottom, with the unit
+/// of their last digit.
+std::vector<std::pair<double, double>> readme_ladder() {
+  std::ifstream readme(TAPFIT_SOURCE_DIR "/README.md");
+  std::vector<std::pair<double, double>> ladder;
+  bool inside = false;
+  for (std::string line; std::getline(readme, line);) {
+    inside = inside || line.find("error ladder  ") != std::string::npos;
+    const std::size_t percent = line.find(" %  #");
+    if (!inside || percent == std::string::npos) continue;
+    const std::string number =
+        line.substr(line.find_last_of(' ', percent - 1) + 1,
+                    percent - line.find_last_of(' ', percent - 1) - 1);
+    const std::size_t point = number.find('.');
+    const auto decimals =
+        point == std::string::npos ? 0 : number.size() - point - 1;
+    ladder.emplace_back(std::stod(number),
+                        std::pow(10.0, -static_cast<double>(decimals)));
+    if (line.find("  floor ") != std::string::npos) break;
+  }
+  return ladder;
+}
+
+TEST_F(Demo, TheReadmeShowsItsErrorLadder) {
+  const json& diagnosis = run_.at("diagnose");
+  std::vector<double> errors = {diagnosis.at("error").at("base"),
+                                diagnosis.at("error").at("fitted")};
+  for (const json& rung : diagnosis.at("ladder")) {
+    errors.push_back(rung.at("error"));
+  }
+  errors.push_back(diagnosis.at("error").at("floor"));
+  const auto shown = readme_ladder();
+  ASSERT_EQ(shown.size(), errors.size());
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    // Another processor's instructions may turn the last digit.
+    const auto [percent, unit] = shown[k];
+    EXPECT_NEAR(percent, 100.0 * errors[k], 1.1 * unit) << k;
+  }
 }
 
 TEST_F(Demo, TheLargeEffectsAreFoundAndNoneInvented) {
