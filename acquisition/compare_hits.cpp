@@ -27,6 +27,10 @@ bool usable(const Hit& hit, double noise) {
 
 }  // namespace
 
+bool any_accepted(const std::vector<Hit>& hits) {
+  return std::ranges::any_of(hits, &Hit::accepted);
+}
+
 bool is_weak(double peak_n, const std::vector<double>& others) {
   if (others.size() < 3) return false;
   return peak_n <
@@ -83,24 +87,26 @@ bool is_outlier(const Eigen::RowVectorXd& level,
   return false;
 }
 
-void judge_outliers(const Run& run,
-                    const Recording& recording,
-                    const HammerSignal& hammer,
-                    const HitSet& set,
-                    std::vector<Hit>& hits) {
-  std::vector<std::size_t> good;
-  for (std::size_t i = 0; i < hits.size(); ++i) {
-    if (hits[i].accepted) good.push_back(i);
+void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set) {
+  std::vector<Hit*> good;
+  std::vector<Eigen::VectorXd> levels_of;
+  for (const ComparedRun& one : runs) {
+    for (Hit& hit : *one.hits) {
+      if (!hit.accepted) continue;
+      good.push_back(&hit);
+      levels_of.push_back(
+          response_per_impulse(one.run, *one.recording, *one.hammer, hit, set));
+    }
   }
+  if (good.empty()) return;
   const auto count = static_cast<Index>(good.size());
-  Eigen::MatrixXd levels(count, static_cast<Index>(run.sensors.size()));
+  Eigen::MatrixXd levels(count, levels_of.front().size());
   for (Index i = 0; i < count; ++i) {
-    levels.row(i) = response_per_impulse(
-        run, recording, hammer, hits[good[static_cast<std::size_t>(i)]], set);
+    levels.row(i) = levels_of[static_cast<std::size_t>(i)].transpose();
   }
   for (Index i = 0; i < count; ++i) {
     if (!is_outlier(levels.row(i), levels)) continue;
-    note(hits[good[static_cast<std::size_t>(i)]], HitFault::Outlier);
+    note(*good[static_cast<std::size_t>(i)], HitFault::Outlier);
   }
 }
 
@@ -108,9 +114,7 @@ void rescue(const Run& run,
             double noise,
             std::vector<Hit>& hits,
             std::vector<std::string>& statements) {
-  const bool any = std::any_of(
-      hits.begin(), hits.end(), [](const Hit& hit) { return hit.accepted; });
-  if (any) return;
+  if (any_accepted(hits)) return;
   Hit* best = nullptr;
   for (Hit& hit : hits) {
     if (!usable(hit, noise)) continue;

@@ -1,4 +1,4 @@
-// What the hits of one run say about each other.
+// What hits of one placement say about each other.
 #pragma once
 
 #include "acquisition/hammer_pulses.hpp"
@@ -8,6 +8,8 @@
 #include <vector>
 
 namespace tapfit::acquisition {
+
+[[nodiscard]] bool any_accepted(const std::vector<Hit>& hits);
 
 /// Whether a peak is below 15 % of the median of others; never with fewer than
 /// three others.
@@ -34,15 +36,21 @@ namespace tapfit::acquisition {
 /// accepted ones; needs three of those.
 void judge_weak(std::vector<Hit>& hits);
 
+/// A run whose hits are compared with those of its like.
+struct ComparedRun {
+  Run run;  ///< sensors in the same order in all that are compared
+  const Recording* recording = nullptr;
+  const HammerSignal* hammer = nullptr;
+  std::vector<Hit>* hits = nullptr;
+};
+
 /// Judges accepted hits out whose response per force impulse differs from the
-/// run's median by more than a factor of 1.6 and 6 robust standard deviations,
+/// median of all by more than a factor of 1.6 and 6 robust standard deviations,
 /// on any sensor; needs three accepted hits. The first eighth of the block
 /// decides, since later what an earlier blow left counts for more.
-void judge_outliers(const Run& run,
-                    const Recording& recording,
-                    const HammerSignal& hammer,
-                    const HitSet& set,
-                    std::vector<Hit>& hits);
+///
+/// @param runs of one placement
+void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set);
 
 /// In a run without any accepted hit, accepts the strongest that is merely
 /// weak (10 times the noise at least), soft or an outlier; says so, or that

@@ -11,6 +11,7 @@
 #include "acquisition/no_hits.hpp"
 #include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
+#include "acquisition/runs_alike.hpp"
 
 #include <fmt/format.h>
 
@@ -108,6 +109,40 @@ HitOptions completed(const HitOptions& given, const TestBundle& bundle) {
   return options;
 }
 
+std::vector<ComparedRun> compared(const TestBundle& bundle,
+                                  const std::vector<Recording>& recordings,
+                                  const std::vector<HammerRun>& work,
+                                  const RunGroup& group,
+                                  HitSet& set) {
+  std::vector<ComparedRun> runs;
+  for (const std::size_t r : group) {
+    runs.push_back({arranged_as(bundle.runs[group.front()], bundle.runs[r]),
+                    &recordings[r],
+                    &work[r].hammer,
+                    &set.runs[r]});
+  }
+  return runs;
+}
+
+// Of runs of one placement the best of each, where no hit of any is accepted.
+void rescue(const TestBundle& bundle,
+            const std::vector<HammerRun>& work,
+            const RunGroup& group,
+            HitSet& set) {
+  const bool any = std::ranges::any_of(
+      group, [&](std::size_t r) { return any_accepted(set.runs[r]); });
+  for (const std::size_t r : group) {
+    if (!any) {
+      rescue(bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
+    } else if (!any_accepted(set.runs[r])) {
+      set.statements.push_back(
+          fmt::format("{}: every hit was judged out; the run is not used, "
+                      "others at the same points are",
+                      bundle.runs[r].file.filename().string()));
+    }
+  }
+}
+
 void check_arguments(const TestBundle& bundle,
                      const std::vector<Recording>& recordings) {
   if (bundle.runs.empty() || recordings.size() != bundle.runs.size()) {
@@ -155,11 +190,12 @@ HitSet find_hits(const TestBundle& bundle,
                        set,
                        options.double_hit_percent);
     judge_weak(hits);
-    judge_outliers(bundle.runs[r], recordings[r], work[r].hammer, set, hits);
   });
-  for (std::size_t r = 0; r < work.size(); ++r) {
-    rescue(bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
-  }
+  const std::vector<RunGroup> groups = runs_alike(bundle);
+  for_each_parallel(groups.size(), [&](std::size_t g) {
+    judge_outliers(compared(bundle, recordings, work, groups[g], set), set);
+  });
+  for (const RunGroup& group : groups) rescue(bundle, work, group, set);
   return set;
 }
 

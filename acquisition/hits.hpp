@@ -62,10 +62,10 @@ struct HitOptions {
 ///
 /// The block is as long as the gaps between hits allow (and no longer than the
 /// response lasts), the same for all hits. The bundle's band says how soft a
-/// hit may be (without one: see judged_to()). Options that are
-/// empty are taken from the bundle, else chosen and stated. A run whose hits
-/// are all judged out keeps its best one when that is merely weak or soft; else
-/// it is left without an accepted hit.
+/// hit may be (without one: see judged_to()). Empty options are taken from the
+/// bundle, else chosen and stated. Outliers are judged among all hits of one
+/// placement (runs_alike.hpp); where all of these are judged out, each run keeps
+/// its best one when that is merely weak, soft or an outlier.
 ///
 /// @throws InputError when a run holds no hit at all
 [[nodiscard]] HitSet find_hits(const TestBundle& bundle,

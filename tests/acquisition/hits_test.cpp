@@ -426,5 +426,33 @@ TEST(FindHits, ReadsTheCases) {
   }
 }
 
+// A file for each hit: they are judged against each other as in one file.
+TEST(FindHits, ComparesHitsOfRunsAtTheSamePoints) {
+  std::vector<Recording> recordings;
+  for (unsigned k = 0; k < 5; ++k) {
+    Scene scene;
+    scene.length_s = 5.0;
+    scene.blows = {{1.0, 20.0 + k}};
+    recordings.push_back(record(scene, k + 1));
+  }
+  recordings[2].samples.col(1) *= 3.0;
+  const HitSet hits = find(recordings);
+  for (std::size_t r = 0; r < 5; ++r) {
+    ASSERT_EQ(hits.runs[r].size(), 1U);
+    EXPECT_EQ(blames(hits.runs[r][0], HitFault::Outlier), r == 2);
+  }
+  // It is not kept as the best of its file: there are better ones.
+  const auto said = std::ranges::count_if(hits.statements, [](const auto& s) {
+    return s.find("others at the same points are") != std::string::npos;
+  });
+  EXPECT_EQ(said, 1);
+
+  // Elsewhere it may be as it is.
+  TestBundle bundle = testing::hammer_bundle(5);
+  bundle.band_hz = {5.0, 200.0};
+  bundle.runs[2].hammer.dof.node += 1;
+  EXPECT_TRUE(find_hits(bundle, recordings, {}).runs[2][0].accepted);
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition
