@@ -53,12 +53,16 @@ void compare(const Run& run,
   known.peaks.push_back(hit.peak_n);
   // The latest suffice, and memory stays bounded.
   constexpr std::size_t enough = 256;
-  if (known.peaks.size() <= enough) return;
-  known.peaks.erase(known.peaks.begin());
-  known.levels.erase(known.levels.begin());
+  if (known.peaks.size() > enough) known.peaks.erase(known.peaks.begin());
+  if (known.levels.size() > enough) known.levels.erase(known.levels.begin());
 }
 
 }  // namespace
+
+void begin_run(LiveHits& known) {
+  known.last_trigger = -1;
+  known.peaks.clear();
+}
 
 FoundHits find_live_hits(const TestBundle& bundle,
                          const Run& run,

@@ -22,12 +22,17 @@ struct LiveSettings {
   double double_hit_percent = 5.0;
 };
 
-/// What is remembered of a run's hits so far; of the last 256 accepted ones.
+/// What is remembered of the hits so far; of the last 256 accepted ones.
 struct LiveHits {
-  Eigen::Index last_trigger = -1;       ///< from the file's start; -1: none
-  std::vector<double> peaks;            ///< of the accepted ones [N]
-  std::vector<Eigen::VectorXd> levels;  ///< ... response_per_impulse
+  Eigen::Index last_trigger = -1;  ///< from the file's start; -1: none
+  std::vector<double> peaks;       ///< of the run's accepted ones [N]
+  /// response_per_impulse of the accepted ones of this run and of earlier ones
+  /// of the same placement.
+  std::vector<Eigen::VectorXd> levels;
 };
+
+/// Another run of the same placement begins.
+void begin_run(LiveHits& known);
 
 /// A piece of a run, and which of its hits are to be given out.
 struct LivePiece {

@@ -2,9 +2,11 @@
 
 #include "acquisition/input_error.hpp"
 #include "acquisition/parallel.hpp"
+#include "acquisition/runs_alike.hpp"
 #include "signal/block_advice.hpp"
 #include "signal/frf_average.hpp"
 #include "signal/level_dependence.hpp"
+#include "signal/run_differences.hpp"
 #include "signal/spectra.hpp"
 #include "signal/window.hpp"
 
@@ -26,6 +28,7 @@ namespace {
 using acquisition::HitSet;
 using acquisition::Recording;
 using acquisition::Run;
+using acquisition::RunGroup;
 using acquisition::TestBundle;
 using Eigen::Index;
 
@@ -65,30 +68,68 @@ std::string no_quiet(std::size_t run) {
       run + 1);
 }
 
-/// What comes of one run; no FRFs where none of its hits is accepted.
-struct RunResult {
-  std::vector<Frf> frfs;
-  LevelDependence levels;
+/// What is kept of one run until those of its like are there.
+struct RunPart {
+  Spectra spectra;  ///< no columns where none of its hits is accepted
+  RunAverage average;
   Lasting lasting;
-  bool scatter_known = true;
+  bool heard = false;  ///< whether a hit is accepted
+  bool quiet = true;   ///< whether something precedes its hits
 };
 
-RunResult estimate_run(const TestBundle& bundle,
-                       std::size_t run,
-                       const HitBlocks& blocks,
-                       const Plan& plan) {
-  RunResult result;
-  if (blocks.force.cols() == 0) return result;
-  const Spectra spectra = plan.transform(blocks);
-  const Eigen::MatrixXcd change = result.levels.add(spectra);
-  if (plan.lasting_hz) {
-    result.lasting = lasting_response(blocks, *plan.lasting_hz);
-  }
+RunPart part_of(const HitBlocks& blocks, const Plan& plan) {
+  RunPart part;
+  if (blocks.force.cols() == 0) return part;
+  part.heard = true;
+  part.quiet = blocks.quiet;
+  part.spectra = plan.transform(blocks);
+  if (plan.lasting_hz)
+    part.lasting = lasting_response(blocks, *plan.lasting_hz);
+  part.average.s = plan.s;
+  add_hits(blocks, part.spectra, part.average);
+  return part;
+}
+
+/// What comes of the runs of one placement; no FRFs where none of their hits is
+/// accepted.
+struct GroupResult {
+  std::vector<Frf> frfs;
+  LevelDependence levels;
+  bool scatter_known = true;
+  std::string difference;  ///< between the runs, in words; empty: none
+};
+
+// Takes the runs' spectra, which are large.
+GroupResult estimate_group(const TestBundle& bundle,
+                           const RunGroup& group,
+                           std::vector<RunPart>& parts,
+                           const Plan& plan) {
+  GroupResult result;
   RunAverage average;
   average.s = plan.s;
-  add_hits(blocks, spectra, average);
-  result.scatter_known = blocks.quiet || blocks.force.cols() > 1;
-  result.frfs = average_frfs(average, bundle, run, plan.estimator);
+  std::vector<Spectra> spectra;
+  std::vector<std::size_t> run_of_hit;
+  bool quiet = true;
+  for (std::size_t k = 0; k < group.size(); ++k) {
+    RunPart& part = parts[group[k]];
+    if (!part.heard) continue;
+    run_of_hit.insert(
+        run_of_hit.end(), static_cast<std::size_t>(part.average.hits()), k);
+    add_hits(part.average, average);
+    part.average = {};
+    spectra.push_back(std::move(part.spectra));
+    part.spectra = {};
+    quiet = quiet && part.quiet;
+  }
+  if (average.hits() == 0) return result;
+  result.scatter_known = quiet || average.hits() > 1;
+  const Spectra all = side_by_side(std::move(spectra));
+  if (const auto difference = run_difference(all, run_of_hit)) {
+    result.difference = statement(*difference, bundle, group);
+  }
+  const Eigen::MatrixXcd change = result.levels.add(all);
+  result.frfs = average_frfs(average, bundle, group.front(), plan.estimator);
+  for (Frf& frf : result.frfs) frf.run = group[run_of_hit.front()];
   for (Index c = 0; c < change.cols(); ++c) {
     result.frfs[static_cast<std::size_t>(c)].change_with_level = change.col(c);
   }
@@ -103,26 +144,32 @@ std::vector<Index> lengths_of(const std::vector<Recording>& recordings) {
   return samples;
 }
 
-// Joins the runs in their order.
+// Joins the groups in their order.
 FrfSet joined(const TestBundle& bundle,
-              std::vector<RunResult>& runs,
+              const std::vector<RunPart>& parts,
+              const std::vector<RunGroup>& groups,
+              std::vector<GroupResult>& results,
               const Plan& plan) {
   FrfSet set;
   set.s = plan.s;
   LevelDependence levels;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (runs[r].frfs.empty()) {
+  for (std::size_t r = 0; r < parts.size(); ++r) {
+    if (!parts[r].heard) {
       set.statements.push_back(
           fmt::format("run {} ({}) is left out: none of its hits is accepted",
                       r + 1,
                       bundle.runs[r].file.filename().string()));
     }
-    if (!runs[r].scatter_known) set.statements.push_back(no_quiet(r));
-    for (Frf& frf : runs[r].frfs) {
+    const std::size_t g = acquisition::group_of(groups, r);
+    if (groups[g].front() != r) continue;
+    GroupResult& result = results[g];
+    if (!result.scatter_known) set.statements.push_back(no_quiet(r));
+    if (!result.difference.empty()) set.statements.push_back(result.difference);
+    for (Frf& frf : result.frfs) {
       state_noise(frf, set.statements);
       set.frfs.push_back(std::move(frf));
     }
-    levels.add(std::move(runs[r].levels));
+    levels.add(std::move(result.levels));
   }
   if (set.frfs.empty())
     throw InputError("no run has an accepted hit",
@@ -145,31 +192,36 @@ FrfSet estimate_all(const TestBundle& bundle,
                     const HitSet& hits,
                     const Plan& plan,
                     const Progress& progress) {
-  std::vector<RunResult> runs(bundle.runs.size());
+  const std::vector<RunGroup> groups = acquisition::runs_alike(bundle);
+  std::vector<RunPart> parts(bundle.runs.size());
+  std::vector<GroupResult> results(groups.size());
+  std::vector<std::atomic<std::size_t>> ready(groups.size());
   std::atomic<std::size_t> done = 0;
   // Whoever asked is told from his own thread only.
   const auto asked = std::this_thread::get_id();
-  for_each_parallel(runs.size(), [&](std::size_t r) {
+  for_each_parallel(parts.size(), [&](std::size_t r) {
     if (std::this_thread::get_id() == asked) {
       progress("FRFs",
-               static_cast<double>(done) / static_cast<double>(runs.size()));
+               static_cast<double>(done) / static_cast<double>(parts.size()));
     }
-    runs[r] = estimate_run(
-        bundle,
-        r,
-        cut_hits(
-            bundle.runs[r], recordings[r], hits, hits.runs[r], plan.blocks),
-        plan);
+    const std::size_t g = acquisition::group_of(groups, r);
+    const Run run = arranged_as(bundle.runs[groups[g].front()], bundle.runs[r]);
+    parts[r] = part_of(
+        cut_hits(run, recordings[r], hits, hits.runs[r], plan.blocks), plan);
+    // Whoever is last: spectra are kept no longer than needed.
+    if (++ready[g] == groups[g].size()) {
+      results[g] = estimate_group(bundle, groups[g], parts, plan);
+    }
     ++done;
   });
   progress("FRFs", 1.0);
-  FrfSet set = joined(bundle, runs, plan);
+  FrfSet set = joined(bundle, parts, groups, results, plan);
   const std::string followed =
       tail_statement(plan.blocks.lasting_poles, ringing_time(hits));
   if (!followed.empty()) set.statements.push_back(followed);
   if (!plan.lasting_hz) return set;
   Lasting lasting;
-  for (const RunResult& run : runs) lasting.join(run.lasting);
+  for (const RunPart& part : parts) lasting.join(part.lasting);
   const std::vector<std::string> said = lasting_statements(
       lasting, hits, lengths_of(recordings), *plan.lasting_hz, plan.sigma);
   set.statements.insert(set.statements.begin(), said.begin(), said.end());

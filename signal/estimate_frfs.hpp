@@ -1,4 +1,4 @@
-// FRFs of every run from its accepted hits.
+// FRFs of every placement from the accepted hits of its runs.
 #pragma once
 
 #include "acquisition/hits.hpp"
@@ -33,12 +33,13 @@ struct FrfOptions {
 /// Force and response carry the same exponential window, so that the result is
 /// the transfer function on s = sigma + j omega, sigma = -ln(end_value) / T.
 ///
-/// One FRF per run and sensor, signs of the degrees of freedom as the bundle
-/// gives them; runs without an accepted hit are left out (and stated). Velocity
-/// and displacement are made accelerances by s and s^2. Lines are those inside
-/// TestBundle::band_hz; without it all but line 0. Where the response lasts
-/// longer than the block, a longer one or a narrower band is proposed first
-/// among the statements.
+/// Hits of runs that measured the same (acquisition/runs_alike.hpp) are
+/// averaged together: one FRF per such group and sensor, its `run` the first of
+/// them, signs of the degrees of freedom as the bundle gives them. Runs without
+/// an accepted hit are left out (and stated). Velocity and displacement are
+/// made accelerances by s and s^2. Lines are those inside TestBundle::band_hz;
+/// without it all but line 0. Where the response lasts longer than the block, a
+/// longer one or a narrower band is proposed first among the statements.
 ///
 /// @throws InputError when no hit is accepted or no line lies in the band
 [[nodiscard]] FrfSet estimate_frfs(

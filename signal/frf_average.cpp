@@ -24,22 +24,30 @@ void average_in(const LineNoise& more, double share, LineNoise& noise) {
 
 }  // namespace
 
-void add_hits(const HitBlocks& blocks,
-              const Spectra& spectra,
-              RunAverage& average) {
-  const std::size_t sensors = spectra.responses.size();
+void add_hits(const RunAverage& more, RunAverage& average) {
+  const std::size_t sensors = more.powers.size();
   average.powers.resize(sensors);
   average.noise.resize(sensors);
-  const std::vector<LineNoise> noise = line_noise(average.s, blocks);
   for (std::size_t c = 0; c < sensors; ++c) {
     CrossPowers& powers = average.powers[c];
-    if (powers.hits == 0) average.noise[c] = noise[c];
-    powers += cross_powers(spectra.force, spectra.responses[c]);
-    average_in(noise[c],
-               static_cast<double>(spectra.force.cols()) /
+    if (powers.hits == 0) average.noise[c] = more.noise[c];
+    powers += more.powers[c];
+    average_in(more.noise[c],
+               static_cast<double>(more.powers[c].hits) /
                    static_cast<double>(powers.hits),
                average.noise[c]);
   }
+}
+
+void add_hits(const HitBlocks& blocks,
+              const Spectra& spectra,
+              RunAverage& average) {
+  RunAverage more;
+  more.noise = line_noise(average.s, blocks);
+  for (const Eigen::MatrixXcd& response : spectra.responses) {
+    more.powers.push_back(cross_powers(spectra.force, response));
+  }
+  add_hits(more, average);
 }
 
 std::vector<Frf> average_frfs(const RunAverage& average,

@@ -1,4 +1,5 @@
-// The running average of one run: hits go in, FRFs come out at any time.
+// The running average of one run or of several of the same placement: hits go
+// in, FRFs come out at any time.
 #pragma once
 
 #include "signal/estimator.hpp"
@@ -23,6 +24,9 @@ struct RunAverage {
   }
 };
 
+/// Adds the hits of another run of the same placement, on the same lines.
+void add_hits(const RunAverage& more, RunAverage& average);
+
 /// Adds the hits of some blocks of the run.
 ///
 /// @param spectra of the blocks, on the average's lines
@@ -32,7 +36,8 @@ void add_hits(const HitBlocks& blocks,
 
 /// The FRFs of the hits so far, with coherence and variance.
 ///
-/// @param run index into the bundle's runs; velocity and displacement become
+/// @param run index into the bundle's runs, the first of its like; velocity and
+/// displacement become
 ///   accelerances
 /// @return one per sensor; none without hits
 [[nodiscard]] std::vector<Frf> average_frfs(

@@ -16,7 +16,7 @@ namespace tapfit::signal {
 struct Frf {
   Dof response;
   Dof reference;
-  std::size_t run = 0;        ///< index into TestBundle::runs
+  std::size_t run = 0;        ///< first of its placement in TestBundle::runs
   std::size_t channel = 0;    ///< response channel, index into channels
   Eigen::VectorXcd H;         ///< accelerance per line [(m/s^2)/N]
   Eigen::VectorXd coherence;  ///< 0..1 per line; ones for a single hit

@@ -3,6 +3,7 @@
 #include "acquisition/input_error.hpp"
 #include "acquisition/live_hits.hpp"
 #include "acquisition/recording_stream.hpp"
+#include "acquisition/runs_alike.hpp"
 #include "acquisition/uff_bundle.hpp"
 #include "signal/block_advice.hpp"
 #include "signal/frf_average.hpp"
@@ -30,6 +31,7 @@ using acquisition::LiveSettings;
 using acquisition::Recording;
 using acquisition::RecordingStream;
 using acquisition::Run;
+using acquisition::RunGroup;
 using acquisition::TestBundle;
 using acquisition::UffFile;
 using Eigen::Index;
@@ -154,16 +156,40 @@ class Pace {
       std::chrono::steady_clock::now();
 };
 
+/// What runs of one placement have in common.
+struct LiveGroup {
+  RunGroup runs;
+  std::optional<std::size_t> heard{};  ///< first run with an accepted hit
+  LiveHits known{};
+  RunAverage average{};
+};
+
+std::vector<LiveGroup> live_groups(const TestBundle& bundle,
+                                   const FrfPlan& plan) {
+  std::vector<LiveGroup> groups;
+  for (RunGroup& runs : acquisition::runs_alike(bundle)) {
+    groups.push_back({.runs = std::move(runs)});
+    groups.back().average.s = plan.s;
+  }
+  return groups;
+}
+
+LiveGroup& group_of(std::vector<LiveGroup>& groups, std::size_t run) {
+  return *std::ranges::find_if(groups, [run](const LiveGroup& group) {
+    return std::ranges::count(group.runs, run) > 0;
+  });
+}
+
 /// One run on its way through the pieces.
 struct LiveRun {
   const TestBundle& bundle;
   std::size_t index;
+  Run run;  ///< sensors in the order of its group's first
   const LiveSettings& settings;
   const FrfPlan& plan;
   const RealFft& fft;
   std::array<double, 2> band_hz;
-  LiveHits known{};
-  RunAverage average{};
+  LiveGroup& group;
   std::vector<Hit> hits{};
   Index samples = 0;
   double strongest_n = 0.0;  ///< of the accepted hits
@@ -178,15 +204,13 @@ void average_hit(const LivePiece& piece,
                  LiveRun& run) {
   std::vector<Hit> one = found.hits;
   for (std::size_t i = 0; i < one.size(); ++i) one[i].accepted = i == k;
-  const HitBlocks blocks = cut_hits(run.bundle.runs[run.index],
-                                    piece.recording,
-                                    run.settings.set,
-                                    one,
-                                    run.plan.blocks);
+  const HitBlocks blocks = cut_hits(
+      run.run, piece.recording, run.settings.set, one, run.plan.blocks);
   add_hits(blocks,
            fft_spectra(
                blocks, run.fft, run.plan.sigma, run.plan.first, run.plan.last),
-           run.average);
+           run.group.average);
+  if (!run.group.heard) run.group.heard = run.index;
   if (found.hits[k].peak_n <= run.strongest_n) return;
   run.strongest_n = found.hits[k].peak_n;
   run.lasting = lasting_response(blocks, run.band_hz);
@@ -195,8 +219,8 @@ void average_hit(const LivePiece& piece,
 void work_through(const LivePiece& piece,
                   const std::function<void(const LiveHit&)>& on_hit,
                   LiveRun& run) {
-  const FoundHits found = find_live_hits(
-      run.bundle, run.bundle.runs[run.index], piece, run.settings, run.known);
+  const FoundHits found =
+      find_live_hits(run.bundle, run.run, piece, run.settings, run.group.known);
   for (std::size_t k = 0; k < found.hits.size(); ++k) {
     if (!found.is_new[k]) continue;
     if (found.hits[k].accepted) average_hit(piece, found, k, run);
@@ -204,7 +228,7 @@ void work_through(const LivePiece& piece,
     hit.begin += piece.start;
     hit.trigger += piece.start;
     run.hits.push_back(hit);
-    if (on_hit) on_hit({run.index, run.hits.back(), run.average.hits()});
+    if (on_hit) on_hit({run.index, run.hits.back(), run.group.average.hits()});
   }
 }
 
@@ -304,24 +328,32 @@ Replayed replay(const TestBundle& bundle,
   Pace pace(options.speed);
   Lasting lasting;
   std::vector<Index> samples;
+  std::vector<LiveGroup> groups = live_groups(bundle, plan);
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     RecordingStream stream = source.stream(r);
     check_rate(stream, bundle.runs[r], result.hits);
-    LiveRun run{.bundle = bundle,
-                .index = r,
-                .settings = settings[r],
-                .plan = plan,
-                .fft = fft,
-                .band_hz = band_of(plan)};
-    run.average.s = plan.s;
+    LiveGroup& group = group_of(groups, r);
+    LiveRun run{
+        .bundle = bundle,
+        .index = r,
+        .run = arranged_as(bundle.runs[group.runs.front()], bundle.runs[r]),
+        .settings = settings[r],
+        .plan = plan,
+        .fft = fft,
+        .band_hz = band_of(plan),
+        .group = group};
+    begin_run(group.known);
     stream_run(std::move(stream), lengths, on_hit, progress, pace, run);
     pace.end_run(static_cast<double>(run.samples) / result.hits.sample_rate_hz);
-    std::vector<Frf> frfs =
-        average_frfs(run.average, bundle, r, options.frf.estimator);
-    std::move(frfs.begin(), frfs.end(), std::back_inserter(result.frfs.frfs));
     result.hits.runs.push_back(std::move(run.hits));
     lasting.join(run.lasting);
     samples.push_back(run.samples);
+  }
+  for (const LiveGroup& group : groups) {
+    std::vector<Frf> frfs = average_frfs(
+        group.average, bundle, group.runs.front(), options.frf.estimator);
+    for (Frf& frf : frfs) frf.run = *group.heard;
+    std::move(frfs.begin(), frfs.end(), std::back_inserter(result.frfs.frfs));
   }
   if (result.frfs.frfs.empty()) {
     throw InputError("no run has an accepted hit",

@@ -26,7 +26,7 @@ struct ReplayOptions {
 struct LiveHit {
   std::size_t run = 0;
   const acquisition::Hit& hit;
-  Eigen::Index averaged = 0;  ///< hits in the run's average now
+  Eigen::Index averaged = 0;  ///< hits in its FRFs' average now
 };
 
 struct Replayed {
@@ -40,7 +40,8 @@ struct Replayed {
 /// every run, as far as trial_samples go, and stay. Sound files and universal
 /// files are streamed alike. Where responses outlast the block, a longer one or
 /// a narrower band is proposed first among the statements of the FRFs, as
-/// estimate_frfs() does; of each run its strongest hit is looked at.
+/// estimate_frfs() does; of each run its strongest hit is looked at. Runs of
+/// one placement are averaged together, as by estimate_frfs().
 ///
 /// @param on_hit called for each hit as soon as its block is complete
 /// @throws InputError as read_recording, find_hits and estimate_frfs

@@ -76,7 +76,37 @@ double seconds_of(const HitBlocks& blocks) {
   return static_cast<double>(blocks.force.rows() - blocks.trigger) * blocks.dt;
 }
 
+Eigen::MatrixXcd side_by_side(const std::vector<const Eigen::MatrixXcd*>& all) {
+  Index columns = 0;
+  for (const Eigen::MatrixXcd* one : all) columns += one->cols();
+  Eigen::MatrixXcd result(all.front()->rows(), columns);
+  Index at = 0;
+  for (const Eigen::MatrixXcd* one : all) {
+    result.middleCols(at, one->cols()) = *one;
+    at += one->cols();
+  }
+  return result;
+}
+
 }  // namespace
+
+Spectra side_by_side(std::vector<Spectra> runs) {
+  std::erase_if(runs, [](const Spectra& run) { return run.force.cols() == 0; });
+  if (runs.empty()) return {};
+  if (runs.size() == 1) return std::move(runs.front());
+  const auto joined = [&](const auto& of) {
+    std::vector<const Eigen::MatrixXcd*> all;
+    for (const Spectra& run : runs) all.push_back(&of(run));
+    return side_by_side(all);
+  };
+  Spectra result;
+  result.force = joined([](const Spectra& run) -> auto& { return run.force; });
+  for (std::size_t c = 0; c < runs.front().responses.size(); ++c) {
+    result.responses.push_back(
+        joined([c](const Spectra& run) -> auto& { return run.responses[c]; }));
+  }
+  return result;
+}
 
 Spectra fft_spectra(const HitBlocks& blocks,
                     const RealFft& fft,

@@ -21,6 +21,9 @@ struct Spectra {
   std::vector<Eigen::MatrixXcd> responses;  ///< per sensor, lines x hits
 };
 
+/// The hits of several runs of one placement side by side, on the same lines.
+[[nodiscard]] Spectra side_by_side(std::vector<Spectra> runs);
+
 /// The FFT lines [first, last] with one exponential window.
 ///
 /// @param fft of the blocks' length, planned once for all

@@ -135,6 +135,74 @@ TEST(EstimateFrfs, SkipsARunWithoutAcceptedHitsAndSaysSo) {
                InputError);
 }
 
+// A file for each hit gives what one file of them all does; the sensors may be
+// listed in another order.
+TEST(EstimateFrfs, AveragesRunsOfOnePlacementTogether) {
+  GeneratedOptions o;
+  o.hits = 5;
+  o.response_noise = 0.02;
+  o.force_noise = 0.01;
+  const GeneratedTest whole = generate_test(two_modes, o);
+  GeneratedTest parts = whole;
+  parts.hits.runs.assign(5, whole.hits.runs[0]);
+  for (std::size_t r = 0; r < 5; ++r) {
+    for (std::size_t k = 0; k < 5; ++k) {
+      parts.hits.runs[r][k].accepted = k == r;
+    }
+    if (r == 0) continue;
+    parts.bundle.runs.push_back(whole.bundle.runs[0]);
+    parts.recordings.push_back(whole.recordings[0]);
+  }
+  const FrfSet one =
+      estimate_frfs(whole.bundle, whole.recordings, whole.hits, {});
+  const FrfSet set =
+      estimate_frfs(parts.bundle, parts.recordings, parts.hits, {});
+  ASSERT_EQ(set.frfs.size(), 1U);
+  const Frf& mine = set.frfs[0];
+  const Frf& theirs = one.frfs[0];
+  EXPECT_EQ(mine.hits, 5);
+  EXPECT_EQ(mine.run, 0U);
+  // The same sums in another order.
+  EXPECT_LT((mine.H - theirs.H).norm(), 1e-12 * theirs.H.norm());
+  EXPECT_LT((mine.coherence - theirs.coherence).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(mine.change_with_level.size(), theirs.change_with_level.size());
+  // The noise's spectrum is smoothed per run instead of over all hits.
+  EXPECT_LT(
+      (mine.variance.array() / theirs.variance.array() - 1.0).abs().maxCoeff(),
+      0.2);
+  EXPECT_TRUE(set.statements.empty());
+
+  // Hit elsewhere they are FRFs of their own, as before.
+  parts.bundle.runs[4].hammer.dof.node += 1;
+  const FrfSet two =
+      estimate_frfs(parts.bundle, parts.recordings, parts.hits, {});
+  ASSERT_EQ(two.frfs.size(), 2U);
+  EXPECT_EQ(two.frfs[0].hits, 4);
+  EXPECT_EQ(two.frfs[1].run, 4U);
+}
+
+// A sensitivity that was changed after the first two of five files.
+TEST(EstimateFrfs, SaysWhereRunsOfOnePlacementDiffer) {
+  GeneratedOptions o;
+  o.hits = 3;
+  o.spread = 0.01;
+  GeneratedTest test = generate_test(two_modes, o);
+  for (unsigned r = 1; r < 5; ++r) {
+    o.seed = r + 1;
+    GeneratedTest more = generate_test(two_modes, o);
+    if (r > 1) more.recordings[0].samples.col(1) *= 1.25;
+    test.bundle.runs.push_back(more.bundle.runs[0]);
+    test.recordings.push_back(more.recordings[0]);
+    test.hits.runs.push_back(more.hits.runs[0]);
+  }
+  const FrfSet set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
+  ASSERT_EQ(set.frfs.size(), 1U);
+  ASSERT_FALSE(set.statements.empty());
+  EXPECT_NE(set.statements[0].find("runs 1, 2, 3, 4 and 5 measured the same"),
+            std::string::npos)
+      << set.statements[0];
+}
+
 TEST(EstimateFrfs, OffsetDriftAndHumDoNotReachTheLowLines) {
   // An offset twenty times the noise-free response's rms at the end, a drift
   // and hum beyond the band, with a pre-trigger of an eighth of a second only.

@@ -39,6 +39,7 @@ class Replay : public ::testing::Test {
     x.block(row(10) - 5, 0, 30, 2) *= 0.1;
     test_.bundle.runs.push_back(test_.bundle.runs[0]);
     test_.bundle.runs[1].file = "run-02.wav";
+    test_.bundle.runs[1].hammer.dof.node += 1;
     test_.recordings.push_back(second.recordings[0]);
     for (acquisition::Channel& channel : test_.bundle.channels) {
       channel.full_scale_volts = full_scale;
@@ -110,6 +111,26 @@ TEST_F(Replay, GivesWhatTheWholeRecordGives) {
         (mine.variance.array() / other.variance.array() - 1.0).abs().maxCoeff(),
         0.2);
   }
+}
+
+// Two files of the same point: one average over both, as of whole records.
+TEST_F(Replay, GoesOnAveragingWhereTheSamePointIsHitAgain) {
+  test_.bundle.runs[1].hammer = test_.bundle.runs[0].hammer;
+  std::vector<Eigen::Index> averaged;
+  const Replayed live = replay(test_.bundle, options_, [&](const LiveHit& now) {
+    if (now.hit.accepted) averaged.push_back(now.averaged);
+  });
+  ASSERT_EQ(live.frfs.frfs.size(), 1U);
+  const Frf& mine = live.frfs.frfs[0];
+  // 37 of the first run, 40 of the second.
+  EXPECT_EQ(mine.hits, 77);
+  EXPECT_EQ(averaged.back(), 77);
+  HitSet hits = live.hits;
+  const FrfSet expected =
+      estimate_frfs(test_.bundle, test_.recordings, hits, {});
+  ASSERT_EQ(expected.frfs.size(), 1U);
+  EXPECT_LT((mine.H - expected.frfs[0].H).cwiseAbs().maxCoeff(),
+            1e-12 * expected.frfs[0].H.cwiseAbs().maxCoeff());
 }
 
 // The same records in a universal file: streamed, binary or text, they give
