@@ -1,5 +1,6 @@
 #include "signal/hit_coherence.hpp"
 
+#include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
 
 #include <algorithm>
@@ -84,35 +85,71 @@ HitCoherence hit_coherence(const Spectra& spectra) {
     result.pairs.push_back(std::move(pairs));
   }
   for (Index i = 0; i < n; ++i) {
-    result.hits.push_back(static_cast<std::size_t>(i));
+    result.hits.push_back({0, static_cast<std::size_t>(i)});
   }
   return result;
 }
 
-HitCoherence run_coherence(
+HitCoherence group_coherence(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,
-    std::size_t run) {
+    const acquisition::RunGroup& group) {
   const FrfPlan plan = plan_frfs(bundle, hits, {});
-  const HitBlocks blocks = cut_hits(
-      bundle.runs[run], recordings[run], hits, hits.runs[run], plan.blocks);
-  if (blocks.force.cols() < 2) return {};
   const RealFft fft(hits.block);
-  HitCoherence result = hit_coherence(
-      fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last));
-  result.hits.clear();
-  for (std::size_t k = 0; k < hits.runs[run].size(); ++k) {
-    if (hits.runs[run][k].accepted) result.hits.push_back(k);
+  std::vector<Spectra> spectra(group.size());
+  std::vector<HitAt> of;
+  for (const std::size_t r : group) {
+    for (std::size_t k = 0; k < hits.runs[r].size(); ++k) {
+      if (hits.runs[r][k].accepted) of.push_back({r, k});
+    }
+  }
+  if (of.size() < 2) return {};
+  for_each_parallel(group.size(), [&](std::size_t g) {
+    const std::size_t r = group[g];
+    const HitBlocks blocks =
+        cut_hits(arranged_as(bundle.runs[group.front()], bundle.runs[r]),
+                 recordings[r],
+                 hits,
+                 hits.runs[r],
+                 plan.blocks);
+    if (blocks.force.cols() == 0) return;
+    spectra[g] = fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last);
+  });
+  HitCoherence result = hit_coherence(side_by_side(std::move(spectra)));
+  result.hits = std::move(of);
+  for (const acquisition::Placement& sensor :
+       bundle.runs[group.front()].sensors) {
+    result.channels.push_back(sensor.channel);
   }
   return result;
 }
 
-std::vector<std::size_t> hits_apart(const HitCoherence& of) {
+RunCoherence part_of(const HitCoherence& of,
+                     const acquisition::TestBundle& bundle,
+                     std::size_t run) {
+  RunCoherence part;
+  std::vector<Index> columns;
+  for (std::size_t k = 0; k < of.hits.size(); ++k) {
+    if (of.hits[k].run != run) continue;
+    part.hits.push_back(of.hits[k].hit);
+    columns.push_back(static_cast<Index>(k));
+  }
+  if (columns.empty()) return part;
+  std::vector<Index> rows;
+  for (const acquisition::Placement& sensor : bundle.runs[run].sensors) {
+    rows.push_back(std::ranges::find(of.channels, sensor.channel) -
+                   of.channels.begin());
+  }
+  part.with_others = of.with_others(rows, columns);
+  return part;
+}
+
+std::vector<HitAt> hits_apart(const HitCoherence& of) {
   const Eigen::MatrixXd u = incoherence(of);
   std::vector<Index> left;
   for (Index k = 0; k < u.rows(); ++k) left.push_back(k);
-  std::vector<std::size_t> result;
+  std::vector<HitAt> result;
   while (left.size() > 2) {
     const auto worst =
         std::max_element(left.begin(), left.end(), [&](Index a, Index b) {

@@ -19,9 +19,23 @@ using Eigen::Index;
 constexpr double much_incoherence = 0.05;
 constexpr double against_others = 5.0;
 constexpr double much_spread = 0.1;
+
+std::string file_of(const TestBundle& bundle, std::size_t run) {
+  return bundle.runs.at(run).file.filename().string();
+}
+
+// "run-01.wav and 4 more".
+std::string files_of(const TestBundle& bundle,
+                     const acquisition::RunGroup& group) {
+  const std::string first = file_of(bundle, group.front());
+  return group.size() == 1
+             ? first
+             : fmt::format("{} and {} more", first, group.size() - 1);
+}
+
 // Mean incoherence of each sensor over the pairs of hits that are kept.
 Eigen::VectorXd sensor_incoherence(const HitCoherence& of) {
-  const std::vector<std::size_t> apart = hits_apart(of);
+  const std::vector<HitAt> apart = hits_apart(of);
   const auto n = static_cast<Index>(of.hits.size());
   Eigen::VectorXd result(static_cast<Index>(of.pairs.size()));
   const auto kept = [&](Index k) {
@@ -138,15 +152,16 @@ std::string titled(const TestBundle& bundle, const Frf& frf) {
              : name(frf);
 }
 
-std::vector<QualityFinding> coherence_findings(const TestBundle& bundle,
-                                               const HitCoherence& of,
-                                               std::size_t run) {
+std::vector<QualityFinding> coherence_findings(
+    const TestBundle& bundle,
+    const HitCoherence& of,
+    const acquisition::RunGroup& group) {
   std::vector<QualityFinding> found;
-  const acquisition::Run& its = bundle.runs.at(run);
-  const std::string file = its.file.filename().string();
-  for (const std::size_t hit : hits_apart(of)) {
+  for (const HitAt& at : hits_apart(of)) {
     found.push_back(
-        {fmt::format("{}: hit {} stands apart from the others", file, hit + 1),
+        {fmt::format("{}: hit {} stands apart from the others",
+                     file_of(bundle, at.run),
+                     at.hit + 1),
          "it fell beside the point or was a double one: frf --best-hits leaves "
          "it out, or overrule it by hand"});
   }
@@ -156,10 +171,11 @@ std::vector<QualityFinding> coherence_findings(const TestBundle& bundle,
     const double limit =
         std::max(much_incoherence, against_others * median_without(u, c));
     if (u(c) <= limit) continue;
-    const auto& sensor = its.sensors.at(static_cast<std::size_t>(c));
+    const auto& sensor =
+        bundle.runs[group.front()].sensors.at(static_cast<std::size_t>(c));
     found.push_back(
         {fmt::format("{}: {} agrees with itself from hit to hit to {:.3f} only",
-                     file,
+                     files_of(bundle, group),
                      bundle.channels.at(sensor.channel).name,
                      1.0 - u(c)),
          "look at its mounting, cable and range; if it sits where the "

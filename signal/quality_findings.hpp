@@ -23,12 +23,14 @@ struct QualityFinding {
 [[nodiscard]] std::string titled(const acquisition::TestBundle& bundle,
                                  const Frf& frf);
 
-/// A hit or a sensor that agrees with the rest of its run far less than the
-/// others do among themselves: a column or a row of the coherence matrix.
+/// A hit or a sensor that agrees with the rest of its placement far less than
+/// the others do among themselves: a column or a row of the coherence matrix.
+///
+/// @param of the runs of `group`
 [[nodiscard]] std::vector<QualityFinding> coherence_findings(
     const acquisition::TestBundle& bundle,
     const HitCoherence& of,
-    std::size_t run);
+    const acquisition::RunGroup& group);
 
 /// Driving points that no passive structure has: turned polarity, swapped
 /// channels, another point.

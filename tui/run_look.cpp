@@ -56,10 +56,31 @@ RunLook look_at_run(const acquisition::TestBundle& bundle,
   RunLook look;
   const signal::FrfPlan plan = signal::plan_frfs(bundle, hits, {});
   look.s = plan.s;
-  look.coherence = signal::run_coherence(bundle, recordings, hits, run);
-  signal::RealFft fft(hits.block);
+  const std::vector<acquisition::RunGroup> groups =
+      acquisition::runs_alike(bundle);
+  const acquisition::RunGroup& group =
+      groups[acquisition::group_of(groups, run)];
+  look.coherence = part_of(
+      signal::group_coherence(bundle, recordings, hits, group), bundle, run);
+  const signal::RealFft fft(hits.block);
   signal::RunAverage average;
   average.s = plan.s;
+  const auto add = [&](const HitBlocks& blocks) {
+    signal::add_hits(
+        blocks,
+        signal::fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last),
+        average);
+  };
+  for (const std::size_t earlier : group) {
+    if (earlier == run) break;
+    const HitBlocks blocks =
+        signal::cut_hits(arranged_as(bundle.runs.at(run), bundle.runs[earlier]),
+                         recordings.at(earlier),
+                         hits,
+                         hits.runs.at(earlier),
+                         plan.blocks);
+    if (blocks.force.cols() > 0) add(blocks);
+  }
   const std::vector<Hit>& run_hits = hits.runs.at(run);
   for (std::size_t k = 0; k < run_hits.size(); ++k) {
     look.windows.emplace_back();
@@ -75,10 +96,7 @@ RunLook look_at_run(const acquisition::TestBundle& bundle,
     }
     look.windows.back() = window_of(blocks, run_hits[k], plan.sigma);
     if (!run_hits[k].accepted) continue;
-    signal::add_hits(
-        blocks,
-        signal::fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last),
-        average);
+    add(blocks);
     look.averages.push_back(
         signal::average_frfs(average, bundle, run, signal::Estimator::H1));
   }

@@ -1,5 +1,6 @@
 // A run looked at closely: the windows laid over each hit, how well the hits
-// agree, and how the average grew with each of them.
+// agree, and how the average grew with each of them. Hits of runs of the same
+// placement are averaged together, so those of earlier ones come first.
 #pragma once
 
 #include "acquisition/hits.hpp"
@@ -30,8 +31,8 @@ struct HitWindow {
 struct RunLook {
   /// One per hit of the run; empty where a hit cannot be cut out.
   std::vector<std::optional<HitWindow>> windows;
-  signal::HitCoherence coherence;
-  /// FRFs of the run's sensors after the first accepted hit, the first two...
+  signal::RunCoherence coherence;
+  /// FRFs of the run's sensors with its first accepted hit, the first two...
   std::vector<std::vector<signal::Frf>> averages;
   Eigen::VectorXcd s;  ///< their lines [rad/s]
 };

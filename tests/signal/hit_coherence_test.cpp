@@ -37,7 +37,7 @@ TEST(HitCoherence, LeavesGoodHitsAlone) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const GeneratedTest test = noisy(seed);
     const HitCoherence c =
-        run_coherence(test.bundle, test.recordings, test.hits, 0);
+        group_coherence(test.bundle, test.recordings, test.hits, {0});
     ASSERT_EQ(c.hits.size(), 6u);
     EXPECT_TRUE(hits_apart(c).empty()) << "seed " << seed;
   }
@@ -56,19 +56,47 @@ TEST(HitCoherence, FindsTheHitThatStandsApart) {
     };
     block(test.recordings[0]) = block(elsewhere.recordings[0]);
     const HitCoherence c =
-        run_coherence(test.bundle, test.recordings, test.hits, 0);
-    EXPECT_EQ(hits_apart(c), std::vector<std::size_t>{2}) << "seed " << seed;
+        group_coherence(test.bundle, test.recordings, test.hits, {0});
+    EXPECT_EQ(hits_apart(c), (std::vector<HitAt>{{0, 2}})) << "seed " << seed;
     Eigen::Index worst = 0;
     c.with_others.row(0).minCoeff(&worst);
     EXPECT_EQ(worst, 2);
   }
 }
 
+// A file for each hit: what one says of the others is what it says in one file.
+TEST(HitCoherence, GoesOverAllRunsOfAPlacement) {
+  const GeneratedTest whole = noisy(3);
+  const HitCoherence expected =
+      group_coherence(whole.bundle, whole.recordings, whole.hits, {0});
+  GeneratedTest parts = whole;
+  parts.hits.runs.assign(6, whole.hits.runs[0]);
+  for (std::size_t r = 0; r < 6; ++r) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      parts.hits.runs[r][k].accepted = k == r;
+    }
+    if (r == 0) continue;
+    parts.bundle.runs.push_back(whole.bundle.runs[0]);
+    parts.recordings.push_back(whole.recordings[0]);
+  }
+  const HitCoherence c = group_coherence(
+      parts.bundle, parts.recordings, parts.hits, {0, 1, 2, 3, 4, 5});
+  ASSERT_EQ(c.hits.size(), 6U);
+  EXPECT_EQ(c.hits[4], (HitAt{4, 4}));
+  // The same numbers, summed alike; the FFT is the same one.
+  EXPECT_LT((c.with_others - expected.with_others).cwiseAbs().maxCoeff(),
+            1e-12);
+  const RunCoherence fifth = part_of(c, parts.bundle, 4);
+  EXPECT_EQ(fifth.hits, std::vector<std::size_t>{4});
+  ASSERT_EQ(fifth.with_others.cols(), 1);
+  EXPECT_EQ(fifth.with_others(0, 0), c.with_others(0, 4));
+}
+
 TEST(HitCoherence, OneHitHasNoOther) {
   GeneratedTest test = noisy(1);
   for (std::size_t k = 1; k < 6; ++k) test.hits.runs[0][k].accepted = false;
   const HitCoherence c =
-      run_coherence(test.bundle, test.recordings, test.hits, 0);
+      group_coherence(test.bundle, test.recordings, test.hits, {0});
   EXPECT_TRUE(c.pairs.empty());
   EXPECT_TRUE(hits_apart(c).empty());
 }

@@ -29,11 +29,11 @@ Looked look(const GeneratedTest& test) {
   all.pairs = reciprocals(all.frfs);
   all.driving = driving_point_findings(test.bundle, all.frfs, all.points);
   all.both_ways = reciprocity_findings(test.bundle, all.frfs, all.pairs);
-  for (std::size_t r = 0; r < test.bundle.runs.size(); ++r) {
+  for (const auto& group : acquisition::runs_alike(test.bundle)) {
     const Findings more = coherence_findings(
         test.bundle,
-        run_coherence(test.bundle, test.recordings, test.hits, r),
-        r);
+        group_coherence(test.bundle, test.recordings, test.hits, group),
+        group);
     all.coherence.insert(all.coherence.end(), more.begin(), more.end());
   }
   all.spread = spread_findings(all.frfs);

@@ -67,5 +67,30 @@ TEST(RunLook, HitsThatAgreeAreCoherent) {
   EXPECT_GT(look.coherence.with_others.minCoeff(), 0.999);
 }
 
+// Another file of the same point: its hits go on where the first's ended.
+TEST(RunLook, GoesOnFromEarlierRunsAtTheSamePoints) {
+  MadeUp t;
+  t.bundle.runs.resize(1);
+  t.recordings.resize(1);
+  t.hits.runs.resize(1);
+  t.bundle.runs.push_back(t.bundle.runs[0]);
+  std::swap(t.bundle.runs[1].sensors[0], t.bundle.runs[1].sensors[1]);
+  t.recordings.push_back(t.recordings[0]);
+  t.hits.runs.push_back(t.hits.runs[0]);
+  const RunLook first = look_at_run(t.bundle, t.recordings, t.hits, 0);
+  const RunLook look = look_at_run(t.bundle, t.recordings, t.hits, 1);
+  ASSERT_EQ(look.averages.size(), 2U);
+  EXPECT_EQ(look.averages[0][0].hits, 3);
+  EXPECT_EQ(look.averages[1][0].hits, 4);
+  EXPECT_EQ(look.averages[1][0].channel, t.bundle.runs[1].sensors[0].channel);
+  const signal::FrfSet set =
+      signal::estimate_frfs(t.bundle, t.recordings, t.hits, {});
+  ASSERT_EQ(set.frfs.size(), 2U);
+  EXPECT_LT((look.averages.back()[0].H - set.frfs[1].H).norm(),
+            1e-12 * set.frfs[1].H.norm());
+  EXPECT_EQ(look.coherence.hits, first.coherence.hits);
+  EXPECT_EQ(look.coherence.with_others.cols(), 2);
+}
+
 }  // namespace
 }  // namespace tapfit::tui

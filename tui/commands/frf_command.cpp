@@ -115,9 +115,10 @@ namespace {
 // Hits that stand apart from their fellows are judged out, as if by hand.
 void leave_hits_apart(updating::Session& session, const Progress& progress) {
   const acquisition::HitSet hits = session.hits(progress);
-  for (std::size_t run = 0; run < hits.runs.size(); ++run) {
-    for (const std::size_t hit : signal::hits_apart(signal::run_coherence(
-             session.bundle(), session.recordings(), hits, run))) {
+  for (const acquisition::RunGroup& group :
+       acquisition::runs_alike(session.bundle())) {
+    for (const auto& [run, hit] : signal::hits_apart(signal::group_coherence(
+             session.bundle(), session.recordings(), hits, group))) {
       session.overrule_hit(run, hit);
       fmt::print(stderr,
                  "note: {}: hit {} at {:.3f} s stands apart and is left out\n",

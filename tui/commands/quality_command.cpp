@@ -18,14 +18,15 @@ namespace {
 using nlohmann::ordered_json;
 using signal::DrivingPoint;
 using signal::FrfSet;
-using signal::HitCoherence;
 using signal::LowLine;
 using signal::QualityFinding;
 using signal::Reciprocal;
+using signal::RunCoherence;
 
 /// All that is found, before it is printed one way or the other.
 struct Quality {
-  std::vector<HitCoherence> runs;  ///< none for ready FRFs
+  std::vector<RunCoherence> runs;               ///< none for ready FRFs
+  std::vector<std::vector<std::size_t>> apart;  ///< hits, per run
   const FrfSet& frfs;
   std::vector<DrivingPoint> points;
   std::vector<Reciprocal> pairs;
@@ -37,23 +38,38 @@ void take(std::vector<QualityFinding> more,
   std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
+void look_at_hits(updating::Session& session,
+                  const Progress& progress,
+                  Quality& found) {
+  const acquisition::TestBundle& bundle = session.bundle();
+  found.runs.resize(bundle.runs.size());
+  found.apart.resize(bundle.runs.size());
+  for (const acquisition::RunGroup& group : acquisition::runs_alike(bundle)) {
+    progress("coherence of hits",
+             static_cast<double>(group.front()) /
+                 static_cast<double>(bundle.runs.size()));
+    const signal::HitCoherence of = signal::group_coherence(
+        bundle, session.recordings(), session.hits(), group);
+    for (const std::size_t r : group) found.runs[r] = part_of(of, bundle, r);
+    for (const auto& [run, hit] : hits_apart(of)) {
+      found.apart[run].push_back(hit);
+    }
+    take(coherence_findings(bundle, of, group), found.findings);
+  }
+}
+
 // @param mass_kg of a free body; 0: not known
 Quality look(updating::Session& session,
              double mass_kg,
              const Progress& progress) {
   const acquisition::TestBundle& bundle = session.bundle();
   Quality found{{},
+                {},
                 session.frfs(progress),
                 signal::driving_points(session.frfs()),
                 signal::reciprocals(session.frfs()),
                 {}};
-  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
-    progress("coherence of hits",
-             static_cast<double>(r) / static_cast<double>(bundle.runs.size()));
-    found.runs.push_back(
-        signal::run_coherence(bundle, session.recordings(), session.hits(), r));
-    take(coherence_findings(bundle, found.runs.back(), r), found.findings);
-  }
+  if (!bundle.frfs) look_at_hits(session, progress, found);
   take(driving_point_findings(bundle, found.frfs, found.points),
        found.findings);
   take(reciprocity_findings(bundle, found.frfs, found.pairs), found.findings);
@@ -76,8 +92,9 @@ std::string channel_name(const acquisition::TestBundle& bundle,
 }
 
 ordered_json run_json(const acquisition::TestBundle& bundle,
-                      const HitCoherence& c,
+                      const Quality& q,
                       std::size_t run) {
+  const RunCoherence& c = q.runs[run];
   ordered_json sensors = ordered_json::array();
   for (Eigen::Index s = 0; s < c.with_others.rows(); ++s) {
     std::vector<double> values(c.with_others.row(s).begin(),
@@ -88,7 +105,7 @@ ordered_json run_json(const acquisition::TestBundle& bundle,
   std::vector<std::size_t> hits;
   for (const std::size_t hit : c.hits) hits.push_back(hit + 1);
   std::vector<std::size_t> apart;
-  for (const std::size_t hit : hits_apart(c)) apart.push_back(hit + 1);
+  for (const std::size_t hit : q.apart[run]) apart.push_back(hit + 1);
   return {{"file", bundle.runs[run].file.filename().string()},
           {"hits", hits},
           {"sensors", std::move(sensors)},
@@ -116,7 +133,7 @@ ordered_json json_of(const acquisition::TestBundle& bundle, const Quality& q) {
   ordered_json result;
   result["runs"] = ordered_json::array();
   for (std::size_t r = 0; r < q.runs.size(); ++r) {
-    result["runs"].push_back(run_json(bundle, q.runs[r], r));
+    result["runs"].push_back(run_json(bundle, q, r));
   }
   result["driving_points"] = ordered_json::array();
   for (const DrivingPoint& p : q.points) {
@@ -157,10 +174,10 @@ std::string hits_text_of(const acquisition::TestBundle& bundle,
   std::string text =
       "Coherence of each hit with the others (row: sensor, column: hit)\n";
   for (std::size_t r = 0; r < q.runs.size(); ++r) {
-    const HitCoherence& c = q.runs[r];
+    const RunCoherence& c = q.runs[r];
     text += "  " + bundle.runs[r].file.filename().string();
     if (c.hits.empty()) {
-      text += ": fewer than two accepted hits\n";
+      text += ": no accepted hit with others at the same points\n";
       continue;
     }
     for (const std::size_t hit : c.hits) text += fmt::format(" {:>6}", hit + 1);

@@ -286,13 +286,13 @@ void draw_average(Screen& screen,
   plot.x = {"f", "Hz", 0.0, 0.0, false};
   plot.y = {"|H|", accelerance_unit, 0.0, 0.0, true};
   const std::string agreement = fmt::format("{} hit{}, coh {}",
-                                            count,
-                                            count == 1 ? "" : "s",
+                                            frf.hits,
+                                            frf.hits == 1 ? "" : "s",
                                             fixed(frf.coherence.mean(), 4));
   const std::string unit = fmt::format("{} [{}]  ", plot.y.label, plot.y.unit);
   plot.title = fitting({signal::name(frf) + ": " + agreement, agreement},
                        rect.width - text_width(unit));
-  plot.curves.push_back(curve_after(count, {Colour::Sky}, count > 1));
+  plot.curves.push_back(curve_after(count, {Colour::Sky}, frf.hits > 1));
   draw_plot(screen, rect, plot);
 }
 

@@ -195,7 +195,7 @@ void draw_side(Screen& screen,
                const Table& table) {
   const std::size_t selected = settled(table, state.list);
   const bool agree = input.look != nullptr && !state.playing.on &&
-                     input.look->coherence.with_others.cols() > 1;
+                     input.look->coherence.with_others.cols() > 0;
   const int map_rows =
       agree ? static_cast<int>(input.look->coherence.with_others.rows()) + 2
             : 0;
