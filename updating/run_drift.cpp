@@ -1,5 +1,7 @@
 #include "updating/run_drift.hpp"
 
+#include "acquisition/runs_alike.hpp"
+
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -40,13 +42,20 @@ VectorXd slope_by_moduli(const Fit& fit) {
   return slope;
 }
 
-/// Where each FRF's run stands between the first, -1/2, and the last, 1/2.
+/// Where each FRF's runs stand in the mean between the first, -1/2, and the
+/// last, 1/2.
 std::vector<double> times(const std::vector<std::size_t>& run,
-                          std::size_t runs) {
+                          const acquisition::TestBundle& bundle) {
+  const auto last = static_cast<double>(bundle.runs.size() - 1);
+  const std::vector<acquisition::RunGroup> groups =
+      acquisition::runs_alike(bundle);
   std::vector<double> result;
   for (const std::size_t r : run) {
-    result.push_back(static_cast<double>(r) / static_cast<double>(runs - 1) -
-                     0.5);
+    const acquisition::RunGroup& group =
+        groups[acquisition::group_of(groups, r)];
+    double sum = 0.0;
+    for (const std::size_t one : group) sum += static_cast<double>(one);
+    result.push_back(sum / static_cast<double>(group.size()) / last - 0.5);
   }
   return result;
 }
@@ -61,7 +70,7 @@ std::optional<RunDrift> run_drift(const Fit& fit, const Target& target) {
   const Index block = 2 * target.s.size();
   const auto frfs = static_cast<Index>(target.run.size());
   if (slope.size() == 0 || r.size() != block * frfs) return {};
-  const std::vector<double> time = times(target.run, bundle.runs.size());
+  const std::vector<double> time = times(target.run, bundle);
   Eigen::MatrixXd A(r.size(), 2);
   A.col(0) = slope;
   for (Index f = 0; f < frfs; ++f) {
