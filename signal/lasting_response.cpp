@@ -65,6 +65,11 @@ struct Lines {
   double window_power = 0.0;  ///< of a half's window
 };
 
+// Whether the halves tell what there is: a decay, or a level that stays.
+bool is_told(const Line& line) {
+  return line.course.decays || line.course.steady;
+}
+
 // Peaks of the late half that stand out of the noise.
 std::vector<Line> standing_out(const Lines& lines) {
   const Eigen::VectorXd& early = lines.halves.early;
@@ -92,11 +97,6 @@ std::vector<Line> standing_out(const Lines& lines) {
   return result;
 }
 
-// Whether the halves tell what there is: a decay, or a level that stays.
-bool is_told(const Line& line) {
-  return line.course.decays || line.course.steady;
-}
-
 // Whether more is heard in the late half than the fall from the blow leaves.
 bool is_excited(const Line& line, double half_s) {
   if (is_told(line)) return false;
@@ -111,10 +111,14 @@ bool is_hum(const Line& line) {
   return line.time_constants < hardly && is_told(line);
 }
 
-// Time constants in the block, as far as they can be known.
+// Time constants in the block, as far as they can be known: fewer than enough
+// only where they surely are.
 std::optional<double> time_constants_of(const Line& line, double half_s) {
   if (is_told(line)) return line.time_constants;
   if (!line.course.fall) return std::nullopt;
+  if (2.0 * line.course.fall->most * half_s > enough_time_constants) {
+    return std::nullopt;
+  }
   return 2.0 * line.course.fall->rate * half_s;
 }
 

@@ -14,7 +14,8 @@
 //
 // A structure that wind, machines or people excite between the blows is louder
 // late in the block than its decay leaves it, and the halves tell of neither.
-// The decay is then that of the fall behind the blow (signal/level_course.hpp).
+// The decay is then fitted along with it (signal/level_course.hpp), and counts as
+// too slow only where it surely is.
 #pragma once
 
 #include "signal/hit_blocks.hpp"

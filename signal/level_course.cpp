@@ -1,6 +1,7 @@
 #include "signal/level_course.hpp"
 
 #include "acquisition/choose_block.hpp"
+#include "acquisition/remove_offset.hpp"
 #include "signal/fft.hpp"
 #include "signal/offset.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace tapfit::signal {
 namespace {
@@ -42,57 +44,73 @@ double left_over(const Eigen::VectorXcd& z, double noise_rms) {
   return (before * a - now).norm() / std::sqrt(static_cast<double>(rows));
 }
 
-/// The line y = start + slope k through the first values.
-struct Straight {
-  double start = 0.0;
-  double slope = 0.0;
-  [[nodiscard]] double at(Index k) const {
-    return start + slope * static_cast<double>(k);
-  }
+/// The autoregression z_k = q z_{k-1} + e_k.
+struct Regression {
+  double q = 1.0;        ///< magnitude
+  double sd = 0.0;       ///< of it
+  double floor = 0.0;    ///< mean power of what the e_k alone leave
+  Index first_blow = 0;  ///< first step that is no chance; none: past the end
 };
 
-Straight through(const Eigen::Ref<const Eigen::VectorXd>& y) {
-  const double last = static_cast<double>(y.size() - 1);
-  const Eigen::VectorXd x =
-      Eigen::VectorXd::LinSpaced(y.size(), -0.5 * last, 0.5 * last);
-  const double slope = x.dot(y) / x.squaredNorm();
-  return {y.mean() - 0.5 * last * slope, slope};
+// Least squares over the steps that are kept.
+Regression regression(const Eigen::VectorXcd& z,
+                      const Eigen::ArrayXd& kept,
+                      Eigen::ArrayXd& left) {
+  const Index steps = z.size() - 1;
+  const Eigen::ArrayXcd before = z.head(steps).array();
+  const Eigen::ArrayXcd now = z.tail(steps).array();
+  const double power = (kept * before.abs2()).sum();
+  const std::complex<double> q =
+      (kept * (now * before.conjugate())).sum() / power;
+  left = (now - q * before).abs2();
+  const double variance = (kept * left).sum() / std::max(kept.sum() - 1.0, 1.0);
+  Regression found;
+  found.q = std::abs(q);
+  found.sd = std::sqrt(0.5 * variance / power);
+  found.floor = variance / std::max(1.0 - found.q * found.q, 1e-12);
+  return found;
 }
 
-// Segments that the fall lasts: up to where two in a row lie above it. One that
-// does, or lies below, is what the ambient response adds or takes off.
-Index falling(const Eigen::VectorXd& level) {
-  constexpr double above = 0.23;  // 2 dB
-  Index count = 3;
-  while (count < level.size()) {
-    const Straight fall = through(level.head(count));
-    const Index second = std::min(count + 1, level.size() - 1);
-    if (level(count) > fall.at(count) + above &&
-        level(second) > fall.at(second) + above) {
-      break;
-    }
-    ++count;
+// A step of so many times the median's power is no chance: an exponential
+// distribution goes as far once in 60,000 steps.
+constexpr double no_chance = 16.0;
+
+Regression robust_regression(const Eigen::VectorXcd& z) {
+  Eigen::ArrayXd kept = Eigen::ArrayXd::Ones(z.size() - 1);
+  Eigen::ArrayXd left;
+  Regression found = regression(z, kept, left);
+  constexpr int passes = 5;
+  for (int pass = 0; pass < passes; ++pass) {
+    // Rounding is no blow.
+    const double limit = no_chance * acquisition::median(left.matrix()) +
+                         1e-12 * z.cwiseAbs2().maxCoeff();
+    kept = (left <= limit).cast<double>();
+    found = regression(z, kept, left);
   }
-  return count;
+  found.first_blow = kept.size();
+  for (Index k = kept.size() - 1; k >= 0; --k) {
+    if (kept(k) == 0.0) found.first_blow = k;
+  }
+  return found;
 }
 
-std::optional<Fall> fall_of(const Eigen::VectorXd& level,
+std::optional<Fall> fall_of(const Eigen::VectorXcd& z,
                             double hop_s,
                             double segment_s) {
-  constexpr double clear = 0.7;     // 6 dB
-  constexpr double straight = 0.3;  // 2.6 dB
-  const Index count = falling(level);
-  const Straight fall = through(level.head(count));
-  if (fall.at(0) - fall.at(count - 1) < clear) return std::nullopt;
-  double square = 0.0;
-  for (Index k = 0; k < count; ++k) {
-    square += std::pow(level(k) - fall.at(k), 2);
-  }
-  if (square > straight * straight * static_cast<double>(count)) {
+  constexpr double clear = 1.4;  // ln of the power's ratio, 6 dB
+  const Regression found = robust_regression(z);
+  if (!(found.q + 2.0 * found.sd < 1.0) || !(found.q > 0.0)) {
     return std::nullopt;
   }
-  return Fall{-fall.slope / hop_s,
-              static_cast<double>(count - 1) * hop_s + 0.5 * segment_s};
+  const double decay = -std::log(found.q);  // from segment to segment
+  const double above =
+      std::log(std::norm(z(0)) / std::max(found.floor, 1e-300));
+  const double end = std::clamp(
+      0.5 * above / decay, 0.0, static_cast<double>(found.first_blow));
+  if (2.0 * decay * end < clear) return std::nullopt;
+  const double least_q = std::max(found.q - 2.0 * found.sd, 1e-12);
+  return Fall{
+      decay / hop_s, -std::log(least_q) / hop_s, end * hop_s + 0.5 * segment_s};
 }
 
 }  // namespace
@@ -129,7 +147,7 @@ LevelCourse Segments::course(double hz, double noise) const {
   const double spread = (level.array() - level.mean()).matrix().norm() /
                         std::sqrt(static_cast<double>(level.size()));
   course.steady = spread < two_db;
-  course.fall = fall_of(level, static_cast<double>(hop_) * dt_, segment_s);
+  course.fall = fall_of(z, static_cast<double>(hop_) * dt_, segment_s);
   return course;
 }
 

@@ -9,7 +9,15 @@
 //
 // whatever the window, so that each z is the same combination of the p before
 // it (G. R. de Prony, 1795). What wind, machines or people excite is none: on
-// the structure's own resonance, too, its level rises and falls at random.
+// the structure's own resonance, too, its level rises and falls at random. But
+// what it excites there decays as the response to the blow does,
+//
+//   z_k = q z_{k-1} + e_k
+//
+// with e_k of what came since, so that least squares over all segments gives q
+// and how well it is known (an autoregression of the first order; G. E. P. Box,
+// G. M. Jenkins, "Time Series Analysis", 1970). A line through the levels would
+// follow the bend into what is there all the time, and find too slow a decay.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,6 +29,7 @@ namespace tapfit::signal {
 /// What follows the blow, up to where something else is louder.
 struct Fall {
   double rate = 0.0;   ///< of the decay [1/s]
+  double most = 0.0;   ///< two standard deviations above it [1/s]
   double end_s = 0.0;  ///< behind the trigger; middle of the last segment
 };
 
@@ -29,7 +38,8 @@ struct LevelCourse {
   bool decays = true;
   /// The same level from beginning to end, within 2 dB.
   bool steady = false;
-  /// Empty where it falls by less than 6 dB before it rises or stays.
+  /// Empty where it does not surely decay, or falls by less than 6 dB before
+  /// something else is louder.
   std::optional<Fall> fall;
 };
 
