@@ -22,6 +22,7 @@ constexpr Index fewest_lines = 8;
 // What decays less than this within the block may be no response at all.
 constexpr double hardly = 0.2;
 constexpr Index beside = 8;  // lines
+constexpr Index around = 12;
 
 // Power summed over each line and its two neighbours, which count half.
 Eigen::VectorXd power_near(const Eigen::VectorXcd& lines) {
@@ -70,6 +71,17 @@ bool is_told(const Line& line) {
   return line.course.decays || line.course.steady;
 }
 
+// What rings on through six time constants or less, and hum, are as sharp as
+// half a block resolves: half the width at half power of a decay is a / 2 pi,
+// half a line at the most. A peak of the skirt of something wider that is
+// excited anew does not stand out of the lines around it.
+bool is_sharp(const Eigen::VectorXd& power, Index i) {
+  const Index first = std::max<Index>(0, i - around);
+  const Index count = std::min(power.size(), i + around + 1) - first;
+  return power(i) >
+         above_noise * acquisition::median(power.segment(first, count));
+}
+
 // Peaks of the late half that stand out of the noise.
 std::vector<Line> standing_out(const Lines& lines) {
   const Eigen::VectorXd& early = lines.halves.early;
@@ -92,7 +104,8 @@ std::vector<Line> standing_out(const Lines& lines) {
         late(i) > 0.01 * late.maxCoeff() &&
         early.segment(from, to - from + 1).maxCoeff() < 10.0 * early(i);
     line.course = lines.segments.course(line.hz, noise);
-    result.push_back(line);
+    // By chance a skirt looks like decays, or as if it stayed.
+    if (!is_told(line) || is_sharp(late, i)) result.push_back(line);
   }
   return result;
 }

@@ -219,6 +219,22 @@ TEST(BlockAdvice, AsksForNoLongerBlockWhereADecayEndsInAFloor) {
   EXPECT_LE(asked, looked / 50);
 }
 
+// A mode that does last, excited by 1 %: its skirt is no hum, which would hide
+// the mode, too.
+TEST(BlockAdvice, TheSkirtOfWhatIsExcitedIsNoHum) {
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    GeneratedOptions o = noisy();
+    o.seed = seed;
+    const TestMode mode = mode_with(20.0, 3.0, o);
+    GeneratedTest test = generate_test({mode}, o);
+    test.bundle.band_hz = {5.0, 95.0};
+    excite(mode, 0.01, seed, test);
+    const Seen seen = look(test);
+    EXPECT_EQ(seen.lasting.hum_hz, 0.0) << seed;
+    EXPECT_TRUE(seen.advice) << seed;
+  }
+}
+
 // Decays alone are not taken for it: long ones, two that beat, with noise and
 // without.
 TEST(BlockAdvice, DecaysThatBeatAreNotExcitedAnew) {
