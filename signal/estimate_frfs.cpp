@@ -108,15 +108,13 @@ GroupResult estimate_group(const TestBundle& bundle,
   RunAverage average;
   average.s = plan.s;
   std::vector<Spectra> spectra;
-  std::vector<std::size_t> run_of_hit;
+  std::vector<RunPowers> runs;
   bool quiet = true;
   for (std::size_t k = 0; k < group.size(); ++k) {
     RunPart& part = parts[group[k]];
     if (!part.heard) continue;
-    run_of_hit.insert(
-        run_of_hit.end(), static_cast<std::size_t>(part.average.hits()), k);
     add_hits(part.average, average);
-    part.average = {};
+    runs.push_back({k, std::move(part.average.powers)});
     spectra.push_back(std::move(part.spectra));
     part.spectra = {};
     quiet = quiet && part.quiet;
@@ -124,12 +122,12 @@ GroupResult estimate_group(const TestBundle& bundle,
   if (average.hits() == 0) return result;
   result.scatter_known = quiet || average.hits() > 1;
   const Spectra all = side_by_side(std::move(spectra));
-  if (const auto difference = run_difference(all, run_of_hit)) {
+  if (const auto difference = run_difference(runs)) {
     result.difference = statement(*difference, bundle, group);
   }
   const Eigen::MatrixXcd change = result.levels.add(all);
   result.frfs = average_frfs(average, bundle, group.front(), plan.estimator);
-  for (Frf& frf : result.frfs) frf.run = group[run_of_hit.front()];
+  for (Frf& frf : result.frfs) frf.run = group[runs.front().place];
   for (Index c = 0; c < change.cols(); ++c) {
     result.frfs[static_cast<std::size_t>(c)].change_with_level = change.col(c);
   }

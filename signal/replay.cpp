@@ -7,6 +7,7 @@
 #include "acquisition/uff_bundle.hpp"
 #include "signal/block_advice.hpp"
 #include "signal/frf_average.hpp"
+#include "signal/run_differences.hpp"
 #include "signal/spectra.hpp"
 
 #include <fmt/format.h>
@@ -159,7 +160,7 @@ class Pace {
 /// What runs of one placement have in common.
 struct LiveGroup {
   RunGroup runs;
-  std::optional<std::size_t> heard{};  ///< first run with an accepted hit
+  std::vector<RunPowers> heard{};  ///< of runs with an accepted hit
   LiveHits known{};
   RunAverage average{};
 };
@@ -196,6 +197,19 @@ struct LiveRun {
   Lasting lasting{};         ///< of that one
 };
 
+// The run's own sums, where there are others to compare them with.
+void keep(const std::vector<CrossPowers>& hit, LiveRun& run) {
+  std::vector<RunPowers>& heard = run.group.heard;
+  const RunGroup& runs = run.group.runs;
+  const auto place = static_cast<std::size_t>(
+      std::ranges::find(runs, run.index) - runs.begin());
+  if (heard.empty() || heard.back().place != place) {
+    heard.push_back({place, std::vector<CrossPowers>(hit.size())});
+  }
+  if (runs.size() < 2) return;
+  for (std::size_t c = 0; c < hit.size(); ++c) heard.back().powers[c] += hit[c];
+}
+
 // Only the accepted new hits go into the average, one at a time, so that the
 // blocks of one hit are all that is in memory.
 void average_hit(const LivePiece& piece,
@@ -206,11 +220,14 @@ void average_hit(const LivePiece& piece,
   for (std::size_t i = 0; i < one.size(); ++i) one[i].accepted = i == k;
   const HitBlocks blocks = cut_hits(
       run.run, piece.recording, run.settings.set, one, run.plan.blocks);
+  RunAverage hit;
+  hit.s = run.plan.s;
   add_hits(blocks,
            fft_spectra(
                blocks, run.fft, run.plan.sigma, run.plan.first, run.plan.last),
-           run.group.average);
-  if (!run.group.heard) run.group.heard = run.index;
+           hit);
+  add_hits(hit, run.group.average);
+  keep(hit.powers, run);
   if (found.hits[k].peak_n <= run.strongest_n) return;
   run.strongest_n = found.hits[k].peak_n;
   run.lasting = lasting_response(blocks, run.band_hz);
@@ -352,7 +369,7 @@ Replayed replay(const TestBundle& bundle,
   for (const LiveGroup& group : groups) {
     std::vector<Frf> frfs = average_frfs(
         group.average, bundle, group.runs.front(), options.frf.estimator);
-    for (Frf& frf : frfs) frf.run = *group.heard;
+    for (Frf& frf : frfs) frf.run = group.runs[group.heard.front().place];
     std::move(frfs.begin(), frfs.end(), std::back_inserter(result.frfs.frfs));
   }
   if (result.frfs.frfs.empty()) {
@@ -361,6 +378,12 @@ Replayed replay(const TestBundle& bundle,
                      "look at the reasons with tapfit hits");
   }
   add_statements(bundle, plan, samples, lasting, result);
+  for (const LiveGroup& group : groups) {
+    if (const auto difference = run_difference(group.heard)) {
+      result.frfs.statements.push_back(
+          statement(*difference, bundle, group.runs));
+    }
+  }
   return result;
 }
 

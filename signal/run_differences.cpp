@@ -1,6 +1,5 @@
 #include "signal/run_differences.hpp"
 
-#include "signal/estimator.hpp"
 #include "signal/f_tail.hpp"
 
 #include <fmt/format.h>
@@ -8,87 +7,96 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace tapfit::signal {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXcd;
 
 // Of 500 tests whose runs agree one is suspected.
 constexpr double sure = 1.0 / 500.0;
 constexpr double worth_saying = 0.01;
 
-/// Weights of the hits, one column for each thing that may explain e.
-using Contrasts = Eigen::MatrixXd;
+/// Weights of the runs.
+using Contrast = Eigen::VectorXd;
 
-// One for each run that has a hit.
-Contrasts by_run(const std::vector<std::size_t>& run,
-                 const std::vector<std::size_t>& place) {
-  Contrasts of = Contrasts::Zero(std::ssize(run), std::ssize(place));
-  for (std::size_t k = 0; k < run.size(); ++k) {
-    const auto column = std::ranges::find(place, run[k]) - place.begin();
-    of(static_cast<Index>(k), column) = 1.0;
-  }
-  return of;
-}
-
-Contrasts by_order(Index hits) {
-  return Eigen::VectorXd::LinSpaced(hits, -0.5, 0.5);
-}
-
-/// Squares relative to those of the response, mean over sensors.
-struct Squares {
-  double all = 0.0;        ///< |Y - H F|^2
-  double explained = 0.0;  ///< of these
+/// What is made of one sensor's sums.
+struct Sensor {
+  CrossPowers all;
+  Eigen::VectorXcd H;    ///< H1 of all hits
+  double weight = 0.0;   ///< 1 over |Y|^2, and the mean over sensors
+  double squares = 0.0;  ///< |Y - H F|^2, weighted
 };
 
-// Per line, sum over hits of (w - mean w)^2 |F|^2, the mean weighted by |F|^2.
-Eigen::VectorXd spread_of(const Eigen::MatrixXd& power,
-                          const Eigen::VectorXd& w) {
-  const Eigen::VectorXd total = power.rowwise().sum().cwiseMax(1e-300);
-  const Eigen::VectorXd sum = power * w;
-  return (power * w.cwiseAbs2() - sum.cwiseAbs2().cwiseQuotient(total))
-      .cwiseMax(1e-300);
+Sensor sensor_of(const std::vector<RunPowers>& runs, std::size_t c) {
+  Sensor sensor;
+  for (const RunPowers& run : runs) sensor.all += run.powers[c];
+  sensor.H = estimate(sensor.all, Estimator::H1).H;
+  const double share = 1.0 / static_cast<double>(runs.front().powers.size());
+  sensor.weight = share / std::max(sensor.all.Gyy.sum(), 1e-300);
+  const double unexplained =
+      sensor.all.Gyy.sum() - sensor.H.cwiseAbs2().dot(sensor.all.Gff);
+  sensor.squares = sensor.weight * std::max(unexplained, 0.0);
+  return sensor;
 }
 
-// The residuals e do not hold the mean, so that one column explains what it
-// does beside the mean, and all runs' columns together what these do.
-Squares squares(const Spectra& spectra, const Contrasts& of) {
-  Squares sum;
-  const double share = 1.0 / static_cast<double>(spectra.responses.size());
-  const Eigen::MatrixXd power = spectra.force.cwiseAbs2();
-  for (const MatrixXcd& Y : spectra.responses) {
-    const Eigen::VectorXcd H =
-        estimate(cross_powers(spectra.force, Y), Estimator::H1).H;
-    const MatrixXcd e = Y - H.asDiagonal() * spectra.force;
-    const MatrixXcd q = spectra.force.conjugate().cwiseProduct(e);
-    const double weight = share / std::max(Y.squaredNorm(), 1e-300);
-    sum.all += weight * e.squaredNorm();
-    for (Index c = 0; c < of.cols(); ++c) {
-      const Eigen::VectorXd spread =
-          of.cols() == 1
-              ? spread_of(power, of.col(c))
-              : Eigen::VectorXd((power * of.col(c)).cwiseMax(1e-300));
-      sum.explained +=
-          weight * (q * of.col(c)).cwiseAbs2().cwiseQuotient(spread).sum();
+// sum_{k in r} e_k F_k*, per line.
+Eigen::VectorXcd residual(const CrossPowers& run, const Sensor& sensor) {
+  return run.Gyf - sensor.H.cwiseProduct(run.Gff);
+}
+
+// What every run's own FRF explains, weighted.
+double by_runs(const std::vector<RunPowers>& runs,
+               const std::vector<Sensor>& sensors) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < sensors.size(); ++c) {
+    for (const RunPowers& run : runs) {
+      const CrossPowers& of = run.powers[c];
+      sum += sensors[c].weight * residual(of, sensors[c])
+                                     .cwiseAbs2()
+                                     .cwiseQuotient(of.Gff.cwiseMax(1e-300))
+                                     .sum();
     }
   }
   return sum;
 }
 
+// What one contrast explains beside its mean, weighted.
+double by_contrast(const std::vector<RunPowers>& runs,
+                   const std::vector<Sensor>& sensors,
+                   const Contrast& w) {
+  double sum = 0.0;
+  for (std::size_t c = 0; c < sensors.size(); ++c) {
+    const Eigen::VectorXd& total = sensors[c].all.Gff;
+    Eigen::VectorXcd q = Eigen::VectorXcd::Zero(total.size());
+    Eigen::VectorXd first = Eigen::VectorXd::Zero(total.size());
+    Eigen::VectorXd second = first;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      const double of = w(static_cast<Index>(r));
+      q += of * residual(runs[r].powers[c], sensors[c]);
+      first += of * runs[r].powers[c].Gff;
+      second += of * of * runs[r].powers[c].Gff;
+    }
+    const Eigen::VectorXd spread =
+        second - first.cwiseAbs2().cwiseQuotient(total.cwiseMax(1e-300));
+    sum += sensors[c].weight *
+           q.cwiseAbs2().cwiseQuotient(spread.cwiseMax(1e-300)).sum();
+  }
+  return sum;
+}
+
 // @param d1, d2 degrees of freedom of what is explained, and of the rest
-RunDifference tried(const Spectra& spectra,
-                    const Contrasts& of,
-                    RunDifference::Kind kind,
+RunDifference tried(RunDifference::Kind kind,
+                    double squares,
+                    double explained,
                     double d1,
                     double d2) {
   RunDifference found;
   found.kind = kind;
-  const Squares sum = squares(spectra, of);
-  const double rest = std::max(sum.all - sum.explained, 1e-24) / d2;
-  found.p_value = f_tail(sum.explained / d1 / rest, d1, d2);
-  found.change = std::sqrt(std::max(sum.explained - d1 * rest, 0.0));
+  const double rest = std::max(squares - explained, 1e-24) / d2;
+  found.p_value = f_tail(explained / d1 / rest, d1, d2);
+  found.change = std::sqrt(std::max(explained - d1 * rest, 0.0));
   return found;
 }
 
@@ -99,38 +107,31 @@ struct Against {
   double factor = 1.0;
 };
 
-Against against_others(const Spectra& spectra,
-                       std::size_t sensor,
-                       const Eigen::VectorXd& own) {
-  const MatrixXcd& F = spectra.force;
-  const MatrixXcd& Y = spectra.responses[sensor];
-  const Eigen::VectorXd others = 1.0 - own.array();
+Against against_others(const CrossPowers& own, const CrossPowers& all) {
   const Eigen::VectorXcd H =
-      ((Y.cwiseProduct(F.conjugate())) * others)
-          .cwiseQuotient((F.cwiseAbs2() * others).cwiseMax(1e-300));
-  const MatrixXcd expected = H.asDiagonal() * F * own.asDiagonal();
-  const MatrixXcd got = Y * own.asDiagonal();
-  const double size = std::max(expected.squaredNorm(), 1e-300);
+      (all.Gyf - own.Gyf)
+          .cwiseQuotient((all.Gff - own.Gff)
+                             .cwiseMax(1e-300)
+                             .cast<std::complex<double>>());
+  const double size = std::max(H.cwiseAbs2().dot(own.Gff), 1e-300);
+  const double got = own.Gyy.sum() / size;
   Against result;
-  result.factor = expected.conjugate().cwiseProduct(got).sum().real() / size;
-  result.distance = std::sqrt((got - expected).squaredNorm() / size);
-  result.beside =
-      std::sqrt((got - result.factor * expected).squaredNorm() / size);
+  result.factor = H.dot(own.Gyf).real() / size;
+  result.distance = std::sqrt(std::max(got - 2.0 * result.factor + 1.0, 0.0));
+  result.beside = std::sqrt(std::max(got - result.factor * result.factor, 0.0));
   return result;
 }
 
-// @param place of each column's run in the group
-double find_worst(const Spectra& spectra,
-                  const Contrasts& runs,
-                  const std::vector<std::size_t>& place,
+double find_worst(const std::vector<RunPowers>& runs,
+                  const std::vector<Sensor>& sensors,
                   RunDifference& found) {
   double largest = 0.0;
-  for (Index r = 0; r < runs.cols(); ++r) {
-    for (std::size_t c = 0; c < spectra.responses.size(); ++c) {
-      const Against one = against_others(spectra, c, runs.col(r));
+  for (const RunPowers& run : runs) {
+    for (std::size_t c = 0; c < sensors.size(); ++c) {
+      const Against one = against_others(run.powers[c], sensors[c].all);
       if (one.distance <= largest) continue;
       largest = one.distance;
-      found.run = place[static_cast<std::size_t>(r)];
+      found.run = run.place;
       found.sensor = c;
       found.factor.reset();
       // A factor explains all but a fifth of the distance.
@@ -138,6 +139,37 @@ double find_worst(const Spectra& spectra,
     }
   }
   return largest;
+}
+
+// All that is tried, each with what chance gives.
+std::vector<RunDifference> all_tried(const std::vector<RunPowers>& runs,
+                                     const std::vector<Sensor>& sensors) {
+  using Kind = RunDifference::Kind;
+  const auto m = static_cast<double>(sensors.front().all.hits);
+  const auto R = static_cast<double>(runs.size());
+  double squares = 0.0;
+  for (const Sensor& sensor : sensors) squares += sensor.squares;
+  const auto count = std::ssize(runs);
+  std::vector<RunDifference> all{
+      tried(Kind::Trend,
+            squares,
+            by_contrast(runs, sensors, Contrast::LinSpaced(count, -0.5, 0.5)),
+            1.0,
+            m - 2.0)};
+  // A trend from -1/2 to 1/2 has that rms over its runs.
+  all.front().change *= std::sqrt(12.0);
+  for (Index r = 0; r < count && count > 2; ++r) {
+    all.push_back(tried(Kind::OneApart,
+                        squares,
+                        by_contrast(runs, sensors, Contrast::Unit(count, r)),
+                        1.0,
+                        m - 2.0));
+  }
+  if (m > R) {
+    all.push_back(tried(
+        Kind::FromRunToRun, squares, by_runs(runs, sensors), R - 1.0, m - R));
+  }
+  return all;
 }
 
 // "1, 2 and 5".
@@ -152,32 +184,20 @@ std::string numbers(const acquisition::RunGroup& group) {
 }  // namespace
 
 std::optional<RunDifference> run_difference(
-    const Spectra& spectra, const std::vector<std::size_t>& run) {
-  using Kind = RunDifference::Kind;
-  const auto hits = static_cast<Index>(run.size());
-  if (hits < 3 || run.front() == run.back()) return std::nullopt;
-  if (spectra.responses.empty()) return std::nullopt;
-  std::vector<std::size_t> place = run;
-  place.erase(std::ranges::unique(place).begin(), place.end());
-  const Contrasts runs = by_run(run, place);
-  const auto m = static_cast<double>(hits);
-  const auto R = static_cast<double>(runs.cols());
-  std::vector<RunDifference> all{
-      tried(spectra, by_order(hits), Kind::Trend, 1.0, m - 2.0)};
-  // A trend from -1/2 to 1/2 has that rms over its hits.
-  all.front().change *= std::sqrt(12.0);
-  for (Index r = 0; r < runs.cols() && runs.cols() > 2; ++r) {
-    all.push_back(tried(spectra, runs.col(r), Kind::OneApart, 1.0, m - 2.0));
+    const std::vector<RunPowers>& runs) {
+  if (runs.size() < 2 || runs.front().powers.empty()) return std::nullopt;
+  std::vector<Sensor> sensors;
+  for (std::size_t c = 0; c < runs.front().powers.size(); ++c) {
+    sensors.push_back(sensor_of(runs, c));
   }
-  if (m > R) {
-    all.push_back(tried(spectra, runs, Kind::FromRunToRun, R - 1.0, m - R));
-  }
+  if (sensors.front().all.hits < 3) return std::nullopt;
+  const std::vector<RunDifference> all = all_tried(runs, sensors);
   RunDifference found =
       *std::ranges::min_element(all, {}, &RunDifference::p_value);
   found.p_value *= static_cast<double>(all.size());
   if (found.p_value > sure) return std::nullopt;
-  const double distance = find_worst(spectra, runs, place, found);
-  if (found.kind == Kind::OneApart) found.change = distance;
+  const double distance = find_worst(runs, sensors, found);
+  if (found.kind == RunDifference::Kind::OneApart) found.change = distance;
   if (found.change < worth_saying) return std::nullopt;
   return found;
 }

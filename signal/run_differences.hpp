@@ -5,7 +5,8 @@
 //   e_k = Y_k - H F_k,   H = H1 of all m hits
 //   B = sum_r |sum_{k in r} e_k F_k*|^2 / sum_{k in r} |F_k|^2
 //
-// is what the FRFs of each of the R runs explain of the squares S = sum |e_k|^2
+// is what the FRFs of each of the R runs explain of the squares S = sum
+// |e_k|^2, both from the sums over each run's hits that the average is made of
 // (analysis of variance; R. A. Fisher, "Statistical Methods for Research
 // Workers", 1925), and
 //
@@ -14,13 +15,13 @@
 // tells how surely. A hit that fell beside the point is wrong on all lines and
 // sensors together, so it counts as one observation, not as one per line. Where
 // runs are single hits little is left to compare with; so each run against the
-// others and one trend, e_k = (k - mean k) G F_k, are tried, too, with 1 and
+// others and one trend, e_k = (r - mean r) G F_k, are tried, too, with 1 and
 // m - 2 degrees of freedom, and the least likely of all counts, times so many
 // as were tried (Bonferroni).
 #pragma once
 
 #include "acquisition/runs_alike.hpp"
-#include "signal/spectra.hpp"
+#include "signal/estimator.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -41,11 +42,16 @@ struct RunDifference {
   std::optional<double> factor;  ///< nothing but that, against the others
 };
 
-/// @param spectra of all hits of one placement
-/// @param run of each hit, by its place in the group, ascending
+/// One run's sums over its hits.
+struct RunPowers {
+  std::size_t place = 0;            ///< in the group
+  std::vector<CrossPowers> powers;  ///< per sensor
+};
+
+/// @param runs of one placement that have hits, in order
 /// @return empty where the runs agree, or too few hits tell
 [[nodiscard]] std::optional<RunDifference> run_difference(
-    const Spectra& spectra, const std::vector<std::size_t>& run);
+    const std::vector<RunPowers>& runs);
 
 [[nodiscard]] std::string statement(const RunDifference& difference,
                                     const acquisition::TestBundle& bundle,

@@ -133,6 +133,21 @@ TEST_F(Replay, GoesOnAveragingWhereTheSamePointIsHitAgain) {
             1e-12 * expected.frfs[0].H.cwiseAbs().maxCoeff());
 }
 
+// A sensitivity that was changed between the files is said, as of whole
+// records.
+TEST_F(Replay, SaysWhereFilesOfTheSamePointDiffer) {
+  acquisition::Run& second = test_.bundle.runs[1];
+  second.hammer = test_.bundle.runs[0].hammer;
+  Eigen::MatrixXd samples = test_.recordings[1].samples / full_scale;
+  samples.col(1) *= 1.25;
+  write_audio(second.file, samples, 512, acquisition::AudioFormat::WavFloat64);
+  const Replayed live = replay(test_.bundle, options_, {});
+  ASSERT_FALSE(live.frfs.statements.empty());
+  const std::string& said = live.frfs.statements.back();
+  EXPECT_NE(said.find("runs 1 and 2 measured the same"), std::string::npos);
+  EXPECT_NE(said.find("by a factor of"), std::string::npos) << said;
+}
+
 // The same records in a universal file: streamed, binary or text, they give
 // what the sound files give. Text has 13 digits.
 // What the beginning has chosen is not what the whole record would choose.
