@@ -1,5 +1,6 @@
 #include "updating/run_drift.hpp"
 
+#include "acquisition/runs_alike.hpp"
 #include "tests/updating/support/plate_model.hpp"
 
 #include <random>
@@ -11,6 +12,15 @@ using Eigen::Index;
 
 class RunDriftTest : public PlateModel {
  protected:
+  /// Of those that are averaged together with it.
+  double mean_run(std::size_t run) const {
+    const auto groups = acquisition::runs_alike(bundle_);
+    const auto& group = groups[acquisition::group_of(groups, run)];
+    double sum = 0.0;
+    for (const std::size_t r : group) sum += static_cast<double>(r);
+    return sum / static_cast<double>(group.size());
+  }
+
   /// The plate measured with a stiffness that changes evenly by `change` from
   /// the first run to the last, noise of 0.1 % of the peaks, and fitted.
   std::optional<RunDrift> found(double change, double noise = 0.001) {
@@ -22,7 +32,7 @@ class RunDriftTest : public PlateModel {
     for (std::size_t f = 0; f < measured.frfs.size(); ++f) {
       signal::Frf& frf = measured.frfs[f];
       ModelState state = fitter_->first_state(*model, {});
-      const double t = static_cast<double>(frf.run) / last - 0.5;
+      const double t = mean_run(frf.run) / last - 0.5;
       state.factor = {1.01 * std::exp(change * t)};
       frf.H = model->respond(state, s_, false).H.col(static_cast<Index>(f));
       const double level = noise * frf.H.norm() / std::sqrt(frf.H.size());
@@ -49,6 +59,14 @@ TEST_F(RunDriftTest, FindsAChangeAndItsSign) {
     EXPECT_NE(statement(*drift).find(change > 0.0 ? "rises" : "falls"),
               std::string::npos);
   }
+}
+
+// The first point hit again at the end: its FRF is of the time between.
+TEST_F(RunDriftTest, DatesAPointThatIsHitAgain) {
+  bundle_.runs.push_back(bundle_.runs[0]);
+  const std::optional<RunDrift> drift = found(0.03);
+  ASSERT_TRUE(drift.has_value());
+  EXPECT_NEAR(drift->change, 0.03, 0.1 * 0.03);
 }
 
 TEST_F(RunDriftTest, IsSilentWhereNothingChanges) {
