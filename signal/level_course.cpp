@@ -49,22 +49,22 @@ struct Regression {
   double q = 1.0;        ///< magnitude
   double sd = 0.0;       ///< of it
   double floor = 0.0;    ///< mean power of what the e_k alone leave
+  Eigen::ArrayXd left;   ///< |e_k|^2, per step
   Index first_blow = 0;  ///< first step that is no chance; none: past the end
 };
 
 // Least squares over the steps that are kept.
-Regression regression(const Eigen::VectorXcd& z,
-                      const Eigen::ArrayXd& kept,
-                      Eigen::ArrayXd& left) {
+Regression regression(const Eigen::VectorXcd& z, const Eigen::ArrayXd& kept) {
   const Index steps = z.size() - 1;
   const Eigen::ArrayXcd before = z.head(steps).array();
   const Eigen::ArrayXcd now = z.tail(steps).array();
-  const double power = (kept * before.abs2()).sum();
+  const double power = std::max((kept * before.abs2()).sum(), 1e-300);
   const std::complex<double> q =
       (kept * (now * before.conjugate())).sum() / power;
-  left = (now - q * before).abs2();
-  const double variance = (kept * left).sum() / std::max(kept.sum() - 1.0, 1.0);
   Regression found;
+  found.left = (now - q * before).abs2();
+  const double variance =
+      (kept * found.left).sum() / std::max(kept.sum() - 1.0, 1.0);
   found.q = std::abs(q);
   found.sd = std::sqrt(0.5 * variance / power);
   found.floor = variance / std::max(1.0 - found.q * found.q, 1e-12);
@@ -77,15 +77,14 @@ constexpr double no_chance = 16.0;
 
 Regression robust_regression(const Eigen::VectorXcd& z) {
   Eigen::ArrayXd kept = Eigen::ArrayXd::Ones(z.size() - 1);
-  Eigen::ArrayXd left;
-  Regression found = regression(z, kept, left);
+  Regression found = regression(z, kept);
   constexpr int passes = 5;
   for (int pass = 0; pass < passes; ++pass) {
     // Rounding is no blow.
-    const double limit = no_chance * acquisition::median(left.matrix()) +
+    const double limit = no_chance * acquisition::median(found.left.matrix()) +
                          1e-12 * z.cwiseAbs2().maxCoeff();
-    kept = (left <= limit).cast<double>();
-    found = regression(z, kept, left);
+    kept = (found.left <= limit).cast<double>();
+    found = regression(z, kept);
   }
   found.first_blow = kept.size();
   for (Index k = kept.size() - 1; k >= 0; --k) {
