@@ -21,8 +21,6 @@ namespace tapfit::updating {
 namespace {
 
 constexpr int folds = 4;
-// Beyond this there is surely more than one rung can explain.
-constexpr double clear_of_floor = 3.0;
 // More points than this written down wrongly are not a slip of the pen.
 constexpr int most_misplaced = 3;
 

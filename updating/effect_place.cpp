@@ -84,7 +84,8 @@ bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
   const auto known = [&deck](int id) {
     const auto is = [id](const auto& e) { return e.id == id; };
     return std::any_of(deck.shells.begin(), deck.shells.end(), is) ||
-           std::any_of(deck.bars.begin(), deck.bars.end(), is);
+           std::any_of(deck.bars.begin(), deck.bars.end(), is) ||
+           std::any_of(deck.rods.begin(), deck.rods.end(), is);
   };
   return std::all_of(ids.begin(), ids.end(), known);
 }
@@ -155,7 +156,7 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
 std::string remedy(const effects::Effect& effect,
                    std::optional<ChangeKind> kind) {
   if (kind == ChangeKind::Elements) {
-    return "name shells or bars of the model, joined with \":\"";
+    return "name shells, bars or rods of the model, joined with \":\"";
   }
   if (kind == ChangeKind::Joint) {
     return "a joint sits along a straight line of shell edges from free edge "

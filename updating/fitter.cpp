@@ -17,16 +17,6 @@ namespace {
 
 constexpr int start_scan = 16;
 
-// On an arm a grid moves across the measured direction as softly as along it.
-std::set<int> rigidly_joined(const structure::Deck& deck) {
-  std::set<int> grids;
-  for (const structure::RigidElement& e : deck.rigids) {
-    grids.insert(e.independent);
-    for (const structure::Dependent& d : e.dependents) grids.insert(d.grid);
-  }
-  return grids;
-}
-
 // What the structure's modes have without the effects that damp some of them
 // on top: of the modes fitted the middle one.
 double typical(const ModelState& state) {
@@ -64,43 +54,6 @@ std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
   return specs;
 }
 
-std::vector<int> acted_points(const effects::Setting& setting,
-                              const std::vector<PlacedEffect>& effects) {
-  const std::set<int> arms = rigidly_joined(*setting.deck);
-  std::set<int> points;
-  for (const PlacedEffect& e : effects) {
-    for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
-      for (const effects::ActedDof& dof :
-           e.effect->acts_on(e.where, setting, run)) {
-        // Residual vectors across the measured direction, or turning about
-        // it, would only swell the base: the modes there are stiff and hardly
-        // excited.
-        const bool across = dof.component > 3
-                                ? dof.component - 3 == setting.component
-                                : dof.component != setting.component;
-        if (across && !arms.contains(dof.node)) continue;
-        points.insert(6 * static_cast<int>(setting.deck->grid_index(dof.node)) +
-                      dof.component - 1);
-      }
-    }
-  }
-  return {points.begin(), points.end()};
-}
-
-std::vector<int> measured_points(const structure::Deck& deck,
-                                 const acquisition::TestBundle& bundle) {
-  std::set<int> points;
-  const auto insert = [&](const acquisition::Placement& p) {
-    points.insert(6 * static_cast<int>(deck.grid_index(p.dof.node)) +
-                  p.dof.component - 1);
-  };
-  for (const acquisition::Run& run : bundle.runs) {
-    insert(run.hammer);
-    for (const acquisition::Placement& p : run.sensors) insert(p);
-  }
-  return {points.begin(), points.end()};
-}
-
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
@@ -108,6 +61,7 @@ void Fitter::set_mesh(const BaseBuilder& coarser,
                       std::size_t factors,
                       const Eigen::VectorXd& bias) {
   coarser_ = &coarser;
+  plain_coarser_ = Fitter(coarser, setting_).model_for({});
   mesh_factors_ = factors;
   setting_.targets.back().mesh_bias = bias;
 }
@@ -271,16 +225,24 @@ std::optional<ModelState> Fitter::continued(const FrfModel& model,
   return error(most) < error(least) ? most : least;
 }
 
-// Where a stiffness changed, the mesh matters differently to the modes.
-void Fitter::take_mesh_at(const ModelState& state,
-                          std::shared_ptr<const FrfModel>& model,
-                          Target& target) const {
-  if (coarser_ == nullptr || model->base().terms.empty()) return;
-  const Fitter on_coarser(*coarser_, setting_);
-  const auto other = on_coarser.model_for(state.effects);
-  model = with_mesh_at(
-      *model, *other, state, setting_.uncertain_sd.size() - mesh_factors_);
-  target.mesh_bias = mesh_error(*model, *other, state, target);
+// What the mesh does to the modes as they have become: all fits alike, so that
+// none is better for that alone.
+Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
+                                          const Ground& before) const {
+  const bool changed = !before.model->base().terms.empty();
+  const auto coarser =
+      changed ? Fitter(*coarser_, setting_).model_for(state.effects)
+              : plain_coarser_;
+  Ground ground{with_mesh_at(*before.model,
+                             *coarser,
+                             state,
+                             setting_.uncertain_sd.size() - mesh_factors_),
+                before.target};
+  if (changed) {
+    ground.target.mesh_bias =
+        mesh_error(*ground.model, *coarser, state, ground.target);
+  }
+  return ground;
 }
 
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
@@ -317,15 +279,36 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
       history.back().stage = static_cast<int>(stage);
     }
   };
-  for (std::size_t k = 0; k < targets.size(); ++k) {
-    if (k + 1 == targets.size()) {
-      take_mesh_at(fit.result.state, model, targets.back());
-    }
+  // The last, with the mesh's error as it is there; where that ends above what
+  // it began from, as it was.
+  const auto finish = [&](std::size_t k) {
+    if (coarser_ == nullptr) return go_on(k);
+    const ModelState from = fit.result.state;
+    const Ground held{model, targets.back()};
+    const double known = relative_error(
+        held.target, model->respond(from, held.target.s, false).H);
+    const std::size_t steps = history.size();
+    Ground ground = with_mesh_at_state(from, held);
+    model = std::move(ground.model);
+    targets.back() = std::move(ground.target);
     go_on(k);
+    if (fit.result.error <= known) return;
+    model = held.model;
+    targets.back() = held.target;
+    history.resize(steps);
+    fit.result.state = from;
+    go_on(k);
+  };
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const bool last = k + 1 == targets.size();
+    if (last) {
+      finish(k);
+    } else {
+      go_on(k);
+    }
     ModelState& state = fit.result.state;
     const double assumed = state.zeta_other;
     const double now = typical(state);
-    const bool last = k + 1 == targets.size();
     // Within this all is as well as the scatter of ratios lets one know.
     const bool settled =
         std::abs(std::log(now / assumed)) < 0.2 * setting_.damping_spread;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "acquisition/progress.hpp"
+#include "updating/acted_points.hpp"
 #include "updating/frf_model.hpp"
 #include "updating/reduced_base.hpp"
 #include "updating/residual.hpp"
@@ -38,15 +39,6 @@ struct Fit {
 /// gives those that change its stiffness.
 [[nodiscard]] std::vector<effects::ParameterSpec> parameters_of(
     const PlacedEffect& effect, const FrfModel& model);
-
-/// @return degrees of freedom (6 grid_index + component - 1) that low-rank
-///   effects act on, for residual vectors
-[[nodiscard]] std::vector<int> acted_points(
-    const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
-
-/// @return degrees of freedom that are hit or measured, ascending
-[[nodiscard]] std::vector<int> measured_points(
-    const structure::Deck& deck, const acquisition::TestBundle& bundle);
 
 class Fitter {
  public:
@@ -106,12 +98,17 @@ class Fitter {
       const ModelState& state,
       const ModelState& fewer) const;
 
-  void take_mesh_at(const ModelState& state,
-                    std::shared_ptr<const FrfModel>& model,
-                    Target& target) const;
+  /// What a fit works on: the model, and the lines that count.
+  struct Ground {
+    std::shared_ptr<const FrfModel> model;
+    Target target;
+  };
+  [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
+                                          const Ground& before) const;
 
   const BaseBuilder* builder_;
   const BaseBuilder* coarser_ = nullptr;
+  std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
   std::size_t mesh_factors_ = 0;
   FitSetting setting_;
 };

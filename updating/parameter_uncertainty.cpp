@@ -58,6 +58,17 @@ MatrixXd wide_inverse(const MatrixXd& A) {
          U.transpose();
 }
 
+// Whatever is added for mesh and model form: nothing is known less than it was
+// before anything was measured.
+MatrixXd within_prior(const MatrixXd& covariance, const VectorXd& prior_sd) {
+  VectorXd scale = VectorXd::Ones(covariance.rows());
+  for (Index k = 0; k < scale.size(); ++k) {
+    const double sd = std::sqrt(covariance(k, k));
+    if (sd > prior_sd(k)) scale(k) = prior_sd(k) / sd;
+  }
+  return scale.asDiagonal() * covariance * scale.asDiagonal();
+}
+
 }  // namespace
 
 MatrixXd parameter_covariance(const Target& target,
@@ -89,7 +100,7 @@ MatrixXd parameter_covariance(const Target& target,
   const auto groups = static_cast<double>(score.size());
   const MatrixXd of_mesh = mesh_covariance(target, J, bread / variance);
   // A handful of runs cannot carry a covariance of their own.
-  if (groups < 5.0) return bread + of_mesh;
+  if (groups < 5.0) return within_prior(bread + of_mesh, prior_sd);
   MatrixXd meat = MatrixXd::Zero(n, n);
   for (const auto& [run, g] : score) meat += g * g.transpose();
   const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
@@ -98,7 +109,8 @@ MatrixXd parameter_covariance(const Target& target,
     widen(k) =
         std::sqrt(std::max(1.0, robust(k, k) / std::max(bread(k, k), 1e-300)));
   }
-  return widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh;
+  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh,
+                      prior_sd);
 }
 
 }  // namespace tapfit::updating

@@ -57,6 +57,9 @@ PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
   for (const structure::Bar& e : deck.bars) {
     take(e.id, structure::bar_matrices(deck, e));
   }
+  for (const structure::Rod& e : deck.rods) {
+    take(e.id, structure::rod_matrices(deck, e));
+  }
 }
 
 MatrixXd PlaceRows::grid(int node) const {

@@ -127,6 +127,23 @@ void take_damping(const PlainTask& task,
   }
 }
 
+// Which of the effects' parameters no structure can have, if any.
+std::string out_of_range(const FrfModel& model, const ModelState& state) {
+  for (const PlacedEffect& effect : state.effects) {
+    const auto specs = parameters_of(effect, model);
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+      const double p = effect.p[k];
+      if (p >= specs[k].lower && p <= specs[k].upper) continue;
+      return fmt::format("{} is {:.3g}, outside of {:.3g} to {:.3g}",
+                         specs[k].name,
+                         p,
+                         specs[k].lower,
+                         specs[k].upper);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 PlainTask plain_task(const UpdateChoice& choice,
@@ -205,12 +222,15 @@ Fit plain_fit(const Fitter& fitter,
   }
   const ModelState& kept = error(base) < error(first) ? base : first;
   const double before = error(kept);
-  if (!(result.error <= before)) {
-    result.message += fmt::format(
-        ", where the error on the damped lines, {:.3g}, is above the start's "
-        "{:.3g}: the start is kept",
+  std::string fault = out_of_range(*model, result.state);
+  if (fault.empty() && !(result.error <= before)) {
+    fault = fmt::format(
+        "the error on the damped lines, {:.3g}, is above the start's {:.3g}",
         result.error,
         before);
+  }
+  if (!fault.empty()) {
+    result.message += fmt::format(", where {}: the start is kept", fault);
     result.converged = false;
     result.state = kept;
     result.error = before;

@@ -53,13 +53,21 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   }
 }
 
-// A support's rotations seldom have a mass.
-void lend_to_released(const std::vector<int>& free,
-                      double high_hz,
-                      ReleasedSystem& released) {
-  std::vector<int> loose;
-  std::ranges::set_difference(released.active, free, std::back_inserter(loose));
-  const SparseMatrix lent = lent_mass(released.K, released.M, loose, high_hz);
+// To what is released and to what changes act on: rotations seldom have a mass,
+// and the modes of a coarse mesh may hold all that has.
+void lend_to_changed(const std::vector<int>& free,
+                     double high_hz,
+                     ReleasedSystem& released) {
+  VectorXd acted = VectorXd::Zero(released.dofs());
+  for (const ScaledStiffness& scaled : released.scaled) {
+    acted += scaled.S.diagonal();
+  }
+  std::vector<int> changed;
+  for (const int i : released.active) {
+    const bool loose = !std::ranges::binary_search(free, i);
+    if (loose || acted(i) != 0.0) changed.push_back(i);
+  }
+  const SparseMatrix lent = lent_mass(released.K, released.M, changed, high_hz);
   if (lent.size() > 0) released.M += lent;
 }
 
@@ -367,7 +375,7 @@ ReducedBase BaseBuilder::build(
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
     own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
-    lend_to_released(m.motions.free, m.options.high_hz, *own);
+    lend_to_changed(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {

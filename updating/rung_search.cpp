@@ -12,6 +12,7 @@ namespace tapfit::updating {
 const double look_alike = std::log(20.0);
 const double very_strong = std::log(150.0);
 const double at_floor = 1.3;
+const double clear_of_floor = 3.0;
 
 namespace {
 
@@ -232,8 +233,11 @@ Fit RungSearch::prune(Fit fit,
     const double gain = log_evidence(fit.result.error, own, 1.0, data) -
                         log_evidence(rest.result.error, 0.0, 1.0, data);
     // Once an effect has moved to its right place, it may explain alone what
-    // another was added for.
-    if (gain < very_strong || rest.result.error <= explained_) {
+    // another was added for. Far below a floor that is the mesh's both may be
+    // there.
+    const bool alone = rest.result.error <= explained_ &&
+                       clear_of_floor * fit.result.error > rest.result.error;
+    if (gain < very_strong || alone) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

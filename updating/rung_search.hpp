@@ -32,6 +32,9 @@ extern const double look_alike;
 extern const double very_strong;
 /// A fit within this factor of the floor leaves nothing to explain.
 extern const double at_floor;
+/// Beyond this times the floor there is surely more than one rung can explain,
+/// and what an effect below the mesh's floor must be better by to be believed.
+extern const double clear_of_floor;
 
 /// Its kind and those that are not told apart from it, joined with "|"; at most
 /// three.
