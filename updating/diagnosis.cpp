@@ -6,6 +6,20 @@
 #include <algorithm>
 
 namespace tapfit::updating {
+namespace {
+
+// A few one by one, many by the first and the last.
+std::string named(const char* what, const std::vector<int>& ids) {
+  constexpr std::size_t few = 3;
+  if (ids.size() == 1) return fmt::format("{} {}", what, ids.front());
+  if (ids.size() <= few) {
+    return fmt::format("{}s {}", what, fmt::join(ids, ", "));
+  }
+  return fmt::format(
+      "{} {}s ({} ... {})", ids.size(), what, ids.front(), ids.back());
+}
+
+}  // namespace
 
 std::string describe(const Where& where) {
   const std::string variant =
@@ -14,20 +28,9 @@ std::string describe(const Where& where) {
   if (!where.channels.empty()) {
     return fmt::format("{}", fmt::join(where.channels, ", ")) + variant;
   }
-  if (!where.elements.empty()) {
-    return fmt::format("{} elements ({} ... {})",
-                       where.elements.size(),
-                       where.elements.front(),
-                       where.elements.back()) +
-           variant;
-  }
-  if (!where.nodes.empty()) {
-    return fmt::format("{} nodes ({} ... {})",
-                       where.nodes.size(),
-                       where.nodes.front(),
-                       where.nodes.back()) +
-           variant;
-  }
+  if (!where.elements.empty())
+    return named("element", where.elements) + variant;
+  if (!where.nodes.empty()) return named("node", where.nodes) + variant;
   return "everywhere" + variant;
 }
 

@@ -78,9 +78,9 @@ TEST(Number, TellsATotalFromItsValuePerMetre) {
 
 TEST(Number, PutsThePlacesVariantFirst) {
   updating::Where where;
-  where.nodes = {1, 3, 38};
+  where.nodes = {1, 3, 4, 38};
   where.variant = "rotation";
-  EXPECT_EQ(place(where), "rotation, 3 nodes (1 ... 38)");
+  EXPECT_EQ(place(where), "rotation, 4 nodes (1 ... 38)");
 }
 
 }  // namespace

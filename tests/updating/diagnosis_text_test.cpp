@@ -86,5 +86,15 @@ TEST(DiagnosisText, IsNoneWhereItWouldNotBeTheSame) {
   EXPECT_FALSE(as_text(d).has_value());
 }
 
+TEST(Describe, NamesAFewPlacesOneByOne) {
+  Where where;
+  where.elements = {9};
+  EXPECT_EQ(describe(where), "element 9");
+  where.elements = {9, 10};
+  EXPECT_EQ(describe(where), "elements 9, 10");
+  where.elements = {9, 10, 11, 12};
+  EXPECT_EQ(describe(where), "4 elements (9 ... 12)");
+}
+
 }  // namespace
 }  // namespace tapfit::updating
