@@ -1,5 +1,7 @@
 #include "signal/block_advice.hpp"
 
+#include "acquisition/octave_decay.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,7 +59,11 @@ std::optional<BlockAdvice> advise_block(const Lasting& lasting,
   const double pre_s = static_cast<double>(hits.pre_trigger) / rate;
   BlockAdvice advice;
   advice.lasting = lasting;
-  advice.block_s = pre_s + enough_time_constants / lasting.rate;
+  advice.block_s = pre_s + acquisition::decayed_time_constants / lasting.rate;
+  // Rates of decay are no better known.
+  constexpr double as_good = 1.05;
+  const double block_s = static_cast<double>(hits.block) / rate;
+  if (advice.block_s < as_good * block_s) return std::nullopt;
   advice.band_hz = narrower(lasting, band_hz);
   advice.every_run = true;
   for (std::size_t r = 0; r < hits.runs.size(); ++r) {

@@ -24,7 +24,7 @@ struct BlockAdvice {
 };
 
 /// @param samples length of each run's recording
-/// @return empty where all that is seen decays by six time constants
+/// @return empty where all that is seen decays by six time constants, or nearly
 [[nodiscard]] std::optional<BlockAdvice> advise_block(
     const Lasting& lasting,
     const acquisition::HitSet& hits,

@@ -1,6 +1,7 @@
 #include "signal/lasting_response.hpp"
 
 #include "acquisition/choose_block.hpp"
+#include "acquisition/octave_decay.hpp"
 #include "acquisition/remove_offset.hpp"
 #include "signal/fft.hpp"
 #include "signal/level_course.hpp"
@@ -129,7 +130,8 @@ bool is_hum(const Line& line) {
 std::optional<double> time_constants_of(const Line& line, double half_s) {
   if (is_told(line)) return line.time_constants;
   if (!line.course.fall) return std::nullopt;
-  if (2.0 * line.course.fall->most * half_s > enough_time_constants) {
+  if (2.0 * line.course.fall->most * half_s >
+      acquisition::decayed_time_constants) {
     return std::nullopt;
   }
   return 2.0 * line.course.fall->rate * half_s;
@@ -145,7 +147,7 @@ Lasting lasting_of(const Line& line, double half_s) {
                      line.over_noise};
   }
   const std::optional<double> known = time_constants_of(line, half_s);
-  if (!known || *known >= enough_time_constants) return found;
+  if (!known || *known >= acquisition::decayed_time_constants) return found;
   found.time_constants = *known;
   found.rate = 0.5 * *known / half_s;
   found.hz = found.low_hz = found.high_hz = line.hz;

@@ -14,8 +14,8 @@
 //
 // A structure that wind, machines or people excite between the blows is louder
 // late in the block than its decay leaves it, and the halves tell of neither.
-// The decay is then fitted along with it (signal/level_course.hpp), and counts as
-// too slow only where it surely is.
+// The decay is then fitted along with it (signal/level_course.hpp), and counts
+// as too slow only where it surely is.
 #pragma once
 
 #include "signal/hit_blocks.hpp"
@@ -24,9 +24,6 @@
 #include <limits>
 
 namespace tapfit::signal {
-
-/// So many let a response decay.
-constexpr double enough_time_constants = 6.0;
 
 /// A response that does not die because it is excited anew.
 struct Excited {

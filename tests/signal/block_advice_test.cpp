@@ -56,6 +56,19 @@ Seen look(const GeneratedTest& test) {
   return seen;
 }
 
+// The rate is known to some percent: a block shorter by less is as good.
+TEST(BlockAdvice, AsksForNoBlockThatIsHardlyLonger) {
+  acquisition::HitSet hits;
+  hits.sample_rate_hz = 1000.0;
+  hits.block = 6000;
+  Lasting lasting;
+  lasting.low_hz = lasting.high_hz = lasting.hz = 20.0;
+  lasting.rate = 6.0 / 6.2;
+  EXPECT_FALSE(advise_block(lasting, hits, {}, {5.0, 95.0}));
+  lasting.rate = 6.0 / 6.5;
+  EXPECT_TRUE(advise_block(lasting, hits, {}, {5.0, 95.0}));
+}
+
 TEST(BlockAdvice, FindsWhatLastsAndHowLong) {
   for (const double time_constants : {0.5, 1.5, 3.0, 4.5}) {
     const GeneratedOptions o = noisy();
