@@ -147,10 +147,34 @@ Name parse(const std::string& text) {
   return name;
 }
 
+// Deflate packs a thousand bytes into one at most.
+double most_bytes(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return 1100.0 *
+         static_cast<double>(std::filesystem::file_size(path, ignored));
+}
+
+// matio takes memory for all that a variable announces before it reads any. A
+// value takes a byte at least.
+void refuse_tall_tale(mat_t* file,
+                      const std::filesystem::path& path,
+                      const std::string& name) {
+  const Variable info(Mat_VarReadInfo(file, name.c_str()));
+  if (!info || info->dims == nullptr) return;
+  double values = 1.0;
+  for (int k = 0; k < info->rank; ++k) {
+    values *= static_cast<double>(info->dims[k]);
+  }
+  if (values > most_bytes(path)) {
+    throw damaged(path, fmt::format("\"{}\"", name));
+  }
+}
+
 Eigen::MatrixXd read_matrix(mat_t* file,
                             const std::filesystem::path& path,
                             const std::string& text,
                             const Name& name) {
+  refuse_tall_tale(file, path, name.path[0]);
   const Variable variable(Mat_VarRead(file, name.path[0].c_str()));
   if (!variable && std::ranges::count(names_in(file), name.path[0]) > 0) {
     throw damaged(path, fmt::format("\"{}\"", name.path[0]));
@@ -163,11 +187,7 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                 : nullptr;
   }
   if (found == nullptr) throw not_found(file, path, text);
-  // Deflate packs a thousand bytes into one at most.
-  std::error_code ignored;
-  const auto size =
-      static_cast<double>(std::filesystem::file_size(path, ignored));
-  auto values = numbers_of(*found, 1100.0 * size);
+  auto values = numbers_of(*found, most_bytes(path));
   if (values) return *std::move(values);
   throw InputError(fmt::format("\"{}\" is no matrix of real numbers", text),
                    path.string(),

@@ -53,6 +53,27 @@ constexpr const char* packed_long_name =
     "060000000000000005000000080000000200000001000000010000000900e7bf616363"
     "00000000000900000010000000000000000000f03f00000000000000408d0304da";
 
+// Eight numbers that call themselves 6291457 rows of 2816; matio asked for 141
+// GB.
+constexpr const char* vast_matrix =
+    "0001494d0e0000007800000006000000080000000600000000000000050000000800"
+    "000001006000000b0000010000000300000061636300000000000900000040000000"
+    "00000000000000000000000000000000000000000000000000000000000000000000"
+    "000000000000000000000000000000000000000000000000000000000000";
+
+TEST(FoundByFuzzing, MatlabMatrixLargerThanItsFileCanHold) {
+  const testing::TemporaryFolder folder;
+  const std::string text = std::string(124, ' ') + bytes(vast_matrix);
+  try {
+    (void)read_mat_columns(folder.write("vast.mat", text), {"acc:1"});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("\"acc\""), std::string::npos)
+        << error.what();
+    EXPECT_NE(error.remedy().find("copy it again"), std::string::npos);
+  }
+}
+
 TEST(FoundByFuzzing, SoundFileThatAnnouncesMoreThanItCanHold) {
   const testing::TemporaryFolder folder;
   try {
