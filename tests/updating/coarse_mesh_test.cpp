@@ -101,8 +101,8 @@ TEST_F(CoarseMesh, LetsAClampBeAsStiffAsItIs) {
   const auto per_m = std::ranges::find(
       found, "rotational_stiffness_nm_per_rad_per_m", &Estimate::name);
   ASSERT_NE(per_m, found.end());
-  // By the shift of the clamped plate's modes 3.5 % are left, and the clamp is 2
-  // to 10 % too soft.
+  // By the shift of the clamped plate's modes 3.5 % are left, and the clamp is
+  // 2 to 10 % too soft.
   EXPECT_LT(error(test), 0.01);
   EXPECT_NEAR(per_m->value, 700.0, 0.005 * 700.0);
 }
@@ -121,6 +121,23 @@ TEST_F(CoarseMesh, OfFourBarsShowsWhichIsSofter) {
   test.add(parse_effect("stiffness-loss@2"));
   EXPECT_LT(error(test), 0.5 * before);
   EXPECT_NEAR(test.ladder().back().parameters[0].value, 0.6, 0.03);
+}
+
+// A rod is a place where stiffness may be lost, in the screening too.
+TEST_F(CoarseMesh, WithARodIsDiagnosedAndTheRodCanLoseStiffness) {
+  Session test = session(
+      "GRID,1,,0.,0.,0.\nGRID,2,,.2,0.,0.\nGRID,3,,.4,0.,0.\n"
+      "GRID,4,,.6,0.,0.\nGRID,5,,0.,0.,.3\nPBARL,1,1,,BAR\n,.03,.008\n"
+      "PROD,2,1,2.-6\nMAT1,1,2.1+11,,.3,7850.\nCBAR,1,1,1,2,0.,1.,0.\n"
+      "CBAR,2,1,2,3,0.,1.,0.\nCBAR,3,1,3,4,0.,1.,0.\nCROD,11,2,5,4\n"
+      "SPC1,1,123456,1,5\n",
+      "",
+      {5.0, 300.0});
+  EXPECT_EQ(test.diagnosis().verdict, "none");
+  test.fit_uncertain();
+  const double before = error(test);
+  test.add(parse_effect("stiffness-loss@11"));
+  EXPECT_LE(error(test), 1.001 * before);
 }
 
 }  // namespace
