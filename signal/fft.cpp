@@ -2,10 +2,12 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <cassert>
 #include <complex>
 #include <limits>
 #include <mutex>
+#include <vector>
 
 namespace tapfit::signal {
 namespace {
@@ -62,10 +64,41 @@ class RealFft::Plan {
   fftw_plan handle_ = nullptr;
 };
 
+/// The latest plans; planning takes as long as some ten transforms.
+class RealFft::Plans {
+ public:
+  std::shared_ptr<const Plan> plan(Eigen::Index length,
+                                   const Buffers& buffers) {
+    // Whoever else wants the same length waits for it.
+    const std::lock_guard guard(lock_);
+    auto found = std::ranges::find(
+        latest_, length, [](const auto& plan) { return plan->n; });
+    if (found == latest_.end()) {
+      if (latest_.size() == most) latest_.pop_back();
+      found = latest_.insert(latest_.end(),
+                             std::make_shared<const Plan>(length, buffers));
+    }
+    std::rotate(latest_.begin(), found, found + 1);
+    return latest_.front();
+  }
+
+  static Plans& all() {
+    static Plans plans;
+    return plans;
+  }
+
+ private:
+  // Blocks, their halves and segments, stretches of noise: twice that.
+  static constexpr std::size_t most = 8;
+
+  std::mutex lock_;
+  std::vector<std::shared_ptr<const Plan>> latest_;  ///< the last one first
+};
+
 RealFft::RealFft(Eigen::Index length) {
   assert(length >= 1 && length <= std::numeric_limits<int>::max());
   buffers_ = std::make_unique<Buffers>(length);
-  plan_ = std::make_shared<const Plan>(length, *buffers_);
+  plan_ = Plans::all().plan(length, *buffers_);
 }
 
 RealFft::RealFft(const RealFft& other)

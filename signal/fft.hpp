@@ -14,9 +14,10 @@ namespace tapfit::signal {
 
 /// A transform of one length, with its plan and its buffers.
 ///
-/// Planning is guarded by a lock because FFTW's planner is not thread-safe;
-/// one RealFft must not be used by two threads at once. A copy has the same
-/// plan, which costs nothing, and buffers of its own: one for each thread.
+/// The plans of the last few lengths are kept and shared. Planning is guarded
+/// by a lock because FFTW's planner is not thread-safe; one RealFft must not be
+/// used by two threads at once. A copy has the same plan and buffers of its
+/// own: one for each thread.
 class RealFft {
  public:
   /// @param length number of samples N, at least 1; any size, products of
@@ -48,6 +49,7 @@ class RealFft {
 
  private:
   class Plan;
+  class Plans;
   struct Buffers;
   std::shared_ptr<const Plan> plan_;
   std::unique_ptr<Buffers> buffers_;

@@ -57,6 +57,23 @@ TEST(Fft, FillsUpWithZeros) {
             1e-13);
 }
 
+// More lengths than plans are kept, so that some are planned anew, and a
+// transform that outlives its plan's stay there.
+TEST(Fft, IsTheDefinitionWhoeverPlanned) {
+  RealFft early(40);
+  for (int round = 0; round < 2; ++round) {
+    for (Eigen::Index n = 20; n < 40; ++n) {
+      const Eigen::VectorXd x = random_samples(n, 5);
+      RealFft first(n);
+      RealFft second(n);
+      EXPECT_LT((first.transform(x) - definition(x, n)).norm(), 1e-12) << n;
+      EXPECT_EQ(first.transform(x), second.transform(x));
+    }
+  }
+  const Eigen::VectorXd x = random_samples(40, 6);
+  EXPECT_LT((early.transform(x) - definition(x, 40)).norm(), 1e-12);
+}
+
 TEST(Fft, PlansFromSeveralThreads) {
   std::vector<std::thread> threads;
   std::vector<double> error(4, 1.0);
