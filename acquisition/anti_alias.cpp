@@ -29,7 +29,8 @@ Eigen::VectorXd anti_alias_taps(int oversampling) {
   return taps / taps.sum();
 }
 
-Eigen::MatrixXd decimate(const Eigen::MatrixXd& fast, int oversampling) {
+Eigen::MatrixXd decimate(const Eigen::Ref<const Eigen::MatrixXd>& fast,
+                         int oversampling) {
   const Eigen::VectorXd taps = anti_alias_taps(oversampling);
   const Eigen::Index half = taps.size() / 2;
   const Eigen::Index count = (fast.rows() + oversampling - 1) / oversampling;
@@ -39,8 +40,10 @@ Eigen::MatrixXd decimate(const Eigen::MatrixXd& fast, int oversampling) {
     const Eigen::Index first = std::max<Eigen::Index>(centre - half, 0);
     const Eigen::Index last = std::min(centre + half, fast.rows() - 1);
     const Eigen::Index length = last - first + 1;
-    slow.row(m) = taps.segment(first - centre + half, length).transpose() *
-                  fast.middleRows(first, length);
+    const auto weights = taps.segment(first - centre + half, length);
+    for (Eigen::Index c = 0; c < fast.cols(); ++c) {
+      slow(m, c) = weights.dot(fast.col(c).segment(first, length));
+    }
   }
   return slow;
 }

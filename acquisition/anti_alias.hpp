@@ -27,7 +27,7 @@ inline constexpr double alias_free_fraction = 0.3;
 /// @param fast n x channels at the fast rate, zero outside
 /// @return ceil(n / oversampling) x channels; sample m belongs to the time of
 ///   fast sample m * oversampling
-[[nodiscard]] Eigen::MatrixXd decimate(const Eigen::MatrixXd& fast,
-                                       int oversampling);
+[[nodiscard]] Eigen::MatrixXd decimate(
+    const Eigen::Ref<const Eigen::MatrixXd>& fast, int oversampling);
 
 }  // namespace tapfit::acquisition

@@ -39,26 +39,6 @@ Eigen::VectorXd octave_taps() {
   return taps;
 }
 
-// As decimate(x, 2): every other tap of that filter but the middle one is zero.
-Eigen::VectorXd half_rate(const Eigen::VectorXd& x) {
-  static const Eigen::VectorXd taps = anti_alias_taps(2);
-  const Index middle = taps.size() / 2;
-  const Index side = (middle + 1) / 2;
-  const Index first = middle - 2 * side + 1;
-  Eigen::VectorXd odd_taps(2 * side);
-  for (Index j = 0; j < odd_taps.size(); ++j) {
-    odd_taps(j) = taps(first + 2 * j);
-  }
-  Eigen::VectorXd odd = Eigen::VectorXd::Zero(x.size() / 2 + 2 * side + 1);
-  for (Index i = 0; i < x.size() / 2; ++i) odd(side + i) = x(2 * i + 1);
-  Eigen::VectorXd slow((x.size() + 1) / 2);
-  for (Index m = 0; m < slow.size(); ++m) {
-    slow(m) =
-        taps(middle) * x(2 * m) + odd_taps.dot(odd.segment(m, odd_taps.size()));
-  }
-  return slow;
-}
-
 /// Levels in windows of equal length.
 struct Levels {
   Eigen::VectorXd rms;
@@ -136,17 +116,22 @@ struct Octave {
 std::vector<Octave> octaves_of(const Eigen::VectorXd& response,
                                double rate,
                                const std::array<double, 2>& band_hz) {
+  // Down to the band's upper end in one step.
+  int above = 1;
+  while (0.5 * octave_end * rate / above >= band_hz[1] &&
+         response.size() / above > shortest) {
+    above *= 2;
+  }
+  rate /= above;
   std::vector<Octave> octaves;
-  Eigen::VectorXd x = response;
-  for (; x.size() >= shortest; rate *= 0.5) {
-    const std::array<double, 2> hz = {0.5 * octave_end * rate,
-                                      octave_end * rate};
-    if (hz[1] < band_hz[0]) break;
-    if (hz[0] < band_hz[1]) {
-      Levels levels = octave_levels(x);
-      octaves.push_back({hz, std::move(levels.rms), levels.window / rate});
-    }
-    x = half_rate(x);
+  Eigen::VectorXd x =
+      above > 1 ? Eigen::VectorXd(decimate(response, above)) : response;
+  for (; x.size() >= shortest && octave_end * rate >= band_hz[0]; rate *= 0.5) {
+    Levels levels = octave_levels(x);
+    octaves.push_back({{0.5 * octave_end * rate, octave_end * rate},
+                       std::move(levels.rms),
+                       levels.window / rate});
+    x = decimate(x, 2);
   }
   return octaves;
 }
