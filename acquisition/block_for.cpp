@@ -59,7 +59,7 @@ Lasting lasting_response(const Run& run,
   for_each_parallel(lasting.size(), [&](std::size_t k) {
     const auto channel =
         recording.samples.col(static_cast<Index>(run.sensors[k].channel));
-    constexpr Index enough = 1 << 13;
+    constexpr Index enough = 1 << 11;
     const double level = median(thinned(channel, enough));
     const Eigen::VectorXd response =
         channel.segment(hit.first.first, hit.room).array() - level;

@@ -12,7 +12,7 @@ namespace {
 
 // Samples from the peak to where the force falls below `share` of it, with a
 // straight line between the two samples around that point.
-double flank(const Eigen::VectorXd& force,
+double flank(const DriftFree& force,
              Eigen::Index peak,
              int step,
              double share) {
@@ -39,25 +39,24 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   const auto half_second = static_cast<Eigen::Index>(0.5 * sample_rate_hz);
   const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
   HammerSignal signal;
-  Driftless driftless = without_drift(channel, segment);
-  signal.force = std::move(driftless.values);
-  signal.pieces = std::move(driftless.pieces);
+  signal.force = DriftFree(channel, segment);
+  signal.pieces = signal.force.pieces();
   const auto [low, high] = joined(signal.pieces);
   // Undershoot after a blow stays well below the blow itself.
   const bool down = polarity ? *polarity < 0 : -low > 1.5 * high;
   if (down) {
     signal.polarity = -1.0;
-    signal.force = -signal.force;
+    signal.force.turn();
     for (Range& piece : signal.pieces) piece = {-piece.high, -piece.low};
   }
   signal.peak = std::max(0.0, down ? -low : high);
   constexpr Eigen::Index enough = 1 << 13;
-  signal.noise = 1.4826 * median(thinned(signal.force, enough).cwiseAbs());
+  signal.noise = 1.4826 * median(signal.force.thinned(enough).cwiseAbs());
   signal.noise = std::max(signal.noise, 1e-6 * signal.peak);
   return signal;
 }
 
-Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
+Pulse measure_pulse(const DriftFree& force, Eigen::Index peak) {
   Pulse pulse;
   pulse.first = peak;
   pulse.peak = peak;
@@ -66,14 +65,18 @@ Pulse measure_pulse(const Eigen::VectorXd& force, Eigen::Index peak) {
   pulse.width = flank(force, peak, -1, 0.1) + flank(force, peak, 1, 0.1);
   // A wide pulse is sampled well enough as it is.
   if (pulse.width < 12.0) {
-    const Peak between = interpolated_peak(force, peak);
-    pulse.centre = between.position;
+    constexpr Eigen::Index context = 20;  // beyond what interpolation needs
+    const Eigen::Index first = std::max<Eigen::Index>(0, peak - context);
+    const Eigen::Index last = std::min(force.size() - 1, peak + context);
+    const Peak between =
+        interpolated_peak(force.segment(first, last - first + 1), peak - first);
+    pulse.centre = static_cast<double>(first) + between.position;
     pulse.height = std::max(pulse.height, between.height);
   }
   return pulse;
 }
 
-std::vector<Pulse> find_pulses(const Eigen::VectorXd& force,
+std::vector<Pulse> find_pulses(const DriftFree& force,
                                const std::vector<Range>& pieces,
                                double level,
                                double rearm) {

@@ -14,6 +14,8 @@ namespace {
 
 using Eigen::Index;
 
+constexpr Index ringing_reach = 40;  // samples to either side of a pulse
+
 bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
   return (k == 0 || force[k] >= force[k - 1]) &&
          (k + 1 == force.size() || force[k] > force[k + 1]);
@@ -21,7 +23,7 @@ bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
 
 // Whether a pulse rings before and after itself alike, as it does behind a
 // linear-phase filter.
-bool rings_both_ways(const Eigen::VectorXd& force, const Pulse& main) {
+bool rings_both_ways(const DriftFree& force, const Pulse& main) {
   const auto near =
       std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
   constexpr Index span = 8;
@@ -40,7 +42,7 @@ bool rings_both_ways(const Eigen::VectorXd& force, const Pulse& main) {
 // image. The pulse goes with it: cut off from its ringing it would reach far
 // where heights are read between samples. Nothing is done behind a filter that
 // rings only afterwards.
-Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
+Eigen::VectorXd without_ringing(const DriftFree& force,
                                 const Pulse& main,
                                 Index begin,
                                 Index end) {
@@ -48,12 +50,17 @@ Eigen::VectorXd without_ringing(const Eigen::VectorXd& force,
   const Index count = std::min(end, force.size()) - first;
   Eigen::VectorXd block = force.segment(first, count);
   if (main.width >= 12.0 || !rings_both_ways(force, main)) return block;
-  constexpr Index reach = 40;
-  const Index from = std::max<Index>(0, main.peak - first - reach);
-  const Index to = std::min(count - 1, main.peak - first + reach);
+  const Index from = std::max<Index>(0, main.peak - first - ringing_reach);
+  const Index to = std::min(count - 1, main.peak - first + ringing_reach);
+  // As far as the mirror image reaches, and interpolation beyond that.
+  constexpr Index context = ringing_reach + 20;
+  const Index near = std::max<Index>(0, main.peak - context);
+  const Eigen::VectorXd around = force.segment(
+      near, std::min(force.size(), main.peak + context + 1) - near);
+  const double centre = main.centre - static_cast<double>(near);
   for (Index k = from; k <= to; ++k) {
-    const double mirror = 2.0 * main.centre - static_cast<double>(first + k);
-    block[k] -= interpolate(force, mirror);
+    const auto at = static_cast<double>(first + k - near);
+    block[k] -= interpolate(around, 2.0 * centre - at);
   }
   return block;
 }
@@ -78,16 +85,16 @@ double swing_below(const Eigen::VectorXd& force, Index place, Index around) {
 double force_spectrum(const HammerSignal& hammer,
                       const Pulse& main,
                       double frequency) {
-  const Eigen::VectorXd& force = hammer.force;
   const auto reach =
       std::max<Index>(4, static_cast<Index>(std::ceil(1.5 * main.width)));
   const Index from = std::max<Index>(0, main.peak - reach);
-  const Index to = std::min(force.size() - 1, main.peak + reach);
+  const Index to = std::min(hammer.force.size() - 1, main.peak + reach);
+  const Eigen::VectorXd force = hammer.force.segment(from, to - from + 1);
   const double step = 2.0 * std::numbers::pi * frequency;
+  // Horner's rule from the last sample on; only the magnitude is asked for.
+  const std::complex<double> turn = std::polar(1.0, -step);
   std::complex<double> sum = 0.0;
-  for (Index i = from; i <= to; ++i) {
-    sum += force[i] * std::polar(1.0, -step * static_cast<double>(i - from));
-  }
+  for (Index i = force.size(); i-- > 0;) sum = sum * turn + force[i];
   return std::abs(sum);
 }
 
@@ -113,14 +120,15 @@ bool has_second_pulse(const HammerSignal& hammer,
       std::max<Index>(4, static_cast<Index>(std::ceil(1.4 * main.width)));
   const auto around =
       std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
-  // Most of a block is quiet and is passed over by pieces.
-  constexpr Index piece = 256;
   for (Index k = 0; k < force.size(); ++k) {
-    while (k + piece <= force.size() &&
-           force.segment(k, piece).maxCoeff() < 0.7 * limit) {
-      k += piece;
+    // Most of a block is quiet and is passed over by pieces, but where ringing
+    // was taken off these are no longer its ranges.
+    const Index piece = (first + k) / piece_length;
+    if (std::abs(k - main_peak) > ringing_reach + piece_length &&
+        hammer.pieces[static_cast<std::size_t>(piece)].high < 0.7 * limit) {
+      k = (piece + 1) * piece_length - first - 1;
+      continue;
     }
-    if (k >= force.size()) break;
     if (force[k] < 0.7 * limit || std::abs(k - main_peak) < near) continue;
     if (!is_local_maximum(force, k)) continue;
     // The mirror image of an undershoot is no blow: before the main pulse it
@@ -167,14 +175,16 @@ double difference_noise(const Eigen::Ref<const Eigen::VectorXd>& channel) {
   const Index n = channel.size() - 1;
   if (n < 1) return 0.0;
   const Index part = std::max<Index>(1, n / 16);
-  // Pairs of neighbours from the whole part; 4096 give a median to 2 %.
+  // Pairs of neighbours from the whole part; 4096 give a median to 2 %. Those
+  // side by side come from memory at once.
   constexpr Index enough = 4096;
+  constexpr Index together = 32;
   const Index stride = std::max<Index>(1, part / enough);
   double quietest = std::numeric_limits<double>::max();
   for (Index from = 0; from + part <= n; from += part) {
     Eigen::VectorXd steps((part + stride - 1) / stride);
     for (Index k = 0; k < steps.size(); ++k) {
-      const Index i = from + k * stride;
+      const Index i = from + k / together * together * stride + k % together;
       steps[k] = std::abs(channel[i + 1] - channel[i]);
     }
     // A part of which at least half is above is not quieter.

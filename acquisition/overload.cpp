@@ -58,7 +58,14 @@ bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
                   double tolerance) {
   const double high = top - tolerance;
   const double fallen = top - least_fall * tolerance;
-  for (Index i = 0; i < x.size(); ++i) {
+  // Only between samples that have fallen can one lie.
+  const auto falls = [&](const Range& piece) {
+    return std::min(sign * piece.low, sign * piece.high) < fallen;
+  };
+  const auto before = std::ranges::find_if(pieces, falls) - pieces.begin();
+  const auto after = std::find_if(pieces.rbegin(), pieces.rend(), falls);
+  const Index end = std::min(x.size(), piece_length * (pieces.rend() - after));
+  for (Index i = piece_length * before; i < end; ++i) {
     const Range& piece = pieces[static_cast<std::size_t>(i / piece_length)];
     if (std::max(sign * piece.low, sign * piece.high) < high) {
       i += piece_length - i % piece_length - 1;

@@ -38,7 +38,7 @@ Rate double_rate(double second_share, double noise_share, unsigned seed) {
   for (const Setting& s : settings()) {
     for (int k = 0; k < 4; ++k) {
       const bool found =
-          judged_double(make(s, second_share, noise_share, random));
+          judged_double(make(s, second_share, noise_share, random), s.rate);
       rate.yes += found ? 1 : 0;
       ++rate.all;
     }
@@ -81,8 +81,8 @@ TEST(SecondPulse, IsFoundAmongTheFiltersRinging) {
   for (; found.all < 800; ++found.all, ++alarms.all) {
     const double rate = testing::between(256.0, 2500.0, random);
     const Setting s{rate, testing::between(0.05, 0.5, random) / rate, 1.0};
-    found.yes += judged_double(make(s, 0.05, 1e-4, random));
-    alarms.yes += judged_double(make(s, 0.0, 1e-4, random));
+    found.yes += judged_double(make(s, 0.05, 1e-4, random), s.rate);
+    alarms.yes += judged_double(make(s, 0.0, 1e-4, random), s.rate);
   }
   say("second blows found", found);
   say("false alarms", alarms);
@@ -133,7 +133,7 @@ TEST(SecondPulse, CausalRingingIsNone) {
         Eigen::VectorXd force =
             behind_butterworth(width, 200.0 + uniform(random), second);
         testing::add_noise(force, 1e-4 * force.maxCoeff(), random);
-        rate.yes += judged_double(prepare_hammer(force, 1000.0)) ? 1 : 0;
+        rate.yes += judged_double(force, 1000.0) ? 1 : 0;
         ++rate.all;
       }
     }
@@ -145,15 +145,15 @@ TEST(SecondPulse, CausalRingingIsNone) {
 TEST(SecondPulse, UndershootAndHumAreNone) {
   const Setting s{4096.0, 2e-3, 2.0};
   std::mt19937_64 random(3);
-  HammerSignal hammer = make(s, 0.0, 1e-4, random);
+  Eigen::VectorXd force = make(s, 0.0, 1e-4, random);
   Index peak = 0;
-  hammer.force.maxCoeff(&peak);
-  for (Index i = 0; i < hammer.force.size(); ++i) {
+  force.maxCoeff(&peak);
+  for (Index i = 0; i < force.size(); ++i) {
     const double t = static_cast<double>(i - peak) / s.rate;
-    if (t > 2e-3) hammer.force[i] -= 4.0 * std::exp(-t / 0.02);
-    hammer.force[i] += 1.2 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
+    if (t > 2e-3) force[i] -= 4.0 * std::exp(-t / 0.02);
+    force[i] += 1.2 * std::sin(2.0 * std::numbers::pi * 50.0 * t);
   }
-  EXPECT_FALSE(judged_double(prepare_hammer(hammer.force, s.rate)));
+  EXPECT_FALSE(judged_double(force, s.rate));
 }
 
 // A half sine's spectrum is cos(pi f w) / (1 - (2 f w)^2).

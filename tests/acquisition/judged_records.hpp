@@ -8,7 +8,6 @@
 
 namespace tapfit::testing {
 
-using acquisition::HammerSignal;
 using Eigen::Index;
 
 struct Setting {
@@ -20,10 +19,10 @@ struct Setting {
 // As wide as a pulse looks after the filter: its own width, two samples more.
 inline double seen_width(const Setting& s) { return s.width_s + 2.0 / s.rate; }
 
-inline HammerSignal make(const Setting& s,
-                         double second_share,
-                         double noise_share,
-                         std::mt19937_64& random) {
+inline Eigen::VectorXd make(const Setting& s,
+                            double second_share,
+                            double noise_share,
+                            std::mt19937_64& random) {
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   const auto n = static_cast<Index>(s.block_s * s.rate);
   Eigen::VectorXd force = Eigen::VectorXd::Zero(n);
@@ -42,12 +41,13 @@ inline HammerSignal make(const Setting& s,
   }
   const double top = force.maxCoeff();
   add_noise(force, noise_share * top, random);
-  return acquisition::prepare_hammer(force, s.rate);
+  return force;
 }
 
-inline bool judged_double(const HammerSignal& hammer) {
+inline bool judged_double(const Eigen::VectorXd& force, double rate) {
+  const auto hammer = acquisition::prepare_hammer(force, rate);
   Index peak = 0;
-  hammer.force.maxCoeff(&peak);
+  force.maxCoeff(&peak);
   return acquisition::has_second_pulse(
       hammer,
       acquisition::measure_pulse(hammer.force, peak),

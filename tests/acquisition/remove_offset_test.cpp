@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace tapfit::acquisition {
 namespace {
 
@@ -27,25 +25,6 @@ TEST(Thinned, TakesOneSampleOfEachPart) {
             << k << " of " << n << " in " << most;
       }
     }
-  }
-}
-
-TEST(WithoutDrift, GivesTheRangesOfWhatItLeaves) {
-  for (const Index n : {100, 256, 1000, 4096, 5000}) {
-    Eigen::VectorXd x(n);
-    for (Index i = 0; i < n; ++i) {
-      const auto t = static_cast<double>(i);
-      x[i] = 0.01 * t + std::sin(0.3 * t * t);
-    }
-    const Driftless left = without_drift(x, 300);
-    const std::vector<Range> pieces = piece_ranges(left.values);
-    ASSERT_EQ(left.pieces.size(), pieces.size());
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-      EXPECT_EQ(left.pieces[k].low, pieces[k].low);
-      EXPECT_EQ(left.pieces[k].high, pieces[k].high);
-    }
-    EXPECT_EQ(joined(pieces).high, left.values.maxCoeff());
-    EXPECT_EQ(joined(pieces).low, left.values.minCoeff());
   }
 }
 

@@ -56,7 +56,7 @@ void second_blows(unsigned seed, int count) {
       Rate rate;
       for (; rate.all < count; ++rate.all) {
         const Setting s = draw(width, random);
-        rate.yes += judged_double(make(s, 0.0, noise, random)) ? 1 : 0;
+        rate.yes += judged_double(make(s, 0.0, noise, random), s.rate) ? 1 : 0;
       }
       say("  single blow called double, noise", noise, rate);
     }
@@ -65,7 +65,7 @@ void second_blows(unsigned seed, int count) {
       Rate rate;
       for (; rate.all < count; ++rate.all) {
         const Setting s = draw(width, random);
-        rate.yes += judged_double(make(s, share, 1e-4, random)) ? 1 : 0;
+        rate.yes += judged_double(make(s, share, 1e-4, random), s.rate) ? 1 : 0;
       }
       say("  second blow found, share", share, rate);
     }
