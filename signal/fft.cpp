@@ -1,21 +1,74 @@
 #include "signal/fft.hpp"
 
+#include "acquisition/cache_folder.hpp"
+
 #include <fftw3.h>
 
 #include <algorithm>
 #include <cassert>
 #include <complex>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <mutex>
+#include <string>
+#include <system_error>
+#include <unistd.h>
 #include <vector>
 
 namespace tapfit::signal {
 namespace {
 
+namespace fs = std::filesystem;
+
 std::mutex& planner_lock() {
   static std::mutex lock;
   return lock;
 }
+
+// What FFTW has learnt about planning, kept from one run of the program to the
+// next. Never an error: a file that is damaged or of another FFTW teaches
+// nothing, and where nothing can be written nothing is kept.
+class Wisdom {
+ public:
+  Wisdom() {
+    const auto folder = acquisition::cache_folder();
+    if (!folder) return;
+    file_ = *folder / "fftw-wisdom";
+    // Reading more takes as long as planning anew.
+    constexpr std::uintmax_t most = 1 << 14;
+    std::error_code none;
+    if (fs::file_size(file_, none) > most || none) return;
+    fftw_import_wisdom_from_filename(file_.c_str());
+    known_ = words();
+  }
+  ~Wisdom() {
+    if (file_.empty() || words() == known_) return;
+    std::error_code fault;
+    fs::create_directories(file_.parent_path(), fault);
+    // Whoever reads sees a whole file or none.
+    fs::path unfinished = file_;
+    unfinished += "." + std::to_string(getpid());
+    if (fftw_export_wisdom_to_filename(unfinished.c_str()) != 0) {
+      fs::rename(unfinished, file_, fault);
+    }
+    fs::remove(unfinished, fault);
+  }
+  Wisdom(const Wisdom&) = delete;
+  Wisdom& operator=(const Wisdom&) = delete;
+
+ private:
+  static std::string words() {
+    char* text = fftw_export_wisdom_to_string();
+    std::string result = text == nullptr ? "" : text;
+    std::free(text);
+    return result;
+  }
+
+  fs::path file_;  ///< empty: none is kept
+  std::string known_;
+};
 
 }  // namespace
 
@@ -92,6 +145,7 @@ class RealFft::Plans {
   static constexpr std::size_t most = 8;
 
   std::mutex lock_;
+  Wisdom wisdom_;
   std::vector<std::shared_ptr<const Plan>> latest_;  ///< the last one first
 };
 

@@ -1,11 +1,12 @@
 #include "updating/matrix_cache.hpp"
 
+#include "acquisition/cache_folder.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -203,18 +204,8 @@ bool MatrixCache::store(const Digest& key,
 }
 
 std::optional<MatrixCache> user_cache() {
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return std::string(value == nullptr ? "" : value);
-  };
-  const std::string off = variable("TAPFIT_NO_CACHE");
-  if (!off.empty() && off != "0") return std::nullopt;
-  // A relative path there is none (XDG Base Directory Specification).
-  const fs::path cache = variable("XDG_CACHE_HOME");
-  if (cache.is_absolute()) return MatrixCache{cache / "tapfit"};
-  const fs::path home = variable("HOME");
-  if (home.is_absolute()) return MatrixCache{home / ".cache" / "tapfit"};
-  return std::nullopt;
+  const auto folder = acquisition::cache_folder();
+  return folder ? std::optional(MatrixCache{*folder}) : std::nullopt;
 }
 
 }  // namespace tapfit::updating

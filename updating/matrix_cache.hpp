@@ -34,8 +34,7 @@ struct MatrixCache {
              const std::vector<Eigen::MatrixXd>& matrices) const;
 };
 
-/// $XDG_CACHE_HOME/tapfit or ~/.cache/tapfit. Empty where TAPFIT_NO_CACHE is
-/// set (to anything but nothing and 0), or neither folder is known.
+/// In acquisition::cache_folder(), where there is one.
 [[nodiscard]] std::optional<MatrixCache> user_cache();
 
 }  // namespace tapfit::updating
