@@ -87,6 +87,17 @@ TEST_F(Demo, SomeHitsAreRejectedForDoubleHitAndOverload) {
   EXPECT_TRUE(reasons.contains("overload"));
 }
 
+// 7056 samples at 256 Hz.
+TEST_F(Demo, FrfsSayWhyTheirBlocksAreAsLong) {
+  const auto result = run_tapfit(fmt::format("frf '{}' --json", demo.string()));
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  const json block = json::parse(result.out).at("block");
+  EXPECT_EQ(block.at("samples"), 7056);
+  EXPECT_DOUBLE_EQ(block.at("s").get<double>(), 7056.0 / 256.0);
+  EXPECT_NE(block.at("reason").get<std::string>().find("spacing"),
+            std::string::npos);
+}
+
 /// The percentages of the README's error ladder, top to bottom, with the unit
 /// of their last digit.
 std::vector<std::pair<double, double>> readme_ladder() {

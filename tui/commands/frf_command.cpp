@@ -149,13 +149,27 @@ signal::FrfSet frfs_as_asked(updating::Session& session,
   return session.frfs_as(options, progress);
 }
 
+double block_seconds(const acquisition::HitSet& hits) {
+  return static_cast<double>(hits.block) / hits.sample_rate_hz;
+}
+
 // Ready FRFs come without blocks.
 std::string block_text(updating::Session& session, const Progress& progress) {
   if (session.bundle().frfs) return {};
   const acquisition::HitSet& hits = session.hits(progress);
-  return fmt::format("  blocks of {:.4g} s, {}\n",
-                     static_cast<double>(hits.block) / hits.sample_rate_hz,
-                     hits.block_reason);
+  return fmt::format(
+      "  blocks of {:.4g} s, {}\n", block_seconds(hits), hits.block_reason);
+}
+
+ordered_json with_block(ordered_json frfs,
+                        updating::Session& session,
+                        const Progress& progress) {
+  if (session.bundle().frfs) return frfs;
+  const acquisition::HitSet& hits = session.hits(progress);
+  frfs["block"] = {{"s", block_seconds(hits)},
+                   {"samples", hits.block},
+                   {"reason", hits.block_reason}};
+  return frfs;
 }
 
 }  // namespace
@@ -170,8 +184,10 @@ std::string frf_command(const CommandOptions& options,
   if (options.uff) {
     signal::write_frfs_uff(frfs, session.bundle().title, *options.uff, form);
   }
-  return options.json ? frf_json(frfs, form).dump(2) + "\n"
-                      : frf_text(frfs, form) + block_text(session, progress);
+  if (options.json) {
+    return with_block(frf_json(frfs, form), session, progress).dump(2) + "\n";
+  }
+  return frf_text(frfs, form) + block_text(session, progress);
 }
 
 }  // namespace tapfit::tui
