@@ -8,6 +8,7 @@
 #include "acquisition/hit_statements.hpp"
 #include "acquisition/hit_steps.hpp"
 #include "acquisition/input_error.hpp"
+#include "acquisition/judge_ceiling.hpp"
 #include "acquisition/no_hits.hpp"
 #include "acquisition/parallel.hpp"
 #include "acquisition/remove_offset.hpp"
@@ -191,6 +192,7 @@ HitSet find_hits(const TestBundle& bundle,
                        options.double_hit_percent);
     judge_weak(hits);
   });
+  judge_ceilings(bundle, work, set);
   const std::vector<RunGroup> groups = runs_alike(bundle);
   for_each_parallel(groups.size(), [&](std::size_t g) {
     judge_outliers(compared(bundle, recordings, work, groups[g], set), set);

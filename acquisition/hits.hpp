@@ -1,6 +1,7 @@
 // Hits found in the hammer channel, and what is thought of each.
 #pragma once
 
+#include "acquisition/force_ceiling.hpp"
 #include "acquisition/recording.hpp"
 
 #include <optional>
@@ -42,7 +43,9 @@ struct HitSet {
   Eigen::Index hold_off = 0;     ///< samples; a later pulse is a new hit
   double trigger_n = 0.0;        ///< lowest level used in any run [N]
   double judged_to_hz = 0.0;     ///< up to where a hit must not be soft
-  std::vector<std::vector<Hit>> runs;   ///< as TestBundle::runs
+  std::vector<std::vector<Hit>> runs;  ///< as TestBundle::runs
+  /// Per run the hammer's ceiling, where hits at it are judged out.
+  std::vector<std::optional<ForceCeiling>> ceilings;
   std::vector<std::string> statements;  ///< what was chosen, and why
   /// Those of the statements that whoever sees FRFs or modes only must know,
   /// too: something in the recording or in test.json wants to be set right.
@@ -64,8 +67,8 @@ struct HitOptions {
 /// response lasts), the same for all hits. The bundle's band says how soft a
 /// hit may be (without one: see judged_to()). Empty options are taken from the
 /// bundle, else chosen and stated. Outliers are judged among all hits of one
-/// placement (runs_alike.hpp); where all of these are judged out, each run keeps
-/// its best one when that is merely weak, soft or an outlier.
+/// placement (runs_alike.hpp); where all of these are judged out, each run
+/// keeps its best one when that is merely weak, soft or an outlier.
 ///
 /// @throws InputError when a run holds no hit at all
 [[nodiscard]] HitSet find_hits(const TestBundle& bundle,

@@ -35,6 +35,18 @@ Eigen::MatrixXd rows_of(const std::vector<Eigen::VectorXd>& levels) {
   return result;
 }
 
+// `hits` of the work's groups.
+void judge_cut(const HammerRun& work,
+               const LiveSettings& settings,
+               std::vector<Hit>& hits) {
+  if (!settings.ceiling) return;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const PulseTop top = measure_top(
+        work.hammer.force, work.groups[k].largest, work.hammer.noise);
+    if (is_cut(*settings.ceiling, top)) note(hits[k], HitFault::Overload);
+  }
+}
+
 void compare(const Run& run,
              const LivePiece& piece,
              const HammerRun& work,
@@ -84,12 +96,14 @@ FoundHits find_live_hits(const TestBundle& bundle,
   }
   const double start_s =
       static_cast<double>(piece.start) / piece.recording.sample_rate_hz;
-  for (Hit& hit : judge_alone(bundle,
-                              run,
-                              piece.recording,
-                              work,
-                              settings.set,
-                              settings.double_hit_percent)) {
+  std::vector<Hit> judged = judge_alone(bundle,
+                                        run,
+                                        piece.recording,
+                                        work,
+                                        settings.set,
+                                        settings.double_hit_percent);
+  judge_cut(work, settings, judged);
+  for (Hit& hit : judged) {
     const bool is_new = hit.trigger < piece.own_end;
     if (is_new) {
       compare(run, piece, work, settings, hit, known);

@@ -20,6 +20,8 @@ struct LiveSettings {
   std::optional<int> slope;  ///< which way blows go in this run
   double rearm = 0.5;        ///< share of the level
   double double_hit_percent = 5.0;
+  /// At which hits are cut off ahead of the recorder, as the trial look found.
+  std::optional<ForceCeiling> ceiling;
 };
 
 /// What is remembered of the hits so far; of the last 256 accepted ones.

@@ -42,8 +42,11 @@ class Usable {
     HitSet set = find_hits(bundle_, recordings_, options);
     std::vector<std::vector<Hit>> found = std::move(set.runs);
     set.runs.assign(all_.recordings.size(), {});
+    const auto ceilings = std::move(set.ceilings);
+    set.ceilings.assign(all_.recordings.size(), std::nullopt);
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       set.runs[runs_[k]] = std::move(found[k]);
+      set.ceilings[runs_[k]] = ceilings[k];
     }
     return set;
   }

@@ -6,10 +6,18 @@
 #include <numbers>
 
 namespace tapfit::acquisition {
+namespace {
+
+constexpr double half = 16.0;  // samples to either side
+constexpr double pi = std::numbers::pi;
+
+double kernel(double x) {
+  return std::sin(pi * x) / (pi * x) * (0.5 + 0.5 * std::cos(pi * x / half));
+}
+
+}  // namespace
 
 double interpolate(const Eigen::VectorXd& signal, double position) {
-  constexpr double half = 16.0;
-  constexpr double pi = std::numbers::pi;
   const auto from = static_cast<Eigen::Index>(std::ceil(position - half));
   const auto to = static_cast<Eigen::Index>(std::floor(position + half));
   double sum = 0.0;
@@ -18,10 +26,34 @@ double interpolate(const Eigen::VectorXd& signal, double position) {
        ++n) {
     const double x = position - static_cast<double>(n);
     if (std::abs(x) < 1e-9) return signal[n];
-    sum += signal[n] * std::sin(pi * x) / (pi * x) *
-           (0.5 + 0.5 * std::cos(pi * x / half));
+    sum += signal[n] * kernel(x);
   }
   return sum;
+}
+
+Eigen::VectorXd interpolated(const Eigen::VectorXd& signal,
+                             Eigen::Index first,
+                             Eigen::Index last,
+                             Eigen::Index steps) {
+  constexpr auto reach = static_cast<Eigen::Index>(half);
+  Eigen::VectorXd values((last - first) * steps + 1);
+  Eigen::VectorXd taps(2 * reach);  // of samples -reach + 1 .. reach
+  for (Eigen::Index step = 0; step < steps; ++step) {
+    const double part = static_cast<double>(step) / static_cast<double>(steps);
+    for (Eigen::Index k = 0; k < taps.size() && step > 0; ++k) {
+      taps[k] = kernel(part - static_cast<double>(k + 1 - reach));
+    }
+    for (Eigen::Index n = first; n <= last; ++n) {
+      const Eigen::Index at = (n - first) * steps + step;
+      if (at >= values.size()) break;
+      const Eigen::Index from = std::max<Eigen::Index>(0, n + 1 - reach);
+      const Eigen::Index to = std::min(signal.size() - 1, n + reach);
+      values[at] = step == 0 ? signal[n]
+                             : taps.segment(from - n - 1 + reach, to - from + 1)
+                                   .dot(signal.segment(from, to - from + 1));
+    }
+  }
+  return values;
 }
 
 Peak interpolated_peak(const Eigen::VectorXd& signal, Eigen::Index sample) {

@@ -16,6 +16,15 @@ namespace tapfit::acquisition {
 [[nodiscard]] double interpolate(const Eigen::VectorXd& signal,
                                  double position);
 
+/// The same at `steps` even places per sample, from one sample to another; as
+/// many sines as one sample's places need.
+///
+/// @return (last - first) * steps + 1 values
+[[nodiscard]] Eigen::VectorXd interpolated(const Eigen::VectorXd& signal,
+                                           Eigen::Index first,
+                                           Eigen::Index last,
+                                           Eigen::Index steps);
+
 struct Peak {
   double position = 0.0;  ///< [samples]
   double height = 0.0;

@@ -85,6 +85,7 @@ std::vector<LiveSettings> trial(const Source& source,
         static_cast<double>(most) / set.sample_rate_hz));
   }
   set.runs.assign(bundle.runs.size(), {});
+  const auto ceilings = std::move(set.ceilings);
   const auto chosen = [](const auto& mine, const auto& theirs) {
     return mine ? mine : theirs;
   };
@@ -92,6 +93,7 @@ std::vector<LiveSettings> trial(const Source& source,
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     LiveSettings of;
     of.set = set;
+    of.ceiling = ceilings[r];
     of.slope = acquisition::prepare_run(
                    bundle.runs[r],
                    beginnings[r],

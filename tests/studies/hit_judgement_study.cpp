@@ -7,10 +7,12 @@
 // COUNT records of each kind. Width counts as the hammer channel shows it: two
 // samples more than the blow's own, which the anti-alias filter adds.
 #include "tests/acquisition/judged_records.hpp"
+#include "tests/acquisition/saturated_records.hpp"
 #include "tests/acquisition/soft_records.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdlib>
 
 namespace tapfit {
@@ -144,6 +146,66 @@ void clipping(unsigned seed, int count) {
   clipping_in_noise(seed + 3, count);
 }
 
+std::ptrdiff_t overloads(const acquisition::HitSet& hits) {
+  return std::ranges::count_if(hits.runs[0], [](const acquisition::Hit& hit) {
+    return std::ranges::count(hit.reasons, acquisition::HitFault::Overload) > 0;
+  });
+}
+
+// Honest blows of all shapes that are called overloads, and how many hits are
+// in records that a warning speaks of.
+void honest_blows(acquisition::SeededRandom& random, int count) {
+  Rate alarms;
+  Rate warnings;
+  for (int k = 0; k < count; ++k) {
+    const acquisition::HitSet hits = acquisition::find_hits(
+        testing::hammer_bundle(),
+        {testing::saturated(testing::any_blows(random), random).recording},
+        {});
+    const auto all = static_cast<int>(hits.runs[0].size());
+    alarms.yes += static_cast<int>(overloads(hits));
+    alarms.all += all;
+    warnings.yes += testing::tells_of_ceiling(hits) ? all : 0;
+    warnings.all += all;
+  }
+  say("honest blow called overload", 0.0, alarms);
+  say("honest blow in a record warned of", 0.0, warnings);
+}
+
+// Blows that a conditioner cuts off ahead of the filter, by how much too large
+// |H| is: judged out, and judged out or warned of.
+void saturated_blows(acquisition::SeededRandom& random, int count) {
+  constexpr std::array<double, 6> bounds = {0.005, 0.02, 0.04, 0.07, 0.14, 0.3};
+  std::array<Rate, 5> out;
+  std::array<Rate, 5> told;
+  for (int k = 0; k < count; ++k) {
+    testing::Blows blows = testing::any_blows(random);
+    testing::saturate(blows, random);
+    const testing::Saturated record = testing::saturated(blows, random);
+    const acquisition::HitSet hits = acquisition::find_hits(
+        testing::hammer_bundle(), {record.recording}, {});
+    if (hits.runs[0].size() != record.errors.size()) continue;
+    for (std::size_t i = 0; i < record.errors.size(); ++i) {
+      const auto above = std::ranges::upper_bound(bounds, record.errors[i]);
+      if (above == bounds.begin() || above == bounds.end()) continue;
+      const auto bin = static_cast<std::size_t>(above - bounds.begin() - 1);
+      const std::vector<acquisition::HitFault>& reasons =
+          hits.runs[0][i].reasons;
+      const bool judged =
+          std::ranges::count(reasons, acquisition::HitFault::Overload) > 0;
+      out[bin].yes += judged ? 1 : 0;
+      told[bin].yes += judged || testing::tells_of_ceiling(hits) ? 1 : 0;
+      ++out[bin].all;
+      ++told[bin].all;
+    }
+  }
+  constexpr std::array<double, 5> about = {0.01, 0.03, 0.05, 0.1, 0.2};
+  for (std::size_t bin = 0; bin < out.size(); ++bin) {
+    say("blow cut ahead of the filter found, |H| +", about[bin], out[bin]);
+    say("  or its record warned of", about[bin], told[bin]);
+  }
+}
+
 }  // namespace
 }  // namespace tapfit
 
@@ -153,5 +215,9 @@ int main(int argc, char** argv) {
   tapfit::second_blows(static_cast<unsigned>(seed), count);
   tapfit::soft_blows(static_cast<unsigned>(seed), count);
   tapfit::clipping(static_cast<unsigned>(seed), count);
+  tapfit::acquisition::SeededRandom random(static_cast<unsigned>(seed),
+                                           "conditioner");
+  tapfit::honest_blows(random, count);
+  tapfit::saturated_blows(random, count);
   return 0;
 }
