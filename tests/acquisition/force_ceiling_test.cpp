@@ -150,7 +150,7 @@ TEST(ForceCeiling, IsNoneOfAFlatTip) {
 }
 
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and
-// more, ten samples long and more, 89 % are found or told of here.
+// more, ten samples long and more, 92 % are found or told of here.
 TEST(ForceCeiling, HoldsItsRates) {
   SeededRandom random(8, "rates");
   int honest = 0;
