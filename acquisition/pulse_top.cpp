@@ -33,7 +33,7 @@ struct Surroundings {
 };
 
 // Samples from the peak on in steps of 1 or -1 that stay above half of it.
-Index above_half(const Eigen::VectorXd& force, Index peak, Index step) {
+Index above_half(const DriftFree& force, Index peak, Index step) {
   Index i = peak;
   while (i + step >= 0 && i + step < force.size() &&
          force[i + step] > 0.5 * force[peak]) {
@@ -42,14 +42,18 @@ Index above_half(const Eigen::VectorXd& force, Index peak, Index step) {
   return std::abs(i - peak) + 1;
 }
 
-Surroundings surroundings(const Eigen::VectorXd& force, Index peak) {
+Surroundings surroundings(const DriftFree& force, Index peak) {
   const Index width = above_half(force, peak, -1) + above_half(force, peak, 1);
   const Index reach = width + width / 2 + 6;
   const Index first = std::max<Index>(0, peak - reach);
   const Index last = std::min(force.size() - 1, peak + reach);
   Surroundings result;
   if (width < few) {
-    result.force = interpolated(force, first, last, finer);
+    constexpr Index context = 20;  // beyond what interpolation needs
+    const Index begin = std::max<Index>(0, first - context);
+    const Index end = std::min(force.size(), last + context + 1);
+    result.force = interpolated(
+        force.segment(begin, end - begin), first - begin, last - begin, finer);
     result.per_sample = static_cast<double>(finer);
   } else {
     result.force = force.segment(first, last - first + 1);
@@ -112,9 +116,7 @@ double corners(const Surroundings& of, double noise) {
 
 }  // namespace
 
-PulseTop measure_top(const Eigen::VectorXd& force,
-                     const Pulse& pulse,
-                     double noise) {
+PulseTop measure_top(const DriftFree& force, const Pulse& pulse, double noise) {
   const Surroundings near = surroundings(force, pulse.peak);
   const Span half = above(near, 0.5);
   const Span high = above(near, 0.9);
