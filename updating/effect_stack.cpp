@@ -29,8 +29,10 @@ Fit judged(Fit fit, const Fit& before) {
                     100.0 * before.result.error,
                     100.0 * fit.result.error);
   } else if (!(fit.result.error < before.result.error)) {
-    fit.result.message +=
-        "; the error does not fall: the data do not ask for it";
+    fit.result.message += "; the error does not fall";
+    if (fit.result.converged) {
+      fit.result.message += ": the data do not ask for it";
+    }
   }
   return fit;
 }

@@ -172,7 +172,8 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
 }
 
 ModelState Fitter::start_state(const FrfModel& model,
-                               const std::vector<PlacedEffect>& start) const {
+                               const std::vector<PlacedEffect>& start,
+                               const Fit* before) const {
   std::vector<PlacedEffect> effects = start;
   for (PlacedEffect& e : effects) {
     const std::vector<effects::ParameterSpec> specs = parameters_of(e, model);
@@ -183,37 +184,43 @@ ModelState Fitter::start_state(const FrfModel& model,
     }
   }
   ModelState state = first_state(model, effects);
+  if (before != nullptr) state.factor = before->result.state.factor;
   scan_start(model, state);
   return state;
 }
 
-// Where a fit of fewer effects ended, with the others at that end of their
-// bounds where they change least: as good as not there. Nothing where the one
-// does not contain the other.
-std::optional<ModelState> Fitter::continued(const FrfModel& model,
-                                            const ModelState& state,
-                                            const ModelState& fewer) const {
+std::optional<ModelState> Fitter::continued(
+    const FrfModel& model,
+    const std::vector<PlacedEffect>& effects,
+    const Fit& before) const {
+  const ModelState& fewer = before.result.state;
   const std::size_t n = fewer.effects.size();
   const auto same = [](const PlacedEffect& a, const PlacedEffect& b) {
     return a.effect == b.effect && a.where == b.where;
   };
-  // It may hold another number of modes in the band at its start.
-  const bool contains = n < state.effects.size() &&
-                        fewer.factor.size() == state.factor.size() &&
-                        std::equal(fewer.effects.begin(),
-                                   fewer.effects.end(),
-                                   state.effects.begin(),
-                                   same);
+  const bool contains =
+      n <= effects.size() &&
+      fewer.factor.size() == setting_.uncertain_sd.size() &&
+      std::equal(
+          fewer.effects.begin(), fewer.effects.end(), effects.begin(), same);
   if (!contains) return std::nullopt;
+  // It may have held another number of modes in the band at its start, or give
+  // way to a law for the damping.
+  ModelState whole = first_state(model, effects);
+  whole.factor = fewer.factor;
+  whole.zeta_other = fewer.zeta_other;
+  whole.zeta.setConstant(fewer.zeta_other);
+  const Index known = std::min(whole.zeta.size(), fewer.zeta.size());
+  whole.zeta.head(known) = fewer.zeta.head(known);
+  std::copy(fewer.effects.begin(), fewer.effects.end(), whole.effects.begin());
   const auto with = [&](double effects::ParameterSpec::*bound) {
-    ModelState result = fewer;
-    for (std::size_t k = n; k < state.effects.size(); ++k) {
-      PlacedEffect effect = state.effects[k];
+    ModelState result = whole;
+    for (std::size_t k = n; k < effects.size(); ++k) {
+      PlacedEffect& effect = result.effects[k];
       const auto specs = parameters_of(effect, model);
       for (std::size_t p = 0; p < specs.size(); ++p) {
         effect.p[p] = specs[p].*bound;
       }
-      result.effects.push_back(std::move(effect));
     }
     return result;
   };
@@ -253,7 +260,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   fit.result.state = start_state(*model, start);
   std::vector<UpdateStep> history;
   std::vector<Target> targets = setting_.targets;
-  const auto go_on = [&](std::size_t stage, bool once_more = false) {
+  const auto go_on = [&](std::size_t stage, std::size_t again = 0) {
     const bool last = stage + 1 == targets.size();
     UpdateOptions options;
     options.max_iterations = last ? 30 : 10;
@@ -262,9 +269,9 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     options.objective_tolerance = last ? 1e-3 : 1e-1;
     const ModelState state = fit.result.state;
     const Prior prior = prior_for(*model, state);
-    // The last may be done once more.
-    const auto parts = static_cast<double>(targets.size() + 1);
-    const auto part = static_cast<double>(stage + (once_more ? 1 : 0));
+    // The last may be done twice more.
+    const auto parts = static_cast<double>(targets.size() + 2);
+    const auto part = static_cast<double>(stage + again);
     fit.result =
         update(*model,
                targets[stage],
@@ -273,7 +280,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                options,
                watched_part(progress, part / parts, (part + 1.0) / parts));
     // It starts where the last step of the stage ended.
-    for (std::size_t k = once_more ? 1 : 0; k < fit.result.history.size();
+    for (std::size_t k = again > 0 ? 1 : 0; k < fit.result.history.size();
          ++k) {
       history.push_back(std::move(fit.result.history[k]));
       history.back().stage = static_cast<int>(stage);
@@ -316,7 +323,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
     const UpdateResult found = fit.result;
     state.zeta_other = now;
     if (!last) continue;
-    go_on(k, true);
+    go_on(k, 1);
     if (fit.result.error > found.error) fit.result = found;
   }
   const auto from_before = [&]() -> std::optional<ModelState> {
@@ -325,12 +332,12 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
         fit.result.error <= (1.0 + rounding) * before->result.error) {
       return std::nullopt;
     }
-    return continued(*model, fit.result.state, before->result.state);
+    return continued(*model, start, *before);
   };
   if (std::optional<ModelState> known = from_before()) {
     const UpdateResult found = fit.result;
     fit.result.state = std::move(*known);
-    go_on(targets.size() - 1, true);
+    go_on(targets.size() - 1, 2);
     if (fit.result.error > found.error) fit.result = found;
   }
   fit.result.history = std::move(history);

@@ -12,6 +12,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tapfit::updating {
@@ -71,8 +72,17 @@ class Fitter {
                                 const ModelState& state) const;
   /// Where fits start: effects as given, the newest with the best size of a
   /// scan over all that it may be.
-  [[nodiscard]] ModelState start_state(
-      const FrfModel& model, const std::vector<PlacedEffect>& start) const;
+  /// @param before a fit from whose properties it goes on; none: the deck's
+  [[nodiscard]] ModelState start_state(const FrfModel& model,
+                                       const std::vector<PlacedEffect>& start,
+                                       const Fit* before = nullptr) const;
+  /// Where a fit of the first of these effects, or of all, ended, with the
+  /// others at that end of their bounds where they change least: as good as not
+  /// there. Nothing where it is no such fit.
+  [[nodiscard]] std::optional<ModelState> continued(
+      const FrfModel& model,
+      const std::vector<PlacedEffect>& effects,
+      const Fit& before) const;
   [[nodiscard]] ModelState first_state(
       const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
 
@@ -93,10 +103,6 @@ class Fitter {
 
  private:
   void scan_start(const FrfModel& model, ModelState& state) const;
-  [[nodiscard]] std::optional<ModelState> continued(
-      const FrfModel& model,
-      const ModelState& state,
-      const ModelState& fewer) const;
 
   /// What a fit works on: the model, and the lines that count.
   struct Ground {

@@ -50,6 +50,7 @@ double look_back(const Target& used,
                  const FrfModel& model,
                  const std::vector<Index>& fitted,
                  UpdateResult& result) {
+  if (used.s.size() == 0 || fitted.empty()) return 0.0;
   const ModelResponse response = model.respond(result.state, used.s, true);
   result.residual = stack(used, response.H - used.H);
   const auto all = static_cast<Index>(response.dH.size());
@@ -144,6 +145,68 @@ std::string out_of_range(const FrfModel& model, const ModelState& state) {
   return {};
 }
 
+// What a fit from one start comes to.
+struct Trial {
+  UpdateResult result;
+  Target used;                // lines
+  std::vector<Index> fitted;  // in pack()
+};
+
+double error_of(const Fitter& fitter,
+                const FrfModel& model,
+                const ModelState& state) {
+  const Target& report = fitter.target();
+  return relative_error(report, model.respond(state, report.s, false).H);
+}
+
+// In place of what the fit found, and standard errors with it.
+void keep(const ModelState& state,
+          double error,
+          const FrfModel& model,
+          Trial& trial) {
+  trial.result.converged = false;
+  trial.result.state = state;
+  trial.result.error = error;
+  static_cast<void>(look_back(trial.used, model, trial.fitted, trial.result));
+}
+
+Trial fit_from(ModelState first,
+               const Fitter& fitter,
+               const PlainTask& task,
+               const FrfModel& model) {
+  take_damping(task, model, first);
+  const PlainResult plain =
+      plain_update(model, task.target, first, task.options);
+  Trial trial{{}, used_lines(task.target, plain.use), plain.packed};
+  UpdateResult& result = trial.result;
+  result.converged = plain.converged;
+  result.message = plain.message;
+  result.history = history_of(plain, first);
+  if (!plain.lambda.empty()) result.l_curve = plain.first_l_curve;
+  result.state = plain.state;
+  result.error = error_of(fitter, model, plain.state);
+  const double apart = look_back(trial.used, model, trial.fitted, result);
+  if (result.converged && apart > arrived) {
+    result.converged = false;
+    result.message = fmt::format(
+        "held by lambda {:.2g} standard errors from where the data want the "
+        "parameters: try a smaller --lambda",
+        apart);
+  }
+  const double before = error_of(fitter, model, first);
+  std::string fault = out_of_range(model, result.state);
+  if (fault.empty() && !(result.error <= before)) {
+    fault = fmt::format(
+        "the error on the damped lines, {:.3g}, is above the start's {:.3g}",
+        result.error,
+        before);
+  }
+  if (fault.empty()) return trial;
+  result.message += fmt::format(", where {}: the start is kept", fault);
+  keep(first, before, model, trial);
+  return trial;
+}
+
 }  // namespace
 
 PlainTask plain_task(const UpdateChoice& choice,
@@ -189,56 +252,26 @@ PlainTask plain_task(const UpdateChoice& choice,
 Fit plain_fit(const Fitter& fitter,
               const PlainTask& task,
               const std::vector<PlacedEffect>& start,
-              std::shared_ptr<const FrfModel> model) {
-  ModelState first = fitter.start_state(*model, start);
-  const ModelState base = first;
-  take_damping(task, *model, first);
-  const PlainResult plain =
-      plain_update(*model, task.target, first, task.options);
-  const Target& report = fitter.target();
-  const auto error = [&](const ModelState& state) {
-    return relative_error(report, model->respond(state, report.s, false).H);
+              std::shared_ptr<const FrfModel> model,
+              const Fit& before) {
+  const auto from = [&](const Fit* properties) {
+    return fit_from(
+        fitter.start_state(*model, start, properties), fitter, task, *model);
   };
-  Fit fit;
-  UpdateResult& result = fit.result;
-  result.converged = plain.converged;
-  result.message = plain.message;
-  result.history = history_of(plain, first);
-  if (!plain.lambda.empty()) result.l_curve = plain.first_l_curve;
-  result.state = plain.state;
-  result.error = error(plain.state);
-  const Target used = used_lines(task.target, plain.use);
-  const auto distance = [&] {
-    const bool any = used.s.size() > 0 && !plain.packed.empty();
-    return any ? look_back(used, *model, plain.packed, result) : 0.0;
-  };
-  const double apart = distance();
-  if (result.converged && apart > arrived) {
-    result.converged = false;
-    result.message = fmt::format(
-        "held by lambda {:.2g} standard errors from where the data want the "
-        "parameters: try a smaller --lambda",
-        apart);
+  Trial trial = from(nullptr);
+  if (const auto known = fitter.continued(*model, start, before)) {
+    const double limit = error_of(fitter, *model, *known);
+    if (!(trial.result.error <= limit)) {
+      Trial again = from(&before);
+      if (again.result.error < trial.result.error) trial = std::move(again);
+    }
+    if (!(trial.result.error <= limit)) {
+      trial.result.message +=
+          "; the model before leaves less on the damped lines: it is kept";
+      keep(*known, limit, *model, trial);
+    }
   }
-  const ModelState& kept = error(base) < error(first) ? base : first;
-  const double before = error(kept);
-  std::string fault = out_of_range(*model, result.state);
-  if (fault.empty() && !(result.error <= before)) {
-    fault = fmt::format(
-        "the error on the damped lines, {:.3g}, is above the start's {:.3g}",
-        result.error,
-        before);
-  }
-  if (!fault.empty()) {
-    result.message += fmt::format(", where {}: the start is kept", fault);
-    result.converged = false;
-    result.state = kept;
-    result.error = before;
-    static_cast<void>(distance());  // standard errors are of what is kept
-  }
-  fit.effects = result.state.effects;
-  fit.model = std::move(model);
-  return fit;
+  return {trial.result.state.effects, trial.result, std::move(model)};
 }
 
 }  // namespace tapfit::updating

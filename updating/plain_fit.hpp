@@ -4,7 +4,9 @@
 // The damping is not fitted but taken from the measured modes, and no prior
 // holds the parameters; Tikhonov's lambda does. Errors are those on the
 // comparison's damped line, so that fits of either kind can be compared. A
-// state that is worse there than the start is not handed on.
+// state that is worse there than the start is not handed on. A fit that ends
+// above the one before it is made once more from that one's properties, and
+// gives way to it where that does no better.
 #pragma once
 
 #include "updating/fit_setting.hpp"
@@ -42,9 +44,11 @@ struct KnownLines {
                                    const Progress& progress);
 
 /// @param start, model as of Fitter::fit
+/// @param before a fit, of either kind, of the first of these effects or of all
 [[nodiscard]] Fit plain_fit(const Fitter& fitter,
                             const PlainTask& task,
                             const std::vector<PlacedEffect>& start,
-                            std::shared_ptr<const FrfModel> model);
+                            std::shared_ptr<const FrfModel> model,
+                            const Fit& before);
 
 }  // namespace tapfit::updating

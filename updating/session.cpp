@@ -137,7 +137,7 @@ Fit Session::Impl::fit_now(const std::vector<PlacedEffect>& effects,
         {fitter.target(), ground->contour, test.frfs({}).s.real().minCoeff()},
         progress);
   }
-  return plain_fit(fitter, *plain, effects, base);
+  return plain_fit(fitter, *plain, effects, base, before);
 }
 
 // With the first so many effects. Fits asked for in another way, and what is

@@ -1,12 +1,10 @@
 #include "updating/updater.hpp"
 
 #include "tests/updating/support/plate_experiment.hpp"
-#include "updating/damped_line.hpp"
 #include "updating/diagnose.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/fitter.hpp"
 #include "updating/live_fit.hpp"
-#include "updating/plain_fit.hpp"
 #include "updating/prior_l_curve.hpp"
 #include "updating/signature.hpp"
 #include "updating/signature_map.hpp"
@@ -15,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
+#include <optional>
 
 namespace tapfit::updating {
 namespace {
@@ -267,85 +265,6 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   EXPECT_EQ(map.front().node, 30);
   EXPECT_NEAR(map.front().explained, s.explained, 1e-9);
   EXPECT_LT(map.back().explained, map.front().explained - 0.01);
-}
-
-// The plain step on the same lines, without prior and damping.
-Fit plain(const PlateExperiment& test,
-          const std::vector<PlacedEffect>& start,
-          std::optional<double> lambda) {
-  PlainTask task;
-  task.options.lambda = lambda;
-  task.target = test.fitter().target();
-  task.options.properties = 1;
-  task.damping_ratio = Eigen::VectorXd(4);
-  task.damping_ratio << 0.006, 0.010, 0.006, 0.010;
-  const auto model = test.fitter().model_for(start);
-  const ModelState state = test.fitter().first_state(*model, start);
-  task.options.measured_hz =
-      model->base_modes(state).omega.head(4) / (2.0 * std::numbers::pi);
-  return plain_fit(test.fitter(), task, start, model);
-}
-
-TEST(PlainFitTest, FindsWhatWasBuiltInAndTellsHow) {
-  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  const Fit fit = plain(test, {at_node("added-mass", 30, 0.005)}, 0.0);
-  EXPECT_TRUE(fit.result.converged) << fit.result.message;
-  // 1 % noise on 12 FRFs x 120 lines, of which the first mode's few count.
-  EXPECT_NEAR(fit.result.state.effects[0].p[0], 0.02, 0.0006);
-  EXPECT_NEAR(fit.result.state.factor[0], 1.02, 0.003);
-  ASSERT_GT(fit.result.history.size(), 2U);
-  // The logarithm of an exponential.
-  EXPECT_NEAR((fit.result.history.back().theta - pack(fit.result.state)).norm(),
-              0.0,
-              1e-12);
-}
-
-TEST(PlainFitTest, SaysWhereLambdaHoldsTheParameters) {
-  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  const Fit free = plain(test, {at_node("added-mass", 30, 0.005)}, 0.0);
-  const Fit corner = plain(test, {at_node("added-mass", 30, 0.005)}, {});
-  ASSERT_TRUE(corner.result.l_curve);
-  EXPECT_EQ(corner.result.l_curve->lambda(corner.result.l_curve->corner),
-            corner.result.history[1].lambda);
-  // So large that every step is below the tolerance at once.
-  const Fit held = plain(test, {at_node("added-mass", 30, 0.005)}, 1e9);
-  EXPECT_FALSE(held.result.converged);
-  EXPECT_NE(held.result.message.find("held by lambda"), std::string::npos);
-  const auto last = held.result.covariance.rows() - 1;
-  EXPECT_GT(held.result.covariance(last, last),
-            free.result.covariance(last, last));
-}
-
-TEST(PlainFitTest, HandsNoWorseModelOn) {
-  const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  PlainTask task;
-  task.target = test.fitter().target();
-  const std::vector<PlacedEffect> none;
-  const auto model = test.fitter().model_for(none);
-  const ModelState first = test.fitter().start_state(*model, none);
-  task.target.H *= -1.0;  // nothing that the model could be
-  task.options.properties = 1;
-  const Fit fit = plain_fit(test.fitter(), task, none, model);
-  const Target& report = test.fitter().target();
-  EXPECT_LE(fit.result.error,
-            relative_error(report, model->respond(first, report.s, false).H));
-  EXPECT_FALSE(fit.result.message.empty());
-  EXPECT_TRUE(fit.result.covariance.allFinite());
-}
-
-TEST(PlainFitTest, StatedIntervalsHoldTheTruth) {
-  int inside = 0;
-  const int trials = 40;
-  for (unsigned seed = 0; seed < trials; ++seed) {
-    const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, seed);
-    const Fit fit = plain(test, {at_node("added-mass", 30, 0.015)}, {});
-    const auto last = fit.result.covariance.rows() - 1;
-    const double sd = std::sqrt(fit.result.covariance(last, last));
-    const double off = std::log(fit.result.state.effects[0].p[0] / 0.02);
-    inside += std::abs(off) <= 1.96 * sd ? 1 : 0;
-  }
-  // 95 % of 40 is 38; 33 is the 0.5 % quantile of the binomial.
-  EXPECT_GE(inside, 33);
 }
 
 TEST(UpdateRecordTest, NamesParametersAndCorrelatesThem) {
