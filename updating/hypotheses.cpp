@@ -6,8 +6,10 @@
 #include "updating/near_places.hpp"
 #include "updating/overall_progress.hpp"
 #include "updating/screening.hpp"
+#include "updating/stretched_patches.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -78,17 +80,16 @@ bool less_error(const Hypothesis& a, const Hypothesis& b) {
   return a.fit.result.error < b.fit.result.error;
 }
 
+/// The neighbours of a place.
+using Near = std::function<std::vector<Where>(const Where&)>;
+
 // Around the best place of a kind, step to a better neighbour until there is
 // none. Each step fits all neighbours, grids in one base.
 void climb(std::vector<Hypothesis>& found,
            const Fit& current,
            const Fitter& fitter,
-           int neighbours,
+           const Near& near,
            const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
-  const PlacedEffect& any = found.front().own();
-  const std::vector<Where> patches =
-      any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
   std::vector<Where> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < most_steps; ++round) {
@@ -96,8 +97,7 @@ void climb(std::vector<Hypothesis>& found,
     const PlacedEffect own = best->own();
     const double before = best->fit.result.error;
     std::vector<PlacedEffect> tries;
-    for (const Where& where :
-         places_near(own.where, patches, *setting.deck, neighbours)) {
+    for (const Where& where : near(own.where)) {
       if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
       seen.push_back(where);
       PlacedEffect next = own;
@@ -118,6 +118,38 @@ void climb(std::vector<Hypothesis>& found,
     }
     if (after >= before) return;
   }
+}
+
+void climb_places(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  int neighbours,
+                  const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const PlacedEffect& any = found.front().own();
+  const std::vector<Where> patches =
+      any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
+  const auto near = [&](const Where& at) {
+    return places_near(at, patches, *setting.deck, neighbours);
+  };
+  climb(found, current, fitter, near, progress);
+}
+
+// Patches are looked for as cubes; what is lost may be a long one.
+void climb_shapes(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const Progress& progress) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const auto near = [&deck](const Where& at) {
+    std::vector<Where> places;
+    for (std::vector<int>& ids : stretched_patches(at.elements, deck)) {
+      places.push_back(at);
+      places.back().elements = std::move(ids);
+    }
+    return places;
+  };
+  climb(found, current, fitter, near, progress);
 }
 
 // What is worth a full fit of one kind: its best screened places, apart from
@@ -210,7 +242,7 @@ double least_error(const std::vector<Kind>& kinds) {
 void climb_stiffness(std::vector<Kind>& kinds,
                      const Fit& current,
                      const Fitter& fitter,
-                     int neighbours,
+                     const HypothesisOptions& options,
                      const Progress& progress) {
   const double least = least_error(kinds);
   for (Kind& kind : kinds) {
@@ -219,7 +251,10 @@ void climb_stiffness(std::vector<Kind>& kinds,
       continue;
     }
     if (kind.error() > rival * least) continue;
-    climb(kind.found, current, fitter, neighbours, progress);
+    climb_places(kind.found, current, fitter, options.neighbours, progress);
+    if (changes == ChangeKind::Elements && kind.error() > options.explained) {
+      climb_shapes(kind.found, current, fitter, progress);
+    }
   }
 }
 
@@ -261,7 +296,7 @@ void try_forms(std::vector<Kind>& kinds,
       if (better) kind.found.push_back(std::move(h));
     }
     if (kind.at_grids() && kind.error() < error) {
-      climb(kind.found, current, fitter, neighbours, progress);
+      climb_places(kind.found, current, fitter, neighbours, progress);
     }
   }
 }
@@ -293,13 +328,13 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
               fit_screened(*effect, tries, current, fitter, part),
               static_cast<double>(tries.size())};
     if (kind.at_grids() && options.neighbours > 0) {
-      climb(kind.found, current, fitter, options.neighbours, part);
+      climb_places(kind.found, current, fitter, options.neighbours, part);
     }
     kinds.push_back(std::move(kind));
   }
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.9, 1.0);
-    climb_stiffness(kinds, current, fitter, options.neighbours, rest);
+    climb_stiffness(kinds, current, fitter, options, rest);
     if (least_error(kinds) > options.explained) {
       try_forms(kinds, current, fitter, options.neighbours, rest);
     }

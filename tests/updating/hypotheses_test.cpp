@@ -72,6 +72,17 @@ TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
   EXPECT_NEAR(best.own().p[0], 0.2, 1e-3);
 }
 
+TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
+  // Six elements in line, which no cube holds alone.
+  Where where;
+  where.elements = {13, 14, 15, 16, 17, 18};
+  hide({&effects::find("stiffness-loss"), where, {0.4}});
+  const Hypothesis best = tried(8).front();
+  EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
+  EXPECT_EQ(best.own().where.elements, where.elements);
+  EXPECT_NEAR(best.own().p[0], 0.4, 1e-3);
+}
+
 TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
   Where where;
   where.node = 31;
