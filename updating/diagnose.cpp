@@ -128,6 +128,7 @@ class Climb {
   [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
     return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
+  [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
   /// At the floor only for the mesh's share, which counts the whole difference
   /// to a finer mesh. The fit takes a good part of that: an effect may hide.
   [[nodiscard]] bool is_left_to_the_mesh() const {
@@ -214,10 +215,11 @@ bool Climb::try_to_add(bool first,
   worth.with_it = fitter_->held_out_error(added.fit, folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
-  chosen_.push_back(
-      {best == 0 ? group_name(round, 0) : added.own().effect->name(),
-       round.probability[best + 1],
-       best == 0 ? look_alikes(round, 0) : std::vector<EffectRef>{}});
+  chosen_.push_back(search_.as_chosen(round, best));
+  if (best != 0) {
+    chosen_.back().name = added.own().effect->name();
+    chosen_.back().alike.clear();
+  }
   current_ = added.fit;
   if (!first) {
     current_ = search_.relocate(std::move(current_), already_, chosen_, rest);
@@ -280,6 +282,9 @@ Climbed climbed(const Fitter& fitter,
                    climb.held_out_error());
   result.model_parameters = property_estimates(found, options.properties);
   warn_of_bounds(result);
+  for (const Chosen& it : climb.chosen()) {
+    if (it.extent) result.warnings.push_back(statement(*it.extent));
+  }
   const auto fitted =
       all_estimates(found, options.properties, fitter.setting().setting);
   set_verdict(fitter.setting().measured.level,

@@ -43,6 +43,9 @@ std::vector<Rung> ladder_of(const Fit& fit,
     rung.where = fit.effects[next].where;
     rung.error = least;
     rung.parameters = effect_estimates(fit, next, setting);
+    if (const auto& extent = all[next - already].extent) {
+      widen(*extent, rung.parameters.front());
+    }
     ladder.push_back(std::move(rung));
     so_far.push_back(fit.effects[next]);
     left.erase(std::find(left.begin(), left.end(), next));

@@ -102,27 +102,33 @@ std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
   return alike;
 }
 
-namespace {
-
-// How sure an effect is among all that was tried with it, none included; as
-// sure as before where the round passed over it.
-void judge_anew(const Round& round, const PlacedEffect& effect, Chosen& it) {
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const PlacedEffect& own = round.hypotheses[k].own();
-    if (own.effect != effect.effect || own.where != effect.where) continue;
-    it.name = group_name(round, k);
-    it.probability = round.probability[k + 1];
-    it.alike = look_alikes(round, k);
-    return;
-  }
-}
-
-}  // namespace
-
 RungSearch::RungSearch(const Fitter& fitter, const DiagnoseOptions& options)
     : fitter_(&fitter),
       options_(options),
       explained_(at_floor * options.floor) {}
+
+Chosen RungSearch::as_chosen(const Round& round, std::size_t of) const {
+  return {group_name(round, of),
+          round.probability[of + 1],
+          look_alikes(round, of),
+          patch_extent(round.hypotheses,
+                       round.hypotheses[of].own(),
+                       options_.floor,
+                       fitter_->setting().setting)};
+}
+
+// How sure an effect is among all that was tried with it, none included; as
+// sure as before where the round passed over it.
+void RungSearch::judge_anew(const Round& round,
+                            const PlacedEffect& effect,
+                            Chosen& it) const {
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& own = round.hypotheses[k].own();
+    if (own.effect != effect.effect || own.where != effect.where) continue;
+    it = as_chosen(round, k);
+    return;
+  }
+}
 
 Fit RungSearch::refit(const std::vector<PlacedEffect>& effects,
                       const Progress& progress) const {
@@ -215,8 +221,7 @@ Fit RungSearch::relocate(Fit fit,
     }
     fit = best.fit;
     chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
-    chosen.push_back(
-        {group_name(round, 0), round.probability[1], look_alikes(round, 0)});
+    chosen.push_back(as_chosen(round, 0));
   }
   return fit;
 }

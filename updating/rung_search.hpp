@@ -4,7 +4,9 @@
 
 #include "updating/diagnose.hpp"
 #include "updating/hypotheses.hpp"
+#include "updating/patch_extent.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ struct Chosen {
   std::string name;  ///< its kind, or the group of kinds not told apart
   double probability = 0.0;
   std::vector<EffectRef> alike = {};  ///< what was not told apart from it
+  std::optional<PatchExtent> extent =
+      {};  ///< of a patch that is not the only one
 };
 
 /// Explanations closer than this in log evidence are not told apart: 20 : 1,
@@ -61,6 +65,11 @@ class RungSearch {
                            Depth depth,
                            const Progress& progress) const;
 
+  /// A hypothesis of the round as it is added to the model.
+  ///
+  /// @param of its place there
+  [[nodiscard]] Chosen as_chosen(const Round& round, std::size_t of) const;
+
   /// A first rung that leaves much may be a stand-in for two effects. Each
   /// other kind's best is given the chance of a second rung; the pair that
   /// leaves least names the first rung.
@@ -87,6 +96,9 @@ class RungSearch {
                           const Progress& progress) const;
 
  private:
+  void judge_anew(const Round& round,
+                  const PlacedEffect& effect,
+                  Chosen& it) const;
   [[nodiscard]] Fit refit(const std::vector<PlacedEffect>& effects,
                           const Progress& progress) const;
 

@@ -2,6 +2,9 @@
 
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/estimates.hpp"
+#include "updating/near_places.hpp"
+#include "updating/patch_extent.hpp"
 
 #include <gtest/gtest.h>
 
@@ -81,6 +84,45 @@ TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
   EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
   EXPECT_EQ(best.own().where.elements, where.elements);
   EXPECT_NEAR(best.own().p[0], 0.4, 1e-3);
+}
+
+// Where the model may be wrong by as much as other patches leave, their factors
+// belong to the interval; where it is known better, they do not.
+TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
+  Where where;
+  where.elements = {12, 13, 22, 23};
+  hide({&effects::find("stiffness-loss"), where, {0.5}});
+  const std::vector<Hypothesis> all = tried(8);
+  const PlacedEffect& own = all.front().own();
+  ASSERT_EQ(own.where.elements, where.elements);
+  const effects::Setting& setting = fitter_->setting().setting;
+  EXPECT_FALSE(patch_extent(all, own, 0.0, setting));
+  const Hypothesis* next = nullptr;  // of those that overlap
+  for (const Hypothesis& h : all) {
+    const bool overlaps = h.own().effect == own.effect &&
+                          h.own().where != own.where &&
+                          share(h.own().where.elements, where.elements);
+    if (overlaps && next == nullptr) next = &h;
+  }
+  ASSERT_NE(next, nullptr);
+  const auto extent = patch_extent(all, own, next->fit.result.error, setting);
+  ASSERT_TRUE(extent);
+  const std::size_t size = next->own().where.elements.size();
+  EXPECT_EQ(extent->fewest, std::min<std::size_t>(4, size));
+  EXPECT_EQ(extent->most, std::max<std::size_t>(4, size));
+  Estimate factor = effect_estimates(all.front().fit, 0, setting).front();
+  const Estimate before = factor;
+  widen(*extent, factor);
+  EXPECT_LE(factor.lo95, std::min(before.lo95, next->own().p[0]));
+  EXPECT_GE(factor.hi95, std::max(before.hi95, next->own().p[0]));
+  EXPECT_EQ(factor.value, before.value);
+  EXPECT_GT(factor.sd, before.sd);
+  EXPECT_LE(factor.sd, (factor.hi95 - factor.lo95) / 3.92 + 1e-12);
+  // Other kinds have no patches.
+  for (const Hypothesis& h : all) {
+    if (h.own().effect->name() != "added-mass") continue;
+    EXPECT_FALSE(patch_extent(all, h.own(), 1.0, setting));
+  }
 }
 
 TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
