@@ -39,6 +39,19 @@ bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
          effect.where == term.of.where;
 }
 
+namespace {
+
+// p - included.
+double change_of(const StiffnessTerm& term, const ModelState& state) {
+  double p = term.absent;
+  for (const PlacedEffect& e : state.effects) {
+    if (is_of(term, e)) p = e.p[term.parameter];
+  }
+  return p - term.included;
+}
+
+}  // namespace
+
 FrfModel::FrfModel(ReducedBase base,
                    const effects::Setting& setting,
                    const signal::FrfSet& measured)
@@ -89,11 +102,7 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
     M += c * base_.M_part[t];
   }
   for (const StiffnessTerm& term : base_.terms) {
-    double p = term.absent;
-    for (const PlacedEffect& e : state.effects) {
-      if (is_of(term, e)) p = e.p[term.parameter];
-    }
-    K += (p - term.included) * term.S;
+    K += change_of(term, state) * term.at(state.factor);
   }
   return solve_modes(K, M);
 }
@@ -232,13 +241,17 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
       add(c, base_.K_part[t], dK);
       add(c, base_.M_part[t], dM);
     }
+    for (const StiffnessTerm& term : base_.terms) {
+      const MatrixXd slope = term.slope(state.factor, j);
+      if (slope.size() > 0) add(change_of(term, state), slope, dK);
+    }
     shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed)) continue;
-      shared.turning.push_back({turn(term.S, {}),
+      shared.turning.push_back({turn(term.at(state.factor), {}),
                                 shared.first[e] + term.parameter,
                                 placed.p[term.parameter]});
     }

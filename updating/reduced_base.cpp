@@ -50,29 +50,14 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
   for (StiffnessTerm& term : base.terms) {
     term.S = (Q.transpose() * term.S * Q).eval();
+    for (MatrixXd& part : term.S_part) {
+      part = (Q.transpose() * part * Q).eval();
+    }
   }
-}
-
-// To what is released and to what changes act on: rotations seldom have a mass,
-// and the modes of a coarse mesh may hold all that has.
-void lend_to_changed(const std::vector<int>& free,
-                     double high_hz,
-                     ReleasedSystem& released) {
-  VectorXd acted = VectorXd::Zero(released.dofs());
-  for (const ScaledStiffness& scaled : released.scaled) {
-    acted += scaled.S.diagonal();
-  }
-  std::vector<int> changed;
-  for (const int i : released.active) {
-    const bool loose = !std::ranges::binary_search(free, i);
-    if (loose || acted(i) != 0.0) changed.push_back(i);
-  }
-  const SparseMatrix lent = lent_mass(released.K, released.M, changed, high_hz);
-  if (lent.size() > 0) released.M += lent;
 }
 
 // Stiffness that elements keep, from all of it to next to none.
-const StiffnessTerm loss_term = {{}, 0, {}, 1.0, 1.0, 0.04, 0.4, 1.0};
+constexpr ChangeRange loss_range = {1.0, 1.0, 0.04, 0.4, 1.0};
 
 }  // namespace
 
@@ -103,8 +88,8 @@ struct BaseBuilder::Impl {
   [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
-  [[nodiscard]] StiffnessTerm spring_term(const ReleasedSystem& released,
-                                          const ScaledStiffness& own) const;
+  [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
+                                         const ScaledStiffness& own) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -255,8 +240,8 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
 // How stiff is stiff: to first order springs of stiffness k per metre lower
 // omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
 // asks of them. Springs that several parameters share have their whole length.
-StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
-                                             const ScaledStiffness& own) const {
+ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
+                                            const ScaledStiffness& own) const {
   VectorXd length = VectorXd::Zero(released.dofs());
   for (const ScaledStiffness& part : released.scaled) {
     if (part.change == own.change) length += part.S.diagonal();
@@ -281,14 +266,9 @@ StiffnessTerm BaseBuilder::Impl::spring_term(const ReleasedSystem& released,
     worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
   }
   if (worst <= 0.0) worst = 1.0;
-  StiffnessTerm term;
-  term.parameter = own.parameter;
-  term.upper = worst / 1e-4;
-  term.absent = term.upper;
-  term.start = worst / 0.1;
+  const double upper = worst / 1e-4;
   // A hundredth of where the first order would leave no stiffness: a hinge.
-  term.lower = worst / 100.0;
-  return term;
+  return {0.0, upper, worst / 100.0, worst / 0.1, upper};
 }
 
 // The fixed basis and a few vectors more. Only products with the new vectors
@@ -329,10 +309,18 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
                                                    : padded(factor.K));
     base.M_part.push_back(padded(factor.M));
   }
+  const auto through = [&](const SparseMatrix& A) {
+    const SparseMatrix known = A.topLeftCorner(n, n);
+    return grow(V0.transpose() * (known * V0), A);
+  };
   for (const ScaledStiffness& scaled : released.scaled) {
-    const SparseMatrix known = scaled.S.topLeftCorner(n, n);
-    base.terms.emplace_back();
-    base.terms.back().S = grow(V0.transpose() * (known * V0), scaled.S);
+    StiffnessTerm& term = base.terms.emplace_back();
+    term.parameter = scaled.parameter;
+    term.S = through(scaled.S);
+    for (const UncertainPart& part : scaled.parts) {
+      term.part_power.push_back(part.power);
+      term.S_part.push_back(through(part.K));
+    }
   }
   turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
   return base;
@@ -356,7 +344,7 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
   for (const ScaledStiffness& scaled : released.scaled) {
     if (changes[scaled.change].kind != ChangeKind::Elements) continue;
     const SparseMatrix S = scaled.S.topLeftCorner(n, n);
-    blocks.push_back(padded(loss_modes(held, S, loss_term.lower)));
+    blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
   }
   return join(blocks);
 }
@@ -375,7 +363,7 @@ ReducedBase BaseBuilder::build(
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
     own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
-    lend_to_changed(m.motions.free, m.options.high_hz, *own);
+    lend_mass(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {
@@ -386,13 +374,13 @@ ReducedBase BaseBuilder::build(
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base = m.extend(m.needed(released, changes, fresh), released);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
-    const StiffnessChange& change = changes[released.scaled[k].change];
-    StiffnessTerm term = change.kind == ChangeKind::Elements
-                             ? loss_term
-                             : m.spring_term(released, released.scaled[k]);
-    term.of = change.of;
-    term.S = std::move(base.terms[k].S);
-    base.terms[k] = std::move(term);
+    const ScaledStiffness& scaled = released.scaled[k];
+    const StiffnessChange& change = changes[scaled.change];
+    base.terms[k].of = change.of;
+    ChangeRange& range = base.terms[k];
+    range = change.kind == ChangeKind::Elements
+                ? loss_range
+                : m.spring_range(released, scaled);
   }
   return base;
 }

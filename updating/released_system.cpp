@@ -1,6 +1,7 @@
 #include "updating/released_system.hpp"
 
 #include "updating/joint_line.hpp"
+#include "updating/massless_dofs.hpp"
 #include "updating/support_line.hpp"
 
 #include <algorithm>
@@ -149,15 +150,23 @@ void let_go(const std::vector<Triplets>& springs,
   }
 }
 
-SparseMatrix stiffness_of(const RefinedDeck& mesh,
-                          const StiffnessChange& change,
-                          Index dofs) {
+// The stiffness of a change's elements, as it is and as properties change it.
+ScaledStiffness stiffness_of(const RefinedDeck& mesh,
+                             const std::vector<UncertainProperty>& uncertain,
+                             const StiffnessChange& change,
+                             Index dofs) {
   const std::vector<int> ids = children_of(mesh, change.of.where.elements);
-  const std::set<int> wanted(ids.begin(), ids.end());
-  SparseMatrix S = structure::assemble_stiffness(
-      mesh.deck, [&wanted](int id) { return wanted.contains(id); });
-  S.conservativeResize(dofs, dofs);
-  return S;
+  const std::set<int> own(ids.begin(), ids.end());
+  const auto wanted = [&own](int id) { return own.contains(id); };
+  ScaledStiffness scaled;
+  scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
+  scaled.S.conservativeResize(dofs, dofs);
+  for (UncertainPart& part : uncertain_parts(mesh.deck, uncertain, wanted)) {
+    if (part.K.nonZeros() == 0) continue;
+    part.K.conservativeResize(dofs, dofs);
+    scaled.parts.push_back(std::move(part));
+  }
+  return scaled;
 }
 
 }  // namespace
@@ -186,15 +195,32 @@ ReleasedSystem release(const RefinedDeck& mesh,
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (changes[k].kind == ChangeKind::Elements) {
       released.scaled.push_back(
-          {k, 0, stiffness_of(mesh, changes[k], released.dofs())});
+          stiffness_of(mesh, uncertain, changes[k], released.dofs()));
+      released.scaled.back().change = k;
     }
     for (std::size_t p = 0; p < springs[k].size(); ++p) {
       SparseMatrix S(released.dofs(), released.dofs());
       S.setFromTriplets(springs[k][p].begin(), springs[k][p].end());
-      released.scaled.push_back({k, p, std::move(S)});
+      released.scaled.push_back({k, p, std::move(S), {}});
     }
   }
   return released;
+}
+
+void lend_mass(const std::vector<int>& free,
+               double high_hz,
+               ReleasedSystem& released) {
+  Eigen::VectorXd acted = Eigen::VectorXd::Zero(released.dofs());
+  for (const ScaledStiffness& scaled : released.scaled) {
+    acted += scaled.S.diagonal();
+  }
+  std::vector<int> changed;
+  for (const int i : released.active) {
+    const bool loose = !std::ranges::binary_search(free, i);
+    if (loose || acted(i) != 0.0) changed.push_back(i);
+  }
+  const SparseMatrix lent = lent_mass(released.K, released.M, changed, high_hz);
+  if (lent.size() > 0) released.M += lent;
 }
 
 }  // namespace tapfit::updating

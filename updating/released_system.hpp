@@ -25,6 +25,7 @@ struct ScaledStiffness {
   std::size_t change = 0;     ///< position among the changes
   std::size_t parameter = 0;  ///< position among its effect's parameters
   structure::SparseMatrix S;  ///< d K / d p
+  std::vector<UncertainPart> parts = {};  ///< what S takes from properties
 };
 
 struct ReleasedSystem {
@@ -46,5 +47,14 @@ struct ReleasedSystem {
     const std::vector<UncertainPart>& parts,
     const std::vector<acquisition::UncertainProperty>& uncertain,
     const std::vector<StiffnessChange>& changes);
+
+/// Lends mass (massless_dofs.hpp) to what is released and to what changes act
+/// on: rotations seldom have one, and the modes of a coarse mesh may hold all
+/// that has.
+///
+/// @param free degrees of freedom of the system before, ascending
+void lend_mass(const std::vector<int>& free,
+               double high_hz,
+               ReleasedSystem& released);
 
 }  // namespace tapfit::updating

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <vector>
 
 namespace tapfit::updating {
 
@@ -24,17 +25,31 @@ struct StiffnessChange {
   int component = 3;  ///< 1..3, the direction measured
 };
 
-/// The change seen through a base: K(p) = K + (p - included) S; one term for
-/// each parameter of the effect.
-struct StiffnessTerm {
-  EffectRef of;
-  std::size_t parameter = 0;  ///< which of the effect's parameters p is
-  Eigen::MatrixXd S;          ///< r x r, d K / d p
-  double included = 0.0;      ///< value of p that the base's K holds
-  double absent = 0.0;  ///< value of p where the effect is not in the model
-  double lower = 0.0;   ///< range of p that the basis is good for
-  double start = 0.0;   ///< lowers the most affected mode a few percent
+/// What p may be.
+struct ChangeRange {
+  double included = 0.0;  ///< value that the base's K holds
+  double absent = 0.0;    ///< value where the effect is not in the model
+  double lower = 0.0;     ///< range that the base is good for
+  double start = 0.0;     ///< lowers the most affected mode a few percent
   double upper = 0.0;
+};
+
+/// The change seen through a base: K(p) = K + (p - included) S(f); one term for
+/// each parameter of the effect. What elements have lost is a share of the
+/// stiffness that they would have, which depends on the uncertain properties
+/// f as K does (uncertain_parts.hpp); springs do not.
+struct StiffnessTerm : ChangeRange {
+  EffectRef of = {};
+  std::size_t parameter = 0;  ///< which of the effect's parameters p is
+  Eigen::MatrixXd S = {};     ///< r x r, d K / d p at nominal properties
+  std::vector<std::vector<int>> part_power = {};
+  std::vector<Eigen::MatrixXd> S_part = {};  ///< one per power, r x r
+
+  /// S(f).
+  [[nodiscard]] Eigen::MatrixXd at(const std::vector<double>& factor) const;
+  /// d S / d f_j; 0 x 0 where it does not depend on it.
+  [[nodiscard]] Eigen::MatrixXd slope(const std::vector<double>& factor,
+                                      std::size_t j) const;
 };
 
 }  // namespace tapfit::updating
