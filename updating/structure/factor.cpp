@@ -28,6 +28,18 @@ cholmod_sparse view(const SparseMatrix& A) {
   return result;
 }
 
+// CHOLMOD's settings, status and counts, which every call writes to: threads
+// must not share one (CHOLMOD User Guide, "cholmod_common").
+struct Common : cholmod_common {
+  Common() : cholmod_common{} {
+    cholmod_start(this);
+    print = 0;
+  }
+  Common(const Common&) = delete;
+  Common& operator=(const Common&) = delete;
+  ~Common() { cholmod_finish(this); }
+};
+
 [[noreturn]] void out_of_memory() { throw std::bad_alloc(); }
 
 }  // namespace
@@ -41,19 +53,13 @@ SingularMatrix::SingularMatrix(Eigen::Index row)
       row_(row) {}
 
 struct Factor::Impl {
-  cholmod_common common{};
+  Common common;
   cholmod_factor* L = nullptr;
 
-  Impl() {
-    cholmod_start(&common);
-    common.print = 0;
-  }
+  Impl() = default;
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
-  ~Impl() {
-    cholmod_free_factor(&L, &common);
-    cholmod_finish(&common);
-  }
+  ~Impl() { cholmod_free_factor(&L, &common); }
 
   void factor(const SparseMatrix& A) {
     cholmod_sparse a = view(A);
@@ -139,11 +145,12 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
   b.x = const_cast<double*>(B.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->L, &b, &impl_->common);
+  Common common;
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->L, &b, &common);
   if (x == nullptr) out_of_memory();
   const Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
       static_cast<double*>(x->x), B.rows(), B.cols());
-  cholmod_free_dense(&x, &impl_->common);
+  cholmod_free_dense(&x, &common);
   return result;
 }
 
@@ -157,8 +164,7 @@ Eigen::VectorXd Factor::pivots() const {
 }
 
 Supernodes supernodes(const SparseMatrix& A) {
-  cholmod_common common{};
-  cholmod_start(&common);
+  Common common;
   common.supernodal = CHOLMOD_SUPERNODAL;
   cholmod_sparse a = view(A);
   cholmod_factor* L = cholmod_analyze(&a, &common);
@@ -174,7 +180,6 @@ Supernodes supernodes(const SparseMatrix& A) {
     result.rows = copy(L->s, L->ssize);
   }
   cholmod_free_factor(&L, &common);
-  cholmod_finish(&common);
   if (result.first.empty()) out_of_memory();
   for (std::size_t s = 0; s < result.count(); ++s) {
     result.owner.insert(result.owner.end(),

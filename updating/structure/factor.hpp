@@ -32,7 +32,7 @@ class Factor {
   Factor(Factor&&) noexcept;
   Factor& operator=(Factor&&) noexcept;
 
-  /// A^-1 B for dense B, n x k.
+  /// A^-1 B for dense B, n x k; on several threads at once if need be.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
   /// What elimination divided by, per row of A. All are positive if and only if
