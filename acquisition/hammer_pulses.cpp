@@ -30,6 +30,27 @@ double flank(const DriftFree& force,
   return std::abs(static_cast<double>(i - peak)) + 1.0;
 }
 
+// The range within what the pieces bound: few of these reach so far that the
+// samples must be looked at.
+Range exact_range(const DriftFree& force, const std::vector<Range>& pieces) {
+  Range exact;
+  const auto look = [&](std::ptrdiff_t piece) {
+    const Eigen::Index first = piece_length * piece;
+    const Range range = range_of(
+        force.segment(first, std::min(piece_length, force.size() - first)));
+    exact = {std::min(exact.low, range.low), std::max(exact.high, range.high)};
+  };
+  if (pieces.empty()) return exact;
+  look(std::ranges::min_element(pieces, {}, &Range::low) - pieces.begin());
+  look(std::ranges::max_element(pieces, {}, &Range::high) - pieces.begin());
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].low < exact.low || pieces[p].high > exact.high) {
+      look(static_cast<std::ptrdiff_t>(p));
+    }
+  }
+  return exact;
+}
+
 }  // namespace
 
 HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
@@ -41,7 +62,7 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   HammerSignal signal;
   signal.force = DriftFree(channel, segment);
   signal.pieces = signal.force.pieces();
-  const auto [low, high] = joined(signal.pieces);
+  const auto [low, high] = exact_range(signal.force, signal.pieces);
   // Undershoot after a blow stays well below the blow itself.
   const bool down = polarity ? *polarity < 0 : -low > 1.5 * high;
   if (down) {

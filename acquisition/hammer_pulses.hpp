@@ -18,7 +18,7 @@ struct HammerSignal {
   DriftFree force;        ///< [N]
   double noise = 0.0;     ///< robust standard deviation (1.4826 MAD), > 0 [N]
   double polarity = 1.0;  ///< -1 when blows are negative in the file
-  double peak = 0.0;      ///< largest value, as the pieces bound it [N]
+  double peak = 0.0;      ///< largest value [N]
   /// Bounds of `force` by pieces, as of DriftFree::pieces().
   std::vector<Range> pieces;
 };
