@@ -20,13 +20,6 @@ struct Topped {
   PulseTop top;
 };
 
-// Hits whose main pulse says how high the channel goes.
-bool tells(const Hit& hit) {
-  return std::ranges::none_of(hit.reasons, [](HitFault fault) {
-    return fault == HitFault::Double || fault == HitFault::Weak;
-  });
-}
-
 std::vector<std::vector<Topped>> topped_hits(const std::vector<HammerRun>& runs,
                                              HitSet& set) {
   std::vector<std::vector<Topped>> of_runs(runs.size());
@@ -34,7 +27,7 @@ std::vector<std::vector<Topped>> topped_hits(const std::vector<HammerRun>& runs,
     const HammerSignal& hammer = runs[r].hammer;
     for (std::size_t k = 0; k < set.runs[r].size(); ++k) {
       Hit& hit = set.runs[r][k];
-      if (!tells(hit)) continue;
+      if (!tells_height(hit)) continue;
       const Pulse& pulse = runs[r].groups[k].largest;
       of_runs[r].push_back(
           {r, &hit, measure_top(hammer.force, pulse, hammer.noise)});
@@ -128,6 +121,12 @@ void judge_channel(const std::vector<RunGroup>& groups,
 }
 
 }  // namespace
+
+bool tells_height(const Hit& hit) {
+  return std::ranges::none_of(hit.reasons, [](HitFault fault) {
+    return fault == HitFault::Double || fault == HitFault::Weak;
+  });
+}
 
 void judge_ceilings(const TestBundle& bundle,
                     const std::vector<HammerRun>& runs,

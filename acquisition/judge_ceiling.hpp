@@ -7,6 +7,10 @@
 
 namespace tapfit::acquisition {
 
+/// Whether a hit's main pulse says how high its channel goes: that of a double
+/// or weak one does not.
+[[nodiscard]] bool tells_height(const Hit& hit);
+
 /// Looks for a ceiling among the hits of each hammer channel, of all runs
 /// together, and says so in the set's statements and warnings.
 ///

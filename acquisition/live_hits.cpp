@@ -1,6 +1,7 @@
 #include "acquisition/live_hits.hpp"
 
 #include "acquisition/compare_hits.hpp"
+#include "acquisition/judge_ceiling.hpp"
 
 #include <algorithm>
 
@@ -41,6 +42,7 @@ void judge_cut(const HammerRun& work,
                std::vector<Hit>& hits) {
   if (!settings.ceiling) return;
   for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (!tells_height(hits[k])) continue;
     const PulseTop top = measure_top(
         work.hammer.force, work.groups[k].largest, work.hammer.noise);
     if (is_cut(*settings.ceiling, top)) note(hits[k], HitFault::Overload);

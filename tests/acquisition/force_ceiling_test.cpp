@@ -213,5 +213,43 @@ TEST(ForceCeiling, JudgesLiveHits) {
   }
 }
 
+// Blows that are doubles besides, at the ceiling or not, have the same reasons
+// live as in hindsight.
+TEST(ForceCeiling, GivesLiveHitsTheReasonsOfTheOthers) {
+  SeededRandom random(3, "blows");
+  const Blows blows = ten_blows(15.0, false);
+  Saturated record = saturated(blows, random);
+  Recording& recording = record.recording;
+  const TestBundle bundle = hammer_bundle();
+  const HitSet plain = find_hits(bundle, {recording}, {});
+  Eigen::VectorXd force = recording.samples.col(0);
+  for (const std::size_t k : {3, 6}) {
+    testing::add_pulse(force,
+                       blows.rate,
+                       plain.runs[0].at(k).time_s + 0.1,
+                       blows.width_s,
+                       0.4,
+                       true);
+  }
+  recording.samples.col(0) = force;
+  LiveSettings settings;
+  settings.set = find_hits(bundle, {recording}, {});
+  settings.slope = 1;
+  settings.ceiling = settings.set.ceilings.at(0);
+  ASSERT_TRUE(settings.ceiling);
+  LivePiece piece;
+  piece.recording = recording;
+  piece.own_end = recording.samples.rows();
+  LiveHits before;
+  const FoundHits found =
+      find_live_hits(bundle, bundle.runs[0], piece, settings, before);
+  const std::vector<Hit>& hits = settings.set.runs[0];
+  ASSERT_EQ(found.hits.size(), hits.size());
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    EXPECT_EQ(found.hits[k].reasons, hits[k].reasons) << k;
+  }
+  EXPECT_EQ(hits[3].reasons, std::vector{HitFault::Double});
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition
