@@ -44,9 +44,8 @@ std::optional<Evidence> evidence_of(const std::vector<PulseTop>& cut,
   const auto odd = std::ranges::count_if(below, has_corners);
   const bool only_there =
       static_cast<double>(odd) <= static_cast<double>(below.size()) / odd_ones;
-  if (std::ssize(cut) >= enough || (corners >= 2 && only_there)) {
-    return Evidence::Certain;
-  }
+  if (corners >= 2 && only_there) return Evidence::Corners;
+  if (std::ssize(cut) >= enough) return Evidence::Flatness;
   if (cut.size() == 1 && corners == 1 && odd == 0 && below.size() >= 2) {
     return Evidence::Suspicion;
   }

@@ -16,7 +16,8 @@ namespace tapfit::acquisition {
 
 enum class Evidence {
   Suspicion,  ///< one blow only, or no blow below to compare with
-  Certain
+  Flatness,   ///< only conditioners and places of their own make such tops
+  Corners     ///< only conditioners do
 };
 
 struct ForceCeiling {
@@ -27,14 +28,14 @@ struct ForceCeiling {
 
 /// Looks for a ceiling among the blows of one channel. At it are those whose
 /// level is within 1 % of the highest; flatter than those below, where there
-/// are any, by 0.05 than all of them (but one in 20). Certain it is where
+/// are any, by 0.05 than all of them (but one in 20). Evidence are
 ///
-///   two or more at it have corners (PulseTop::corners of 2 or more) and none
-///   below has (but one in 20), or
-///   three or more at it are flatter than those below;
+///   corners (PulseTop::corners of 2 or more) of two or more at it, where none
+///   below has any (but one in 20), else
+///   flatness, where three or more at it are flatter than those below;
 ///
-/// suspected where all blows, four or more, are at it with a flatness of 0.47
-/// or more that differs by 0.03, or where one has corners, is flatter than
+/// suspected it is where all blows, four or more, are at it with a flatness of
+/// 0.47 or more that differs by 0.03, or where one has corners, is flatter than
 /// those below and these are two or more.
 ///
 /// Tops of less than 5 samples' width are left out: behind a filter they have

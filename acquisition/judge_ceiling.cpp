@@ -42,31 +42,65 @@ struct Cut {
   std::size_t out = 0;    ///< judged out now
   std::size_t known = 0;  ///< judged out before, whatever for
   double flattest = 0.0;
+  bool shown = false;   ///< at one place most others are less flat
+  bool denied = false;  ///< at one place they are as flat
 };
 
-// Judges the cut hits of one placement, if enough others remain.
+// The hits of one placement, as a ceiling parts them.
+struct Parted {
+  std::vector<Hit*> cut;
+  double flattest = 0.0;       ///< of the cut ones
+  std::ptrdiff_t as_flat = 0;  ///< of the others
+  std::ptrdiff_t less_flat = 0;
+};
+
+Parted parted(const RunGroup& group,
+              const ForceCeiling& ceiling,
+              const std::vector<std::vector<Topped>>& of_runs) {
+  Parted hits;
+  for (const std::size_t r : group) {
+    for (const Topped& one : of_runs[r]) {
+      if (is_cut(ceiling, one.top)) {
+        hits.cut.push_back(one.hit);
+        hits.flattest = std::max(hits.flattest, one.top.flatness);
+      } else if (one.top.flatness >= ceiling.least_flatness) {
+        ++hits.as_flat;
+      } else {
+        ++hits.less_flat;
+      }
+    }
+  }
+  return hits;
+}
+
+// Judges the cut hits of one placement, if enough others remain. Where these
+// are as flat, it is the place's shape (what gives way there, and the tip).
 void judge_placement(const RunGroup& group,
                      const ForceCeiling& ceiling,
                      const std::vector<std::vector<Topped>>& of_runs,
                      HitSet& set,
                      Cut& sum) {
-  std::vector<Hit*> cut;
-  for (const std::size_t r : group) {
-    for (const Topped& one : of_runs[r]) {
-      if (!is_cut(ceiling, one.top)) continue;
-      ++sum.all;
-      sum.flattest = std::max(sum.flattest, one.top.flatness);
-      one.hit->accepted ? cut.push_back(one.hit) : void(++sum.known);
-    }
-  }
-  std::ptrdiff_t good = -std::ssize(cut);
+  Parted hits = parted(group, ceiling, of_runs);
+  if (hits.cut.empty()) return;
+  sum.flattest = std::max(sum.flattest, hits.flattest);
+  sum.all += hits.cut.size();
+  const bool apart = hits.less_flat > hits.as_flat;
+  sum.shown = sum.shown || apart;
+  sum.denied = sum.denied || hits.as_flat > hits.less_flat;
+  sum.known += std::erase_if(hits.cut, [](Hit* hit) { return !hit->accepted; });
+  std::ptrdiff_t good = -std::ssize(hits.cut);
   for (const std::size_t r : group) {
     good += std::ranges::count_if(set.runs[r], &Hit::accepted);
   }
-  if (ceiling.evidence != Evidence::Certain || good < 2) return;
-  for (Hit* hit : cut) note(*hit, HitFault::Overload);
-  sum.out += cut.size();
+  if (ceiling.evidence == Evidence::Suspicion || good < 2 || !apart) return;
+  for (Hit* hit : hits.cut) note(*hit, HitFault::Overload);
+  sum.out += hits.cut.size();
   for (const std::size_t r : group) set.ceilings[r] = ceiling;
+}
+
+bool is_certain(const ForceCeiling& ceiling, const Cut& cut) {
+  if (ceiling.evidence == Evidence::Suspicion) return false;
+  return cut.shown || (ceiling.evidence == Evidence::Corners && !cut.denied);
 }
 
 std::string fate(const Cut& cut) {
@@ -74,7 +108,7 @@ std::string fate(const Cut& cut) {
   if (kept == 0) return "they are judged out";
   if (cut.out == 0) return "none is judged out for that";
   return fmt::format(
-      "{} are judged out, {} kept for want of others at their points",
+      "{} are judged out, {} kept for want of better ones at their points",
       cut.out,
       kept);
 }
@@ -93,7 +127,7 @@ std::string statement(const ForceCeiling& ceiling,
       cut.all == 1 ? "ends" : "end",
       ceiling.level_n,
       all ? "however steeply they rise" : "flatter than weaker ones",
-      ceiling.evidence == Evidence::Certain ? "saturates" : "may saturate",
+      is_certain(ceiling, cut) ? "saturates" : "may saturate",
       100.0 * lost_force(cut.flattest),
       fate(cut));
 }

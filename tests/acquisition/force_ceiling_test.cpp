@@ -149,6 +149,36 @@ TEST(ForceCeiling, IsNoneOfAFlatTip) {
   EXPECT_TRUE(hits.warnings.empty());
 }
 
+// An automatic hammer, and one place of nine that gives way: flat tops there,
+// nearly equal and the highest, but at that place weaker ones are as flat.
+TEST(ForceCeiling, IsNoneWhereAPlaceHasItsShape) {
+  SeededRandom random(9, "blows");
+  Blows blows = ten_blows(16.0, false);
+  blows.ceiling = 1e9;
+  TestBundle bundle = hammer_bundle(9);
+  std::vector<Recording> recordings;
+  for (std::size_t place = 0; place < 9; ++place) {
+    bundle.runs[place].hammer.dof = Dof{static_cast<int>(place) + 1, 3, 1};
+    const bool gives_way = place == 4;
+    blows.tip = {};
+    if (gives_way) {
+      blows.tip.kind = testing::TipKind::Dented;
+      blows.tip.dent = -0.12;
+    }
+    const double level = gives_way ? 1.0 : random.uniform(0.7, 0.8);
+    blows.strengths.clear();
+    for (const double of : {1.001, 1.003, 0.999, 0.975, 1.0, 0.97}) {
+      blows.strengths.push_back(level * of);
+    }
+    recordings.push_back(saturated(blows, random).recording);
+  }
+  const HitSet hits = find_hits(bundle, recordings, {});
+  for (const Hit& hit : hits.runs[4]) EXPECT_FALSE(blamed(hit));
+  // Nor is it known that there is none.
+  ASSERT_EQ(hits.warnings.size(), 1);
+  EXPECT_NE(hits.warnings[0].find("may saturate"), std::string::npos);
+}
+
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and
 // more, ten samples long and more, 92 % are found or told of here.
 TEST(ForceCeiling, HoldsItsRates) {
