@@ -262,13 +262,15 @@ std::vector<KeyHelp> RecordingPage::keys() const {
 std::string RecordingPage::help() const {
   return "The hammer's force above, responses below. ▼ is an accepted hit, ✗ "
          "one that was judged out; the list says why: double (the hammer "
-         "struck twice), overload (clipped samples), weak, soft (no force at "
-         "the band's end), truncated, outlier. Space overrules the judgement "
-         "of the selected hit, or of all that are tagged; the average at the "
-         "side, FRFs and all that follows are computed anew. A low row of the "
-         "coherences is a bad sensor, a low column a bad hit. Enter zooms on "
-         "the pulse with its force window, once more on the block with the "
-         "exponential window. R replays the run as if it were measured.";
+         "struck twice), overload (clipped samples, or a force that the "
+         "hammer's conditioner cuts off: i says which level), weak, soft (no "
+         "force at the band's end), truncated, outlier. Space overrules the "
+         "judgement of the selected hit, or of all that are tagged; the "
+         "average at the side, FRFs and all that follows are computed anew. A "
+         "low row of the coherences is a bad sensor, a low column a bad hit. "
+         "Enter zooms on the pulse with its force window, once more on the "
+         "block with the exponential window. R replays the run as if it were "
+         "measured.";
 }
 
 }  // namespace tapfit::tui
