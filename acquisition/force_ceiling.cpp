@@ -1,32 +1,20 @@
 #include "acquisition/force_ceiling.hpp"
 
+#include "acquisition/parted_tops.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 namespace tapfit::acquisition {
 namespace {
 
-constexpr double equal = 0.01;        // levels at a ceiling, relative
-constexpr double flatter = 0.05;      // a loss of 1 % of the impulse
 constexpr double with_corners = 2.0;  // smooth tops have 1 at most, dented 3
-constexpr double least_width = 5.0;   // samples
-constexpr double odd_ones = 20.0;     // one of so many below may be as flat
 constexpr double all_flat = 0.47;     // more than a half sine's 0.43 in noise
 constexpr double flat_unlike = 0.03;  // scatters less where nothing is cut
 constexpr std::ptrdiff_t enough = 3;  // tops that are merely flat
 constexpr std::size_t enough_of_all = 4;
 
 bool has_corners(const PulseTop& top) { return top.corners >= with_corners; }
-
-// The flatness that none below reaches, but the odd ones; 0 of none.
-double flattest(const std::vector<PulseTop>& below) {
-  std::vector<double> all;
-  for (const PulseTop& top : below) all.push_back(top.flatness);
-  if (all.empty()) return 0.0;
-  std::ranges::sort(all, std::greater<>());
-  const double odd = static_cast<double>(all.size()) / odd_ones;
-  return all[static_cast<std::size_t>(odd)];
-}
 
 std::optional<Evidence> evidence_of_all(const std::vector<PulseTop>& at) {
   const auto [least, most] = std::ranges::minmax(at, {}, &PulseTop::flatness);
@@ -56,23 +44,14 @@ std::optional<Evidence> evidence_of(const std::vector<PulseTop>& cut,
 
 std::optional<ForceCeiling> find_ceiling(const std::vector<PulseTop>& tops) {
   ForceCeiling ceiling;
-  for (const PulseTop& top : tops) {
-    if (top.width < least_width) continue;
-    ceiling.level_n = std::max(ceiling.level_n, top.level);
-  }
-  std::vector<PulseTop> at;
-  std::vector<PulseTop> below;
-  for (const PulseTop& top : tops) {
-    if (top.width < least_width) continue;
-    const bool highest = top.level >= (1.0 - equal) * ceiling.level_n;
-    (highest ? at : below).push_back(top);
-  }
+  ceiling.level_n = highest_level(tops);
+  auto [at, below] = part_tops(tops, ceiling.level_n);
   if (at.size() + below.size() < 2) return std::nullopt;
   std::optional<Evidence> evidence;
   if (below.empty()) {
     evidence = evidence_of_all(at);
   } else {
-    ceiling.least_flatness = flattest(below) + flatter;
+    ceiling.least_flatness = cut_flatness(below);
     std::erase_if(at,
                   [&](const PulseTop& top) { return !is_cut(ceiling, top); });
     evidence = evidence_of(at, below);
@@ -84,7 +63,8 @@ std::optional<ForceCeiling> find_ceiling(const std::vector<PulseTop>& tops) {
 
 bool is_cut(const ForceCeiling& ceiling, const PulseTop& top) {
   return top.width >= least_width &&
-         std::abs(top.level - ceiling.level_n) <= equal * ceiling.level_n &&
+         std::abs(top.level - ceiling.level_n) <=
+             equal_levels * ceiling.level_n &&
          top.flatness >= ceiling.least_flatness;
 }
 

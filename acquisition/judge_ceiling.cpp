@@ -1,6 +1,7 @@
 #include "acquisition/judge_ceiling.hpp"
 
 #include "acquisition/parallel.hpp"
+#include "acquisition/parted_tops.hpp"
 #include "acquisition/runs_alike.hpp"
 
 #include <fmt/format.h>
@@ -41,66 +42,108 @@ struct Cut {
   std::size_t all = 0;
   std::size_t out = 0;    ///< judged out now
   std::size_t known = 0;  ///< judged out before, whatever for
-  double flattest = 0.0;
-  bool shown = false;   ///< at one place most others are less flat
-  bool denied = false;  ///< at one place they are as flat
+  double lost = 0.0;      ///< most of the force, relative
+  bool shown = false;     ///< where others of the same points are less flat
 };
 
-// The hits of one placement, as a ceiling parts them.
-struct Parted {
-  std::vector<Hit*> cut;
-  double flattest = 0.0;       ///< of the cut ones
-  std::ptrdiff_t as_flat = 0;  ///< of the others
-  std::ptrdiff_t less_flat = 0;
-};
-
-Parted parted(const RunGroup& group,
-              const ForceCeiling& ceiling,
-              const std::vector<std::vector<Topped>>& of_runs) {
-  Parted hits;
+std::vector<PulseTop> tops_of(const RunGroup& group,
+                              const std::vector<std::vector<Topped>>& of_runs) {
+  std::vector<PulseTop> tops;
   for (const std::size_t r : group) {
-    for (const Topped& one : of_runs[r]) {
-      if (is_cut(ceiling, one.top)) {
-        hits.cut.push_back(one.hit);
-        hits.flattest = std::max(hits.flattest, one.top.flatness);
-      } else if (one.top.flatness >= ceiling.least_flatness) {
-        ++hits.as_flat;
-      } else {
-        ++hits.less_flat;
-      }
-    }
+    for (const Topped& one : of_runs[r]) tops.push_back(one.top);
   }
-  return hits;
+  return tops;
 }
 
-// Judges the cut hits of one placement, if enough others remain. Where these
-// are as flat, it is the place's shape (what gives way there, and the tip).
+// The flatness from which blows at these points are cut off; none where fewer
+// than two of them are below the ceiling.
+std::optional<double> own_flatness(
+    const RunGroup& group,
+    const ForceCeiling& ceiling,
+    const std::vector<std::vector<Topped>>& of_runs) {
+  const PartedTops tops = part_tops(tops_of(group, of_runs), ceiling.level_n);
+  if (tops.below.size() < 2) return std::nullopt;
+  return cut_flatness(tops.below);
+}
+
+// Where it is all cut off, the least flat tip may have been at work.
+double least_flatness(const std::vector<RunGroup>& groups,
+                      const ForceCeiling& ceiling,
+                      const std::vector<std::vector<Topped>>& of_runs) {
+  double least = ceiling.least_flatness;
+  for (const RunGroup& group : groups) {
+    least =
+        std::min(least, own_flatness(group, ceiling, of_runs).value_or(least));
+  }
+  return least;
+}
+
+// What a cut takes from a tip that is flat without one: a half sine that is as
+// flat has lost as much before.
+double lost_beyond(double usual, double flatness) {
+  return (1.0 + lost_force(flatness)) / (1.0 + lost_force(usual)) - 1.0;
+}
+
+// Judges the cut hits of one placement, if enough others remain. Tips and
+// places have shapes of their own: hits are compared with those of the same
+// points where there are two or more below the ceiling.
 void judge_placement(const RunGroup& group,
-                     const ForceCeiling& ceiling,
+                     ForceCeiling ceiling,
                      const std::vector<std::vector<Topped>>& of_runs,
                      HitSet& set,
                      Cut& sum) {
-  Parted hits = parted(group, ceiling, of_runs);
-  if (hits.cut.empty()) return;
-  sum.flattest = std::max(sum.flattest, hits.flattest);
-  sum.all += hits.cut.size();
-  const bool apart = hits.less_flat > hits.as_flat;
-  sum.shown = sum.shown || apart;
-  sum.denied = sum.denied || hits.as_flat > hits.less_flat;
-  sum.known += std::erase_if(hits.cut, [](Hit* hit) { return !hit->accepted; });
-  std::ptrdiff_t good = -std::ssize(hits.cut);
+  const auto own = own_flatness(group, ceiling, of_runs);
+  ceiling.least_flatness = own.value_or(ceiling.least_flatness);
+  const double usual = ceiling.least_flatness - flatter;
+  std::vector<Hit*> cut;
+  for (const std::size_t r : group) {
+    for (const Topped& one : of_runs[r]) {
+      if (!is_cut(ceiling, one.top)) continue;
+      ++sum.all;
+      sum.shown = sum.shown || own.has_value();
+      sum.lost = std::max(sum.lost, lost_beyond(usual, one.top.flatness));
+      one.hit->accepted ? cut.push_back(one.hit) : void(++sum.known);
+    }
+  }
+  std::ptrdiff_t good = -std::ssize(cut);
   for (const std::size_t r : group) {
     good += std::ranges::count_if(set.runs[r], &Hit::accepted);
   }
-  if (ceiling.evidence == Evidence::Suspicion || good < 2 || !apart) return;
-  for (Hit* hit : hits.cut) note(*hit, HitFault::Overload);
-  sum.out += hits.cut.size();
+  if (ceiling.evidence == Evidence::Suspicion || good < 2) return;
+  for (Hit* hit : cut) note(*hit, HitFault::Overload);
+  sum.out += cut.size();
   for (const std::size_t r : group) set.ceilings[r] = ceiling;
+}
+
+// Of all blows; else of those of one placement, which another one's tip hides.
+std::optional<ForceCeiling> ceiling_of(
+    const std::vector<RunGroup>& groups,
+    const std::vector<std::vector<Topped>>& of_runs) {
+  std::vector<PulseTop> tops;
+  for (const RunGroup& group : groups) {
+    for (const PulseTop& top : tops_of(group, of_runs)) tops.push_back(top);
+  }
+  const std::optional<ForceCeiling> of_all = find_ceiling(tops);
+  if (of_all && of_all->evidence != Evidence::Suspicion) return of_all;
+  const double level = highest_level(tops);
+  for (const RunGroup& group : groups) {
+    const std::vector<PulseTop> own = tops_of(group, of_runs);
+    std::optional<ForceCeiling> ceiling = find_ceiling(own);
+    // Where others go higher there is none.
+    if (!ceiling || ceiling->evidence == Evidence::Suspicion ||
+        part_tops(own, level).highest.empty()) {
+      continue;
+    }
+    ceiling->level_n = level;
+    ceiling->least_flatness = cut_flatness(part_tops(tops, level).below);
+    return ceiling;
+  }
+  return of_all;
 }
 
 bool is_certain(const ForceCeiling& ceiling, const Cut& cut) {
   if (ceiling.evidence == Evidence::Suspicion) return false;
-  return cut.shown || (ceiling.evidence == Evidence::Corners && !cut.denied);
+  return cut.shown || ceiling.evidence == Evidence::Corners;
 }
 
 std::string fate(const Cut& cut) {
@@ -128,7 +171,7 @@ std::string statement(const ForceCeiling& ceiling,
       ceiling.level_n,
       all ? "however steeply they rise" : "flatter than weaker ones",
       is_certain(ceiling, cut) ? "saturates" : "may saturate",
-      100.0 * lost_force(cut.flattest),
+      100.0 * cut.lost,
       fate(cut));
 }
 
@@ -136,21 +179,18 @@ std::string statement(const ForceCeiling& ceiling,
 void judge_channel(const std::vector<RunGroup>& groups,
                    const std::vector<std::vector<Topped>>& of_runs,
                    HitSet& set) {
-  std::vector<PulseTop> tops;
-  for (const RunGroup& group : groups) {
-    for (const std::size_t r : group) {
-      for (const Topped& one : of_runs[r]) tops.push_back(one.top);
-    }
-  }
-  const std::optional<ForceCeiling> ceiling = find_ceiling(tops);
+  std::optional<ForceCeiling> ceiling = ceiling_of(groups, of_runs);
   if (!ceiling) return;
+  ceiling->least_flatness = least_flatness(groups, *ceiling, of_runs);
   Cut cut;
   for (const RunGroup& group : groups) {
     judge_placement(group, *ceiling, of_runs, set, cut);
   }
   // What the recorder itself has cut off is known, and nothing new.
   if (cut.all == cut.known) return;
-  set.statements.push_back(statement(*ceiling, cut, tops.size()));
+  std::size_t hits = 0;
+  for (const RunGroup& group : groups) hits += tops_of(group, of_runs).size();
+  set.statements.push_back(statement(*ceiling, cut, hits));
   set.warnings.push_back(set.statements.back());
 }
 

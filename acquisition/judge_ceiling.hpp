@@ -14,10 +14,11 @@ namespace tapfit::acquisition {
 /// Looks for a ceiling among the hits of each hammer channel, of all runs
 /// together, and says so in the set's statements and warnings.
 ///
-/// Where there is more than suspicion, hits that are cut off at it are judged
+/// Where there is more than suspicion, hits that are cut off at it, flatter
+/// than others of their points where there are two or more below, are judged
 /// overloads; but none of a placement of which fewer than two good ones would
-/// remain, or whose others are mostly as flat. Those, and all where it is only
-/// suspected, are kept. Double and weak hits say nothing here.
+/// remain. Those, and all where it is only suspected, are kept. Double and weak
+/// hits say nothing here.
 ///
 /// @param runs with their groups
 /// @param set with hits that are judged alone and for weakness; its ceilings

@@ -174,9 +174,41 @@ TEST(ForceCeiling, IsNoneWhereAPlaceHasItsShape) {
   }
   const HitSet hits = find_hits(bundle, recordings, {});
   for (const Hit& hit : hits.runs[4]) EXPECT_FALSE(blamed(hit));
-  // Nor is it known that there is none.
+  EXPECT_TRUE(hits.warnings.empty());
+}
+
+// A hard tip's blows are cut off at three of five places, at one of them all;
+// those of a soft tip, at the others, are flatter than they are then.
+TEST(ForceCeiling, IsFoundBesideAFlatterTip) {
+  SeededRandom random(10, "blows");
+  Blows blows = ten_blows(16.0, false);
+  TestBundle bundle = hammer_bundle(5);
+  std::vector<Recording> recordings;
+  std::vector<std::vector<double>> errors;
+  for (std::size_t place = 0; place < 5; ++place) {
+    bundle.runs[place].hammer.dof = Dof{static_cast<int>(place) + 1, 3, 1};
+    blows.strengths = {0.6, 1.15, 0.8, 1.3, 0.9};
+    blows.tip = {};
+    if (place == 0) blows.strengths = {1.15, 1.3, 1.2, 1.25, 1.4};
+    if (place > 2) {
+      blows.tip.kind = testing::TipKind::Dented;
+      blows.tip.dent = -0.12;
+      blows.strengths = {0.6, 0.85, 0.8, 1.0, 0.9};
+    }
+    const Saturated record = saturated(blows, random);
+    recordings.push_back(record.recording);
+    errors.push_back(record.errors);
+  }
+  const HitSet hits = find_hits(bundle, recordings, {});
+  for (std::size_t place = 0; place < 5; ++place) {
+    for (std::size_t k = 0; k < hits.runs[place].size(); ++k) {
+      const bool cut = errors[place].at(k) > 0.0;
+      EXPECT_EQ(blamed(hits.runs[place][k]), cut && place > 0) << place << k;
+    }
+  }
   ASSERT_EQ(hits.warnings.size(), 1);
-  EXPECT_NE(hits.warnings[0].find("may saturate"), std::string::npos);
+  EXPECT_NE(hits.warnings[0].find("9 of 25 hits"), std::string::npos)
+      << hits.warnings[0];
 }
 
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and
