@@ -146,7 +146,7 @@ Eigen::MatrixXd reduced_normal(const Curves& curves,
   const Index rest = size - refs;
   Eigen::MatrixXd M(size, size);
   M.topRows(refs) = first_row(sums, z, largest, refs);
-  M.leftCols(refs) = M.topRows(refs).transpose();
+  M.bottomLeftCorner(rest, refs) = M.topRightCorner(refs, rest).transpose();
   M.bottomRightCorner(rest, rest).noalias() =
       (q.leftCols(rest).transpose() * q.leftCols(rest) -
        p.rightCols(rest).transpose() * p.rightCols(rest)) /
