@@ -27,7 +27,7 @@ class DriftFree {
   DriftFree() = default;
 
   /// The values as they are.
-  DriftFree(const Eigen::VectorXd& values);  // NOLINT
+  DriftFree(const Eigen::VectorXd& values);  // NOLINT: a view of themselves
 
   /// @param segment samples per segment, > 0
   DriftFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
