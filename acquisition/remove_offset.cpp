@@ -5,16 +5,6 @@
 
 namespace tapfit::acquisition {
 
-double baseline(const Eigen::VectorXd& channel,
-                Eigen::Index begin,
-                Eigen::Index pre_trigger) {
-  const Eigen::Index first = std::clamp<Eigen::Index>(begin, 0, channel.size());
-  const Eigen::Index count =
-      std::min<Eigen::Index>(pre_trigger, channel.size() - first);
-  if (count <= 0) return median(channel);
-  return channel.segment(first, count).mean();
-}
-
 double median(Eigen::VectorXd values) {
   if (values.size() == 0) return 0.0;
   double* middle = values.data() + values.size() / 2;

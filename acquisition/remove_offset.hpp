@@ -7,16 +7,6 @@
 
 namespace tapfit::acquisition {
 
-/// The DC value just before a hit: the mean of the pre-trigger samples, and the
-/// median of the whole channel where there is no pre-trigger.
-///
-/// @param channel the whole record of one channel
-/// @param begin first sample of the block
-/// @param pre_trigger samples of the block before the trigger
-[[nodiscard]] double baseline(const Eigen::VectorXd& channel,
-                              Eigen::Index begin,
-                              Eigen::Index pre_trigger);
-
 /// Median; 0 for no values. Takes a copy, because it reorders.
 [[nodiscard]] double median(Eigen::VectorXd values);
 

@@ -1,10 +1,9 @@
 #include "acquisition/hits.hpp"
 
 #include "acquisition/choose_block.hpp"
-#include "acquisition/hammer_pulses.hpp"
 #include "acquisition/input_error.hpp"
 #include "acquisition/remove_offset.hpp"
-#include "tests/acquisition/hammer_record.hpp"
+#include "tests/acquisition/hit_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,67 +14,11 @@ namespace tapfit::acquisition {
 namespace {
 
 using Eigen::Index;
-
-struct Blow {
-  double time_s = 0.0;
-  double peak_n = 20.0;
-};
-
-struct Scene {
-  double rate = 2048.0;
-  double length_s = 17.0;
-  double width_s = 2e-3;
-  double noise = 1e-3;
-  double decay = 2.0;  // [1/s]
-  double frequency = 60.0;
-  std::vector<Blow> blows{{1.0, 20.0}, {5.0, 30.0}, {9.0, 25.0}, {13.0, 15.0}};
-};
-
-Recording record(const Scene& scene, unsigned seed = 1) {
-  std::mt19937_64 random(seed);
-  const auto n = static_cast<Index>(scene.length_s * scene.rate);
-  Eigen::VectorXd force = Eigen::VectorXd::Constant(n, 0.3);
-  Eigen::VectorXd response = Eigen::VectorXd::Constant(n, -0.02);
-  for (const Blow& blow : scene.blows) {
-    testing::add_pulse(force,
-                       scene.rate,
-                       blow.time_s,
-                       scene.width_s,
-                       blow.peak_n,
-                       scene.width_s * scene.rate < 8.0);
-    testing::add_response(response,
-                          scene.rate,
-                          blow.time_s,
-                          scene.frequency,
-                          scene.decay,
-                          blow.peak_n);
-  }
-  testing::add_noise(force, scene.noise, random);
-  testing::add_noise(response, scene.noise, random);
-  Recording recording;
-  recording.sample_rate_hz = scene.rate;
-  recording.samples.resize(n, 2);
-  recording.samples << force, response;
-  return recording;
-}
-
-HitSet find(const std::vector<Recording>& recordings,
-            const HitOptions& options = {}) {
-  TestBundle bundle = testing::hammer_bundle(recordings.size());
-  bundle.band_hz = {5.0, 200.0};
-  return find_hits(bundle, recordings, options);
-}
-
-std::string reasons(const Hit& hit) {
-  std::string text;
-  for (const HitFault fault : hit.reasons) text += name(fault) + " ";
-  return text;
-}
-
-bool blames(const Hit& hit, HitFault fault) {
-  return !hit.accepted &&
-         std::count(hit.reasons.begin(), hit.reasons.end(), fault) == 1;
-}
+using testing::blames;
+using testing::find;
+using testing::reasons;
+using testing::record;
+using testing::Scene;
 
 TEST(FindHits, FindsTimePeakAndWidth) {
   const Scene scene;
@@ -182,86 +125,6 @@ TEST(FindHits, DriftAndHumDoNotMatter) {
   for (const Hit& hit : hits.runs[0]) {
     EXPECT_TRUE(hit.accepted) << reasons(hit);
   }
-}
-
-TEST(FindHits, OptionsAreObeyed) {
-  HitOptions options;
-  options.block_s = 1.5;
-  options.pre_trigger_s = 0.25;
-  options.trigger_percent = 60.0;  // of 30 N: only the blows of 20 N and more
-  const HitSet hits = find({record({})}, options);
-  EXPECT_EQ(hits.block, 3072);
-  EXPECT_EQ(hits.pre_trigger, 512);
-  EXPECT_EQ(hits.runs[0].size(), 3U);
-}
-
-TEST(FindHits, ABlockTooShortForAPulseIsToldOf) {
-  HitOptions options;
-  options.block_s = 0.0005;  // one sample of 2048 Hz
-  const HitSet hits = find({record({})}, options);
-  EXPECT_GT(hits.block, hits.pre_trigger + 2);
-  const auto says = [&](const char* part) {
-    return std::any_of(hits.statements.begin(),
-                       hits.statements.end(),
-                       [&](const std::string& s) {
-                         return s.find(part) != std::string::npos;
-                       });
-  };
-  EXPECT_TRUE(says("not the 0.0005 s asked for"));
-  EXPECT_FALSE(says(", as asked for"));
-}
-
-TEST(FindHits, LevelMayBeGivenInPercentOfTheRange) {
-  HitOptions options;
-  options.trigger.range_percent = 4.4;  // of 500 N: 22 N
-  const HitSet hits = find({record({})}, options);
-  EXPECT_EQ(hits.runs[0].size(), 2U);
-  EXPECT_DOUBLE_EQ(hits.trigger_n, 22.0);
-  // 1 V/N: the same number of volts.
-  EXPECT_NE(hits.statements[0].find("2.2e+04 mV, 4.4 % of the range"),
-            std::string::npos)
-      << hits.statements[0];
-}
-
-TEST(FindHits, ALevelInPercentNeedsARange) {
-  TestBundle bundle = testing::hammer_bundle();
-  bundle.channels[0].full_scale_volts = std::numeric_limits<double>::infinity();
-  bundle.trigger.range_percent = 4.0;
-  EXPECT_THROW((void)find_hits(bundle, {record({})}, {}), InputError);
-}
-
-TEST(FindHits, SlopeSaysWhichWayABlowGoes) {
-  // Blows of 30 N, and before one of them a knock of 50 N the other way.
-  Scene scene;
-  scene.blows = {{2.0, 30.0}, {6.0, -50.0}, {10.0, 30.0}};
-  HitOptions options;
-  options.trigger_percent = 40.0;  // above the ringing of the knock's filter
-  const Recording recording = record(scene);
-  EXPECT_EQ(find({recording}, options).runs[0].size(), 1U);
-  options.trigger.slope = 1;
-  const HitSet hits = find({recording}, options);
-  ASSERT_EQ(hits.runs[0].size(), 2U);
-  EXPECT_NEAR(hits.runs[0][1].time_s, 10.0, 1e-3);
-}
-
-TEST(FindHits, HysteresisKeepsAWobblingPulseWhole) {
-  // A pulse of 30 N with a dent to 4 N: two with the trigger at 5 N armed
-  // again below 4.5 N, one where it has to fall below 1 N.
-  const double rate = 2048.0;
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(2048);
-  testing::add_pulse(force, rate, 0.300, 20e-3, 30.0, false);
-  testing::add_pulse(force, rate, 0.340, 20e-3, 30.0, false);
-  force.segment(614, 84) = force.segment(614, 84).cwiseMax(4.0);
-  EXPECT_EQ(find_pulses(force, piece_ranges(force), 5.0, 0.9).size(), 2U);
-  EXPECT_EQ(find_pulses(force, piece_ranges(force), 5.0, 0.2).size(), 1U);
-}
-
-TEST(FindHits, HoldOffJoinsWhatFollowsSoon) {
-  HitOptions options;
-  options.trigger.hold_off_s = 5.0;  // blows are 4 s apart
-  const HitSet hits = find({record({})}, options);
-  EXPECT_EQ(hits.runs[0].size(), 2U);
-  EXPECT_EQ(hits.hold_off, 5 * 2048);
 }
 
 TEST(FindHits, AWeakHitIsJudgedOut) {
@@ -390,13 +253,6 @@ TEST(FindHits, OverruleTurnsOverAndBack) {
   overrule(hit);
   EXPECT_FALSE(hit.accepted);
   EXPECT_EQ(reasons(hit), "double ");
-}
-
-TEST(Baseline, IsTheMeanBeforeTheTrigger) {
-  Eigen::VectorXd channel(6);
-  channel << 9, 1, 2, 3, 8, 8;
-  EXPECT_EQ(baseline(channel, 1, 3), 2.0);
-  EXPECT_EQ(baseline(channel, 1, 0), 8.0) << "median without pre-trigger";
 }
 
 TEST(SmoothLength, HasSmallFactorsOnly) {

@@ -1,6 +1,7 @@
 // Rates of false alarms and of detections, over seeded records.
 #include "acquisition/judge_hits.hpp"
 
+#include "tests/acquisition/butterworth.hpp"
 #include "tests/acquisition/judged_records.hpp"
 
 #include <fmt/format.h>
@@ -90,10 +91,9 @@ TEST(SecondPulse, IsFoundAmongTheFiltersRinging) {
   EXPECT_LE(alarms.percent(), 0.5);
 }
 
-// Half sines at 16 times the rate through a causal Butterworth filter of order
-// 8 at 0.4 of the rate (bilinear transform, four sections), then every 16th
-// sample: rings after the pulse only, its first lobes at 30 % and 17 %.
-Eigen::VectorXd behind_butterworth(double width, double at, double second) {
+// Half sines at 16 times the rate behind a causal filter, then every 16th
+// sample.
+Eigen::VectorXd causally_filtered(double width, double at, double second) {
   constexpr int over = 16;
   const double pi = std::numbers::pi;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(2000 * over);
@@ -104,22 +104,7 @@ Eigen::VectorXd behind_butterworth(double width, double at, double second) {
       x[i] += second * std::cos(pi * (t - 40.0) / width);
     }
   }
-  const double K = std::tan(pi * 0.4 / over);
-  for (int section = 0; section < 4; ++section) {
-    const double damping = 2.0 * std::sin(pi * (2 * section + 1) / 16.0);
-    const double norm = 1.0 / (1.0 + K * damping + K * K);
-    const double b = K * K * norm;
-    const double a1 = 2.0 * (K * K - 1.0) * norm;
-    const double a2 = (1.0 - K * damping + K * K) * norm;
-    double z1 = 0.0;
-    double z2 = 0.0;
-    for (double& value : x) {
-      const double y = b * value + z1;
-      z1 = 2.0 * b * value - a1 * y + z2;
-      z2 = b * value - a2 * y;
-      value = y;
-    }
-  }
+  x = testing::behind_butterworth(std::move(x), over);
   return x(Eigen::seqN(0, 2000, over));
 }
 
@@ -131,7 +116,7 @@ TEST(SecondPulse, CausalRingingIsNone) {
     for (const double width : {0.5, 1.0, 2.0, 5.0, 10.0}) {
       for (int k = 0; k < 20; ++k) {
         Eigen::VectorXd force =
-            behind_butterworth(width, 200.0 + uniform(random), second);
+            causally_filtered(width, 200.0 + uniform(random), second);
         testing::add_noise(force, 1e-4 * force.maxCoeff(), random);
         rate.yes += judged_double(force, 1000.0) ? 1 : 0;
         ++rate.all;

@@ -8,6 +8,7 @@
 
 #include "acquisition/anti_alias.hpp"
 #include "acquisition/seeded_random.hpp"
+#include "tests/acquisition/butterworth.hpp"
 #include "tests/acquisition/hammer_record.hpp"
 
 #include <limits>
@@ -100,28 +101,6 @@ inline Eigen::VectorXd blow_force(const BlowTip& tip,
   return force;
 }
 
-// Butterworth's filter of order 8 at 0.4 of the rate (bilinear transform).
-inline Eigen::VectorXd causally_filtered(Eigen::VectorXd x) {
-  const double pi = std::numbers::pi;
-  const double K = std::tan(pi * 0.4 / fast_per_sample);
-  for (int section = 0; section < 4; ++section) {
-    const double damping = 2.0 * std::sin(pi * (2 * section + 1) / 16.0);
-    const double norm = 1.0 / (1.0 + K * damping + K * K);
-    const double a1 = 2.0 * (K * K - 1.0) * norm;
-    const double a2 = (1.0 - K * damping + K * K) * norm;
-    const double b = K * K * norm;
-    double z1 = 0.0;
-    double z2 = 0.0;
-    for (double& value : x) {
-      const double y = b * value + z1;
-      z1 = 2.0 * b * value - a1 * y + z2;
-      z2 = b * value - a2 * y;
-      value = y;
-    }
-  }
-  return x;
-}
-
 /// From blow to blow, as deliberate ones are apart [s].
 inline double gap_of(const Blows& blows) { return 0.6 + 1000.0 / blows.rate; }
 
@@ -155,8 +134,9 @@ inline Saturated saturated(const Blows& blows, SeededRandom& random) {
     fast.segment(pad, whole.size()) = cut;
     Eigen::VectorXd slow =
         blows.causal
-            ? Eigen::VectorXd(causally_filtered(std::move(fast))(
-                  Eigen::seq(0, Eigen::last, Eigen::fix<fast_per_sample>)))
+            ? Eigen::VectorXd(
+                  behind_butterworth(std::move(fast), fast_per_sample)(
+                      Eigen::seq(0, Eigen::last, Eigen::fix<fast_per_sample>)))
             : Eigen::VectorXd(acquisition::decimate(fast, fast_per_sample));
     const double time_s =
         (0.6 + static_cast<double>(k)) * gap_s * random.scatter(0.01);

@@ -55,6 +55,17 @@ class Hidden : public testing::Test {
     return all;
   }
 
+  void expect_found(const std::vector<int>& elements, double factor) {
+    Where where;
+    where.elements = elements;
+    hide({&effects::find("stiffness-loss"), where, {factor}});
+    const Hypothesis best = tried(8).front();
+    EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
+    EXPECT_EQ(best.own().where.elements, elements);
+    // The same model made the FRFs; the fit stops within 1e-3 of its objective.
+    EXPECT_NEAR(best.own().p[0], factor, 1e-3);
+  }
+
   structure::Deck deck_ = support::plate_deck(true);
   acquisition::TestBundle bundle_ = support::plate_bundle();
   BaseBuilder builder_{
@@ -65,25 +76,12 @@ class Hidden : public testing::Test {
 TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
   // Three by three elements with a fifth of their stiffness left: the first
   // order of the screening does not hold there.
-  Where where;
-  where.elements = {2, 3, 4, 12, 13, 14, 22, 23, 24};
-  hide({&effects::find("stiffness-loss"), where, {0.2}});
-  const Hypothesis best = tried(8).front();
-  EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
-  EXPECT_EQ(best.own().where.elements, where.elements);
-  // The same model made the FRFs; the fit stops within 1e-3 of its objective.
-  EXPECT_NEAR(best.own().p[0], 0.2, 1e-3);
+  expect_found({2, 3, 4, 12, 13, 14, 22, 23, 24}, 0.2);
 }
 
 TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
   // Six elements in line, which no cube holds alone.
-  Where where;
-  where.elements = {13, 14, 15, 16, 17, 18};
-  hide({&effects::find("stiffness-loss"), where, {0.4}});
-  const Hypothesis best = tried(8).front();
-  EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
-  EXPECT_EQ(best.own().where.elements, where.elements);
-  EXPECT_NEAR(best.own().p[0], 0.4, 1e-3);
+  expect_found({13, 14, 15, 16, 17, 18}, 0.4);
 }
 
 // Where the model may be wrong by as much as other patches leave, their factors
