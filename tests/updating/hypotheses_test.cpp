@@ -2,6 +2,7 @@
 
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/effects/catalogue.hpp"
+#include "updating/error_ladder.hpp"
 #include "updating/estimates.hpp"
 #include "updating/near_places.hpp"
 #include "updating/patch_extent.hpp"
@@ -116,6 +117,13 @@ TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
   EXPECT_EQ(factor.value, before.value);
   EXPECT_GT(factor.sd, before.sd);
   EXPECT_LE(factor.sd, (factor.hi95 - factor.lo95) / 3.92 + 1e-12);
+  // And so it stands in the ladder.
+  Chosen chosen{"stiffness-loss", 1.0};
+  chosen.extent = extent;
+  const Rung rung =
+      ladder_of(all.front().fit, {chosen}, 0, *fitter_, {}).front();
+  EXPECT_EQ(rung.parameters.front().lo95, factor.lo95);
+  EXPECT_EQ(rung.parameters.front().hi95, factor.hi95);
   // Other kinds have no patches.
   for (const Hypothesis& h : all) {
     if (h.own().effect->name() != "added-mass") continue;

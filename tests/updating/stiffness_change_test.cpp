@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 namespace tapfit::updating {
 namespace {
@@ -21,6 +22,14 @@ class LossBesideModulus : public testing::Test, protected support::BasedPlate {
     PlacedEffect effect{&effects::find("stiffness-loss"), {}, {factor}};
     effect.where.elements = {4, 5, 6, 14, 15, 16};
     return effect;
+  }
+  [[nodiscard]] FitSetting setting_at(const Eigen::VectorXcd& s) const {
+    FitSetting setting;
+    setting.setting = setting_;
+    setting.measured = support::plate_pairs(bundle_, s);
+    setting.targets = {make_target(setting.measured)};
+    setting.uncertain_sd = {0.1};
+    return setting;
   }
   [[nodiscard]] StiffnessTerm term() const {
     const PlacedEffect effect = loss(0.5);
@@ -42,16 +51,34 @@ TEST_F(LossBesideModulus, TermGoesWithTheModulus) {
             1e-9 * one.S.norm());
 }
 
+// The derivative of FRFs by the modulus, beside a loss, against differences.
+TEST_F(LossBesideModulus, FrfsChangeWithTheModulusAsDerived) {
+  Eigen::VectorXcd s(3);
+  s << std::complex<double>(5.0, 300.0), std::complex<double>(5.0, 700.0),
+      std::complex<double>(5.0, 1500.0);
+  const Fitter fitter(builder_, setting_at(s));
+  const auto model = fitter.model_for({loss(0.5)});
+  const auto at = [&](double modulus) {
+    ModelState state = fitter.first_state(*model, {loss(0.3)});
+    state.factor = {modulus};
+    return state;
+  };
+  constexpr double step = 1e-4;
+  // Factors are packed as logarithms.
+  const Eigen::MatrixXcd differences =
+      (model->respond(at(1.2 * std::exp(step)), s, false).H -
+       model->respond(at(1.2 * std::exp(-step)), s, false).H) /
+      (2.0 * step);
+  const Eigen::MatrixXcd derived = model->respond(at(1.2), s, true).dH[0];
+  // Differences are off by step^2 / 6 of the third derivative.
+  EXPECT_LT((derived - differences).norm(), 1e-5 * differences.norm());
+}
+
 // The whole structure's stiffness times 1.2 moves all frequencies by its root,
 // whatever elements have lost.
 TEST_F(LossBesideModulus, FrequenciesGoWithItsRoot) {
-  FitSetting setting;
-  setting.setting = setting_;
-  const Eigen::VectorXcd s = Eigen::VectorXcd::Constant(1, {1.0, 200.0});
-  setting.measured = support::plate_pairs(bundle_, s);
-  setting.targets = {make_target(setting.measured)};
-  setting.uncertain_sd = {0.1};
-  const Fitter fitter(builder_, setting);
+  const Fitter fitter(builder_,
+                      setting_at(Eigen::VectorXcd::Constant(1, {1.0, 200.0})));
   const auto model = fitter.model_for({loss(0.5)});
   ModelState state = fitter.first_state(*model, {loss(0.3)});
   state.factor = {1.0};
