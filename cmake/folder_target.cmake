@@ -15,7 +15,7 @@ function(tapfit_folder name)
     PRIVATE ${ARG_PRIVATE})
   if(name STREQUAL "acquisition")
     target_precompile_headers(tapfit_${name} PRIVATE
-      [["acquisition/eigen_instances.hpp"]]
+      [["acquisition/eigen_instances/eigen_instances.hpp"]]
       <fmt/format.h> <string> <vector>)
   else()
     target_precompile_headers(tapfit_${name} REUSE_FROM tapfit_acquisition)

@@ -1,6 +1,6 @@
 // Part of every test program and the benchmarks: they keep memory as the
 // program does.
-#include "acquisition/reuse_memory.hpp"
+#include "acquisition/foundation/reuse_memory.hpp"
 
 namespace {
 

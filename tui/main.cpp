@@ -1,12 +1,12 @@
 // The program: reads the command line, runs one command or the terminal, and
 // turns every fault into a message and an exit status.
-#include "acquisition/input_error.hpp"
-#include "acquisition/reuse_memory.hpp"
-#include "tui/app.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/reuse_memory.hpp"
+#include "tui/app/app.hpp"
 #include "tui/commands/command_line.hpp"
-#include "tui/commands/progress_line.hpp"
 #include "tui/commands/score_command.hpp"
 #include "tui/commands/simulate_command.hpp"
+#include "tui/options/progress_line.hpp"
 
 #include <fmt/format.h>
 

@@ -11,12 +11,12 @@
 // Frfs is to take at most 1.5 times ReadAndFft. Both use all cores alike; with
 // `taskset -c 0` both run on one thread, and the times of the processor can be
 // compared on a busy machine too.
-#include "acquisition/audio_file.hpp"
-#include "acquisition/hammer_pulse.hpp"
-#include "acquisition/parallel.hpp"
-#include "signal/estimate_frfs.hpp"
-#include "signal/fft.hpp"
-#include "signal/replay.hpp"
+#include "acquisition/foundation/parallel.hpp"
+#include "acquisition/readers/audio_file.hpp"
+#include "acquisition/simulator/hammer_pulse.hpp"
+#include "signal/estimate/estimate_frfs.hpp"
+#include "signal/estimate/replay.hpp"
+#include "signal/spectra/fft.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 // solved whole or through its base.
 #pragma once
 
-#include "updating/frf_model.hpp"
-#include "updating/structure/system.hpp"
+#include "updating/frf_model/frf_model.hpp"
+#include "updating/structure/solve/system.hpp"
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 // lines. `hypotheses` are effects at places; each is scanned over its sizes
 // with everything that is fitted readjusting.
 #include "tests/benchmarks/plate_case.hpp"
+#include "updating/diagnosis/screening.hpp"
 #include "updating/effects/catalogue.hpp"
-#include "updating/fitter.hpp"
-#include "updating/screening.hpp"
+#include "updating/fit/fitter.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -1,7 +1,7 @@
 // What a complete stabilisation diagram costs, from FRFs to marked poles at
 // every order, and how that grows with order, FRFs and lines.
-#include "modal/stabilisation.hpp"
-#include "tests/modal/synthetic_frfs.hpp"
+#include "modal/poles/stabilisation.hpp"
+#include "tests/modal/support/synthetic_frfs.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -2,10 +2,10 @@
 // step of the updater; and what the base costs, once. `line` is the time for
 // one spectral line.
 #include "tests/benchmarks/plate_case.hpp"
-#include "updating/residual.hpp"
-#include "updating/structure/eigenmodes.hpp"
-#include "updating/structure/factor.hpp"
-#include "updating/updater.hpp"
+#include "updating/fit/residual.hpp"
+#include "updating/fit/updater.hpp"
+#include "updating/structure/solve/eigenmodes.hpp"
+#include "updating/structure/solve/factor.hpp"
 
 #include <benchmark/benchmark.h>
 

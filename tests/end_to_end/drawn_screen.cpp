@@ -1,6 +1,6 @@
 #include "tests/end_to_end/drawn_screen.hpp"
 
-#include "tui/text.hpp"
+#include "tui/screen/text.hpp"
 
 #include <algorithm>
 #include <cstdlib>

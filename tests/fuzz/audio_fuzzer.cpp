@@ -1,4 +1,4 @@
-#include "acquisition/audio_file.hpp"
+#include "acquisition/readers/audio_file.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

@@ -1,4 +1,4 @@
-#include "acquisition/test_bundle.hpp"
+#include "acquisition/bundle/test_bundle.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

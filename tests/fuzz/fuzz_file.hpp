@@ -1,7 +1,7 @@
 // The input of a fuzzer as a file, since readers are given paths.
 #pragma once
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 
 #include <cstddef>
 #include <cstdint>

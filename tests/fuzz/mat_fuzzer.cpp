@@ -1,4 +1,4 @@
-#include "acquisition/mat_file.hpp"
+#include "acquisition/readers/mat_file.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

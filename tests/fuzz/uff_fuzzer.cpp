@@ -1,10 +1,10 @@
 // Universal files in all the ways they are read: as a bundle with its time
 // records, geometry and shapes, FRFs.
-#include "acquisition/recording.hpp"
-#include "acquisition/uff_bundle.hpp"
-#include "acquisition/uff_geometry.hpp"
-#include "acquisition/uff_shapes.hpp"
-#include "signal/uff58.hpp"
+#include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/uff_bundle.hpp"
+#include "acquisition/uff/uff_geometry.hpp"
+#include "acquisition/uff/uff_shapes.hpp"
+#include "signal/files/uff58.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 
 namespace {

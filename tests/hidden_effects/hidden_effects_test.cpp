@@ -10,9 +10,9 @@
 //
 // CTest runs a good dozen, each kind of thinking once: Fixed. The others,
 // Further, take some ten minutes more and are run by hand (CONTRIBUTING.md).
-#include "updating/hidden_case.hpp"
-#include "updating/hidden_verdict.hpp"
-#include "updating/session.hpp"
+#include "updating/practice/hidden_case.hpp"
+#include "updating/practice/hidden_verdict.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -14,9 +14,9 @@
 // twice that where two modes half cancel. The closed form
 // sum_r R_r F(l_r)/F(s) exp((l_r - s) T) dt / (1 - exp((l_r - s) dt)) gives all
 // of the worst ones, up to 0.58 %, to 0.003 %.
-#include "tests/signal/band_coverage.hpp"
-#include "tests/signal/scale_error.hpp"
-#include "updating/lasting_frfs.hpp"
+#include "tests/signal/support/band_coverage.hpp"
+#include "tests/signal/support/scale_error.hpp"
+#include "updating/measurement/lasting_frfs.hpp"
 
 #include <fmt/format.h>
 

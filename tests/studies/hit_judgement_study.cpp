@@ -6,9 +6,9 @@
 //
 // COUNT records of each kind. Width counts as the hammer channel shows it: two
 // samples more than the blow's own, which the anti-alias filter adds.
-#include "tests/acquisition/judged_records.hpp"
-#include "tests/acquisition/saturated_records.hpp"
-#include "tests/acquisition/soft_records.hpp"
+#include "tests/acquisition/support/judged_records.hpp"
+#include "tests/acquisition/support/saturated_records.hpp"
+#include "tests/acquisition/support/soft_records.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // Three times COUNT simply supported plates of 8 to 20 modes in the band:
 // noise of any level up to 5 % of each FRF's rms, none, and 5 %. Errors are
 // those of the worst mode of each plate.
-#include "tests/modal/random_plate.hpp"
+#include "tests/modal/support/random_plate.hpp"
 
 #include <fmt/format.h>
 

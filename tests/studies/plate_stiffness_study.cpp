@@ -5,7 +5,7 @@
 //
 //   plate_stiffness_study [PLATES] [FIRST SEED] [UPPER HZ] [SENSOR KG]
 //     [MASS KNOWN] [SHELLS ALONG]
-#include "acquisition/seeded_random.hpp"
+#include "acquisition/foundation/seeded_random.hpp"
 #include "tests/updating/support/free_plate.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Adds to a session's model what its diagnosis supports.
 #pragma once
 
-#include "updating/session.hpp"
+#include "updating/session/session.hpp"
 
 namespace tapfit::tui {
 

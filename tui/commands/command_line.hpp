@@ -1,8 +1,8 @@
 // The command line: which command, with which options.
 #pragma once
 
-#include "tui/app.hpp"
-#include "tui/commands/command.hpp"
+#include "tui/app/app.hpp"
+#include "tui/options/command.hpp"
 
 #include <string>
 #include <variant>

@@ -1,8 +1,8 @@
 #include "tui/commands/compare_command.hpp"
 
-#include "tui/commands/hand_choices.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/session.hpp"
+#include "tui/options/hand_choices.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

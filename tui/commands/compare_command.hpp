@@ -1,9 +1,9 @@
 // tapfit compare: the base model against the measurement.
 #pragma once
 
-#include "signal/frf_set.hpp"
-#include "tui/commands/command.hpp"
-#include "updating/comparison.hpp"
+#include "signal/frf_set/frf_set.hpp"
+#include "tui/options/command.hpp"
+#include "updating/comparison/comparison.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,11 +1,11 @@
 #include "tui/commands/diagnose_command.hpp"
 
-#include "tui/commands/effect_output.hpp"
-#include "tui/commands/hand_choices.hpp"
-#include "tui/commands/ladder_text.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/session.hpp"
+#include "tui/options/hand_choices.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/effect_output.hpp"
+#include "tui/report/ladder_text.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // tapfit diagnose: what is missing from the model.
 #pragma once
 
-#include "tui/commands/command.hpp"
-#include "updating/diagnosis.hpp"
+#include "tui/options/command.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

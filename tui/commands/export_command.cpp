@@ -1,14 +1,14 @@
 #include "tui/commands/export_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "acquisition/uff_geometry.hpp"
-#include "acquisition/uff_records.hpp"
-#include "modal/uff55.hpp"
-#include "signal/uff58.hpp"
+#include "acquisition/bundle/uff_records.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/uff_geometry.hpp"
+#include "modal/mode_set/uff55.hpp"
+#include "signal/files/uff58.hpp"
 #include "tui/commands/add_diagnosed.hpp"
-#include "tui/commands/open_bundle.hpp"
 #include "tui/commands/updated_deck.hpp"
-#include "updating/session.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

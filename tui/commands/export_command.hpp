@@ -1,9 +1,9 @@
 // tapfit export: FRFs and modes as universal file, the updated model as deck.
 #pragma once
 
-#include "acquisition/uff_geometry.hpp"
-#include "tui/commands/command.hpp"
-#include "updating/session.hpp"
+#include "acquisition/uff/uff_geometry.hpp"
+#include "tui/options/command.hpp"
+#include "updating/session/session.hpp"
 
 namespace tapfit::tui {
 

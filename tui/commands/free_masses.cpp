@@ -1,10 +1,10 @@
 #include "tui/commands/free_masses.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "modal/loaded_frf_model.hpp"
-#include "signal/uff58.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/mass_loading/loaded_frf_model.hpp"
+#include "signal/files/uff58.hpp"
 #include "tui/commands/frf_command.hpp"
-#include "tui/commands/text_table.hpp"
+#include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,9 @@
 // tapfit frf --free: the measured FRFs without the sensors' mass.
 #pragma once
 
-#include "signal/sensor_loads.hpp"
-#include "tui/commands/command.hpp"
-#include "updating/session.hpp"
+#include "signal/mass_removal/sensor_loads.hpp"
+#include "tui/options/command.hpp"
+#include "updating/session/session.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

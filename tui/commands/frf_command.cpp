@@ -1,11 +1,11 @@
 #include "tui/commands/frf_command.hpp"
 
-#include "signal/hit_coherence.hpp"
-#include "signal/uff58.hpp"
+#include "signal/checks/hit_coherence.hpp"
+#include "signal/files/uff58.hpp"
 #include "tui/commands/free_masses.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/session.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

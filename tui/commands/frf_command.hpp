@@ -1,9 +1,9 @@
 // tapfit frf: the measured FRFs and how good they are.
 #pragma once
 
-#include "signal/convert.hpp"
-#include "signal/frf_set.hpp"
-#include "tui/commands/command.hpp"
+#include "signal/frf_set/convert.hpp"
+#include "signal/frf_set/frf_set.hpp"
+#include "tui/options/command.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

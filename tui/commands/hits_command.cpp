@@ -1,9 +1,9 @@
 #include "tui/commands/hits_command.hpp"
 
-#include "signal/estimate_frfs.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/session.hpp"
+#include "signal/estimate/estimate_frfs.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

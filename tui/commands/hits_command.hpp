@@ -1,8 +1,8 @@
 // tapfit hits: the hits found in each run, and what is thought of each.
 #pragma once
 
-#include "acquisition/hits.hpp"
-#include "tui/commands/command.hpp"
+#include "acquisition/hits/hits.hpp"
+#include "tui/options/command.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

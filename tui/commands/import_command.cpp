@@ -1,6 +1,6 @@
 #include "tui/commands/import_command.hpp"
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // tapfit import: makes a test bundle out of CSV files.
 #pragma once
 
-#include "acquisition/import_recordings.hpp"
-#include "tui/commands/command.hpp"
+#include "acquisition/import/import_recordings.hpp"
+#include "tui/options/command.hpp"
 
 namespace tapfit::tui {
 

@@ -1,9 +1,9 @@
 #include "tui/commands/mac_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "modal/mac.hpp"
-#include "tui/commands/modes_file.hpp"
-#include "tui/commands/text_table.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/mac.hpp"
+#include "tui/report/modes_file.hpp"
+#include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

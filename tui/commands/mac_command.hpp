@@ -1,9 +1,9 @@
 // tapfit mac: two sets of modes against each other, or one against itself.
 #pragma once
 
-#include "modal/mode_set.hpp"
-#include "modal/pairing.hpp"
-#include "tui/commands/command.hpp"
+#include "modal/mode_set/mode_set.hpp"
+#include "modal/mode_set/pairing.hpp"
+#include "tui/options/command.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

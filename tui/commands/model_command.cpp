@@ -1,12 +1,12 @@
 #include "tui/commands/model_command.hpp"
 
-#include "acquisition/test_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/structure/deck.hpp"
-#include "updating/structure/deck_modes.hpp"
-#include "updating/structure/material_checks.hpp"
-#include "updating/structure/system.hpp"
-#include "updating/test_model.hpp"
+#include "acquisition/bundle/test_bundle.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/measurement/test_model.hpp"
+#include "updating/structure/assembly/deck_modes.hpp"
+#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/deck/deck.hpp"
+#include "updating/structure/solve/system.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // tapfit model: what a finite element deck holds, and its modes.
 #pragma once
 
-#include "tui/commands/command.hpp"
+#include "tui/options/command.hpp"
 
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>

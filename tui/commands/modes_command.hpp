@@ -1,8 +1,8 @@
 // tapfit modes: the identified modes.
 #pragma once
 
-#include "modal/mode_set.hpp"
-#include "tui/commands/command.hpp"
+#include "modal/mode_set/mode_set.hpp"
+#include "tui/options/command.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,11 +1,11 @@
 #include "tui/commands/quality_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "signal/calibration_findings.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "signal/checks/calibration_findings.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/text_table.hpp"
 #include "tui/views/frf_checks_view.hpp"
-#include "updating/session.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // measurement says about itself.
 #pragma once
 
-#include "tui/commands/command.hpp"
+#include "tui/options/command.hpp"
 
 namespace tapfit::tui {
 

@@ -1,9 +1,9 @@
 #include "tui/commands/replay_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "acquisition/readable_recordings.hpp"
-#include "signal/replay.hpp"
-#include "signal/uff58.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/readable_recordings.hpp"
+#include "signal/estimate/replay.hpp"
+#include "signal/files/uff58.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
 

@@ -1,7 +1,7 @@
 // `tapfit replay BUNDLE`: the test as if it were being measured.
 #pragma once
 
-#include "tui/commands/command.hpp"
+#include "tui/options/command.hpp"
 
 namespace tapfit::tui {
 

@@ -3,11 +3,11 @@
 #include "tui/commands/add_diagnosed.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
-#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/session_report.hpp"
-#include "updating/session.hpp"
+#include "tui/options/hand_choices.hpp"
+#include "tui/report/session_report.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // tapfit report: the finished work as one Markdown document.
 #pragma once
 
-#include "tui/commands/command.hpp"
-#include "updating/comparison.hpp"
-#include "updating/diagnosis.hpp"
+#include "tui/options/command.hpp"
+#include "updating/comparison/comparison.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 namespace tapfit::tui {
 

@@ -1,14 +1,14 @@
 #include "tui/commands/run_command.hpp"
 
-#include "acquisition/channel_names.hpp"
+#include "acquisition/bundle/channel_names.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/frf_command.hpp"
-#include "tui/commands/hand_choices.hpp"
 #include "tui/commands/hits_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "updating/session.hpp"
+#include "tui/options/hand_choices.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // tapfit run: the whole chain, from recording to error ladder.
 #pragma once
 
-#include "tui/commands/command.hpp"
+#include "tui/options/command.hpp"
 
 namespace tapfit::tui {
 

@@ -1,10 +1,10 @@
 #include "tui/commands/score_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/hidden_case.hpp"
-#include "updating/hidden_verdict.hpp"
-#include "updating/session.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/practice/hidden_case.hpp"
+#include "updating/practice/hidden_verdict.hpp"
+#include "updating/session/session.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 // parts merged.
 #pragma once
 
-#include "acquisition/progress.hpp"
+#include "acquisition/foundation/progress.hpp"
 
 namespace tapfit::tui {
 

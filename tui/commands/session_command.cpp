@@ -1,10 +1,10 @@
 #include "tui/commands/session_command.hpp"
 
-#include "tui/commands/effect_output.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "tui/session_file.hpp"
-#include "tui/session_report.hpp"
+#include "tui/app/session_file.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/effect_output.hpp"
+#include "tui/report/session_report.hpp"
+#include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // was worked on, and compares what comes out with what came out then.
 #pragma once
 
-#include "tui/commands/command.hpp"
-#include "updating/saved_session.hpp"
+#include "tui/options/command.hpp"
+#include "updating/session/saved_session.hpp"
 
 namespace tapfit::tui {
 

@@ -1,9 +1,9 @@
 #include "tui/commands/signature_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/text_table.hpp"
-#include "updating/session.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/text_table.hpp"
+#include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,8 +2,8 @@
 // frequency, and how well mass, spring and dashpot explain it.
 #pragma once
 
-#include "tui/commands/command.hpp"
-#include "updating/diagnosis.hpp"
+#include "tui/options/command.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

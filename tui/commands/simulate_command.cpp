@@ -1,8 +1,8 @@
 #include "tui/commands/simulate_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "updating/virtual_bundle.hpp"
-#include "updating/virtual_habit.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/virtual_test/virtual_bundle.hpp"
+#include "updating/virtual_test/virtual_habit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

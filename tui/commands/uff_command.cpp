@@ -1,13 +1,13 @@
 #include "tui/commands/uff_command.hpp"
 
-#include "acquisition/input_error.hpp"
-#include "acquisition/uff_bundle.hpp"
-#include "acquisition/uff_function.hpp"
-#include "acquisition/uff_geometry.hpp"
-#include "acquisition/uff_shapes.hpp"
-#include "acquisition/uff_units.hpp"
-#include "acquisition/utf8.hpp"
-#include "tui/commands/text_table.hpp"
+#include "acquisition/bundle/uff_bundle.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/utf8.hpp"
+#include "acquisition/uff/uff_function.hpp"
+#include "acquisition/uff/uff_geometry.hpp"
+#include "acquisition/uff/uff_shapes.hpp"
+#include "acquisition/uff/uff_units.hpp"
+#include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

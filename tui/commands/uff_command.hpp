@@ -1,7 +1,7 @@
 // `tapfit uff FILE`: what a universal file holds.
 #pragma once
 
-#include "tui/commands/command.hpp"
+#include "tui/options/command.hpp"
 
 namespace tapfit::tui {
 

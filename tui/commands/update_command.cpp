@@ -1,14 +1,14 @@
 #include "tui/commands/update_command.hpp"
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
-#include "tui/commands/effect_output.hpp"
-#include "tui/commands/hand_choices.hpp"
-#include "tui/commands/open_bundle.hpp"
-#include "tui/commands/update_output.hpp"
-#include "updating/fit_setting.hpp"
-#include "updating/held_back.hpp"
+#include "tui/options/hand_choices.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/report/effect_output.hpp"
+#include "tui/report/update_output.hpp"
+#include "updating/fit/fit_setting.hpp"
+#include "updating/fit/held_back.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 // tapfit update: adds the effects named, in order, and identifies them.
 #pragma once
 
-#include "tui/commands/command.hpp"
-#include "updating/session.hpp"
+#include "tui/options/command.hpp"
+#include "updating/session/session.hpp"
 
 namespace tapfit::tui {
 

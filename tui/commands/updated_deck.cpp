@@ -1,16 +1,16 @@
 #include "tui/commands/updated_deck.hpp"
 
-#include "tui/commands/effect_output.hpp"
 #include "tui/commands/update_command.hpp"
+#include "tui/report/effect_output.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/joint_cards.hpp"
-#include "updating/fit_setting.hpp"
-#include "updating/property_cards.hpp"
-#include "updating/structure/move_elements.hpp"
-#include "updating/structure/release_constraints.hpp"
-#include "updating/structure/system.hpp"
-#include "updating/structure/weaken_cards.hpp"
-#include "updating/uncertain_property.hpp"
+#include "updating/fit/fit_setting.hpp"
+#include "updating/properties/property_cards.hpp"
+#include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/edit/move_elements.hpp"
+#include "updating/structure/edit/release_constraints.hpp"
+#include "updating/structure/edit/weaken_cards.hpp"
+#include "updating/structure/solve/system.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // properties in their cards, and the cards of the effects added.
 #pragma once
 
-#include "updating/session.hpp"
+#include "updating/session/session.hpp"
 
 #include <filesystem>
 #include <string>

@@ -1,9 +1,9 @@
 #include "tui/views/candidate_table.hpp"
 
-#include "tui/bars.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
+#include "tui/widgets/bars.hpp"
 
 #include <algorithm>
 

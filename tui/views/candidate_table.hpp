@@ -2,8 +2,8 @@
 // error and size; numbered, those that make up the verdict.
 #pragma once
 
-#include "tui/table.hpp"
-#include "updating/diagnosis.hpp"
+#include "tui/widgets/table.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 #include <string>
 #include <vector>

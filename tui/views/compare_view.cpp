@@ -1,15 +1,15 @@
 #include "tui/views/compare_view.hpp"
 
-#include "tui/bars.hpp"
-#include "tui/heat_map.hpp"
-#include "tui/layout.hpp"
-#include "tui/level_marks.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/compared_modes.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/widgets/bars.hpp"
+#include "tui/widgets/heat_map.hpp"
+#include "tui/widgets/level_marks.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 // measured point; the curves behind each number below.
 #pragma once
 
-#include "tui/plot_range.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/plot_range.hpp"
 
 #include <utility>
 

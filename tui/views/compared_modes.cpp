@@ -1,6 +1,6 @@
 #include "tui/views/compared_modes.hpp"
 
-#include "tui/number.hpp"
+#include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "tui/views/diagnose_details.hpp"
 
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/candidate_table.hpp"
 
 #include <fmt/format.h>

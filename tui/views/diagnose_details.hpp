@@ -2,7 +2,7 @@
 // where lines of the screen had no room.
 #pragma once
 
-#include "updating/diagnosis.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // What the keys of the Diagnose screen do.
-#include "tui/number.hpp"
+#include "tui/screen/number.hpp"
 #include "tui/views/diagnose_details.hpp"
 #include "tui/views/diagnose_view.hpp"
 

@@ -1,13 +1,13 @@
 #include "tui/views/diagnose_view.hpp"
 
-#include "tui/layout.hpp"
-#include "tui/level_marks.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/diagnose_details.hpp"
 #include "tui/views/signature_plot.hpp"
+#include "tui/widgets/level_marks.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

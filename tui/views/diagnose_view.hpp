@@ -1,9 +1,9 @@
 // Screen 5: which physical effect is missing, where, how large, how sure.
 #pragma once
 
-#include "tui/plot_range.hpp"
 #include "tui/views/candidate_table.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/plot_range.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,11 +1,11 @@
 #include "tui/views/frf_checks_view.hpp"
 
-#include "tui/layout.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_peaks.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // What FRFs are held against without a model: driving points, and pairs
-// measured both ways (signal/frf_checks.hpp), as a list with the curves.
+// measured both ways (signal/checks/frf_checks.hpp), as a list with the curves.
 #pragma once
 
-#include "signal/frf_checks.hpp"
-#include "tui/plot_range.hpp"
-#include "tui/screen.hpp"
-#include "tui/table.hpp"
+#include "signal/checks/frf_checks.hpp"
+#include "tui/screen/screen.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "tui/widgets/table.hpp"
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include "tui/views/frf_curves.hpp"
 
-#include "signal/confidence_band.hpp"
+#include "signal/checks/confidence_band.hpp"
 
 #include <cmath>
 #include <limits>

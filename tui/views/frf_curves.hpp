@@ -1,9 +1,9 @@
 // FRFs as curves for plots.
 #pragma once
 
-#include "signal/frf_set.hpp"
-#include "tui/plot.hpp"
-#include "tui/plot_range.hpp"
+#include "signal/frf_set/frf_set.hpp"
+#include "tui/widgets/plot.hpp"
+#include "tui/widgets/plot_range.hpp"
 
 #include <Eigen/Core>
 

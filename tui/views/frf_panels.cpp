@@ -1,13 +1,13 @@
 #include "tui/views/frf_panels.hpp"
 
-#include "signal/confidence_band.hpp"
-#include "tui/layout.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/plane_plot.hpp"
-#include "tui/plot.hpp"
+#include "signal/checks/confidence_band.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_peaks.hpp"
+#include "tui/widgets/plane_plot.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 

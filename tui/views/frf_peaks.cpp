@@ -1,6 +1,6 @@
 #include "tui/views/frf_peaks.hpp"
 
-#include "signal/confidence_band.hpp"
+#include "signal/checks/confidence_band.hpp"
 
 #include <Eigen/QR>
 

@@ -15,7 +15,7 @@
 // linear systems", 1991, ch. 4 (Levy's estimate, one pole).
 #pragma once
 
-#include "signal/frf_set.hpp"
+#include "signal/frf_set/frf_set.hpp"
 
 #include <Eigen/Core>
 

@@ -1,5 +1,5 @@
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_panels.hpp"
 

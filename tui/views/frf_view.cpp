@@ -1,8 +1,8 @@
 #include "tui/views/frf_view.hpp"
 
-#include "signal/frf_quality.hpp"
-#include "tui/layout.hpp"
-#include "tui/number.hpp"
+#include "signal/checks/frf_quality.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_panels.hpp"
 #include "tui/views/frf_peaks.hpp"

@@ -1,9 +1,9 @@
 // Screen 2: measured frequency response functions.
 #pragma once
 
-#include "tui/plot_range.hpp"
 #include "tui/views/frf_checks_view.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/plot_range.hpp"
 
 #include <optional>
 #include <set>

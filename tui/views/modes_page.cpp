@@ -1,6 +1,6 @@
 // What the keys of the Modes screen do.
-#include "acquisition/channel_names.hpp"
-#include "modal/sensor_shifts.hpp"
+#include "acquisition/bundle/channel_names.hpp"
+#include "modal/mass_loading/sensor_shifts.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/modes_view.hpp"
 

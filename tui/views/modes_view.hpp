@@ -1,8 +1,8 @@
 // Screen 3: modes, the diagram they were picked from, and their shapes.
 #pragma once
 
-#include "tui/plot_range.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/plot_range.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,12 +1,12 @@
 // What the seven screens have in common.
 #pragma once
 
-#include "tui/key.hpp"
-#include "tui/plot_range.hpp"
-#include "tui/screen.hpp"
-#include "tui/snapshot.hpp"
-#include "tui/table.hpp"
-#include "tui/workbench.hpp"
+#include "tui/screen/key.hpp"
+#include "tui/screen/screen.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "tui/widgets/table.hpp"
+#include "tui/work/snapshot.hpp"
+#include "tui/work/workbench.hpp"
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 // What the keys of the Recording screen do.
-#include "tui/layout.hpp"
+#include "tui/screen/layout.hpp"
 #include "tui/views/recording_view.hpp"
 
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 #include "tui/views/recording_plots.hpp"
 
-#include "tui/layout.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 

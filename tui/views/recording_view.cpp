@@ -1,12 +1,12 @@
 #include "tui/views/recording_view.hpp"
 
-#include "tui/bars.hpp"
-#include "tui/heat_map.hpp"
-#include "tui/layout.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/recording_plots.hpp"
+#include "tui/widgets/bars.hpp"
+#include "tui/widgets/heat_map.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,9 +3,9 @@
 // as if it were being measured.
 #pragma once
 
-#include "tui/plot_range.hpp"
-#include "tui/run_look.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "tui/work/run_look.hpp"
 
 #include <set>
 #include <utility>

@@ -1,11 +1,11 @@
 #include "tui/views/report_view.hpp"
 
-#include "tui/bars.hpp"
-#include "tui/commands/effect_output.hpp"
-#include "tui/heat_map.hpp"
-#include "tui/number.hpp"
-#include "tui/text.hpp"
-#include "updating/kept_fit.hpp"
+#include "tui/report/effect_output.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
+#include "tui/widgets/bars.hpp"
+#include "tui/widgets/heat_map.hpp"
+#include "updating/fit/kept_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "tui/views/signature_plot.hpp"
 
-#include "updating/absorber_law.hpp"
+#include "updating/localisation/absorber_law.hpp"
 
 #include <algorithm>
 #include <cmath>

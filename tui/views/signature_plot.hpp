@@ -2,9 +2,9 @@
 // that fits it best, or all of them.
 #pragma once
 
-#include "tui/plot.hpp"
-#include "tui/plot_range.hpp"
-#include "updating/diagnosis.hpp"
+#include "tui/widgets/plot.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 namespace tapfit::tui {
 

@@ -1,10 +1,10 @@
 #include "tui/views/update_panels.hpp"
 
-#include "tui/heat_map.hpp"
-#include "tui/layout.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
+#include "tui/widgets/heat_map.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

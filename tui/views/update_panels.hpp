@@ -1,9 +1,9 @@
 // How the last fit came about: convergence, correlations, the L-curve.
 #pragma once
 
-#include "tui/screen.hpp"
-#include "updating/live_fit.hpp"
-#include "updating/update_record.hpp"
+#include "tui/screen/screen.hpp"
+#include "updating/fit/live_fit.hpp"
+#include "updating/fit/update_record.hpp"
 
 #include <vector>
 

@@ -1,13 +1,13 @@
 #include "tui/views/update_view.hpp"
 
-#include "tui/bars.hpp"
-#include "tui/layout.hpp"
-#include "tui/line_text.hpp"
-#include "tui/number.hpp"
-#include "tui/plot.hpp"
-#include "tui/text.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/update_panels.hpp"
+#include "tui/widgets/bars.hpp"
+#include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
 

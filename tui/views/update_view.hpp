@@ -2,9 +2,9 @@
 // measurement.
 #pragma once
 
-#include "tui/plot_range.hpp"
 #include "tui/views/page.hpp"
-#include "updating/update_record.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "updating/fit/update_record.hpp"
 
 #include <optional>
 #include <utility>

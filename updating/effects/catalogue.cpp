@@ -1,6 +1,6 @@
 #include "updating/effects/catalogue.hpp"
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "updating/effects/absorber.hpp"
 #include "updating/effects/added_mass.hpp"
 #include "updating/effects/channel_delay.hpp"

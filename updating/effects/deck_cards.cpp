@@ -1,6 +1,6 @@
 #include "updating/effects/deck_cards.hpp"
 
-#include "acquisition/dof.hpp"
+#include "acquisition/foundation/dof.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 // (basic axes) that follows the other by an RBE2.
 #pragma once
 
-#include "updating/structure/deck.hpp"
+#include "updating/structure/deck/deck.hpp"
 
 #include <optional>
 #include <string>

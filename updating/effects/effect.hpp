@@ -6,10 +6,10 @@
 // where B picks degrees of freedom of the base model.
 #pragma once
 
-#include "acquisition/test_bundle.hpp"
-#include "updating/diagnosis.hpp"
-#include "updating/stiffness_change.hpp"
-#include "updating/structure/deck.hpp"
+#include "acquisition/bundle/test_bundle.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/reduction/stiffness_change.hpp"
+#include "updating/structure/deck/deck.hpp"
 
 #include <complex>
 #include <memory>

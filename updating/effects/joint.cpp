@@ -1,7 +1,7 @@
 #include "updating/effects/joint.hpp"
 
 #include "updating/effects/joint_cards.hpp"
-#include "updating/joint_line.hpp"
+#include "updating/places/joint_line.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -9,9 +9,9 @@
 //                               6; RBE2 b -> d; CELAS2 k l between b and a in 6
 #pragma once
 
-#include "updating/diagnosis.hpp"
-#include "updating/joint_line.hpp"
-#include "updating/structure/deck.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/places/joint_line.hpp"
+#include "updating/structure/deck/deck.hpp"
 
 #include <map>
 #include <string>

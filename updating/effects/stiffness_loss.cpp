@@ -1,6 +1,6 @@
 #include "updating/effects/stiffness_loss.hpp"
 
-#include "updating/element_patches.hpp"
+#include "updating/places/element_patches.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

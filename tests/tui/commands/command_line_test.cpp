@@ -1,8 +1,8 @@
 #include "tui/commands/command_line.hpp"
 
-#include "tui/commands/paper_command.hpp"
 #include "tui/commands/run_command.hpp"
 #include "tui/commands/update_command.hpp"
+#include "tui/paper/paper_command.hpp"
 
 #include <gtest/gtest.h>
 

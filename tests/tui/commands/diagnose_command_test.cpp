@@ -1,8 +1,8 @@
 #include "tui/commands/diagnose_command.hpp"
 
-#include "tui/commands/effect_output.hpp"
-#include "tui/commands/ladder_text.hpp"
 #include "tui/commands/update_command.hpp"
+#include "tui/report/effect_output.hpp"
+#include "tui/report/ladder_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

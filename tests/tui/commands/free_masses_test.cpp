@@ -1,6 +1,6 @@
 #include "tui/commands/free_masses.hpp"
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "tui/commands/mac_command.hpp"
 
-#include "acquisition/input_error.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/modes_file.hpp"
+#include "tui/report/modes_file.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

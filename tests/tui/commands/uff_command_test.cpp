@@ -1,8 +1,8 @@
 // What `tapfit uff` prints of a file.
 #include "tui/commands/uff_command.hpp"
 
-#include "tests/acquisition/temporary_folder.hpp"
-#include "tests/acquisition/uff_text.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/acquisition/support/uff_text.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

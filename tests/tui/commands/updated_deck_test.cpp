@@ -1,6 +1,6 @@
 #include "tui/commands/updated_deck.hpp"
 
-#include "updating/structure/deck.hpp"
+#include "updating/structure/deck/deck.hpp"
 
 #include <gtest/gtest.h>
 

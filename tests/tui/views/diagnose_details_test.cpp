@@ -1,7 +1,7 @@
 #include "tui/views/diagnose_details.hpp"
 
-#include "tests/tui/fake_results.hpp"
-#include "tests/tui/play.hpp"
+#include "tests/tui/support/fake_results.hpp"
+#include "tests/tui/support/play.hpp"
 #include "tui/views/diagnose_view.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tui/views/update_view.hpp"
 
-#include "tests/tui/fake_results.hpp"
+#include "tests/tui/support/fake_results.hpp"
 
 #include <gtest/gtest.h>
 

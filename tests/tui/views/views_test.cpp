@@ -1,6 +1,6 @@
 // Views from hand-made results: the numbers shown are the results' numbers.
-#include "tests/tui/fake_workbench.hpp"
-#include "tui/text.hpp"
+#include "tests/tui/support/fake_workbench.hpp"
+#include "tui/screen/text.hpp"
 #include "tui/views/diagnose_view.hpp"
 #include "tui/views/frf_view.hpp"
 #include "tui/views/modes_view.hpp"

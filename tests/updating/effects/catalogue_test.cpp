@@ -1,6 +1,6 @@
 #include "updating/effects/catalogue.hpp"
 
-#include "tests/updating/structure/deck_support.hpp"
+#include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/effects/deck_cards.hpp"
 

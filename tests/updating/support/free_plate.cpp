@@ -1,9 +1,9 @@
 #include "tests/updating/support/free_plate.hpp"
 
-#include "tests/acquisition/temporary_folder.hpp"
-#include "updating/effect_place.hpp"
-#include "updating/session.hpp"
-#include "updating/virtual_bundle.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+#include "updating/effects/effect_place.hpp"
+#include "updating/session/session.hpp"
+#include "updating/virtual_test/virtual_bundle.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // hammer test: hit at one corner, felt at another.
 #pragma once
 
-#include "updating/diagnosis.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 
 #include <array>
 #include <cstdint>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/damped_line.hpp"
-#include "updating/diagnose.hpp"
-#include "updating/fitter.hpp"
+#include "updating/diagnosis/diagnose.hpp"
+#include "updating/fit/fitter.hpp"
+#include "updating/measurement/damped_line.hpp"
 
 #include <cmath>
 #include <complex>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/damped_line.hpp"
 #include "updating/effects/catalogue.hpp"
-#include "updating/fitter.hpp"
+#include "updating/fit/fitter.hpp"
+#include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>
 

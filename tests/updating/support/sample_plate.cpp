@@ -1,6 +1,6 @@
 #include "tests/updating/support/sample_plate.hpp"
 
-#include "updating/fitter.hpp"
+#include "updating/fit/fitter.hpp"
 
 #include <fmt/format.h>
 

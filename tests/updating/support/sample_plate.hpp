@@ -2,11 +2,11 @@
 // updating folder: FRFs come straight from the model, with nothing measured.
 #pragma once
 
-#include "acquisition/test_bundle.hpp"
-#include "signal/frf_set.hpp"
+#include "acquisition/bundle/test_bundle.hpp"
+#include "signal/frf_set/frf_set.hpp"
 #include "updating/effects/effect.hpp"
-#include "updating/reduced_base.hpp"
-#include "updating/structure/deck.hpp"
+#include "updating/reduction/reduced_base.hpp"
+#include "updating/structure/deck/deck.hpp"
 
 namespace tapfit::support {
 

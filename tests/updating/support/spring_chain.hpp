@@ -1,7 +1,7 @@
 // A chain of springs and masses, and its modes as a perfect test finds them.
 #pragma once
 
-#include "updating/modal_residual.hpp"
+#include "updating/modal_updating/modal_residual.hpp"
 
 #include <Eigen/Core>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // A clamped strip, small enough to be looked at whole, as a virtual structure.
 #pragma once
 
-#include "updating/virtual_panel.hpp"
-#include "updating/virtual_structure.hpp"
+#include "updating/virtual_test/virtual_panel.hpp"
+#include "updating/virtual_test/virtual_structure.hpp"
 
 #include <gtest/gtest.h>
 

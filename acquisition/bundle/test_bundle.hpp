@@ -1,0 +1,106 @@
+// The test bundle: a folder with a test.json that says what was measured where
+// and with what. The format is described in docs/test-bundle.md and checked
+// against docs/test.schema.json.
+#pragma once
+
+#include "acquisition/foundation/dof.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+enum class Quantity { Force, Acceleration, Velocity, Displacement };
+
+/// One recorded channel.
+/// physical value [SI] = sample * full_scale_volts / sensitivity * unit factor
+struct Channel {
+  std::string name;
+  Quantity quantity = Quantity::Acceleration;
+  std::string unit;               ///< as written, for example "g" or "m/s^2"
+  double unit_to_si = 1.0;        ///< SI value of one `unit`
+  double sensitivity = 1.0;       ///< volts per `unit`
+  double full_scale_volts = 1.0;  ///< volts at a sample of 1.0
+  std::optional<double> mass_kg;  ///< maker's sheet; not in the base model
+
+  /// SI value of digital full scale (a sample of 1.0).
+  [[nodiscard]] double full_scale_si() const {
+    return full_scale_volts / sensitivity * unit_to_si;
+  }
+};
+
+/// A channel at a point of the structure.
+struct Placement {
+  std::size_t channel = 0;  ///< index into TestBundle::channels
+  Dof dof;
+};
+
+/// A channel's samples in a universal file.
+struct UffSource {
+  std::size_t channel = 0;  ///< index into TestBundle::channels
+  std::size_t dataset = 0;  ///< which one of the file
+  double unit_to_si = 1.0;
+};
+
+/// One recording: one hammer, any number of sensors, one or more hits.
+struct Run {
+  std::filesystem::path file;  ///< absolute, or relative to the working folder
+  std::vector<UffSource> datasets;  ///< of a universal file; else empty
+  Placement hammer;
+  std::vector<Placement> sensors;
+};
+
+/// A property of the base model that the engineer does not trust.
+struct UncertainProperty {
+  std::string card;      ///< "material" or "property"
+  int id = 0;            ///< MAT1 or PSHELL/PBAR/... id
+  std::string property;  ///< "E", "rho", "t", ...
+  double sd_percent = 3.0;
+};
+
+/// K and M from another program instead of a deck.
+struct MatrixModel {
+  std::filesystem::path stiffness;
+  std::filesystem::path mass;
+  std::filesystem::path dofs;
+};
+
+/// How hits are triggered. What is empty is chosen, and stated.
+struct TriggerOptions {
+  std::optional<double> range_percent;  ///< level, of the hammer's full scale
+  std::optional<int> slope;             ///< 1: blows rise in the file; -1: fall
+  /// Armed again once the force is below this share of the level [%].
+  std::optional<double> rearm_percent;
+  std::optional<double> hold_off_s;  ///< a later pulse is a hit of its own
+};
+
+struct TestBundle {
+  std::filesystem::path folder;
+  std::string title;
+  std::string units = "SI";                   ///< "SI" or "mm-t-s"
+  std::optional<std::filesystem::path> deck;  ///< Nastran bulk data
+  std::optional<MatrixModel> matrices;
+  std::vector<Channel> channels;
+  std::vector<Run> runs;
+  std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
+  std::optional<std::filesystem::path> uff;   ///< the bundle is this file alone
+  std::optional<std::array<double, 2>> band_hz;
+  std::vector<UncertainProperty> uncertain;
+  std::optional<double> trigger_percent;  ///< of the hammer's largest peak
+  TriggerOptions trigger;
+  std::optional<double> pre_trigger_s;
+  std::optional<double> block_s;
+  std::vector<std::string> warnings;  ///< unknown fields and the like
+};
+
+/// Reads and checks FOLDER/test.json (a path to the file itself is accepted).
+/// A universal file is a bundle by itself (acquisition/bundle/uff_bundle.hpp).
+///
+/// @throws InputError with the field's place for a missing or wrong field, an
+///   unknown unit, a missing file but for recordings, a channel of no name
+[[nodiscard]] TestBundle read_test_bundle(const std::filesystem::path& folder);
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,127 @@
+#include "acquisition/bundle/write_test_bundle.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/units.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace tapfit::acquisition {
+namespace {
+
+using json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+std::string path_text(const fs::path& file, const fs::path& folder) {
+  if (!file.has_parent_path()) return file.generic_string();
+  const fs::path whole = fs::absolute(file).lexically_normal();
+  const fs::path base = fs::absolute(folder).lexically_normal();
+  const fs::path relative = whole.lexically_relative(base);
+  const bool inside = !relative.empty() && *relative.begin() != "..";
+  return (inside ? relative : whole).generic_string();
+}
+
+json channel_json(const Channel& channel) {
+  const bool compound = channel.unit.find('/') != std::string::npos;
+  json entry = {
+      {"name", channel.name},
+      {"quantity", name(channel.quantity)},
+      {"unit", channel.unit},
+      {"sensitivity", channel.sensitivity},
+      {"sensitivity_unit",
+       compound ? "V/(" + channel.unit + ")" : "V/" + channel.unit},
+      {"full_scale_volts", channel.full_scale_volts},
+  };
+  if (channel.mass_kg) entry["mass_kg"] = *channel.mass_kg;
+  return entry;
+}
+
+json placement_json(const Placement& placement, const TestBundle& bundle) {
+  const std::string direction =
+      std::string(placement.dof.sign < 0 ? "-" : "+") +
+      "XYZ"[(placement.dof.component - 1) % 3];
+  return {{"channel", bundle.channels.at(placement.channel).name},
+          {"node", placement.dof.node},
+          {"direction", direction}};
+}
+
+json runs_json(const TestBundle& bundle, const fs::path& folder) {
+  json runs = json::array();
+  for (const Run& run : bundle.runs) {
+    json sensors = json::array();
+    for (const Placement& sensor : run.sensors) {
+      sensors.push_back(placement_json(sensor, bundle));
+    }
+    runs.push_back({{"file", path_text(run.file, folder)},
+                    {"hammer", placement_json(run.hammer, bundle)},
+                    {"sensors", sensors}});
+  }
+  return runs;
+}
+
+void add_model(const TestBundle& bundle,
+               const fs::path& folder,
+               json& document) {
+  if (bundle.deck) document["model"] = path_text(*bundle.deck, folder);
+  if (!bundle.matrices) return;
+  document["model"] = {
+      {"stiffness", path_text(bundle.matrices->stiffness, folder)},
+      {"mass", path_text(bundle.matrices->mass, folder)},
+      {"dofs", path_text(bundle.matrices->dofs, folder)}};
+}
+
+void add_settings(const TestBundle& bundle, json& document) {
+  if (bundle.band_hz) document["band_hz"] = *bundle.band_hz;
+  if (bundle.trigger_percent) {
+    document["trigger_percent"] = *bundle.trigger_percent;
+  }
+  const TriggerOptions& trigger = bundle.trigger;
+  if (trigger.range_percent) {
+    document["trigger_range_percent"] = *trigger.range_percent;
+  }
+  if (trigger.slope) {
+    document["trigger_slope"] = *trigger.slope < 0 ? "falling" : "rising";
+  }
+  if (trigger.rearm_percent) {
+    document["trigger_rearm_percent"] = *trigger.rearm_percent;
+  }
+  if (trigger.hold_off_s) document["hold_off_s"] = *trigger.hold_off_s;
+  if (bundle.pre_trigger_s) document["pre_trigger_s"] = *bundle.pre_trigger_s;
+  if (bundle.block_s) document["block_s"] = *bundle.block_s;
+  for (const UncertainProperty& entry : bundle.uncertain) {
+    const char* key =
+        entry.card == "material" ? "material" : "element_property";
+    document["uncertain"].push_back({{key, entry.id},
+                                     {"property", entry.property},
+                                     {"sd_percent", entry.sd_percent}});
+  }
+}
+
+}  // namespace
+
+void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
+  json document = {{"tapfit", 1}};
+  if (!bundle.title.empty()) document["title"] = bundle.title;
+  if (bundle.units != "SI") document["units"] = bundle.units;
+  add_model(bundle, folder, document);
+  for (const Channel& channel : bundle.channels) {
+    document["channels"].push_back(channel_json(channel));
+  }
+  if (!bundle.runs.empty()) document["runs"] = runs_json(bundle, folder);
+  if (bundle.frfs) document["frfs"] = path_text(*bundle.frfs, folder);
+  add_settings(bundle, document);
+
+  std::error_code fault;
+  fs::create_directories(folder, fault);
+  std::ofstream stream(folder / "test.json", std::ios::binary);
+  stream << document.dump(1) << '\n';
+  stream.flush();
+  if (!stream) {
+    throw InputError("cannot be written",
+                     (folder / "test.json").string(),
+                     "choose a folder that can be written to");
+  }
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,308 @@
+#include "acquisition/import/import_recordings.hpp"
+
+#include "acquisition/bundle/write_test_bundle.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/units.hpp"
+#include "acquisition/import/rate_of_times.hpp"
+#include "acquisition/readers/audio_file.hpp"
+#include "acquisition/readers/mat_file.hpp"
+#include "acquisition/samples/remove_offset.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Index;
+
+std::vector<ImportChannel> all_channels(const ImportOptions& options) {
+  std::vector<ImportChannel> channels{options.hammer};
+  channels.insert(
+      channels.end(), options.sensors.begin(), options.sensors.end());
+  return channels;
+}
+
+// Says where a column of times leaves its step: with a gap, all times up to it
+// are far from a straight line through the ends.
+[[noreturn]] void refuse_uneven(const Eigen::VectorXd& time,
+                                const std::string& file) {
+  const Index n = time.size();
+  const Eigen::VectorXd steps = time.tail(n - 1) - time.head(n - 1);
+  const double usual = median(steps);
+  Index row = 0;
+  (steps.array() - usual).abs().maxCoeff(&row);
+  throw InputError(
+      fmt::format("the sampling is uneven: from row {} of the numbers to the "
+                  "next it goes on by {:.6g} s (at {:.6g} s), elsewhere by "
+                  "{:.6g} s",
+                  row + 1,
+                  steps[row],
+                  time[row],
+                  usual),
+      file,
+      "export without gaps, or cut the file at the gap");
+}
+
+// The sampling rate from a column of times; each time may be half a step off.
+RateOfTimes rate_of(const Eigen::VectorXd& time, const std::string& file) {
+  const auto rate = rate_of_times(time);
+  if (!rate) {
+    throw InputError("the time column does not rise",
+                     file,
+                     "name the column that holds seconds, or give the rate");
+  }
+  if (rate->uneven) refuse_uneven(time, file);
+  return *rate;
+}
+
+[[noreturn]] void refuse_rate(double rate,
+                              bool from_times,
+                              const std::string& file) {
+  throw InputError(
+      fmt::format("is sampled at {:.8g} Hz, which is no whole number: the "
+                  "sound files of a bundle cannot say it",
+                  rate),
+      file,
+      from_times ? "give the sampling rate if the times are rounded, or "
+                   "resample to a whole number of Hz"
+                 : "resample to a whole number of Hz, or give the records as a "
+                   "universal file (dataset 58, with their points): that keeps "
+                   "the rate and is a bundle by itself");
+}
+
+// Sound files hold whole numbers of Hz. Times printed with few digits give the
+// rate with few digits, and so do multiples of a step of four; a rate that is
+// stated is what it is.
+int whole_rate(double rate,
+               const std::optional<double>& spread,
+               const std::string& file,
+               std::vector<std::string>& notes) {
+  if (!(rate > 0.0) || !(rate < 1e9)) {
+    throw InputError(fmt::format("has a sampling rate of {:.6g} Hz", rate),
+                     file,
+                     "give the sampling rate in Hz, a number above zero");
+  }
+  constexpr double exact = 1e-6;
+  const double whole = std::round(rate);
+  const double off = std::abs(rate - whole) / rate;
+  const double allowed = spread ? std::max(1e-4, *spread) : exact;
+  if (whole < 1.0 || off > allowed) refuse_rate(rate, spread.has_value(), file);
+  if (off > exact) {
+    notes.push_back(
+        fmt::format("{}: its times give {:.8g} Hz; {:.0f} Hz are taken, since "
+                    "sound files hold whole numbers of Hz",
+                    file,
+                    rate,
+                    whole));
+  }
+  return static_cast<int>(whole);
+}
+
+struct Table {
+  int rate = 0;
+  Eigen::MatrixXd values;          ///< n_rows x (1 + sensors), as in the file
+  std::vector<std::string> units;  ///< as the file says, may be empty
+  std::vector<std::string> notes;  ///< on the rate
+};
+
+Table read_table(const ImportFile& source, const ImportOptions& options) {
+  std::vector<std::string> columns;
+  for (const ImportChannel& channel : all_channels(options)) {
+    columns.push_back(channel.column);
+  }
+  const std::string file = source.file.string();
+  const auto count = static_cast<Index>(columns.size());
+  std::optional<double> rate = options.sample_rate_hz;
+  if (!rate && options.rate_variable) {
+    rate = read_mat_number(source.file, *options.rate_variable);
+  }
+  if (!rate && !says_rate(source.file)) {
+    columns.push_back(options.time_column);
+  }
+  TimeTable read = read_time_table(source.file, columns, options.csv);
+  std::optional<double> spread;
+  if (!rate && read.rate_hz) {
+    rate = read.rate_hz;
+    spread = read.rate_spread;
+  } else if (!rate) {
+    const RateOfTimes timed = rate_of(read.values.col(count), file);
+    rate = timed.hz;
+    spread = timed.spread;
+  }
+  Table table;
+  table.rate = whole_rate(*rate, spread, file, table.notes);
+  table.values = read.values.leftCols(count);
+  table.units = std::move(read.units);
+  return table;
+}
+
+// The channel's unit: as given, else as the files say, else the usual one.
+std::string unit_of(const ImportChannel& channel,
+                    const std::vector<Table>& tables,
+                    std::size_t column) {
+  if (!channel.unit.empty()) return channel.unit;
+  std::string unit = tables[0].units.at(column);
+  for (const Table& table : tables) {
+    if (table.units.at(column) == unit) continue;
+    throw InputError(fmt::format("column \"{}\" is in {} in one file and in {} "
+                                 "in another",
+                                 channel.column,
+                                 unit,
+                                 table.units.at(column)),
+                     "import",
+                     "import the files with different units apart");
+  }
+  if (!unit.empty()) return unit;
+  return channel.quantity == Quantity::Force ? "N" : "m/s^2";
+}
+
+// Power of two with at least a quarter of room above the largest value, so
+// that no sample looks like an overload and scaling loses no digit.
+double full_scale(const std::vector<Table>& tables, Index column) {
+  double largest = 0.0;
+  for (const Table& table : tables) {
+    largest = std::max(largest, table.values.col(column).cwiseAbs().maxCoeff());
+  }
+  if (largest == 0.0) return 1.0;
+  return std::exp2(std::ceil(std::log2(1.25 * largest)));
+}
+
+Channel bundle_channel(const ImportChannel& source, double scale) {
+  const std::optional<Unit> unit = find_unit(source.unit);
+  if (!unit || unit->quantity != source.quantity) {
+    throw InputError(fmt::format("\"{}\" is no known unit of {}",
+                                 source.unit,
+                                 name(source.quantity)),
+                     fmt::format("column \"{}\"", source.column),
+                     "use one of " + known_units(source.quantity));
+  }
+  Channel channel;
+  channel.name = source.channel;
+  channel.quantity = source.quantity;
+  channel.unit = source.unit;
+  channel.unit_to_si = unit->si;
+  channel.sensitivity = source.volts_per_unit.value_or(1.0);
+  channel.full_scale_volts = scale;
+  channel.mass_kg = source.mass_kg;
+  return channel;
+}
+
+Run bundle_run(const ImportFile& source,
+               const ImportOptions& options,
+               const fs::path& file) {
+  Run run;
+  run.file = file;
+  run.hammer = {0, source.hammer.value_or(options.hammer.dof)};
+  for (std::size_t k = 0; k < options.sensors.size(); ++k) {
+    run.sensors.push_back({k + 1, options.sensors[k].dof});
+  }
+  return run;
+}
+
+void check_options(const ImportOptions& options) {
+  if (options.files.empty() || options.sensors.empty()) {
+    throw InputError("nothing to import",
+                     "import",
+                     "name at least one file and one sensor's column");
+  }
+  std::error_code ignored;
+  if (!options.overwrite && fs::exists(options.folder / "test.json", ignored)) {
+    throw InputError("there is a test bundle already",
+                     options.folder.string(),
+                     "choose another folder, or ask to overwrite it");
+  }
+  // Before the first is read: that may take a while.
+  for (const ImportFile& source : options.files) {
+    if (fs::is_regular_file(source.file, ignored)) continue;
+    throw InputError("no such file",
+                     source.file.string(),
+                     "check its path; nothing has been imported");
+  }
+  if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
+    throw InputError("no such file",
+                     options.deck->string(),
+                     "name the Nastran deck, or import without one");
+  }
+}
+
+// A sensor that was not connected, or a column that is another's.
+std::vector<std::string> dead_columns(const ImportOptions& options,
+                                      const std::vector<Table>& tables) {
+  const std::vector<ImportChannel> channels = all_channels(options);
+  std::vector<std::string> notes;
+  for (std::size_t r = 0; r < tables.size(); ++r) {
+    for (std::size_t k = 0; k < channels.size(); ++k) {
+      if (!tables[r].values.col(static_cast<Index>(k)).isZero(0.0)) continue;
+      notes.push_back(
+          fmt::format("{}: column \"{}\" ({}) is zero throughout; check that "
+                      "it is the right one",
+                      options.files[r].file.filename().string(),
+                      channels[k].column,
+                      channels[k].channel));
+    }
+  }
+  return notes;
+}
+
+// "run-01.csv" becomes "run-01.wav"; a name used before gets a number.
+fs::path sound_file(const ImportFile& source, std::set<std::string>& used) {
+  const std::string stem = source.file.stem().string();
+  std::string result = stem + ".wav";
+  for (int i = 2; !used.insert(result).second; ++i) {
+    result = fmt::format("{}-{}.wav", stem, i);
+  }
+  return result;
+}
+
+}  // namespace
+
+TestBundle import_recordings(const ImportOptions& options) {
+  check_options(options);
+  std::vector<Table> tables;
+  for (const ImportFile& file : options.files) {
+    tables.push_back(read_table(file, options));
+  }
+  TestBundle bundle;
+  bundle.title = options.title;
+  if (options.deck) bundle.deck = fs::absolute(*options.deck);
+  bundle.band_hz = options.band_hz;
+  const std::vector<ImportChannel> channels = all_channels(options);
+  Eigen::RowVectorXd scale(static_cast<Index>(channels.size()));
+  for (std::size_t k = 0; k < channels.size(); ++k) {
+    const auto column = static_cast<Index>(k);
+    const double volts = full_scale(tables, column);
+    ImportChannel channel = channels[k];
+    channel.unit = unit_of(channel, tables, k);
+    bundle.channels.push_back(bundle_channel(channel, volts));
+    scale[column] = (channels[k].flip_sign ? -1.0 : 1.0) / volts;
+  }
+  std::error_code ignored;
+  fs::create_directories(options.folder, ignored);
+  std::set<std::string> used;
+  for (std::size_t r = 0; r < tables.size(); ++r) {
+    const fs::path file = options.folder / sound_file(options.files[r], used);
+    write_audio(file,
+                tables[r].values * scale.asDiagonal(),
+                tables[r].rate,
+                AudioFormat::WavFloat64);
+    bundle.runs.push_back(bundle_run(options.files[r], options, file));
+  }
+  write_test_bundle(bundle, options.folder);
+  TestBundle written = read_test_bundle(options.folder);
+  for (Table& table : tables) {
+    std::ranges::move(table.notes, std::back_inserter(written.warnings));
+  }
+  for (std::string& note : dead_columns(options, tables)) {
+    written.warnings.push_back(std::move(note));
+  }
+  return written;
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,213 @@
+#include "acquisition/readers/csv_table.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/utf8.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+
+namespace tapfit::acquisition {
+namespace {
+
+struct Layout {
+  char separator = ',';
+  bool decimal_comma = false;
+};
+
+struct Text {
+  std::string name;
+  std::vector<std::string> lines;
+  Layout layout;
+};
+
+std::string trim(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\"");
+  if (first == std::string_view::npos) return {};
+  const std::size_t last = text.find_last_not_of(" \t\"");
+  return std::string(text.substr(first, last - first + 1));
+}
+
+// Fields of a line; a separator inside quotes does not separate.
+std::vector<std::string> split(std::string_view line, char separator) {
+  std::vector<std::string> fields;
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') quoted = !quoted;
+    if (i < line.size() && (quoted || line[i] != separator)) continue;
+    fields.push_back(trim(line.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  return fields;
+}
+
+std::optional<double> to_number(std::string field, const Layout& layout) {
+  if (layout.decimal_comma) std::replace(field.begin(), field.end(), ',', '.');
+  // Fortran's exponents.
+  std::ranges::replace_if(
+      field, [](char c) { return c == 'D' || c == 'd'; }, 'e');
+  const char* begin = field.data();
+  const char* end = begin + field.size();
+  if (begin != end && *begin == '+') ++begin;
+  double value = 0.0;
+  const auto [rest, fault] = std::from_chars(begin, end, value);
+  if (fault != std::errc{} || rest != end) return std::nullopt;
+  return value;
+}
+
+// Judged by a line in the middle of the file, which is surely data.
+Layout find_layout(const std::vector<std::string>& lines) {
+  const std::string& line = lines[lines.size() / 2];
+  const bool comma = line.find(',') != std::string::npos;
+  const bool point = line.find('.') != std::string::npos;
+  for (const char separator : {';', '\t'}) {
+    if (line.find(separator) != std::string::npos) {
+      return {separator, comma && !point};
+    }
+  }
+  return {',', false};
+}
+
+// Text in two bytes a character: a mark in front, or zeros in the first line.
+void refuse_utf16(const Text& text) {
+  const std::string& first = text.lines.front();
+  if (!first.starts_with("\xFF\xFE") && !first.starts_with("\xFE\xFF") &&
+      first.find('\0') == std::string::npos) {
+    return;
+  }
+  throw InputError("is UTF-16 text, or no text",
+                   text.name,
+                   "save it as UTF-8 (or ASCII) text");
+}
+
+// Some old programs end lines by a carriage return alone.
+void split_at_returns(std::vector<std::string>& lines) {
+  if (lines.size() != 1) return;
+  const std::string whole = std::move(lines.front());
+  lines.clear();
+  for (std::size_t at = 0; at <= whole.size();) {
+    const std::size_t end = std::min(whole.find('\r', at), whole.size());
+    lines.push_back(whole.substr(at, end - at));
+    at = end + 1;
+  }
+}
+
+Text read_lines(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError("cannot be opened", file.string(), "correct the path");
+  }
+  Text text{file.string(), {}, {}};
+  std::string line;
+  while (std::getline(stream, line)) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    if (text.lines.empty() && line.starts_with("\xEF\xBB\xBF")) {
+      line.erase(0, 3);
+    }
+    text.lines.push_back(line);
+  }
+  if (!text.lines.empty()) refuse_utf16(text);
+  split_at_returns(text.lines);
+  while (!text.lines.empty() && trim(text.lines.back()).empty()) {
+    text.lines.pop_back();
+  }
+  if (text.lines.empty()) {
+    throw InputError("is empty", text.name, "export the measurement again");
+  }
+  text.layout = find_layout(text.lines);
+  return text;
+}
+
+bool is_data(const Text& text, std::size_t line) {
+  if (line >= text.lines.size()) return false;
+  const std::vector<std::string> fields =
+      split(text.lines[line], text.layout.separator);
+  const std::size_t count = std::min<std::size_t>(2, fields.size());
+  return std::all_of(
+      fields.begin(),
+      fields.begin() + static_cast<std::ptrdiff_t>(count),
+      [&](const std::string& f) { return to_number(f, text.layout); });
+}
+
+std::size_t first_data_line(const Text& text, const CsvOptions& options) {
+  if (options.skip_lines) {
+    if (*options.skip_lines < text.lines.size()) return *options.skip_lines;
+    throw InputError(fmt::format("has only {} lines", text.lines.size()),
+                     text.name,
+                     "skip fewer lines");
+  }
+  for (std::size_t i = 0; i < text.lines.size(); ++i) {
+    const bool last = i + 1 == text.lines.size();
+    if (is_data(text, i) && (last || is_data(text, i + 1))) return i;
+  }
+  throw InputError("holds no rows of numbers",
+                   text.name,
+                   "export it with a row of numbers for each sample, separated "
+                   "by commas, semicolons or tabs");
+}
+
+// Position of a column: by name in the header line nearest to the data that
+// has it, else by number.
+std::size_t find_column(const Text& text,
+                        std::size_t data,
+                        const std::string& column) {
+  for (std::size_t line = data; line-- > 0;) {
+    const std::vector<std::string> fields =
+        split(as_utf8(text.lines[line]), text.layout.separator);
+    const auto found = std::find(fields.begin(), fields.end(), column);
+    if (found != fields.end()) {
+      return static_cast<std::size_t>(found - fields.begin());
+    }
+  }
+  std::size_t number = 0;
+  const char* end = column.data() + column.size();
+  const auto [rest, fault] = std::from_chars(column.data(), end, number);
+  const std::size_t width =
+      split(text.lines[data], text.layout.separator).size();
+  if (fault == std::errc{} && rest == end && number >= 1 && number <= width) {
+    return number - 1;
+  }
+  throw InputError(
+      fmt::format("there is no column \"{}\"", column),
+      text.name,
+      fmt::format("give a name of the header or a number from 1 to {}", width));
+}
+
+}  // namespace
+
+Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
+                                 const std::vector<std::string>& columns,
+                                 const CsvOptions& options) {
+  const Text text = read_lines(file);
+  const std::size_t data = first_data_line(text, options);
+  std::vector<std::size_t> positions;
+  for (const std::string& column : columns) {
+    positions.push_back(find_column(text, data, column));
+  }
+  Eigen::MatrixXd values(static_cast<Eigen::Index>(text.lines.size() - data),
+                         static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t i = data; i < text.lines.size(); ++i) {
+    const std::vector<std::string> fields =
+        split(text.lines[i], text.layout.separator);
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const std::size_t at = positions[k];
+      const std::string field = at < fields.size() ? fields[at] : "";
+      const std::optional<double> value = to_number(field, text.layout);
+      if (!value || !std::isfinite(*value)) {
+        throw InputError(fmt::format("\"{}\" is no finite number", field),
+                         fmt::format("{}:{}:{}", text.name, i + 1, at + 1),
+                         "correct the cell, or export the measurement again");
+      }
+      values(static_cast<Eigen::Index>(i - data),
+             static_cast<Eigen::Index>(k)) = *value;
+    }
+  }
+  return values;
+}
+
+}  // namespace tapfit::acquisition

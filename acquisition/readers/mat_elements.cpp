@@ -1,0 +1,217 @@
+#include "acquisition/readers/mat_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <zlib.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Length = std::uintmax_t;
+using Tag = std::array<unsigned char, 8>;
+
+std::uint32_t number_at(const unsigned char* at, bool little) {
+  std::uint32_t value = 0;
+  for (int k = 0; k < 4; ++k) value = value << 8U | at[little ? 3 - k : k];
+  return value;
+}
+
+InputError ends_early(const std::filesystem::path& file,
+                      Length at,
+                      double announced,
+                      Length there) {
+  return {fmt::format("ends early: {:.0f} bytes are announced, {} are there",
+                      announced,
+                      there),
+          fmt::format("{}, byte {}", file.string(), at),
+          "copy the file again, or save it anew"};
+}
+
+// Elements of versions 5 to 7 are a type, a length and as many bytes. Those of
+// a matrix are elements again, its name one of them.
+struct Element {
+  std::uint32_t type = 0;
+  Length length = 0;
+
+  Element(const Tag& tag, bool little)
+      : type(number_at(tag.data(), little)),
+        // Small elements hold length and bytes within their tag.
+        length(type >> 16U != 0 ? 0 : number_at(tag.data() + 4, little)) {}
+  // The next one begins at a multiple of 8.
+  [[nodiscard]] Length padded() const { return (length + 7) / 8 * 8; }
+};
+
+constexpr std::uint32_t matrix = 14;
+constexpr std::uint32_t packed = 15;
+
+// The next `length` bytes of a file, unpacked piece by piece.
+class Unpacking {
+ public:
+  Unpacking(std::ifstream& in, Length length) : in_(in), left_(length) {
+    good_ = inflateInit(&stream_) == Z_OK;
+  }
+  ~Unpacking() { inflateEnd(&stream_); }
+  Unpacking(const Unpacking&) = delete;
+  Unpacking& operator=(const Unpacking&) = delete;
+
+  bool take(Tag& tag) { return unpack(tag.data(), tag.size()) == tag.size(); }
+  bool skip(Length count) {
+    while (count > 0) {
+      const Length step = std::min<Length>(count, scratch_.size());
+      if (unpack(scratch_.data(), step) != step) return false;
+      count -= step;
+    }
+    return true;
+  }
+  // Whether the rest unpacks, up to a checksum that is right.
+  bool ends_well() {
+    while (unpack(scratch_.data(), scratch_.size()) > 0) {
+    }
+    return good_ && ended_;
+  }
+
+ private:
+  // How many of `count` bytes there were.
+  Length unpack(unsigned char* to, Length count) {
+    stream_.next_out = to;
+    stream_.avail_out = static_cast<uInt>(count);
+    while (good_ && !ended_ && stream_.avail_out > 0) {
+      if (stream_.avail_in == 0) refill();
+      const int status = inflate(&stream_, Z_NO_FLUSH);
+      ended_ = status == Z_STREAM_END;
+      good_ = ended_ || status == Z_OK;
+    }
+    return count - stream_.avail_out;
+  }
+  void refill() {
+    const Length step = std::min<Length>(left_, input_.size());
+    in_.read(reinterpret_cast<char*>(input_.data()),
+             static_cast<std::streamsize>(step));
+    left_ -= step;
+    stream_.next_in = input_.data();
+    stream_.avail_in = static_cast<uInt>(in_.gcount());
+  }
+
+  std::ifstream& in_;
+  Length left_ = 0;
+  z_stream stream_{};
+  std::array<unsigned char, 1 << 14> input_{};
+  std::array<unsigned char, 1 << 14> scratch_{};
+  bool good_ = false;
+  bool ended_ = false;
+};
+
+bool holds_what_it_says(Unpacking& bytes, bool little) {
+  Length at = 0;
+  Length end = 8;
+  while (at + 8 <= end) {
+    Tag tag{};
+    if (!bytes.take(tag)) return false;
+    const Element element(tag, little);
+    at += 8;
+    if (at == 8) end = 8 + element.length;  // the outermost, around all others
+    if (element.length > end - at) return false;
+    if (element.type == matrix) continue;
+    const Length step = std::min(element.padded(), end - at);
+    if (!bytes.skip(step)) return false;
+    at += step;
+  }
+  return bytes.ends_well();
+}
+
+// Versions 5 to 7, behind a header of 128 bytes. Packed elements are only
+// outermost ones, and touch the next.
+void walk_elements(std::ifstream& in,
+                   const std::filesystem::path& file,
+                   Length end,
+                   bool little) {
+  for (Length at = 128; at + 8 <= end;) {
+    Tag tag{};
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(reinterpret_cast<char*>(tag.data()), tag.size());
+    if (!in) return;
+    const Element element(tag, little);
+    const Length there = end - at - 8;
+    if (element.length > there) {
+      throw ends_early(file, at, static_cast<double>(element.length), there);
+    }
+    if (element.type == packed) {
+      Unpacking bytes(in, element.length);
+      if (!holds_what_it_says(bytes, little)) {
+        throw InputError("is damaged: what is packed there does not unpack",
+                         fmt::format("{}, byte {}", file.string(), at),
+                         "copy the file again, or save it anew");
+      }
+      in.clear();
+    }
+    at += 8;
+    if (element.type == matrix) continue;  // its own elements come next
+    at += element.type == packed ? element.length : element.padded();
+  }
+}
+
+// Version 4: variables of five numbers (type, rows, columns, imaginary part,
+// length of the name), the name and the values. The type's decimal digits are
+// byte order, 0, width of a value, kind of matrix.
+void walk_variables(std::ifstream& in,
+                    const std::filesystem::path& file,
+                    Length size) {
+  constexpr std::array<double, 6> widths{8, 4, 4, 2, 2, 1};
+  constexpr std::uint32_t largest_type = 4052;
+  for (Length at = 0; at + 20 <= size;) {
+    std::array<unsigned char, 20> header{};
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(reinterpret_cast<char*>(header.data()), header.size());
+    if (!in) return;
+    std::uint32_t type = number_at(header.data(), true);
+    if (type > largest_type) type = number_at(header.data(), false);
+    const std::size_t order = type / 1000;  // 0: little endian, 1: big
+    const std::size_t width = type / 10 % 10;
+    if (type > largest_type || order > 1 || width >= widths.size()) {
+      throw no_mat_file(file);
+    }
+    const auto number = [&](int k) {
+      return number_at(header.data() + 4 * k, order == 0);
+    };
+    const double values = static_cast<double>(number(1)) * number(2) *
+                          (number(3) != 0 ? 2.0 : 1.0);
+    const double length = number(4) + values * widths.at(width);
+    if (length > static_cast<double>(size - at - 20)) {
+      throw ends_early(file, at, length, size - at - 20);
+    }
+    at += 20 + static_cast<Length>(length);
+  }
+}
+
+}  // namespace
+
+InputError no_mat_file(const std::filesystem::path& file) {
+  return {"cannot be read as a MATLAB file",
+          file.string(),
+          "save it with save -v7 (or -v6), and check its name"};
+}
+
+void check_mat_elements(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<unsigned char, 128> header{};
+  in.read(reinterpret_cast<char*>(header.data()), header.size());
+  const bool whole = static_cast<bool>(in);
+  in.clear();
+  std::error_code ignored;
+  const Length size = std::filesystem::file_size(file, ignored);
+  if (ignored) return;
+  const std::string mark(header.begin() + 126, header.end());
+  const bool little = mark == "IM";
+  if (!whole || (!little && mark != "MI")) {
+    walk_variables(in, file, size);
+  } else if (header[little ? 125 : 124] == 1) {
+    walk_elements(in, file, size, little);
+  }
+}
+
+}  // namespace tapfit::acquisition

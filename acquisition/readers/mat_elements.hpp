@@ -1,0 +1,23 @@
+// Whether a MATLAB file holds what it announces, before matio is asked: that
+// makes room for any length it is told, leaves zeros where a file ends early,
+// and does not see that packed numbers are damaged.
+//
+// Source: "MAT-File Format", The MathWorks, 2019.
+#pragma once
+
+#include "acquisition/foundation/input_error.hpp"
+
+#include <filesystem>
+
+namespace tapfit::acquisition {
+
+/// What to say of a file that is none, or of a kind that is not read.
+[[nodiscard]] InputError no_mat_file(const std::filesystem::path& file);
+
+/// Compares all lengths within a file with what is there, and the checksums of
+/// what is packed. Files of version 7.3 are HDF5, which looks after itself.
+///
+/// @throws InputError with the byte where it ends early or is damaged
+void check_mat_elements(const std::filesystem::path& file);
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,105 @@
+#include "acquisition/uff/uff_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cstdint>
+
+namespace tapfit::acquisition {
+namespace {
+
+using Eigen::Index;
+
+template <class Float, class Bits>
+double from_bytes(const char* at, bool big_endian) {
+  Bits bits = 0;
+  for (std::size_t i = 0; i < sizeof(Bits); ++i) {
+    const std::size_t place = big_endian ? sizeof(Bits) - 1 - i : i;
+    bits |= static_cast<Bits>(
+        static_cast<Bits>(static_cast<unsigned char>(at[i])) << (8 * place));
+  }
+  return static_cast<double>(std::bit_cast<Float>(bits));
+}
+
+}  // namespace
+
+double uff_single(const char* at, bool big_endian) {
+  return from_bytes<float, std::uint32_t>(at, big_endian);
+}
+
+double uff_double(const char* at, bool big_endian) {
+  return from_bytes<double, std::uint64_t>(at, big_endian);
+}
+
+void take_uff_line(const UffDataset& dataset,
+                   std::string_view line,
+                   int number,
+                   bool is_double,
+                   std::vector<double>& values) {
+  if (numbers(line, is_double ? 20 : 13, values)) return;
+  throw InputError(fmt::format("\"{}\" is no line of numbers", line),
+                   fmt::format("{}, data line {}", dataset.place, number),
+                   "export the function anew");
+}
+
+InputError uff_cut_off(const UffDataset& dataset,
+                       std::size_t there,
+                       std::size_t wanted) {
+  return {fmt::format("{} of {} numbers are there", there, wanted),
+          dataset.place,
+          "the file is cut off; export it anew"};
+}
+
+UffValues::UffValues(const UffDataset& dataset, const UffHeader& header)
+    : dataset_(&dataset), is_double_(header.is_double), count_(header.count) {
+  assert(header.even && !header.complex);
+}
+
+Index UffValues::read(Eigen::Ref<Eigen::VectorXd> values) {
+  const std::size_t from = at_;
+  const Index wanted = std::min(values.size(), count_ - done_);
+  const Index there = dataset_->binary ? read_bytes(values.head(wanted))
+                                       : read_text(values.head(wanted));
+  done_ += there;
+  passed_ = dataset_->data.substr(from, at_ - from);
+  if (there == wanted) return there;
+  throw uff_cut_off(*dataset_,
+                    static_cast<std::size_t>(done_),
+                    static_cast<std::size_t>(count_));
+}
+
+Index UffValues::read_text(Eigen::Ref<Eigen::VectorXd> values) {
+  Index filled = 0;
+  while (filled < values.size()) {
+    if (given_ < rest_.size()) {
+      values[filled++] = rest_[given_++];
+      continue;
+    }
+    if (at_ >= dataset_->data.size()) break;
+    rest_.clear();
+    given_ = 0;
+    take_uff_line(
+        *dataset_, next_line(dataset_->data, at_), ++line_, is_double_, rest_);
+  }
+  at_ = std::min(at_, dataset_->data.size());
+  return filled;
+}
+
+Index UffValues::read_bytes(Eigen::Ref<Eigen::VectorXd> values) {
+  const std::size_t size = is_double_ ? 8 : 4;
+  const auto there = static_cast<Index>((dataset_->data.size() - at_) / size);
+  const Index count = std::min(there, values.size());
+  const char* from = dataset_->data.data() + at_;
+  const bool big = dataset_->big_endian;
+  if (is_double_) {
+    for (Index i = 0; i < count; ++i) values[i] = uff_double(from + 8 * i, big);
+  } else {
+    for (Index i = 0; i < count; ++i) values[i] = uff_single(from + 4 * i, big);
+  }
+  at_ += static_cast<std::size_t>(count) * size;
+  return count;
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,41 @@
+// The noise that a fit of the modal model has to live with.
+#pragma once
+
+#include "modal/fit/modal_fit.hpp"
+
+#include <Eigen/Core>
+
+namespace tapfit::modal {
+
+/// Of the weighted residual u v e.
+struct Noise {
+  Eigen::VectorXd per_line;  ///< standard deviation, rms over the FRFs
+  Eigen::MatrixXd share;  ///< each FRF's variance over that, n_lines x n_frfs
+};
+
+/// From the FRFs' variance or what the fit leaves, whichever is larger, both
+/// over a few lines.
+///
+/// @param from all lines: not below what they say is in proportion to the FRFs,
+///   for resonances with no lines beside the peak
+[[nodiscard]] Noise weighted_noise(const Curves& curves,
+                                   const ModalFit& fit,
+                                   NoiseFrom from);
+
+/// Standard deviation of each FRF's noise over `per_line` where each mode is
+/// told from: an FRF in which a mode is large mostly has more noise there.
+///
+/// @param X what the noise is projected on, times per_line: n_lines x 2 n_modes
+/// @return n_frfs x n_modes, about 1
+[[nodiscard]] Eigen::MatrixXd noise_at_modes(const Noise& noise,
+                                             const Eigen::MatrixXcd& X);
+
+/// x with every line's neighbours added as they are correlated by the window:
+/// rho(d) = 1 / (1 + j d spacing / (2 sigma)).
+///
+/// @param x n_lines x m
+/// @param ratio sigma / spacing; 0: not correlated
+[[nodiscard]] Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x,
+                                         double ratio);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,73 @@
+// The modal model fitted to FRFs: residues by linear least squares, poles by
+// Gauss-Newton on what the residues leave (variable projection).
+//
+//   H_f(s) = s^2 sum_r [ R_fr / (s - lambda_r) + conj(R_fr) / (s -
+//            conj(lambda_r)) ] + a_f + b_f s^2 + c_f s^4 + d_f / s^2
+//
+// The last terms stand for the modes below the band (a mass line and its first
+// correction) and above it (a compliance and its first correction).
+// Lines are weighted alike in all FRFs, w_f(k) = u_f v(k), so that one QR
+// factorisation serves all of them.
+//
+// Source: G. Golub, V. Pereyra, "Separable nonlinear least squares", Inverse
+// Problems 19, 2003, R1-R26, with Kaufman's simplified Jacobian.
+#pragma once
+
+#include "modal/poles/curves.hpp"
+
+#include <Eigen/Core>
+
+namespace tapfit::modal {
+
+struct ModalFit {
+  Eigen::VectorXcd poles;       ///< [rad/s], upper half plane, n_modes
+  Eigen::MatrixXcd residues;    ///< of receptance, n_frfs x n_modes
+  Eigen::MatrixXcd terms;       ///< of residual_basis, n_frfs x n_terms
+  Eigen::MatrixXcd H;           ///< fitted accelerance, n_lines x n_frfs
+  Eigen::VectorXd line_weight;  ///< v, n_lines
+  Eigen::VectorXd frf_weight;   ///< u, n_frfs
+  Eigen::VectorXd leverage;     ///< share of a line's noise that the residues
+                                ///< and terms follow, n_lines
+  /// F of each mode: the drop in weighted residual that its residues earn, per
+  /// parameter, over the residual's variance around its frequency.
+  Eigen::VectorXd significance;
+  /// Mode's part of H at its own frequency over all of H there, both rms over
+  /// the FRFs.
+  Eigen::VectorXd contribution;
+};
+
+/// Residues for given poles. No two poles may coincide.
+[[nodiscard]] ModalFit fit_residues(const Curves& curves,
+                                    const Eigen::VectorXcd& poles);
+
+/// Poles and residues together, starting from given poles.
+///
+/// @param iterations most Gauss-Newton steps; ends early when poles rest
+[[nodiscard]] ModalFit refine_poles(const Curves& curves,
+                                    const Eigen::VectorXcd& start,
+                                    int iterations);
+
+/// What the fitted H leave of the FRFs, over these: in the norm that the fit
+/// makes least, each value weighed by its line and FRF.
+///
+/// @param H n_lines x n_frfs
+[[nodiscard]] double relative_misfit(const Curves& curves,
+                                     const Eigen::MatrixXcd& H);
+
+/// Where the noise of a line is learnt from: a few lines around it, or also
+/// from what all lines say is in proportion to the FRFs. The latter is for what
+/// is told of modes; a fit that still lacks some has its misfit there.
+enum class NoiseFrom { NearLines, AllLines };
+
+/// Covariance of the poles of a refined fit, from the FRFs' variance or from
+/// what the fit leaves, whichever is larger. Neighbouring lines of an
+/// exponentially windowed block are correlated; that is accounted for.
+///
+/// @return 2 n_modes square, (Re lambda_1, Im lambda_1, Re lambda_2, ...)
+///   [(rad/s)^2]
+[[nodiscard]] Eigen::MatrixXd pole_covariance(
+    const Curves& curves,
+    const ModalFit& fit,
+    NoiseFrom from = NoiseFrom::NearLines);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,44 @@
+// Modes when the sensors move between set-ups and their mass moves the modes.
+//
+// Then no pole is common to all runs. Each set-up (runs with the sensors at the
+// same points) is identified by itself; modes of different set-ups that are
+// close in frequency are one mode, each set-up having it at most once. Its
+// frequency is the mean, its standard deviation the scatter, and each FRF's
+// residue comes from its own set-up.
+#pragma once
+
+#include "modal/fit/modal_fit.hpp"
+#include "modal/identify/identify_modes.hpp"
+#include "modal/mode_set/mode_set.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tapfit::modal {
+
+struct RunModes {
+  Eigen::VectorXcd poles;    ///< mean over set-ups [rad/s]
+  Eigen::VectorXcd scatter;  ///< sd over set-ups: of Re + j of Im [rad/s]
+  Eigen::VectorXd frequency_range;   ///< (largest - smallest) / mean
+  Eigen::MatrixXcd residues;         ///< n_frfs x n_modes; 0 where not found
+  Eigen::MatrixXd residue_variance;  ///< E|dR|^2, n_frfs x n_modes
+  Eigen::MatrixXcd H;                ///< fitted, n_lines x n_frfs
+  Eigen::MatrixXcd unrefined_H;      ///< by the diagrams' own poles
+  Eigen::VectorXd frf_weight;        ///< as in ModalFit, n_frfs
+  std::vector<SetUpPoles> set_ups;   ///< in order, of n_modes each
+};
+
+/// True when no sensor point is measured in more than half of the set-ups,
+/// of which there are several.
+[[nodiscard]] bool sensors_rove(const Curves& curves);
+
+/// Identifies every set-up by itself and joins the modes.
+///
+/// @return empty when there is one set-up only, when one shows no mode or no
+/// mode is in two of them
+[[nodiscard]] std::optional<RunModes> identify_per_set_up(
+    const Curves& curves,
+    const IdentifyOptions& options,
+    const Progress& progress);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,164 @@
+#include "modal/mode_set/read_modes_uff.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/uff_datasets.hpp"
+#include "acquisition/uff/uff_shapes.hpp"
+#include "modal/mode_set/complexity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <numbers>
+#include <optional>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using acquisition::UffDataset;
+using acquisition::UffShape;
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr int kNormal = 2;         // analysis types
+constexpr int kComplex = 3;        // of first order
+constexpr int kComplexSecond = 7;  // of second order
+
+/// One mode as it stands in the file.
+struct Raw {
+  Complex pole;
+  Complex modal_a;  ///< 0 where the file gives no scale
+  std::map<Dof, Complex> shape;
+};
+
+/// Why a dataset holds no mode; empty where it does.
+std::string fault(const UffShape& shape) {
+  if (shape.analysis != kNormal && shape.analysis != kComplex &&
+      shape.analysis != kComplexSecond) {
+    return fmt::format("analysis type {} is no mode", shape.analysis);
+  }
+  if (shape.data_type != 8 && shape.data_type != 12 && shape.data_type != 11) {
+    return fmt::format("data type {} is no motion", shape.data_type);
+  }
+  for (const auto& [node, values] : shape.values) {
+    if (values.size() != 3 && values.size() != 6) {
+      return fmt::format("{} values per node are no motion", values.size());
+    }
+  }
+  return {};
+}
+
+Raw raw_from(const UffShape& shape) {
+  Raw raw;
+  const double omega = kTwoPi * shape.frequency_hz;
+  const double zeta = shape.damping_ratio;
+  const double damped = omega * std::sqrt(std::max(0.0, 1.0 - zeta * zeta));
+  raw.pole = {-zeta * omega, damped};
+  raw.modal_a = shape.analysis == kNormal
+                    ? Complex(0.0, 2.0 * damped * shape.modal_mass)
+                    : shape.modal_a;
+  if (shape.eigenvalue != Complex(0.0)) {
+    raw.pole = {shape.eigenvalue.real(), std::abs(shape.eigenvalue.imag())};
+  }
+  for (const auto& [node, values] : shape.values) {
+    for (Eigen::Index k = 0; k < values.size(); ++k) {
+      raw.shape[{node, static_cast<int>(k) + 1, 1}] = values(k);
+    }
+  }
+  return raw;
+}
+
+/// The mode of a dataset, or why it holds none.
+std::optional<Raw> read_mode(const UffDataset& dataset, std::string& why) {
+  if (!acquisition::stands_at_nodes(dataset)) {
+    why = "its data are not at nodes";
+    return std::nullopt;
+  }
+  const UffShape shape = acquisition::read_shape(dataset);
+  why = fault(shape);
+  if (!why.empty()) return std::nullopt;
+  return raw_from(shape);
+}
+
+/// All modes on the degrees of freedom at which one of them moves.
+ModeSet collect(std::vector<Raw>& raws) {
+  ModeSet set;
+  std::ranges::stable_sort(
+      raws, {}, [](const Raw& raw) { return std::abs(raw.pole); });
+  std::map<Dof, bool> moves;
+  for (const Raw& raw : raws) {
+    for (const auto& [dof, value] : raw.shape) {
+      moves[dof] = moves[dof] || value != Complex(0.0);
+    }
+  }
+  for (const auto& [dof, moving] : moves) {
+    if (moving) set.dofs.push_back(dof);
+  }
+  set.scaled = std::ranges::all_of(raws, [](const Raw& raw) {
+    return std::abs(raw.modal_a) > 0.0 && raw.pole.imag() > 0.0;
+  });
+  for (const Raw& raw : raws) {
+    Mode mode;
+    mode.pole = raw.pole;
+    const double omega = std::abs(raw.pole);
+    mode.frequency_hz = omega / kTwoPi;
+    mode.damping_ratio = omega > 0.0 ? -raw.pole.real() / omega : 0.0;
+    mode.shape.setZero(static_cast<Eigen::Index>(set.dofs.size()));
+    // phi phi' / A is what stays when both are scaled.
+    const Complex factor =
+        set.scaled
+            ? std::sqrt(Complex(0.0, 2.0 * raw.pole.imag()) / raw.modal_a)
+            : Complex(1.0);
+    for (std::size_t k = 0; k < set.dofs.size(); ++k) {
+      const auto found = raw.shape.find(set.dofs[k]);
+      if (found == raw.shape.end()) continue;
+      mode.shape(static_cast<Eigen::Index>(k)) = factor * found->second;
+    }
+    mode.mpc = phase_collinearity(mode.shape);
+    mode.mpd_deg = mean_phase_deviation(mode.shape);
+    set.modes.push_back(std::move(mode));
+  }
+  return set;
+}
+
+}  // namespace
+
+UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
+  UffModes result;
+  std::vector<Raw> raws;
+  for (const UffDataset& dataset : acquisition::split_uff(text, name)) {
+    if (dataset.type != 55 && dataset.type != 2414) continue;
+    std::string why;
+    std::optional<Raw> raw = read_mode(dataset, why);
+    if (raw) {
+      raws.push_back(std::move(*raw));
+    } else {
+      result.skipped.push_back(
+          fmt::format("{}: dataset {}: {}", dataset.place, dataset.type, why));
+    }
+  }
+  if (raws.empty()) {
+    throw InputError(result.skipped.empty()
+                         ? std::string("no dataset 55 or 2414 in the file")
+                         : "no mode in the file: " + result.skipped.front(),
+                     name,
+                     "export modes (dataset 55 or 2414, at nodes)");
+  }
+  result.set = collect(raws);
+  return result;
+}
+
+UffModes read_modes_uff(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw InputError("cannot be read", file.string(), "check its name");
+  }
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  return read_modes_uff_text(text, file.string());
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,144 @@
+#include "modal/select/edit_poles.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/select/close_modes.hpp"
+#include "modal/select/neighbour_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
+constexpr double kNear = 0.02;          // relative
+constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
+
+void drop(const Curves& curves, double hz, ModalFit& fit) {
+  const double omega = kTwoPi * hz;
+  Index nearest = 0;
+  const bool any = fit.poles.size() > 0;
+  if (any) (fit.poles.array().abs() - omega).abs().minCoeff(&nearest);
+  if (!any || std::abs(std::abs(fit.poles(nearest)) - omega) > kNear * omega) {
+    throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
+                     "modes",
+                     any ? fmt::format("the nearest is at {:.6g} Hz",
+                                       std::abs(fit.poles(nearest)) / kTwoPi)
+                         : std::string("no mode was found at all"));
+  }
+  Eigen::VectorXcd rest(fit.poles.size() - 1);
+  rest << fit.poles.head(nearest), fit.poles.tail(rest.size() - nearest);
+  fit = fit_residues(curves, rest);
+  if (rest.size() == 0) return;
+  ModalFit refined = refine_poles(curves, rest, 10);
+  // A pole that goes where one was taken out would bring it back.
+  const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
+  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
+}
+
+/// The pole of the steadiest track near a frequency that is no mode yet.
+Complex start_near(const std::vector<Track>& tracks,
+                   const ModalFit& fit,
+                   double omega) {
+  Complex start(-kUsualDamping * omega, omega);
+  int most = 0;
+  for (const Track& track : tracks) {
+    if (std::abs(std::abs(track.pole) - omega) > 0.25 * kNear * omega) continue;
+    const bool taken =
+        fit.poles.size() > 0 &&
+        (fit.poles.array() - track.pole).abs().minCoeff() < 1e-4 * omega;
+    if (taken || static_cast<int>(track.poles.size()) <= most) continue;
+    most = static_cast<int>(track.poles.size());
+    start = track.pole;
+  }
+  return start;
+}
+
+/// Frequency [Hz] of the pole within a bandwidth that the last one of a fit is
+/// not told apart from.
+std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
+  const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
+  const Index last = fit.poles.size() - 1;
+  for (Index r = 0; r < last; ++r) {
+    const double width = -std::min(fit.poles(r).real(), fit.poles(last).real());
+    if (std::abs(fit.poles(r) - fit.poles(last)) > width) continue;
+    if (are_told_apart(covariance, fit, r, last)) continue;
+    return std::abs(fit.poles(r)) / kTwoPi;
+  }
+  return {};
+}
+
+void add(const Curves& curves,
+         const std::vector<Track>& tracks,
+         double hz,
+         ModalFit& fit) {
+  const double omega = kTwoPi * hz;
+  if (!in_band(curves, omega)) {
+    throw InputError(fmt::format("no mode can be put in at {:.6g} Hz", hz),
+                     "modes",
+                     fmt::format("the lines go from {:.6g} to {:.6g} Hz",
+                                 curves.s(0).imag() / kTwoPi,
+                                 curves.s(curves.lines() - 1).imag() / kTwoPi));
+  }
+  Eigen::VectorXcd poles(fit.poles.size() + 1);
+  poles << fit.poles, start_near(tracks, fit, omega);
+  ModalFit trial = refine_poles(curves, poles, 20);
+  const Complex last = trial.poles(trial.poles.size() - 1);
+  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > kNear * omega) {
+    throw InputError(
+        fmt::format("no pole can be fitted at {:.6g} Hz: it goes to {:.6g} Hz, "
+                    "damping {:.2g}",
+                    hz,
+                    std::abs(last) / kTwoPi,
+                    -last.real() / std::abs(last)),
+        "modes",
+        "choose a frequency at which the stabilisation diagram has poles");
+  }
+  const double share = trial.contribution(trial.poles.size() - 1);
+  if (share < kLeastShare) {
+    throw InputError(
+        fmt::format("a pole put in at {:.6g} Hz carries {:.1g} of the FRFs "
+                    "there: nothing is left to fit",
+                    hz,
+                    share),
+        "modes",
+        "choose a frequency at which the fit leaves something");
+  }
+  if (const std::optional<double> beside = untold_from(curves, trial)) {
+    throw InputError(
+        fmt::format("the pole put in at {:.6g} Hz cannot be told from the mode "
+                    "that is at {:.6g} Hz already",
+                    hz,
+                    *beside),
+        "modes",
+        "drop that one first, or choose another frequency");
+  }
+  fit = std::move(trial);
+}
+
+}  // namespace
+
+void edit_poles(const Curves& curves,
+                const std::vector<Track>& tracks,
+                const IdentifyOptions& options,
+                ModalFit& fit) {
+  for (const PoleEdit& edit : options.edits) {
+    if (edit.what == PoleEdit::What::Drop) {
+      drop(curves, edit.hz, fit);
+    } else {
+      add(curves, tracks, edit.hz, fit);
+    }
+  }
+  if (fit.poles.size() > 0) fit = by_frequency(curves, fit);
+}
+
+}  // namespace tapfit::modal

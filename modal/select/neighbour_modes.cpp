@@ -1,0 +1,104 @@
+#include "modal/select/neighbour_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+bool ran_away(const Curves& curves, const Complex& pole) {
+  constexpr double far = 4.0;
+  const double omega = std::abs(pole);
+  return far * omega < curves.s(0).imag() ||
+         omega > far * curves.s(curves.lines() - 1).imag();
+}
+
+/// Tries one more pole outside the band, started at omega; keeps it when the
+/// misfit falls clearly and the pole stays outside.
+bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
+  Eigen::VectorXcd poles(fit.poles.size() + 1);
+  poles << fit.poles, Complex(-0.01 * omega, omega);
+  ModalFit trial = refine_poles(curves, poles, 15);
+  const Complex last = trial.poles(trial.poles.size() - 1);
+  if (in_band(curves, last) || std::abs(last) > 10.0 * omega) return false;
+  const Index before = fit.poles.size();
+  for (Index r = 0; r < before; ++r) {
+    if (in_band(curves, fit.poles(r)) != in_band(curves, trial.poles(r))) {
+      return false;
+    }
+  }
+  // Two parameters per FRF on 2 n_lines values fall by 1 / n_lines by chance.
+  const double chance = 1.0 / static_cast<double>(curves.lines());
+  const double least = 1.0 - 0.01 - 4.0 * chance;
+  if (misfit(curves, trial) > least * misfit(curves, fit)) return false;
+  fit = std::move(trial);
+  return true;
+}
+
+}  // namespace
+
+double misfit(const Curves& curves, const ModalFit& fit) {
+  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
+          fit.frf_weight.asDiagonal())
+      .squaredNorm();
+}
+
+bool in_band(const Curves& curves, const Complex& pole) {
+  const double omega = std::abs(pole);
+  return omega >= curves.s(0).imag() &&
+         omega <= curves.s(curves.lines() - 1).imag();
+}
+
+bool far_outside(const Curves& curves, const Complex& pole) {
+  const double low = curves.s(0).imag();
+  const double high = curves.s(curves.lines() - 1).imag();
+  const double margin = 0.05 * (high - low);
+  const double omega = std::abs(pole);
+  return omega < low - margin || omega > high + margin;
+}
+
+Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
+  Eigen::VectorXcd result(poles.size() - 1);
+  result << poles.head(leave_out), poles.tail(poles.size() - leave_out - 1);
+  return result;
+}
+
+ModalFit by_frequency(const Curves& curves, const ModalFit& fit) {
+  Eigen::VectorXcd poles = fit.poles;
+  std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
+  return fit_residues(curves, poles);
+}
+
+ModalFit refine_in_reach(const Curves& curves,
+                         Eigen::VectorXcd poles,
+                         int iterations) {
+  for (;;) {
+    ModalFit fit = refine_poles(curves, poles, iterations);
+    Index away = 0;
+    while (away < poles.size() && !ran_away(curves, fit.poles(away))) ++away;
+    if (away == poles.size()) return fit;
+    poles = without(poles, away);
+  }
+}
+
+void add_neighbours(const Curves& curves, ModalFit& fit) {
+  const double low = curves.s(0).imag();
+  const double high = curves.s(curves.lines() - 1).imag();
+  if (curves.lines() < 60) return;
+  // The nearest disturbs most and is found only from close by.
+  constexpr double close = 1.02;
+  constexpr double apart = 1.15;
+  (void)add_outside(curves, close * high, fit);
+  if (add_outside(curves, apart * high, fit)) {
+    (void)add_outside(curves, 1.5 * high, fit);
+  }
+  if (low < 0.1 * high) return;
+  (void)add_outside(curves, low / close, fit);
+  (void)add_outside(curves, low / apart, fit);
+}
+
+}  // namespace tapfit::modal

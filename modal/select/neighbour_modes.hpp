@@ -1,0 +1,37 @@
+// Modes beside the band: their tails reach into it, and poles of their own
+// stand for them better than the residual terms do.
+#pragma once
+
+#include "modal/fit/modal_fit.hpp"
+
+#include <complex>
+
+namespace tapfit::modal {
+
+[[nodiscard]] bool in_band(const Curves& curves,
+                           const std::complex<double>& pole);
+
+/// A pole that only stands for the modes beside the band.
+[[nodiscard]] bool far_outside(const Curves& curves,
+                               const std::complex<double>& pole);
+
+[[nodiscard]] Eigen::VectorXcd without(const Eigen::VectorXcd& poles,
+                                       Eigen::Index leave_out);
+
+/// Weighted squares of what a fit leaves.
+[[nodiscard]] double misfit(const Curves& curves, const ModalFit& fit);
+
+/// The same poles in the order of their frequencies.
+[[nodiscard]] ModalFit by_frequency(const Curves& curves, const ModalFit& fit);
+
+/// refine_poles() without the poles that run away from the band under it: there
+/// the residual terms do the same, and with both the fit is all but singular,
+/// so that sound modes lose their significance.
+[[nodiscard]] ModalFit refine_in_reach(const Curves& curves,
+                                       Eigen::VectorXcd poles,
+                                       int iterations);
+
+/// Adds poles above and below the band where the misfit falls clearly.
+void add_neighbours(const Curves& curves, ModalFit& fit);
+
+}  // namespace tapfit::modal

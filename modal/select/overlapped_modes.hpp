@@ -1,0 +1,19 @@
+// Modes among heavily damped ones, where each resonance reaches over its
+// neighbours: noise keeps their poles from lasting over the orders, and what
+// the fit leaves has no peak. One between two poles is tried everywhere.
+#pragma once
+
+#include "modal/fit/modal_fit.hpp"
+#include "modal/identify/identify_modes.hpp"
+
+namespace tapfit::modal {
+
+/// Adds poles between those of a fit where resonances overlap, as long as none
+/// is less needed with them than noise could be.
+///
+/// @return the fit as it was where none is missing
+[[nodiscard]] ModalFit add_overlapped(const Curves& curves,
+                                      ModalFit fit,
+                                      const IdentifyOptions& options);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,28 @@
+#include "signal/frf_set/level_finding.hpp"
+
+#include <fmt/format.h>
+
+namespace tapfit::signal {
+namespace {
+
+// Of 500 tests of a linear structure one is suspected.
+constexpr double sure = 1.0 / 500.0;
+constexpr double worth_saying = 0.01;
+
+}  // namespace
+
+bool LevelFinding::is_nonlinear() const {
+  return p_value <= sure && change >= worth_saying;
+}
+
+std::string statement(const LevelFinding& finding) {
+  if (!finding.is_nonlinear()) return {};
+  return fmt::format(
+      "the FRFs change with the force of the hits: by about {:.2g} % from the "
+      "weakest to the strongest of a run (1 to {:.2g}). A linear model does "
+      "not; look for play, friction or large motions, and hit evenly",
+      100.0 * finding.change,
+      finding.level_ratio);
+}
+
+}  // namespace tapfit::signal

@@ -1,0 +1,185 @@
+#include "acquisition/bundle/uff_bundle.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/acquisition/support/uff_text.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::uff_ascii;
+using testing::uff_binary;
+using testing::UffTestRecord;
+
+class UffBundle : public ::testing::Test {
+ protected:
+  testing::TemporaryFolder folder_;
+
+  std::string refusal(const std::string& text) {
+    try {
+      (void)read_test_bundle(folder_.write("bad.uff", text));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+};
+
+UffTestRecord force(int node, std::vector<double> values) {
+  return {.node = node, .axis = 13, .unit = "lbf", .values = std::move(values)};
+}
+
+TEST_F(UffBundle, TimeRecordsBecomeRuns) {
+  // Roving hammer: two blows, two sensors, the second looking down.
+  std::string text =
+      uff_ascii(force(3, {0, 1, 0})) +
+      uff_ascii({.node = 12, .values = {0, 5, -5}}) +
+      uff_ascii({.node = 7, .direction = -1, .unit = "g", .values = {0, 1, 2}});
+  // The second run as another program writes it: binary, CRLF throughout.
+  for (UffTestRecord record :
+       {force(9, {0, 0.5, 0, 0}),
+        UffTestRecord{.node = 12, .values = {0, 1, 2, 3}},
+        UffTestRecord{
+            .node = 7, .direction = -1, .unit = "g", .values = {1, 1, 2, 3}}}) {
+    record.eol = "\r\n";
+    text += uff_binary(record);
+  }
+  const TestBundle bundle = read_test_bundle(folder_.write("test.uff", text));
+  ASSERT_EQ(bundle.runs.size(), 2U);
+  ASSERT_EQ(bundle.channels.size(), 3U);
+  EXPECT_EQ(name(bundle.runs[0].hammer.dof), "3Z+");
+  EXPECT_EQ(name(bundle.runs[1].hammer.dof), "9Z+");
+  EXPECT_EQ(name(bundle.runs[1].sensors.at(1).dof), "7X-");
+  EXPECT_TRUE(bundle.warnings.empty());
+
+  const std::vector<Recording> recordings = read_recordings(bundle);
+  EXPECT_EQ(recordings[0].sample_rate_hz, 1024.0);
+  // 1 lbf and 1 g by definition.
+  EXPECT_DOUBLE_EQ(recordings[0].samples(1, 0), 4.4482216152605);
+  EXPECT_DOUBLE_EQ(recordings[0].samples(2, 1), -5.0);
+  EXPECT_DOUBLE_EQ(recordings[0].samples(2, 2), 2.0 * 9.80665);
+  EXPECT_DOUBLE_EQ(recordings[1].samples(1, 0), 0.5 * 4.4482216152605);
+  EXPECT_DOUBLE_EQ(recordings[1].samples(3, 2), 3.0 * 9.80665);
+}
+
+TEST_F(UffBundle, UnlabelledValuesAreInTheUnitsOf164) {
+  const std::string units =
+      "    -1\n   164\n         5mm N s\n"
+      "  1.00000000000000000D+03  1.00000000000000000D+00"
+      "  1.00000000000000000D+00\n    -1\n";
+  const TestBundle bundle = read_test_bundle(folder_.write(
+      "mm.uff",
+      units + uff_ascii({.node = 3, .axis = 13, .unit = "", .values = {0, 2}}) +
+          uff_ascii({.node = 1, .unit = "NONE", .values = {0, 500}})));
+  const Recording recording = read_recording(bundle, bundle.runs.at(0));
+  EXPECT_DOUBLE_EQ(recording.samples(1, 0), 2.0);
+  EXPECT_DOUBLE_EQ(recording.samples(1, 1), 0.5);
+}
+
+// A record in what nobody knows is no record in SI.
+TEST_F(UffBundle, UnknownLabelsAreLeftOutByName) {
+  for (const char* label : {"mV", "V", "g rms", "m/s^2/V", "furlong", "N"}) {
+    const TestBundle bundle = read_test_bundle(folder_.write(
+        "label.uff",
+        uff_ascii(force(3, {0, 1})) +
+            uff_ascii({.node = 1, .unit = label, .values = {0, 1}}) +
+            uff_ascii({.node = 2, .unit = "G", .values = {0, 1}})));
+    ASSERT_EQ(bundle.runs.size(), 1U) << label;
+    EXPECT_EQ(bundle.runs[0].sensors.size(), 1U) << label;
+    EXPECT_EQ(read_recordings(bundle)[0].samples(1, 1), 9.80665) << label;
+    ASSERT_EQ(bundle.warnings.size(), 1U) << label;
+    for (const std::string& part :
+         {std::string("label.uff, line "),
+          fmt::format("\"{}\" is no known unit of acceleration", label),
+          std::string("mm/s^2")}) {
+      EXPECT_NE(bundle.warnings[0].find(part), std::string::npos)
+          << bundle.warnings[0];
+    }
+  }
+}
+
+TEST_F(UffBundle, RefusesAForceInAnUnknownUnit) {
+  UffTestRecord hammer = force(3, {0, 1});
+  hammer.unit = "mV";
+  const std::string said =
+      refusal(uff_ascii(hammer) + uff_ascii({.node = 1, .values = {0, 1}}));
+  EXPECT_NE(said.find("\"mV\" is no known unit of force; known are N,"),
+            std::string::npos)
+      << said;
+}
+
+// Else a moved sensor's record would count as an answer to the blow before.
+TEST_F(UffBundle, MotionsOfALostForceAreNotTheRunsBefore) {
+  UffTestRecord lost = force(3, {0, 1});
+  lost.unit = "mV";
+  const TestBundle bundle = read_test_bundle(folder_.write(
+      "lost.uff",
+      uff_ascii(force(3, {0, 1})) + uff_ascii({.node = 1, .values = {0, 1}}) +
+          uff_ascii(lost) + uff_ascii({.node = 2, .values = {0, 1}}) +
+          uff_ascii(force(3, {0, 1})) +
+          uff_ascii({.node = 5, .values = {0, 1}})));
+  ASSERT_EQ(bundle.runs.size(), 2U);
+  ASSERT_EQ(bundle.runs[0].sensors.size(), 1U);
+  EXPECT_EQ(bundle.runs[0].sensors[0].dof.node, 1);
+  EXPECT_EQ(bundle.runs[1].sensors.at(0).dof.node, 5);
+  EXPECT_EQ(bundle.warnings.size(), 2U);
+}
+
+TEST_F(UffBundle, SaysWhatItLeavesOut) {
+  const TestBundle bundle = read_test_bundle(folder_.write(
+      "odd.uff",
+      uff_ascii(force(3, {0, 1})) + uff_ascii({.node = 1, .values = {0, 1}}) +
+          uff_ascii({.direction = 0, .values = {1, 2}}) +
+          uff_ascii({.axis = 15, .unit = "Pa", .values = {1, 2}}) +
+          uff_ascii(force(4, {0, 1}))));
+  EXPECT_EQ(bundle.runs.size(), 1U);
+  ASSERT_EQ(bundle.warnings.size(), 3U);
+  EXPECT_NE(bundle.warnings[0].find("no direction"), std::string::npos);
+  EXPECT_NE(bundle.warnings[1].find("Pa"), std::string::npos);
+  EXPECT_NE(bundle.warnings[2].find("one force"), std::string::npos);
+}
+
+TEST_F(UffBundle, FrfsAreABundleToo) {
+  const fs::path file =
+      folder_.write("h.uff", uff_ascii({.function_type = 4, .values = {1, 2}}));
+  EXPECT_EQ(read_test_bundle(file).frfs, file);
+}
+
+TEST_F(UffBundle, RefusesWithAPlace) {
+  EXPECT_NE(refusal(uff_ascii({.values = {1, 2}})).find("neither"),
+            std::string::npos);
+  std::string cut = uff_ascii(force(3, {0, 1, 2, 3, 4}));
+  cut.resize(cut.size() - 30);
+  const fs::path file = folder_.write(
+      "cut.uff", uff_ascii({.node = 1, .values = {0, 1, 2, 3, 4}}) + cut);
+  const TestBundle bundle = read_test_bundle(file);
+  try {
+    (void)read_recordings(bundle);
+    FAIL() << "a record that is cut off was read";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("cut.uff, line"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// Files of other programs: none holds a hammer, and all say why they are
+// refused instead of being taken for something.
+TEST_F(UffBundle, OthersFilesAreRefusedWithAReason) {
+  const fs::path samples = TAPFIT_SOURCE_DIR "/../shared/data/uff-samples";
+  if (!fs::is_directory(samples)) GTEST_SKIP() << samples << " is not there";
+  for (const auto& entry : fs::directory_iterator(samples)) {
+    if (entry.path().extension() != ".uff") continue;
+    ASSERT_TRUE(is_uff(entry.path())) << entry;
+    // One has an FRF without points: a bundle of FRFs until they are asked for.
+    if (entry.path().filename() == "non_ascii_header.uff") continue;
+    EXPECT_THROW((void)read_test_bundle(entry.path()), InputError) << entry;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition

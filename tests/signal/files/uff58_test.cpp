@@ -1,0 +1,368 @@
+#include "signal/files/uff58.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/uff_function.hpp"
+#include "tests/signal/support/some_frfs.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <numbers>
+#include <sstream>
+
+namespace tapfit::signal {
+namespace {
+
+using acquisition::read_function;
+using acquisition::split_uff;
+using acquisition::UffDataset;
+using acquisition::UffFunction;
+
+using testing::some_set;
+using testing::written;
+
+using complex = std::complex<double>;
+using std::numbers::pi;
+
+// One dataset around the given header fields and data.
+std::string dataset(int type,
+                    int data_type,
+                    int count,
+                    int even,
+                    const std::string& data,
+                    const std::string& numerator =
+                        "        12    0    0    0 Acceleration         m/s^2",
+                    const std::string& tag = "    58",
+                    const std::string& force = "N") {
+  return fmt::format(
+      "    -1\n{}\nFRF\nNONE\nNONE\nNONE\nNONE\n"
+      "{:5}         1    0         0 NONE              12   3 NONE           "
+      "    3   3\n"
+      "{:10}{:10}{:10}  2.00000E+00  5.00000E-01  0.00000E+00\n"
+      "        18    0    0    0 Frequency            Hz\n"
+      "{}\n"
+      "        13    0    0    0 Force                {}\n"
+      "         0    0    0    0 NONE                 NONE\n"
+      "{}    -1\n",
+      tag,
+      type,
+      data_type,
+      count,
+      even,
+      numerator,
+      force,
+      data);
+}
+
+// One value, 1, in units of the given labels.
+std::string labelled(const std::string& motion, const std::string& force) {
+  return dataset(4,
+                 5,
+                 1,
+                 1,
+                 " 1. 0.\n",
+                 "        12    0    0    0 Acceleration         " + motion,
+                 "    58",
+                 force);
+}
+
+TEST(Uff58, ReadsEveryLayout) {
+  const std::string s = " 1.00000E+00 2.00000E+00 3.00000E+00 4.00000E+00\n";
+  const auto even = read_frfs_uff_text(dataset(4, 5, 2, 1, s), "x").set;
+  EXPECT_EQ(even.frfs[0].H(1), complex(3.0, 4.0));
+  EXPECT_NEAR(even.frequency_hz()(1), 2.5, 1e-12);
+  EXPECT_EQ(read_frfs_uff_text(dataset(4, 2, 4, 1, s), "x").set.frfs[0].H(3),
+            complex(4.0, 0.0));
+  const auto uneven = read_frfs_uff_text(dataset(4, 4, 2, 0, s), "x").set;
+  EXPECT_EQ(uneven.frfs[0].H(1), complex(4.0, 0.0));
+  EXPECT_NEAR(uneven.frequency_hz()(1), 3.0, 1e-12);
+  const auto triple =
+      read_frfs_uff_text(dataset(4,
+                                 6,
+                                 2,
+                                 0,
+                                 "  5.00000E+00  1.000000000000D+00 -2.0D+00\n"
+                                 "  6.00000E+00  3.000000000000D+00  4.0d-1\n"),
+                         "x");
+  EXPECT_EQ(triple.set.frfs[0].H(1), complex(3.0, 0.4));
+}
+
+TEST(Uff58, ReadsGluedColumnsAndLostExponents) {
+  const auto set =
+      read_frfs_uff_text(
+          dataset(
+              4, 5, 2, 1, "-1.00000E+00-2.00000E+00-3.00000E+00-4.0000-103\n"),
+          "x")
+          .set;
+  EXPECT_EQ(set.frfs[0].H(0), complex(-1.0, -2.0));
+  EXPECT_EQ(set.frfs[0].H(1), complex(-3.0, -4e-103));
+}
+
+TEST(Uff58, MakesAccelerances) {
+  const std::string s = " 1.00000E+00 2.00000E+00 3.00000E+00 4.00000E+00\n";
+  const auto set =
+      read_frfs_uff_text(
+          dataset(4,
+                  5,
+                  2,
+                  1,
+                  s,
+                  "         8    0    0    0 Displacement         mm"),
+          "x")
+          .set;
+  const double w = 2.0 * pi * 2.0;
+  EXPECT_LT(std::abs(set.frfs[0].H(0) + 1e-3 * w * w * complex(1.0, 2.0)),
+            1e-12);
+  const auto in_g =
+      read_frfs_uff_text(
+          dataset(4,
+                  5,
+                  2,
+                  1,
+                  s,
+                  "        12    0    0    0 Acceleration         g"),
+          "x")
+          .set;
+  EXPECT_LT(std::abs(in_g.frfs[0].H(0) - 9.80665 * complex(1.0, 2.0)), 1e-12);
+}
+
+TEST(Uff58, TakesUnitsOf164WhereTheLabelSaysNothing) {
+  const std::string units =
+      "    -1\n   164\n         5mm (milli-newton)          2\n"
+      "  1.00000000000000000D+03  1.00000000000000000D+03"
+      "  1.00000000000000000D+00\n  2.73149999999999977D+02\n    -1\n";
+  const std::string s = " 1.00000E+00 2.00000E+00\n";
+  const auto set =
+      read_frfs_uff_text(
+          units +
+              dataset(4,
+                      5,
+                      1,
+                      1,
+                      s,
+                      "        12    0    0    0 Acceleration         NONE"),
+          "x")
+          .set;
+  // mm/s^2 over N (labelled): 1e-3.
+  EXPECT_LT(std::abs(set.frfs[0].H(0) - 1e-3 * complex(1.0, 2.0)), 1e-15);
+}
+
+TEST(Uff58, TakesLabelsOfOtherPrograms) {
+  const auto value = [](const std::string& motion, const std::string& force) {
+    return read_frfs_uff_text(labelled(motion, force), "x")
+        .set.frfs[0]
+        .H(0)
+        .real();
+  };
+  EXPECT_DOUBLE_EQ(value("G", "N"), 9.80665);
+  EXPECT_DOUBLE_EQ(value("m/sec^2", "pound"), 1.0 / 4.4482216152605);
+  // The ratio as label of the numerator.
+  EXPECT_DOUBLE_EQ(value("g/N", "NONE"), 9.80665);
+  EXPECT_DOUBLE_EQ(value("(m/s^2)/N", "N"), 1.0);
+  EXPECT_DOUBLE_EQ(value("m/s2/lbf", ""), 1.0 / 4.4482216152605);
+}
+
+// What the numbers are in is not known then, and SI would be a guess.
+TEST(Uff58, LeavesOutFrfsInUnknownUnits) {
+  const std::vector<std::pair<std::string, std::string>> labels{{"mV", "N"},
+                                                                {"V", "V"},
+                                                                {"g rms", "N"},
+                                                                {"m/s^2", "Pa"},
+                                                                {"N", "N"},
+                                                                {"g/N", "lbf"}};
+  for (const auto& [motion, force] : labels) {
+    const UffFrfs result = read_frfs_uff_text(
+        labelled(motion, force) + labelled("m/s^2", "N"), "x.uff");
+    ASSERT_EQ(result.set.frfs.size(), 1u) << motion << " " << force;
+    EXPECT_EQ(result.set.frfs[0].H(0), complex(1.0, 0.0));
+    ASSERT_EQ(result.set.statements.size(), 1u) << motion;
+    const std::string& said = result.set.statements[0];
+    const bool by_motion = motion != "m/s^2";
+    for (const std::string& part :
+         {std::string("x.uff, line 2"),
+          fmt::format("\"{}\" is no known unit of {}; known are",
+                      by_motion ? motion : force,
+                      by_motion ? "acceleration" : "force")}) {
+      EXPECT_NE(said.find(part), std::string::npos) << said;
+    }
+    EXPECT_THROW((void)read_frfs_uff_text(labelled(motion, force), "x"),
+                 InputError);
+  }
+}
+
+TEST(Uff58, NamesTheFirstOfManyFrfsLeftOut) {
+  std::string text = labelled("m/s^2", "N");
+  for (int i = 0; i < 20; ++i) text += labelled("V", "N");
+  const UffFrfs result = read_frfs_uff_text(text, "x.uff");
+  EXPECT_EQ(result.skipped.size(), 20u);
+  ASSERT_EQ(result.set.statements.size(), 5u);
+  EXPECT_EQ(result.set.statements.back(), "16 more FRFs are left out");
+}
+
+TEST(Uff58, ReadsBinaryOfEitherByteOrder) {
+  for (const bool big : {false, true}) {
+    std::string bytes;
+    for (const double value : {1.5, -2.5, 3.25, 1e-7}) {
+      const auto bits = std::bit_cast<std::uint64_t>(value);
+      for (int i = 0; i < 8; ++i)
+        bytes += static_cast<char>(bits >> (8 * (big ? 7 - i : i)) & 0xff);
+    }
+    const std::string tag = fmt::format(
+        "    58b{:6}{:6}{:12}{:12}     0     0           0           0",
+        big ? 2 : 1,
+        2,
+        11,
+        bytes.size());
+    // With and without a line end before the fence.
+    for (const std::string end : {"", "\r\n"}) {
+      const auto set =
+          read_frfs_uff_text(
+              dataset(
+                  4, 6, 2, 1, bytes + end, "        12    0    0    0 A", tag),
+              "x")
+              .set;
+      EXPECT_EQ(set.frfs[0].H(0), complex(1.5, -2.5));
+      EXPECT_EQ(set.frfs[0].H(1), complex(3.25, 1e-7));
+    }
+  }
+}
+
+TEST(Uff58, TakesCoherenceAndNamesTheRest) {
+  const std::string text =
+      dataset(4, 5, 2, 1, " 1. 2. 3. 4.\n") +
+      dataset(6, 2, 2, 1, " 0.5 0.75\n") + dataset(1, 2, 2, 1, " 1. 2.\n") +
+      "    -1\n  2411\n         1\n    -1\n" + dataset(4, 5, 1, 1, " 1. 2.\n");
+  const UffFrfs result = read_frfs_uff_text(text, "x.uff");
+  ASSERT_EQ(result.set.frfs.size(), 1u);
+  EXPECT_EQ(result.set.frfs[0].coherence(1), 0.75);
+  ASSERT_EQ(result.skipped.size(), 3u);
+  EXPECT_NE(result.skipped[0].find("function type 1"), std::string::npos);
+  EXPECT_NE(result.skipped[1].find("2411"), std::string::npos);
+  EXPECT_NE(result.skipped[2].find("lines differ"), std::string::npos);
+}
+
+TEST(Uff58, DropsLinesThatAreNoNumbers) {
+  const UffFrfs result =
+      read_frfs_uff_text(dataset(4, 5, 2, 1, " NaN NaN 3. 4.\n"), "x");
+  ASSERT_EQ(result.set.lines(), 1);
+  EXPECT_EQ(result.set.frfs[0].H(0), complex(3.0, 4.0));
+  ASSERT_EQ(result.skipped.size(), 1u);
+  // Whoever sees the FRFs only is told, too.
+  EXPECT_EQ(result.set.statements, result.skipped);
+  EXPECT_NE(result.skipped[0].find("1 line is left out of all FRFs"),
+            std::string::npos)
+      << result.skipped[0];
+  EXPECT_NE(result.skipped[0].find("1 of " + name(result.set.frfs[0])),
+            std::string::npos)
+      << result.skipped[0];
+}
+
+// One dead FRF costs itself, not the lines of all others.
+TEST(Uff58, LeavesOutAnFrfThatHoldsNoNumbers) {
+  FrfSet set = some_set(0.0);
+  set.frfs[1].H.head(6).setConstant(std::nan(""));
+  const UffFrfs result = read_frfs_uff_text(written(set), "x");
+  ASSERT_EQ(result.set.frfs.size(), 1u);
+  EXPECT_EQ(result.set.lines(), 7);
+  ASSERT_EQ(result.skipped.size(), 1u);
+  EXPECT_NE(result.skipped[0].find("6 of its 7 values are not finite"),
+            std::string::npos)
+      << result.skipped[0];
+}
+
+TEST(Uff58, LeavesOutAnFrfWithAHole) {
+  FrfSet set = some_set(0.0);
+  set.frfs.resize(2);
+  set.frfs[0].H(0) = std::nan("");  // at the end of the band: of all FRFs
+  set.frfs[1].H(3) = std::nan("");
+  const UffFrfs result = read_frfs_uff_text(written(set), "x");
+  ASSERT_EQ(result.set.frfs.size(), 1u);
+  EXPECT_EQ(result.set.lines(), 6);
+  ASSERT_EQ(result.skipped.size(), 2u);
+  EXPECT_NE(result.skipped[0].find("is no number"), std::string::npos)
+      << result.skipped[0];
+}
+
+TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
+  const auto refuse = [](const std::string& text, const char* part) {
+    try {
+      (void)read_frfs_uff_text(text, "x.uff");
+      ADD_FAILURE() << "accepted: " << part;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
+          << error.what();
+    }
+  };
+  refuse("", "no FRF");
+  refuse(dataset(1, 2, 2, 1, " 1. 2.\n"), "function type 1");
+  refuse(dataset(4, 5, 2, 1, " 1. 2. 3.\n"), "3 of 4");
+  refuse(dataset(4, 5, 2, 1, " 1. 2. 3. four\n"), "data line 1");
+  refuse(dataset(4, 5, 2000000000, 1, " 1. 2. 3. 4.\n"),
+         "2000000000 values are announced");
+  refuse(dataset(4, 3, 2, 1, " 1. 2. 3. 4.\n"), "data type 3");
+  refuse("    -1\n    58\nFRF\n    -1\n", "no FRF");
+  refuse(dataset(4,
+                 5,
+                 2,
+                 1,
+                 "12",
+                 "        12    0    0    0 A",
+                 "    58b     1     2          11        4000"),
+         "cut off");
+  // Found by mutation: the header ends with the file, no byte announced.
+  refuse("    -1\n    58b     1     2           1           0\nFRF", "no FRF");
+  EXPECT_THROW((void)read_frfs_uff("/nowhere/at-all.uff"), InputError);
+}
+
+TEST(Uff58, OthersFilesAreReadOrRefusedWithAReason) {
+  const std::filesystem::path folder =
+      TAPFIT_SOURCE_DIR "/../shared/data/uff-samples";
+  if (!std::filesystem::is_directory(folder))
+    GTEST_SKIP() << "no sample files at " << folder;
+  int functions = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".uff") continue;
+    std::ifstream in(entry.path(), std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in),
+                           std::istreambuf_iterator<char>()};
+    for (const UffDataset& set : split_uff(text, entry.path().filename())) {
+      EXPECT_GT(set.type, 0) << set.place;
+      if (set.type != 58) continue;
+      const UffFunction function = read_function(set);
+      EXPECT_GT(function.y.size(), 0) << set.place;
+      EXPECT_TRUE(function.y.allFinite()) << set.place;
+      ++functions;
+    }
+    // None of them holds FRFs.
+    EXPECT_THROW((void)read_frfs_uff(entry.path()), InputError) << entry;
+  }
+  EXPECT_EQ(functions, 9);
+}
+
+TEST(Uff58, BinaryAndAsciiSampleAgree) {
+  const std::filesystem::path folder =
+      TAPFIT_SOURCE_DIR "/../shared/data/uff-samples";
+  if (!std::filesystem::is_directory(folder))
+    GTEST_SKIP() << "no sample files at " << folder;
+  std::vector<UffFunction> functions;
+  for (const char* file : {"Sample_UFF58_ascii.uff", "Sample_UFF58b_bin.uff"}) {
+    std::ifstream in(folder / file, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in),
+                           std::istreambuf_iterator<char>()};
+    functions.push_back(read_function(split_uff(text, file).at(0)));
+  }
+  ASSERT_EQ(functions[0].y.size(), 79292);
+  ASSERT_EQ(functions[1].y.size(), 79292);
+  // Six digits in the ASCII file.
+  EXPECT_LT((functions[0].y - functions[1].y).cwiseAbs().maxCoeff(),
+            1e-5 * functions[1].y.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+}  // namespace tapfit::signal

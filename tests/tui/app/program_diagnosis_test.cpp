@@ -1,0 +1,88 @@
+#include "tests/tui/support/play.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+// What was found stays to be read until something else is.
+TEST(Program, KeepsTheLastListWhileItLooksAnew) {
+  FakeOptions options;
+  options.endless_diagnosis = true;
+  Program program(testing::fake_workbench(options), {});
+  (void)replay(program, parse_key_script("5\nwait\na\nwait\n"));
+  program.press(Key(U'5'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  for (int i = 0; i < 20000 && !holds(seen(), "43 %"); ++i) program.tick();
+  EXPECT_TRUE(holds(seen(), "hypotheses … 43 %")) << seen();
+  EXPECT_TRUE(holds(seen(), "verdict: added-mass")) << seen();
+  EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
+  // It may be read, but what it proposes is not added.
+  program.press(Key(U'j'));
+  EXPECT_TRUE(holds(seen(), "▸    1.7 %")) << seen();
+  program.press(Key(U'a'));
+  EXPECT_TRUE(holds(seen(), "found before the last change")) << seen();
+  program.press(Key(keys::escape));
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
+}
+
+TEST(Program, ReportsWhatAnEarlierRunFoundMissing) {
+  const auto report = [](bool before) {
+    FakeOptions options;
+    options.diagnosed_before = before;
+    Program program(testing::fake_workbench(options), {});
+    (void)replay(program, parse_key_script("7\nwait\n"));
+    return program.draw().to_text();
+  };
+  EXPECT_TRUE(holds(report(false), "not diagnosed yet")) << report(false);
+  EXPECT_FALSE(holds(report(true), "not diagnosed yet")) << report(true);
+  EXPECT_TRUE(holds(report(true), "added-mass")) << report(true);
+}
+
+TEST(Program, ShowsTheNewListOnceItIsThere) {
+  const std::string text = played("5\nwait\na\nwait\n5\nwait");
+  EXPECT_FALSE(holds(text, "as of before")) << text;
+}
+
+TEST(Program, AddsWhatIsTaggedInOneStep) {
+  const std::string tagged = played("5\nwait\nj\nt\nk\nt");
+  EXPECT_TRUE(holds(tagged, "2 tagged")) << tagged;
+  EXPECT_TRUE(holds(tagged, "*1")) << tagged;  // the rung's number
+  const std::string add = "5\nwait\nj\nt\nk\nt\na\nwait\n";
+  const std::string both = played(add);
+  // In the order of the list, not of the tags.
+  EXPECT_TRUE(holds(both, "added added-mass+")) << both;
+  EXPECT_TRUE(holds(both, "2 effects added")) << both;
+  const std::string undone = played(add + "u\nwait");
+  EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
+  EXPECT_FALSE(holds(played(add + "5\nwait"), "tagged")) << both;
+}
+
+TEST(Program, TagsGoByEscape) {
+  const std::string tag = "5\nwait\nt\n";
+  EXPECT_TRUE(holds(played(tag), "1 tagged"));
+  // The next one is selected, as on the Recording screen.
+  EXPECT_TRUE(holds(played(tag), "▸     1.7 %")) << played(tag);
+  for (const char* key : {"<Esc>", "k\nt"}) {
+    EXPECT_FALSE(holds(played(tag + key), "1 tagged")) << key;
+  }
+  // A view on top goes first.
+  EXPECT_TRUE(holds(played(tag + "m\nwait\n<Esc>"), "1 tagged"));
+}
+
+TEST(Program, ShowsNoCandidateThatTheFilterLeavesOut) {
+  const std::string text = played("5\nwait\n/zz<Enter>\na");
+  EXPECT_TRUE(holds(text, "the filter matches nothing")) << text;
+  EXPECT_FALSE(holds(text, "kg")) << text;
+  EXPECT_FALSE(holds(text, "added added-mass")) << text;
+}
+
+TEST(Program, SaysWhereTaggedOnesLookAlike) {
+  const std::string text = played("5\nwait\nt\nt");
+  EXPECT_TRUE(holds(text, "neither size will be sure")) << text;
+  EXPECT_FALSE(holds(text, "any key closes")) << text;  // the list stays free
+}
+
+}  // namespace
+}  // namespace tapfit::tui

@@ -1,0 +1,50 @@
+#include "tests/tui/support/play.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+TEST(Program, HelpNamesTheKeysOfTheScreen) {
+  const std::string text = played("5\nwait\n?");
+  EXPECT_TRUE(holds(text, "add it")) << text;
+  EXPECT_TRUE(holds(text, ":add EFFECT")) << text;
+  EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
+}
+
+// A long entry that does not fit gives its room to those behind it.
+TEST(Program, KeyBarIsFilled) {
+  const std::string text = played("wait");
+  EXPECT_TRUE(holds(text, "n p run  j k hit")) << text;
+  EXPECT_TRUE(holds(played("2\nwait\nd"), "d back to FRFs  j k check"));
+}
+
+TEST(Program, TheKeyThatClosesTheHelpDoesNothingElse) {
+  const std::string text = played("3\nwait\n?x\nwait");
+  EXPECT_FALSE(holds(text, "dropped")) << text;
+  EXPECT_TRUE(holds(text, "3 modes")) << text;
+  EXPECT_TRUE(holds(played("3\nwait\n?6\nwait"), "ladder"));
+}
+
+// On the smallest screen some helps are longer than the screen.
+TEST(Program, HelpScrollsToItsEnd) {
+  const std::string first = played("5\nwait\n?");
+  EXPECT_TRUE(holds(first, "j k scroll")) << first;
+  EXPECT_TRUE(holds(first, "↓ more")) << first;
+  EXPECT_FALSE(holds(first, ":drop HZ")) << first;
+  for (const char* down : {"jjjjjjjj", "<PageDown>", "<Down><Down><Down>"}) {
+    const std::string last = played(fmt::format("5\nwait\n?{}", down));
+    EXPECT_TRUE(holds(last, ":drop HZ")) << last;
+    EXPECT_TRUE(holds(last, "↑ more")) << last;
+    EXPECT_FALSE(holds(last, "↓ more")) << last;
+  }
+  EXPECT_EQ(played("5\nwait\n?jjjj<PageUp>"), first);
+  EXPECT_EQ(played("5\nwait\n?jjjjx"), played("5\nwait"));
+  // Where all of it fits there is nothing to scroll: any key closes.
+  EXPECT_EQ(played("5\nwait\n?j", {120, 40, false}),
+            played("5\nwait", {120, 40, false}));
+}
+
+}  // namespace
+}  // namespace tapfit::tui

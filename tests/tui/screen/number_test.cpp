@@ -1,0 +1,87 @@
+#include "tui/screen/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(Number, FitsIntoFewCellsAndIsNeverCut) {
+  EXPECT_EQ(fitted(9.5e-5, 4), "0.00");
+  EXPECT_EQ(fitted(1.984, 4), "1.98");
+  EXPECT_EQ(fitted(1.984, 3), "2.0");
+  EXPECT_EQ(fitted(9.96, 3), "10");
+  EXPECT_EQ(fitted(15.27, 4), "15.3");
+  EXPECT_EQ(fitted(1234.0, 4), "1234");
+  EXPECT_EQ(fitted(1234.0, 3), "1k");
+  EXPECT_EQ(fitted(12345.0, 4), "12k");
+  EXPECT_EQ(fitted(999999.0, 4), "1.0M");
+  EXPECT_EQ(fitted(std::nan(""), 4), "–");
+}
+
+TEST(Number, NeverShowsWhatIsNoNumber) {
+  for (const double bad : {std::nan(""), infinity, -infinity}) {
+    EXPECT_EQ(number(bad), "–");
+    EXPECT_EQ(fixed(bad, 2), "–");
+    EXPECT_EQ(percent(bad), "–");
+    EXPECT_EQ(with_sd(bad, 1.0), "–");
+  }
+  EXPECT_EQ(with_sd(2.5, std::nan("")), "2.5");
+}
+
+TEST(Number, GivesTheDeviationTwoDigitsAndTheValueAsMany) {
+  EXPECT_EQ(with_sd(2.271, 0.0004), "2.27100 ± 0.00040");
+  EXPECT_EQ(with_sd(78.512, 1.5), "78.5 ± 1.5");
+  EXPECT_EQ(with_sd(2.271, 0.0004, 1), "2.2710 ± 0.0004");
+  EXPECT_EQ(with_sd(7.07e10, 2e8), "(7.070 ± 0.020)e10");
+  EXPECT_EQ(with_sd(3.0, 0.0), "3");
+  EXPECT_EQ(with_sd(7e10, 0.0), "7e10") << "as with a deviation";
+  EXPECT_EQ(with_sd(-2.5e-6, 0.0), "-2.5e-6");
+  EXPECT_EQ(with_sd(0.0, 0.0), "0");
+}
+
+TEST(Number, StaysShortForHugeValues) {
+  EXPECT_LE(fixed(1e300, 3).size(), 10U);
+  EXPECT_EQ(fixed(-0.0001, 2), "0.00");
+}
+
+TEST(Number, SplitsUnitsOffNames) {
+  EXPECT_EQ(split_unit("mass_kg").unit, "kg");
+  EXPECT_EQ(split_unit("mass_kg.acc1").name, "mass.acc1");
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad").unit, "N m/rad");
+  EXPECT_EQ(split_unit("damping_ns_per_m").name, "damping");
+  EXPECT_EQ(split_unit("E:1").unit, "Pa");
+  EXPECT_EQ(split_unit("factor").unit, "");
+}
+
+TEST(Number, WritesPercentWithSenseBelowOne) {
+  EXPECT_EQ(percent(0.388), "38.8 %");
+  EXPECT_EQ(percent(0.0042), "0.42 %");
+}
+
+TEST(Number, TellsSmallProbabilitiesFromNone) {
+  EXPECT_EQ(probability(0.983), "98.3 %");
+  EXPECT_EQ(probability(0.0006), "0.1 %");
+  EXPECT_EQ(probability(0.0004), "<0.1 %");
+}
+
+TEST(Number, TellsATotalFromItsValuePerMetre) {
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad").name,
+            "rotational stiffness");
+  EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad_per_m").name,
+            "rotational stiffness per m");
+}
+
+TEST(Number, PutsThePlacesVariantFirst) {
+  updating::Where where;
+  where.nodes = {1, 3, 4, 38};
+  where.variant = "rotation";
+  EXPECT_EQ(place(where), "rotation, 4 nodes (1 ... 38)");
+}
+
+}  // namespace
+}  // namespace tapfit::tui

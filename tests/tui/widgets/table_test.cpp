@@ -1,0 +1,62 @@
+#include "tui/widgets/table.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+Table numbers(int count) {
+  Table table{{{"name"}, {"n", true}}, {}};
+  for (int i = 0; i < count; ++i) {
+    table.rows.push_back({{"row " + std::to_string(i), std::to_string(i)}, {}});
+  }
+  return table;
+}
+
+TEST(Table, ShowsTheSelectedRowHoweverFarDown) {
+  const Table table = numbers(100);
+  Screen screen(20, 5);
+  draw_table(screen, screen.area(), table, {73, ""}, true);
+  EXPECT_NE(screen.to_text().find("▸row 73"), std::string::npos);
+}
+
+TEST(Table, RightColumnsEndTogether) {
+  Screen screen(20, 4);
+  Table table{{{"a"}, {"bbb", true}}, {{{"x", "1"}, {}}, {{"y", "22"}, {}}}};
+  draw_table(screen, screen.area(), table, {}, false);
+  EXPECT_EQ(screen.to_text(), " a  bbb\n x    1\n y   22\n\n");
+}
+
+TEST(Table, LeavesOutNumbersThatDoNotFitAndCutsTexts) {
+  const Table table{{{"a"}, {"b", true}, {"c", true}},
+                    {{{"x", "1.25", "2.75"}, {}}}};
+  Screen numbers_cut(12, 2);  // "x  1.25  2.75" takes 13 cells and the edges
+  draw_table(numbers_cut, numbers_cut.area(), table, {}, false);
+  EXPECT_EQ(numbers_cut.to_text(), " a     b\n x  1.25\n");
+  const Table words{{{"a"}, {"b"}}, {{{"x", "in words"}, {}}}};
+  Screen words_cut(10, 2);
+  draw_table(words_cut, words_cut.area(), words, {}, false);
+  EXPECT_EQ(words_cut.to_text(), " a  b\n x  in w…\n");
+}
+
+TEST(Table, FilterHidesRowsAndMovesTheSelection) {
+  const Table table = numbers(20);
+  ListState state{0, "ROW 1"};  // 1 and 10..19
+  EXPECT_EQ(visible_rows(table, state.filter).size(), 11U);
+  EXPECT_EQ(settled(table, state), 1U);
+  EXPECT_TRUE(list_key(state, table, Key(keys::down)));
+  EXPECT_EQ(state.selected, 10U);
+  EXPECT_TRUE(list_key(state, table, Key(U'G')));
+  EXPECT_EQ(state.selected, 19U);
+}
+
+TEST(Table, TakesNoRowsAndNoRoom) {
+  Screen screen(3, 1);
+  ListState state{5, ""};
+  EXPECT_NO_THROW(draw_table(screen, screen.area(), numbers(0), state, true));
+  EXPECT_FALSE(list_key(state, numbers(0), Key(keys::down)));
+  EXPECT_NO_THROW(draw_table(screen, {0, 0, 0, 0}, numbers(3), state, true));
+}
+
+}  // namespace
+}  // namespace tapfit::tui

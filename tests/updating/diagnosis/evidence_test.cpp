@@ -1,0 +1,48 @@
+#include "updating/diagnosis/evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+
+// FRFs with a residual that is independent from line to line.
+double data_of(Index frfs, int modes) {
+  const Index lines = 400;
+  Target target;
+  target.s.resize(lines);
+  for (Index l = 0; l < lines; ++l) {
+    target.s(l) = {0.1, static_cast<double>(l + 1)};
+  }
+  std::srand(7);
+  const Eigen::MatrixXcd noise = Eigen::MatrixXcd::Random(lines, frfs);
+  target.H = noise;
+  target.variance = Eigen::MatrixXd::Ones(lines, frfs);
+  target.weight = Eigen::VectorXd::Ones(lines);
+  target.run.assign(static_cast<std::size_t>(frfs), 0);
+  target.use.assign(static_cast<std::size_t>(frfs), 1.0);
+  return evidence_data(target, stack(target, noise), modes);
+}
+
+TEST(Evidence, IsWhatModesCanTellHoweverManyLines) {
+  // A complex residue of each mode for each FRF, a frequency of each mode.
+  EXPECT_DOUBLE_EQ(data_of(1, 1), 3.0);
+  EXPECT_DOUBLE_EQ(data_of(1, 4), 12.0);
+  EXPECT_DOUBLE_EQ(data_of(6, 4), 52.0);
+}
+
+TEST(Evidence, OneFrfTellsAMassThatExplainsIt) {
+  // One mode, one FRF, 30 % brought to 2 % by one of two candidates.
+  const double data = data_of(1, 1);
+  const double gained =
+      log_evidence(0.02, 1.0, 2.0, data) - log_evidence(0.3, 0.0, 1.0, data);
+  // 3 ln 15 less the price of a parameter and of two places: 3 x 2.71 - 0.55 -
+  // 0.69.
+  EXPECT_NEAR(gained, 6.88, 0.01);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

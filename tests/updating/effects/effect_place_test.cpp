@@ -1,0 +1,95 @@
+#include "updating/effects/effect_place.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+class EffectPlace : public ::testing::Test {
+ protected:
+  std::string refusal(const std::string& text) const {
+    try {
+      static_cast<void>(place_effect(parse_effect(text), setting_));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "taken";
+  }
+
+  structure::Deck deck_ = support::plate_deck(true);
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+  effects::Setting setting_ = support::plate_setting(bundle_, deck_);
+};
+
+TEST_F(EffectPlace, ChannelsAreJoinedAsTheyAreTold) {
+  const std::vector<std::string> both = {"acc1", "acc2"};
+  EXPECT_EQ(parse_effect("sensor-mass@acc1:acc2").where.channels, both);
+  EXPECT_EQ(parse_effect("sensor-mass@acc1,acc2").where.channels, both);
+  EXPECT_EQ(refusal("sensor-mass@acc1,acc2"), "taken");
+}
+
+TEST_F(EffectPlace, AChannelMayBeNamedByANumber) {
+  for (acquisition::Channel& channel : bundle_.channels) {
+    if (channel.name == "acc1") channel.name = "1";
+  }
+  EXPECT_EQ(refusal("channel-gain@1"), "taken");
+  EXPECT_EQ(refusal("sensor-mass@1"), "taken");
+}
+
+TEST_F(EffectPlace, FormsAreThoseThatTheEffectHas) {
+  EXPECT_EQ(parse_effect("added-mass@30:rotary").where.variant, "rotary");
+  EXPECT_EQ(parse_effect("sensor-mass@acc1:acc2:each").where.variant, "each");
+  EXPECT_EQ(refusal("added-mass@30:rotary"), "taken");
+  EXPECT_NE(refusal("added-mass@30:bogus").find("no form \"30:bogus\""),
+            std::string::npos);
+  EXPECT_NE(refusal("dashpot@30:rotary").find("no form"), std::string::npos);
+  EXPECT_NE(refusal("soft-support@sideways").find("translation-varying"),
+            std::string::npos);
+}
+
+TEST_F(EffectPlace, SupportsTakeTheirFormsAlongALine) {
+  const std::vector<int> clamp = {1, 12, 23, 34, 45};
+  for (const char* form :
+       {"rotation", "both", "rotation-varying", "translation-varying"}) {
+    const std::string text = std::string("soft-support@") + form;
+    const PlacedEffect alone = place_effect(parse_effect(text), setting_);
+    EXPECT_EQ(alone.where.variant, form);
+    EXPECT_EQ(alone.where.nodes, clamp);
+    EXPECT_EQ(alone.p.size(), form == std::string("rotation") ? 1U : 2U);
+    const std::string at = std::string("soft-support@1:45:") + form;
+    EXPECT_EQ(place_effect(parse_effect(at), setting_).where, alone.where);
+  }
+  // Hinges on a wall: there is no turn to let go.
+  for (structure::Constraint& c : deck_.constraints) c.components = "123";
+  EXPECT_EQ(refusal("soft-support@translation-varying"), "taken");
+  EXPECT_NE(refusal("soft-support@both").find("cannot sit there"),
+            std::string::npos);
+}
+
+TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
+  EXPECT_NE(refusal("added-mass@99999").find("no grid 99999"),
+            std::string::npos);
+  EXPECT_NE(refusal("sensor-mass@acc9").find("no channel \"acc9\""),
+            std::string::npos);
+  EXPECT_NE(refusal("added-mass@201x").find("\"201x\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("dashpot@acc1").find("\"acc1\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("absorber@201x:early").find("\"201x\" is no grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("ground-spring@30:31").find("sits at one grid"),
+            std::string::npos);
+  EXPECT_NE(refusal("channel-gain@30").find("no channel \"30\""),
+            std::string::npos);
+  // Grid 1 is in the clamp, 6 and 30 are on no one line.
+  EXPECT_NE(refusal("added-mass@1").find("a grid of the model that can move"),
+            std::string::npos);
+  EXPECT_NE(refusal("joint@6:30").find("from free edge to free edge"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

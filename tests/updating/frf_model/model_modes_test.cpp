@@ -1,0 +1,179 @@
+#include "updating/frf_model/model_modes.hpp"
+
+#include "tests/updating/support/plate_model.hpp"
+
+#include <complex>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+using std::complex;
+
+class ModelModesTest : public PlateModel {
+ protected:
+  /// How far the model's FRFs are from the sum over its modes, each with a
+  /// damping ratio of its own.
+  double off_definition(const FrfModel& model,
+                        const std::vector<PlacedEffect>& effects) const {
+    ModelState state = fitter_->first_state(model, effects);
+    for (Index q = 0; q < state.zeta.size(); ++q) {
+      state.zeta(q) = 0.002 * static_cast<double>(1 + (5 * q) % 7);
+    }
+    MatrixXcd expected =
+        MatrixXcd::Zero(s_.size(), static_cast<Index>(pairs_.frfs.size()));
+    add_modes(model, state, model.full_modes(state), expected);
+    return difference(model.respond(state, s_, false).H, expected);
+  }
+
+  /// The definition of a modal damping ratio, mode by mode.
+  void add_modes(const FrfModel& model,
+                 const ModelState& state,
+                 const BaseModes& modes,
+                 MatrixXcd& expected) const {
+    for (Index m = 0; m < modes.omega.size(); ++m) {
+      const double w = modes.omega(m);
+      const double zeta =
+          m < state.zeta.size() ? state.zeta(m) : state.zeta_other;
+      const VectorXcd answer =
+          (s_.array().square() /
+           (s_.array().square() + 2.0 * zeta * w * s_.array() + w * w))
+              .matrix();
+      for (std::size_t f = 0; f < pairs_.frfs.size(); ++f) {
+        const auto at = [&](const Dof& dof) {
+          return dof.sign *
+                 model.row(dof.node, dof.component).dot(modes.phi.col(m));
+        };
+        expected.col(static_cast<Index>(f)) +=
+            at(pairs_.frfs[f].response) * at(pairs_.frfs[f].reference) * answer;
+      }
+    }
+  }
+};
+
+// The definition of a modal damping ratio, mode by mode of the structure with
+// its springs and masses: R_r = phi phi' / (s^2 + 2 zeta w s + w^2).
+TEST_F(ModelModesTest, DampingRatiosBelongToTheModesWithSpringsAndMasses) {
+  const std::vector<PlacedEffect> effects = {at_node("ground-spring", 50, 3e5),
+                                             at_node("added-mass", 30, 0.05),
+                                             sensors(0.01, 0.02)};
+  const auto model = fitter_->model_for(effects);
+  EXPECT_LT(off_definition(*model, effects), 1e-9);
+}
+
+// The lowest keeps what the lowest had, wherever it stands.
+TEST(ByOrder, FollowsTheFrequencies) {
+  const Eigen::Vector3d before(10.0, 30.0, 20.0);
+  const Eigen::Vector3d after(21.0, 11.0, 31.0);
+  EXPECT_EQ(by_order({5, 6, 7}, before, after), (std::vector<int>{7, 5, 6}));
+  EXPECT_EQ(by_order({5, 6, 7}, before, before), (std::vector<int>{5, 6, 7}));
+}
+
+// What goes into the modes is what its law says at every s.
+TEST_F(ModelModesTest, LosslessLawsAreSpringsAndMasses) {
+  int lossless = 0;
+  const auto check = [](const effects::Effect& effect,
+                        std::size_t k,
+                        const std::vector<double>& p,
+                        std::size_t group) {
+    std::vector<double> without = p;
+    without[k] = 0.0;
+    const double stiffness = effect.law_derivative(0.0, p, group, k).real();
+    const double mass =
+        effect.law_derivative(1.0, p, group, k).real() - stiffness;
+    for (const complex<double> s :
+         {complex<double>(30.0, 500.0), complex<double>(2.0, 900.0)}) {
+      const complex<double> law = effect.law(s, p, group);
+      const complex<double> sum =
+          effect.law(s, without, group) + p[k] * (stiffness + s * s * mass);
+      EXPECT_LT(std::abs(law - sum), 1e-12 * std::abs(law)) << effect.name();
+    }
+  };
+  for (const auto& effect : effects::catalogue()) {
+    for (const Where& where : effect->places(setting_)) {
+      std::vector<double> p;
+      for (const auto& spec : effect->parameters(where, setting_)) {
+        p.push_back(spec.start * (1.0 + 0.3 * static_cast<double>(p.size())));
+      }
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        if (!effect->is_lossless(k)) continue;
+        if (where == effect->places(setting_).front()) ++lossless;
+        for (const auto& dof : effect->acts_on(where, setting_, 0)) {
+          check(*effect, k, p, dof.group);
+        }
+      }
+    }
+  }
+  // added-mass, ground-spring, sensor-mass, the spring of sensor-cable
+  EXPECT_EQ(lossless, 4);
+}
+
+// A cable's spring turns the modes that have the ratios; its damper, if there
+// is next to none, adds nothing.
+TEST_F(ModelModesTest, ACablesSpringIsInTheModesThatRatiosBelongTo) {
+  Where where;
+  where.channels = {"acc1", "acc2"};
+  const PlacedEffect cable{&effects::find("sensor-cable"), where, {2e4, 1e-9}};
+  const auto model = fitter_->model_for({cable});
+  EXPECT_LT(off_definition(*model, {cable}), 1e-8);
+}
+
+TEST_F(ModelModesTest, FullModesFallWithAddedMass) {
+  const std::vector<PlacedEffect> effects = {at_node("added-mass", 33, 0.1)};
+  const auto model = fitter_->model_for(effects);
+  const Eigen::VectorXd base =
+      model->full_modes(fitter_->first_state(*model, {})).omega;
+  const Eigen::VectorXd loaded =
+      model->full_modes(fitter_->first_state(*model, effects)).omega;
+  EXPECT_LT(loaded(0), 0.95 * base(0));
+}
+
+// Measured modes of several set-ups are means; so are the model's, whichever
+// run comes first.
+TEST_F(ModelModesTest, FullModesWithARovingMassAreMeansOverTheRuns) {
+  constexpr double mass = 0.004;  // 1.4 % of the plate
+  const std::vector<int> nodes = {11, 36, 52, 28, 6, 42};
+  for (std::size_t run = 0; run < nodes.size(); ++run) {
+    bundle_.runs[run].sensors[0].dof.node = nodes[run];
+  }
+  Where where;
+  where.channels = {"acc1"};
+  const std::vector<PlacedEffect> roving = {
+      {&effects::find("sensor-mass"), where, {mass}}};
+  const auto model = fitter_->model_for(roving);
+  const Eigen::VectorXd found =
+      model->full_modes(fitter_->first_state(*model, roving)).omega;
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(6);
+  for (const int node : nodes) {
+    const std::vector<PlacedEffect> there = {at_node("added-mass", node, mass)};
+    const auto still = fitter_->model_for(there);
+    mean +=
+        still->full_modes(fitter_->first_state(*still, there)).omega.head(6);
+  }
+  mean /= static_cast<double>(nodes.size());
+  for (Index m = 0; m < 6; ++m) {
+    // Of second order in shifts of up to 5 %.
+    EXPECT_NEAR(found(m), mean(m), 2e-3 * mean(m));
+  }
+}
+
+// Tuned just below the middle of the band (63 Hz), where its law at the middle
+// is a large spring: modes stay modes.
+TEST_F(ModelModesTest, FullModesStayFiniteWithAnAbsorberBelowMidBand) {
+  Where where;
+  where.node = 33;
+  for (const double hz : {5.0, 20.0, 60.0, 63.0, 64.0, 120.0}) {
+    const std::vector<PlacedEffect> effects = {
+        {&effects::find("absorber"), where, {0.1, hz, 0.01}}};
+    const auto model = fitter_->model_for(effects);
+    const Eigen::VectorXd omega =
+        model->full_modes(fitter_->first_state(*model, effects)).omega;
+    EXPECT_TRUE(omega.allFinite()) << hz;
+    EXPECT_GT(omega(0), 0.0) << hz;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,76 @@
+#include "updating/places/support_line.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tapfit::updating {
+namespace {
+
+// Five grids 0.03 m apart along x = 0: 1, 12, 23, 34, 45.
+structure::Deck held_at(const std::vector<int>& nodes) {
+  structure::Deck deck = support::plate_deck(false);
+  for (const int node : nodes) deck.constraints.push_back({node, "123456"});
+  return deck;
+}
+
+double length_at(const SupportLine& line, int node) {
+  const auto at =
+      std::find_if(line.dofs.begin(), line.dofs.end(), [node](const auto& dof) {
+        return dof.node == node;
+      });
+  return at == line.dofs.end() ? -1.0 : at->length;
+}
+
+TEST(SupportLine, EachGridCarriesHalfTheGapsBesideIt) {
+  const std::vector<int> nodes = {1, 12, 23, 34, 45};
+  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  EXPECT_NEAR(line.length, 0.12, 1e-12);
+  EXPECT_NEAR(length_at(line, 1), 0.015, 1e-12);
+  EXPECT_NEAR(length_at(line, 23), 0.03, 1e-12);
+  // About the line, which runs along y.
+  EXPECT_EQ(line.dofs.front().component, 5);
+}
+
+// Two clamps of 0.03 m with nothing held between them.
+TEST(SupportLine, TheGapBetweenTwoEdgesCarriesNothing) {
+  const std::vector<int> nodes = {1, 12, 34, 45};
+  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  EXPECT_NEAR(line.length, 0.06, 1e-12);
+  for (const int node : nodes) EXPECT_NEAR(length_at(line, node), 0.015, 1e-12);
+}
+
+// Bolts: no two are joined by an edge, so the gaps are all there is.
+TEST(SupportLine, GridsAloneStandForTheGapsBesideThem) {
+  const std::vector<int> nodes = {1, 23, 45};
+  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  EXPECT_NEAR(line.length, 0.12, 1e-12);
+  EXPECT_NEAR(length_at(line, 23), 0.06, 1e-12);
+}
+
+// What goes with the stiffness at one end and at the other is the whole line;
+// a moment of the shares about an end tells which is which.
+TEST(SupportLine, SharesOfItsEndsAddUpToTheLine) {
+  const std::vector<int> nodes = {45, 1, 12, 23, 34};
+  const structure::Deck deck = held_at(nodes);
+  const SupportLine whole = support_line(deck, nodes, true, 3);
+  const auto parts = support_parts(deck, nodes, "rotation-varying", 3);
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].end, 1);
+  EXPECT_EQ(parts[1].end, 45);
+  EXPECT_NEAR(parts[0].line.length, 0.06, 1e-12);
+  EXPECT_NEAR(parts[1].line.length, 0.06, 1e-12);
+  // Half way along the two are alike, a quarter of the way one has 3/4.
+  EXPECT_NEAR(length_at(parts[0].line, 23), 0.015, 1e-12);
+  EXPECT_NEAR(length_at(parts[0].line, 12), 0.75 * 0.03, 1e-12);
+  EXPECT_NEAR(length_at(parts[1].line, 12), 0.25 * 0.03, 1e-12);
+  EXPECT_NEAR(length_at(parts[0].line, 1), length_at(whole, 1), 1e-12);
+  EXPECT_EQ(length_at(parts[1].line, 1), -1.0);
+  // One grid, or bolts round a circle, have no ends.
+  EXPECT_TRUE(support_parts(deck, {1}, "rotation-varying", 3).empty());
+}
+
+}  // namespace
+}  // namespace tapfit::updating

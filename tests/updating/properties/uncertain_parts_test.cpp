@@ -1,0 +1,197 @@
+#include "updating/properties/uncertain_parts.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/fit/fitter.hpp"
+#include "updating/measurement/damped_line.hpp"
+#include "updating/properties/uncertain_property.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tapfit::updating {
+namespace {
+
+using acquisition::UncertainProperty;
+using structure::Deck;
+using structure::SparseMatrix;
+
+// The sample plate with a stiffener of bars along one edge and a rod across,
+// each with a property card and a material of its own.
+Deck stiffened_plate() {
+  Deck deck = support::plate_deck(true);
+  structure::Material steel;
+  steel.id = 2;
+  steel.E = 210e9;
+  steel.nu = 0.3;
+  steel.G = 210e9 / 2.6;
+  steel.rho = 7850.0;
+  deck.materials[2] = steel;
+  deck.bar_properties[2] = {2, 2, 4e-4, 1.3e-8, 2.1e-8, 0.0, 2.2e-8};
+  deck.rod_properties[3] = {3, 2, 2e-4, 1e-9};
+  for (int i = 0; i < 10; ++i) {
+    structure::Bar bar;
+    bar.id = 101 + i;
+    bar.property = 2;
+    bar.grids = {1 + i, 2 + i};
+    bar.orientation = Eigen::Vector3d::UnitZ();
+    bar.rotary_inertia = true;
+    deck.bars.push_back(bar);
+  }
+  deck.rods.push_back({201, 3, {11, 55}});
+  deck.shell_properties[1].shear = 0;
+  return deck;
+}
+
+// The matrices that the parts stand for against the scaled deck's own.
+void expect_reassembled(const Deck& deck,
+                        const std::vector<UncertainProperty>& uncertain,
+                        const std::vector<double>& factor,
+                        double tolerance) {
+  Deck scaled = deck;
+  for (std::size_t j = 0; j < uncertain.size(); ++j) {
+    scale_property(scaled, uncertain[j], factor[j]);
+  }
+  const structure::System whole = structure::assemble(scaled);
+  structure::System system = structure::assemble(deck);
+  for (const UncertainPart& part : uncertain_parts(deck, uncertain)) {
+    system.K += part_coefficient(part.power, factor) * part.K;
+    system.M += part_coefficient(part.power, factor) * part.M;
+  }
+  const double dK = SparseMatrix(system.K - whole.K).norm() / whole.K.norm();
+  const double dM = SparseMatrix(system.M - whole.M).norm() / whole.M.norm();
+  EXPECT_LT(dK, tolerance);
+  EXPECT_LT(dM, tolerance);
+}
+
+TEST(UncertainPartsTest, PolynomialsAreExact) {
+  const Deck deck = stiffened_plate();
+  const std::vector<UncertainProperty> uncertain = {
+      {"material", 1, "E"},
+      {"material", 1, "rho"},
+      {"property", 1, "t"},
+      {"material", 2, "E"},
+      {"material", 2, "rho"},
+      {"property", 2, "A"},
+      {"property", 2, "I1"},
+      {"property", 2, "I2"},
+      {"property", 2, "J"},
+      {"property", 3, "A"},
+      {"property", 3, "J"},
+  };
+  const std::vector<double> factor = {
+      1.2, 0.8, 1.3, 0.7, 1.15, 1.2, 0.9, 1.4, 0.6, 1.5, 0.5};
+  // Rounding only; powers of f - 1 cancel two or three digits.
+  expect_reassembled(deck, uncertain, factor, 1e-12);
+}
+
+TEST(UncertainPartsTest, RationalPropertiesAreCloseInTheirRange) {
+  Deck deck = stiffened_plate();
+  deck.shell_properties[1].shear = 1;
+  deck.bar_properties[2].K1 = 0.83;
+  deck.bar_properties[2].K2 = 0.83;
+  // The interpolation's error of fourth degree over 0.5 .. 2: parts in ten
+  // thousand of the few percent that are not polynomial.
+  expect_reassembled(
+      deck,
+      {{"property", 1, "t"}, {"property", 2, "I1"}, {"material", 1, "nu"}},
+      {1.3, 0.8, 1.1},
+      1e-4);
+}
+
+TEST(UncertainPartsTest, OrthotropicModuli) {
+  Deck deck = support::plate_deck(true);
+  structure::Material& wood = deck.materials[1];
+  wood = {1, true, 12e9, 0.35, 0.7e9, 450.0, 0.9e9, 0.7e9, 0.1e9};
+  const std::vector<UncertainProperty> uncertain = {{"material", 1, "E1"},
+                                                    {"material", 1, "E2"},
+                                                    {"material", 1, "G12"},
+                                                    {"material", 1, "rho"}};
+  // As above.
+  expect_reassembled(deck, uncertain, {1.1, 0.85, 1.2, 0.9}, 1e-4);
+}
+
+TEST(UncertainPartsTest, DerivativesAgreeWithDifferences) {
+  const Deck deck = stiffened_plate();
+  acquisition::TestBundle bundle = support::plate_bundle();
+  bundle.uncertain = {{"property", 1, "t"},
+                      {"material", 1, "E"},
+                      {"material", 2, "E"},
+                      {"property", 2, "A"},
+                      {"material", 2, "rho"}};
+  const effects::Setting setting = support::plate_setting(bundle, deck);
+  const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
+  BaseOptions options;
+  options.high_hz = 400.0;
+  options.split = false;
+  options.points = measured_points(deck, bundle);
+  const BaseBuilder builder(deck, bundle.uncertain, options, Progress{});
+  const FrfModel model(
+      builder.build({}, {}), setting, support::plate_pairs(bundle, s));
+  ModelState state;
+  state.factor = {1.1, 0.95, 1.2, 0.9, 1.15};
+  // Unequal, so that damping that turns with the modes would show.
+  state.zeta.setLinSpaced(6, 0.004, 0.05);
+  state.zeta_other = 0.02;
+  const ModelResponse response = model.respond(state, s, true);
+  const Eigen::VectorXd theta = pack(state);
+  const auto properties = static_cast<Eigen::Index>(state.factor.size());
+  for (Eigen::Index k = 0; k < properties; ++k) {
+    constexpr double h = 1e-5;
+    Eigen::VectorXd up = theta;
+    Eigen::VectorXd down = theta;
+    up(k) += h;
+    down(k) -= h;
+    const Eigen::MatrixXcd numeric =
+        (model.respond(unpack(state, up), s, false).H -
+         model.respond(unpack(state, down), s, false).H) /
+        (2.0 * h);
+    const Eigen::MatrixXcd& exact = response.dH[static_cast<std::size_t>(k)];
+    // Central differences of step 1e-5 are good to about 1e-8 here.
+    EXPECT_LT((exact - numeric).norm(), 1e-6 * numeric.norm()) << k;
+  }
+}
+
+TEST(UncertainPartsTest, ReducedModelFollowsTheScaledDeck) {
+  Deck deck = support::plate_deck(true);
+  acquisition::TestBundle bundle = support::plate_bundle();
+  bundle.uncertain = {{"property", 1, "t"}};
+  const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
+  const auto respond = [&](const Deck& of, double factor) {
+    const effects::Setting setting = support::plate_setting(bundle, of);
+    BaseOptions options;
+    options.high_hz = 400.0;
+    options.split = false;
+    options.points = measured_points(of, bundle);
+    const BaseBuilder builder(of, bundle.uncertain, options, Progress{});
+    const FrfModel model(
+        builder.build({}, {}), setting, support::plate_pairs(bundle, s));
+    ModelState state;
+    state.factor = {factor};
+    return model.respond(state, s, false).H;
+  };
+  const Eigen::MatrixXcd reduced = respond(deck, 1.1);
+  scale_property(deck, bundle.uncertain[0], 1.1);
+  const Eigen::MatrixXcd solved = respond(deck, 1.0);
+  // Bending modes of a plate do not change shape with its thickness; what is
+  // left are modes above four times the band.
+  EXPECT_LT((reduced - solved).norm(), 1e-4 * solved.norm());
+}
+
+TEST(UncertainPartsTest, RefusesWhatTheDeckHasNot) {
+  const Deck deck = stiffened_plate();
+  const auto refuses = [&](const std::vector<UncertainProperty>& uncertain) {
+    EXPECT_THROW(static_cast<void>(uncertain_parts(deck, uncertain)),
+                 InputError);
+  };
+  refuses({{"material", 9, "E"}});
+  refuses({{"property", 9, "t"}});
+  refuses({{"property", 1, "A"}});
+  refuses({{"property", 3, "I1"}});
+  refuses({{"material", 1, "E1"}});  // a MAT1
+  refuses({{"material", 1, "E"}, {"material", 1, "E"}});
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,55 @@
+#include "updating/structure/edit/weaken_cards.hpp"
+
+#include "tests/updating/support/deck_support.hpp"
+
+namespace tapfit::structure {
+namespace {
+
+const std::string model =
+    "GRID,1,,0.,0.,0.\nGRID,2,,.1,0.,0.\nGRID,3,,.1,.1,0.\n"
+    "GRID,4,,0.,.1,0.\nGRID,5,,.2,0.,0.\nGRID,6,,.2,.1,0.\n"
+    "CQUAD4,1,1,1,2,3,4\nCQUAD4,2,1,2,5,6,3\n"
+    "CBAR,3,2,1,2,0.,0.,1.\nCBAR,4,2,2,5,0.,0.,1.\n"
+    "PSHELL,1,1,.002,1,,1\nPBARL,2,1,,BAR\n,.01,.005\n"
+    "MAT1,1,7.+10,,.3,2700.\n";
+
+Deck written(const Deck& deck,
+             const std::vector<WeakElements>& weak,
+             const std::vector<CardScale>& scales) {
+  const WeakenCards cards(deck, weak);
+  std::vector<bool> done;
+  const CardEdit rescale = rescale_cards(scales, done);
+  std::string text;
+  for (const std::string& line :
+       edit_cards(deck.path, {cards.edit(scales, done), rescale})) {
+    text += line + "\n";
+  }
+  EXPECT_TRUE(std::ranges::all_of(done, [](bool d) { return d; })) << text;
+  return read_deck(write_text("weak.bdf", text));
+}
+
+// Read back, exactly the elements named are softer, in what is left of a
+// modulus that was identified besides; the mass stays.
+TEST(WeakenCards, GivesElementsAPropertyOfTheirOwn) {
+  const Deck deck = deck_of(model);
+  const std::vector<WeakElements> weak = {{{2}, 0.4}, {{3}, 0.7}};
+  const Deck read = written(
+      deck, weak, {{.name = "MAT1", .id = 1, .fields = {2, 3}, .factor = 1.1}});
+  const auto part = [&deck](int id) {
+    return assemble_stiffness(deck, [id](int e) { return e == id; });
+  };
+  const SparseMatrix expected =
+      1.1 * (assemble(deck).K - 0.6 * part(2) - 0.3 * part(3));
+  // Nine digits are written.
+  EXPECT_LT((assemble(read).K - expected).norm(), 1e-8 * expected.norm());
+  EXPECT_LT((assemble(read).M - assemble(deck).M).norm(),
+            1e-12 * assemble(deck).M.norm());
+}
+
+TEST(WeakenCards, LeavesADeckWithoutThemAsItIs) {
+  const Deck deck = deck_of(model);
+  EXPECT_EQ(written(deck, {}, {}).cards, deck.cards);
+}
+
+}  // namespace
+}  // namespace tapfit::structure

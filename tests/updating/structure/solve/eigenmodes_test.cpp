@@ -1,0 +1,129 @@
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/solve/factor.hpp"
+
+#include <Eigen/Dense>
+
+#include <cmath>
+#include <random>
+
+namespace tapfit::structure {
+namespace {
+
+TEST(Factor, SolvesDefiniteAndIndefiniteSystems) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd A =
+      Eigen::MatrixXd::NullaryExpr(30, 30, [&] { return normal(random); });
+  A = (A + A.transpose()).eval();
+  const Eigen::MatrixXd B =
+      Eigen::MatrixXd::NullaryExpr(30, 4, [&] { return normal(random); });
+  const Factor indefinite(sparse(A));
+  // No pivoting: a few digits are lost on a random matrix.
+  EXPECT_LT((A * indefinite.solve(B) - B).norm(), 1e-8 * B.norm());
+  const Eigen::MatrixXd P = A * A.transpose();
+  const Factor definite(sparse(P));
+  EXPECT_LT((P * definite.solve(B) - B).norm(), 1e-8 * B.norm());
+}
+
+TEST(Factor, RefusesAMechanism) {
+  Eigen::Matrix3d A;
+  A << 1, -1, 0, -1, 2, -1, 0, -1, 1;  // a free chain
+  EXPECT_THROW(Factor(sparse(A)), InputError);
+  EXPECT_THROW(Factor(sparse(Eigen::Matrix3d::Zero())), InputError);
+  Factor moved(sparse(Eigen::Matrix3d::Identity()));
+  const Factor taken = std::move(moved);
+  EXPECT_EQ(taken.solve(Eigen::Vector3d::Ones()), Eigen::Vector3d::Ones());
+}
+
+// The definition: K phi = omega^2 M phi, phi' M phi = I.
+void expect_modes(const SparseMatrix& K,
+                  const SparseMatrix& M,
+                  const Eigenmodes& modes) {
+  const Eigen::Index n = modes.frequency_hz.size();
+  const Eigen::MatrixXd unit = modes.phi.transpose() * (M * modes.phi);
+  EXPECT_LT((unit - Eigen::MatrixXd::Identity(n, n)).norm(), 1e-9);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double lambda = std::pow(2 * M_PI * modes.frequency_hz(i), 2);
+    const Eigen::VectorXd force = K * modes.phi.col(i);
+    const Eigen::VectorXd residual = force - lambda * (M * modes.phi.col(i));
+    // Forces cancel within K's rows; what is left is its rounding.
+    EXPECT_LT(residual.norm(), 1e-6 * std::max(force.norm(), 1.0)) << i;
+    EXPECT_GE(modes.frequency_hz(i),
+              modes.frequency_hz(std::max<Eigen::Index>(i - 1, 0)));
+  }
+}
+
+TEST(Eigenmodes, HoldsTheDefinitionForLargeAndSmallModels) {
+  for (const int n : {3, 16}) {
+    Deck deck = plate_deck({.b = 0.8}, n, n);
+    hold(deck, "123456", [](const Eigen::Vector3d& p) { return p.x() < 1e-9; });
+    const System system = assemble(deck);
+    const std::vector<int> free = system.free_dofs();
+    const SparseMatrix K = extract(system.K, free);
+    const SparseMatrix M = extract(system.M, free);
+    expect_modes(K, M, eigenmodes(K, M, 20));
+  }
+}
+
+TEST(Eigenmodes, FindsSixRigidModesAndTwins) {
+  // A free square plate: every second bending mode has a twin.
+  const Eigen::VectorXd f = modes_of(plate_deck({}, 14, 14), 30).frequency_hz;
+  EXPECT_LT(f.head(6).maxCoeff(), 1e-3 * f(6));
+  EXPECT_GT(f(6), 1.0);
+  EXPECT_NEAR(f(9), f(10), 1e-6 * f(9));
+}
+
+TEST(Eigenmodes, FindsEverythingUpToAFrequency) {
+  const System system = assemble(plate_deck({}, 10, 10));
+  const std::vector<int> free = system.free_dofs();
+  const SparseMatrix K = extract(system.K, free);
+  const SparseMatrix M = extract(system.M, free);
+  const Eigen::VectorXd all = eigenmodes(K, M, 25).frequency_hz;
+  const double limit = 0.5 * (all(19) + all(20));
+  ASSERT_GT(all(20) - all(19), 1e-3 * all(20));
+  EXPECT_EQ(eigenmodes_up_to(K, M, limit).frequency_hz.size(), 20);
+}
+
+TEST(Eigenmodes, CutsTheCountToWhatThereIs) {
+  Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+  M(0, 0) = 1.0;
+  M(1, 1) = 4.0;
+  const Eigen::Matrix3d K = 16.0 * Eigen::Matrix3d::Identity();
+  const Eigenmodes modes = eigenmodes(sparse(K), sparse(M), 10);
+  ASSERT_EQ(modes.frequency_hz.size(), 2);
+  EXPECT_NEAR(modes.frequency_hz(0), 2 / (2 * M_PI), 1e-9);
+  EXPECT_NEAR(modes.frequency_hz(1), 4 / (2 * M_PI), 1e-9);
+}
+
+// Three masses on a plate that weighs nothing: as many modes as these can move
+// in ways, and none of infinite frequency among them.
+TEST(Eigenmodes, FindsTheFewOfFewMasses) {
+  Deck deck = plate_deck({}, 8, 8);
+  deck.materials[1].rho = 0.0;
+  hold(deck, "123456", [](const Eigen::Vector3d& p) { return p.x() < 1e-9; });
+  for (const int grid : {40, 60, 81}) {
+    PointMass mass;
+    mass.id = 100 + grid;
+    mass.grid = grid;
+    mass.mass = 0.1;
+    deck.masses.push_back(mass);
+  }
+  const System system = assemble(deck);
+  const std::vector<int> free = system.free_dofs();
+  const SparseMatrix K = extract(system.K, free);
+  const SparseMatrix M = extract(system.M, free);
+  const Eigenmodes modes = eigenmodes(K, M, 20);
+  EXPECT_EQ(modes.frequency_hz.size(), 9);
+  expect_modes(K, M, modes);
+}
+
+TEST(Extract, TakesRowsAndColumns) {
+  Eigen::Matrix3d A;
+  A << 1, 2, 3, 2, 5, 6, 3, 6, 9;
+  const Eigen::MatrixXd part = extract(sparse(A), {2, 0});
+  EXPECT_EQ(part, (Eigen::Matrix2d() << 9, 3, 3, 1).finished());
+}
+
+}  // namespace
+}  // namespace tapfit::structure

@@ -1,0 +1,82 @@
+#include "tui/app/place_words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace tapfit::tui {
+namespace {
+
+using effects::Effect;
+using effects::Setting;
+using updating::ChangeKind;
+
+std::vector<std::string> grid_ids(const Setting& setting) {
+  std::vector<std::string> ids;
+  for (const auto& grid : setting.deck->grids) {
+    ids.push_back(std::to_string(grid.id));
+  }
+  return ids;
+}
+
+std::vector<std::string> element_ids(const Setting& setting) {
+  std::vector<std::string> ids;
+  for (const auto& shell : setting.deck->shells) {
+    ids.push_back(std::to_string(shell.id));
+  }
+  for (const auto& bar : setting.deck->bars) {
+    ids.push_back(std::to_string(bar.id));
+  }
+  return ids;
+}
+
+/// Those of the catalogue, each with the forms that it may take there.
+std::vector<std::string> catalogue_places(const Effect& effect,
+                                          const Setting& setting) {
+  std::vector<std::string> words;
+  for (const updating::Where& where : effect.places(setting)) {
+    std::string word = where.node != 0
+                           ? std::to_string(where.node)
+                           : fmt::format("{}", fmt::join(where.channels, ":"));
+    if (!where.variant.empty()) word += ":" + where.variant;
+    words.push_back(word);
+    for (const std::string& form : effect.forms()) {
+      if (effect.takes(form, where, setting))
+        words.push_back(word + ":" + form);
+    }
+  }
+  return words;
+}
+
+std::vector<std::string> all_words(const Effect& effect,
+                                   const Setting& setting) {
+  const std::optional<ChangeKind> kind = effect.changes_stiffness();
+  if (kind == ChangeKind::Support) {
+    std::vector<std::string> words = effect.forms();
+    words.insert(words.begin(), {"rotation", "translation"});
+    return words;
+  }
+  const bool of_channels = effect.entry() == effects::Entry::Measurement;
+  if (setting.deck == nullptr && !of_channels) return {};
+  if (kind == ChangeKind::Elements) return element_ids(setting);
+  if (kind == ChangeKind::Joint) return grid_ids(setting);
+  return catalogue_places(effect, setting);
+}
+
+}  // namespace
+
+std::vector<std::string> place_words(const Effect& effect,
+                                     const Setting& setting,
+                                     std::string_view typed) {
+  // Elements and a joint's grids are given one after the other.
+  const bool listed = effect.changes_stiffness().has_value();
+  const std::size_t last = listed ? typed.find_last_of(":,") + 1 : 0;
+  const std::string_view before = typed.substr(0, last);
+  const std::string_view begun = typed.substr(last);
+  std::vector<std::string> words;
+  for (const std::string& word : all_words(effect, setting)) {
+    if (word.starts_with(begun)) words.push_back(std::string(before) + word);
+  }
+  return words;
+}
+
+}  // namespace tapfit::tui

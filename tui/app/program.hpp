@@ -1,0 +1,140 @@
+// The program without its terminal: keys in, screens out. It keeps the seven
+// pages, asks the worker for what the shown one needs, and carries out what
+// the user asks for.
+#pragma once
+
+#include "tui/app/colon_command.hpp"
+#include "tui/screen/key.hpp"
+#include "tui/screen/screen.hpp"
+#include "tui/views/page.hpp"
+#include "tui/work/worker.hpp"
+
+#include <array>
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace tapfit::tui {
+
+class DiagnosePage;
+class FrfPage;
+class ModesPage;
+class RecordingPage;
+class UpdatePage;
+
+/// How long the running job has been at it; 0 when there is none.
+[[nodiscard]] long seconds_of(const WorkerStatus& status);
+
+class Program {
+ public:
+  Program(std::unique_ptr<Workbench> bench, const Canvas& canvas);
+  ~Program();
+
+  void resize(int width, int height);
+  void press(Key key);
+  /// Takes what the worker has done and gives it the next work.
+  /// @return true when the screen may have changed
+  bool tick();
+  /// Moves what is animated by a frame; true when the screen has changed.
+  bool animate();
+  [[nodiscard]] Screen draw() const;
+  /// Nothing runs and nothing that the screen needs is missing.
+  [[nodiscard]] bool idle() const;
+  [[nodiscard]] bool quit() const { return quit_; }
+  /// Asks what runs to stop, for good.
+  void leave();
+  /// Work runs, whatever comes of it.
+  [[nodiscard]] bool busy() const { return worker_.status().busy; }
+
+ private:
+  enum class Mode { Normal, Filter, Colon };
+
+  [[nodiscard]] Page& page() const { return *pages_[current_]; }
+  [[nodiscard]] bool ready() const;
+  [[nodiscard]] std::optional<Need> next_need() const;
+  void finish(Finished finished);
+  void start(Job job);
+
+  void press_normal(Key key);
+  void ask_to_quit();
+  void press_global(Key key);
+  void press_filter(Key key);
+  void press_colon(Key key);
+  void escape();
+  void stop_work();
+  void mouse(Key key);
+  void show_screen(std::size_t index);
+  /// The same, with a way back by Esc.
+  void go_to(std::size_t index);
+  bool go_back();
+  void run_mode_action(const ColonCommand& command);
+  void run_colon(const std::string& text);
+  void show_run(std::size_t number);
+  /// What is known of the test that places are named in.
+  [[nodiscard]] effects::Setting setting() const;
+  void carry_out(const Command& command);
+  void act(Job job);
+  /// What runs is what the user asked for, and not a screen's need.
+  [[nodiscard]] bool acting() const { return running_ && !running_need_; }
+  /// The screen is about a model, and the bundle has none.
+  [[nodiscard]] bool lacks_model() const;
+  /// Those that do something now.
+  [[nodiscard]] std::vector<KeyHelp> page_keys() const;
+  void retry();
+  void tell(const std::string& text, bool error = false);
+  /// What is told does not fit its line and stands in a box.
+  [[nodiscard]] bool boxed() const;
+  /// The filter in force, for the line that messages stand in.
+  [[nodiscard]] std::string filter_words() const;
+
+  [[nodiscard]] Screen body(const Canvas& canvas) const;
+  [[nodiscard]] Screen waiting(const Canvas& canvas) const;
+  [[nodiscard]] Screen help(const Canvas& canvas) const;
+  [[nodiscard]] std::vector<std::string> help_lines() const;
+  void open_help();
+  /// False where the key closes the help.
+  bool scroll_help(Key key);
+  void draw_tabs(Screen& screen) const;
+  void draw_line(Screen& screen, int y) const;
+  void draw_work(Screen& screen, int y) const;
+  void draw_live(Screen& screen) const;
+  void draw_keys(Screen& screen, int y) const;
+
+  Canvas canvas_;
+  Snapshot known_;
+  std::array<std::unique_ptr<Page>, 7> pages_;
+  RecordingPage* recording_page_ = nullptr;  ///< one of pages_
+  FrfPage* frf_page_ = nullptr;              ///< another
+  ModesPage* modes_page_ = nullptr;          ///< another
+  DiagnosePage* diagnose_page_ = nullptr;    ///< another
+  UpdatePage* update_page_ = nullptr;        ///< another
+  std::size_t current_ = 0;
+  Mode mode_ = Mode::Normal;
+  std::vector<std::size_t> crumbs_;  ///< screens that led here
+  std::string typed_;                ///< after ':'
+  std::string typed_before_;         ///< and what was carried out last
+  std::string message_;
+  bool message_is_error_ = false;
+  bool message_is_to_wait_ = false;  ///< and ends with what runs
+  bool help_open_ = false;
+  int help_row_ = 0;  ///< the first line shown of a help that is too long
+  bool quit_ = false;
+  /// q was the last key and something would be lost: it leaves once that is
+  /// done, and at once where q comes again.
+  bool quit_asked_ = false;
+  bool quit_asked_before_ = false;  ///< by the key before
+  bool changed_ = true;
+
+  std::map<Need, std::string> failed_;  ///< not asked for again by itself
+  std::deque<Job> actions_;             ///< what the user asked for
+  bool running_ = true;                 ///< a job's end has not been taken yet
+  bool running_need_ = true;            ///< it makes a result, it is no action
+  bool stopped_by_user_ = false;
+  WorkerStatus shown_;
+  long shown_seconds_ = 0;  ///< of shown_
+  Worker worker_;           // last: its thread ends before the rest goes
+};
+
+}  // namespace tapfit::tui

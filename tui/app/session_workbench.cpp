@@ -1,0 +1,160 @@
+#include "tui/app/session_workbench.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tui/app/session_file.hpp"
+#include "tui/commands/export_command.hpp"
+#include "tui/commands/updated_deck.hpp"
+#include "tui/report/session_report.hpp"
+#include "updating/session/saved_session.hpp"
+
+#include <system_error>
+
+namespace tapfit::tui {
+namespace {
+
+class SessionWorkbench final : public Workbench {
+ public:
+  explicit SessionWorkbench(const std::filesystem::path& bundle)
+      : session_(bundle, acquisition::Unreadable::LeftOut),
+        file_(session_file(bundle)) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file_, ignored)) {
+      const updating::SavedSession saved = updating::read_saved_session(file_);
+      session_.take_up(saved);
+      hit_acts_ = {saved.overruled, saved.restored};
+    }
+  }
+
+  const acquisition::TestBundle& bundle() override { return session_.bundle(); }
+  bool has_model() override { return session_.has_model(); }
+  const structure::Deck& deck(const Progress& p) override {
+    return session_.deck(p);
+  }
+  const std::vector<acquisition::Recording>& recordings(
+      const Progress& p) override {
+    return session_.recordings(p);
+  }
+  std::vector<acquisition::LeftOut> left_out() override {
+    return session_.left_out();
+  }
+  const acquisition::HitSet& hits(const Progress& p) override {
+    return session_.hits(p);
+  }
+  const signal::FrfSet& frfs(const Progress& p) override {
+    return session_.frfs(p);
+  }
+  const modal::ModeSet& modes(const Progress& p) override {
+    return session_.modes(p);
+  }
+  const updating::Comparison& comparison(const Progress& p) override {
+    return session_.comparison(p);
+  }
+  const updating::Comparison& base_comparison(const Progress& p) override {
+    return session_.base_comparison(p);
+  }
+  const updating::Diagnosis& diagnosis(const Progress& p) override {
+    return session_.diagnosis(p);
+  }
+  std::optional<updating::Diagnosis> known_diagnosis(
+      std::size_t effects, const Progress& p) override {
+    return session_.known_diagnosis(effects, p);
+  }
+  updating::Signature signature(int node, const Progress& p) override {
+    return session_.signature(node, p);
+  }
+  std::vector<updating::GridShare> signature_map(const Progress& p) override {
+    return session_.signature_map(p);
+  }
+  std::vector<updating::UpdateRecord> update_records(
+      const Progress& p) override {
+    return session_.update_records(p);
+  }
+  std::vector<updating::Rung> ladder(const Progress& p) override {
+    return session_.ladder(p);
+  }
+  std::vector<updating::Estimate> model_parameters(const Progress& p) override {
+    return session_.model_parameters(p);
+  }
+  void overrule_hit(std::size_t run, std::size_t hit) override {
+    session_.overrule_hit(run, hit);
+  }
+  void choose_modes(const updating::ModeChoices& choices,
+                    const Progress& p) override {
+    session_.choose_modes(choices, p);
+  }
+  updating::ModeChoices mode_choices() override {
+    return session_.mode_choices();
+  }
+  bool undo_modes(const Progress& p) override { return session_.undo_modes(p); }
+  bool redo_modes(const Progress& p) override { return session_.redo_modes(p); }
+  updating::EffectRef parse_effect(const std::string& text) override {
+    return updating::parse_effect(text);
+  }
+  void add_together(const std::vector<updating::EffectRef>& effects,
+                    const Progress& p) override {
+    session_.add_together(effects, p);
+  }
+  void toggle(std::size_t effect, const Progress& p) override {
+    session_.toggle(effect, p);
+  }
+  bool undo(const Progress& p) override { return session_.undo(p); }
+  bool redo(const Progress& p) override { return session_.redo(p); }
+  std::vector<updating::AddedEffect> effects() override {
+    return session_.effects();
+  }
+  updating::HitActs hit_acts() override { return hit_acts_; }
+  std::filesystem::path write(Output what,
+                              const std::filesystem::path& to,
+                              const Progress& p) override;
+  std::string save(const updating::HitActs& acts, const Progress& p) override;
+
+ private:
+  updating::Session session_;
+  std::filesystem::path file_;
+  updating::HitActs hit_acts_;  ///< when it was opened
+};
+
+std::filesystem::path SessionWorkbench::write(Output what,
+                                              const std::filesystem::path& to,
+                                              const Progress& p) {
+  const char* name = what == Output::Report ? "report.md"
+                     : what == Output::Uff  ? "measured.uff"
+                                            : "updated.bdf";
+  const std::filesystem::path path =
+      to.empty() ? file_.parent_path() / name : to;
+  if (what == Output::Report) {
+    write_text_file(session_report(session_, p), path);
+  } else if (what == Output::Uff) {
+    write_measured_uff(session_, path, acquisition::UffNodes::D2411, p);
+  } else {
+    check_deck_path(session_, path);
+    write_updated_deck(session_, path, p);
+  }
+  return path;
+}
+
+std::string SessionWorkbench::save(const updating::HitActs& acts,
+                                   const Progress& p) {
+  try {
+    updating::SavedSession saved = session_.saved(p);
+    saved.overruled = acts.done;
+    saved.restored = acts.undone;
+    std::error_code ignored;
+    if (!saved.empty()) {
+      updating::write_saved_session(file_, saved);
+    } else {
+      std::filesystem::remove(file_, ignored);
+    }
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+std::unique_ptr<Workbench> open_session(const std::filesystem::path& bundle) {
+  return std::make_unique<SessionWorkbench>(bundle);
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,93 @@
+// What every command line command is given, and what it returns.
+#pragma once
+
+#include "acquisition/foundation/progress.hpp"
+#include "modal/identify/identify_modes.hpp"
+#include "updating/measurement/mode_choices.hpp"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// What `tapfit import` is told about the files.
+struct ImportArguments {
+  std::vector<std::string> files;    ///< "FILE" or "FILE@POINT"
+  std::string hammer;                ///< "COLUMN@POINT[,KEY=VALUE ...]"
+  std::vector<std::string> sensors;  ///< the same
+  std::string rate;  ///< Hz, or the variable of a .mat file that holds it
+  std::string time_column = "1";
+  std::string title;
+  std::optional<std::array<double, 2>> band_hz;
+  bool overwrite = false;
+};
+
+/// How FRFs are to be estimated and written.
+struct FrfArguments {
+  std::string estimator = "H1";      ///< H1, H2, Hv
+  std::string form = "accelerance";  ///< accelerance, mobility, receptance
+  std::optional<double> window;      ///< exponential's value at the block's end
+  std::optional<double> sigma;       ///< on the line sigma + j omega [1/s]
+  bool best_hits = false;            ///< without those that stand apart
+};
+
+/// What `tapfit paper` is told.
+struct PaperArguments {
+  std::vector<std::string> structures;  ///< "truss", "wing", "frame"; none: all
+  bool write = false;                   ///< make the bundles' FRFs again
+};
+
+/// What `tapfit modes` is told.
+struct ModesArguments {
+  modal::IdentifyOptions identify;
+  bool diagram = false;                      ///< print it too
+  std::optional<std::filesystem::path> fit;  ///< synthesised FRFs, UFF 58
+  int dataset = 55;                          ///< of --uff: 55 or 2414
+};
+
+/// What a command is told of decisions made by hand.
+struct HandChoices {
+  bool session = false;            ///< start from those that are kept
+  bool keep = false;               ///< and keep what was given with them
+  updating::ModeChoices modes;     ///< without pairs
+  std::vector<std::string> pairs;  ///< "2:3", measured and model, from 1
+};
+
+/// The command line of one command; each command reads what it knows of.
+struct CommandOptions {
+  std::filesystem::path input;  ///< bundle or deck; of paper: their folder
+  bool json = false;            ///< one JSON object instead of text
+  std::optional<std::filesystem::path> uff;      ///< universal file to write
+  std::optional<std::filesystem::path> deck;     ///< bulk data to write
+  std::optional<std::filesystem::path> output;   ///< file or folder to write
+  std::optional<std::filesystem::path> records;  ///< time records to write
+  bool text_records = false;                     ///< these not as binary
+  int node_dataset = 2411;  ///< of these universal files: 15 or 2411
+  std::optional<std::filesystem::path> saved;  ///< session to do again
+  std::vector<std::string> effects;            ///< "added-mass@201", in order
+  std::vector<std::string> free;               ///< "acc1=0.02", masses to free
+  std::string lines = "damped";  ///< see updating/fit/line_rule.hpp
+  std::string lambda;    ///< a number or "l-curve"; empty: not asked for
+  int modes = 10;        ///< of the model
+  int node = 0;          ///< grid id
+  double mass_kg = 0.0;  ///< of a free body; 0: not said
+  double speed = 0.0;    ///< of a replay, times real time; 0: all it can
+  FrfArguments frf;
+  ImportArguments imports;
+  PaperArguments paper;
+  ModesArguments identification;
+  HandChoices by_hand;
+  std::optional<std::filesystem::path> other;  ///< second set of modes
+};
+
+/// A command returns all of its standard output at once, so that a fault on
+/// the way leaves nothing printed.
+///
+/// @throws InputError, Stopped
+using Command = std::string (*)(const CommandOptions& options,
+                                const Progress& progress);
+
+}  // namespace tapfit::tui

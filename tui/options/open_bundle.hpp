@@ -1,0 +1,26 @@
+// Opens the bundle of a command and says on standard error what was odd in its
+// input, whatever the command prints of it.
+#pragma once
+
+#include "updating/session/session.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// @throws InputError
+[[nodiscard]] updating::Session open_bundle(
+    const std::filesystem::path& bundle);
+
+/// What was odd in the bundle and, where it names one, in the deck.
+[[nodiscard]] std::vector<std::string> input_warnings(
+    updating::Session& session);
+
+/// The diagnosis with them among its warnings, for results that are read by
+/// programs.
+[[nodiscard]] updating::Diagnosis with_input_warnings(
+    updating::Diagnosis diagnosis, updating::Session& session);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,32 @@
+// Shows on standard error how far long work has come, and stops it on Ctrl-C.
+#pragma once
+
+#include "acquisition/foundation/progress.hpp"
+
+namespace tapfit::tui {
+
+/// While it lives, the first Ctrl-C asks the work to stop and the second ends
+/// the program at once. At most one may live at a time.
+class ProgressLine {
+ public:
+  /// @param shown whether to draw the line (standard error is a terminal)
+  explicit ProgressLine(bool shown);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  /// To be passed down; refers to this object.
+  [[nodiscard]] Progress progress();
+
+  /// Takes the line off the terminal again.
+  void clear();
+
+ private:
+  void report(std::string_view stage, double fraction);
+
+  bool shown_;
+  bool drawn_ = false;
+  std::stop_source stop_;
+};
+
+}  // namespace tapfit::tui

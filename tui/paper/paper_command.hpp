@@ -1,0 +1,15 @@
+// tapfit paper: the tables of the paper whose method this program implements,
+// with its own results beside them.
+#pragma once
+
+#include "tui/options/command.hpp"
+
+namespace tapfit::tui {
+
+/// All structures, or those named. `options.input` is the folder that holds
+/// the bundles paper-truss, paper-solar-wing and solar-panel-frame.
+/// @throws InputError, Stopped
+[[nodiscard]] std::string paper_command(const CommandOptions& options,
+                                        const Progress& progress);
+
+}  // namespace tapfit::tui

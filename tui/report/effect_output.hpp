@@ -1,0 +1,40 @@
+// Effects, their places and parameters, as JSON and as text.
+#pragma once
+
+#include "updating/diagnosis/diagnosis.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace tapfit::tui {
+
+/// The place as the effect's row of the format's table names it: {"node": 201},
+/// {"channels": ["acc1"]}, {"channel": "acc1"}, {"nodes": [..]},
+/// {"elements": [..]} or {}.
+///
+/// @param effect catalogue name; of a group "a|b" the first counts
+[[nodiscard]] nlohmann::ordered_json where_json(const std::string& effect,
+                                                const updating::Where& where);
+
+/// {KEY: effect, "where": {..}} and, where the effect has several forms at a
+/// place, "variant": "rotation".
+[[nodiscard]] nlohmann::ordered_json placed_json(const char* key,
+                                                 const std::string& effect,
+                                                 const updating::Where& where);
+
+/// {"mass_kg": {"value", "sd", "lo95", "hi95"}}
+[[nodiscard]] nlohmann::ordered_json parameters_json(
+    const std::vector<updating::Estimate>& parameters);
+
+/// {"E:1": {"value", "sd", "unit"}}
+[[nodiscard]] nlohmann::ordered_json model_parameters_json(
+    const std::vector<updating::Estimate>& parameters);
+
+/// "added-mass at node 201"; the effect alone where it has no place.
+[[nodiscard]] std::string effect_text(const std::string& effect,
+                                      const updating::Where& where);
+
+/// "mass_kg 0.0785 +- 0.0006, ..."
+[[nodiscard]] std::string parameters_text(
+    const std::vector<updating::Estimate>& parameters);
+
+}  // namespace tapfit::tui

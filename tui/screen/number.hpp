@@ -1,0 +1,50 @@
+// Numbers as a reader wants them: as many digits as they deserve, their
+// uncertainty, their unit. Never "nan", never wider than needed.
+#pragma once
+
+#include "updating/diagnosis/diagnosis.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace tapfit::tui {
+
+/// `digits` significant digits; "–" for what is no finite number.
+[[nodiscard]] std::string number(double value, int digits = 4);
+
+/// Fixed decimals; "–" for what is no finite number, 1e+12 beyond 1e7.
+[[nodiscard]] std::string fixed(double value, int decimals);
+
+/// A positive number as precisely as that many cells allow, at most two
+/// decimals, never cut: 15.27 in three cells is "15", 12345 in four "12k".
+/// @param width 3 at least
+[[nodiscard]] std::string fitted(double value, int width);
+
+/// 0.388 to "38.8 %"; below 0.95 % with two decimals.
+[[nodiscard]] std::string percent(double fraction);
+
+/// 0.983 to "98.3 %"; "<0.1 %" for what is small but not impossible.
+[[nodiscard]] std::string probability(double share);
+
+/// "1 effect", "2 effects".
+[[nodiscard]] std::string effects_text(std::size_t count);
+
+/// "2.27100 ± 0.00040": the deviation with two digits (or one), the value to
+/// match. A deviation that is zero or not finite is left away.
+[[nodiscard]] std::string with_sd(double value, double sd, int digits = 2);
+
+/// "mass_kg" to {"mass", "kg"}; "E:1" to {"E:1", "Pa"}.
+struct NameAndUnit {
+  std::string name;
+  std::string unit;
+};
+[[nodiscard]] NameAndUnit split_unit(std::string_view name);
+
+/// As updating::describe, the variant first, where a narrow column does not
+/// cut it off: "rotation, 19 nodes (1 ... 38)".
+[[nodiscard]] std::string place(const updating::Where& where);
+
+/// "mass 0.0785 ± 0.0006 kg".
+[[nodiscard]] std::string describe(const updating::Estimate& estimate);
+
+}  // namespace tapfit::tui

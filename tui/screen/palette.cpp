@@ -1,0 +1,23 @@
+#include "tui/screen/palette.hpp"
+
+namespace tapfit::tui {
+namespace {
+
+// Default, blue, orange, green, red, purple, sky, yellow, grey.
+constexpr Palette dark_256{-1, 33, 214, 36, 202, 175, 117, 227, 245};
+constexpr Palette dark_16{-1, 12, 3, 2, 9, 13, 14, 11, 8};
+constexpr Palette dark_8{-1, 6, 3, 2, 1, 5, 6, 3, -1};
+constexpr Palette light_256{-1, 20, 130, 28, 160, 90, 24, 58, 242};
+// Of the plain colours only blue, red and magenta are dark enough on white.
+constexpr Palette light_16{-1, 4, 1, -1, 1, 5, 12, 5, -1};
+constexpr Palette light_8{-1, 4, 1, -1, 1, 5, 4, 5, -1};
+
+}  // namespace
+
+const Palette& palette(int colours, bool light) {
+  if (colours >= 256) return light ? light_256 : dark_256;
+  if (colours >= 16) return light ? light_16 : dark_16;
+  return light ? light_8 : dark_8;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,358 @@
+#include "tui/screen/terminal.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tui/screen/escape_sequence.hpp"
+#include "tui/screen/glyphs.hpp"
+#include "tui/screen/palette.hpp"
+
+#include <ncurses.h>
+
+#include <algorithm>
+#include <array>
+#include <clocale>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <langinfo.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace tapfit::tui {
+namespace {
+
+// Signal handlers can reach nothing but globals.
+volatile std::sig_atomic_t end_asked = 0;
+termios saved_modes{};
+
+void ask_to_end(int) { end_asked = 1; }
+
+/// A crash must not leave a dead terminal: shown cursor, main screen, no
+/// mouse reports, plain colours, the line modes of before; then die of it.
+void restore_and_die(int signal_number) {
+  static constexpr char sequences[] =
+      "\033[?1000l\033[?1002l\033[?1006l\033[?1049l\033[?25h\033[0m\r\n";
+  const ssize_t written =
+      write(STDOUT_FILENO, sequences, sizeof(sequences) - 1);
+  (void)written;
+  tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
+  std::signal(signal_number, SIG_DFL);
+  raise(signal_number);
+}
+
+// Within this, what follows an Esc belongs to it.
+constexpr int escape_delay_ms = 25;
+
+constexpr std::array<int, 5> crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr std::array<int, 4> endings{SIGTERM, SIGHUP, SIGINT, SIGQUIT};
+
+void set_handler(int signal_number, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal_number, &action, nullptr);
+}
+
+bool wants_no_colour(const TerminalOptions& options) {
+  const char* variable = std::getenv("NO_COLOR");
+  return options.no_colour || (variable != nullptr && *variable != '\0');
+}
+
+// Dark blue to yellow, light text stays readable up to the fourth.
+constexpr std::array<short, heat_levels + 1> heat_256{
+    -1, 17, 18, 25, 30, 142, 220};
+
+enum class Colours { None, Eight, Sixteen, Many };
+
+Colours start_colours(const TerminalOptions& options) {
+  if (wants_no_colour(options) || !has_colors()) return Colours::None;
+  start_color();
+  use_default_colors();
+  const int pairs_needed = colour_count * (heat_levels + 1) + 1;
+  if (COLORS >= 256 && COLOR_PAIRS > pairs_needed) return Colours::Many;
+  return COLORS >= 16 ? Colours::Sixteen : Colours::Eight;
+}
+
+short pair_number(Colour colour, int heat) {
+  return static_cast<short>(1 + static_cast<int>(colour) + heat * colour_count);
+}
+
+void make_pairs(Colours colours, bool light) {
+  if (colours == Colours::None) return;
+  const int count = colours == Colours::Many      ? 256
+                    : colours == Colours::Sixteen ? 16
+                                                  : 8;
+  const Palette& inks = palette(count, light);
+  for (int c = 0; c < colour_count; ++c) {
+    const auto colour = static_cast<Colour>(c);
+    const short ink = inks[static_cast<std::size_t>(c)];
+    init_pair(pair_number(colour, 0), ink, -1);
+    if (colours != Colours::Many) continue;
+    for (int heat = 1; heat <= heat_levels; ++heat) {
+      const bool bright = heat >= 5;
+      const short on_heat = bright ? short{16} : short{255};
+      init_pair(pair_number(colour, heat),
+                on_heat,
+                heat_256[static_cast<std::size_t>(heat)]);
+    }
+  }
+}
+
+attr_t attributes(const Style& style) {
+  attr_t bits = A_NORMAL;
+  if (style.bold) bits |= A_BOLD;
+  if (style.dim) bits |= A_DIM;
+  if (style.reverse) bits |= A_REVERSE;
+  return bits;
+}
+
+/// The other end closed without a signal having reached us: reading would
+/// return at once for ever.
+bool line_is_gone() {
+  pollfd line{STDIN_FILENO, POLLIN, 0};
+  return poll(&line, 1, 0) > 0 &&
+         (line.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
+std::optional<Key> mouse_key() {
+  MEVENT event;
+  if (getmouse(&event) != OK) return std::nullopt;
+  Key key;
+  if ((event.bstate & BUTTON4_PRESSED) != 0) {
+    key.code = keys::wheel_up;
+  } else if ((event.bstate & BUTTON5_PRESSED) != 0) {
+    key.code = keys::wheel_down;
+  } else if ((event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) != 0) {
+    key.code = keys::click;
+  } else {
+    return std::nullopt;
+  }
+  key.x = event.x;
+  key.y = event.y;
+  return key;
+}
+
+std::optional<Key> special_key(wint_t code) {
+  switch (code) {
+    case KEY_ENTER:
+      return Key(keys::enter);
+    case KEY_BACKSPACE:
+      return Key(keys::backspace);
+    case KEY_UP:
+      return Key(keys::up);
+    case KEY_DOWN:
+      return Key(keys::down);
+    case KEY_LEFT:
+      return Key(keys::left);
+    case KEY_RIGHT:
+      return Key(keys::right);
+    case KEY_HOME:
+      return Key(keys::home);
+    case KEY_END:
+      return Key(keys::end);
+    case KEY_PPAGE:
+      return Key(keys::page_up);
+    case KEY_NPAGE:
+      return Key(keys::page_down);
+    case KEY_DC:
+      return Key(keys::remove);
+    case KEY_BTAB:
+      return Key(keys::back_tab);
+    case KEY_RESIZE:
+      return Key(keys::resize);
+    case KEY_SUSPEND:  // what the Linux console calls Ctrl-Z
+      return Key(U'z', true);
+    case KEY_MOUSE:
+      return mouse_key();
+    default:
+      return std::nullopt;
+  }
+}
+
+Key character_key(wint_t code) {
+  if (code == '\r' || code == '\n') return Key(keys::enter);
+  if (code == '\t') return Key(keys::tab);
+  if (code == 27) return Key(keys::escape);
+  if (code == 127 || code == 8) return Key(keys::backspace);
+  if (code < 32) return Key(static_cast<char32_t>(code + 'a' - 1), true);
+  return Key(static_cast<char32_t>(code));
+}
+
+/// The key Esc, or what a sequence that terminfo does not know stands for.
+std::optional<Key> key_from_escape() {
+  timeout(escape_delay_ms);
+  const EscapeSequence read =
+      read_escape_sequence([]() -> std::optional<char32_t> {
+        wint_t code = 0;
+        const int kind = get_wch(&code);
+        if (kind == OK) return static_cast<char32_t>(code);
+        if (kind == KEY_CODE_YES) ungetch(static_cast<int>(code));
+        return std::nullopt;
+      });
+  if (read.unread) unget_wch(static_cast<wchar_t>(*read.unread));
+  return read.is_one ? read.key : Key(keys::escape);
+}
+
+[[noreturn]] void refuse_terminal(const char* why) {
+  throw InputError(
+      why,
+      "environment variable TERM",
+      "try TERM=xterm-256color or TERM=vt100, or the commands that "
+      "print, such as: tapfit run BUNDLE");
+}
+
+/// Whether the terminal's kind has a capability that is a string.
+bool is_able(const char* capability) {
+  const char* text = tigetstr(capability);
+  return text != nullptr && text != reinterpret_cast<const char*>(-1);
+}
+
+/// A kind that is not known here, as of a new program at the other end of ssh,
+/// mostly does what xterm does.
+void start_screen() {
+  SCREEN* screen = newterm(nullptr, stdout, stdin);
+  for (const char* kind : {"xterm-256color", "xterm"}) {
+    if (screen == nullptr) screen = newterm(kind, stdout, stdin);
+  }
+  if (screen == nullptr) refuse_terminal("this kind of terminal is not known");
+  set_term(screen);
+  // What draws anywhere on the screen has to get there.
+  if (!is_able("cup")) {
+    delscreen(screen);
+    tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
+    refuse_terminal("this kind of terminal cannot place its cursor");
+  }
+}
+
+/// Keeps standard error away from the screen until it is destroyed.
+class HeldErrors {
+ public:
+  HeldErrors() : held_(std::tmpfile()), real_(dup(STDERR_FILENO)) {
+    std::fflush(stderr);
+    if (held_ != nullptr && real_ >= 0) dup2(fileno(held_), STDERR_FILENO);
+  }
+  ~HeldErrors() {
+    std::fflush(stderr);
+    if (real_ >= 0) {
+      dup2(real_, STDERR_FILENO);
+      close(real_);
+    }
+    if (held_ == nullptr) return;
+    std::rewind(held_);
+    std::array<char, 4096> buffer{};
+    while (const std::size_t n =
+               std::fread(buffer.data(), 1, buffer.size(), held_)) {
+      std::fwrite(buffer.data(), 1, n, stderr);
+    }
+    std::fclose(held_);
+  }
+  HeldErrors(const HeldErrors&) = delete;
+  HeldErrors& operator=(const HeldErrors&) = delete;
+
+ private:
+  std::FILE* held_;
+  int real_;
+};
+
+}  // namespace
+
+struct Terminal::Impl {
+  std::optional<HeldErrors> errors;
+  Colours colours = Colours::None;
+  bool blocks = false;
+};
+
+Terminal::Terminal(const TerminalOptions& options)
+    : impl_(std::make_unique<Impl>()) {
+  if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
+    throw InputError("the screens need a terminal",
+                     "standard input and output",
+                     "start it in a terminal, or use the commands that print, "
+                     "such as: tapfit run BUNDLE --json");
+  }
+  (void)locale_is_utf8();
+  tcgetattr(STDIN_FILENO, &saved_modes);
+  start_screen();
+  impl_->errors.emplace();
+  raw();
+  noecho();
+  nonl();
+  keypad(stdscr, TRUE);
+  set_escdelay(escape_delay_ms);
+  curs_set(0);
+  if (!options.no_mouse) {
+    mouseinterval(0);
+    mousemask(BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED, nullptr);
+  }
+  impl_->colours = start_colours(options);
+  impl_->blocks = options.blocks;
+  make_pairs(impl_->colours, options.light);
+  end_asked = 0;
+  for (const int ending : endings) set_handler(ending, ask_to_end);
+  for (const int crash : crashes) set_handler(crash, restore_and_die);
+}
+
+Terminal::~Terminal() {
+  for (const int crash : crashes) set_handler(crash, SIG_DFL);
+  for (const int ending : endings) set_handler(ending, SIG_DFL);
+  endwin();
+  // Without a screen of its own the last one stays, and the prompt goes on it.
+  if (!is_able("smcup")) std::fputs("\n", stdout);
+}
+
+int Terminal::width() const { return COLS; }
+int Terminal::height() const { return LINES; }
+bool Terminal::asked_to_end() { return end_asked != 0; }
+
+void Terminal::show(const Screen& screen) {
+  erase();
+  for (int y = 0; y < std::min(screen.height(), LINES); ++y) {
+    for (int x = 0; x < std::min(screen.width(), COLS); ++x) {
+      const Cell& cell = screen.at(x, y);
+      if (cell.glyph == 0) continue;
+      const char32_t shown =
+          impl_->blocks ? block_glyph(cell.glyph) : cell.glyph;
+      const std::array<wchar_t, 3> glyph{
+          static_cast<wchar_t>(shown), static_cast<wchar_t>(cell.mark), 0};
+      const bool heated = impl_->colours == Colours::Many;
+      const short pair =
+          impl_->colours == Colours::None
+              ? short{0}
+              : pair_number(cell.style.colour, heated ? cell.style.heat : 0);
+      cchar_t drawn;
+      // Where there are too few colours for heat, the hottest stand out.
+      const bool hottest = !heated && cell.style.heat >= 5;
+      const attr_t bits =
+          attributes(cell.style) ^ (hottest ? A_REVERSE : A_NORMAL);
+      setcchar(&drawn, glyph.data(), bits, pair, nullptr);
+      mvadd_wch(y, x, &drawn);
+    }
+  }
+  refresh();
+}
+
+void Terminal::suspend() {
+  // ncurses' own handler leaves the screen, stops, and comes back to it.
+  raise(SIGTSTP);
+  clearok(curscr, TRUE);
+}
+
+std::optional<Key> Terminal::read_key(int milliseconds) {
+  timeout(milliseconds);
+  wint_t code = 0;
+  const int kind = get_wch(&code);
+  if (kind == ERR) {
+    if (line_is_gone()) end_asked = 1;
+    return std::nullopt;
+  }
+  if (kind == KEY_CODE_YES) return special_key(code);
+  return code == 27 ? key_from_escape() : character_key(code);
+}
+
+bool locale_is_utf8() {
+  std::setlocale(LC_CTYPE, "");
+  return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+}
+
+}  // namespace tapfit::tui

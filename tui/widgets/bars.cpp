@@ -1,0 +1,47 @@
+#include "tui/widgets/bars.hpp"
+
+#include "tui/screen/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::tui {
+
+std::string bar(double share, int width, bool ascii) {
+  if (width <= 0) return {};
+  const double part = std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0;
+  const int eighths = static_cast<int>(std::lround(part * 8.0 * width));
+  std::string text;
+  for (int i = 0; i < width; ++i) {
+    const int here = std::clamp(eighths - 8 * i, 0, 8);
+    if (ascii) {
+      text += here >= 4 ? '#' : '.';
+    } else if (here == 0) {
+      text += ' ';
+    } else {
+      append_utf8(text, static_cast<char32_t>(U'█' + (8 - here)));
+    }
+  }
+  return text;
+}
+
+void draw_error_bar(Screen& screen,
+                    const Rect& line,
+                    double error,
+                    double floor,
+                    double scale) {
+  if (line.empty() || !(scale > 0.0)) return;
+  const bool near_floor = error <= 1.3 * floor;
+  const Colour colour = near_floor ? Colour::Green : Colour::Orange;
+  screen.text(line.x,
+              line.y,
+              bar(error / scale, line.width, screen.ascii()),
+              {.colour = colour},
+              line.width);
+  if (!std::isfinite(floor) || floor <= 0.0 || floor > scale) return;
+  const int at =
+      static_cast<int>(std::lround(floor / scale * (line.width - 1)));
+  screen.put(line.x + at, line.y, U'│', {.colour = Colour::Sky, .bold = true});
+}
+
+}  // namespace tapfit::tui

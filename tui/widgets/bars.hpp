@@ -1,0 +1,19 @@
+// Horizontal bars for shares and errors.
+#pragma once
+
+#include "tui/screen/screen.hpp"
+
+#include <string>
+
+namespace tapfit::tui {
+
+/// A bar of `width` cells, in eighths of a cell; '#' in ASCII.
+///
+/// @param share 0..1, clamped; what is not finite counts as 0
+[[nodiscard]] std::string bar(double share, int width, bool ascii);
+
+/// The error as a bar along 0..scale with a mark at the floor.
+void draw_error_bar(
+    Screen& screen, const Rect& line, double error, double floor, double scale);
+
+}  // namespace tapfit::tui

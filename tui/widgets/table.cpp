@@ -1,0 +1,204 @@
+#include "tui/widgets/table.hpp"
+
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace tapfit::tui {
+namespace {
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+/// Width of a text once it is on this screen.
+int shown_width(const Screen& screen, const std::string& text) {
+  return screen.ascii() ? static_cast<int>(to_ascii(text).size())
+                        : text_width(text);
+}
+
+std::vector<int> column_widths(const Screen& screen, const Table& table) {
+  std::vector<int> widths;
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    int width = shown_width(screen, table.columns[c].title);
+    for (const Row& row : table.rows) {
+      if (c < row.cells.size()) {
+        width = std::max(width, shown_width(screen, row.cells[c]));
+      }
+    }
+    widths.push_back(width);
+  }
+  return widths;
+}
+
+/// Cuts the widths to the room: a text may be cut short, a number not, as "2.…"
+/// would read as two; its column and those after it are left out.
+std::vector<int> fitted(std::vector<int> widths, const Table& table, int room) {
+  int used = 0;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    const int left = room - used;
+    if (widths[c] > left) {
+      const bool dropped = left <= 0 || (c > 0 && table.columns[c].right);
+      widths[c] = std::max(left, 0);
+      widths.resize(dropped ? c : c + 1);
+      break;
+    }
+    used += widths[c] + 2;
+  }
+  return widths;
+}
+
+void draw_cells(Screen& screen,
+                const Rect& line,
+                const std::vector<int>& widths,
+                const Table& table,
+                const std::vector<std::string>& cells,
+                Style style) {
+  int x = line.x;
+  for (std::size_t c = 0; c < cells.size() && c < widths.size(); ++c) {
+    if (table.columns[c].right) {
+      screen.text_right(x + widths[c], line.y, cells[c], style, widths[c]);
+    } else {
+      screen.text(x, line.y, cells[c], style, widths[c]);
+    }
+    x += widths[c] + 2;
+  }
+}
+
+std::size_t place_of(const std::vector<std::size_t>& rows, std::size_t row) {
+  const auto found = std::find(rows.begin(), rows.end(), row);
+  return found == rows.end() ? 0
+                             : static_cast<std::size_t>(found - rows.begin());
+}
+
+}  // namespace
+
+std::vector<std::size_t> visible_rows(const Table& table,
+                                      const std::string& filter) {
+  std::vector<std::size_t> rows;
+  const std::string wanted = lower(filter);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    const std::vector<std::string>& cells = table.rows[r].cells;
+    const bool shown =
+        wanted.empty() ||
+        std::any_of(cells.begin(), cells.end(), [&](const std::string& cell) {
+          return lower(cell).find(wanted) != std::string::npos;
+        });
+    if (shown) rows.push_back(r);
+  }
+  return rows;
+}
+
+bool none_shown(const Table& table, const ListState& state) {
+  return !table.rows.empty() && visible_rows(table, state.filter).empty();
+}
+
+std::size_t settled(const Table& table, const ListState& state) {
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  if (rows.empty()) return 0;
+  const auto found = std::lower_bound(rows.begin(), rows.end(), state.selected);
+  return found == rows.end() ? rows.back() : *found;
+}
+
+bool is_row_key(Key key) {
+  const std::array<Key, 15> all{U'j',
+                                U'k',
+                                U'g',
+                                U'G',
+                                U't',
+                                U' ',
+                                U'a',
+                                U'i',
+                                keys::up,
+                                keys::down,
+                                keys::home,
+                                keys::end,
+                                keys::page_up,
+                                keys::page_down,
+                                keys::enter};
+  return std::ranges::find(all, key) != all.end();
+}
+
+bool list_key(ListState& state, const Table& table, Key key, int page) {
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  if (rows.empty()) return false;
+  const auto last = static_cast<long>(rows.size()) - 1;
+  auto at = static_cast<long>(place_of(rows, settled(table, state)));
+  if (key == keys::up || key == U'k' || key == keys::wheel_up) {
+    at -= 1;
+  } else if (key == keys::down || key == U'j' || key == keys::wheel_down) {
+    at += 1;
+  } else if (key == keys::page_up) {
+    at -= page;
+  } else if (key == keys::page_down) {
+    at += page;
+  } else if (key == keys::home || key == U'g') {
+    at = 0;
+  } else if (key == keys::end || key == U'G') {
+    at = last;
+  } else {
+    return false;
+  }
+  state.selected = rows[static_cast<std::size_t>(std::clamp(at, 0L, last))];
+  return true;
+}
+
+void draw_table(Screen& screen,
+                const Rect& rect,
+                const Table& table,
+                const ListState& state,
+                bool active) {
+  if (rect.empty()) return;
+  // The last cell is a gap before what stands beside, and the arrows' place.
+  const std::vector<int> widths =
+      fitted(column_widths(screen, table), table, rect.width - 2);
+  std::vector<std::string> titles;
+  for (const Column& column : table.columns) titles.push_back(column.title);
+  const Rect indented{rect.x + 1, rect.y, rect.width - 2, 1};
+  draw_cells(screen, indented, widths, table, titles, {.colour = Colour::Grey});
+  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  const int room = rect.height - 1;
+  if (room <= 0) return;
+  if (none_shown(table, state)) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                fitting({"nothing matches; Esc clears the filter",
+                         "nothing matches (Esc)"},
+                        rect.width - 2),
+                {.colour = Colour::Grey},
+                rect.width - 2);
+  }
+  const std::size_t selected = settled(table, state);
+  const auto at = static_cast<int>(place_of(rows, selected));
+  const int count = static_cast<int>(rows.size());
+  const int top = std::clamp(at - room / 2, 0, std::max(count - room, 0));
+  for (int i = 0; i < std::min(room, count - top); ++i) {
+    const int shown = top + i;
+    const std::size_t r = rows[static_cast<std::size_t>(shown)];
+    const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 2, 1};
+    Style style = table.rows[r].style;
+    if (active && r == selected) {
+      style.reverse = true;
+      style.bold = true;
+      screen.fill({rect.x, line.y, rect.width, 1}, U' ', style);
+      screen.put(rect.x, line.y, U'▸', style);
+    }
+    draw_cells(screen, line, widths, table, table.rows[r].cells, style);
+    if (active)
+      screen.zone({{rect.x, line.y, rect.width, 1}, Zone::Kind::Row, r});
+  }
+  if (top > 0) screen.put(rect.x + rect.width - 1, rect.y, U'↑');
+  if (top + room < count) {
+    screen.put(rect.x + rect.width - 1, rect.y + rect.height - 1, U'↓');
+  }
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,63 @@
+// Lists: columns with a heading, one selected row, scrolling and a filter.
+#pragma once
+
+#include "tui/screen/key.hpp"
+#include "tui/screen/screen.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+struct Column {
+  std::string title;
+  bool right = false;  ///< numbers stand to the right
+};
+
+struct Row {
+  std::vector<std::string> cells;
+  Style style;
+};
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+};
+
+struct ListState {
+  std::size_t selected = 0;  ///< index into Table::rows
+  std::string filter;        ///< rows without this text are hidden
+};
+
+/// Indices of the rows that hold the filter's text (any case).
+[[nodiscard]] std::vector<std::size_t> visible_rows(const Table& table,
+                                                    const std::string& filter);
+
+/// Whether the filter leaves none of the rows: then there is nothing to act on.
+[[nodiscard]] bool none_shown(const Table& table, const ListState& state);
+/// Whether a key moves from row to row or acts on the selected one.
+[[nodiscard]] bool is_row_key(Key key);
+/// What is told then of keys that act on a row.
+inline constexpr const char* nothing_matches =
+    "the filter matches nothing; Esc clears it";
+
+/// The selection, moved to a row that exists and is visible; 0 if none is.
+[[nodiscard]] std::size_t settled(const Table& table, const ListState& state);
+
+/// Up, Down, j, k, PageUp, PageDown, Home, End, g, G and the wheel.
+///
+/// @return true when the key was one of these
+bool list_key(ListState& state, const Table& table, Key key, int page = 10);
+
+/// Heading, then as many rows as fit, the selected one among them. Columns
+/// that do not fit are left out from the right, but the first of them is cut
+/// short where it holds text. The last cell of each row stays free.
+///
+/// @param active whether a row is selected; else the list is only read
+void draw_table(Screen& screen,
+                const Rect& rect,
+                const Table& table,
+                const ListState& state,
+                bool active);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,78 @@
+// What the screens ask of the work behind them. Two implementations: the
+// session over a test bundle, and a made-up one that tests drive.
+#pragma once
+
+#include "acquisition/foundation/progress.hpp"
+#include "acquisition/hits/hits.hpp"
+#include "updating/session/session.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// What can be written for others to read.
+enum class Output { Report, Uff, Deck };
+
+/// As updating::Session; every call may take long and is made on the worker's
+/// thread only, but for those without Progress, which are quick.
+class Workbench {
+ public:
+  Workbench() = default;
+  Workbench(const Workbench&) = delete;
+  Workbench& operator=(const Workbench&) = delete;
+  virtual ~Workbench() = default;
+
+  virtual const acquisition::TestBundle& bundle() = 0;
+  virtual bool has_model() = 0;
+  virtual const structure::Deck& deck(const Progress&) = 0;
+  virtual const std::vector<acquisition::Recording>& recordings(
+      const Progress&) = 0;
+  /// Runs that cannot be used, as far as recordings() and hits() have shown.
+  virtual std::vector<acquisition::LeftOut> left_out() = 0;
+  virtual const acquisition::HitSet& hits(const Progress&) = 0;
+  virtual const signal::FrfSet& frfs(const Progress&) = 0;
+  virtual const modal::ModeSet& modes(const Progress&) = 0;
+  virtual const updating::Comparison& comparison(const Progress&) = 0;
+  virtual const updating::Comparison& base_comparison(const Progress&) = 0;
+  virtual const updating::Diagnosis& diagnosis(const Progress&) = 0;
+  /// As of an earlier run of the program, with the first of the effects.
+  virtual std::optional<updating::Diagnosis> known_diagnosis(
+      std::size_t effects, const Progress&) = 0;
+  virtual updating::Signature signature(int node, const Progress&) = 0;
+  virtual std::vector<updating::GridShare> signature_map(const Progress&) = 0;
+  virtual std::vector<updating::UpdateRecord> update_records(
+      const Progress&) = 0;
+  virtual std::vector<updating::Rung> ladder(const Progress&) = 0;
+  virtual std::vector<updating::Estimate> model_parameters(const Progress&) = 0;
+
+  virtual void overrule_hit(std::size_t run, std::size_t hit) = 0;
+  /// What is to hold about the modes from now on; where it fails, all stays.
+  virtual void choose_modes(const updating::ModeChoices&, const Progress&) = 0;
+  virtual updating::ModeChoices mode_choices() = 0;
+  virtual bool undo_modes(const Progress&) = 0;
+  virtual bool redo_modes(const Progress&) = 0;
+  virtual updating::EffectRef parse_effect(const std::string& text) = 0;
+  virtual void add_together(const std::vector<updating::EffectRef>&,
+                            const Progress&) = 0;
+  virtual void toggle(std::size_t effect, const Progress&) = 0;
+  virtual bool undo(const Progress&) = 0;
+  virtual bool redo(const Progress&) = 0;
+  virtual std::vector<updating::AddedEffect> effects() = 0;
+
+  /// Writes to the file named, or where nothing is named to report.md,
+  /// measured.uff or updated.bdf beside the saved session; says where.
+  virtual std::filesystem::path write(Output what,
+                                      const std::filesystem::path& to,
+                                      const Progress&) = 0;
+  /// How hits had been judged by hand when it was opened.
+  virtual updating::HitActs hit_acts() = 0;
+  /// Writes down what was done so far, with how hits were judged by hand;
+  /// returns what went wrong, if anything.
+  virtual std::string save(const updating::HitActs& acts, const Progress&) = 0;
+};
+
+}  // namespace tapfit::tui

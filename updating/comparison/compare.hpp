@@ -1,0 +1,40 @@
+// Compares a fitted (or nominal) model with the measurement.
+#pragma once
+
+#include "modal/mode_set/mode_set.hpp"
+#include "signal/frf_set/frf_set.hpp"
+#include "updating/comparison/comparison.hpp"
+#include "updating/fit/fitter.hpp"
+#include "updating/measurement/mode_choices.hpp"
+
+namespace tapfit::updating {
+
+/// @param fit the model and its state
+/// @param target measured FRFs on the comparison line
+/// @param frfs measured FRFs as shown to the user; the model is evaluated on
+///   their lines
+/// @param modes identified modes, for pairing and MAC
+/// @param by_hand pairs that stand whatever MAC and frequency say
+[[nodiscard]] Comparison compare(const Fit& fit,
+                                 const Target& target,
+                                 const signal::FrfSet& frfs,
+                                 const modal::ModeSet& modes,
+                                 const std::vector<PairByHand>& by_hand = {});
+
+/// The share of the error that the mesh causes, from the same model on a mesh
+/// that is one step coarser. At clamped edges and inner corners a mesh
+/// converges as h, not h^2: the finer one is still off by as much as it differs
+/// from the coarser. What uncertain properties and damping can take up is not
+/// counted.
+///
+/// @return the difference as a residual of stack(); its norm is the error
+[[nodiscard]] Eigen::VectorXd mesh_error(const FrfModel& finer,
+                                         const FrfModel& coarser,
+                                         const ModelState& state,
+                                         const Target& target);
+
+/// What is wrong with a floor so high that next to nothing can be told; empty
+/// where it is not.
+[[nodiscard]] std::string floor_warning(const Comparison& comparison);
+
+}  // namespace tapfit::updating

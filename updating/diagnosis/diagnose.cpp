@@ -1,0 +1,364 @@
+#include "updating/diagnosis/diagnose.hpp"
+
+#include "updating/diagnosis/error_ladder.hpp"
+#include "updating/diagnosis/next_measurement.hpp"
+#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/set_verdict.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/fit/held_back.hpp"
+#include "updating/fit/overall_progress.hpp"
+#include "updating/localisation/misplaced_points.hpp"
+#include "updating/localisation/run_drift.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+constexpr int folds = 4;
+// More points than this written down wrongly are not a slip of the pen.
+constexpr int most_misplaced = 3;
+
+Candidate candidate_of(const Hypothesis& h,
+                       const effects::Setting& setting,
+                       double probability) {
+  Candidate c;
+  c.effect = h.own().effect->name();
+  c.where = h.own().where;
+  c.parameters = effect_estimates(h.fit, h.fit.effects.size() - 1, setting);
+  c.probability = probability;
+  c.error = h.fit.result.error;
+  return c;
+}
+
+std::vector<Candidate> candidates_of(const Round& round,
+                                     const effects::Setting& setting) {
+  std::vector<Candidate> result;
+  std::map<std::string, int> shown;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const std::string kind = h.own().effect->name();
+    // A long list of neighbours says nothing new.
+    if (++shown[kind] > 3) continue;
+    Candidate c = candidate_of(h, setting, round.probability[k + 1]);
+    c.indistinguishable_from = look_alikes(round, k);
+    result.push_back(std::move(c));
+  }
+  return result;
+}
+
+// A rung must lower the error on runs that it was not fitted to, to a share of
+// what it was, and do so with very strong evidence.
+struct Worth {
+  double gain = 0.0;      // log evidence over leaving it out
+  double share = 1.0;     // error on left-out runs must fall below this
+  double held_out = 0.0;  // before
+  double with_it = 0.0;   // and after
+
+  [[nodiscard]] bool earned() const {
+    return gain > very_strong && with_it < share * held_out;
+  }
+};
+
+// The strongest look-alike of another kind, or of the same kind elsewhere.
+const EffectRef& rival_of(const Rung& rung) {
+  const auto other = std::find_if(
+      rung.alike.begin(), rung.alike.end(), [&rung](const EffectRef& ref) {
+        return ref.effect != leading_kind(rung);
+      });
+  return other == rung.alike.end() ? rung.alike.front() : *other;
+}
+
+// What would tell each rung from its strongest look-alike, everything else
+// being in the model.
+std::vector<NextMeasurement> next_measurements(const Fit& fit,
+                                               const std::vector<Rung>& ladder,
+                                               const Fitter& fitter,
+                                               const Progress& progress) {
+  std::vector<NextMeasurement> result;
+  for (const Rung& rung : ladder) {
+    if (rung.alike.empty()) continue;
+    std::vector<PlacedEffect> effects = fit.effects;
+    const auto own = std::find_if(
+        effects.begin(), effects.end(), [&rung](const PlacedEffect& e) {
+          return e.effect->name() == leading_kind(rung) &&
+                 e.where == rung.where;
+        });
+    if (own == effects.end()) continue;
+    std::rotate(own, own + 1, effects.end());
+    const auto fit_last = [&](const PlacedEffect& last) {
+      effects.back() = last;
+      return fitter.fit(effects, fitter.model_for(effects), progress);
+    };
+    const Fit one = fit_last(effects.back());
+    const EffectRef& rival = rival_of(rung);
+    const Fit other = fit_last(placed(
+        effects::find(rival.effect), rival.where, fitter.setting().setting));
+    if (const auto next = next_measurement(one, other, fitter)) {
+      result.push_back(*next);
+    }
+  }
+  return result;
+}
+
+// The climb of the error ladder: what is in the model so far, and why.
+class Climb {
+ public:
+  Climb(const Fitter& fitter,
+        const std::vector<PlacedEffect>& present,
+        const DiagnoseOptions& options,
+        const Progress& progress)
+      : fitter_(&fitter),
+        options_(options),
+        search_(fitter, options),
+        already_(present.size()),
+        current_(fitter.fit(present, fitter.model_for(present), progress)),
+        held_out_(fitter.held_out_error(current_, folds, progress)) {}
+
+  /// Adds the best effect that earns its place; false where none does.
+  bool step(bool first, const Progress& progress);
+
+  [[nodiscard]] const Fit& current() const { return current_; }
+  [[nodiscard]] double held_out_error() const { return held_out_; }
+  [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
+    return ladder_of(current_, chosen_, already_, *fitter_, progress);
+  }
+  [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
+  /// At the floor only for the mesh's share, which counts the whole difference
+  /// to a finer mesh. The fit takes a good part of that: an effect may hide.
+  [[nodiscard]] bool is_left_to_the_mesh() const {
+    return is_at_floor() &&
+           current_.result.error > clear_of_floor * options_.floor_noise;
+  }
+  /// Everything tried on the first step.
+  [[nodiscard]] std::vector<Candidate> candidates() const {
+    return candidates_;
+  }
+
+ private:
+  bool try_to_add(bool first,
+                  RungSearch::Depth depth,
+                  const Progress& progress);
+  [[nodiscard]] bool is_at_floor() const {
+    return current_.result.error <= at_floor * options_.floor;
+  }
+  [[nodiscard]] bool is_explained() const {
+    return is_at_floor() && !is_left_to_the_mesh();
+  }
+  // Which of the round to add, and what it must be worth.
+  [[nodiscard]] std::pair<std::size_t, Worth> choose(
+      const Round& round, bool first, const Progress& progress) const;
+
+  const Fitter* fitter_;
+  DiagnoseOptions options_;
+  RungSearch search_;
+  std::size_t already_;
+  Fit current_;
+  double held_out_;
+  std::vector<Chosen> chosen_;
+  std::vector<Candidate> candidates_;
+};
+
+std::pair<std::size_t, Worth> Climb::choose(const Round& round,
+                                            bool first,
+                                            const Progress& progress) const {
+  Worth worth;
+  worth.held_out = held_out_;
+  // What the mesh may explain must be left behind by far.
+  worth.share = is_at_floor() ? 1.0 / clear_of_floor : worth_it;
+  worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
+  const double left = round.hypotheses.front().fit.result.error;
+  if (!first || left <= clear_of_floor * options_.floor) return {0, worth};
+  // What it is worth shows on the next rung.
+  const RungSearch::Pair pair = search_.best_pair(current_, round, progress);
+  worth.share = 1.0;
+  worth.gain = std::max(worth.gain, pair.gain);
+  return {pair.first, worth};
+}
+
+bool Climb::step(bool first, const Progress& progress) {
+  // At the floor there is nothing to explain; on the first rung the candidates
+  // are still worked out for show.
+  if (!first && is_explained()) return false;
+  using Depth = RungSearch::Depth;
+  if (try_to_add(first,
+                 first ? Depth::Thorough : Depth::Quick,
+                 part_of(progress, 0.0, 0.9))) {
+    return true;
+  }
+  // What the screening passes over is looked at before much is left
+  // unexplained. What changes with the force or from run to run is no linear
+  // effect's.
+  const double left = current_.result.error;
+  if (left <= clear_of_floor * options_.floor) return false;
+  if (follows_the_force(fitter_->setting().measured.level, left)) return false;
+  const auto drift = run_drift(current_, fitter_->target());
+  if (drift && is_telling(*drift)) return false;
+  return try_to_add(first, Depth::LastResort, part_of(progress, 0.9, 1.0));
+}
+
+bool Climb::try_to_add(bool first,
+                       RungSearch::Depth depth,
+                       const Progress& progress) {
+  const Round round =
+      search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+  const Progress rest = part_of(progress, 0.75, 1.0);
+  if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
+  if (is_explained() || round.hypotheses.empty()) return false;
+  auto [best, worth] = choose(round, first, rest);
+  const Hypothesis& added = round.hypotheses[best];
+  worth.with_it = fitter_->held_out_error(added.fit, folds, rest);
+  if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
+  if (!worth.earned()) return false;
+  chosen_.push_back(search_.as_chosen(round, best));
+  if (best != 0) {
+    chosen_.back().name = added.own().effect->name();
+    chosen_.back().alike.clear();
+  }
+  current_ = added.fit;
+  if (!first) {
+    current_ = search_.relocate(std::move(current_), already_, chosen_, rest);
+    current_ =
+        search_.prune(std::move(current_), already_, round.data, chosen_, rest);
+  }
+  held_out_ = fitter_->held_out_error(current_, folds, rest);
+  return true;
+}
+
+void warn_of_bounds(Diagnosis& result) {
+  for (const Rung& rung : result.ladder) {
+    for (const Estimate& e : rung.parameters) {
+      if (!e.at_bound) continue;
+      result.warnings.push_back(
+          rung.added + " " + e.name +
+          " ended at its bound: the fit would go on, and what was found beside "
+          "it may only make up for that");
+      break;
+    }
+  }
+}
+
+// The error ladder of the FRFs that a fitter has, and the fit at its top.
+struct Climbed {
+  Diagnosis diagnosis;
+  Fit top;
+};
+
+Climbed climbed(const Fitter& fitter,
+                const std::vector<PlacedEffect>& present,
+                const DiagnoseOptions& options,
+                const Progress& progress) {
+  Climb climb(fitter, present, options, part_of(progress, 0.0, 0.05));
+  Diagnosis result;
+  result.floor = options.floor;
+  result.contour = options.contour;
+  result.warnings = fitter.setting().measured.statements;
+  result.error_base = climb.current().result.error;
+  result.error_fitted = result.error_base;
+  // Whether another rung follows is not known: each gets a good part of what is
+  // left, the first, which looks deepest, the most of all.
+  double done = 0.05;
+  for (int rung = 0; rung < options.max_rungs; ++rung) {
+    const double next = done + 0.75 * (0.95 - done);
+    const Progress part = part_of(progress, done, next);
+    if (!climb.step(rung == 0, numbered(part, "rung", rung + 1))) break;
+    done = next;
+  }
+  const Fit& found = climb.current();
+  result.error_best = found.result.error;
+  const Progress last = part_of(progress, 0.95, 1.0);
+  last("error ladder", 0.0);
+  result.ladder = climb.ladder(last);
+  result.candidates = climb.candidates();
+  result.next = next_measurements(found, result.ladder, fitter, last);
+  lead_with_ladder(result.candidates,
+                   result.ladder,
+                   result.error_best,
+                   climb.held_out_error());
+  result.model_parameters = property_estimates(found, options.properties);
+  warn_of_bounds(result);
+  for (const Chosen& it : climb.chosen()) {
+    if (it.extent) result.warnings.push_back(statement(*it.extent));
+  }
+  const auto fitted =
+      all_estimates(found, options.properties, fitter.setting().setting);
+  set_verdict(fitter.setting().measured.level,
+              held_back(options.properties, fitted),
+              result);
+  if (result.verdict == "none" && climb.is_left_to_the_mesh()) {
+    result.warnings.push_back(fmt::format(
+        "{:.3g} is left, far above the noise ({:.3g}) and below what the mesh "
+        "may explain (the floor is {:.3g}): an effect may hide there, and the "
+        "values of the model's own parameters make up for it; a finer mesh "
+        "would tell",
+        result.error_best,
+        options.floor_noise,
+        result.floor));
+  }
+  return {std::move(result), found};
+}
+
+// Leaves out the FRFs of points that were elsewhere than written down; false
+// where there are none.
+bool leave_misplaced(const Fit& fit,
+                     double floor,
+                     Looked looked,
+                     const Progress& progress,
+                     Fitter& fitter,
+                     std::vector<Misplaced>& misplaced) {
+  const std::vector<MisplacedPoint> found =
+      misplaced_points(fit, fitter, floor, looked, progress);
+  if (found.empty()) return false;
+  // The others may have looked misplaced because of the plainest.
+  misplaced.push_back(found.front().point);
+  fitter = fitter.without(found.front().frfs);
+  return true;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Fitter& fitter,
+                   const std::vector<PlacedEffect>& present,
+                   const DiagnoseOptions& options,
+                   const Progress& progress) {
+  const Progress whole = never_falling(progress);
+  const Progress before = part_of(whole, 0.0, 0.05);
+  double done = 0.05;
+  // Of what is left, should the whole climb be done again.
+  const auto climb = [&](const Fitter& with) {
+    const double from = done;
+    done += 0.9 * (1.0 - done);
+    return climbed(with, present, options, part_of(whole, from, done));
+  };
+  Fitter used = fitter;
+  std::vector<Misplaced> misplaced;
+  const auto leave = [&](const Fit& fit, Looked looked) {
+    return static_cast<int>(misplaced.size()) < most_misplaced &&
+           leave_misplaced(fit, options.floor, looked, before, used, misplaced);
+  };
+  while (leave(used.fit(present, used.model_for(present), before),
+               Looked::Roved)) {
+  }
+  Climbed ladder = climb(used);
+  // A point may stand out only once what else is missing is known.
+  while (leave(ladder.top, Looked::All)) ladder = climb(used);
+  Diagnosis result = std::move(ladder.diagnosis);
+  if (const auto drift = run_drift(ladder.top, used.target());
+      drift && is_telling(*drift)) {
+    result.warnings.push_back(statement(*drift));
+    if (result.verdict == "none") result.verdict = "unexplained";
+  }
+  for (const Misplaced& point : misplaced) {
+    result.warnings.push_back(describe(point) + "; its FRFs are left out");
+  }
+  result.misplaced = std::move(misplaced);
+  whole("error ladder", 1.0);
+  return result;
+}
+
+}  // namespace tapfit::updating

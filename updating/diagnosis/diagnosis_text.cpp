@@ -1,0 +1,67 @@
+#include "updating/diagnosis/diagnosis_text.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace tapfit {
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dof, node, component, sign)
+}  // namespace tapfit
+
+namespace tapfit::updating {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Where, node, nodes, elements, channels, variant)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Estimate, name, value, sd, lo95, hi95, unit, at_bound)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EffectRef, effect, where)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NextMeasurement,
+                                   one,
+                                   other,
+                                   hit,
+                                   sensor,
+                                   channel,
+                                   moves_sensor,
+                                   difference,
+                                   difference_now)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Misplaced, channel, written, likely, error, error_there)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate,
+                                   effect,
+                                   where,
+                                   parameters,
+                                   probability,
+                                   error,
+                                   held_out_error,
+                                   indistinguishable_from)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Rung, added, where, error, parameters, probability, alike, stopped_after)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
+                                   verdict,
+                                   error_base,
+                                   error_fitted,
+                                   error_best,
+                                   floor,
+                                   contour,
+                                   candidates,
+                                   ladder,
+                                   model_parameters,
+                                   next,
+                                   misplaced,
+                                   warnings)
+
+std::optional<std::string> as_text(const Diagnosis& diagnosis) {
+  try {
+    return nlohmann::json(diagnosis).dump();
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Diagnosis> diagnosis_from(std::string_view text) {
+  try {
+    return nlohmann::json::parse(text).get<Diagnosis>();
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace tapfit::updating

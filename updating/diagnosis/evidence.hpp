@@ -1,0 +1,43 @@
+// How strongly data speak for one explanation over another.
+//
+//   ln p(data | model) ~ -(N / 2) ln ||r||^2 - (k / 2) ln N - ln(places)
+//
+// the Bayesian information criterion with the residual's variance unknown, and
+// the price of having searched many places.
+// Source: G. Schwarz, "Estimating the dimension of a model", Annals of
+// Statistics 6, 1978; R. E. Kass, A. E. Raftery, "Bayes factors", JASA 90,
+// 1995.
+#pragma once
+
+#include "updating/fit/residual.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Independent real data for choosing between models.
+///
+/// FRFs of a structure with m modes in the band are fixed by m residues each
+/// and the m frequencies that they share (damping is fitted along in every
+/// model), so that more lines do not make more evidence, whatever their number.
+/// Nor is the residual more than residual_data() says.
+///
+/// @param residual of the best explanation, as from stack()
+[[nodiscard]] double evidence_data(const Target& target,
+                                   const Eigen::VectorXd& residual,
+                                   int modes_in_band);
+
+/// @param error relative FRF error after fitting
+/// @param parameters the effect's own, beyond those every model has
+/// @param places places it was searched at
+/// @param data from evidence_data()
+[[nodiscard]] double log_evidence(double error,
+                                  double parameters,
+                                  double places,
+                                  double data);
+
+/// Probabilities from log evidences, which may be far apart; sum 1.
+[[nodiscard]] std::vector<double> probabilities(
+    const std::vector<double>& log_evidences);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,355 @@
+#include "updating/diagnosis/hypotheses.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/diagnosis/screening.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/effects/effect_place.hpp"
+#include "updating/fit/overall_progress.hpp"
+#include "updating/places/near_places.hpp"
+#include "updating/places/stretched_patches.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+constexpr std::size_t few_places = 8;
+// A climb goes on while it gains: across a structure if need be.
+constexpr int most_steps = 40;
+// Patches are looked at more closely where their best leaves at most this times
+// the error of the best of all: each costs a base of its own.
+constexpr double rival = 4.0;
+
+bool has_form(const PlacedEffect& placed) {
+  const std::vector<std::string> forms = placed.effect->forms();
+  return std::ranges::find(forms, placed.where.variant) != forms.end();
+}
+
+// The same again, another loss of the same elements, or a form of the same.
+bool present(const Fit& current, const PlacedEffect& candidate) {
+  const Where& there = candidate.where;
+  return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
+    if (e.effect != candidate.effect) return false;
+    const bool formed = has_form(e) || has_form(candidate);
+    return e.where == there || share(e.where.elements, there.elements) ||
+           (formed && (share(e.where.nodes, there.nodes) ||
+                       share(e.where.channels, there.channels) ||
+                       (e.where.node != 0 && e.where.node == there.node)));
+  });
+}
+
+// Whether any of what it acts on can move: a model of bars in a plane does not
+// turn out of it.
+bool acts(const PlacedEffect& placed, const FrfModel& model) {
+  const std::vector<effects::ActedDof> dofs =
+      placed.effect->acts_on(placed.where, model.setting(), 0);
+  std::map<std::size_t, double> moves;
+  for (const effects::ActedDof& dof : dofs) {
+    moves[dof.group] += model.row(dof.node, dof.component).norm();
+  }
+  return std::ranges::none_of(moves,
+                              [](const auto& g) { return g.second == 0.0; });
+}
+
+// Fits the present effects and one more, for each of several.
+//
+// @param shared one base for all of them; empty: each gets its own
+std::vector<Hypothesis> fit_each(const Fit& current,
+                                 const std::vector<PlacedEffect>& extras,
+                                 const Fitter& fitter,
+                                 const std::shared_ptr<const FrfModel>& shared,
+                                 const Progress& progress) {
+  std::vector<Hypothesis> result(extras.size());
+  // Only this thread reports; the others only listen for the stop.
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(extras.size(), [&](std::size_t k) {
+    std::vector<PlacedEffect> effects = current.effects;
+    effects.push_back(extras[k]);
+    result[k].fit =
+        fitter.fit(effects, shared ? shared : fitter.model_for(effects), quiet);
+  });
+  return result;
+}
+
+bool less_error(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.result.error < b.fit.result.error;
+}
+
+/// The neighbours of a place.
+using Near = std::function<std::vector<Where>(const Where&)>;
+
+// Around the best place of a kind, step to a better neighbour until there is
+// none. Each step fits all neighbours, grids in one base.
+void climb(std::vector<Hypothesis>& found,
+           const Fit& current,
+           const Fitter& fitter,
+           const Near& near,
+           const Progress& progress) {
+  std::vector<Where> seen;
+  for (const Hypothesis& h : found) seen.push_back(h.own().where);
+  for (int round = 0; round < most_steps; ++round) {
+    const auto best = std::min_element(found.begin(), found.end(), less_error);
+    const PlacedEffect own = best->own();
+    const double before = best->fit.result.error;
+    std::vector<PlacedEffect> tries;
+    for (const Where& where : near(own.where)) {
+      if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
+      seen.push_back(where);
+      PlacedEffect next = own;
+      next.where = where;
+      if (!present(current, next)) tries.push_back(next);
+    }
+    if (tries.empty()) return;
+    std::shared_ptr<const FrfModel> shared;
+    if (!own.effect->changes_stiffness()) {
+      std::vector<PlacedEffect> all = current.effects;
+      all.insert(all.end(), tries.begin(), tries.end());
+      shared = fitter.model_for(all);
+    }
+    double after = before;
+    for (Hypothesis& h : fit_each(current, tries, fitter, shared, progress)) {
+      after = std::min(after, h.fit.result.error);
+      found.push_back(std::move(h));
+    }
+    if (after >= before) return;
+  }
+}
+
+void climb_places(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  int neighbours,
+                  const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const PlacedEffect& any = found.front().own();
+  const std::vector<Where> patches =
+      any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
+  const auto near = [&](const Where& at) {
+    return places_near(at, patches, *setting.deck, neighbours);
+  };
+  climb(found, current, fitter, near, progress);
+}
+
+// Patches are looked for as cubes; what is lost may be a long one.
+void climb_shapes(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const Progress& progress) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const auto near = [&deck](const Where& at) {
+    std::vector<Where> places;
+    for (std::vector<int>& ids : stretched_patches(at.elements, deck)) {
+      places.push_back(at);
+      places.back().elements = std::move(ids);
+    }
+    return places;
+  };
+  climb(found, current, fitter, near, progress);
+}
+
+// What is worth a full fit of one kind: its best screened places, apart from
+// each other where a climb goes on from them, or all where it is not screened.
+std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
+                                        const Fit& current,
+                                        const std::vector<Screened>& screened,
+                                        const effects::Setting& setting,
+                                        const HypothesisOptions& options) {
+  std::vector<PlacedEffect> tries;
+  // Sensors and channels are few and each differs from the others.
+  const bool few = effect.places(setting).size() <= few_places;
+  const int most_places =
+      effect.changes_stiffness() == ChangeKind::Joint
+          ? std::max(options.places_per_kind, options.joints)
+          : options.places_per_kind;
+  const auto is_new = [&](const Screened& s) {
+    const bool known =
+        !few && options.neighbours > 0 &&
+        std::ranges::any_of(tries, [&](const PlacedEffect& other) {
+          return within_reach(
+              other.where, s.placed.where, *setting.deck, options.neighbours);
+        });
+    return !known && !present(current, s.placed);
+  };
+  const Screened* likely = nullptr;
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    if (likely == nullptr || s.any_law < likely->any_law) likely = &s;
+  }
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    const auto count = static_cast<int>(tries.size());
+    if (!few && count == most_places) break;
+    if (s.error > options.promising * screened.front().error) break;
+    if (is_new(s)) tries.push_back(s.placed);
+  }
+  // The grid that explains most whatever the law: sizes far from the model's
+  // are screened too coarsely to be told by them.
+  if (likely != nullptr && likely->any_law > 0.0 && options.neighbours > 0 &&
+      is_new(*likely)) {
+    tries.push_back(likely->placed);
+  }
+  if (likely != nullptr) return tries;
+  for (const Where& where : effect.places(setting)) {
+    const PlacedEffect p = placed(effect, where, setting);
+    if (!present(current, p)) tries.push_back(p);
+  }
+  return tries;
+}
+
+// One kind and what was fitted of it.
+struct Kind {
+  const effects::Effect* effect = nullptr;
+  std::vector<Hypothesis> found;
+  double tries = 0.0;  // from the screening
+
+  [[nodiscard]] bool at_grids() const {
+    return found.front().own().where.node != 0;
+  }
+  [[nodiscard]] double error() const {
+    return std::min_element(found.begin(), found.end(), less_error)
+        ->fit.result.error;
+  }
+};
+
+std::vector<Hypothesis> fit_screened(const effects::Effect& effect,
+                                     const std::vector<PlacedEffect>& tries,
+                                     const Fit& current,
+                                     const Fitter& fitter,
+                                     const Progress& progress) {
+  // A change of the stiffness needs a base of its own; others share one.
+  std::shared_ptr<const FrfModel> shared;
+  if (!effect.changes_stiffness()) {
+    std::vector<PlacedEffect> together = current.effects;
+    together.insert(together.end(), tries.begin(), tries.end());
+    shared = fitter.model_for(together);
+  }
+  return fit_each(current, tries, fitter, shared, progress);
+}
+
+double least_error(const std::vector<Kind>& kinds) {
+  double least = 1e300;
+  for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  return least;
+}
+
+// The screening is of first order, and a loss of stiffness or a joint is often
+// far from small: the right place may not be among those fitted.
+void climb_stiffness(std::vector<Kind>& kinds,
+                     const Fit& current,
+                     const Fitter& fitter,
+                     const HypothesisOptions& options,
+                     const Progress& progress) {
+  const double least = least_error(kinds);
+  for (Kind& kind : kinds) {
+    const auto changes = kind.effect->changes_stiffness();
+    if (changes != ChangeKind::Elements && changes != ChangeKind::Joint) {
+      continue;
+    }
+    if (kind.error() > rival * least) continue;
+    climb_places(kind.found, current, fitter, options.neighbours, progress);
+    if (changes == ChangeKind::Elements && kind.error() > options.explained) {
+      climb_shapes(kind.found, current, fitter, progress);
+    }
+  }
+}
+
+// Where a kind may have another form: at the best of its grids, or wherever
+// supports and sensors, which are few, were looked at.
+std::vector<Where> places_for_forms(const Kind& kind) {
+  if (kind.at_grids()) {
+    return {std::ranges::min_element(kind.found, less_error)->own().where};
+  }
+  std::vector<Where> places;
+  for (const Hypothesis& h : kind.found) places.push_back(h.own().where);
+  return places;
+}
+
+// What does well where it was found may do better in another form: a mass with
+// an inertia, a clamp that varies along its line. A form with an inertia may
+// then do better beside.
+void try_forms(std::vector<Kind>& kinds,
+               const Fit& current,
+               const Fitter& fitter,
+               int neighbours,
+               const Progress& progress) {
+  const double least = least_error(kinds);
+  const effects::Setting& setting = fitter.setting().setting;
+  for (Kind& kind : kinds) {
+    if (kind.error() > rival * least) continue;
+    const double error = kind.error();
+    std::vector<PlacedEffect> tries;
+    for (const Where& where :
+         forms_of(*kind.effect, places_for_forms(kind), setting)) {
+      PlacedEffect next = placed(*kind.effect, where, setting);
+      if (acts(next, *current.model) && !present(current, next)) {
+        tries.push_back(std::move(next));
+      }
+    }
+    for (Hypothesis& h : fit_each(current, tries, fitter, nullptr, progress)) {
+      // Else it is the plain one under another name.
+      const bool better = h.fit.result.error < worth_it * error;
+      if (better) kind.found.push_back(std::move(h));
+    }
+    if (kind.at_grids() && kind.error() < error) {
+      climb_places(kind.found, current, fitter, neighbours, progress);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Hypothesis> fit_hypotheses(const Fit& current,
+                                       const Fitter& fitter,
+                                       const HypothesisOptions& options,
+                                       const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const std::vector<Screened> screened =
+      screen(current, fitter, part_of(progress, 0.0, 0.1));
+  std::map<const effects::Effect*, double> places;
+  for (const Screened& s : screened) places[s.placed.effect] += 1.0;
+  std::vector<Kind> kinds;
+  double done = 0.1;
+  for (const auto& effect : effects::catalogue()) {
+    const double from = done;
+    done += 0.8 / static_cast<double>(effects::catalogue().size());
+    const Progress part = part_of(progress, from, done);
+    part("fitting " + effect->name(), 0.0);
+    // A ratio for each mode is fitted along: a law explains no more.
+    if (effect->entry() == effects::Entry::Damping) continue;
+    const std::vector<PlacedEffect> tries =
+        worth_fitting(*effect, current, screened, setting, options);
+    if (tries.empty()) continue;
+    Kind kind{effect.get(),
+              fit_screened(*effect, tries, current, fitter, part),
+              static_cast<double>(tries.size())};
+    if (kind.at_grids() && options.neighbours > 0) {
+      climb_places(kind.found, current, fitter, options.neighbours, part);
+    }
+    kinds.push_back(std::move(kind));
+  }
+  if (options.neighbours > 0) {
+    const Progress rest = part_of(progress, 0.9, 1.0);
+    climb_stiffness(kinds, current, fitter, options, rest);
+    if (least_error(kinds) > options.explained) {
+      try_forms(kinds, current, fitter, options.neighbours, rest);
+    }
+  }
+  std::vector<Hypothesis> all;
+  for (Kind& kind : kinds) {
+    // A grid that the screening passed over was still a place to look at.
+    const double grids =
+        kind.at_grids() ? static_cast<double>(setting.deck->grids.size()) : 1.0;
+    for (Hypothesis& h : kind.found) {
+      h.places = std::max({places[kind.effect], kind.tries, grids});
+    }
+    std::move(kind.found.begin(), kind.found.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,37 @@
+// The explanations worth a full fit: the best of each kind that the screening
+// found, their neighbours, and every place of the kinds with few places.
+#pragma once
+
+#include "updating/fit/fitter.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A hypothesis, fitted together with everything already in the model.
+struct Hypothesis {
+  Fit fit;              ///< its own effect is the last one
+  double places = 1.0;  ///< how many places its kind was searched at
+  double log_evidence = 0.0;
+
+  [[nodiscard]] const PlacedEffect& own() const { return fit.effects.back(); }
+};
+
+struct HypothesisOptions {
+  int places_per_kind = 3;
+  int neighbours = 8;
+  /// Only places whose screened error is within this factor of the least.
+  double promising = 1e300;
+  /// An error that leaves nothing for another form of an effect to explain.
+  double explained = 0.0;
+  int joints = 0;  ///< of the screened places, where more than places_per_kind
+};
+
+/// @return fitted hypotheses, kind after kind; their evidence is not set
+[[nodiscard]] std::vector<Hypothesis> fit_hypotheses(
+    const Fit& current,
+    const Fitter& fitter,
+    const HypothesisOptions& options,
+    const Progress& progress);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,255 @@
+#include "updating/diagnosis/rung_search.hpp"
+
+#include "updating/diagnosis/evidence.hpp"
+#include "updating/fit/overall_progress.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tapfit::updating {
+
+const double look_alike = std::log(20.0);
+const double very_strong = std::log(150.0);
+const double at_floor = 1.3;
+const double clear_of_floor = 3.0;
+
+namespace {
+
+// First rungs from which a second one is tried.
+constexpr int kinds_tried_first = 4;
+// A screened error beyond this times the least is not worth a full fit once
+// the list is no longer for show: the screening is good to a few tens of
+// percent.
+constexpr double promising = 2.0;
+// Of those that the screening puts first, in the end.
+constexpr int many_joints = 80;
+// An effect found again, or a weaker one put first, must be this much better
+// to take the place.
+constexpr double better = 0.98;
+
+// Whether two explanations say the same of all that was measured. Their
+// evidence may still differ by the number of places that were looked at.
+bool predict_alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double same = 0.1;
+  const Eigen::VectorXd& ra = a.fit.result.residual;
+  const Eigen::VectorXd& rb = b.fit.result.residual;
+  return ra.size() == rb.size() && ra.size() > 0 &&
+         (ra - rb).norm() <= same * std::min(ra.norm(), rb.norm());
+}
+
+// A law with more parameters may contain the simpler one.
+bool is_rival(const Hypothesis& other, const Hypothesis& of) {
+  const double apart = std::abs(other.log_evidence - of.log_evidence);
+  return apart <= look_alike || (other.own().p.size() <= of.own().p.size() &&
+                                 predict_alike(other, of));
+}
+
+std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
+  std::vector<PlacedEffect> rest = fit.effects;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+  return rest;
+}
+
+}  // namespace
+
+// A kind is as probable as all its places together. A law with more parameters
+// at the same place contains the simpler one and is no rival of it unless its
+// evidence is better.
+std::string group_name(const Round& round, std::size_t of) {
+  struct Kind {
+    std::string name;
+    double probability = 0.0;
+    bool alike = false;  // one of its places says the same
+  };
+  const Hypothesis& own = round.hypotheses[of];
+  std::vector<Kind> kinds{{own.own().effect->name()}};
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const bool contains = h.own().where == own.own().where &&
+                          h.own().p.size() > own.own().p.size();
+    if (contains) continue;
+    const std::string name = h.own().effect->name();
+    auto it = std::ranges::find(kinds, name, &Kind::name);
+    if (it == kinds.end()) it = kinds.insert(kinds.end(), {name});
+    it->probability += round.probability[k + 1];
+    it->alike =
+        it->alike || (k != of && h.own().p.size() <= own.own().p.size() &&
+                      predict_alike(h, own));
+  }
+  const double least = kinds.front().probability * std::exp(-look_alike);
+  std::erase_if(kinds, [&](const Kind& kind) {
+    return &kind != &kinds.front() && !kind.alike && kind.probability <= least;
+  });
+  std::stable_sort(
+      kinds.begin() + 1, kinds.end(), [](const Kind& a, const Kind& b) {
+        return a.probability > b.probability;
+      });
+  std::string group = kinds.front().name;
+  for (std::size_t k = 1; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
+    group += "|" + kinds[k].name;
+  }
+  return group;
+}
+
+std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
+  std::vector<EffectRef> alike;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& other = round.hypotheses[k];
+    if (k == of || !is_rival(other, round.hypotheses[of])) continue;
+    alike.push_back({other.own().effect->name(), other.own().where});
+  }
+  return alike;
+}
+
+RungSearch::RungSearch(const Fitter& fitter, const DiagnoseOptions& options)
+    : fitter_(&fitter),
+      options_(options),
+      explained_(at_floor * options.floor) {}
+
+Chosen RungSearch::as_chosen(const Round& round, std::size_t of) const {
+  return {group_name(round, of),
+          round.probability[of + 1],
+          look_alikes(round, of),
+          patch_extent(round.hypotheses,
+                       round.hypotheses[of].own(),
+                       options_.floor,
+                       fitter_->setting().setting)};
+}
+
+// How sure an effect is among all that was tried with it, none included; as
+// sure as before where the round passed over it.
+void RungSearch::judge_anew(const Round& round,
+                            const PlacedEffect& effect,
+                            Chosen& it) const {
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& own = round.hypotheses[k].own();
+    if (own.effect != effect.effect || own.where != effect.where) continue;
+    it = as_chosen(round, k);
+    return;
+  }
+}
+
+Fit RungSearch::refit(const std::vector<PlacedEffect>& effects,
+                      const Progress& progress) const {
+  return fitter_->fit(effects, fitter_->model_for(effects), progress);
+}
+
+Round RungSearch::look(const Fit& current,
+                       Depth depth,
+                       const Progress& progress) const {
+  const bool thorough = depth >= Depth::Thorough;
+  HypothesisOptions options;
+  options.places_per_kind = thorough ? options_.places_per_kind : 1;
+  options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
+  options.promising = thorough ? 1e300 : promising;
+  options.explained = at_floor * options_.floor;
+  if (depth == Depth::LastResort) options.joints = many_joints;
+  Round round;
+  round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
+  const Target& target = fitter_->target();
+  const Fit* best = &current;
+  for (const Hypothesis& h : round.hypotheses) {
+    if (h.fit.result.error < best->result.error) best = &h.fit;
+  }
+  round.data =
+      evidence_data(target, best->result.residual, options_.modes_in_band);
+  for (Hypothesis& h : round.hypotheses) {
+    h.log_evidence = log_evidence(h.fit.result.error,
+                                  static_cast<double>(h.own().p.size()),
+                                  h.places,
+                                  round.data);
+  }
+  std::stable_sort(round.hypotheses.begin(),
+                   round.hypotheses.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) {
+                     return a.log_evidence > b.log_evidence;
+                   });
+  round.none_evidence =
+      log_evidence(current.result.error, 0.0, 1.0, round.data);
+  std::vector<double> evidence = {round.none_evidence};
+  for (const Hypothesis& h : round.hypotheses) {
+    evidence.push_back(h.log_evidence);
+  }
+  round.probability = probabilities(evidence);
+  return round;
+}
+
+RungSearch::Pair RungSearch::best_pair(const Fit& current,
+                                       const Round& round,
+                                       const Progress& progress) const {
+  Pair pair;
+  double least = 1e300;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    if (!kinds.insert(h.own().effect).second) continue;
+    const auto tried = static_cast<double>(kinds.size());
+    const Round next = look(h.fit,
+                            Depth::Quick,
+                            part_of(progress,
+                                    (tried - 1.0) / kinds_tried_first,
+                                    tried / kinds_tried_first));
+    if (next.hypotheses.empty()) continue;
+    const Hypothesis& second = next.hypotheses.front();
+    // The same two in the other order end at the same error, but for rounding.
+    if (second.fit.result.error >= better * least) continue;
+    least = second.fit.result.error;
+    const auto own =
+        static_cast<double>(h.own().p.size() + second.own().p.size());
+    pair.first = k;
+    pair.gain = log_evidence(least, own, h.places * second.places, next.data) -
+                log_evidence(current.result.error, 0.0, 1.0, next.data);
+  }
+  return pair;
+}
+
+Fit RungSearch::relocate(Fit fit,
+                         std::size_t already,
+                         std::vector<Chosen>& chosen,
+                         const Progress& progress) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    const Round round =
+        look(refit(without(fit, k), progress), Depth::Nearby, progress);
+    if (round.hypotheses.empty()) continue;
+    const Hypothesis& best = round.hypotheses.front();
+    if (best.fit.result.error >= better * fit.result.error) {
+      // Now that the others are known, so is how sure this one is.
+      judge_anew(round, fit.effects[k], chosen[k - already]);
+      continue;
+    }
+    fit = best.fit;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    chosen.push_back(as_chosen(round, 0));
+  }
+  return fit;
+}
+
+Fit RungSearch::prune(Fit fit,
+                      std::size_t already,
+                      double data,
+                      std::vector<Chosen>& chosen,
+                      const Progress& progress) const {
+  for (std::size_t k = already;
+       k < fit.effects.size() && fit.effects.size() > already + 1;) {
+    Fit rest = refit(without(fit, k), progress);
+    const double own = static_cast<double>(fit.effects[k].p.size());
+    const double gain = log_evidence(fit.result.error, own, 1.0, data) -
+                        log_evidence(rest.result.error, 0.0, 1.0, data);
+    // Once an effect has moved to its right place, it may explain alone what
+    // another was added for. Far below a floor that is the mesh's both may be
+    // there.
+    const bool alone = rest.result.error <= explained_ &&
+                       clear_of_floor * fit.result.error > rest.result.error;
+    if (gain < very_strong || alone) {
+      fit = std::move(rest);
+      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    } else {
+      ++k;
+    }
+  }
+  return fit;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,308 @@
+#include "updating/diagnosis/screening.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/effects/point_effect.hpp"
+#include "updating/localisation/misfit_scan.hpp"
+#include "updating/localisation/place_rows.hpp"
+#include "updating/localisation/place_scan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Grids at which effects of several parameters are scanned: those where a
+// point effect of any law would explain most.
+constexpr std::size_t grids_in_detail = 12;
+
+// What is looked at, and the rows that it is felt by.
+struct Places {
+  std::vector<int> nodes;  // of the grids scanned
+  std::vector<const effects::Effect*> point_kinds;
+  std::vector<const effects::Effect*> detailed_kinds;  // several parameters
+  struct Wide {
+    const effects::Effect* effect = nullptr;
+    Where where;
+  };
+  std::vector<Wide> wide;  // of the sums scanned
+  ScannedPlaces scanned;
+};
+
+void add_losses(const effects::Effect& effect,
+                const effects::Setting& setting,
+                const PlaceRows& source,
+                Places& places) {
+  std::map<int, std::size_t> at;  // element -> its rows
+  for (const Where& where : effect.places(setting)) {
+    std::vector<std::size_t> sum;
+    for (const int id : where.elements) {
+      const auto [it, fresh] = at.try_emplace(id, places.scanned.parts.size());
+      if (fresh) places.scanned.parts.push_back(source.element(id));
+      sum.push_back(it->second);
+    }
+    places.wide.push_back({&effect, where});
+    places.scanned.sums.push_back(std::move(sum));
+  }
+}
+
+Places all_places(const FrfModel& model) {
+  const effects::Setting& setting = model.setting();
+  const PlaceRows source(model);
+  Places places;
+  for (const auto& effect : effects::catalogue()) {
+    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
+    if (point == nullptr) continue;
+    const std::vector<Where> at = point->places(setting);
+    if (places.nodes.empty()) {
+      for (const Where& where : at) {
+        places.nodes.push_back(where.node);
+        places.scanned.grids.push_back(source.grid(where.node));
+      }
+    }
+    if (at.empty()) continue;
+    const bool single = point->parameters(at.front(), setting).size() == 1;
+    (single ? places.point_kinds : places.detailed_kinds).push_back(point);
+  }
+  for (const auto& effect : effects::catalogue()) {
+    const auto change = effect->changes_stiffness();
+    if (change == ChangeKind::Elements) {
+      add_losses(*effect, setting, source, places);
+    }
+    if (change != ChangeKind::Joint) continue;
+    for (const Where& where : effect->places(setting)) {
+      MatrixXd rows = source.joint(where);
+      if (rows.rows() == 0) continue;
+      places.wide.push_back({effect.get(), where});
+      places.scanned.sums.push_back({places.scanned.parts.size()});
+      places.scanned.parts.push_back(std::move(rows));
+    }
+  }
+  return places;
+}
+
+// Sizes between the bounds of a parameter, evenly in the logarithm.
+std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
+  std::vector<double> result;
+  const double low = std::log(spec.lower);
+  const double high = std::log(spec.upper);
+  for (int k = 0; k < count; ++k) {
+    result.push_back(std::exp(low + (high - low) * (k + 0.5) / count));
+  }
+  return result;
+}
+
+// Every combination of a few sizes of each parameter.
+std::vector<std::vector<double>> combinations(
+    const std::vector<effects::ParameterSpec>& specs) {
+  // A resonance is narrow: its frequency, the second of three, is scanned
+  // more closely than sizes and damping.
+  const std::array<int, 3> counts = specs.size() == 1   ? std::array{13, 0, 0}
+                                    : specs.size() == 2 ? std::array{8, 4, 0}
+                                                        : std::array{7, 24, 3};
+  std::vector<std::vector<double>> result = {{}};
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& start : result) {
+      for (const double size : sizes(specs[k], counts.at(k))) {
+        longer.push_back(start);
+        longer.back().push_back(size);
+      }
+    }
+    result = std::move(longer);
+  }
+  return result;
+}
+
+// A scan over all sizes, then closer around the best, one parameter after the
+// other.
+template <typename Best>
+Screened scanned(const std::vector<effects::ParameterSpec>& specs,
+                 const Best& best) {
+  Screened found = best(combinations(specs));
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    const double step = std::log(specs[k].upper / specs[k].lower) / 13.0;
+    std::vector<std::vector<double>> tried;
+    for (const double part :
+         {-0.9, -0.6, -0.35, -0.15, 0.0, 0.15, 0.35, 0.6, 0.9}) {
+      tried.push_back(found.placed.p);
+      tried.back()[k] *= std::exp(part * step);
+    }
+    found = best(tried);
+  }
+  return found;
+}
+
+class Screening {
+ public:
+  Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
+      : setting_(fitter.setting().setting),
+        current_(&current),
+        // The widest line: the most forgiving about shifts.
+        target_(&fitter.setting().targets.front()),
+        places_(all_places(*current.model)),
+        scan_(current, *target_),
+        place_scan_(current, *target_, scan_, places_.scanned, progress),
+        now_(
+            current.model->respond(current.result.state, target_->s, false).H) {
+  }
+
+  [[nodiscard]] std::vector<Screened> points() const {
+    const std::size_t kinds = places_.point_kinds.size();
+    std::vector<Screened> result(places_.nodes.size() * kinds);
+    for_each_parallel(places_.nodes.size(), [&](std::size_t b) {
+      const double any_law = place_scan_.any_law(b);
+      for (std::size_t k = 0; k < kinds; ++k) {
+        const effects::Effect& effect = *places_.point_kinds[k];
+        result[b * kinds + k] = scanned(
+            effect.parameters(where(b), setting_),
+            [&](const auto& tried) { return best_at_grid(b, effect, tried); });
+        result[b * kinds + k].any_law = any_law;
+      }
+    });
+    return result;
+  }
+
+  // Effects of several parameters, at the most promising grids.
+  [[nodiscard]] std::vector<Screened> detailed() const {
+    std::vector<std::pair<double, std::size_t>> promise;
+    for (std::size_t b = 0; b < places_.nodes.size(); ++b) {
+      promise.emplace_back(place_scan_.any_law(b), b);
+    }
+    const std::size_t count = std::min(grids_in_detail, promise.size());
+    std::partial_sort(promise.begin(),
+                      promise.begin() + static_cast<std::ptrdiff_t>(count),
+                      promise.end());
+    const std::size_t kinds = places_.detailed_kinds.size();
+    std::vector<Screened> result(count * kinds);
+    for_each_parallel(count * kinds, [&](std::size_t at) {
+      const effects::Effect& effect = *places_.detailed_kinds[at % kinds];
+      const std::size_t b = promise[at / kinds].second;
+      result[at] = scanned(
+          effect.parameters(where(b), setting_),
+          [&](const auto& tried) { return best_at_grid(b, effect, tried); });
+    });
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Screened> wide() const {
+    std::vector<Screened> result(places_.wide.size());
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const Places::Wide& place = places_.wide[k];
+      const MisfitScan::Scaled best = place_scan_.scaled(k);
+      const double factor = std::max(best.factor, 1e-12);
+      // A joint's stiffness is the inverse of its compliance; elements in a
+      // row add compliance, 1 / factor - 1.
+      const bool loss =
+          place.effect->changes_stiffness() == ChangeKind::Elements;
+      const double p = loss ? 1.0 / (1.0 + factor) : 1.0 / factor;
+      result[k] = {PlacedEffect{place.effect, place.where, {p}}, best.error};
+    }
+    return result;
+  }
+
+  // Effects at few places, which the model as it is can respond to: those of
+  // sensors and channels. Every size is worked out, none estimated.
+  [[nodiscard]] std::vector<Screened> few() const {
+    std::vector<PlacedEffect> candidates;
+    for (const auto& effect : effects::catalogue()) {
+      if (effect->changes_stiffness() ||
+          effect->entry() == effects::Entry::Damping ||
+          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
+        continue;
+      }
+      for (const Where& place : effect->places(setting_)) {
+        candidates.push_back({effect.get(), place, {}});
+      }
+    }
+    std::vector<Screened> result(candidates.size());
+    for_each_parallel(candidates.size(), [&](std::size_t k) {
+      const PlacedEffect& candidate = candidates[k];
+      result[k] = scanned(
+          candidate.effect->parameters(candidate.where, setting_),
+          [&](const auto& tried) { return best_response(candidate, tried); });
+    });
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Where where(std::size_t b) const {
+    Where result;
+    result.node = places_.nodes[b];
+    return result;
+  }
+
+  // The best of several sizes of an effect at a grid.
+  [[nodiscard]] Screened best_at_grid(
+      std::size_t b,
+      const effects::Effect& effect,
+      const std::vector<std::vector<double>>& tried) const {
+    MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      for (Index l = 0; l < z.rows(); ++l) {
+        z(l, static_cast<Index>(k)) = effect.law(target_->s(l), tried[k], 0);
+      }
+    }
+    return best_of({&effect, where(b), {}}, tried, place_scan_.errors(b, z));
+  }
+
+  // The same for an effect that the model itself can respond to.
+  [[nodiscard]] Screened best_response(
+      const PlacedEffect& candidate,
+      const std::vector<std::vector<double>>& tried) const {
+    ModelState state = current_->result.state;
+    state.effects.push_back(candidate);
+    MatrixXd changes(2 * target_->H.size(), static_cast<Index>(tried.size()));
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      state.effects.back().p = tried[k];
+      const MatrixXcd H = current_->model->respond(state, target_->s, false).H;
+      changes.col(static_cast<Index>(k)) = scan_.change(H - now_);
+    }
+    return best_of(candidate, tried, scan_.errors(changes));
+  }
+
+  [[nodiscard]] Screened best_of(PlacedEffect candidate,
+                                 const std::vector<std::vector<double>>& tried,
+                                 const VectorXd& errors) const {
+    Index at = 0;
+    const double least = errors.minCoeff(&at);
+    candidate.p = tried[static_cast<std::size_t>(at)];
+    return {std::move(candidate), least};
+  }
+
+  const effects::Setting& setting_;
+  const Fit* current_;
+  const Target* target_;
+  Places places_;
+  MisfitScan scan_;
+  PlaceScan place_scan_;
+  MatrixXcd now_;  // the model's FRFs as it is
+};
+
+}  // namespace
+
+std::vector<Screened> screen(const Fit& current,
+                             const Fitter& fitter,
+                             const Progress& progress) {
+  const Screening screening(current, fitter, progress);
+  progress("screening", 0.5);
+  std::vector<Screened> result = screening.points();
+  for (const auto& more :
+       {screening.detailed(), screening.wide(), screening.few()}) {
+    result.insert(result.end(), more.begin(), more.end());
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return a.error < b.error;
+  });
+  return result;
+}
+
+}  // namespace tapfit::updating

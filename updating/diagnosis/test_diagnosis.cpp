@@ -1,0 +1,35 @@
+#include "updating/diagnosis/test_diagnosis.hpp"
+
+#include "acquisition/bundle/channel_names.hpp"
+#include "modal/mass_loading/sensor_shifts.hpp"
+#include "updating/diagnosis/diagnose.hpp"
+
+#include <algorithm>
+
+namespace tapfit::updating {
+
+Diagnosis diagnose_test(const FitGround& ground,
+                        const Fit& current,
+                        const Comparison& base,
+                        const MeasuredTest& test,
+                        const std::vector<std::string>& of_model,
+                        const Progress& progress) {
+  DiagnoseOptions options;
+  options.floor = base.floor;
+  options.floor_noise = base.floor_noise;
+  options.contour = base.contour;
+  options.properties = ground.properties;
+  options.modes_in_band =
+      std::max(1, static_cast<int>(test.modes.modes.size()));
+  Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
+  // Nothing fitted yet: the base is the deck as it is.
+  if (current.result.history.empty()) d.error_base = base.error;
+  if (const auto& shifts = test.modes.shifts; modal::is_telling(shifts)) {
+    d.warnings.push_back(modal::statement(
+        *shifts, acquisition::channel_names(*test.setting.bundle)));
+  }
+  d.warnings.insert(d.warnings.end(), of_model.begin(), of_model.end());
+  return d;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,24 @@
+// The diagnosis of a whole test: of its FRFs, and what its modes and its model
+// have to say besides.
+#pragma once
+
+#include "updating/comparison/comparison.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/fit_ground.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// @param current the model's fit; with nothing added the ground's base
+/// @param base the comparison of the deck as it is
+/// @param of_model warnings of the model, put last
+[[nodiscard]] Diagnosis diagnose_test(const FitGround& ground,
+                                      const Fit& current,
+                                      const Comparison& base,
+                                      const MeasuredTest& test,
+                                      const std::vector<std::string>& of_model,
+                                      const Progress& progress);
+
+}  // namespace tapfit::updating

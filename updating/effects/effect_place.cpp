@@ -1,0 +1,287 @@
+#include "updating/effects/effect_place.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/effects/point_effect.hpp"
+#include "updating/fit/fitter.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+namespace tapfit::updating {
+
+namespace {
+
+// Joined by ":", or by "," as places are told.
+std::vector<std::string> parts_of(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end =
+        std::min(text.find_first_of(":,", begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// The numbers of "60:56", or nothing where it is no such list.
+std::vector<int> numbers_in(const std::string& text) {
+  std::vector<int> numbers;
+  for (const std::string& part : parts_of(text)) {
+    const bool digits =
+        !part.empty() && part.size() < 10 &&
+        std::all_of(part.begin(), part.end(), [](unsigned char c) {
+          return std::isdigit(c) != 0;
+        });
+    if (!digits) return {};
+    numbers.push_back(std::stoi(part));
+  }
+  return numbers;
+}
+
+bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
+
+// Whose place is told by names, which may be numbers too.
+bool sits_on_channels(const effects::Effect& effect) {
+  return effect.entry() == effects::Entry::Measurement ||
+         effect.name().starts_with("sensor-");
+}
+
+// Throws where a place is not the one grid that an effect sits at.
+void check_grid(const effects::Effect& effect,
+                const std::string& place,
+                const std::string& text) {
+  const std::vector<std::string> parts = parts_of(place);
+  const bool one_grid = parts.size() == 1 && is_grid(parts[0]);
+  const bool at_a_grid =
+      dynamic_cast<const effects::PointEffect*>(&effect) != nullptr;
+  // What follows a grid is taken for a form.
+  const bool other =
+      parts.size() > 1 && is_grid(parts[0]) && !is_grid(parts[1]);
+  if (!at_a_grid || place.empty() || one_grid || other) return;
+  throw InputError(is_grid(parts[0])
+                       ? fmt::format("{} sits at one grid", effect.name())
+                       : fmt::format("\"{}\" is no grid", parts[0]),
+                   fmt::format("effect \"{}\"", text),
+                   fmt::format("write the id of one grid, for example {}@201; "
+                               "again for more",
+                               effect.name()));
+}
+
+bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
+  return std::all_of(some.begin(), some.end(), [&all](int id) {
+    return std::find(all.begin(), all.end(), id) != all.end();
+  });
+}
+
+// Any elements of the deck may have lost stiffness, not only the patches that
+// the diagnosis tries.
+bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
+  const auto known = [&deck](int id) {
+    const auto is = [id](const auto& e) { return e.id == id; };
+    return std::any_of(deck.shells.begin(), deck.shells.end(), is) ||
+           std::any_of(deck.bars.begin(), deck.bars.end(), is) ||
+           std::any_of(deck.rods.begin(), deck.rods.end(), is);
+  };
+  return std::all_of(ids.begin(), ids.end(), known);
+}
+
+// Of the lines that hold the grids named, the shortest; empty where no grid is
+// named or no line holds them.
+std::optional<Where> line_through(const std::vector<Where>& places,
+                                  const Where& want) {
+  std::optional<Where> line;
+  if (want.nodes.empty()) return line;
+  for (const Where& where : places) {
+    if (!holds_all(where.nodes, want.nodes)) continue;
+    if (!want.variant.empty() && want.variant != where.variant) continue;
+    if (!line || where.nodes.size() < line->nodes.size()) line = where;
+  }
+  return line;
+}
+
+// What a place may be told with.
+bool has_variant(const effects::Effect& effect, const std::string& word) {
+  if (effect.changes_stiffness() == ChangeKind::Support &&
+      (word == "rotation" || word == "translation")) {
+    return true;
+  }
+  const std::vector<std::string> forms = effect.forms();
+  return std::ranges::find(forms, word) != forms.end();
+}
+
+bool same_channels(const Where& want, const Where& where) {
+  return std::is_permutation(want.channels.begin(),
+                             want.channels.end(),
+                             where.channels.begin(),
+                             where.channels.end());
+}
+
+// A place that is what was asked for, or that needs no asking. An effect that
+// may sit at many grids has to be told which.
+bool is_meant(const Where& want, const Where& where) {
+  if (want.node != where.node) return false;
+  if (!want.nodes.empty() && want.nodes != where.nodes) return false;
+  if (!want.channels.empty() && !same_channels(want, where)) return false;
+  return want.variant.empty() || want.variant == where.variant;
+}
+
+// The grid or channel of a place that is not there; empty where all are.
+std::string missing_part(const Where& where, const effects::Setting& s) {
+  std::vector<int> grids = where.nodes;
+  if (where.node != 0) grids.push_back(where.node);
+  for (const int grid : grids) {
+    if (s.deck != nullptr && !s.deck->has_grid(grid)) {
+      return fmt::format("the model has no grid {}", grid);
+    }
+  }
+  for (const std::string& name : where.channels) {
+    const auto& known = s.bundle->channels;
+    const bool found =
+        std::any_of(known.begin(),
+                    known.end(),
+                    [&name](const acquisition::Channel& channel) {
+                      return channel.name == name;
+                    });
+    if (!found) return fmt::format("the test has no channel \"{}\"", name);
+  }
+  return {};
+}
+
+// Where an effect may sit.
+std::string remedy(const effects::Effect& effect,
+                   std::optional<ChangeKind> kind) {
+  if (kind == ChangeKind::Elements) {
+    return "name shells, bars or rods of the model, joined with \":\"";
+  }
+  if (kind == ChangeKind::Joint) {
+    return "a joint sits along a straight line of shell edges from free edge "
+           "to free edge, or at the end of a bar: name grids of one such "
+           "line, joined with \":\"";
+  }
+  if (kind == ChangeKind::Support) return "name grids that the model holds";
+  if (sits_on_channels(effect)) {
+    return "name a channel of the test, or two joined with \":\"";
+  }
+  return "name a grid of the model that can move";
+}
+
+[[noreturn]] void refuse(const EffectRef& ref,
+                         std::optional<ChangeKind> kind,
+                         const effects::Setting& setting) {
+  if (ref.where == Where{}) {
+    throw InputError(fmt::format("{} needs a place", ref.effect),
+                     fmt::format("effect \"{}\"", ref.effect),
+                     fmt::format("write for example {}@{}",
+                                 ref.effect,
+                                 kind == ChangeKind::Elements ? "60:61"
+                                 : kind == ChangeKind::Joint  ? "34:35"
+                                                              : "201"));
+  }
+  const std::string missing = missing_part(ref.where, setting);
+  throw InputError(
+      missing.empty() ? fmt::format("{} cannot sit there", ref.effect)
+                      : missing,
+      fmt::format("effect \"{}{}{}\"",
+                  ref.effect,
+                  ref.where.node != 0 ? "@" : " at ",
+                  ref.where.node != 0 ? fmt::format("{}", ref.where.node)
+                                      : describe(ref.where)),
+      remedy(effects::find(ref.effect), kind));
+}
+
+}  // namespace
+
+std::vector<Where> forms_of(const effects::Effect& effect,
+                            const std::vector<Where>& places,
+                            const effects::Setting& setting) {
+  std::vector<Where> result;
+  for (const std::string& form : effect.forms()) {
+    for (Where where : places) {
+      if (!effect.takes(form, where, setting)) continue;
+      where.variant = form;
+      const bool known = std::ranges::find(result, where) != result.end();
+      if (!known) result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
+EffectRef parse_effect(const std::string& text) {
+  const std::size_t at = text.find('@');
+  EffectRef ref;
+  ref.effect = text.substr(0, at);
+  const auto kind = effects::find(ref.effect).changes_stiffness();
+  if (at == std::string::npos) return ref;
+  std::string place = text.substr(at + 1);
+  const std::size_t end = place.rfind(':');
+  const std::string last = place.substr(end == std::string::npos ? 0 : end + 1);
+  if (has_variant(effects::find(ref.effect), last)) {
+    ref.where.variant = last;
+    if (end == std::string::npos) return ref;
+    place.resize(end);
+  }
+  const effects::Effect& effect = effects::find(ref.effect);
+  check_grid(effect, place, text);
+  const std::vector<int> numbers =
+      sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
+  if (!numbers.empty() && kind == ChangeKind::Elements) {
+    ref.where.elements = numbers;
+    std::sort(ref.where.elements.begin(), ref.where.elements.end());
+  } else if (!numbers.empty() && kind) {
+    ref.where.nodes = numbers;
+  } else if (numbers.size() == 1) {
+    ref.where.node = numbers.front();
+  } else if (!place.empty() && numbers.empty() && !sits_on_channels(effect) &&
+             (kind || is_grid(parts_of(place).front()))) {
+    throw InputError(
+        fmt::format("{} has no form \"{}\"", ref.effect, place),
+        fmt::format("effect \"{}\"", text),
+        kind == ChangeKind::Support
+            ? "write rotation, translation, both, rotation-varying or "
+              "translation-varying"
+        : kind ? "write the ids joined with \":\""
+               : "write the grid alone, or added-mass@201:rotary");
+  } else if (!place.empty()) {
+    ref.where.channels = parts_of(place);
+    // A channel that is early, not late.
+    if (ref.where.channels.size() > 1 && ref.where.channels.back() == "early") {
+      ref.where.channels.pop_back();
+      ref.where.variant = "early";
+    }
+  } else {
+    throw InputError("no place after the @",
+                     fmt::format("effect \"{}\"", text),
+                     "write for example added-mass@201");
+  }
+  return ref;
+}
+
+PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
+  const effects::Effect& effect = effects::find(ref.effect);
+  const auto kind = effect.changes_stiffness();
+  const Where& want = ref.where;
+  std::vector<Where> places = effect.places(s);
+  for (const Where& form : forms_of(effect, places, s)) places.push_back(form);
+  if (kind == ChangeKind::Elements && !want.elements.empty() &&
+      are_elements(*s.deck, want.elements)) {
+    return placed(effect, want, s);
+  }
+  if (kind) {
+    if (const auto line = line_through(places, want)) {
+      return placed(effect, *line, s);
+    }
+  }
+  const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
+  for (const Where& where : places) {
+    if (local) break;
+    if (is_meant(want, where)) return placed(effect, where, s);
+  }
+  refuse(ref, kind, s);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,30 @@
+// From what a user writes, "added-mass@201", to an effect at a place of this
+// test's model.
+#pragma once
+
+#include "updating/frf_model/frf_model.hpp"
+
+#include <string>
+
+namespace tapfit::updating {
+
+/// "added-mass@201", "sensor-mass", "sensor-mass@acc1:acc2:each",
+/// "soft-support@rotation".
+///
+/// @throws InputError for an unknown effect or an empty place
+[[nodiscard]] EffectRef parse_effect(const std::string& text);
+
+/// The effect's forms at those of the places that take them, each once.
+[[nodiscard]] std::vector<Where> forms_of(const effects::Effect& effect,
+                                          const std::vector<Where>& places,
+                                          const effects::Setting& setting);
+
+/// The catalogue's place that the reference means, with starting sizes: fields
+/// that it leaves open are filled from the first place that agrees with those
+/// it gives.
+///
+/// @throws InputError when the effect has no such place in this model
+[[nodiscard]] PlacedEffect place_effect(const EffectRef& ref,
+                                        const effects::Setting& setting);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,88 @@
+#include "updating/fit/fit_setting.hpp"
+
+#include "updating/measurement/damped_line.hpp"
+#include "updating/properties/uncertain_property.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tapfit::updating {
+namespace {
+
+// From peaks wide enough for 6 % of frequency error down to the line on which
+// errors are reported.
+constexpr double wide_delta = 0.06;
+constexpr double report_delta = 0.03;
+
+double typical_damping(const modal::ModeSet& modes) {
+  std::vector<double> ratios;
+  for (const modal::Mode& mode : modes.modes) {
+    ratios.push_back(mode.damping_ratio);
+  }
+  if (ratios.empty()) return FitSetting{}.damping_ratio;
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return std::clamp(*middle, 1e-4, 0.2);
+}
+
+}  // namespace
+
+int measured_component(const acquisition::TestBundle& bundle) {
+  std::array<int, 4> votes{};
+  for (const acquisition::Run& run : bundle.runs) {
+    for (const acquisition::Placement& p : run.sensors) {
+      if (p.dof.component <= 3) {
+        ++votes.at(static_cast<std::size_t>(p.dof.component));
+      }
+    }
+  }
+  return static_cast<int>(std::max_element(votes.begin() + 1, votes.end()) -
+                          votes.begin());
+}
+
+std::vector<PropertyName> property_names(const acquisition::TestBundle& bundle,
+                                         const structure::Deck& deck) {
+  std::vector<PropertyName> names;
+  for (std::size_t k = 0; k < bundle.uncertain.size(); ++k) {
+    const PropertyLaw law = property_law(
+        deck, bundle.uncertain[k], fmt::format("test.json: uncertain[{}]", k));
+    const double sd = bundle.uncertain[k].sd_percent / 100.0;
+    names.push_back({law.name, law.unit, law.nominal, sd});
+  }
+  return names;
+}
+
+FitSetting fit_setting(const MeasuredTest& test,
+                       bool free_structure,
+                       const Progress& progress) {
+  FitSetting fit;
+  fit.setting = test.setting;
+  fit.damping_ratio = typical_damping(test.modes);
+  const acquisition::TestBundle& bundle = *test.setting.bundle;
+  for (const acquisition::UncertainProperty& u : bundle.uncertain) {
+    fit.uncertain_sd.push_back(u.sd_percent / 100.0);
+  }
+  std::array<double, 2> band = {test.setting.low_hz, test.setting.high_hz};
+  if (free_structure && !test.modes.modes.empty()) {
+    const double first = test.modes.modes.front().frequency_hz;
+    band[0] = std::max(band[0], std::min(0.8 * first, 0.5 * band[1]));
+  }
+  // What effects may be is scaled by the lines that they are seen on.
+  fit.setting.low_hz = band[0];
+  const double block_s = test.measurement.block_s();
+  for (const double delta : {wide_delta, report_delta}) {
+    DampedLineOptions options;
+    options.delta = delta;
+    const Eigen::VectorXcd s = damped_line(band, block_s, options);
+    progress("comparison: damped lines", 0.0);
+    fit.measured = test.measurement.frfs_on(s, progress);
+    fit.targets.push_back(make_target(fit.measured));
+    fit.contour = describe_line(band, s, options);
+  }
+  return fit;
+}
+
+}  // namespace tapfit::updating

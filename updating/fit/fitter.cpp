@@ -1,0 +1,385 @@
+#include "updating/fit/fitter.hpp"
+
+#include "updating/comparison/compare.hpp"
+#include "updating/fit/fit_watch.hpp"
+#include "updating/frf_model/mesh_at_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr int start_scan = 16;
+
+// What the structure's modes have without the effects that damp some of them
+// on top: of the modes fitted the middle one.
+double typical(const ModelState& state) {
+  std::vector<double> ratios(state.zeta.begin(), state.zeta.end());
+  if (ratios.empty()) return state.zeta_other;
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::nth_element(ratios.begin(), middle, ratios.end());
+  return *middle;
+}
+
+}  // namespace
+
+PlacedEffect placed(const effects::Effect& effect,
+                    const Where& where,
+                    const effects::Setting& setting) {
+  PlacedEffect result{&effect, where, {}};
+  for (const effects::ParameterSpec& spec : effect.parameters(where, setting)) {
+    result.p.push_back(spec.start);
+  }
+  return result;
+}
+
+std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
+                                                  const FrfModel& model) {
+  std::vector<effects::ParameterSpec> specs =
+      effect.effect->parameters(effect.where, model.setting());
+  for (const StiffnessTerm& term : model.base().terms) {
+    if (!is_of(term, effect)) continue;
+    effects::ParameterSpec& spec = specs[term.parameter];
+    spec.start = term.start;
+    spec.lower = term.lower;
+    spec.upper = term.upper;
+  }
+  return specs;
+}
+
+Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
+    : builder_(&builder), setting_(std::move(setting)) {}
+
+void Fitter::set_mesh(const BaseBuilder& coarser,
+                      std::size_t factors,
+                      const Eigen::VectorXd& bias) {
+  coarser_ = &coarser;
+  plain_coarser_ = Fitter(coarser, setting_).model_for({});
+  mesh_factors_ = factors;
+  setting_.targets.back().mesh_bias = bias;
+}
+
+Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
+  Fitter result = *this;
+  FitSetting& rest = result.setting_;
+  std::vector<Index> kept;
+  rest.measured.frfs.clear();
+  for (std::size_t f = 0; f < setting_.measured.frfs.size(); ++f) {
+    if (std::find(frfs.begin(), frfs.end(), f) != frfs.end()) continue;
+    kept.push_back(static_cast<Index>(f));
+    rest.measured.frfs.push_back(setting_.measured.frfs[f]);
+  }
+  for (Target& part : rest.targets) part = part_of(part, kept);
+  return result;
+}
+
+std::shared_ptr<const FrfModel> Fitter::model_for(
+    const std::vector<PlacedEffect>& effects) const {
+  const std::vector<int> acted = acted_points(setting_.setting, effects);
+  std::vector<StiffnessChange> changes;
+  for (const PlacedEffect& e : effects) {
+    const auto kind = e.effect->changes_stiffness();
+    if (!kind) continue;
+    changes.push_back(
+        {*kind, {e.effect->name(), e.where}, setting_.setting.component});
+  }
+  auto model = std::make_shared<FrfModel>(
+      builder_->build(acted, changes), setting_.setting, setting_.measured);
+  model->set_reference(first_state(*model, effects));
+  return model;
+}
+
+ModelState Fitter::first_state(const FrfModel& model,
+                               const std::vector<PlacedEffect>& effects) const {
+  ModelState state;
+  state.factor.assign(setting_.uncertain_sd.size(), 1.0);
+  state.effects = effects;
+  state.zeta_other = setting_.damping_ratio;
+  if (state.damping_law() != nullptr) return state;
+  const Eigen::VectorXd omega = model.base_modes(state).omega;
+  const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
+  const auto in_band = (omega.array() < top).count();
+  state.zeta = Eigen::VectorXd::Constant(in_band, setting_.damping_ratio);
+  return state;
+}
+
+Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const Index n = state.parameters();
+  Prior prior;
+  prior.mean = Eigen::VectorXd::Zero(n);
+  prior.sd = Eigen::VectorXd::Constant(n, infinite);
+  prior.lower = Eigen::VectorXd::Constant(n, -infinite);
+  prior.upper = Eigen::VectorXd::Constant(n, infinite);
+  Index k = 0;
+  for (const double sd : setting_.uncertain_sd) {
+    prior.sd(k) = sd;
+    prior.lower(k) = -1.0;
+    prior.upper(k) = 1.0;
+    ++k;
+  }
+  for (Index q = 0; q < state.zeta.size(); ++q, ++k) {
+    prior.mean(k) = std::log(state.zeta_other);
+    prior.sd(k) = setting_.damping_spread;
+    prior.lower(k) = std::log(1e-5);
+    prior.upper(k) = std::log(0.5);
+  }
+  for (const PlacedEffect& e : state.effects) {
+    for (const effects::ParameterSpec& spec : parameters_of(e, model)) {
+      prior.lower(k) = std::log(spec.lower);
+      prior.upper(k) = std::log(spec.upper);
+      ++k;
+    }
+  }
+  return prior;
+}
+
+// Size of the newest effect from which the fit starts: the best of a scan over
+// all that it may be, one parameter after the other, everything else as it is.
+// A resonance that has to move past another does not get there by following
+// the slope.
+void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
+  if (state.effects.empty()) return;
+  std::vector<double>& p = state.effects.back().p;
+  const Prior prior = prior_for(model, state);
+  const Target& wide = setting_.targets.front();
+  const auto error = [&] {
+    return relative_error(wide, model.respond(state, wide.s, false).H);
+  };
+  const Index first = prior.lower.size() - static_cast<Index>(p.size());
+  double least = error();
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double low = prior.lower(first + static_cast<Index>(k));
+    const double high = prior.upper(first + static_cast<Index>(k));
+    double best = p[k];
+    for (int step = 0; step < start_scan; ++step) {
+      p[k] = std::exp(low + (high - low) * (step + 0.5) / start_scan);
+      const double tried = error();
+      if (tried < least) {
+        least = tried;
+        best = p[k];
+      }
+    }
+    p[k] = best;
+  }
+}
+
+ModelState Fitter::start_state(const FrfModel& model,
+                               const std::vector<PlacedEffect>& start,
+                               const Fit* before) const {
+  std::vector<PlacedEffect> effects = start;
+  for (PlacedEffect& e : effects) {
+    const std::vector<effects::ParameterSpec> specs = parameters_of(e, model);
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+      // A catalogue start knows nothing of this structure's own stiffness.
+      const bool far = e.p[k] < specs[k].lower || e.p[k] > specs[k].upper;
+      if (far) e.p[k] = specs[k].start;
+    }
+  }
+  ModelState state = first_state(model, effects);
+  if (before != nullptr) state.factor = before->result.state.factor;
+  scan_start(model, state);
+  return state;
+}
+
+std::optional<ModelState> Fitter::continued(
+    const FrfModel& model,
+    const std::vector<PlacedEffect>& effects,
+    const Fit& before) const {
+  const ModelState& fewer = before.result.state;
+  const std::size_t n = fewer.effects.size();
+  const auto same = [](const PlacedEffect& a, const PlacedEffect& b) {
+    return a.effect == b.effect && a.where == b.where;
+  };
+  const bool contains =
+      n <= effects.size() &&
+      fewer.factor.size() == setting_.uncertain_sd.size() &&
+      std::equal(
+          fewer.effects.begin(), fewer.effects.end(), effects.begin(), same);
+  if (!contains) return std::nullopt;
+  // It may have held another number of modes in the band at its start, or give
+  // way to a law for the damping.
+  ModelState whole = first_state(model, effects);
+  whole.factor = fewer.factor;
+  whole.zeta_other = fewer.zeta_other;
+  whole.zeta.setConstant(fewer.zeta_other);
+  const Index known = std::min(whole.zeta.size(), fewer.zeta.size());
+  whole.zeta.head(known) = fewer.zeta.head(known);
+  std::copy(fewer.effects.begin(), fewer.effects.end(), whole.effects.begin());
+  const auto with = [&](double effects::ParameterSpec::*bound) {
+    ModelState result = whole;
+    for (std::size_t k = n; k < effects.size(); ++k) {
+      PlacedEffect& effect = result.effects[k];
+      const auto specs = parameters_of(effect, model);
+      for (std::size_t p = 0; p < specs.size(); ++p) {
+        effect.p[p] = specs[p].*bound;
+      }
+    }
+    return result;
+  };
+  const auto error = [&](const ModelState& tried) {
+    return relative_error(target(), model.respond(tried, target().s, false).H);
+  };
+  const ModelState least = with(&effects::ParameterSpec::lower);
+  const ModelState most = with(&effects::ParameterSpec::upper);
+  return error(most) < error(least) ? most : least;
+}
+
+// What the mesh does to the modes as they have become: all fits alike, so that
+// none is better for that alone.
+Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
+                                          const Ground& before) const {
+  const bool changed = !before.model->base().terms.empty();
+  const auto coarser =
+      changed ? Fitter(*coarser_, setting_).model_for(state.effects)
+              : plain_coarser_;
+  Ground ground{with_mesh_at(*before.model,
+                             *coarser,
+                             state,
+                             setting_.uncertain_sd.size() - mesh_factors_),
+                before.target};
+  if (changed) {
+    ground.target.mesh_bias =
+        mesh_error(*ground.model, *coarser, state, ground.target);
+  }
+  return ground;
+}
+
+Fit Fitter::fit(const std::vector<PlacedEffect>& start,
+                std::shared_ptr<const FrfModel> model,
+                const Progress& progress,
+                const Fit* before) const {
+  Fit fit;
+  fit.result.state = start_state(*model, start);
+  std::vector<UpdateStep> history;
+  std::vector<Target> targets = setting_.targets;
+  const auto go_on = [&](std::size_t stage, std::size_t again = 0) {
+    const bool last = stage + 1 == targets.size();
+    UpdateOptions options;
+    options.max_iterations = last ? 30 : 10;
+    options.tolerance = last ? 1e-6 : 1e-3;
+    // Within a few hundredths of a standard error of the best.
+    options.objective_tolerance = last ? 1e-3 : 1e-1;
+    const ModelState state = fit.result.state;
+    const Prior prior = prior_for(*model, state);
+    // The last may be done twice more.
+    const auto parts = static_cast<double>(targets.size() + 2);
+    const auto part = static_cast<double>(stage + again);
+    fit.result =
+        update(*model,
+               targets[stage],
+               state,
+               prior,
+               options,
+               watched_part(progress, part / parts, (part + 1.0) / parts));
+    // It starts where the last step of the stage ended.
+    for (std::size_t k = again > 0 ? 1 : 0; k < fit.result.history.size();
+         ++k) {
+      history.push_back(std::move(fit.result.history[k]));
+      history.back().stage = static_cast<int>(stage);
+    }
+  };
+  // The last, with the mesh's error as it is there; where that ends above what
+  // it began from, as it was.
+  const auto finish = [&](std::size_t k) {
+    if (coarser_ == nullptr) return go_on(k);
+    const ModelState from = fit.result.state;
+    const Ground held{model, targets.back()};
+    const double known = relative_error(
+        held.target, model->respond(from, held.target.s, false).H);
+    const std::size_t steps = history.size();
+    Ground ground = with_mesh_at_state(from, held);
+    model = std::move(ground.model);
+    targets.back() = std::move(ground.target);
+    go_on(k);
+    if (fit.result.error <= known) return;
+    model = held.model;
+    targets.back() = held.target;
+    history.resize(steps);
+    fit.result.state = from;
+    go_on(k);
+  };
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    const bool last = k + 1 == targets.size();
+    if (last) {
+      finish(k);
+    } else {
+      go_on(k);
+    }
+    ModelState& state = fit.result.state;
+    const double assumed = state.zeta_other;
+    const double now = typical(state);
+    // Within this all is as well as the scatter of ratios lets one know.
+    const bool settled =
+        std::abs(std::log(now / assumed)) < 0.2 * setting_.damping_spread;
+    if (settled) continue;
+    const UpdateResult found = fit.result;
+    state.zeta_other = now;
+    if (!last) continue;
+    go_on(k, 1);
+    if (fit.result.error > found.error) fit.result = found;
+  }
+  const auto from_before = [&]() -> std::optional<ModelState> {
+    constexpr double rounding = 1e-6;
+    if (before == nullptr ||
+        fit.result.error <= (1.0 + rounding) * before->result.error) {
+      return std::nullopt;
+    }
+    return continued(*model, start, *before);
+  };
+  if (std::optional<ModelState> known = from_before()) {
+    const UpdateResult found = fit.result;
+    fit.result.state = std::move(*known);
+    go_on(targets.size() - 1, 2);
+    if (fit.result.error > found.error) fit.result = found;
+  }
+  fit.result.history = std::move(history);
+  fit.effects = fit.result.state.effects;
+  fit.model = std::move(model);
+  return fit;
+}
+
+double Fitter::held_out_error(const Fit& fit,
+                              int folds,
+                              const Progress& progress) const {
+  const Target& whole = target();
+  std::set<std::size_t> runs(whole.run.begin(), whole.run.end());
+  const int groups = std::min<int>(folds, static_cast<int>(runs.size()));
+  if (groups < 2) return fit.result.error;
+  const Prior prior = prior_for(*fit.model, fit.result.state);
+  double sum = 0.0;
+  double count = 0.0;
+  for (int group = 0; group < groups; ++group) {
+    Target training = whole;
+    Target test = whole;
+    int position = 0;
+    for (const std::size_t run : runs) {
+      const bool out = position++ % groups == group;
+      for (std::size_t f = 0; f < whole.run.size(); ++f) {
+        if (whole.run[f] != run) continue;
+        training.use[f] = out ? 0.0 : 1.0;
+        test.use[f] = out ? 1.0 : 0.0;
+      }
+    }
+    UpdateOptions options;
+    options.max_iterations = 6;
+    options.tolerance = 1e-4;
+    const UpdateResult refit = update(
+        *fit.model, training, fit.result.state, prior, options, progress);
+    const ModelResponse response =
+        fit.model->respond(refit.state, whole.s, false);
+    const double error = relative_error(test, response.H);
+    sum += error * error * test.count();
+    count += test.count();
+  }
+  return std::sqrt(sum / count);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,127 @@
+// Fits the base model with any set of effects to the measured FRFs, from wide
+// damped lines to the one on which models are compared.
+#pragma once
+
+#include "acquisition/foundation/progress.hpp"
+#include "updating/fit/residual.hpp"
+#include "updating/fit/updater.hpp"
+#include "updating/frf_model/acted_points.hpp"
+#include "updating/frf_model/frf_model.hpp"
+#include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/reduced_base.hpp"
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Everything that fits of one test share. The targets are ordered from the
+/// widest line to the one that counts.
+struct FitSetting {
+  effects::Setting setting;
+  std::vector<Target> targets;
+  signal::FrfSet measured;           ///< on the last target's line
+  std::string contour;               ///< the last target's line, in words
+  std::vector<double> uncertain_sd;  ///< of ln factor
+  double damping_ratio = 0.01;       ///< typical, as identified
+  double damping_spread = 0.5;       ///< prior sd of ln zeta
+};
+
+struct Fit {
+  std::vector<PlacedEffect> effects;
+  UpdateResult result;
+  std::shared_ptr<const FrfModel> model;
+  int stopped_after = 0;  ///< steps, where it was ended by hand, else 0
+};
+
+/// The effect's parameters with the ranges and starts that the model's base
+/// gives those that change its stiffness.
+[[nodiscard]] std::vector<effects::ParameterSpec> parameters_of(
+    const PlacedEffect& effect, const FrfModel& model);
+
+class Fitter {
+ public:
+  Fitter(const BaseBuilder& builder, FitSetting setting);
+
+  /// Model whose base holds the points and supports of all effects given.
+  [[nodiscard]] std::shared_ptr<const FrfModel> model_for(
+      const std::vector<PlacedEffect>& effects) const;
+
+  /// Fits effects' parameters, uncertain properties and damping together. The
+  /// modes beyond those fitted have the ratio that is typical of these, without
+  /// what the effects add: it is taken anew as they become known.
+  ///
+  /// @param start effects with their starting sizes
+  /// @param model as from model_for(), for these effects or more
+  /// @param before a fit of the first of these effects, if there is one: where
+  ///   more effects end with more error they go on from there
+  [[nodiscard]] Fit fit(const std::vector<PlacedEffect>& start,
+                        std::shared_ptr<const FrfModel> model,
+                        const Progress& progress = {},
+                        const Fit* before = nullptr) const;
+
+  /// Goes on from a fit with some runs left out of the last target; returns
+  /// the error on those runs.
+  [[nodiscard]] double held_out_error(const Fit& fit,
+                                      int folds,
+                                      const Progress& progress = {}) const;
+
+  [[nodiscard]] Prior prior_for(const FrfModel& model,
+                                const ModelState& state) const;
+  /// Where fits start: effects as given, the newest with the best size of a
+  /// scan over all that it may be.
+  /// @param before a fit from whose properties it goes on; none: the deck's
+  [[nodiscard]] ModelState start_state(const FrfModel& model,
+                                       const std::vector<PlacedEffect>& start,
+                                       const Fit* before = nullptr) const;
+  /// Where a fit of the first of these effects, or of all, ended, with the
+  /// others at that end of their bounds where they change least: as good as not
+  /// there. Nothing where it is no such fit.
+  [[nodiscard]] std::optional<ModelState> continued(
+      const FrfModel& model,
+      const std::vector<PlacedEffect>& effects,
+      const Fit& before) const;
+  [[nodiscard]] ModelState first_state(
+      const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
+
+  /// What fits need to know of the mesh's error.
+  /// @param coarser the deck's own mesh, where that of the base is split
+  /// @param factors how many of the last in FitSetting::uncertain_sd are the
+  ///   mesh's
+  /// @param bias what the mesh may be off by, see Target::mesh_bias
+  void set_mesh(const BaseBuilder& coarser,
+                std::size_t factors,
+                const Eigen::VectorXd& bias);
+
+  /// The same with some FRFs of the set left out.
+  [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
+
+  [[nodiscard]] const FitSetting& setting() const { return setting_; }
+  [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
+
+ private:
+  void scan_start(const FrfModel& model, ModelState& state) const;
+
+  /// What a fit works on: the model, and the lines that count.
+  struct Ground {
+    std::shared_ptr<const FrfModel> model;
+    Target target;
+  };
+  [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
+                                          const Ground& before) const;
+
+  const BaseBuilder* builder_;
+  const BaseBuilder* coarser_ = nullptr;
+  std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
+  std::size_t mesh_factors_ = 0;
+  FitSetting setting_;
+};
+
+/// An effect with its catalogue start values.
+[[nodiscard]] PlacedEffect placed(const effects::Effect& effect,
+                                  const Where& where,
+                                  const effects::Setting& setting);
+
+}  // namespace tapfit::updating

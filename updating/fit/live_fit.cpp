@@ -1,0 +1,86 @@
+#include "updating/fit/live_fit.hpp"
+
+#include "updating/fit/estimates.hpp"
+#include "updating/fit/residual.hpp"
+#include "updating/fit/updater.hpp"
+#include "updating/frf_model/frf_model.hpp"
+#include "updating/properties/uncertain_property.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+
+/// One of theta, which is a logarithm.
+LiveParameter parameter(std::string name,
+                        double value,
+                        Index k,
+                        const FitMoment& moment) {
+  // ln value - theta: the scale of a property's factor.
+  const double scale = value / std::exp(moment.step.theta(k));
+  return {std::move(name),
+          value,
+          value * std::sqrt(std::max(moment.covariance(k, k), 0.0)),
+          scale * std::exp(moment.prior.lower(k)),
+          scale * std::exp(moment.prior.upper(k))};
+}
+
+std::vector<LiveParameter> parameters(const FitMoment& moment) {
+  const effects::Setting& setting = moment.model.setting();
+  const ModelState& state = moment.state;
+  std::vector<LiveParameter> result;
+  const auto& uncertain = setting.bundle->uncertain;
+  for (std::size_t k = 0; k < state.factor.size() && k < uncertain.size();
+       ++k) {
+    const PropertyLaw law =
+        property_law(*setting.deck, uncertain[k], "test.json: uncertain");
+    result.push_back(parameter(law.name,
+                               law.nominal * state.factor[k],
+                               static_cast<Index>(k),
+                               moment));
+  }
+  Index k = static_cast<Index>(state.factor.size()) + state.zeta.size();
+  for (std::size_t e = 0; e < state.effects.size(); ++e) {
+    const PlacedEffect& placed = state.effects[e];
+    const std::string label = label_of(state.effects, e);
+    const auto specs = placed.effect->parameters(placed.where, setting);
+    for (std::size_t p = 0; p < specs.size(); ++p, ++k) {
+      result.push_back(
+          parameter(label + " " + specs[p].name, placed.p[p], k, moment));
+    }
+  }
+  return result;
+}
+
+std::size_t worst_frf(const FitMoment& moment) {
+  Index worst = 0;
+  double largest = -1.0;
+  for (Index f = 0; f < moment.H.cols(); ++f) {
+    const double error = frf_error(moment.target, moment.H, f);
+    if (error <= largest) continue;
+    largest = error;
+    worst = f;
+  }
+  return static_cast<std::size_t>(worst);
+}
+
+}  // namespace
+
+LiveFit live_fit(const FitMoment& moment, std::optional<std::size_t> frf) {
+  LiveFit live;
+  live.error = moment.step.error;
+  live.parameters = parameters(moment);
+  live.frf = frf.value_or(worst_frf(moment));
+  const auto column = static_cast<Index>(live.frf);
+  live.frequency_hz = moment.target.s.imag() / (2.0 * std::numbers::pi);
+  live.measured = moment.target.H.col(column).cwiseAbs();
+  live.model = moment.H.col(column).cwiseAbs();
+  return live;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,116 @@
+#include "updating/fit/parameter_uncertainty.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Of what splitting the mesh changed, splitting it on and on would change a
+// third again where convergence is quadratic, all of it where it is linear.
+constexpr double left_over = 0.5;
+
+// Bands over which that keeps its sign, about one resonance each.
+constexpr Index bands = 8;
+
+// Where the mesh's error would drive the parameters, band by band: what a fit
+// has left of it is in step within a band, hardly beyond.
+MatrixXd mesh_covariance(const Target& target,
+                         const MatrixXd& J,
+                         const MatrixXd& gain) {
+  const Index n = J.cols();
+  MatrixXd covariance = MatrixXd::Zero(n, n);
+  if (target.mesh_bias.size() != J.rows()) return covariance;
+  const Index lines = target.s.size();
+  const Index parts = J.rows() / std::max<Index>(lines, 1);
+  for (Index band = 0; band < bands; ++band) {
+    const Index first = band * lines / bands;
+    const Index count = (band + 1) * lines / bands - first;
+    VectorXd drive = VectorXd::Zero(n);
+    for (Index part = 0; part < parts; ++part) {
+      const Index at = part * lines + first;
+      drive += J.middleRows(at, count).transpose() *
+               target.mesh_bias.segment(at, count);
+    }
+    const VectorXd bias = left_over * gain * drive;
+    covariance += bias * bias.transpose();
+  }
+  return covariance;
+}
+
+// A^-1, wide where A tells next to nothing: two effects that do the same have
+// large variances and a correlation near -1, not whatever rounding makes them.
+MatrixXd wide_inverse(const MatrixXd& A) {
+  constexpr double told = 1e-12;  // of a parameter's own information
+  const VectorXd scale = A.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      MatrixXd(scale.asDiagonal() * A * scale.asDiagonal()));
+  const MatrixXd U = scale.asDiagonal() * solver.eigenvectors();
+  return U * solver.eigenvalues().cwiseMax(told).cwiseInverse().asDiagonal() *
+         U.transpose();
+}
+
+// Whatever is added for mesh and model form: nothing is known less than it was
+// before anything was measured.
+MatrixXd within_prior(const MatrixXd& covariance, const VectorXd& prior_sd) {
+  VectorXd scale = VectorXd::Ones(covariance.rows());
+  for (Index k = 0; k < scale.size(); ++k) {
+    const double sd = std::sqrt(covariance(k, k));
+    if (sd > prior_sd(k)) scale(k) = prior_sd(k) / sd;
+  }
+  return scale.asDiagonal() * covariance * scale.asDiagonal();
+}
+
+}  // namespace
+
+MatrixXd parameter_covariance(const Target& target,
+                              const MatrixXd& J,
+                              const VectorXd& r,
+                              const VectorXd& prior_sd) {
+  const Index n = J.cols();
+  if (n == 0) return MatrixXd(0, 0);
+  const double data = effective_data(target);
+  const double freedom = std::min(std::max(1.0, data - static_cast<double>(n)),
+                                  residual_data(target, r));
+  const double variance = std::max(r.squaredNorm() / freedom, 1e-300);
+  MatrixXd A = J.transpose() * J / variance;
+  for (Index k = 0; k < n; ++k) {
+    A(k, k) += std::isfinite(prior_sd(k)) ? std::pow(prior_sd(k), -2) : 0.0;
+    A(k, k) = std::max(A(k, k), 1e-12);
+  }
+  const MatrixXd bread = wide_inverse(A);
+
+  std::map<std::size_t, VectorXd> score;
+  const Index per_frf = 2 * target.s.size();
+  for (std::size_t f = 0; f < target.run.size(); ++f) {
+    const Index at = static_cast<Index>(f) * per_frf;
+    const VectorXd g = J.middleRows(at, per_frf).transpose() *
+                       r.segment(at, per_frf) / variance;
+    auto [it, fresh] = score.try_emplace(target.run[f], g);
+    if (!fresh) it->second += g;
+  }
+  const auto groups = static_cast<double>(score.size());
+  const MatrixXd of_mesh = mesh_covariance(target, J, bread / variance);
+  // A handful of runs cannot carry a covariance of their own.
+  if (groups < 5.0) return within_prior(bread + of_mesh, prior_sd);
+  MatrixXd meat = MatrixXd::Zero(n, n);
+  for (const auto& [run, g] : score) meat += g * g.transpose();
+  const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
+  VectorXd widen(n);
+  for (Index k = 0; k < n; ++k) {
+    widen(k) =
+        std::sqrt(std::max(1.0, robust(k, k) / std::max(bread(k, k), 1e-300)));
+  }
+  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh,
+                      prior_sd);
+}
+
+}  // namespace tapfit::updating

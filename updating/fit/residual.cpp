@@ -1,0 +1,152 @@
+#include "updating/fit/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+
+double Target::count() const {
+  return std::accumulate(use.begin(), use.end(), 0.0) *
+         static_cast<double>(s.size());
+}
+
+Target make_target(const signal::FrfSet& measured) {
+  Target target;
+  target.s = measured.s;
+  const auto n = static_cast<Index>(measured.frfs.size());
+  target.H.resize(measured.lines(), n);
+  target.variance.resize(measured.lines(), n);
+  for (Index k = 0; k < n; ++k) {
+    const signal::Frf& frf = measured.frfs[static_cast<std::size_t>(k)];
+    target.H.col(k) = frf.H;
+    target.variance.col(k) = frf.variance;
+    target.run.push_back(frf.run);
+    target.use.push_back(1.0);
+  }
+  target.weight =
+      target.H.cwiseAbs2().rowwise().mean().cwiseSqrt().cwiseMax(1e-300);
+  return target;
+}
+
+Target part_of(const Target& whole, const std::vector<Index>& frfs) {
+  Target part = whole;
+  part.H = whole.H(Eigen::all, frfs);
+  part.variance = whole.variance(Eigen::all, frfs);
+  part.run.clear();
+  part.use.clear();
+  for (const Index f : frfs) {
+    part.run.push_back(whole.run[static_cast<std::size_t>(f)]);
+    part.use.push_back(whole.use[static_cast<std::size_t>(f)]);
+  }
+  if (whole.mesh_bias.size() == 0) return part;
+  const Index block = 2 * whole.s.size();
+  part.mesh_bias.resize(block * static_cast<Index>(frfs.size()));
+  for (std::size_t k = 0; k < frfs.size(); ++k) {
+    part.mesh_bias.segment(block * static_cast<Index>(k), block) =
+        whole.mesh_bias.segment(block * frfs[k], block);
+  }
+  part.mesh_bias *= std::sqrt(whole.count() / std::max(part.count(), 1.0));
+  return part;
+}
+
+double block_error(const Target& target,
+                   const Eigen::MatrixXcd& H,
+                   Index first_line,
+                   Index lines,
+                   Index first_frf,
+                   Index frfs) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (Index f = first_frf; f < first_frf + frfs; ++f) {
+    const double use = target.use[static_cast<std::size_t>(f)];
+    for (Index l = first_line; l < first_line + lines; ++l) {
+      sum += use * std::norm((H(l, f) - target.H(l, f)) / target.weight(l));
+      count += use;
+    }
+  }
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+double relative_error(const Target& target, const Eigen::MatrixXcd& H) {
+  return block_error(target, H, 0, target.s.size(), 0, target.H.cols());
+}
+
+double frf_error(const Target& target, const Eigen::MatrixXcd& H, Index frf) {
+  return block_error(target, H, 0, target.s.size(), frf, 1);
+}
+
+double noise_error(const Target& target) {
+  double sum = 0.0;
+  for (Index f = 0; f < target.H.cols(); ++f) {
+    const double use = target.use[static_cast<std::size_t>(f)];
+    for (Index l = 0; l < target.s.size(); ++l) {
+      sum += use * target.variance(l, f) / std::pow(target.weight(l), 2);
+    }
+  }
+  const double count = target.count();
+  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
+}
+
+Eigen::VectorXd stack(const Target& target,
+                      const Eigen::MatrixXcd& difference) {
+  const Index lines = target.s.size();
+  const Index frfs = target.H.cols();
+  const double scale = 1.0 / std::sqrt(std::max(target.count(), 1.0));
+  Eigen::VectorXd r(2 * lines * frfs);
+  Index at = 0;
+  for (Index f = 0; f < frfs; ++f) {
+    const double use = scale * target.use[static_cast<std::size_t>(f)];
+    for (Index l = 0; l < lines; ++l) {
+      const std::complex<double> d = use * difference(l, f) / target.weight(l);
+      r(at) = d.real();
+      r(at + lines) = d.imag();
+      ++at;
+    }
+    at += lines;
+  }
+  return r;
+}
+
+double effective_data(const Target& target) {
+  // The transform on a damped line is smoothed by a Lorentzian of half width
+  // sigma, whose equivalent width is pi sigma.
+  double lines = 0.0;
+  for (Index l = 0; l < target.s.size(); ++l) {
+    const Index a = std::max<Index>(l - 1, 0);
+    const Index b = std::min<Index>(l + 1, target.s.size() - 1);
+    const double spacing = (target.s(b).imag() - target.s(a).imag()) /
+                           static_cast<double>(std::max<Index>(b - a, 1));
+    const double width = std::numbers::pi * target.s(l).real();
+    lines += width > 0.0 ? std::min(1.0, spacing / width) : 1.0;
+  }
+  return 2.0 * lines *
+         std::accumulate(target.use.begin(), target.use.end(), 0.0);
+}
+
+double residual_data(const Target& target, const Eigen::VectorXd& residual) {
+  const double most = effective_data(target);
+  const Index lines = target.s.size();
+  if (residual.size() != 2 * lines * target.H.cols()) return most;
+  // Column after column: real parts of an FRF, then its imaginary parts.
+  const Eigen::Map<const Eigen::MatrixXd> r(
+      residual.data(), 2 * lines, target.H.cols());
+  Eigen::MatrixXcd R(lines, target.H.cols());
+  R.real() = r.topRows(lines);
+  R.imag() = r.bottomRows(lines);
+  const Eigen::MatrixXcd gram = R.adjoint() * R;
+  const double trace = gram.trace().real();
+  if (trace <= 0.0) return most;
+  const double frfs =
+      std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  const double concentration = gram.squaredNorm() / (trace * trace) -
+                               1.0 / static_cast<double>(lines) -
+                               1.0 / std::max(frfs, 1.0);
+  if (concentration <= 0.0) return most;
+  return std::min(2.0 / (concentration * concentration), most);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,23 @@
+// Degrees of freedom that a base must hold exactly: where something is hit,
+// measured or acted on.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "updating/effects/effect.hpp"
+#include "updating/frf_model/model_state.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// @return degrees of freedom (6 grid_index + component - 1) that low-rank
+///   effects act on, for residual vectors
+[[nodiscard]] std::vector<int> acted_points(
+    const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
+
+/// @return degrees of freedom that are hit or measured, ascending
+[[nodiscard]] std::vector<int> measured_points(
+    const structure::Deck& deck, const acquisition::TestBundle& bundle);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,85 @@
+#include "updating/frf_model/constant_changes.hpp"
+
+#include <algorithm>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// What a unit of the change's parameter adds: law = sum of p (k + s^2 m).
+void add_unit(const PlacedEffect& placed,
+              const effects::Setting& setting,
+              std::size_t run,
+              const ReducedBase& base,
+              ConstantChange& change) {
+  for (const effects::ActedDof& dof :
+       placed.effect->acts_on(placed.where, setting, run)) {
+    const auto grid = static_cast<Index>(setting.deck->grid_index(dof.node));
+    const VectorXd b = base.rows.row(6 * grid + dof.component - 1).transpose();
+    const auto law_of_unit = [&](double s) {
+      return dof.weight *
+             placed.effect
+                 ->law_derivative(s, placed.p, dof.group, change.parameter)
+                 .real();
+    };
+    const auto add = [&b](double c, MatrixXd& sum) {
+      if (c == 0.0) return;
+      if (sum.size() == 0) sum.setZero(b.size(), b.size());
+      sum.noalias() += c * b * b.transpose();
+    };
+    const double stiffness = law_of_unit(0.0);
+    add(stiffness, change.dK);
+    add(law_of_unit(1.0) - stiffness, change.dM);
+  }
+}
+
+// Whether an effect on few degrees of freedom is alike in these runs.
+bool stays(const PlacedEffect& placed,
+           const effects::Setting& setting,
+           const std::vector<std::size_t>& runs) {
+  const effects::Effect& effect = *placed.effect;
+  if (runs.empty() || effect.entry() != effects::Entry::LowRank) return false;
+  const auto acts = effect.acts_on(placed.where, setting, runs.front());
+  return std::all_of(runs.begin() + 1, runs.end(), [&](std::size_t run) {
+    return effect.acts_on(placed.where, setting, run) == acts;
+  });
+}
+
+}  // namespace
+
+std::vector<PlacedEffect> beside_modes(const ModelState& state,
+                                       const effects::Setting& setting,
+                                       const std::vector<std::size_t>& runs) {
+  std::vector<PlacedEffect> rest = state.effects;
+  for (PlacedEffect& placed : rest) {
+    if (!stays(placed, setting, runs)) continue;
+    for (std::size_t p = 0; p < placed.p.size(); ++p) {
+      if (placed.effect->is_lossless(p)) placed.p[p] = 0.0;
+    }
+  }
+  return rest;
+}
+
+std::vector<ConstantChange> constant_changes(
+    const ModelState& state,
+    const effects::Setting& setting,
+    const std::vector<std::size_t>& runs,
+    const ReducedBase& base) {
+  std::vector<ConstantChange> changes;
+  for (std::size_t e = 0; e < state.effects.size(); ++e) {
+    const PlacedEffect& placed = state.effects[e];
+    if (!stays(placed, setting, runs)) continue;
+    for (std::size_t p = 0; p < placed.p.size(); ++p) {
+      if (!placed.effect->is_lossless(p)) continue;
+      changes.push_back({e, p, {}, {}});
+      add_unit(placed, setting, runs.front(), base, changes.back());
+    }
+  }
+  return changes;
+}
+
+}  // namespace tapfit::updating

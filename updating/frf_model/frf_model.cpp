@@ -1,0 +1,398 @@
+#include "updating/frf_model/frf_model.hpp"
+
+#include "updating/frf_model/modal_sums.hpp"
+#include "updating/frf_model/recording_chain.hpp"
+#include "updating/frf_model/run_lines.hpp"
+#include "updating/properties/uncertain_parts.hpp"
+#include "updating/structure/elements/dashpots.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using std::complex;
+
+// Whether Woodbury's formula has anything left to add.
+bool acts_beside(const PlacedEffect& placed) {
+  return placed.effect->entry() == effects::Entry::LowRank &&
+         std::any_of(placed.p.begin(), placed.p.end(), [](double p) {
+           return p != 0.0;
+         });
+}
+
+}  // namespace
+
+bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
+  return effect.effect->name() == term.of.effect &&
+         effect.where == term.of.where;
+}
+
+namespace {
+
+// p - included.
+double change_of(const StiffnessTerm& term, const ModelState& state) {
+  double p = term.absent;
+  for (const PlacedEffect& e : state.effects) {
+    if (is_of(term, e)) p = e.p[term.parameter];
+  }
+  return p - term.included;
+}
+
+}  // namespace
+
+FrfModel::FrfModel(ReducedBase base,
+                   const effects::Setting& setting,
+                   const signal::FrfSet& measured)
+    : base_(std::move(base)),
+      setting_(setting),
+      dashpots_(structure::damping_factor(*setting.deck, base_.rows)) {
+  std::map<Dof, Index> column;
+  std::set<std::size_t> runs;
+  std::vector<VectorXd> points;
+  const auto column_of = [&](const Dof& dof) {
+    const auto [it, fresh] =
+        column.try_emplace(dof, static_cast<Index>(points.size()));
+    if (fresh) {
+      points.emplace_back(dof.sign * row(dof.node, dof.component).transpose());
+    }
+    return it->second;
+  };
+  for (const signal::Frf& frf : measured.frfs) {
+    MeasuredPair pair;
+    pair.run = frf.run;
+    pair.channel = setting.bundle->channels.at(frf.channel).name;
+    pair.hammer = setting.bundle->channels
+                      .at(setting.bundle->runs.at(frf.run).hammer.channel)
+                      .name;
+    pair.response = column_of(frf.response);
+    pair.reference = column_of(frf.reference);
+    runs.insert(frf.run);
+    pairs_.push_back(std::move(pair));
+  }
+  runs_.assign(runs.begin(), runs.end());
+  points_.resize(base_.size(), static_cast<Index>(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    points_.col(static_cast<Index>(k)) = points[k];
+  }
+}
+
+Eigen::RowVectorXd FrfModel::row(int node, int component) const {
+  const auto grid = static_cast<Index>(setting_.deck->grid_index(node));
+  return base_.rows.row(6 * grid + component - 1);
+}
+
+BaseModes FrfModel::base_modes(const ModelState& state) const {
+  MatrixXd K = base_.K;
+  MatrixXd M = MatrixXd::Identity(base_.size(), base_.size());
+  for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+    const double c = part_coefficient(base_.part_power[t], state.factor);
+    K += c * base_.K_part[t];
+    M += c * base_.M_part[t];
+  }
+  for (const StiffnessTerm& term : base_.terms) {
+    K += change_of(term, state) * term.at(state.factor);
+  }
+  return solve_modes(K, M);
+}
+
+std::vector<ConstantChange> FrfModel::changes_of(
+    const ModelState& state) const {
+  return constant_changes(state, setting_, runs_, base_);
+}
+
+BaseModes FrfModel::full_modes(const ModelState& state) const {
+  const BaseModes base = base_modes(state);
+  auto [K, M] = with_changes(base, changes_of(state), state);
+  // Split a real law into stiffness and mass at the middle of the band.
+  const double omega =
+      2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
+  for (const PlacedEffect& e : beside_modes(state, setting_, runs_)) {
+    if (!acts_beside(e)) continue;
+    for (const std::size_t run : runs_) {
+      for (const effects::ActedDof& dof :
+           e.effect->acts_on(e.where, setting_, run)) {
+        const VectorXd b =
+            base.phi.transpose() * row(dof.node, dof.component).transpose();
+        const double share = dof.weight / static_cast<double>(runs_.size());
+        const double z =
+            e.effect->law({0.0, omega}, e.p, dof.group).real() * share;
+        // An absorber tuned below acts as a spring, which has no negative mass.
+        const double k =
+            std::max(z, e.effect->law(0.0, e.p, dof.group).real() * share);
+        K += k * b * b.transpose();
+        M += (k - z) / (omega * omega) * b * b.transpose();
+      }
+    }
+  }
+  BaseModes full = solve_modes(K, M);
+  full.phi = (base.phi * full.phi).eval();
+  return full;
+}
+
+void FrfModel::set_reference(const ModelState& state) {
+  reference_phi_ = base_modes(state).phi;
+}
+
+void FrfModel::set_part(std::size_t factor, MatrixXd K, MatrixXd M) {
+  const auto own = [factor](const std::vector<int>& power) {
+    return factor < power.size() && power[factor] > 0;
+  };
+  const auto at = std::ranges::find_if(base_.part_power, own);
+  assert(at != base_.part_power.end());
+  const auto t = static_cast<std::size_t>(at - base_.part_power.begin());
+  base_.K_part[t] = std::move(K);
+  base_.M_part[t] = std::move(M);
+}
+
+// The position in zeta of each mode's ratio, or -1. Springs and masses move
+// modes past few others if any (of rank one: none), so that the modes with them
+// keep the ratios of those without by order.
+std::vector<int> FrfModel::damping_owners(const ModelState& state,
+                                          const BaseModes& bare) const {
+  const VectorXd& w = bare.omega;
+  const Index count = std::min<Index>(state.zeta.size(), w.size());
+  std::vector<int> owner(static_cast<std::size_t>(w.size()), -1);
+  if (reference_phi_.size() == 0) {
+    std::iota(owner.begin(), owner.begin() + count, 0);
+    return owner;
+  }
+  const MatrixXd overlap =
+      (reference_phi_.leftCols(count).transpose() * bare.phi).cwiseAbs();
+  for (Index q = 0; q < count; ++q) {
+    Index best = 0;
+    overlap.row(q).maxCoeff(&best);
+    owner[static_cast<std::size_t>(best)] = static_cast<int>(q);
+  }
+  return owner;
+}
+
+void FrfModel::set_damping(ModalState& shared) const {
+  const ModelState& state = *shared.state;
+  const VectorXd& w = shared.modes.omega;
+  const PlacedEffect* law = state.damping_law();
+  DampingOfModes& damping = shared.damping;
+  damping.d = damping.slope = VectorXd::Zero(w.size());
+  for (Index m = 0; m < w.size(); ++m) {
+    effects::ModeDamping mode;
+    if (law != nullptr) {
+      mode = law->mode_damping(w(m));
+    } else {
+      const int q = shared.owner[static_cast<std::size_t>(m)];
+      const double zeta = q >= 0 ? state.zeta(q) : state.zeta_other;
+      mode = {2.0 * zeta * w(m), 2.0 * zeta};
+    }
+    damping.d(m) = mode.c;
+    if (w(m) > 0.0) damping.slope(m) = mode.slope / (2.0 * w(m));
+  }
+}
+
+ModalState FrfModel::modal_state(const ModelState& state) const {
+  ModalState shared;
+  shared.state = &state;
+  shared.modes = base_modes(state);
+  shared.owner = damping_owners(state, shared.modes);
+  shared.changes = changes_of(state);
+  shared.beside = beside_modes(state, setting_, runs_);
+  if (!shared.changes.empty()) {
+    BaseModes loaded = modes_with(shared.modes, shared.changes, state);
+    shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
+    shared.modes = std::move(loaded);
+  }
+  set_damping(shared);
+  shared.first_zeta = state.factor.size();
+  std::size_t column =
+      shared.first_zeta + static_cast<std::size_t>(state.zeta.size());
+  for (const PlacedEffect& e : state.effects) {
+    shared.first.push_back(column);
+    column += e.p.size();
+  }
+  return shared;
+}
+
+void FrfModel::find_turning(ModalState& shared, double largest) const {
+  const ModelState& state = *shared.state;
+  const auto turn = [&](const MatrixXd& dK, const MatrixXd& dM) {
+    return ModeTurn(
+        shared.modes.phi, shared.modes.omega, shared.damping, dK, dM, largest);
+  };
+  for (std::size_t j = 0; j < state.factor.size(); ++j) {
+    MatrixXd dK;
+    MatrixXd dM;
+    const auto add = [](double c, const MatrixXd& part, MatrixXd& sum) {
+      if (part.isZero(0.0)) return;
+      if (sum.size() == 0) sum.setZero(part.rows(), part.cols());
+      sum += c * part;
+    };
+    for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+      const double c = part_slope(base_.part_power[t], state.factor, j);
+      if (c == 0.0) continue;
+      add(c, base_.K_part[t], dK);
+      add(c, base_.M_part[t], dM);
+    }
+    for (const StiffnessTerm& term : base_.terms) {
+      const MatrixXd slope = term.slope(state.factor, j);
+      if (slope.size() > 0) add(change_of(term, state), slope, dK);
+    }
+    shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
+  }
+  for (std::size_t e = 0; e < state.effects.size(); ++e) {
+    const PlacedEffect& placed = state.effects[e];
+    for (const StiffnessTerm& term : base_.terms) {
+      if (!is_of(term, placed)) continue;
+      shared.turning.push_back({turn(term.at(state.factor), {}),
+                                shared.first[e] + term.parameter,
+                                placed.p[term.parameter]});
+    }
+  }
+  for (const ConstantChange& c : shared.changes) {
+    shared.turning.push_back({turn(c.dK, c.dM),
+                              shared.first[c.effect] + c.parameter,
+                              state.effects[c.effect].p[c.parameter]});
+  }
+}
+
+RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
+  RunLines lines;
+  lines.shared = &shared;
+  const MatrixXd& phi = shared.modes.phi;
+  std::vector<VectorXd> rows;
+  for (Index k = 0; k < dashpots_.cols(); ++k) {
+    lines.actors.push_back({});
+    rows.emplace_back(phi.transpose() * dashpots_.col(k));
+  }
+  for (std::size_t e = 0; e < shared.beside.size(); ++e) {
+    const PlacedEffect& placed = shared.beside[e];
+    if (!acts_beside(placed)) continue;
+    for (const effects::ActedDof& dof :
+         placed.effect->acts_on(placed.where, setting_, run)) {
+      const VectorXd b =
+          phi.transpose() * row(dof.node, dof.component).transpose();
+      if (b.squaredNorm() < 1e-18) continue;  // held, or out of the base
+      lines.actors.push_back({e, dof.group, dof.weight});
+      rows.push_back(b);
+    }
+  }
+  lines.B.resize(phi.cols(), static_cast<Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    lines.B.col(static_cast<Index>(k)) = rows[k];
+  }
+  return lines;
+}
+
+// Runs on which the effects act alike (fixed sensors) are walked together,
+// each point once.
+std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
+  std::vector<RunLines> result;
+  std::vector<std::vector<std::size_t>> members;
+  for (const std::size_t run : runs_) {
+    RunLines lines = run_lines(shared, run);
+    std::size_t k = 0;
+    while (k < result.size() &&
+           !(result[k].B.cols() == lines.B.cols() && result[k].B == lines.B)) {
+      ++k;
+    }
+    if (k == result.size()) {
+      result.push_back(std::move(lines));
+      members.emplace_back();
+    }
+    members[k].push_back(run);
+  }
+  const MatrixXd points = shared.modes.phi.transpose() * points_;
+  const std::vector<Index> felt = felt_responses(pairs_, *shared.state);
+  for (std::size_t k = 0; k < result.size(); ++k) {
+    std::map<Index, Index> response;
+    std::map<Index, Index> reference;
+    for (std::size_t p = 0; p < pairs_.size(); ++p) {
+      const MeasuredPair& pair = pairs_[p];
+      if (std::find(members[k].begin(), members[k].end(), pair.run) ==
+          members[k].end()) {
+        continue;
+      }
+      const Index o =
+          response.try_emplace(felt[p], response.size()).first->second;
+      const Index i =
+          reference.try_emplace(pair.reference, reference.size()).first->second;
+      result[k].pairs.push_back({static_cast<Index>(p), o, i});
+    }
+    const auto gather = [&points](const std::map<Index, Index>& columns) {
+      MatrixXd at(points.rows(), static_cast<Index>(columns.size()));
+      for (const auto& [from, to] : columns) at.col(to) = points.col(from);
+      return at;
+    };
+    result[k].responses = gather(response);
+    result[k].references = gather(reference);
+  }
+  return result;
+}
+
+std::vector<FrfModel::Walk> FrfModel::walk_columns(
+    const ModelState& state,
+    const VectorXcd& s,
+    const MatrixXd& candidates) const {
+  const ModalState shared = modal_state(state);
+  const MatrixXd& phi = shared.modes.phi;
+  const bool same = phi.isIdentity(0.0);
+  const MatrixXd of = phi.transpose() * candidates;
+  const MatrixXd squares = of.cwiseAbs2().transpose();
+  const MatrixXcd flexible = flexibility(shared, s);
+  std::vector<Walk> result;
+  for (const RunLines& lines : walks(shared)) {
+    Walk walk;
+    walk.pairs = lines.pairs;
+    walk.own.resize(s.size(), candidates.cols());
+    for (Index line = 0; line < s.size(); ++line) {
+      const VectorXcd g = flexible.col(line);
+      VectorXcd own = squares * g;
+      MatrixXcd coupled;
+      if (lines.B.cols() > 0) {
+        // diag(of' H* of) = diag(of' H of) - what the effects take away
+        coupled = lines.coupling(
+            s(line), lines.B.transpose() * (g.asDiagonal() * lines.B));
+        const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
+        own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
+      }
+      walk.own.row(line) = own.transpose();
+      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
+      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
+      walk.Xo.push_back(same ? Xo : phi * Xo);
+      walk.Xi.push_back(same ? Xi : phi * Xi);
+    }
+    result.push_back(std::move(walk));
+  }
+  return result;
+}
+
+ModelResponse FrfModel::respond(const ModelState& state,
+                                const VectorXcd& s,
+                                bool derivatives) const {
+  ModalState shared = modal_state(state);
+  if (derivatives) find_turning(shared, s.cwiseAbs().maxCoeff());
+  ModelResponse out;
+  const auto n = static_cast<Index>(pairs_.size());
+  out.H.resize(s.size(), n);
+  if (derivatives) {
+    out.dH.assign(static_cast<std::size_t>(state.parameters()),
+                  MatrixXcd::Zero(s.size(), n));
+  }
+  const std::vector<RunLines> all = walks(shared);
+  const MatrixXcd flexible = flexibility(shared, s);
+  for (const RunLines& lines : all) {
+    sum_modes(lines, s, flexible, out);
+  }
+  record(pairs_, shared, s, out);
+  return out;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,126 @@
+// FRFs of the base model with effects added, and their derivatives, without
+// ever solving the full model again (Sherman-Morrison-Woodbury).
+//
+//   H* = H - H B D (I + B' H B D)^-1 B' H          (eq. 15 of the paper)
+//   d H*_oi / d theta = -X_o' (d Z / d theta) X_i   (eq. 4),  X_q = H* e_q
+//
+// H is diagonal in the base's modes; B holds the rows of the degrees of freedom
+// acted on, the deck's own dashpots (D = s c) among them. Properties that scale
+// whole matrices, supports, and springs and masses that are alike in every run
+// change the base's modes instead, which are then taken anew (a small dense
+// problem; constant_changes.hpp says why).
+#pragma once
+
+#include "signal/frf_set/frf_set.hpp"
+#include "updating/frf_model/constant_changes.hpp"
+#include "updating/frf_model/model_modes.hpp"
+#include "updating/frf_model/model_state.hpp"
+#include "updating/reduction/reduced_base.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Whether the base holds this effect as a change of its stiffness.
+[[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
+
+struct ModelResponse {
+  Eigen::MatrixXcd H;                ///< lines x pairs, accelerance
+  std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
+};
+
+/// What was measured between two points, and under which names.
+struct MeasuredPair {
+  std::size_t run = 0;
+  std::string channel;
+  std::string hammer;
+  Eigen::Index response = 0;  ///< column of the points
+  Eigen::Index reference = 0;
+};
+
+/// A pair of the FRF set and its columns among the points walked.
+struct WalkedPair {
+  Eigen::Index frf = 0;
+  Eigen::Index response = 0;
+  Eigen::Index reference = 0;
+};
+
+struct ModalState;
+struct RunLines;
+
+/// The model at the measured pairs of an FRF set.
+class FrfModel {
+ public:
+  /// @param measured pairs (their H is not used)
+  /// @throws InputError for a measured grid that the deck does not have
+  FrfModel(ReducedBase base,
+           const effects::Setting& setting,
+           const signal::FrfSet& measured);
+
+  /// @param s lines [rad/s]
+  /// @param derivatives also fill ModelResponse::dH
+  [[nodiscard]] ModelResponse respond(const ModelState& state,
+                                      const Eigen::VectorXcd& s,
+                                      bool derivatives) const;
+
+  /// Modes of the base with its factors and supports, without the rest.
+  /// Damping ratios are theirs, by order, once springs and masses are on.
+  [[nodiscard]] BaseModes base_modes(const ModelState& state) const;
+  /// Undamped modes with every effect. What roves with a sensor is spread over
+  /// the measured runs, which gives the mean of their frequencies to first
+  /// order: measured modes of several set-ups are means as well.
+  [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
+
+  /// Receptance columns H* e of the runs on which the effects act alike, in
+  /// the base's coordinates (rows of V give any degree of freedom).
+  struct Walk {
+    std::vector<WalkedPair> pairs;
+    std::vector<Eigen::MatrixXcd> Xo;  ///< per line: r x response points
+    std::vector<Eigen::MatrixXcd> Xi;  ///< per line: r x reference points
+    Eigen::MatrixXcd own;              ///< lines x candidates: b H* b'
+  };
+  /// @param candidates r x c, rows b of V as columns
+  [[nodiscard]] std::vector<Walk> walk_columns(
+      const ModelState& state,
+      const Eigen::VectorXcd& s,
+      const Eigen::MatrixXd& candidates) const;
+
+  [[nodiscard]] const ReducedBase& base() const { return base_; }
+  [[nodiscard]] const effects::Setting& setting() const { return setting_; }
+  /// Row of V for a degree of freedom of the deck.
+  [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
+
+  /// Keeps the order of the damping ratios when modes change places: modes at
+  /// later states are matched to those at this one.
+  void set_reference(const ModelState& state);
+
+  /// Gives a factor that K and M are linear in, and that no other multiplies,
+  /// other matrices, r x r.
+  void set_part(std::size_t factor, Eigen::MatrixXd K, Eigen::MatrixXd M);
+
+ private:
+  [[nodiscard]] ModalState modal_state(const ModelState& state) const;
+  [[nodiscard]] std::vector<ConstantChange> changes_of(
+      const ModelState& state) const;
+  // By which parameters the modes turn, and how.
+  void find_turning(ModalState& shared, double largest) const;
+  [[nodiscard]] RunLines run_lines(const ModalState& shared,
+                                   std::size_t run) const;
+  [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
+  [[nodiscard]] std::vector<int> damping_owners(const ModelState& state,
+                                                const BaseModes& bare) const;
+  void set_damping(ModalState& shared) const;
+
+  ReducedBase base_;
+  effects::Setting setting_;
+  std::vector<MeasuredPair> pairs_;
+  Eigen::MatrixXd points_;    // r x points: signed rows of V, each once
+  Eigen::MatrixXd dashpots_;  // r x rank, C = dashpots_ dashpots_' of the deck
+  std::vector<std::size_t> runs_;
+  Eigen::MatrixXd reference_phi_;
+};
+
+}  // namespace tapfit::updating

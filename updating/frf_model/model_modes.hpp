@@ -1,0 +1,46 @@
+// Undamped modes of the model: of the base, and with springs and masses on it.
+#pragma once
+
+#include "updating/frf_model/constant_changes.hpp"
+#include "updating/frf_model/model_state.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// In the base's coordinates, of unit mass.
+struct BaseModes {
+  Eigen::VectorXd omega;  ///< [rad/s]
+  Eigen::MatrixXd phi;    ///< r x r
+};
+
+/// @param K, M r x r, M positive definite
+[[nodiscard]] BaseModes solve_modes(const Eigen::MatrixXd& K,
+                                    const Eigen::MatrixXd& M);
+
+/// Stiffness and mass in the coordinates of modes, r x r.
+struct ModalMatrices {
+  Eigen::MatrixXd K;
+  Eigen::MatrixXd M;
+};
+
+/// @param modes without the changes
+/// @param state has the changes' parameters
+[[nodiscard]] ModalMatrices with_changes(
+    const BaseModes& modes,
+    const std::vector<ConstantChange>& changes,
+    const ModelState& state);
+
+[[nodiscard]] BaseModes modes_with(const BaseModes& modes,
+                                   const std::vector<ConstantChange>& changes,
+                                   const ModelState& state);
+
+/// What belonged to the modes of frequencies `from`, given to those of `to` in
+/// order of frequency.
+[[nodiscard]] std::vector<int> by_order(const std::vector<int>& of,
+                                        const Eigen::VectorXd& from,
+                                        const Eigen::VectorXd& to);
+
+}  // namespace tapfit::updating

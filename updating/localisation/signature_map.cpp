@@ -1,0 +1,35 @@
+#include "updating/localisation/signature_map.hpp"
+
+#include "updating/effects/catalogue.hpp"
+#include "updating/localisation/place_scan.hpp"
+
+#include <algorithm>
+
+namespace tapfit::updating {
+
+std::vector<GridShare> signature_map(const Fit& current,
+                                     const Target& target,
+                                     const Progress& progress) {
+  const FrfModel& model = *current.model;
+  const effects::Setting& setting = model.setting();
+  std::vector<GridShare> grids;
+  ScannedPlaces places;
+  for (const Where& where : effects::find("added-mass").places(setting)) {
+    grids.push_back({where.node, 0.0});
+    places.grids.push_back(model.row(where.node, setting.component));
+  }
+  const MisfitScan misfit(current, target);
+  const PlaceScan scan(current, target, misfit, places, progress);
+  const double all = std::max(misfit.missing_power(), 1e-300);
+  for (std::size_t b = 0; b < grids.size(); ++b) {
+    const double left = scan.any_law(b);
+    grids[b].explained = std::clamp(1.0 - left * left / all, 0.0, 1.0);
+  }
+  std::stable_sort(
+      grids.begin(), grids.end(), [](const auto& a, const auto& b) {
+        return a.explained > b.explained;
+      });
+  return grids;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,158 @@
+#include "updating/measurement/test_model.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "signal/files/uff58.hpp"
+#include "updating/structure/assembly/rigid_motion.hpp"
+#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/deck/matrix_market.hpp"
+#include "updating/structure/deck/scale_units.hpp"
+#include "updating/structure/solve/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+void check_grid(const structure::Deck& deck,
+                const Dof& dof,
+                const std::string& place) {
+  if (!deck.has_grid(dof.node)) {
+    throw InputError(
+        fmt::format("the model has no grid {}", dof.node),
+        place,
+        fmt::format("use a grid id of {}", deck.path.filename().string()));
+  }
+}
+
+// What the deck holds at zero, directly or through a rigid element.
+class Held {
+ public:
+  explicit Held(const structure::Deck& deck)
+      : deck_(&deck),
+        axes_(structure::constraint_axes(deck)),
+        T_(structure::rigid_motion(deck, axes_).transpose()) {
+    if (!deck.given) return;
+    const Eigen::VectorXd stiff = deck.given->K.diagonal();
+    for (Eigen::Index u = 0; u < stiff.size(); ++u) {
+      if (stiff(u) == 0.0) absent_.insert(u);
+    }
+  }
+
+  [[nodiscard]] bool holds(const Dof& dof) const {
+    const auto u = 6 * static_cast<Eigen::Index>(deck_->grid_index(dof.node)) +
+                   dof.component - 1;
+    if (absent_.contains(u)) return true;
+    if (T_.size() == 0) return is_fixed(u);
+    for (structure::SparseMatrix::InnerIterator it(T_, u); it; ++it) {
+      if (std::abs(it.value()) > 1e-9 && !is_fixed(it.row())) return false;
+    }
+    return true;
+  }
+
+ private:
+  [[nodiscard]] bool is_fixed(Eigen::Index q) const {
+    const auto held =
+        axes_.held.find(deck_->grids[static_cast<std::size_t>(q / 6)].id);
+    return held != axes_.held.end() &&
+           held->second.find(static_cast<char>('1' + q % 6)) !=
+               std::string::npos;
+  }
+
+  const structure::Deck* deck_;
+  structure::ConstraintAxes axes_;
+  structure::SparseMatrix T_;      // rows as columns
+  std::set<Eigen::Index> absent_;  // without a row in given matrices
+};
+
+// A point of the test and where that says so.
+struct Point {
+  Dof dof;
+  std::string place;
+};
+
+std::vector<Point> points_of(const acquisition::TestBundle& bundle) {
+  std::vector<Point> points;
+  if (bundle.frfs) {
+    const std::string file = bundle.frfs->filename().string();
+    for (const signal::Frf& frf :
+         signal::read_frfs_uff(*bundle.frfs).set.frfs) {
+      points.push_back({frf.response, file});
+      points.push_back({frf.reference, file});
+    }
+    return points;
+  }
+  for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
+    const acquisition::Run& run = bundle.runs[r];
+    points.push_back(
+        {run.hammer.dof, fmt::format("test.json: runs[{}].hammer", r)});
+    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
+      points.push_back({run.sensors[k].dof,
+                        fmt::format("test.json: runs[{}].sensors[{}]", r, k)});
+    }
+  }
+  return points;
+}
+
+// Each degree of freedom is named where it is first.
+void check_points(const acquisition::TestBundle& bundle,
+                  structure::Deck& deck) {
+  const Held held(deck);
+  std::set<std::pair<int, int>> seen;
+  for (const auto& [dof, place] : points_of(bundle)) {
+    if (!seen.emplace(dof.node, dof.component).second) continue;
+    check_grid(deck, dof, place);
+    if (!held.holds(dof)) continue;
+    deck.warnings.push_back(fmt::format(
+        "{}: the model holds {} at zero, so that its FRFs there are "
+        "zero whatever was measured; move the point, or free the "
+        "grid",
+        place,
+        name(dof)));
+  }
+}
+
+void warn_of_turned_supports(structure::Deck& deck) {
+  const structure::ConstraintAxes axes = structure::constraint_axes(deck);
+  std::vector<int> grids;
+  std::ranges::copy_if(axes.turned, std::back_inserter(grids), [&](int grid) {
+    return axes.held.contains(grid);
+  });
+  if (grids.empty()) return;
+  deck.warnings.push_back(
+      fmt::format("GRID {} ({} in all) is held along turned axes (CD): the "
+                  "effect soft-support leaves its support as it is; where that "
+                  "may give, hold the grid along basic axes",
+                  grids.front(),
+                  grids.size()));
+}
+
+structure::Deck read_model(const acquisition::TestBundle& bundle) {
+  if (bundle.deck) return structure::read_deck(*bundle.deck);
+  const acquisition::MatrixModel& files = *bundle.matrices;
+  return structure::read_matrix_model(files.stiffness, files.mass, files.dofs);
+}
+
+}  // namespace
+
+structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
+  if (!bundle.deck && !bundle.matrices) {
+    throw InputError("the test has no model",
+                     (bundle.folder / "test.json").string(),
+                     "name a Nastran deck in the field \"model\"");
+  }
+  structure::Deck deck = read_model(bundle);
+  structure::scale_to_si(deck, bundle.units);
+  std::ranges::move(structure::material_unit_warnings(deck),
+                    std::back_inserter(deck.warnings));
+  check_points(bundle, deck);
+  warn_of_turned_supports(deck);
+  return deck;
+}
+
+}  // namespace tapfit::updating

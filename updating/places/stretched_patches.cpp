@@ -1,0 +1,164 @@
+#include "updating/places/stretched_patches.hpp"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using structure::Deck;
+
+/// An element as a box along the axes.
+struct Block {
+  int id = 0;
+  Vector3d middle = Vector3d::Zero();
+  Vector3d half = Vector3d::Zero();  ///< of its lengths
+};
+
+std::vector<Vector3d> corners(const Deck& deck, const auto& element) {
+  std::vector<Vector3d> at;
+  for (const int grid : element.grids) {
+    at.push_back(deck.grids[deck.grid_index(grid)].position);
+  }
+  return at;
+}
+
+// Rows are the axes.
+Eigen::Matrix3d axes_of(const std::vector<Vector3d>& at) {
+  const Vector3d first = (at[1] - at[0]).normalized();
+  Vector3d normal = at.size() > 2 ? Vector3d(first.cross(at[2] - at[0]))
+                                  : Vector3d(first.unitOrthogonal());
+  normal.normalize();
+  Eigen::Matrix3d axes;
+  axes << first.transpose(), normal.cross(first).transpose(),
+      normal.transpose();
+  return axes;
+}
+
+template <class Visit>
+void for_each_element(const Deck& deck, Visit visit) {
+  for (const auto& e : deck.shells) visit(e.id, corners(deck, e));
+  for (const auto& e : deck.bars) visit(e.id, corners(deck, e));
+  for (const auto& e : deck.rods) visit(e.id, corners(deck, e));
+}
+
+std::vector<Block> blocks_of(const Deck& deck, int first) {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  for_each_element(deck, [&](int id, const std::vector<Vector3d>& at) {
+    if (id == first) axes = axes_of(at);
+  });
+  std::vector<Block> blocks;
+  for_each_element(deck, [&](int id, const std::vector<Vector3d>& at) {
+    Block block;
+    block.id = id;
+    Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max());
+    Vector3d high = -low;
+    for (const Vector3d& corner : at) {
+      const Vector3d turned = axes * corner;
+      block.middle += turned / static_cast<double>(at.size());
+      low = low.cwiseMin(turned);
+      high = high.cwiseMax(turned);
+    }
+    block.half = 0.5 * (high - low);
+    blocks.push_back(block);
+  });
+  return blocks;
+}
+
+/// The patch among all elements.
+class Stretch {
+ public:
+  Stretch(const std::vector<int>& patch, const Deck& deck)
+      : blocks_(blocks_of(deck, patch.front())) {
+    for (const Block& block : blocks_) {
+      const bool in = std::ranges::binary_search(patch, block.id);
+      (in ? inside_ : outside_).push_back(&block);
+    }
+    for (const Block* block : inside_) {
+      low_ = low_.cwiseMin(block->middle - block->half);
+      high_ = high_.cwiseMax(block->middle + block->half);
+    }
+  }
+
+  // Without the layer that lies farthest along an axis; `sign` -1 turns it.
+  [[nodiscard]] std::vector<int> shorter(Index axis, double sign) const {
+    const auto along = [&](const Block* b) { return sign * b->middle[axis]; };
+    const Block* last = *std::ranges::max_element(inside_, {}, along);
+    const double end = along(last) - layer(*last, axis);
+    std::vector<int> ids;
+    for (const Block* b : inside_) {
+      if (along(b) < end) ids.push_back(b->id);
+    }
+    return ids;
+  }
+
+  // With the next layer of those that lie beside the patch.
+  [[nodiscard]] std::vector<int> longer(Index axis, double sign) const {
+    const auto along = [&](const Block* b) { return sign * b->middle[axis]; };
+    const double begin = sign > 0.0 ? high_[axis] : -low_[axis];
+    std::vector<const Block*> ahead;
+    for (const Block* b : outside_) {
+      if (along(b) > begin && beside(*b, axis)) ahead.push_back(b);
+    }
+    if (ahead.empty()) return {};
+    const Block* next = *std::ranges::min_element(ahead, {}, along);
+    const double end = along(next) + layer(*next, axis);
+    std::vector<int> ids;
+    for (const Block* b : inside_) ids.push_back(b->id);
+    for (const Block* b : ahead) {
+      if (along(b) < end) ids.push_back(b->id);
+    }
+    std::ranges::sort(ids);
+    return ids;
+  }
+
+ private:
+  // Half of an element; of one that is thin along the axis, a little.
+  [[nodiscard]] static double layer(const Block& block, Index axis) {
+    return std::max(block.half[axis], 1e-6 * block.half.maxCoeff());
+  }
+
+  // Whether the middle lies within the patch across an axis.
+  [[nodiscard]] bool beside(const Block& block, Index axis) const {
+    const double close = 1e-6 * block.half.maxCoeff();
+    for (Index k = 0; k < 3; ++k) {
+      if (k == axis) continue;
+      if (block.middle[k] < low_[k] - close) return false;
+      if (block.middle[k] > high_[k] + close) return false;
+    }
+    return true;
+  }
+
+  std::vector<Block> blocks_;
+  std::vector<const Block*> inside_;
+  std::vector<const Block*> outside_;
+  Vector3d low_ = Vector3d::Constant(std::numeric_limits<double>::max());
+  Vector3d high_ = -low_;
+};
+
+}  // namespace
+
+std::vector<std::vector<int>> stretched_patches(const std::vector<int>& patch,
+                                                const Deck& deck) {
+  const Stretch stretch(patch, deck);
+  const std::size_t all =
+      deck.shells.size() + deck.bars.size() + deck.rods.size();
+  std::vector<std::vector<int>> result;
+  for (Index axis = 0; axis < 3; ++axis) {
+    for (const double sign : {1.0, -1.0}) {
+      for (const std::vector<int>& ids :
+           {stretch.shorter(axis, sign), stretch.longer(axis, sign)}) {
+        const bool changed = !ids.empty() && ids.size() != patch.size();
+        if (changed && 2 * ids.size() <= all) result.push_back(ids);
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,196 @@
+#include "updating/places/support_line.hpp"
+
+#include "updating/structure/deck/constraint_axes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using structure::ConstraintAxes;
+using structure::Deck;
+
+std::map<int, std::set<int>> neighbours(const Deck& deck) {
+  std::map<int, std::set<int>> result;
+  const auto connect = [&result](int a, int b) {
+    result[a].insert(b);
+    result[b].insert(a);
+  };
+  for (const structure::Shell& shell : deck.shells) {
+    const std::size_t n = shell.grids.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      connect(shell.grids[k], shell.grids[(k + 1) % n]);
+    }
+  }
+  for (const structure::Bar& bar : deck.bars) {
+    connect(bar.grids[0], bar.grids[1]);
+  }
+  return result;
+}
+
+bool holds(const ConstraintAxes& axes, int node, int component) {
+  const char digit = static_cast<char>('0' + component);
+  return axes.held_in_basic(node).find(digit) != std::string::npos;
+}
+
+// Axis (0..2) along which the points lie, or -1.
+int line_axis(const Deck& deck, const std::vector<int>& nodes) {
+  Eigen::Vector3d low = deck.grids[deck.grid_index(nodes[0])].position;
+  Eigen::Vector3d high = low;
+  for (const int node : nodes) {
+    const Eigen::Vector3d& x = deck.grids[deck.grid_index(node)].position;
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const Eigen::Vector3d span = high - low;
+  Eigen::Index axis = 0;
+  const double longest = span.maxCoeff(&axis);
+  const double rest = span.sum() - longest;
+  // Straight to 1 % of the length: the tolerance of a drawn clamp edge.
+  return longest > 0.0 && rest <= 0.01 * longest ? static_cast<int>(axis) : -1;
+}
+
+// Length that each node carries: half the gap on either side. Between two
+// separate edges on one line there is a gap, but nothing held. Where grids
+// stand alone, each stands for the gaps beside it.
+std::vector<double> tributary_lengths(const std::vector<double>& x,
+                                      const std::vector<bool>& connected) {
+  const std::size_t n = x.size();
+  const auto lengths_over = [&](bool all) {
+    std::vector<double> lengths(n, 0.0);
+    for (std::size_t k = 0; k + 1 < n; ++k) {
+      if (!all && !connected[k]) continue;
+      const double half = 0.5 * (x[k + 1] - x[k]);
+      lengths[k] += half;
+      lengths[k + 1] += half;
+    }
+    return lengths;
+  };
+  std::vector<double> lengths = lengths_over(false);
+  const bool alone = std::any_of(
+      lengths.begin(), lengths.end(), [](double l) { return l == 0.0; });
+  return alone ? lengths_over(true) : lengths;
+}
+
+}  // namespace
+
+std::vector<std::vector<int>> support_groups(const Deck& deck) {
+  const std::map<int, std::set<int>> near = neighbours(deck);
+  const std::map<int, std::string> held = structure::constraint_axes(deck).held;
+  std::set<int> done;
+  std::vector<std::vector<int>> groups;
+  for (const structure::Grid& grid : deck.grids) {
+    if (!held.contains(grid.id) || done.contains(grid.id)) continue;
+    std::vector<int> open = {grid.id};
+    std::set<int> group;
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      if (!group.insert(node).second) continue;
+      const auto it = near.find(node);
+      if (it == near.end()) continue;
+      for (const int next : it->second) {
+        if (held.contains(next)) open.push_back(next);
+      }
+    }
+    done.insert(group.begin(), group.end());
+    groups.emplace_back(group.begin(), group.end());
+  }
+  return groups;
+}
+
+SupportLine support_line(const Deck& deck,
+                         const std::vector<int>& nodes,
+                         bool rotation,
+                         int component) {
+  SupportLine line;
+  if (nodes.empty()) return line;
+  const ConstraintAxes held = structure::constraint_axes(deck);
+  const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
+  std::vector<int> order = nodes;
+  std::vector<double> lengths(nodes.size(),
+                              1.0 / static_cast<double>(nodes.size()));
+  std::vector<double> at(nodes.size(), 0.0);
+  line.straight = axis >= 0;
+  if (line.straight) {
+    const auto along = [&deck, axis](int node) {
+      return deck.grids[deck.grid_index(node)].position(axis);
+    };
+    std::sort(order.begin(), order.end(), [&along](int a, int b) {
+      return along(a) < along(b);
+    });
+    std::vector<double> x(order.size());
+    std::transform(order.begin(), order.end(), x.begin(), along);
+    const std::map<int, std::set<int>> near = neighbours(deck);
+    std::vector<bool> connected;
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      const auto it = near.find(order[k]);
+      connected.push_back(it != near.end() &&
+                          it->second.contains(order[k + 1]));
+    }
+    lengths = tributary_lengths(x, connected);
+    std::transform(x.begin(), x.end(), at.begin(), [&x](double here) {
+      return (here - x.front()) / (x.back() - x.front());
+    });
+  }
+  line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  std::vector<int> components = {component};
+  if (rotation) {
+    components =
+        axis >= 0 ? std::vector<int>{4 + axis} : std::vector<int>{4, 5, 6};
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    for (const int c : components) {
+      if (holds(held, order[k], c)) {
+        line.dofs.push_back({order[k], c, lengths[k], at[k]});
+      }
+    }
+  }
+  return line;
+}
+
+namespace {
+
+// The share of a line that goes with the stiffness at one of its ends.
+SupportPart towards(const SupportLine& line, bool rotation, bool last) {
+  SupportPart part{rotation, 0, {}};
+  part.line.straight = line.straight;
+  part.end = last ? line.dofs.back().node : line.dofs.front().node;
+  for (SupportDof dof : line.dofs) {
+    dof.length *= last ? dof.at : 1.0 - dof.at;
+    if (dof.length <= 0.0) continue;
+    part.line.length += dof.length;
+    part.line.dofs.push_back(dof);
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<SupportPart> support_parts(const Deck& deck,
+                                       const std::vector<int>& nodes,
+                                       const std::string& variant,
+                                       int component) {
+  std::vector<SupportPart> parts;
+  for (const bool rotation : {true, false}) {
+    const std::string kind = rotation ? "rotation" : "translation";
+    if (variant != "both" && !variant.starts_with(kind)) continue;
+    const SupportLine line = support_line(deck, nodes, rotation, component);
+    if (line.dofs.empty()) return {};
+    if (!variant.ends_with("-varying")) {
+      parts.push_back({rotation, 0, line});
+      continue;
+    }
+    // One grid alone says nothing of how it goes on.
+    if (line.dofs.front().at == line.dofs.back().at) return {};
+    for (const bool last : {false, true}) {
+      parts.push_back(towards(line, rotation, last));
+    }
+  }
+  return parts;
+}
+
+}  // namespace tapfit::updating

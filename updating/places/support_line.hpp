@@ -1,0 +1,68 @@
+// The geometry of a support: which constrained grids belong together, along
+// which line they lie, and how much of its length each carries.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A released degree of freedom of a support and the length it carries.
+struct SupportDof {
+  int node = 0;
+  int component = 0;    ///< 1..6
+  double length = 0.0;  ///< [m]; 1 / number of grids where there is no line
+  double at = 0.0;      ///< 0 to 1 along the line; 0 where there is none
+};
+
+struct SupportLine {
+  std::vector<SupportDof> dofs;
+  double length = 0.0;    ///< total [m]; 1 where the grids lie on no line
+  bool straight = false;  ///< whether there is a line
+};
+
+/// Groups of constrained grids that are connected by element edges, each in
+/// the deck's order.
+[[nodiscard]] std::vector<std::vector<int>> support_groups(
+    const structure::Deck& deck);
+
+/// The degrees of freedom that a soft support releases: for grids along a
+/// line parallel to an axis the rotation about that line, otherwise all three
+/// rotations; for translations the component given.
+///
+/// @param nodes constrained grids of the deck, in any order
+/// @param rotation true: rotations, false: the translation `component`
+/// @return only degrees of freedom that the deck holds along basic axes; none
+/// of
+///   grids that are held along turned axes (see constraint_axes.hpp)
+[[nodiscard]] SupportLine support_line(const structure::Deck& deck,
+                                       const std::vector<int>& nodes,
+                                       bool rotation,
+                                       int component);
+
+/// What one stiffness of a support holds.
+struct SupportPart {
+  bool rotation = true;
+  int end = 0;       ///< grid at whose end of the line it is the stiffness; 0:
+                     ///< all along
+  SupportLine line;  ///< lengths times this stiffness' share in each
+};
+
+/// The stiffnesses of a soft support: "rotation" and "translation" have one
+/// each, "both" has these two. "rotation-varying" and "translation-varying"
+/// run linearly along the line, from the stiffness at its first end (of the
+/// smallest coordinate) to that at its last.
+///
+/// @return none where the support does not hold what the variant asks for, or
+///   where there is no line to vary along
+[[nodiscard]] std::vector<SupportPart> support_parts(
+    const structure::Deck& deck,
+    const std::vector<int>& nodes,
+    const std::string& variant,
+    int component);
+
+}  // namespace tapfit::updating

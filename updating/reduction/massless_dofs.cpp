@@ -1,0 +1,39 @@
+#include "updating/reduction/massless_dofs.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace tapfit::updating {
+
+using structure::SparseMatrix;
+
+SparseMatrix lent_mass(const SparseMatrix& stiffness,
+                       const SparseMatrix& mass,
+                       const std::vector<int>& dofs,
+                       double high_hz) {
+  constexpr double above = 1e4;
+  const double square = std::pow(2.0 * std::numbers::pi * above * high_hz, 2);
+  const Eigen::VectorXd K = stiffness.diagonal();
+  const Eigen::VectorXd M = mass.diagonal();
+  std::vector<Eigen::Triplet<double>> lent;
+  for (const int i : dofs) {
+    if (M(i) != 0.0 || !(K(i) > 0.0)) continue;
+    lent.emplace_back(i, i, K(i) / square);
+  }
+  if (lent.empty()) return {};
+  SparseMatrix added(M.size(), M.size());
+  added.setFromTriplets(lent.begin(), lent.end());
+  return added;
+}
+
+SparseMatrix lent_mass(const structure::System& system,
+                       const std::vector<int>& points,
+                       double high_hz) {
+  std::vector<int> loose;
+  for (const int i : points) {
+    if (!system.inactive[static_cast<std::size_t>(i)]) loose.push_back(i);
+  }
+  return lent_mass(system.K, system.M, loose, high_hz);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,388 @@
+#include "updating/reduction/reduced_base.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/base_error.hpp"
+#include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/kept_base.hpp"
+#include "updating/reduction/massless_dofs.hpp"
+#include "updating/reduction/mesh_factors.hpp"
+#include "updating/reduction/released_system.hpp"
+#include "updating/reduction/static_answers.hpp"
+#include "updating/reduction/subspace.hpp"
+#include "updating/structure/assembly/deck_modes.hpp"
+#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/elements/dashpots.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/solve/eigenmodes.hpp"
+#include "updating/structure/solve/factor.hpp"
+#include "updating/structure/solve/free_motions.hpp"
+#include "updating/structure/solve/system.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using structure::SparseMatrix;
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+
+// What FRFs may be off the whole model's, and orders of responses tried for it.
+constexpr double exact_enough = 1e-6;
+constexpr std::size_t most_orders = 4;
+
+// Other coordinates of the same span: V Q.
+void turn(ReducedBase& base, const MatrixXd& Q) {
+  base.rows = (base.rows * Q).eval();
+  base.K = (Q.transpose() * base.K * Q).eval();
+  for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
+  for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
+  for (StiffnessTerm& term : base.terms) {
+    term.S = (Q.transpose() * term.S * Q).eval();
+    for (MatrixXd& part : term.S_part) {
+      part = (Q.transpose() * part * Q).eval();
+    }
+  }
+}
+
+// Stiffness that elements keep, from all of it to next to none.
+constexpr ChangeRange loss_range = {1.0, 1.0, 0.04, 0.4, 1.0};
+
+}  // namespace
+
+struct BaseBuilder::Impl {
+  structure::RefinedDeck mesh;  // the deck, split
+  Index original_grids = 0;
+  BaseOptions options;
+  std::vector<acquisition::UncertainProperty> uncertain;
+  structure::System system;
+  structure::FreeMotions motions;  // u = T q
+  double mass = 0.0;
+  double shift = 0.0;  // K + shift M gives static answers [rad^2/s^2]
+  MatrixXd modes;      // u of each, n x count, supports rigid
+  VectorXd modes_hz;
+  ReleasedSystem plain;  // the model with nothing released
+  MatrixXd V0;           // modes and static responses at options.points
+  ReducedBase fixed;     // seen through V0, K diagonal
+  double error = 0.0;    // of FRFs through V0
+  std::vector<std::string> warnings;
+  std::optional<StaticAnswers> answers;
+  std::vector<MeshFactor> of_mesh;  // parts of `fixed` beyond the plain ones
+
+  [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
+                                 const Progress& progress) const;
+
+  [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
+                                   const ReleasedSystem& released) const;
+  [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
+                                const std::vector<StiffnessChange>& changes,
+                                const std::vector<int>& fresh) const;
+  [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
+                                         const ScaledStiffness& own) const;
+};
+
+BaseBuilder::BaseBuilder(
+    const structure::Deck& deck,
+    const std::vector<acquisition::UncertainProperty>& uncertain,
+    const BaseOptions& options,
+    const Progress& progress)
+    : impl_(std::make_unique<Impl>()) {
+  Impl& m = *impl_;
+  m.options = options;
+  m.uncertain = uncertain;
+  std::set<int> points = structure::damped_dofs(deck);
+  points.insert(options.points.begin(), options.points.end());
+  m.options.points.assign(points.begin(), points.end());
+  m.original_grids = static_cast<Index>(deck.grids.size());
+  m.mesh = options.split ? structure::refine_mesh(deck)
+                         : structure::RefinedDeck{deck, {}, {}};
+  progress("model: assembling", 0.0);
+  m.system = structure::assemble(m.mesh.deck);
+  if (const SparseMatrix lent =
+          lent_mass(m.system, m.options.points, options.high_hz);
+      lent.size() > 0) {
+    m.system.M += lent;
+  }
+  m.motions = structure::free_motions(m.system);
+  if (m.motions.free.empty()) {
+    throw InputError("the model has no free degree of freedom",
+                     deck.path.string(),
+                     "check the elements and the SPC cards");
+  }
+  m.mass = structure::total_mass(m.mesh.deck, m.system);
+  if (!(m.mass > 0.0)) {
+    throw structure::no_density(deck, "the model has no mass");
+  }
+  m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
+  m.answers.emplace(m.system, m.motions, m.shift);
+  m.plain = {m.system.K,
+             m.system.M,
+             uncertain_parts(m.mesh.deck, uncertain),
+             {},
+             m.motions.free};
+  SolvedBase solved = kept_or_solved(options.cache,
+                                     {m.system,
+                                      m.plain.parts,
+                                      m.options.points,
+                                      m.motions.size(),
+                                      options.high_hz,
+                                      options.reach},
+                                     [&] { return m.solve(deck, progress); });
+  m.modes = m.motions.expand(solved.modes);
+  m.modes_hz = std::move(solved.modes_hz);
+  m.error = solved.error;
+  m.V0 = std::move(solved.V);
+  m.fixed.rows = m.V0.topRows(6 * m.original_grids);
+  m.fixed.K = std::move(solved.K);
+  m.fixed.K_part = std::move(solved.K_part);
+  m.fixed.M_part = std::move(solved.M_part);
+  for (const UncertainPart& part : m.plain.parts) {
+    m.fixed.part_power.push_back(part.power);
+  }
+  if (!options.split) {
+    m.warnings = structure::mechanism_warnings(deck, m.system, solved.modes);
+  }
+}
+
+BaseBuilder::~BaseBuilder() = default;
+BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
+BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
+
+std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
+  Impl& m = *impl_;
+  const Impl& c = *coarser.impl_;
+  const Index known = 6 * m.original_grids;
+  m.of_mesh = mesh_factors(m.mesh.deck,
+                           m.V0,
+                           {m.modes.topRows(known), m.modes_hz},
+                           {c.modes.topRows(known), c.modes_hz});
+  const std::size_t first = m.uncertain.size();
+  const std::size_t all = first + m.of_mesh.size();
+  for (std::vector<int>& power : m.fixed.part_power) power.resize(all, 0);
+  for (std::size_t k = 0; k < m.of_mesh.size(); ++k) {
+    m.fixed.part_power.emplace_back(all, 0);
+    m.fixed.part_power.back()[first + k] = 1;
+    m.fixed.K_part.push_back(m.of_mesh[k].K);
+    m.fixed.M_part.push_back(m.of_mesh[k].M);
+  }
+  return m.of_mesh.size();
+}
+
+bool BaseBuilder::is_free() const {
+  const VectorXd& f = impl_->modes_hz;
+  return f.size() > 0 && f(0) < 1e-3 * impl_->options.high_hz;
+}
+double BaseBuilder::mass_kg() const { return impl_->mass; }
+double BaseBuilder::error() const { return impl_->error; }
+Index BaseBuilder::dofs() const { return impl_->motions.size(); }
+const std::vector<std::string>& BaseBuilder::warnings() const {
+  return impl_->warnings;
+}
+
+SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
+                                    const Progress& progress) const {
+  progress("model: eigenmodes", 0.2);
+  SolvedBase solved;
+  try {
+    structure::Eigenmodes found =
+        structure::eigenmodes_up_to(motions.reduce(system.K),
+                                    motions.reduce(system.M),
+                                    options.reach * options.high_hz);
+    solved.modes = std::move(found.phi);
+    solved.modes_hz = std::move(found.frequency_hz);
+  } catch (const structure::SingularMatrix&) {
+    structure::name_mechanism(deck);
+    throw;
+  }
+  progress("model: residual flexibility", 0.8);
+  const MatrixXd u = motions.expand(solved.modes);
+  MatrixXd& V = solved.V;
+  // Two with modes to four times the band leave a smaller basis than three with
+  // modes to three times it.
+  for (std::size_t orders = 2; orders <= most_orders; ++orders) {
+    V = join(
+        {u, beyond(system.M, u, answers->to_points(options.points, orders))});
+    if (V.cols() == 0) {
+      throw InputError("no mode is in reach of the band, no point moves",
+                       deck.path.string(),
+                       "check units, supports and the points' directions");
+    }
+    const MatrixXd projected = V.transpose() * (system.K * V);
+    V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
+            .eval();
+    solved.K = V.transpose() * (system.K * V);
+    solved.error = base_error(system,
+                              *answers,
+                              V,
+                              solved.K.diagonal(),
+                              options.points,
+                              options.high_hz);
+    if (solved.error <= exact_enough) break;
+  }
+  for (const UncertainPart& part : plain.parts) {
+    solved.K_part.emplace_back(V.transpose() * (part.K * V));
+    solved.M_part.emplace_back(V.transpose() * (part.M * V));
+  }
+  return solved;
+}
+
+// How stiff is stiff: to first order springs of stiffness k per metre lower
+// omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
+// asks of them. Springs that several parameters share have their whole length.
+ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
+                                            const ScaledStiffness& own) const {
+  VectorXd length = VectorXd::Zero(released.dofs());
+  for (const ScaledStiffness& part : released.scaled) {
+    if (part.change == own.change) length += part.S.diagonal();
+  }
+  MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.cols());
+  rigid.topRows(modes.rows()) = modes;
+  MatrixXd reaction = released.K * rigid;
+  if (system.T.size() > 0) {
+    // Of what follows a rigid element too.
+    reaction.topRows(system.dofs()) =
+        (system.T.transpose() * reaction.topRows(system.dofs())).eval();
+  }
+  double worst = 0.0;
+  for (Index r = 0; r < modes.cols(); ++r) {
+    if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
+    double sum = 0.0;
+    for (Index k = 0; k < own.S.outerSize(); ++k) {
+      for (SparseMatrix::InnerIterator it(own.S, k); it; ++it) {
+        sum += std::pow(reaction(it.row(), r), 2) / length(it.row());
+      }
+    }
+    worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
+  }
+  if (worst <= 0.0) worst = 1.0;
+  const double upper = worst / 1e-4;
+  // A hundredth of where the first order would leave no stiffness: a hinge.
+  return {0.0, upper, worst / 100.0, worst / 0.1, upper};
+}
+
+// The fixed basis and a few vectors more. Only products with the new vectors
+// are taken in the large space; what is known of the fixed ones is kept.
+ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
+                                      const ReleasedSystem& released) const {
+  const Index n = system.dofs();
+  const MatrixXd R = beyond(released.M, V0, extra);
+  const Index a = V0.cols();
+  const Index b = R.cols();
+  const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
+    const MatrixXd AR = A * R;
+    MatrixXd whole(a + b, a + b);
+    whole.topLeftCorner(a, a) = known;
+    whole.topRightCorner(a, b) = V0.transpose() * AR.topRows(n);
+    whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
+    whole.bottomRightCorner(b, b) = R.transpose() * AR;
+    return whole;
+  };
+  ReducedBase base;
+  base.rows.resize(6 * original_grids, a + b);
+  base.rows << fixed.rows, R.topRows(6 * original_grids);
+  base.K = grow(fixed.K, released.K);
+  base.part_power = fixed.part_power;
+  for (std::size_t k = 0; k < released.parts.size(); ++k) {
+    base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
+    base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
+  }
+  const auto padded = [&](const MatrixXd& known) {
+    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
+    whole.topLeftCorner(a, a) = known;
+    return whole;
+  };
+  for (const MeshFactor& factor : of_mesh) {
+    SparseMatrix beyond = factor.beyond;
+    beyond.conservativeResize(released.dofs(), released.dofs());
+    base.K_part.push_back(factor.beyond.size() > 0 ? grow(factor.K, beyond)
+                                                   : padded(factor.K));
+    base.M_part.push_back(padded(factor.M));
+  }
+  const auto through = [&](const SparseMatrix& A) {
+    const SparseMatrix known = A.topLeftCorner(n, n);
+    return grow(V0.transpose() * (known * V0), A);
+  };
+  for (const ScaledStiffness& scaled : released.scaled) {
+    StiffnessTerm& term = base.terms.emplace_back();
+    term.parameter = scaled.parameter;
+    term.S = through(scaled.S);
+    for (const UncertainPart& part : scaled.parts) {
+      term.part_power.push_back(part.power);
+      term.S_part.push_back(through(part.K));
+    }
+  }
+  turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  return base;
+}
+
+// What the fixed basis lacks, as columns over the released dofs.
+MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
+                                   const std::vector<StiffnessChange>& changes,
+                                   const std::vector<int>& fresh) const {
+  const auto padded = [&released](const MatrixXd& block) {
+    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
+    whole.topRows(block.rows()) = block;
+    return whole;
+  };
+  const VectorXd stiffness = fixed.K.diagonal();
+  const HeldBase held = {
+      system, motions, *answers, V0, stiffness, shift, options.high_hz};
+  std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
+  if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  const Index n = system.dofs();
+  for (const ScaledStiffness& scaled : released.scaled) {
+    if (changes[scaled.change].kind != ChangeKind::Elements) continue;
+    const SparseMatrix S = scaled.S.topLeftCorner(n, n);
+    blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
+  }
+  return join(blocks);
+}
+
+ReducedBase BaseBuilder::build(
+    const std::vector<int>& points,
+    const std::vector<StiffnessChange>& changes) const {
+  const Impl& m = *impl_;
+  std::vector<int> fresh;
+  std::set_difference(points.begin(),
+                      points.end(),
+                      m.options.points.begin(),
+                      m.options.points.end(),
+                      std::back_inserter(fresh));
+  if (changes.empty() && fresh.empty()) return m.fixed;
+  std::optional<ReleasedSystem> own;  // where it is not the plain one
+  if (!changes.empty()) {
+    own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
+    lend_mass(m.motions.free, m.options.high_hz, *own);
+  }
+  SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
+  if (lent.size() > 0) {
+    if (!own) own = m.plain;
+    lent.conservativeResize(own->dofs(), own->dofs());
+    own->M += lent;
+  }
+  const ReleasedSystem& released = own ? *own : m.plain;
+  ReducedBase base = m.extend(m.needed(released, changes, fresh), released);
+  for (std::size_t k = 0; k < base.terms.size(); ++k) {
+    const ScaledStiffness& scaled = released.scaled[k];
+    const StiffnessChange& change = changes[scaled.change];
+    base.terms[k].of = change.of;
+    ChangeRange& range = base.terms[k];
+    range = change.kind == ChangeKind::Elements
+                ? loss_range
+                : m.spring_range(released, scaled);
+  }
+  return base;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,95 @@
+// The base model, solved once and made small.
+//
+//   K_r = V' K V,  M_r = V' M V = I
+//
+// V holds the modes to well above the band and, for every point that is
+// measured, hit or acted on, the static response to a unit force with its first
+// dynamic corrections. Where a support or a joint may give way, V also holds
+// the answer to each degree of freedom that is released (constraint modes);
+// where elements may soften, what that makes of the modes. Everything between
+// rigid and very soft then lies in its span.
+// Source: R. R. Craig, A. J. Kurdila, "Fundamentals of Structural Dynamics",
+// 2006, ch. 17 (residual flexibility, constraint modes);
+// U. Kirsch, "Reanalysis of Structures", 2008 (combined approximations).
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/progress.hpp"
+#include "updating/cache/matrix_cache.hpp"
+#include "updating/reduction/stiffness_change.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct ReducedBase {
+  Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
+  Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
+  /// Of the uncertain properties, see uncertain_parts.hpp.
+  std::vector<std::vector<int>> part_power;
+  std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
+  std::vector<Eigen::MatrixXd> M_part;
+  std::vector<StiffnessTerm> terms;  ///< of the changes asked for
+
+  [[nodiscard]] Eigen::Index size() const { return K.rows(); }
+};
+
+struct BaseOptions {
+  double high_hz = 100.0;  ///< top of the band
+  double reach = 4.0;      ///< modes up to reach * high_hz
+  bool split = true;       ///< every element once more
+  /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
+  std::vector<int> points = {};
+  /// Where what is solved for is kept; empty: nowhere.
+  std::optional<MatrixCache> cache = {};
+};
+
+/// Holds the factored matrices, so that bases for other points cost only
+/// back-substitutions.
+class BaseBuilder {
+ public:
+  /// @throws InputError when the deck cannot be solved or an uncertain
+  ///   property is none of the deck's
+  BaseBuilder(const structure::Deck& deck,
+              const std::vector<acquisition::UncertainProperty>& uncertain,
+              const BaseOptions& options,
+              const Progress& progress);
+  ~BaseBuilder();
+  BaseBuilder(BaseBuilder&&) noexcept;
+  BaseBuilder& operator=(BaseBuilder&&) noexcept;
+
+  /// @param points further degrees of freedom that are acted on, ascending
+  /// @param changes of the stiffness that the base must hold
+  [[nodiscard]] ReducedBase build(
+      const std::vector<int>& points,
+      const std::vector<StiffnessChange>& changes) const;
+
+  /// Gives the bases further factors, of what the mesh does to the modes: see
+  /// mesh_factors().
+  /// @param coarser the same deck, not split; call once, before build()
+  /// @return how many
+  std::size_t hold_mesh_error(const BaseBuilder& coarser);
+
+  /// Whether the structure can move as a rigid body.
+  [[nodiscard]] bool is_free() const;
+  [[nodiscard]] double mass_kg() const;
+  /// Largest relative error of FRFs through the base over the band, see
+  /// base_error(); the base grows until it is 1e-6 or less.
+  [[nodiscard]] double error() const;
+  [[nodiscard]] Eigen::Index dofs() const;
+  /// Mechanisms of the deck, named. Of a deck that was split none: the builder
+  /// that is not names them by its own grids.
+  [[nodiscard]] const std::vector<std::string>& warnings() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tapfit::updating

@@ -1,0 +1,226 @@
+#include "updating/reduction/released_system.hpp"
+
+#include "updating/places/joint_line.hpp"
+#include "updating/places/support_line.hpp"
+#include "updating/reduction/massless_dofs.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+using acquisition::UncertainProperty;
+using Eigen::Index;
+using structure::Deck;
+using structure::RefinedDeck;
+using structure::SparseMatrix;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+int dof_index(const Deck& deck, int node, int component) {
+  return 6 * static_cast<int>(deck.grid_index(node)) + component - 1;
+}
+
+std::vector<int> children_of(const RefinedDeck& mesh,
+                             const std::vector<int>& elements) {
+  if (mesh.children.empty()) return elements;
+  std::vector<int> result;
+  for (const int id : elements) {
+    const auto it = mesh.children.find(id);
+    if (it == mesh.children.end()) continue;
+    result.insert(result.end(), it->second.begin(), it->second.end());
+  }
+  return result;
+}
+
+// Springs of unit stiffness per metre on the released degrees of freedom: on
+// the support's own grids and those between them. One list per parameter.
+std::vector<Triplets> support_springs(const Deck& deck,
+                                      const StiffnessChange& change) {
+  const Where& where = change.of.where;
+  const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
+  std::vector<int> nodes;
+  for (const std::vector<int>& group : support_groups(deck)) {
+    const bool inside = std::any_of(
+        group.begin(), group.end(), [&](int n) { return wanted.contains(n); });
+    if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
+  }
+  std::vector<Triplets> springs;
+  for (const SupportPart& part :
+       support_parts(deck, nodes, where.variant, change.component)) {
+    springs.emplace_back();
+    for (const SupportDof& dof : part.line.dofs) {
+      const int index = dof_index(deck, dof.node, dof.component);
+      springs.back().emplace_back(index, index, dof.length);
+    }
+  }
+  return springs;
+}
+
+// Appends the columns of a joint to a matrix: [A, A_B T; sym, T' A_B T].
+void append_joint(SparseMatrix& A, const SparseMatrix& side, SparseMatrix T) {
+  const Index n = A.rows();
+  const Index m = T.cols();
+  T.conservativeResize(n, m);
+  SparseMatrix A_side = side;
+  A_side.conservativeResize(n, n);
+  const SparseMatrix AT = A_side * T;
+  const SparseMatrix TAT = T.transpose() * AT;
+  Triplets all;
+  const auto put = [&all](const SparseMatrix& B, Index row, Index column) {
+    for (Index c = 0; c < B.outerSize(); ++c) {
+      for (SparseMatrix::InnerIterator it(B, c); it; ++it) {
+        all.emplace_back(static_cast<int>(row + it.row()),
+                         static_cast<int>(column + it.col()),
+                         it.value());
+      }
+    }
+  };
+  put(A, 0, 0);
+  put(AT, 0, n);
+  put(SparseMatrix(AT.transpose()), n, 0);
+  put(TAT, n, n);
+  A.resize(n + m, n + m);
+  A.setFromTriplets(all.begin(), all.end());
+}
+
+JointLine joint_of(const RefinedDeck& mesh, const StiffnessChange& change) {
+  const Where& where = change.of.where;
+  if (where.nodes.size() > 1) return shell_joint(mesh.deck, where.nodes);
+  return bar_joint(mesh.deck,
+                   where.nodes.front(),
+                   children_of(mesh, where.elements),
+                   change.component);
+}
+
+// A part that the side has not is nothing there.
+void append_joint_parts(const std::vector<UncertainPart>& side,
+                        const SparseMatrix& T,
+                        std::vector<UncertainPart>& parts) {
+  const SparseMatrix none(T.rows(), T.rows());
+  for (UncertainPart& part : parts) {
+    const auto own = std::ranges::find(side, part.power, &UncertainPart::power);
+    const bool found = own != side.end();
+    append_joint(part.K, found ? own->K : none, T);
+    append_joint(part.M, found ? own->M : none, T);
+  }
+}
+
+// Cuts a joint open and returns the springs that hold it.
+Triplets cut_joint(const RefinedDeck& mesh,
+                   const StiffnessChange& change,
+                   const std::vector<UncertainProperty>& uncertain,
+                   ReleasedSystem& released) {
+  const JointLine joint = joint_of(mesh, change);
+  const Index n = released.dofs();
+  Triplets directions;
+  Triplets springs;
+  for (std::size_t k = 0; k < joint.grids.size(); ++k) {
+    const JointGrid& grid = joint.grids[k];
+    const auto column = static_cast<int>(k);
+    for (int c = 0; c < 3; ++c) {
+      directions.emplace_back(
+          dof_index(mesh.deck, grid.node, 4 + c), column, grid.axis(c));
+    }
+    const int q = static_cast<int>(n) + column;
+    springs.emplace_back(q, q, grid.length);
+    released.active.push_back(q);
+  }
+  SparseMatrix T(n, static_cast<Index>(joint.grids.size()));
+  T.setFromTriplets(directions.begin(), directions.end());
+  const std::set<int> side(joint.side.begin(), joint.side.end());
+  const auto wanted = [&side](int id) { return side.contains(id); };
+  append_joint(released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
+  append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
+  append_joint_parts(
+      uncertain_parts(mesh.deck, uncertain, wanted), T, released.parts);
+  return springs;
+}
+
+// What springs hold may move.
+void let_go(const std::vector<Triplets>& springs,
+            const structure::System& system,
+            ReleasedSystem& released) {
+  for (const Triplets& part : springs) {
+    for (const auto& spring : part) {
+      const bool inactive =
+          system.inactive[static_cast<std::size_t>(spring.row())];
+      if (!inactive) released.active.push_back(spring.row());
+    }
+  }
+}
+
+// The stiffness of a change's elements, as it is and as properties change it.
+ScaledStiffness stiffness_of(const RefinedDeck& mesh,
+                             const std::vector<UncertainProperty>& uncertain,
+                             const StiffnessChange& change,
+                             Index dofs) {
+  const std::vector<int> ids = children_of(mesh, change.of.where.elements);
+  const std::set<int> own(ids.begin(), ids.end());
+  const auto wanted = [&own](int id) { return own.contains(id); };
+  ScaledStiffness scaled;
+  scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
+  scaled.S.conservativeResize(dofs, dofs);
+  for (UncertainPart& part : uncertain_parts(mesh.deck, uncertain, wanted)) {
+    if (part.K.nonZeros() == 0) continue;
+    part.K.conservativeResize(dofs, dofs);
+    scaled.parts.push_back(std::move(part));
+  }
+  return scaled;
+}
+
+}  // namespace
+
+ReleasedSystem release(const RefinedDeck& mesh,
+                       const structure::System& system,
+                       const std::vector<UncertainPart>& parts,
+                       const std::vector<UncertainProperty>& uncertain,
+                       const std::vector<StiffnessChange>& changes) {
+  ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
+  std::vector<std::vector<Triplets>> springs;
+  for (const StiffnessChange& change : changes) {
+    springs.emplace_back();
+    if (change.kind == ChangeKind::Support) {
+      springs.back() = support_springs(mesh.deck, change);
+      let_go(springs.back(), system, released);
+    }
+    if (change.kind == ChangeKind::Joint) {
+      springs.back() = {cut_joint(mesh, change, uncertain, released)};
+    }
+  }
+  std::sort(released.active.begin(), released.active.end());
+  released.active.erase(
+      std::unique(released.active.begin(), released.active.end()),
+      released.active.end());
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (changes[k].kind == ChangeKind::Elements) {
+      released.scaled.push_back(
+          stiffness_of(mesh, uncertain, changes[k], released.dofs()));
+      released.scaled.back().change = k;
+    }
+    for (std::size_t p = 0; p < springs[k].size(); ++p) {
+      SparseMatrix S(released.dofs(), released.dofs());
+      S.setFromTriplets(springs[k][p].begin(), springs[k][p].end());
+      released.scaled.push_back({k, p, std::move(S), {}});
+    }
+  }
+  return released;
+}
+
+void lend_mass(const std::vector<int>& free,
+               double high_hz,
+               ReleasedSystem& released) {
+  Eigen::VectorXd acted = Eigen::VectorXd::Zero(released.dofs());
+  for (const ScaledStiffness& scaled : released.scaled) {
+    acted += scaled.S.diagonal();
+  }
+  std::vector<int> changed;
+  for (const int i : released.active) {
+    const bool loose = !std::ranges::binary_search(free, i);
+    if (loose || acted(i) != 0.0) changed.push_back(i);
+  }
+  const SparseMatrix lent = lent_mass(released.K, released.M, changed, high_hz);
+  if (lent.size() > 0) released.M += lent;
+}
+
+}  // namespace tapfit::updating

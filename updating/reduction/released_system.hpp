@@ -1,0 +1,60 @@
+// The base model's matrices with degrees of freedom more than it has: supports
+// released, joints cut. What holds them are springs, one matrix per change.
+//
+// A joint adds one rotation q_n per grid of its line, by which the elements on
+// one side turn against the grid. With T (dofs x line grids) the directions of
+// those rotations and K_B the stiffness of the elements on that side,
+//
+//   K = [ K    K_B T       ]
+//       [ sym  T' K_B T    ]        (M alike)
+//
+// q = 0 is the structure without the joint.
+#pragma once
+
+#include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/stiffness_change.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/solve/system.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// What one parameter of a change multiplies.
+struct ScaledStiffness {
+  std::size_t change = 0;     ///< position among the changes
+  std::size_t parameter = 0;  ///< position among its effect's parameters
+  structure::SparseMatrix S;  ///< d K / d p
+  std::vector<UncertainPart> parts = {};  ///< what S takes from properties
+};
+
+struct ReleasedSystem {
+  structure::SparseMatrix K;
+  structure::SparseMatrix M;
+  std::vector<UncertainPart> parts;
+  std::vector<ScaledStiffness> scaled;  ///< change after change
+  std::vector<int> active;              ///< degrees of freedom that can move
+
+  [[nodiscard]] Eigen::Index dofs() const { return K.rows(); }
+};
+
+/// @param mesh the deck that is solved, with what its elements were split into
+/// @param system its matrices
+/// @param parts its uncertain parts, as from uncertain_parts()
+[[nodiscard]] ReleasedSystem release(
+    const structure::RefinedDeck& mesh,
+    const structure::System& system,
+    const std::vector<UncertainPart>& parts,
+    const std::vector<acquisition::UncertainProperty>& uncertain,
+    const std::vector<StiffnessChange>& changes);
+
+/// Lends mass (massless_dofs.hpp) to what is released and to what changes act
+/// on: rotations seldom have one, and the modes of a coarse mesh may hold all
+/// that has.
+///
+/// @param free degrees of freedom of the system before, ascending
+void lend_mass(const std::vector<int>& free,
+               double high_hz,
+               ReleasedSystem& released);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,381 @@
+// Its exceptions then say where in the file.
+#define JSON_DIAGNOSTICS 1
+
+#include "updating/session/saved_session.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+#include <iterator>
+#include <system_error>
+
+namespace tapfit::updating {
+namespace {
+
+namespace fs = std::filesystem;
+using json = nlohmann::ordered_json;
+
+constexpr int version = 1;
+
+// What is written by hand and misspelt must not be lost without a word.
+void check_fields(const json& value,
+                  const char* what,
+                  std::initializer_list<const char*> known) {
+  if (!value.is_object()) {
+    throw std::out_of_range(fmt::format("{} is not in braces", what));
+  }
+  for (const auto& [name, ignored] : value.items()) {
+    const bool is_known = std::ranges::any_of(
+        known, [&name = name](const char* field) { return name == field; });
+    if (!is_known) {
+      throw std::out_of_range(fmt::format("{} has no field \"{}\", only {}",
+                                          what,
+                                          name,
+                                          fmt::join(known, ", ")));
+    }
+  }
+}
+
+// The list of that name; empty where it is not there.
+const json& list_in(const json& value, const char* name) {
+  static const json none = json::array();
+  if (!value.contains(name)) return none;
+  const json& list = value.at(name);
+  if (list.is_array()) return list;
+  throw std::out_of_range(fmt::format("\"{}\" is no list in brackets", name));
+}
+
+json to_json(const Where& where) {
+  json result = json::object();
+  if (where.node != 0) result["node"] = where.node;
+  if (!where.nodes.empty()) result["nodes"] = where.nodes;
+  if (!where.elements.empty()) result["elements"] = where.elements;
+  if (!where.channels.empty()) result["channels"] = where.channels;
+  if (!where.variant.empty()) result["variant"] = where.variant;
+  return result;
+}
+
+Where where_in(const json& value) {
+  Where where;
+  where.node = value.value("node", 0);
+  where.nodes = value.value("nodes", std::vector<int>{});
+  where.elements = value.value("elements", std::vector<int>{});
+  where.channels = value.value("channels", std::vector<std::string>{});
+  where.variant = value.value("variant", "");
+  return where;
+}
+
+Where where_from(const json& value) {
+  check_fields(
+      value, "\"where\"", {"node", "nodes", "elements", "channels", "variant"});
+  return where_in(value);
+}
+
+json flat(const EffectRef& ref) {
+  json result{{"effect", ref.effect}};
+  result.update(to_json(ref.where));
+  return result;
+}
+
+json to_json(const EffectChange& change) {
+  if (change.switched) return {{"switched", *change.switched + 1}};
+  if (change.added.size() == 1) return flat(change.added.front());
+  json together = json::array();
+  for (const EffectRef& ref : change.added) together.push_back(flat(ref));
+  return {{"together", together}};
+}
+
+EffectRef ref_from(const json& value) {
+  check_fields(value,
+               "an effect of a change",
+               {"effect", "node", "nodes", "elements", "channels", "variant"});
+  return {value.at("effect"), where_in(value)};
+}
+
+EffectChange change_from(const json& value) {
+  check_fields(value,
+               "a change",
+               {"switched",
+                "together",
+                "effect",
+                "node",
+                "nodes",
+                "elements",
+                "channels",
+                "variant"});
+  if (!value.contains("switched")) {
+    EffectChange change;
+    for (const json& one : list_in(value, "together")) {
+      change.added.push_back(ref_from(one));
+    }
+    if (change.added.empty()) change.added = {ref_from(value)};
+    return change;
+  }
+  const auto number = value.at("switched").get<long long>();
+  if (number < 1) throw std::out_of_range("effects are counted from 1");
+  return {{}, static_cast<std::size_t>(number - 1)};
+}
+
+json to_json(const KeptFit& fit) {
+  json effects = json::array();
+  for (const EffectRef& effect : fit.effects) {
+    effects.push_back(
+        {{"effect", effect.effect}, {"where", to_json(effect.where)}});
+  }
+  return {{"effects", effects}, {"steps", fit.steps}};
+}
+
+KeptFit kept_from(const json& value) {
+  check_fields(value, "a kept fit", {"effects", "steps"});
+  KeptFit fit;
+  for (const json& effect : list_in(value, "effects")) {
+    check_fields(effect, "an effect", {"effect", "where"});
+    fit.effects.push_back({effect.at("effect"),
+                           where_from(effect.value("where", json::object()))});
+  }
+  fit.steps = value.at("steps");
+  if (fit.steps < 1) throw std::out_of_range("steps are counted from 1");
+  return fit;
+}
+
+json to_json(const SavedRung& saved) {
+  json parameters = json::object();
+  for (const Estimate& e : saved.rung.parameters) {
+    parameters[e.name] = {
+        {"value", e.value}, {"sd", e.sd}, {"lo95", e.lo95}, {"hi95", e.hi95}};
+  }
+  json modes = json::array();
+  for (const ModePair& pair : saved.modes) {
+    modes.push_back({{"measured", pair.measured + 1},
+                     {"model", pair.model + 1},
+                     {"measured_hz", pair.measured_hz},
+                     {"model_hz", pair.model_hz},
+                     {"error_percent", pair.error_percent},
+                     {"mac", pair.mac}});
+  }
+  return {{"added", saved.rung.added},
+          {"where", to_json(saved.rung.where)},
+          {"error", saved.rung.error},
+          {"parameters", parameters},
+          {"modes", modes}};
+}
+
+SavedRung rung_from(const json& value) {
+  SavedRung saved;
+  saved.rung.added = value.at("added");
+  saved.rung.where = where_from(value.at("where"));
+  saved.rung.error = value.at("error");
+  for (const auto& [name, e] : value.at("parameters").items()) {
+    saved.rung.parameters.push_back(
+        {name, e.at("value"), e.at("sd"), e.at("lo95"), e.at("hi95")});
+  }
+  for (const json& m : value.at("modes")) {
+    ModePair pair;
+    pair.measured = m.at("measured").get<int>() - 1;
+    pair.model = m.at("model").get<int>() - 1;
+    pair.measured_hz = m.at("measured_hz");
+    pair.model_hz = m.at("model_hz");
+    pair.error_percent = m.at("error_percent");
+    pair.mac = m.at("mac");
+    saved.modes.push_back(pair);
+  }
+  return saved;
+}
+
+json to_json(const ModeChoices& choices) {
+  json result = json::object();
+  if (choices.band_hz) result["band_hz"] = *choices.band_hz;
+  result["edits"] = json::array();
+  for (const modal::PoleEdit& edit : choices.edits) {
+    const bool drop = edit.what == modal::PoleEdit::What::Drop;
+    result["edits"].push_back({{drop ? "drop_hz" : "add_hz", edit.hz}});
+  }
+  result["pairs"] = json::array();
+  for (const PairByHand& pair : choices.pairs) {
+    json one{{"measured_hz", pair.measured_hz}, {"model", "none"}};
+    if (pair.model >= 0) one["model"] = pair.model + 1;
+    result["pairs"].push_back(std::move(one));
+  }
+  return result;
+}
+
+double frequency_from(const json& value) {
+  const auto hz = value.get<double>();
+  if (!(hz >= 0.0)) throw std::out_of_range("a frequency is not negative");
+  return hz;
+}
+
+ModeChoices choices_from(const json& value) {
+  check_fields(value, "\"modes\"", {"band_hz", "edits", "pairs"});
+  ModeChoices choices;
+  if (value.contains("band_hz")) {
+    const json& band = value.at("band_hz");
+    choices.band_hz = {frequency_from(band.at(0)), frequency_from(band.at(1))};
+  }
+  using What = modal::PoleEdit::What;
+  for (const json& edit : list_in(value, "edits")) {
+    const bool drop = edit.contains("drop_hz");
+    choices.edits.push_back(
+        {drop ? What::Drop : What::Add,
+         frequency_from(edit.at(drop ? "drop_hz" : "add_hz"))});
+  }
+  for (const json& pair : list_in(value, "pairs")) {
+    const json& model = pair.at("model");
+    const bool counted = model.is_number_integer();
+    const int number = counted ? model.get<int>() : 0;
+    if (model != "none" && number < 1) {
+      throw std::out_of_range("modes are counted from 1");
+    }
+    choices.pairs.push_back(
+        {frequency_from(pair.at("measured_hz")), number - 1});
+  }
+  return choices;
+}
+
+// From 1 in the file to 0 here.
+std::size_t index_from(const json& value) {
+  const auto number = value.get<long long>();
+  if (number < 1) throw std::out_of_range("runs and hits are counted from 1");
+  return static_cast<std::size_t>(number - 1);
+}
+
+std::vector<OverruledHit> hits_from(const json& list) {
+  std::vector<OverruledHit> hits;
+  for (const json& hit : list) {
+    check_fields(hit, "a hit", {"run", "hit", "together"});
+    hits.push_back({index_from(hit.at("run")),
+                    index_from(hit.at("hit")),
+                    hit.value("together", false)});
+  }
+  return hits;
+}
+
+json to_json(const std::vector<OverruledHit>& hits) {
+  json list = json::array();
+  for (const OverruledHit& hit : hits) {
+    list.push_back({{"run", hit.run + 1}, {"hit", hit.hit + 1}});
+    if (hit.together) list.back()["together"] = true;
+  }
+  return list;
+}
+
+SavedSession session_from(const json& value) {
+  if (value.at("tapfit_session").get<int>() != version) {
+    throw std::out_of_range(
+        fmt::format("\"tapfit_session\" is not {}", version));
+  }
+  check_fields(value,
+               "the session",
+               {"tapfit_session",
+                "title",
+                "overruled_hits",
+                "restored_hits",
+                "modes",
+                "effects",
+                "undone",
+                "kept_fits",
+                "ladder"});
+  SavedSession session;
+  session.title = value.value("title", "");
+  session.overruled = hits_from(list_in(value, "overruled_hits"));
+  session.restored = hits_from(list_in(value, "restored_hits"));
+  session.modes = choices_from(value.value("modes", json::object()));
+  for (const json& effect : list_in(value, "effects")) {
+    check_fields(effect, "an effect", {"effect", "where", "on", "together"});
+    session.effects.push_back(
+        {{effect.at("effect"),
+          where_from(effect.value("where", json::object()))},
+         effect.value("on", true),
+         effect.value("together", false)});
+  }
+  for (const json& change : list_in(value, "undone")) {
+    session.undone.push_back(change_from(change));
+  }
+  for (const json& fit : list_in(value, "kept_fits")) {
+    session.kept.push_back(kept_from(fit));
+  }
+  for (const json& rung : list_in(value, "ladder")) {
+    session.ladder.push_back(rung_from(rung));
+  }
+  return session;
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
+  throw InputError(
+      "no saved session: " + what,
+      file.string(),
+      "correct the file by hand, or move it away to start from the base model");
+}
+
+}  // namespace
+
+std::string as_text(const SavedSession& session) {
+  json value{{"tapfit_session", version},
+             {"title", session.title},
+             {"overruled_hits", to_json(session.overruled)},
+             {"restored_hits", to_json(session.restored)},
+             {"modes", to_json(session.modes)},
+             {"effects", json::array()},
+             {"undone", json::array()},
+             {"kept_fits", json::array()},
+             {"ladder", json::array()}};
+  for (const AddedEffect& added : session.effects) {
+    json one{{"effect", added.ref.effect},
+             {"where", to_json(added.ref.where)},
+             {"on", added.on}};
+    if (added.together) one["together"] = true;
+    value["effects"].push_back(std::move(one));
+  }
+  for (const EffectChange& change : session.undone) {
+    value["undone"].push_back(to_json(change));
+  }
+  for (const KeptFit& fit : session.kept) {
+    value["kept_fits"].push_back(to_json(fit));
+  }
+  for (const SavedRung& rung : session.ladder) {
+    value["ladder"].push_back(to_json(rung));
+  }
+  return value.dump(2) + "\n";
+}
+
+void write_saved_session(const fs::path& file, const SavedSession& session) {
+  const fs::path fresh = fs::path(file).concat(".new");
+  std::ofstream stream(fresh, std::ios::binary);
+  stream << as_text(session);
+  stream.close();
+  std::error_code failed;
+  if (stream) fs::rename(fresh, file, failed);
+  if (stream && !failed) return;
+  std::error_code ignored;
+  fs::remove(fresh, ignored);
+  throw InputError("the session cannot be saved",
+                   file.string(),
+                   "make the folder writable, or free some space");
+}
+
+SavedSession read_saved_session(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError("cannot be opened",
+                     file.string(),
+                     "give a session that tapfit saved, BUNDLE/session.json");
+  }
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return session_from(json::parse(text));
+  } catch (const json::exception& error) {
+    // "[json.exception.type_error.302] (/effects/0/on) type must be ..."
+    const std::string what = error.what();
+    refuse(file, what.substr(what.find("] ") + 2));
+  } catch (const std::out_of_range& error) {
+    refuse(file, error.what());
+  }
+}
+
+}  // namespace tapfit::updating

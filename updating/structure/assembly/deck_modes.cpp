@@ -1,0 +1,195 @@
+#include "updating/structure/assembly/deck_modes.hpp"
+
+#include "updating/structure/assembly/held_dofs.hpp"
+#include "updating/structure/cards/error_notes.hpp"
+#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/deck/constraint_axes.hpp"
+#include "updating/structure/solve/factor.hpp"
+#include "updating/structure/solve/free_motions.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace tapfit::structure {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+const char* const kJoin =
+    "Join the parts (equal grids, bars, springs) or hold them with an SPC1.";
+
+std::string place_of(const Deck& deck, Index dof) {
+  return fmt::format("GRID {}, component {}",
+                     deck.grids[static_cast<std::size_t>(dof / 6)].id,
+                     dof % 6 + 1);
+}
+
+// Six motions of the whole, 6 n_grids x 6, about the middle and with rotations
+// scaled to move the outermost grid by one; in q, along turned grids' own axes.
+MatrixXd rigid_motions(const Deck& deck, const std::set<int>& turned) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Grid& grid : deck.grids) middle += grid.position;
+  middle /= static_cast<double>(deck.grids.size());
+  double size = 0.0;
+  for (const Grid& grid : deck.grids) {
+    size = std::max(size, (grid.position - middle).norm());
+  }
+  if (size == 0.0) size = 1.0;
+  MatrixXd R(6 * static_cast<Index>(deck.grids.size()), 6);
+  for (std::size_t i = 0; i < deck.grids.size(); ++i) {
+    const Eigen::Vector3d p = (deck.grids[i].position - middle) / size;
+    auto part = R.middleRows<6>(6 * static_cast<Index>(i));
+    part.setIdentity();
+    part.bottomRightCorner<3, 3>() /= size;
+    part.topRightCorner<3, 3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(),
+        p.y(), -p.x(), 0.0;
+    if (!turned.contains(deck.grids[i].id)) continue;
+    const Eigen::Matrix3d own = deck.grids[i].axes.transpose();
+    part.topRows<3>() = (own * part.topRows<3>()).eval();
+    part.bottomRows<3>() = (own * part.bottomRows<3>()).eval();
+  }
+  return R;
+}
+
+// Those that leave every held degree of freedom where it is, on the free ones.
+MatrixXd allowed_motions(const Deck& deck,
+                         const System& system,
+                         const std::vector<int>& free) {
+  const MatrixXd R = rigid_motions(deck, constraint_axes(deck).turned);
+  std::vector<int> held;
+  for (std::size_t i = 0; i < system.fixed.size(); ++i) {
+    if (system.fixed[i]) held.push_back(static_cast<int>(i));
+  }
+  if (held.empty()) return R(free, Eigen::all);
+  Eigen::FullPivLU<MatrixXd> lu(R(held, Eigen::all));
+  lu.setThreshold(1e-9);
+  if (lu.dimensionOfKernel() == 0) {
+    return MatrixXd(static_cast<Index>(free.size()), 0);
+  }
+  const MatrixXd kernel = lu.kernel();
+  return R(free, Eigen::all) * kernel;
+}
+
+// Modes whose energy is rounding of what its parts cancel from.
+MatrixXd motions_without_stiffness(const SparseMatrix& K, const MatrixXd& phi) {
+  constexpr double kRounding = 1e-12;
+  std::vector<Index> loose;
+  for (Index i = 0; i < phi.cols(); ++i) {
+    const VectorXd u = phi.col(i);
+    const double parts = u.cwiseAbs2().dot(K.diagonal());
+    if (u.dot(K * u) <= kRounding * parts) loose.push_back(i);
+  }
+  return phi(Eigen::all, loose);
+}
+
+// The degree of freedom of `free` that a mechanism moves most, translations
+// before rotations; how many independent ones there are.
+std::vector<std::string> describe(const Deck& deck,
+                                  const SparseMatrix& M,
+                                  const MatrixXd& loose,
+                                  const MatrixXd& rigid,
+                                  const std::vector<int>& free) {
+  MatrixXd rest = loose;
+  if (rigid.cols() > 0) {
+    const MatrixXd gram = rigid.transpose() * (M * rigid);
+    const MatrixXd onto = rigid.transpose() * (M * loose);
+    rest -= rigid * gram.completeOrthogonalDecomposition().solve(onto);
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(rest.transpose() *
+                                                       (M * rest));
+  // Unit modes keep all of their length, or none.
+  const Index count = (solver.eigenvalues().array() > 0.5).count();
+  if (count == 0) return {};
+  // How far each degree of freedom goes in any of them.
+  const VectorXd shape =
+      (rest * solver.eigenvectors().rightCols(count)).rowwise().norm();
+  Index largest = -1;
+  for (const bool translation : {true, false}) {
+    for (Index i = 0; i < shape.size(); ++i) {
+      if ((free[static_cast<std::size_t>(i)] % 6 < 3) != translation) continue;
+      if (shape(i) <= 1e-6 * shape.maxCoeff()) continue;
+      // Of equal ones the first of the deck, whatever rounding says.
+      if (largest < 0 || shape(i) > (1.0 + 1e-6) * shape(largest)) {
+        largest = i;
+      }
+    }
+    if (largest >= 0) break;
+  }
+  return {fmt::format(
+      "{} motion{} without stiffness beyond those of a rigid body, the largest "
+      "at {}: a mechanism. {}",
+      count,
+      count == 1 ? "" : "s",
+      place_of(deck, free[static_cast<std::size_t>(largest)]),
+      kJoin)};
+}
+
+// @param M over the free degrees of freedom
+void refuse_without_modes(const Deck& deck, const SparseMatrix& M) {
+  if (M.rows() > 0 && M.norm() > 0.0) return;
+  try {
+    if (M.rows() > 0) {
+      throw no_density(
+          deck, "nothing that can move has mass: the model has no modes");
+    }
+    throw InputError(
+        "nothing can move: every component is held, or without stiffness",
+        deck.path.filename().string(),
+        "Check the SPCs, and that elements join the grids.");
+  } catch (const InputError& error) {
+    throw with_notes(error, deck.warnings);
+  }
+}
+
+}  // namespace
+
+DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
+  const FreeMotions motions = free_motions(system);
+  const std::vector<int>& free = motions.free;
+  const SparseMatrix M = motions.reduce(system.M);
+  refuse_without_modes(deck, M);
+  DeckModes result;
+  try {
+    result.modes = eigenmodes(motions.reduce(system.K), M, count);
+  } catch (const SingularMatrix& singular) {
+    const int dof = free[static_cast<std::size_t>(singular.row())];
+    throw with_notes(
+        InputError(
+            fmt::format("{} moves without stiffness or mass: a mechanism",
+                        place_of(deck, dof)),
+            deck.path.filename().string(),
+            kJoin),
+        deck.warnings);
+  }
+  result.warnings = mechanism_warnings(deck, system, result.modes.phi);
+  return result;
+}
+
+std::vector<std::string> mechanism_warnings(const Deck& deck,
+                                            const System& system,
+                                            const MatrixXd& phi) {
+  std::vector<std::string> warnings = held_dof_warnings(deck, system);
+  const FreeMotions motions = free_motions(system);
+  const MatrixXd loose =
+      motions_without_stiffness(motions.reduce(system.K), phi);
+  if (loose.cols() == 0) return warnings;
+  for (std::string& text : describe(deck,
+                                    motions.reduce(system.M),
+                                    loose,
+                                    allowed_motions(deck, system, motions.free),
+                                    motions.free)) {
+    warnings.push_back(std::move(text));
+  }
+  return warnings;
+}
+
+void name_mechanism(const Deck& deck) {
+  static_cast<void>(deck_modes(deck, assemble(deck), 1));
+}
+
+}  // namespace tapfit::structure

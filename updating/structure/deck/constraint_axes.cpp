@@ -1,0 +1,67 @@
+#include "updating/structure/deck/constraint_axes.hpp"
+
+#include <cmath>
+
+namespace tapfit::structure {
+namespace {
+
+const Eigen::Matrix3d& axes_of(const Deck& deck, int grid) {
+  return deck.grids[deck.grid_index(grid)].axes;
+}
+
+}  // namespace
+
+std::string ConstraintAxes::held_in_basic(int grid) const {
+  const auto found = held.find(grid);
+  if (found == held.end() || turned.contains(grid)) return {};
+  return found->second;
+}
+
+std::optional<std::string> along_basic(const std::string& components,
+                                       const Eigen::Matrix3d& axes) {
+  if (axes == Eigen::Matrix3d::Identity()) return components;
+  constexpr double kRounding = 1e-6;
+  std::string result;
+  for (const Eigen::Index kind : {Eigen::Index{0}, Eigen::Index{3}}) {
+    Eigen::Matrix3d P = Eigen::Matrix3d::Zero();  // onto these directions
+    for (const char digit : components) {
+      const Eigen::Index axis = digit - '1' - kind;
+      if (axis < 0 || axis > 2) continue;
+      P += axes.col(axis) * axes.col(axis).transpose();
+    }
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      // P is a projection: its diagonal is 0 or 1 only along its own axes.
+      if (std::min(std::abs(P(i, i)), std::abs(P(i, i) - 1.0)) > kRounding) {
+        return {};
+      }
+      if (P(i, i) > 0.5) result += static_cast<char>('1' + kind + i);
+    }
+  }
+  return result;
+}
+
+ConstraintAxes constraint_axes(const Deck& deck) {
+  ConstraintAxes result;
+  for (const Constraint& c : deck.constraints) {
+    std::string& held = result.held[c.grid];
+    for (const char digit : c.components) {
+      if (held.find(digit) == std::string::npos) held += digit;
+    }
+  }
+  const auto need = [&](int grid, const std::string& components) {
+    if (!along_basic(components, axes_of(deck, grid))) {
+      result.turned.insert(grid);
+    }
+  };
+  for (const auto& [grid, components] : result.held) need(grid, components);
+  for (const RigidElement& e : deck.rigids) {
+    for (const Dependent& d : e.dependents) need(d.grid, d.components);
+  }
+  for (auto& [grid, components] : result.held) {
+    if (result.turned.contains(grid)) continue;
+    components = *along_basic(components, axes_of(deck, grid));
+  }
+  return result;
+}
+
+}  // namespace tapfit::structure

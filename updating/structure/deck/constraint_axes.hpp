@@ -1,0 +1,34 @@
+// Which axes held components count along. A card's digits are along the grid's
+// displacement axes (CD). Where what is held spans basic axes (a clamp, a turn
+// by 90 degrees), they are said along those, and the grid needs no axes of its
+// own; elsewhere it is solved in turned axes.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace tapfit::structure {
+
+struct ConstraintAxes {
+  std::set<int> turned;  ///< grids that are solved along their own axes
+  /// Per grid the components held at zero, digits of 1..6: along the grid's own
+  /// axes where it is turned, else along basic axes.
+  std::map<int, std::string> held;
+
+  /// Components held along basic axes; none at turned grids.
+  [[nodiscard]] std::string held_in_basic(int grid) const;
+};
+
+/// @throws InputError for a constraint on a grid that does not exist
+[[nodiscard]] ConstraintAxes constraint_axes(const Deck& deck);
+
+/// Components along turned axes as components along basic axes; empty when
+/// they span no basic axes.
+[[nodiscard]] std::optional<std::string> along_basic(
+    const std::string& components, const Eigen::Matrix3d& axes);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,34 @@
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+namespace tapfit::structure {
+
+void write_deck(const Deck& deck,
+                const std::vector<std::string>& added_cards,
+                const std::filesystem::path& path) {
+  const auto end = std::find_if(
+      deck.cards.begin(), deck.cards.end(), [](const std::string& line) {
+        return upper(trimmed(line)).starts_with("ENDDATA");
+      });
+  std::ofstream file(path);
+  for (auto line = deck.cards.begin(); line != end; ++line) {
+    file << *line << '\n';
+  }
+  for (const std::string& card : added_cards) file << card << '\n';
+  if (end == deck.cards.end()) file << "ENDDATA\n";
+  for (auto line = end; line != deck.cards.end(); ++line) {
+    file << *line << '\n';
+  }
+  file.flush();
+  if (!file) {
+    throw InputError("cannot write the model",
+                     path.string(),
+                     "Check the folder and the space left.");
+  }
+}
+
+}  // namespace tapfit::structure

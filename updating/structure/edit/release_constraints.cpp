@@ -1,0 +1,130 @@
+#include "updating/structure/edit/release_constraints.hpp"
+
+#include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/cards/card_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace tapfit::structure {
+namespace {
+
+using Lines = std::vector<std::string>;
+using Released = std::map<int, std::string>;  // grid -> components
+
+constexpr std::size_t permanent = 7;  // of GRID: the field PS
+
+std::string left_of(const std::string& components,
+                    int grid,
+                    const Released& released) {
+  const auto out = released.find(grid);
+  if (out == released.end()) return components;
+  std::string left;
+  for (const char c : components) {
+    if (out->second.find(c) == std::string::npos) left += c;
+  }
+  return left;
+}
+
+// SPC1 of a set for grids in free field, eight fields to a line.
+void append_spc1(const std::string& set,
+                 const std::string& components,
+                 const std::vector<int>& grids,
+                 Lines& lines) {
+  std::string line = fmt::format("SPC1,{},{}", set, components);
+  std::size_t fields = 2;
+  for (const int grid : grids) {
+    if (fields == 8) {
+      lines.push_back(line);
+      line.clear();
+      fields = 0;
+    }
+    line += fmt::format(",{}", grid);
+    ++fields;
+  }
+  lines.push_back(line);
+}
+
+// Cards that hold these grids, each in its components.
+std::optional<Lines> held_anew(
+    const std::string& set,
+    const std::vector<std::pair<int, std::string>>& held,
+    const Released& released) {
+  std::map<std::string, std::vector<int>> left;
+  bool changed = false;
+  for (const auto& [grid, components] : held) {
+    const std::string rest = left_of(components, grid, released);
+    changed = changed || rest != components;
+    if (!rest.empty()) left[rest].push_back(grid);
+  }
+  if (!changed) return std::nullopt;
+  Lines lines;
+  for (const auto& [components, grids] : left) {
+    append_spc1(set, components, grids, lines);
+  }
+  return lines;
+}
+
+std::optional<Lines> spc(const Card& card, const Released& released) {
+  const CardReader read(card);
+  std::vector<std::pair<int, std::string>> held;
+  for (const std::size_t at : {std::size_t{2}, std::size_t{5}}) {
+    if (read.blank(at)) continue;
+    held.emplace_back(read.id(at, "G"), read.components(at + 1));
+  }
+  return held_anew(card.fields.at(1), held, released);
+}
+
+std::optional<Lines> spc1(const Card& card,
+                          const Deck& deck,
+                          const Released& released) {
+  const CardReader read(card);
+  const std::string components = read.components(2);
+  std::vector<std::pair<int, std::string>> held;
+  for (std::size_t at = 3; at < read.size(); ++at) {
+    if (read.blank(at)) continue;
+    if (upper(read.text(at)) != "THRU") {
+      held.emplace_back(read.id(at, "G"), components);
+      continue;
+    }
+    const auto [from, to] = read.range(at, "G");
+    for (const Grid& grid : deck.grids) {
+      if (grid.id > from && grid.id <= to) {
+        held.emplace_back(grid.id, components);
+      }
+    }
+    ++at;
+  }
+  return held_anew(card.fields.at(1), held, released);
+}
+
+std::optional<Lines> grid(const Card& card, const Released& released) {
+  const CardReader read(card);
+  if (read.blank(permanent)) return std::nullopt;
+  const std::string components = read.components(permanent);
+  Card changed = card;
+  changed.fields[permanent] = left_of(components, read.id(1, "ID"), released);
+  std::string& left = changed.fields[permanent];
+  if (left == components) return std::nullopt;
+  if (left.empty()) left = "0";  // a blank would take GRDSET's
+  return large_field(changed);
+}
+
+}  // namespace
+
+CardEdit release_constraints(const Deck& deck,
+                             const std::vector<Constraint>& released) {
+  Released all;
+  for (const Constraint& out : released) all[out.grid] += out.components;
+  return [all, &deck](const Card& card) -> std::optional<Lines> {
+    if (card.name() == "SPC") return spc(card, all);
+    if (card.name() == "SPC1") return spc1(card, deck, all);
+    if (card.name() == "GRID") return grid(card, all);
+    return std::nullopt;
+  };
+}
+
+}  // namespace tapfit::structure

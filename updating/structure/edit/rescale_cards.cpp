@@ -1,0 +1,48 @@
+#include "updating/structure/edit/rescale_cards.hpp"
+
+#include <fmt/format.h>
+
+namespace tapfit::structure {
+namespace {
+
+// Multiplies what a scale names; false where there is no such number.
+bool rescale(Card& card, const CardScale& scale) {
+  bool changed = false;
+  for (const std::size_t at : scale.fields) {
+    if (at >= card.fields.size()) continue;
+    const auto value = parse_real(card.fields[at]);
+    if (!value) continue;
+    card.fields[at] = fmt::format("{:.8E}", *value * scale.factor);
+    changed = true;
+  }
+  return changed;
+}
+
+bool is_meant(const Card& card, const CardScale& scale) {
+  return card.name() == scale.name && card.fields.size() > 1 &&
+         parse_integer(card.fields[1]) == scale.id;
+}
+
+}  // namespace
+
+Card rescaled(const Card& card,
+              const std::vector<CardScale>& scales,
+              std::vector<bool>& done) {
+  Card scaled = card;
+  for (std::size_t k = 0; k < scales.size(); ++k) {
+    if (is_meant(card, scales[k]) && rescale(scaled, scales[k])) done[k] = true;
+  }
+  return scaled;
+}
+
+CardEdit rescale_cards(const std::vector<CardScale>& scales,
+                       std::vector<bool>& done) {
+  done.assign(scales.size(), false);
+  return [&](const Card& card) -> std::optional<std::vector<std::string>> {
+    const Card scaled = rescaled(card, scales, done);
+    if (scaled.fields == card.fields) return std::nullopt;
+    return large_field(scaled);
+  };
+}
+
+}  // namespace tapfit::structure

@@ -1,0 +1,160 @@
+#include "updating/structure/edit/weaken_cards.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::structure {
+namespace {
+
+// Positions of the MSC Nastran Quick Reference Guide, the name at 0.
+const std::map<std::string, std::vector<std::size_t>> material_fields = {
+    {"PSHELL", {2, 4, 6}},
+    {"PBAR", {2}},
+    {"PBARL", {2}},
+    {"PBEAM", {2}},
+    {"PROD", {2}}};
+const std::map<std::string, std::vector<std::size_t>> modulus_fields = {
+    {"MAT1", {2, 3}}, {"MAT8", {2, 3, 5, 6, 7}}};
+const std::set<std::string> element_names = {
+    "CQUAD4", "CTRIA3", "CBAR", "CBEAM", "CROD"};
+
+int id_of(const Card& card) {
+  if (card.fields.size() < 2) return 0;
+  return parse_integer(card.fields[1]).value_or(0);
+}
+
+std::string& field(Card& card, std::size_t at) {
+  if (card.fields.size() <= at) card.fields.resize(at + 1);
+  return card.fields[at];
+}
+
+std::set<int> materials_of(const Deck& deck, int property) {
+  if (const auto p = deck.shell_properties.find(property);
+      p != deck.shell_properties.end()) {
+    std::set<int> ids = {
+        p->second.membrane, p->second.bending, p->second.shear};
+    ids.erase(0);
+    return ids;
+  }
+  if (const auto p = deck.bar_properties.find(property);
+      p != deck.bar_properties.end()) {
+    return {p->second.material};
+  }
+  const auto p = deck.rod_properties.find(property);
+  return p == deck.rod_properties.end() ? std::set<int>{}
+                                        : std::set<int>{p->second.material};
+}
+
+template <class Element>
+void collect(const std::vector<Element>& all,
+             const std::set<int>& wanted,
+             std::map<int, std::set<int>>& by_property) {
+  for (const Element& e : all) {
+    if (wanted.contains(e.id)) by_property[e.property].insert(e.id);
+  }
+}
+
+template <class Map>
+int after(const Map& map, int least) {
+  return map.empty() ? least : std::max(least, map.rbegin()->first + 1);
+}
+
+}  // namespace
+
+WeakenCards::WeakenCards(const Deck& deck,
+                         const std::vector<WeakElements>& weak)
+    : next_property_(
+          after(deck.shell_properties,
+                after(deck.bar_properties, after(deck.rod_properties, 1)))),
+      next_material_(after(deck.materials, 1)) {
+  for (const WeakElements& w : weak) place(deck, w);
+}
+
+void WeakenCards::place(const Deck& deck, const WeakElements& weak) {
+  std::map<int, std::set<int>> by_property;
+  collect(deck.shells, weak.elements, by_property);
+  collect(deck.bars, weak.elements, by_property);
+  collect(deck.rods, weak.elements, by_property);
+  for (const auto& [property, elements] : by_property) {
+    Copy copy;
+    copy.id = next_property_++;
+    copy.materials =
+        copied_materials(materials_of(deck, property), weak.factor);
+    for (const int e : elements) property_of_[e] = copy.id;
+    properties_[property].push_back(std::move(copy));
+  }
+}
+
+std::map<int, int> WeakenCards::copied_materials(const std::set<int>& ids,
+                                                 double factor) {
+  std::map<int, int> copied;
+  for (const int id : ids) {
+    copied[id] = next_material_++;
+    materials_[id].push_back({copied[id], factor, {}});
+  }
+  return copied;
+}
+
+std::optional<Card> WeakenCards::moved(const Card& card) const {
+  if (!element_names.contains(card.name())) return std::nullopt;
+  const auto own = property_of_.find(id_of(card));
+  if (own == property_of_.end()) return std::nullopt;
+  Card result = card;
+  field(result, 2) = fmt::format("{}", own->second);
+  return result;
+}
+
+// Copies of a property's or material's card.
+std::vector<Card> WeakenCards::copies(const Card& card) const {
+  std::vector<Card> result;
+  const auto links = material_fields.find(card.name());
+  const auto moduli = modulus_fields.find(card.name());
+  if (links != material_fields.end()) {
+    const auto found = properties_.find(id_of(card));
+    if (found == properties_.end()) return {};
+    for (const Copy& copy : found->second) {
+      Card other = card;
+      field(other, 1) = fmt::format("{}", copy.id);
+      for (const std::size_t at : links->second) {
+        const auto old = parse_integer(field(other, at));
+        if (!old || !copy.materials.contains(*old)) continue;
+        field(other, at) = fmt::format("{}", copy.materials.at(*old));
+      }
+      result.push_back(std::move(other));
+    }
+  } else if (moduli != modulus_fields.end()) {
+    const auto found = materials_.find(id_of(card));
+    if (found == materials_.end()) return {};
+    for (const Copy& copy : found->second) {
+      Card other = card;
+      field(other, 1) = fmt::format("{}", copy.id);
+      for (const std::size_t at : moduli->second) {
+        const auto modulus = parse_real(field(other, at));
+        if (!modulus) continue;
+        field(other, at) = fmt::format("{:.8E}", *modulus * copy.factor);
+      }
+      result.push_back(std::move(other));
+    }
+  }
+  return result;
+}
+
+CardEdit WeakenCards::edit(const std::vector<CardScale>& scales,
+                           std::vector<bool>& done) const {
+  return [this, &scales, &done](
+             const Card& card) -> std::optional<std::vector<std::string>> {
+    if (const auto other = moved(card)) return large_field(*other);
+    const Card own = rescaled(card, scales, done);
+    const std::vector<Card> others = copies(own);
+    if (others.empty()) return std::nullopt;
+    std::vector<std::string> lines = large_field(own);
+    for (const Card& other : others) {
+      const std::vector<std::string> more = large_field(other);
+      lines.insert(lines.end(), more.begin(), more.end());
+    }
+    return lines;
+  };
+}
+
+}  // namespace tapfit::structure

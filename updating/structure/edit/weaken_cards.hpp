@@ -1,0 +1,53 @@
+// Elements of a deck on properties and materials of their own, softer than the
+// rest by a factor: copies of the PSHELL, PBAR, PBARL, PBEAM or PROD and of the
+// MAT1 or MAT8 behind it, with every modulus multiplied; the elements' cards
+// name the copy.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+#include "updating/structure/edit/rescale_cards.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct WeakElements {
+  std::set<int> elements;
+  double factor = 1.0;  ///< of their stiffness
+};
+
+class WeakenCards {
+ public:
+  /// Ids that the deck has not are taken for the copies.
+  WeakenCards(const Deck& deck, const std::vector<WeakElements>& weak);
+
+  /// @param scales what else is multiplied, in the copies too
+  /// @param done as of rescale_cards(); all three must outlive the result
+  [[nodiscard]] CardEdit edit(const std::vector<CardScale>& scales,
+                              std::vector<bool>& done) const;
+
+  /// An element's card on its new property; nothing for other cards.
+  [[nodiscard]] std::optional<Card> moved(const Card& card) const;
+
+ private:
+  struct Copy {
+    int id = 0;
+    double factor = 1.0;
+    std::map<int, int> materials;  ///< of a property: old to new
+  };
+  void place(const Deck& deck, const WeakElements& weak);
+  [[nodiscard]] std::vector<Card> copies(const Card& card) const;
+  [[nodiscard]] std::map<int, int> copied_materials(const std::set<int>& ids,
+                                                    double factor);
+
+  std::map<int, int> property_of_;  ///< element to its new property
+  std::map<int, std::vector<Copy>> properties_;
+  std::map<int, std::vector<Copy>> materials_;
+  int next_property_ = 1;
+  int next_material_ = 1;
+};
+
+}  // namespace tapfit::structure

@@ -1,0 +1,122 @@
+// A shell element in basic axes: local frame, projection of a warped quad onto
+// its mean plane by rigid arms, membrane, bending and mass put together.
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/elements/element_matrices.hpp"
+#include "updating/structure/elements/shell_bending.hpp"
+#include "updating/structure/elements/shell_mass.hpp"
+#include "updating/structure/elements/shell_membrane.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+namespace tapfit::structure {
+namespace {
+
+struct Frame {
+  Eigen::Matrix3d axes;    // columns x, y, normal
+  Corners xy;              // corners in the mean plane
+  Eigen::VectorXd height;  // corners above the mean plane
+};
+
+[[noreturn]] void bad_shape(const Deck& deck,
+                            const Shell& shell,
+                            const std::string& what) {
+  throw InputError(
+      what,
+      card_place(deck, shell.where, fmt::format("shell {}", shell.id)),
+      "Check the element's grids: they must go round it in order and enclose "
+      "an area, with no corner beyond 180 degrees.");
+}
+
+Frame make_frame(const Deck& deck, const Shell& shell) {
+  const Eigen::Index n = static_cast<Eigen::Index>(shell.grids.size());
+  Eigen::MatrixX3d X(n, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const int id = shell.grids[static_cast<std::size_t>(i)];
+    X.row(i) = deck.grids[deck.grid_index(id)].position.transpose();
+  }
+  const Eigen::RowVector3d centre = X.colwise().mean();
+  X.rowwise() -= centre;
+  const Eigen::Vector3d d1 = (X.row(n == 4 ? 2 : 1) - X.row(0)).transpose();
+  const Eigen::Vector3d d2 =
+      (X.row(n == 4 ? 3 : 2) - X.row(n == 4 ? 1 : 0)).transpose();
+  const Eigen::Vector3d normal = d1.cross(d2);
+  if (!(normal.norm() > 1e-8 * d1.norm() * d2.norm()) || normal.norm() == 0) {
+    bad_shape(deck, shell, "the element has no area");
+  }
+  Frame frame;
+  const Eigen::Vector3d z = normal.normalized();
+  const Eigen::Vector3d side = (X.row(1) - X.row(0)).transpose();
+  const Eigen::Vector3d x = (side - z * z.dot(side)).normalized();
+  frame.axes << x, z.cross(x), z;
+  frame.xy = X * frame.axes.leftCols<2>();
+  frame.height = X * z;
+  // Rounding is no warp: it would give rotations a mass of its own size.
+  if (frame.height.norm() < 1e-12 * d1.norm()) frame.height.setZero();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::RowVector2d a = frame.xy.row((i + 1) % n) - frame.xy.row(i);
+    const Eigen::RowVector2d b =
+        frame.xy.row((i + n - 1) % n) - frame.xy.row(i);
+    // A flat corner has stiffness beyond all others and makes them rounding.
+    if (!(a.x() * b.y() - a.y() * b.x() > 1e-6 * a.norm() * b.norm())) {
+      bad_shape(deck,
+                shell,
+                "the element is turned in on itself, or flat at a corner");
+    }
+  }
+  return frame;
+}
+
+// Local dofs at the projected corners from basic dofs at the grids.
+Eigen::MatrixXd transformation(const Frame& frame) {
+  const Eigen::Index n = frame.xy.rows();
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+  const Eigen::Matrix3d R = frame.axes.transpose();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    T.block<3, 3>(6 * i, 6 * i) = R;
+    T.block<3, 3>(6 * i + 3, 6 * i + 3) = R;
+    // u - h theta_y, v + h theta_x at a point h below the grid.
+    T.block<1, 3>(6 * i, 6 * i + 3) = -frame.height(i) * R.row(1);
+    T.block<1, 3>(6 * i + 1, 6 * i + 3) = frame.height(i) * R.row(0);
+  }
+  return T;
+}
+
+void add_part(const Eigen::MatrixXd& part,
+              const std::array<Eigen::Index, 3>& dofs,
+              Eigen::MatrixXd& whole) {
+  for (Eigen::Index a = 0; a < part.rows(); ++a) {
+    const Eigen::Index row =
+        6 * (a / 3) + dofs[static_cast<std::size_t>(a % 3)];
+    for (Eigen::Index b = 0; b < part.cols(); ++b) {
+      const Eigen::Index col =
+          6 * (b / 3) + dofs[static_cast<std::size_t>(b % 3)];
+      whole(row, col) += part(a, b);
+    }
+  }
+}
+
+}  // namespace
+
+ElementMatrices shell_matrices(const Deck& deck, const Shell& shell) {
+  return shell_matrices(deck, shell, shell_section(deck, shell));
+}
+
+ElementMatrices shell_matrices(const Deck& deck,
+                               const Shell& shell,
+                               const ShellSection& section) {
+  const Frame frame = make_frame(deck, shell);
+  const Eigen::Index n = frame.xy.rows();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n, 6 * n);
+  if (section.membrane.trace() > 0.0) {
+    add_part(membrane_stiffness(frame.xy, section), {0, 1, 5}, K);
+  }
+  if (section.bending.trace() > 0.0) {
+    add_part(bending_stiffness(frame.xy, section), {2, 3, 4}, K);
+  }
+  const Eigen::MatrixXd M = shell_mass(frame.xy, section, deck.coupled_mass);
+  const Eigen::MatrixXd T = transformation(frame);
+  return {shell.grids, T.transpose() * K * T, T.transpose() * M * T};
+}
+
+}  // namespace tapfit::structure

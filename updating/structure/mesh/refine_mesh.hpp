@@ -1,0 +1,29 @@
+// The same deck with every element split once more (a shell into four, a bar
+// into two), to learn how much of an error is the mesh's.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+
+#include <map>
+#include <vector>
+
+namespace tapfit::structure {
+
+struct RefinedDeck {
+  Deck deck;  ///< the original grids keep their ids; new ones come after
+  /// Original element id -> ids of its children (itself where not split).
+  std::map<int, std::vector<int>> children;
+  /// New grid id -> the two or four original grids it lies between.
+  std::map<int, std::vector<int>> between;
+};
+
+/// Splits every shell and bar of a deck. A new grid on an edge is held, or
+/// follows a rigid element, in the components in which both ends of the edge do
+/// (along axes between theirs); one in the middle of a shell follows where all
+/// corners do. Where elements beside a seam have doubles of its grids, tied and
+/// sprung to them, the middles are tied alike and share the springs. Rods are
+/// kept whole (two in line would be a mechanism), as are
+/// point elements.
+[[nodiscard]] RefinedDeck refine_mesh(const Deck& deck);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,121 @@
+// What is known of a deck while its cards are being read. Each group of cards
+// has a reader of its own (read_coordinates, read_grids, read_properties,
+// read_elements, read_rigid, read_constraints); read_deck runs them in order of
+// dependence.
+#pragma once
+
+#include "updating/structure/cards/card_reader.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace tapfit::structure {
+
+enum class CoordinateKind { Rectangular, Cylindrical, Spherical };
+
+/// A coordinate system in basic axes. Coordinates of a cylindrical one are r,
+/// theta [degree], z; of a spherical one r, theta (from z), phi [degree].
+struct CoordinateSystem {
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x, y, z
+  CoordinateKind kind = CoordinateKind::Rectangular;
+
+  /// The place with these coordinates, in basic axes.
+  [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3d& coordinates) const;
+  /// Directions in which the coordinates grow at a place, columns in basic
+  /// axes. On the axis of a cylinder or sphere those of theta = 0.
+  [[nodiscard]] Eigen::Matrix3d directions(const Eigen::Vector3d& place) const;
+};
+
+/// PBUSH.
+struct BushProperty {
+  std::array<double, 6> stiffness{};
+  std::array<double, 6> damping{};
+};
+
+struct DeckBuilder {
+  Deck deck;
+  std::map<int, CoordinateSystem> systems;  ///< 0 is basic
+  std::unordered_map<int, std::size_t> grid_index;
+  std::map<int, std::array<double, 2>> spring_properties;  ///< PELAS: k, g
+  std::map<int, double> damper_properties;                 ///< PDAMP: B
+  std::map<int, BushProperty> bush_properties;             ///< PBUSH
+  std::map<int, std::vector<Constraint>> constraint_sets;
+  std::map<int, std::vector<int>> added_sets;  ///< SPCADD
+  std::vector<Constraint> permanent;           ///< GRID field 8
+  std::set<int> element_ids;
+  /// Where a property, material or system of an id was read.
+  std::map<std::pair<std::string, int>, std::string> defined;
+
+  /// @throws InputError when the grid does not exist
+  [[nodiscard]] const Grid& grid(const CardReader& card, int id) const;
+
+  /// @throws InputError when the system does not exist
+  [[nodiscard]] const CoordinateSystem& system(const CardReader& card,
+                                               int id) const;
+
+  /// Takes an id among those of a kind ("material", "PSHELL").
+  /// @throws InputError naming both cards when it is taken already
+  void define(const CardReader& card, const std::string& kind, int id);
+
+  /// Takes an element id. @throws InputError when it is taken already
+  void claim(const CardReader& card, int id);
+
+  /// Equal texts about cards of one name become one warning with a count.
+  void warn(const CardReader& card, const std::string& text);
+
+  /// Puts what warn() took into the deck.
+  void hand_over_warnings();
+
+ private:
+  struct Warning {
+    std::string where;  // of the first
+    std::string text;
+    int count = 0;
+  };
+  std::vector<Warning> warnings_;
+  std::map<std::pair<std::string, std::string>, std::size_t> warned_;
+};
+
+using ReadCard = std::function<void(DeckBuilder&, const CardReader&)>;
+using CardTable = std::map<std::string, ReadCard>;
+
+/// Tables of the cards each reader understands. Systems on grids (CORD1R) need
+/// the grids, and the axes of grids these systems.
+[[nodiscard]] CardTable coordinate_cards();
+/// Puts each coordinate_cards() behind the one that it refers to; decks have
+/// them in any order.
+/// @throws InputError where they refer to each other in a ring
+void order_coordinate_cards(std::vector<Card>& cards);
+[[nodiscard]] CardTable grid_cards();
+[[nodiscard]] CardTable grid_coordinate_cards();
+[[nodiscard]] CardTable grid_axes_cards();
+[[nodiscard]] CardTable property_cards();
+[[nodiscard]] CardTable element_cards();
+[[nodiscard]] CardTable rigid_cards();
+[[nodiscard]] CardTable constraint_cards();
+
+void read_pbush(DeckBuilder& builder, const CardReader& card);
+void read_cbush(DeckBuilder& builder, const CardReader& card);
+
+/// Puts the constraints of the chosen set (all sets when none is chosen) into
+/// the deck.
+void apply_constraints(DeckBuilder& builder, std::optional<int> chosen);
+
+/// Cross section of a PBARL. @return empty for a type that is not known
+[[nodiscard]] std::optional<BarProperty> section_of(
+    const std::string& type, const std::vector<double>& dimensions);
+
+/// Number of dimensions of a PBARL type, 0 when it is not known.
+[[nodiscard]] std::size_t section_dimensions(const std::string& type);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,107 @@
+// GRID.
+#include "updating/structure/readers/deck_builder.hpp"
+
+#include <fmt/format.h>
+
+namespace tapfit::structure {
+namespace {
+
+// Farther out, lengths and their cubes are no numbers to reckon with.
+Eigen::Vector3d position_of(const CardReader& card,
+                            const CoordinateSystem& system) {
+  constexpr double kFarthest = 1e9;
+  const Eigen::Vector3d written = card.vector(3, "position");
+  if (!(written.cwiseAbs().maxCoeff() <= kFarthest)) {
+    card.fail(fmt::format("the coordinate {:g} is farther away than {:g}",
+                          written.cwiseAbs().maxCoeff(),
+                          kFarthest),
+              "Correct the coordinate, also its exponent: 1.+2 means 100.");
+  }
+  return system.place(written);
+}
+
+void read_grid(DeckBuilder& builder, const CardReader& card) {
+  const int id = card.id(1, "ID");
+  const CoordinateSystem& system =
+      builder.system(card, card.integer_or(2, 0, "CP"));
+  Grid grid;
+  grid.id = id;
+  grid.position = position_of(card, system);
+  if (!builder.grid_index.emplace(id, builder.deck.grids.size()).second) {
+    card.fail("a grid of this id exists already", "Renumber one of the two.");
+  }
+  builder.deck.grids.push_back(grid);
+  const std::string held = card.components(7);
+  if (!held.empty()) builder.permanent.push_back({id, held});
+}
+
+void read_axes(DeckBuilder& builder, const CardReader& card) {
+  const int cd = card.integer_or(6, 0, "CD");
+  if (cd == 0) return;
+  Grid& grid = builder.deck.grids[builder.grid_index.at(card.id(1, "ID"))];
+  grid.axes = builder.system(card, cd).directions(grid.position);
+}
+
+}  // namespace
+
+const Grid& DeckBuilder::grid(const CardReader& card, int id) const {
+  const auto found = grid_index.find(id);
+  if (found == grid_index.end()) {
+    card.fail(fmt::format("grid {} does not exist", id),
+              "Add the GRID or correct the entry.");
+  }
+  return deck.grids[found->second];
+}
+
+const CoordinateSystem& DeckBuilder::system(const CardReader& card,
+                                            int id) const {
+  static const CoordinateSystem kBasic;
+  if (id == 0) return kBasic;
+  const auto found = systems.find(id);
+  if (found == systems.end()) {
+    card.fail(fmt::format("coordinate system {} does not exist", id),
+              "Add a CORD2R, CORD2C or CORD2S (the axes of grids may also be a "
+              "CORD1R, CORD1C or CORD1S).");
+  }
+  return found->second;
+}
+
+void DeckBuilder::define(const CardReader& card,
+                         const std::string& kind,
+                         int id) {
+  const auto [first, fresh] = defined.try_emplace({kind, id}, card.where());
+  if (fresh) return;
+  card.fail(
+      fmt::format("{} {} is defined already by {}", kind, id, first->second),
+      "Keep the one that is meant, or renumber one of the two.");
+}
+
+void DeckBuilder::claim(const CardReader& card, int id) {
+  if (!element_ids.insert(id).second) {
+    card.fail("an element of this id exists already",
+              "Renumber one of the two.");
+  }
+}
+
+void DeckBuilder::warn(const CardReader& card, const std::string& text) {
+  const auto [place, fresh] =
+      warned_.try_emplace({card.card().name(), text}, warnings_.size());
+  if (fresh) warnings_.push_back({card.where(), text});
+  ++warnings_[place->second].count;
+}
+
+void DeckBuilder::hand_over_warnings() {
+  for (const Warning& warning : warnings_) {
+    const std::string more =
+        warning.count > 1 ? fmt::format(" and {} more", warning.count - 1) : "";
+    deck.warnings.push_back(
+        fmt::format("{}{}: {}", warning.where, more, warning.text));
+  }
+  warnings_.clear();
+  warned_.clear();
+}
+
+CardTable grid_cards() { return {{"GRID", read_grid}}; }
+CardTable grid_axes_cards() { return {{"GRID", read_axes}}; }
+
+}  // namespace tapfit::structure

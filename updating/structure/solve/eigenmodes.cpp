@@ -1,0 +1,264 @@
+#include "updating/structure/solve/eigenmodes.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/solve/definiteness.hpp"
+#include "updating/structure/solve/factor.hpp"
+#include "updating/structure/solve/shift_invert.hpp"
+#include "updating/structure/solve/sturm_count.hpp"
+
+#include <Eigen/Dense>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace tapfit::structure {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
+
+// Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
+constexpr double least_mu = 1e-14;
+
+struct Pairs {
+  Eigen::VectorXd lambda;  // ascending
+  Eigen::MatrixXd phi;
+};
+
+// A little below zero, small against the elastic modes and large against the
+// rounding of K: 1e-8 of the lower quartile of K_ii / M_ii. The quartile
+// belongs to bending where there is any; a seismic mass or a mass that is
+// rounding does not move it.
+double shift_below_zero(const SparseMatrix& K, const SparseMatrix& M) {
+  const Eigen::VectorXd k = K.diagonal();
+  const Eigen::VectorXd m = M.diagonal();
+  std::vector<double> ratios;
+  for (Eigen::Index i = 0; i < k.size(); ++i) {
+    if (m(i) > 0.0 && k(i) > 0.0) ratios.push_back(k(i) / m(i));
+  }
+  if (ratios.empty()) return -1.0;
+  const auto quartile =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 4);
+  std::nth_element(ratios.begin(), quartile, ratios.end());
+  return -1e-8 * *quartile;
+}
+
+// M x = mu (K - sigma M) x, lambda = sigma + 1/mu; M may be singular.
+Pairs solve_dense(const SparseMatrix& A,
+                  const SparseMatrix& M,
+                  double sigma,
+                  Eigen::Index count) {
+  const Eigen::MatrixXd mass = M;
+  const Eigen::MatrixXd shifted = A;
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      mass, shifted);
+  if (solver.info() != Eigen::Success) {
+    throw InputError("the modes cannot be solved for",
+                     "stiffness matrix",
+                     "Look for parts that are not held or not joined.");
+  }
+  const Eigen::VectorXd& mu = solver.eigenvalues();
+  const Eigen::Index finite =
+      (mu.array() > least_mu * mu.cwiseAbs().maxCoeff()).count();
+  const Eigen::Index n = std::min(count, finite);
+  Pairs pairs{Eigen::VectorXd(n), Eigen::MatrixXd(A.rows(), n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = mu.size() - 1 - i;
+    pairs.lambda(i) = sigma + 1.0 / mu(from);
+    pairs.phi.col(i) = solver.eigenvectors().col(from) / std::sqrt(mu(from));
+  }
+  return pairs;
+}
+
+std::vector<Eigen::Index> massive(const SparseMatrix& M) {
+  const Eigen::VectorXd m = M.diagonal();
+  std::vector<Eigen::Index> dofs;
+  for (Eigen::Index i = 0; i < m.size(); ++i) {
+    if (m(i) != 0.0) dofs.push_back(i);
+  }
+  return dofs;
+}
+
+// Where few degrees of freedom have mass there are no more modes than these:
+// with M = F F',
+//
+//   F' A^-1 F u = mu u,   x = A^-1 F u / mu
+Pairs solve_by_masses(const Factor& factor,
+                      const SparseMatrix& M,
+                      const std::vector<Eigen::Index>& dofs,
+                      double sigma,
+                      Eigen::Index count) {
+  const auto m = static_cast<Eigen::Index>(dofs.size());
+  Eigen::MatrixXd own(m, m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    for (Eigen::Index j = 0; j < m; ++j) {
+      own(i, j) = M.coeff(dofs[static_cast<std::size_t>(i)],
+                          dofs[static_cast<std::size_t>(j)]);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> root(own);
+  const Eigen::MatrixXd f =
+      root.eigenvectors() *
+      root.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal();
+  Eigen::MatrixXd F = Eigen::MatrixXd::Zero(M.rows(), m);
+  for (Eigen::Index i = 0; i < m; ++i) {
+    F.row(dofs[static_cast<std::size_t>(i)]) = f.row(i);
+  }
+  const Eigen::MatrixXd answers = factor.solve(F);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(F.transpose() *
+                                                              answers);
+  const Eigen::VectorXd& mu = solver.eigenvalues();
+  const Eigen::Index finite = (mu.array() > least_mu * mu.maxCoeff()).count();
+  const Eigen::Index n = std::min(count, finite);
+  Pairs pairs{Eigen::VectorXd(n), Eigen::MatrixXd(M.rows(), n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    pairs.lambda(i) = sigma + 1.0 / mu(m - 1 - i);
+    pairs.phi.col(i) =
+        answers * solver.eigenvectors().col(m - 1 - i) / mu(m - 1 - i);
+  }
+  return pairs;
+}
+
+std::optional<Pairs> solve_lanczos(const Factor& factor,
+                                   const SparseMatrix& M,
+                                   double sigma,
+                                   Eigen::Index count,
+                                   Eigen::Index basis) {
+  ShiftInvert op(factor, M.rows());
+  MassProduct mass(M);
+  Spectra::SymGEigsShiftSolver<ShiftInvert,
+                               MassProduct,
+                               Spectra::GEigsMode::ShiftInvert>
+      solver(op, mass, count, basis, sigma);
+  solver.init();
+  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestMagn,
+                                            300,
+                                            1e-11,
+                                            Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful || found < count) {
+    return std::nullopt;
+  }
+  return Pairs{solver.eigenvalues(), solver.eigenvectors()};
+}
+
+// Rayleigh-Ritz within the span found: exact orthonormality, also inside
+// clusters, and ascending order.
+Pairs polish(const SparseMatrix& K,
+             const SparseMatrix& M,
+             const Eigen::MatrixXd& phi) {
+  const Eigen::MatrixXd k = phi.transpose() * (K * phi);
+  const Eigen::MatrixXd m = phi.transpose() * (M * phi);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
+      0.5 * (k + k.transpose()), 0.5 * (m + m.transpose()));
+  return {ritz.eigenvalues(), phi * ritz.eigenvectors()};
+}
+
+// Whether the modes found are all there are up to the `count`-th: the Sturm
+// count in a gap above it must be the number found below the gap. Empty when
+// no gap allows a certain count.
+std::optional<bool> is_complete(const SparseMatrix& K,
+                                const SparseMatrix& M,
+                                const Eigen::VectorXd& lambda,
+                                Eigen::Index count) {
+  for (Eigen::Index inside = lambda.size() - 1; inside >= count; --inside) {
+    const double below = lambda(inside - 1);
+    const double above = lambda(inside);
+    if (!(above > 0.0) || above - below < 1e-6 * above) continue;
+    const std::optional<Eigen::Index> counted =
+        count_below(K, M, 0.5 * (below + above));
+    if (counted) return *counted == inside;
+  }
+  return std::nullopt;
+}
+
+Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
+  const Eigen::Index n = std::min(count, pairs.lambda.size());
+  return {pairs.lambda.head(n).cwiseMax(0.0).cwiseSqrt() / kTwoPi,
+          pairs.phi.leftCols(n)};
+}
+
+}  // namespace
+
+Eigenmodes eigenmodes(const SparseMatrix& K,
+                      const SparseMatrix& M,
+                      Eigen::Index count) {
+  const Eigen::Index n = K.rows();
+  if (n == 0 || count <= 0) return {{}, Eigen::MatrixXd(n, 0)};
+  const double sigma = shift_below_zero(K, M);
+  const SparseMatrix A = K - sigma * M;
+  const Factor factor(A);  // throws for a mechanism without mass
+  const bool dense = n <= kDense || 2 * (count + 2) + 20 > n;
+  // A negative mass hides in A behind the stiffness.
+  if (dense || factor.pivots().minCoeff() < 0.0) refuse_indefinite(K, M);
+  Eigen::Index asked = count + 2;
+  if (dense) {
+    return to_modes(solve_dense(A, M, sigma, count), count);
+  }
+  if (const auto dofs = massive(M);
+      static_cast<Eigen::Index>(dofs.size()) <= kDense) {
+    return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
+  }
+  Eigen::Index basis = std::min(n, 2 * asked + 10);
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    const std::optional<Pairs> raw =
+        solve_lanczos(factor, M, sigma, asked, basis);
+    if (raw) {
+      const Pairs pairs = polish(K, M, raw->phi);
+      const std::optional<bool> complete =
+          is_complete(K, M, pairs.lambda, count);
+      if (complete.value_or(false)) return to_modes(pairs, count);
+      // Without a gap, as within a cluster: one may follow further up.
+      if (!complete) asked = std::min(n - 1, asked + count / 4 + 4);
+    }
+    basis = std::min(n, std::max(basis + basis / 2, 2 * asked) + 10);
+  }
+  refuse_indefinite(K, M);
+  throw InputError(
+      fmt::format("the {} lowest modes did not converge", count),
+      "stiffness and mass matrix",
+      "Ask for fewer modes, or look for parts that are not held or joined.");
+}
+
+Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
+                            const SparseMatrix& M,
+                            double max_hz) {
+  const std::optional<Eigen::Index> counted =
+      count_below(K, M, std::pow(kTwoPi * max_hz, 2));
+  Eigen::Index count = counted ? *counted + 1 : Eigen::Index{20};
+  while (true) {
+    Eigenmodes modes = eigenmodes(K, M, count);
+    const Eigen::Index found = modes.frequency_hz.size();
+    const Eigen::Index inside = (modes.frequency_hz.array() <= max_hz).count();
+    if (inside < found || found < count) {
+      return {modes.frequency_hz.head(inside), modes.phi.leftCols(inside)};
+    }
+    count += count / 2 + 5;
+  }
+}
+
+SparseMatrix extract(const SparseMatrix& A, const std::vector<int>& indices) {
+  std::vector<int> place(static_cast<std::size_t>(A.rows()), -1);
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    place[static_cast<std::size_t>(indices[i])] = static_cast<int>(i);
+  }
+  std::vector<Eigen::Triplet<double>> kept;
+  kept.reserve(static_cast<std::size_t>(A.nonZeros()));
+  for (int outer = 0; outer < A.outerSize(); ++outer) {
+    const int col = place[static_cast<std::size_t>(outer)];
+    if (col < 0) continue;
+    for (SparseMatrix::InnerIterator it(A, outer); it; ++it) {
+      const int row = place[static_cast<std::size_t>(it.row())];
+      if (row >= 0) kept.emplace_back(row, col, it.value());
+    }
+  }
+  const Eigen::Index n = static_cast<Eigen::Index>(indices.size());
+  SparseMatrix result(n, n);
+  result.setFromTriplets(kept.begin(), kept.end());
+  return result;
+}
+
+}  // namespace tapfit::structure

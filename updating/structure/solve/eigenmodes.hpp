@@ -1,0 +1,33 @@
+// Undamped modes: K phi = omega^2 M phi, Spectra in shift-invert mode.
+#pragma once
+
+#include "updating/structure/solve/system.hpp"
+
+namespace tapfit::structure {
+
+struct Eigenmodes {
+  Eigen::VectorXd frequency_hz;  ///< ascending; rigid modes are near 0
+  Eigen::MatrixXd phi;           ///< n_free x count, phi' M phi = I
+};
+
+/// Modes with the lowest frequencies.
+///
+/// @param K, M over the free degrees of freedom only; K may be singular
+///   (free structures): the shift is chosen below zero
+/// @param count number of modes; cut to what the matrices have
+/// @throws InputError when the solver does not converge, or K or M is not
+///   positive semidefinite
+[[nodiscard]] Eigenmodes eigenmodes(const SparseMatrix& K,
+                                    const SparseMatrix& M,
+                                    Eigen::Index count);
+
+/// All modes up to a frequency, found by asking for more until one lies above.
+[[nodiscard]] Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
+                                          const SparseMatrix& M,
+                                          double max_hz);
+
+/// Rows and columns of A at the given indices.
+[[nodiscard]] SparseMatrix extract(const SparseMatrix& A,
+                                   const std::vector<int>& indices);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,51 @@
+// Operators for Spectra: x -> (K - sigma M)^-1 x through CHOLMOD, and x -> M x.
+#pragma once
+
+#include "updating/structure/solve/factor.hpp"
+
+namespace tapfit::structure {
+
+class ShiftInvert {
+ public:
+  using Scalar = double;
+
+  /// @param factor of K - sigma M; must outlive this
+  ShiftInvert(const Factor& factor, Eigen::Index size)
+      : factor_(factor), size_(size) {}
+
+  [[nodiscard]] Eigen::Index rows() const { return size_; }
+  [[nodiscard]] Eigen::Index cols() const { return size_; }
+
+  /// Spectra's hook; the factor is made for the shift beforehand.
+  void set_shift(double) {}
+
+  void perform_op(const double* x, double* y) const {
+    const Eigen::Map<const Eigen::VectorXd> in(x, size_);
+    Eigen::Map<Eigen::VectorXd>(y, size_) = factor_.solve(in);
+  }
+
+ private:
+  const Factor& factor_;
+  Eigen::Index size_;
+};
+
+class MassProduct {
+ public:
+  using Scalar = double;
+
+  /// @param M must outlive this
+  explicit MassProduct(const SparseMatrix& M) : M_(M) {}
+
+  [[nodiscard]] Eigen::Index rows() const { return M_.rows(); }
+  [[nodiscard]] Eigen::Index cols() const { return M_.cols(); }
+
+  void perform_op(const double* x, double* y) const {
+    const Eigen::Map<const Eigen::VectorXd> in(x, M_.rows());
+    Eigen::Map<Eigen::VectorXd>(y, M_.rows()) = M_ * in;
+  }
+
+ private:
+  const SparseMatrix& M_;
+};
+
+}  // namespace tapfit::structure

@@ -1,0 +1,58 @@
+// Makes a whole test bundle of a structure that exists only in memory:
+// model.bdf, the recordings, test.json and, for tests alone, truth.json.
+#pragma once
+
+#include "acquisition/foundation/progress.hpp"
+#include "updating/virtual_test/virtual_effect.hpp"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct VirtualBundleSpec {
+  std::string structure = "frame";  ///< one of virtual_structures(), or a deck
+  std::vector<VirtualEffect> effects;
+  bool roving_sensor = false;  ///< else the hammer roves
+  std::uint64_t seed = 1;
+  int points = 24;                               ///< that are roved over
+  int hits = 5;                                  ///< of each run
+  std::optional<std::array<double, 2>> band_hz;  ///< needed for a deck
+  std::optional<double> gap_s;                   ///< between hits
+  std::optional<double> modulus_percent;         ///< E off; else seeded, sd 2 %
+  std::optional<double> stated_mass_kg;  ///< of each sensor, in `channels`
+  double damping_mean = 0.006;
+  bool faulty_hits = true;  ///< one double hit and one overload
+  bool overwrite = false;   ///< a test that is there already
+};
+
+/// What became of it, for a summary.
+struct VirtualBundleResult {
+  std::vector<double> model_hz;  ///< of the engineer's model, in the band
+  std::vector<double> true_hz;
+  std::vector<double> true_damping;
+  std::size_t runs = 0;
+  double seconds_per_run = 0.0;
+  double rate_hz = 0.0;
+  std::array<double, 2> band_hz{};
+  std::uintmax_t bytes = 0;  ///< of the whole folder
+};
+
+/// The demo: two 20 g accelerometers with cables and a clamp that gives a
+/// little, on the frame.
+[[nodiscard]] VirtualBundleSpec demo_spec();
+
+/// Makes the bundle; the same spec makes the same bytes.
+///
+/// @param folder made when it is not there
+/// @throws InputError for a folder that holds a test already, effects that do
+///   not fit the structure, a deck without a band; Stopped
+VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
+                                        const std::filesystem::path& folder,
+                                        const Progress& progress = {});
+
+}  // namespace tapfit::updating

@@ -1,0 +1,21 @@
+// truth.json beside a virtual test: what was built in, for tests alone.
+#pragma once
+
+#include "updating/virtual_test/virtual_bundle.hpp"
+#include "updating/virtual_test/virtual_setup.hpp"
+#include "updating/virtual_test/virtual_structure.hpp"
+
+#include <filesystem>
+
+namespace tapfit::updating {
+
+/// @param truth of the first run (with roving sensors the masses move)
+/// @throws InputError when the file cannot be written
+void write_truth(const VirtualBundleSpec& spec,
+                 const VirtualSetup& setup,
+                 const VirtualStructure& structure,
+                 const ReducedTruth& truth,
+                 double modulus_factor,
+                 const std::filesystem::path& file);
+
+}  // namespace tapfit::updating
