@@ -1,14 +1,13 @@
 #include "acquisition/bundle/recording.hpp"
 
-#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/foundation/parallel.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace tapfit::acquisition {
+
 void check_finite(const Eigen::Ref<const Eigen::MatrixXd>& samples,
                   Eigen::Index first,
                   double rate,
@@ -61,29 +60,6 @@ void check_band(const TestBundle& bundle,
                   0.5 * rate),
       "test.json: band_hz",
       "lower the band's upper end");
-}
-
-Recording read_recording(const TestBundle& bundle, const Run& run) {
-  return RunReader(bundle).read(run);
-}
-
-std::vector<Recording> read_recordings(const TestBundle& bundle) {
-  std::vector<Recording> recordings(bundle.runs.size());
-  const RunReader reader(bundle);
-  for_each_parallel(recordings.size(), [&](std::size_t r) {
-    recordings[r] = reader.read(bundle.runs[r]);
-  });
-  for (std::size_t r = 1; r < recordings.size(); ++r) {
-    if (recordings[r].sample_rate_hz == recordings[0].sample_rate_hz) continue;
-    throw InputError(
-        fmt::format("is sampled at {} Hz, {} at {} Hz",
-                    recordings[r].sample_rate_hz,
-                    bundle.runs[0].file.string(),
-                    recordings[0].sample_rate_hz),
-        bundle.runs[r].file.string(),
-        "resample the files to one rate, or make a bundle of each");
-  }
-  return recordings;
 }
 
 }  // namespace tapfit::acquisition

@@ -12,15 +12,6 @@ struct Recording {
   Eigen::MatrixXd samples;  ///< n_samples x n_channels [SI]: N, m/s^2
 };
 
-/// Reads one run's sound file or its records of a universal file and scales
-/// every channel to SI.
-///
-/// @throws InputError for a missing or unreadable file, a channel count that
-///   differs from the bundle's, a sample that is not finite (with its time
-///   and channel)
-[[nodiscard]] Recording read_recording(const TestBundle& bundle,
-                                       const Run& run);
-
 /// What read_recording() asks of samples, for those that read otherwise.
 ///
 /// @param first sample of the piece, from the file's start
@@ -38,8 +29,5 @@ void check_channels(const TestBundle& bundle,
                     Eigen::Index channels);
 /// @throws InputError when the band reaches half the sampling rate
 void check_band(const TestBundle& bundle, double rate, const std::string& file);
-
-/// All runs of the bundle, in order; they must agree in sampling rate.
-[[nodiscard]] std::vector<Recording> read_recordings(const TestBundle& bundle);
 
 }  // namespace tapfit::acquisition

@@ -1,7 +1,11 @@
 #include "acquisition/bundle/run_reader.hpp"
 
 #include "acquisition/bundle/dead_channels.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/parallel.hpp"
 #include "acquisition/readers/audio_file.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -62,6 +66,29 @@ Recording RunReader::read(const Run& run) const {
   if (run.datasets.empty()) return read_sound(bundle_, run);
   return uff_ ? read_from_uff(*uff_, bundle_, run)
               : read_from_uff(open_uff(run.file), bundle_, run);
+}
+
+Recording read_recording(const TestBundle& bundle, const Run& run) {
+  return RunReader(bundle).read(run);
+}
+
+std::vector<Recording> read_recordings(const TestBundle& bundle) {
+  std::vector<Recording> recordings(bundle.runs.size());
+  const RunReader reader(bundle);
+  for_each_parallel(recordings.size(), [&](std::size_t r) {
+    recordings[r] = reader.read(bundle.runs[r]);
+  });
+  for (std::size_t r = 1; r < recordings.size(); ++r) {
+    if (recordings[r].sample_rate_hz == recordings[0].sample_rate_hz) continue;
+    throw InputError(
+        fmt::format("is sampled at {} Hz, {} at {} Hz",
+                    recordings[r].sample_rate_hz,
+                    bundle.runs[0].file.string(),
+                    recordings[0].sample_rate_hz),
+        bundle.runs[r].file.string(),
+        "resample the files to one rate, or make a bundle of each");
+  }
+  return recordings;
 }
 
 }  // namespace tapfit::acquisition

@@ -27,4 +27,16 @@ class RunReader {
   std::optional<UffFile> uff_;
 };
 
+/// Reads one run's sound file or its records of a universal file and scales
+/// every channel to SI.
+///
+/// @throws InputError for a missing or unreadable file, a channel count that
+///   differs from the bundle's, a sample that is not finite (with its time
+///   and channel)
+[[nodiscard]] Recording read_recording(const TestBundle& bundle,
+                                       const Run& run);
+
+/// All runs of the bundle, in order; they must agree in sampling rate.
+[[nodiscard]] std::vector<Recording> read_recordings(const TestBundle& bundle);
+
 }  // namespace tapfit::acquisition

@@ -3,6 +3,7 @@
 // against docs/test.schema.json.
 #pragma once
 
+#include "acquisition/bundle/channel.hpp"
 #include "acquisition/foundation/dof.hpp"
 
 #include <array>
@@ -12,25 +13,6 @@
 #include <vector>
 
 namespace tapfit::acquisition {
-
-enum class Quantity { Force, Acceleration, Velocity, Displacement };
-
-/// One recorded channel.
-/// physical value [SI] = sample * full_scale_volts / sensitivity * unit factor
-struct Channel {
-  std::string name;
-  Quantity quantity = Quantity::Acceleration;
-  std::string unit;               ///< as written, for example "g" or "m/s^2"
-  double unit_to_si = 1.0;        ///< SI value of one `unit`
-  double sensitivity = 1.0;       ///< volts per `unit`
-  double full_scale_volts = 1.0;  ///< volts at a sample of 1.0
-  std::optional<double> mass_kg;  ///< maker's sheet; not in the base model
-
-  /// SI value of digital full scale (a sample of 1.0).
-  [[nodiscard]] double full_scale_si() const {
-    return full_scale_volts / sensitivity * unit_to_si;
-  }
-};
 
 /// A channel at a point of the structure.
 struct Placement {
@@ -95,12 +77,5 @@ struct TestBundle {
   std::optional<double> block_s;
   std::vector<std::string> warnings;  ///< unknown fields and the like
 };
-
-/// Reads and checks FOLDER/test.json (a path to the file itself is accepted).
-/// A universal file is a bundle by itself (acquisition/bundle/uff_bundle.hpp).
-///
-/// @throws InputError with the field's place for a missing or wrong field, an
-///   unknown unit, a missing file but for recordings, a channel of no name
-[[nodiscard]] TestBundle read_test_bundle(const std::filesystem::path& folder);
 
 }  // namespace tapfit::acquisition

@@ -1,6 +1,5 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 
-#include "acquisition/bundle/uff_records.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"

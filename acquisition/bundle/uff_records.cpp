@@ -1,5 +1,6 @@
 #include "acquisition/bundle/uff_records.hpp"
 
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_header.hpp"
 
@@ -173,24 +174,6 @@ void write_uff_records(const TestBundle& bundle,
     write_uff_run(
         bundle, run, read_recording(bundle, run), encoding, number, out);
   }
-}
-
-std::optional<double> number_in_id(const std::array<std::string, 5>& id,
-                                   std::string_view key) {
-  for (const std::string& line : id) {
-    const std::size_t at = line.find(key);
-    if (at == std::string::npos) continue;
-    const std::size_t begin = line.find_first_not_of(' ', at + key.size());
-    if (begin == std::string::npos) continue;
-    const std::size_t end = std::min(line.find(' ', begin), line.size());
-    double value = 0.0;
-    if (parse_number(std::string_view(line).substr(begin, end - begin),
-                     value) &&
-        std::isfinite(value)) {
-      return value;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace tapfit::acquisition

@@ -40,8 +40,4 @@ void write_uff_records(const TestBundle& bundle,
                        UffEncoding encoding,
                        std::ostream& out);
 
-/// The number behind a key in any of the ID lines, as "RATE = 51200 Hz".
-[[nodiscard]] std::optional<double> number_in_id(
-    const std::array<std::string, 5>& id, std::string_view key);
-
 }  // namespace tapfit::acquisition

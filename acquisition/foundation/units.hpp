@@ -1,13 +1,13 @@
 // Physical units of measured quantities and their SI values.
 #pragma once
 
-#include "acquisition/bundle/test_bundle.hpp"
-
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace tapfit::acquisition {
+
+enum class Quantity { Force, Acceleration, Velocity, Displacement };
 
 struct Unit {
   Quantity quantity = Quantity::Acceleration;

@@ -61,20 +61,6 @@ struct HitOptions {
   double double_hit_percent = 5.0;  ///< second peak, of the main one
 };
 
-/// Finds and judges the hits of all runs.
-///
-/// The block is as long as the gaps between hits allow (and no longer than the
-/// response lasts), the same for all hits. The bundle's band says how soft a
-/// hit may be (without one: see judged_to()). Empty options are taken from the
-/// bundle, else chosen and stated. Outliers are judged among all hits of one
-/// placement (runs_alike.hpp); where all of these are judged out, each run
-/// keeps its best one when that is merely weak, soft or an outlier.
-///
-/// @throws InputError when a run holds no hit at all
-[[nodiscard]] HitSet find_hits(const TestBundle& bundle,
-                               const std::vector<Recording>& recordings,
-                               const HitOptions& given);
-
 /// Judges a hit out for a reason, which is noted once.
 void note(Hit& hit, HitFault fault);
 

@@ -3,6 +3,7 @@
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/no_hits.hpp"
 
 #include <fmt/format.h>

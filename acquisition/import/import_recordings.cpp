@@ -1,9 +1,11 @@
 #include "acquisition/import/import_recordings.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/import/rate_of_times.hpp"
+#include "acquisition/import/read_time_table.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/readers/mat_file.hpp"
 #include "acquisition/samples/remove_offset.hpp"

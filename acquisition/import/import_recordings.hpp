@@ -1,9 +1,11 @@
 // Makes a test bundle out of files of samples
-// (acquisition/import/time_table.hpp): test.json and one sound file for each.
+// (acquisition/import/read_time_table.hpp): test.json and one sound file for
+// each.
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/import/time_table.hpp"
+#include "acquisition/readers/csv_table.hpp"
 
 #include <array>
 #include <filesystem>

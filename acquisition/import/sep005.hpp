@@ -6,6 +6,10 @@
 
 #include "acquisition/import/time_table.hpp"
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 namespace tapfit::acquisition {
 
 /// @param columns names of signals, or their numbers from 1 on

@@ -1,7 +1,7 @@
 #include "acquisition/uff/uff_function.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/uff/uff_values.hpp"
+#include "acquisition/uff/uff_numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -194,6 +194,24 @@ UffFunction read_function(const UffDataset& dataset) {
     throw uff_cut_off(dataset, values.size(), all_values(function));
   take_values(values, function);
   return function;
+}
+
+std::optional<double> number_in_id(const std::array<std::string, 5>& id,
+                                   std::string_view key) {
+  for (const std::string& line : id) {
+    const std::size_t at = line.find(key);
+    if (at == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(' ', at + key.size());
+    if (begin == std::string::npos) continue;
+    const std::size_t end = std::min(line.find(' ', begin), line.size());
+    double value = 0.0;
+    if (parse_number(std::string_view(line).substr(begin, end - begin),
+                     value) &&
+        std::isfinite(value)) {
+      return value;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace tapfit::acquisition

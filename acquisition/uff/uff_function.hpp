@@ -58,6 +58,10 @@ struct UffFunction : UffHeader {
 ///   the file cannot hold
 [[nodiscard]] UffHeader read_header(const UffDataset& dataset);
 
+/// The number behind a key in any of the ID lines, as "RATE = 51200 Hz".
+[[nodiscard]] std::optional<double> number_in_id(
+    const std::array<std::string, 5>& id, std::string_view key);
+
 /// Reads dataset 58 or 58b.
 ///
 /// @throws InputError for missing records, an unknown data type, fewer values

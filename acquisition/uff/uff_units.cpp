@@ -1,7 +1,6 @@
 #include "acquisition/uff/uff_units.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"
 
 #include <fmt/format.h>

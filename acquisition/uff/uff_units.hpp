@@ -2,7 +2,7 @@
 // labels; without a label those of dataset 164; without that SI.
 #pragma once
 
-#include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/units.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 
 #include <optional>

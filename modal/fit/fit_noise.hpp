@@ -1,11 +1,17 @@
 // The noise that a fit of the modal model has to live with.
 #pragma once
 
-#include "modal/fit/modal_fit.hpp"
+#include "modal/fit/modal_model.hpp"
+#include "modal/poles/curves.hpp"
 
 #include <Eigen/Core>
 
 namespace tapfit::modal {
+
+/// Where the noise of a line is learnt from: a few lines around it, or also
+/// from what all lines say is in proportion to the FRFs. The latter is for what
+/// is told of modes; a fit that still lacks some has its misfit there.
+enum class NoiseFrom { NearLines, AllLines };
 
 /// Of the weighted residual u v e.
 struct Noise {

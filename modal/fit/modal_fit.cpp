@@ -1,7 +1,6 @@
 #include "modal/fit/modal_fit.hpp"
 
 #include "modal/fit/fit_columns.hpp"
-#include "modal/fit/fit_noise.hpp"
 
 #include <Eigen/Dense>
 

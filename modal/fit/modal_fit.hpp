@@ -13,28 +13,13 @@
 // Problems 19, 2003, R1-R26, with Kaufman's simplified Jacobian.
 #pragma once
 
+#include "modal/fit/fit_noise.hpp"
+#include "modal/fit/modal_model.hpp"
 #include "modal/poles/curves.hpp"
 
 #include <Eigen/Core>
 
 namespace tapfit::modal {
-
-struct ModalFit {
-  Eigen::VectorXcd poles;       ///< [rad/s], upper half plane, n_modes
-  Eigen::MatrixXcd residues;    ///< of receptance, n_frfs x n_modes
-  Eigen::MatrixXcd terms;       ///< of residual_basis, n_frfs x n_terms
-  Eigen::MatrixXcd H;           ///< fitted accelerance, n_lines x n_frfs
-  Eigen::VectorXd line_weight;  ///< v, n_lines
-  Eigen::VectorXd frf_weight;   ///< u, n_frfs
-  Eigen::VectorXd leverage;     ///< share of a line's noise that the residues
-                                ///< and terms follow, n_lines
-  /// F of each mode: the drop in weighted residual that its residues earn, per
-  /// parameter, over the residual's variance around its frequency.
-  Eigen::VectorXd significance;
-  /// Mode's part of H at its own frequency over all of H there, both rms over
-  /// the FRFs.
-  Eigen::VectorXd contribution;
-};
 
 /// Residues for given poles. No two poles may coincide.
 [[nodiscard]] ModalFit fit_residues(const Curves& curves,
@@ -53,11 +38,6 @@ struct ModalFit {
 /// @param H n_lines x n_frfs
 [[nodiscard]] double relative_misfit(const Curves& curves,
                                      const Eigen::MatrixXcd& H);
-
-/// Where the noise of a line is learnt from: a few lines around it, or also
-/// from what all lines say is in proportion to the FRFs. The latter is for what
-/// is told of modes; a fit that still lacks some has its misfit there.
-enum class NoiseFrom { NearLines, AllLines };
 
 /// Covariance of the poles of a refined fit, from the FRFs' variance or from
 /// what the fit leaves, whichever is larger. Neighbouring lines of an

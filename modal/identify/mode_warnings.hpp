@@ -1,9 +1,9 @@
 // What is said about modes that were found, and about poles left out.
 #pragma once
 
-#include "modal/identify/identify_modes.hpp"
 #include "modal/mode_set/mode_set.hpp"
 #include "modal/poles/curves.hpp"
+#include "modal/poles/identify_options.hpp"
 #include "modal/select/repeated_poles.hpp"
 
 #include <complex>

@@ -1,7 +1,6 @@
 #include "modal/mass_loading/explain_shifts.hpp"
 
 #include "modal/mass_loading/mass_from_shifts.hpp"
-#include "modal/mass_loading/shift_table.hpp"
 #include "modal/statistics/tail_probability.hpp"
 #include "modal/statistics/weighted_fit.hpp"
 

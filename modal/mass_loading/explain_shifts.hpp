@@ -20,35 +20,12 @@
 // Ann. Math. Stat. 35, 1964).
 #pragma once
 
+#include "modal/mass_loading/shift_table.hpp"
 #include "modal/mode_set/pole_shifts.hpp"
 
-#include <Eigen/Core>
-
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace tapfit::modal {
-
-/// What is known of the poles of all set-ups.
-struct ShiftData {
-  Eigen::MatrixXd log_omega;  ///< ln|pole|, n_set_ups x n_modes
-  Eigen::MatrixXd log_sd;     ///< its standard deviation; 0 where not found
-  Eigen::VectorXd damping;    ///< ratio, n_modes
-  /// Per sensor and set-up: its directions x n_modes, real parts of the shapes
-  /// at the points where it then sat; no row where it was off.
-  std::vector<std::vector<Eigen::MatrixXd>> phi;
-  /// Standard deviation of each value of phi, on its own.
-  std::vector<std::vector<Eigen::MatrixXd>> phi_sd;
-  /// Relative standard deviation of a mode's whole shape, n_modes.
-  Eigen::VectorXd scale_sd;
-  /// Per set-up: the shapes at its hammer's point, 1 x n_modes, if that is the
-  /// point that gave the shapes their scale; else no row.
-  std::vector<Eigen::MatrixXd> hammer;
-  /// The set-up in which that driving point was measured.
-  std::optional<std::size_t> driving;
-  bool scaled = false;  ///< unit modal mass [1/sqrt(kg)]
-};
 
 /// Tells the cause of the shifts.
 ///

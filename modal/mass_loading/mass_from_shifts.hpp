@@ -3,7 +3,6 @@
 // modal/mass_loading/explain_shifts.hpp.
 #pragma once
 
-#include "modal/mass_loading/explain_shifts.hpp"
 #include "modal/mass_loading/shift_table.hpp"
 
 #include <Eigen/Core>

@@ -4,8 +4,8 @@
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/poles/plscf.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/select/needed_modes.hpp"
 #include "modal/select/select_from_orders.hpp"
-#include "modal/select/select_modes.hpp"
 #include "modal/select/unrefined_fit.hpp"
 
 #include <algorithm>

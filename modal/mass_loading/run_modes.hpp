@@ -7,9 +7,10 @@
 // residue comes from its own set-up.
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "modal/fit/modal_fit.hpp"
-#include "modal/identify/identify_modes.hpp"
 #include "modal/mode_set/mode_set.hpp"
+#include "modal/poles/identify_options.hpp"
 
 #include <optional>
 #include <vector>

@@ -5,7 +5,8 @@
 // with at most one pole per order, so that two close modes make two tracks.
 #pragma once
 
-#include "modal/identify/identify_modes.hpp"
+#include "modal/mode_set/mode_set.hpp"
+#include "modal/poles/identify_options.hpp"
 #include "modal/poles/plscf.hpp"
 
 #include <complex>

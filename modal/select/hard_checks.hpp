@@ -1,7 +1,7 @@
 // Checks that a pole fails or passes by itself, whatever the others are.
 #pragma once
 
-#include "modal/identify/identify_modes.hpp"
+#include "modal/poles/identify_options.hpp"
 
 #include <complex>
 

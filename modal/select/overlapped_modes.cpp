@@ -1,7 +1,7 @@
 #include "modal/select/overlapped_modes.hpp"
 
+#include "modal/select/needed_modes.hpp"
 #include "modal/select/neighbour_modes.hpp"
-#include "modal/select/select_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

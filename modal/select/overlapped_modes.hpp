@@ -4,7 +4,7 @@
 #pragma once
 
 #include "modal/fit/modal_fit.hpp"
-#include "modal/identify/identify_modes.hpp"
+#include "modal/poles/identify_options.hpp"
 
 namespace tapfit::modal {
 

@@ -3,11 +3,9 @@
 #include "modal/fit/shapes.hpp"
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
-#include "modal/poles/frf_matrix.hpp"
 #include "modal/select/close_modes.hpp"
-#include "modal/select/hard_checks.hpp"
+#include "modal/select/needed_modes.hpp"
 #include "modal/select/neighbour_modes.hpp"
-#include "modal/select/split_poles.hpp"
 #include "modal/select/strayed_poles.hpp"
 
 #include <algorithm>
@@ -21,12 +19,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kLeastSignificance =
-    4.0;                         // F that a mode's residues must earn
 constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
-constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
-// A weaker mode counts where it is surely there.
-constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -80,29 +73,6 @@ Eigen::VectorXcd lasting_poles(const Curves& curves,
 }
 
 namespace {
-
-/// The mode to take out next, or -1.
-Index weakest(const Curves& curves,
-              const ModalFit& fit,
-              const IdentifyOptions& options) {
-  const FrfMatrix matrix = arrange_frfs(curves);
-  Index worst = -1;
-  double least = 1.0;
-  for (Index r = 0; r < fit.poles.size(); ++r) {
-    if (far_outside(curves, fit.poles(r))) continue;
-    const double faint = std::min(fit.significance(r) / kSurelyThere,
-                                  fit.contribution(r) / kFaintestContribution);
-    double worth =
-        std::min(fit.significance(r) / kLeastSignificance,
-                 std::max(fit.contribution(r) / kLeastContribution, faint));
-    if (is_impossible(fit.poles(r), options)) worth = 0.0;
-    if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
-    if (worth >= least) continue;
-    least = worth;
-    worst = r;
-  }
-  return worst;
-}
 
 /// Residual power per line over what is usual, averaged over the half
 /// bandwidth that a line's neighbours share.
@@ -171,7 +141,7 @@ ModalFit recover_missed(const Curves& curves,
     poles << fit.poles, Complex(-usual_damping(curves, fit) * omega, omega);
     ModalFit trial = refine_poles(curves, poles, 12);
     const Index last = trial.poles.size() - 1;
-    if (weakest(curves, trial, options) < 0 &&
+    if (are_needed(curves, trial, options) &&
         is_convincing(curves, trial, last)) {
       fit = std::move(trial);
     } else {
@@ -191,7 +161,7 @@ ModalFit drop_weak(const Curves& curves,
   const auto total = static_cast<double>(fit.poles.size() + 1);
   while (fit.poles.size() > 0) {
     progress("residues", 1.0 - static_cast<double>(fit.poles.size()) / total);
-    const Index worst = weakest(curves, fit, options);
+    const Index worst = weakest_mode(curves, fit, options);
     if (worst < 0) break;
     fit = refine_in_reach(curves, without(fit.poles, worst), 4);
   }
@@ -262,25 +232,6 @@ void drop_complex(const Curves& curves,
 }
 
 }  // namespace
-
-double usual_damping(const Curves& curves, const ModalFit& fit) {
-  std::vector<double> ratios;
-  for (const Complex& pole : fit.poles) {
-    if (!in_band(curves, pole)) continue;
-    ratios.push_back(-pole.real() / std::abs(pole));
-  }
-  if (ratios.empty()) return 0.005;
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return *middle;
-}
-
-bool are_needed(const Curves& curves,
-                const ModalFit& fit,
-                const IdentifyOptions& options) {
-  return weakest(curves, fit, options) < 0;
-}
 
 Selection select_modes(const Curves& curves,
                        const Eigen::VectorXcd& lasting,

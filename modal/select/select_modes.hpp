@@ -10,10 +10,6 @@
 
 namespace tapfit::modal {
 
-/// F of a mode that no ripple of leakage or of noise stands in for: what the
-/// fit leaves without it is ten times the noise.
-inline constexpr double kSurelyThere = 100.0;
-
 struct Selection {
   /// The modes that stay, by frequency; poles a little outside the band may be
   /// among them. No poles when nothing is found.
@@ -39,14 +35,5 @@ struct Selection {
                                      const Eigen::VectorXcd& lasting,
                                      const IdentifyOptions& options,
                                      const Progress& progress);
-
-/// The middle damping ratio of a fit's poles in the band.
-[[nodiscard]] double usual_damping(const Curves& curves, const ModalFit& fit);
-
-/// Whether the FRFs need every mode of a fit, and none fails a hard check:
-/// what select_modes() ends at.
-[[nodiscard]] bool are_needed(const Curves& curves,
-                              const ModalFit& fit,
-                              const IdentifyOptions& options);
 
 }  // namespace tapfit::modal

@@ -183,4 +183,8 @@ std::optional<double> spread_at_peaks(const Frf& frf) {
   return largest;
 }
 
+FrfChecks check_frfs(const FrfSet& frfs) {
+  return {driving_points(frfs), reciprocals(frfs)};
+}
+
 }  // namespace tapfit::signal

@@ -68,6 +68,13 @@ struct Reciprocal {
 /// Pairs measured both ways, each once.
 [[nodiscard]] std::vector<Reciprocal> reciprocals(const FrfSet& set);
 
+struct FrfChecks {
+  std::vector<DrivingPoint> driving;
+  std::vector<Reciprocal> both_ways;
+};
+
+[[nodiscard]] FrfChecks check_frfs(const FrfSet& frfs);
+
 /// Largest H2 / H1 - 1 at the peaks of |H|; empty for a single hit.
 [[nodiscard]] std::optional<double> spread_at_peaks(const Frf& frf);
 

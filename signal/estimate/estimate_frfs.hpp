@@ -1,14 +1,13 @@
 // FRFs of every placement from the accepted hits of its runs.
 #pragma once
 
+#include "signal/estimate/estimator.hpp"
 #include "acquisition/foundation/progress.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "signal/frf_set/frf_set.hpp"
 #include "signal/spectra/hit_blocks.hpp"
 
 namespace tapfit::signal {
-
-enum class Estimator { H1, H2, Hv };
 
 struct WindowOptions {
   bool force_window = true;  ///< rectangle with cosine taper around the pulse

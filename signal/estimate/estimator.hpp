@@ -8,11 +8,12 @@
 // ch. 6; Hv as the geometric mean of H1 and H2.
 #pragma once
 
-#include "signal/estimate/estimate_frfs.hpp"
 
 #include <Eigen/Core>
 
 namespace tapfit::signal {
+
+enum class Estimator { H1, H2, Hv };
 
 struct Estimate {
   Eigen::VectorXcd H;         ///< per line, response / force

@@ -4,6 +4,7 @@
 #include "acquisition/bundle/runs_alike.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/live_hits.hpp"
 #include "signal/decay/block_advice.hpp"
 #include "signal/estimate/frf_average.hpp"

@@ -11,7 +11,9 @@
 // Frfs is to take at most 1.5 times ReadAndFft. Both use all cores alike; with
 // `taskset -c 0` both run on one thread, and the times of the processor can be
 // compared on a busy machine too.
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/parallel.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/simulator/hammer_pulse.hpp"
 #include "signal/estimate/estimate_frfs.hpp"

@@ -1,6 +1,7 @@
 #include "tests/benchmarks/plate_case.hpp"
 
 #include "updating/effects/catalogue.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 

@@ -1,5 +1,5 @@
 // CSV where the first byte is even, SEP-005 where it is odd.
-#include "acquisition/import/time_table.hpp"
+#include "acquisition/import/read_time_table.hpp"
 #include "tests/fuzz/fuzz_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,

@@ -1,6 +1,7 @@
 // Universal files in all the ways they are read: as a bundle with its time
 // records, geometry and shapes, FRFs.
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
 #include "acquisition/uff/uff_shapes.hpp"

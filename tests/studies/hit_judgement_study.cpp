@@ -6,6 +6,7 @@
 //
 // COUNT records of each kind. Width counts as the hammer channel shows it: two
 // samples more than the blow's own, which the anti-alias filter adds.
+#include "acquisition/hits/find_hits.hpp"
 #include "tests/acquisition/support/judged_records.hpp"
 #include "tests/acquisition/support/saturated_records.hpp"
 #include "tests/acquisition/support/soft_records.hpp"

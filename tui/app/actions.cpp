@@ -2,6 +2,7 @@
 
 #include "tui/app/keep_work.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 

@@ -1,24 +1,11 @@
 // The terminal program: seven screens over one test bundle.
 #pragma once
 
+#include "tui/options/app_options.hpp"
+
 #include <filesystem>
-#include <optional>
 
 namespace tapfit::tui {
-
-struct AppOptions {
-  bool ascii = false;      ///< only ASCII glyphs, whatever the locale
-  bool no_colour = false;  ///< as if NO_COLOR were set
-  bool no_mouse = false;
-  bool blocks = false;  ///< no braille dots
-  bool light = false;   ///< the terminal's background is light ...
-  bool dark = false;    ///< ... or dark, whatever COLORFGBG says
-  /// A key script (key_script.hpp) replayed without a terminal; the screens
-  /// it asks for, or else the last one, go to standard output as text.
-  std::optional<std::filesystem::path> keys_file;
-  int width = 80;   ///< [columns] of the replayed screen
-  int height = 24;  ///< [rows]
-};
 
 /// Opens the bundle and runs until the user quits.
 ///

@@ -1,10 +1,12 @@
 #include "tui/app/session_workbench.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "tui/app/session_file.hpp"
-#include "tui/commands/export_command.hpp"
-#include "tui/commands/updated_deck.hpp"
 #include "tui/report/session_report.hpp"
+#include "tui/work/session_file.hpp"
+#include "updating/export/measured_uff.hpp"
+#include "updating/export/updated_deck.hpp"
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/saved_session.hpp"
 
 #include <system_error>
@@ -125,10 +127,11 @@ std::filesystem::path SessionWorkbench::write(Output what,
   if (what == Output::Report) {
     write_text_file(session_report(session_, p), path);
   } else if (what == Output::Uff) {
-    write_measured_uff(session_, path, acquisition::UffNodes::D2411, p);
+    updating::write_measured_uff(
+        session_, path, acquisition::UffNodes::D2411, p);
   } else {
-    check_deck_path(session_, path);
-    write_updated_deck(session_, path, p);
+    updating::check_deck_path(session_, path);
+    updating::write_updated_deck(session_, path, p);
   }
   return path;
 }

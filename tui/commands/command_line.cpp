@@ -19,10 +19,10 @@
 #include "tui/commands/signature_command.hpp"
 #include "tui/commands/uff_command.hpp"
 #include "tui/commands/update_command.hpp"
-#include "tui/options/app_options.hpp"
 #include "tui/options/export_options.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/modes_options.hpp"
+#include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
 #include "updating/effects/effect_place.hpp"
 #include "updating/fit/line_rule.hpp"
@@ -362,7 +362,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
       "tapfit");
   app.set_version_flag("--version", "tapfit " TAPFIT_VERSION);
   app.require_subcommand(0, 1);
-  add_terminal_options(app, invocation);
+  add_terminal_options(app, invocation.options.input, invocation.app);
   for (const Entry& entry : entries) add_command(app, entry, invocation);
   add_import(app, invocation);
   add_paper(app, invocation);

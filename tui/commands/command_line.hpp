@@ -1,7 +1,7 @@
 // The command line: which command, with which options.
 #pragma once
 
-#include "tui/app/app.hpp"
+#include "tui/options/app_options.hpp"
 #include "tui/options/command.hpp"
 
 #include <string>

@@ -87,7 +87,7 @@ std::string indented_parameters(
     const std::vector<updating::Estimate>& parameters) {
   std::string text;
   for (const auto& estimate : parameters) {
-    text += "      " + parameters_text({estimate}) + "\n";
+    text += "      " + updating::parameters_text({estimate}) + "\n";
   }
   return text;
 }
@@ -180,7 +180,7 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
   }
   for (const auto& estimate : diagnosis.model_parameters) {
     text += fmt::format("  model parameter {} {}\n",
-                        parameters_text({estimate}),
+                        updating::parameters_text({estimate}),
                         estimate.unit);
   }
   text += next_text(diagnosis);

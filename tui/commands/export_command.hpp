@@ -1,9 +1,9 @@
 // tapfit export: FRFs and modes as universal file, the updated model as deck.
 #pragma once
 
-#include "acquisition/uff/uff_geometry.hpp"
 #include "tui/options/command.hpp"
-#include "updating/session/session.hpp"
+
+#include <string>
 
 namespace tapfit::tui {
 
@@ -17,19 +17,5 @@ namespace tapfit::tui {
 ///   written, for a deck where the bundle has none; Stopped
 [[nodiscard]] std::string export_command(const CommandOptions& options,
                                          const Progress& progress);
-
-/// FRFs (dataset 58) and modes (dataset 55) in one universal file.
-/// @param nodes dataset of the model's grids
-/// @throws InputError where it cannot be written; Stopped
-void write_measured_uff(updating::Session& session,
-                        const std::filesystem::path& path,
-                        acquisition::UffNodes nodes,
-                        const Progress& progress);
-
-/// The deck that was read is the engineer's own: it is never written over. A
-/// model given as matrices has none.
-/// @throws InputError
-void check_deck_path(updating::Session& session,
-                     const std::filesystem::path& path);
 
 }  // namespace tapfit::tui

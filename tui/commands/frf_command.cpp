@@ -4,13 +4,12 @@
 #include "signal/files/uff58.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/options/open_bundle.hpp"
-#include "tui/report/text_table.hpp"
+#include "tui/report/frf_text.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace tapfit::tui {
@@ -19,98 +18,11 @@ using nlohmann::ordered_json;
 
 namespace {
 
-const char* word(signal::FrfForm form) {
-  if (form == signal::FrfForm::Mobility) return "mobility";
-  if (form == signal::FrfForm::Receptance) return "receptance";
-  return "accelerance";
-}
-
-const char* unit(signal::FrfForm form) {
-  if (form == signal::FrfForm::Mobility) return "(m/s)/N";
-  if (form == signal::FrfForm::Receptance) return "m/N";
-  return "(m/s^2)/N";
-}
-
 signal::FrfForm form_of(const std::string& text) {
   if (text == "mobility") return signal::FrfForm::Mobility;
   if (text == "receptance") return signal::FrfForm::Receptance;
   return signal::FrfForm::Accelerance;
 }
-
-double mean_coherence(const signal::Frf& frf) {
-  return frf.coherence.size() > 0 ? frf.coherence.mean() : 0.0;
-}
-
-// A single hit's is 1 whatever it is worth.
-std::string coherence_text(const signal::Frf& frf) {
-  if (frf.coherence.size() == 0 || frf.hits == 1) return "-";
-  return fmt::format("{:.4f}", mean_coherence(frf));
-}
-
-}  // namespace
-
-double median_sd_percent(const signal::Frf& frf) {
-  std::vector<double> percents;
-  for (Eigen::Index line = 0; line < frf.variance.size(); ++line) {
-    const double magnitude = std::abs(frf.H(line));
-    if (magnitude > 0.0) {
-      percents.push_back(100.0 * std::sqrt(frf.variance(line)) / magnitude);
-    }
-  }
-  if (percents.empty()) return 0.0;
-  const auto middle =
-      percents.begin() + static_cast<std::ptrdiff_t>(percents.size() / 2);
-  std::nth_element(percents.begin(), middle, percents.end());
-  return *middle;
-}
-
-ordered_json frf_json(const signal::FrfSet& frfs, signal::FrfForm form) {
-  ordered_json list = ordered_json::array();
-  for (const auto& frf : frfs.frfs) {
-    list.push_back({{"response", name(frf.response)},
-                    {"reference", name(frf.reference)},
-                    {"type", word(form)},
-                    {"unit", unit(form)},
-                    {"lines", frfs.lines()},
-                    {"mean_coherence", mean_coherence(frf)},
-                    {"median_sd_percent", median_sd_percent(frf)},
-                    {"run", frf.run + 1},
-                    {"hits", frf.hits}});
-  }
-  return {{"frfs", std::move(list)}, {"statements", frfs.statements}};
-}
-
-std::string frf_text(const signal::FrfSet& frfs, signal::FrfForm form) {
-  std::string text = fmt::format("FRFs: {}", frfs.frfs.size());
-  if (frfs.lines() > 0) {
-    const Eigen::VectorXd hz = frfs.frequency_hz();
-    text += fmt::format(", {} [{}] on {} lines, {:.4g} to {:.4g} Hz",
-                        word(form),
-                        unit(form),
-                        frfs.lines(),
-                        hz(0),
-                        hz(hz.size() - 1));
-    if (const double sigma = frfs.s(0).real(); sigma > 0.0) {
-      text += fmt::format(", exponential window {:.3g} 1/s", sigma);
-    }
-  }
-  TextTable table(
-      {"<response / reference", "run", "hits", "coherence", "median sd"});
-  for (const auto& frf : frfs.frfs) {
-    table.add({name(frf),
-               fmt::format("{}", frf.run + 1),
-               fmt::format("{}", frf.hits),
-               coherence_text(frf),
-               percent(median_sd_percent(frf) / 100.0)});
-  }
-  text += "\n" + table.text();
-  for (const auto& statement : frfs.statements) {
-    text += "  note: " + statement + "\n";
-  }
-  return text;
-}
-
-namespace {
 
 // Hits that stand apart from their fellows are judged out, as if by hand.
 void leave_hits_apart(updating::Session& session, const Progress& progress) {

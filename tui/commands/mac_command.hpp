@@ -27,9 +27,6 @@ namespace tapfit::tui {
                                    const modal::ModeSet& second,
                                    const std::vector<modal::Pair>& by_hand);
 
-/// "2:3" (modes counted from 1), "2:none"; empty when it is neither.
-[[nodiscard]] std::optional<modal::Pair> parse_pair(const std::string& text);
-
 /// @throws InputError
 [[nodiscard]] std::string mac_command(const CommandOptions& options,
                                       const Progress& progress);

@@ -1,8 +1,10 @@
 #include "tui/commands/model_command.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/measurement/test_model.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/deck/deck.hpp"

@@ -1,11 +1,14 @@
 #include "tui/commands/replay_command.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/hits/readable_recordings.hpp"
 #include "signal/estimate/replay.hpp"
 #include "signal/files/uff58.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
+#include "tui/report/frf_text.hpp"
+#include "tui/report/hits_text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

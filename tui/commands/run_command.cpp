@@ -8,6 +8,9 @@
 #include "tui/commands/modes_command.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/report/frf_text.hpp"
+#include "tui/report/hits_text.hpp"
+#include "tui/report/modes_text.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,11 @@
 #include "tui/commands/session_command.hpp"
 
-#include "tui/app/session_file.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/session_report.hpp"
 #include "tui/report/text_table.hpp"
+#include "tui/work/session_file.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/text_table.hpp"
+#include "updating/localisation/signature.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 
 #include "tui/options/command.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -6,19 +6,6 @@
 
 namespace tapfit::tui {
 
-/// What a session's ladder says, as a diagnosis of the effects that were
-/// named: each is its own candidate, taken as given.
-///
-/// @param ladder base rung first
-/// @param comparison its floor counts
-/// @param held what else than the data holds the parameters: see
-/// updating::held_back()
-[[nodiscard]] updating::Diagnosis diagnosis_of_named(
-    const std::vector<updating::Rung>& ladder,
-    const updating::Comparison& comparison,
-    const std::vector<updating::Estimate>& model_parameters,
-    const std::vector<std::string>& held = {});
-
 /// What --lines and --lambda ask for.
 /// @throws InputError for lines that are none
 [[nodiscard]] updating::UpdateChoice update_choice(

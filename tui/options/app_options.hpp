@@ -1,13 +1,23 @@
-// The options of the terminal program itself.
+// How the terminal program is shown.
 #pragma once
 
-#include "tui/commands/command_line.hpp"
-
-#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
 
 namespace tapfit::tui {
 
-/// BUNDLE and everything that says how it is shown.
-void add_terminal_options(CLI::App& app, Invocation& invocation);
+struct AppOptions {
+  bool ascii = false;      ///< only ASCII glyphs, whatever the locale
+  bool no_colour = false;  ///< as if NO_COLOR were set
+  bool no_mouse = false;
+  bool blocks = false;  ///< no braille dots
+  bool light = false;   ///< the terminal's background is light ...
+  bool dark = false;    ///< ... or dark, whatever COLORFGBG says
+  /// A key script (key_script.hpp) replayed without a terminal; the screens
+  /// it asks for, or else the last one, go to standard output as text.
+  std::optional<std::filesystem::path> keys_file;
+  int width = 80;   ///< [columns] of the replayed screen
+  int height = 24;  ///< [rows]
+};
 
 }  // namespace tapfit::tui

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "modal/identify/identify_modes.hpp"
+#include "modal/poles/identify_options.hpp"
 #include "updating/measurement/mode_choices.hpp"
 
 #include <array>

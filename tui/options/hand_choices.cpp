@@ -1,9 +1,9 @@
 #include "tui/options/hand_choices.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "tui/app/session_file.hpp"
-#include "tui/commands/mac_command.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/work/pair_words.hpp"
+#include "tui/work/session_file.hpp"
 #include "updating/session/saved_session.hpp"
 
 #include <fmt/format.h>

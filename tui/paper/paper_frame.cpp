@@ -1,6 +1,6 @@
-#include "tui/commands/add_diagnosed.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/paper/paper_structures.hpp"
+#include "updating/session/add_diagnosed.hpp"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,8 @@ PaperReport paper_frame(const std::filesystem::path& folder,
                         const Progress& progress) {
   updating::Session session = open_bundle(folder);
   const updating::Comparison before = session.base_comparison(progress);
-  const updating::Diagnosis diagnosis = add_diagnosed(session, progress);
+  const updating::Diagnosis diagnosis =
+      updating::add_diagnosed(session, progress);
   const updating::Comparison after = session.comparison(progress);
   PaperReport report;
   report.structure = "frame";

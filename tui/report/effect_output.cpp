@@ -1,8 +1,5 @@
 #include "tui/report/effect_output.hpp"
 
-#include "tui/report/text_table.hpp"
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {
@@ -53,37 +50,6 @@ ordered_json model_parameters_json(
                            {"unit", estimate.unit}};
   }
   return json;
-}
-
-std::string effect_text(const std::string& effect,
-                        const updating::Where& where) {
-  const std::string place = describe(where);
-  return place.starts_with("everywhere")
-             ? effect
-             : fmt::format("{} at {}", effect, place);
-}
-
-namespace {
-
-/// Two digits, without an exponent where that can be helped.
-std::string sd_text(double sd) {
-  return sd >= 10.0 && sd < 1e5 ? fmt::format("{:.0f}", sd)
-                                : fmt::format("{:.2g}", sd);
-}
-
-}  // namespace
-
-std::string parameters_text(const std::vector<updating::Estimate>& parameters) {
-  std::string text;
-  for (const auto& estimate : parameters) {
-    if (!text.empty()) text += ", ";
-    text += fmt::format("{} {} +- {}",
-                        estimate.name,
-                        short_number(estimate.value),
-                        sd_text(estimate.sd));
-    if (estimate.at_bound) text += " (at its bound)";
-  }
-  return text;
 }
 
 }  // namespace tapfit::tui

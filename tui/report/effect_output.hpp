@@ -29,12 +29,4 @@ namespace tapfit::tui {
 [[nodiscard]] nlohmann::ordered_json model_parameters_json(
     const std::vector<updating::Estimate>& parameters);
 
-/// "added-mass at node 201"; the effect alone where it has no place.
-[[nodiscard]] std::string effect_text(const std::string& effect,
-                                      const updating::Where& where);
-
-/// "mass_kg 0.0785 +- 0.0006, ..."
-[[nodiscard]] std::string parameters_text(
-    const std::vector<updating::Estimate>& parameters);
-
 }  // namespace tapfit::tui

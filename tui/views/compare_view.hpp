@@ -2,20 +2,13 @@
 // measured point; the curves behind each number below.
 #pragma once
 
+#include "tui/views/compare_input.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 
 #include <utility>
 
 namespace tapfit::tui {
-
-struct CompareInput {
-  const updating::Comparison& comparison;
-  const signal::FrfSet& frfs;
-  const Wireframe* wire = nullptr;
-  /// For those without a partner, once they are at hand.
-  const modal::ModeSet* modes = nullptr;
-};
 
 struct CompareState {
   ListState list;   ///< FRFs

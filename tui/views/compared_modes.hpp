@@ -1,7 +1,8 @@
 // Modes of measurement and model side by side, with those that have no partner.
 #pragma once
 
-#include "tui/views/compare_view.hpp"
+#include "tui/views/compare_input.hpp"
+#include "tui/widgets/table.hpp"
 
 #include <limits>
 #include <optional>

@@ -2,6 +2,7 @@
 #include "tui/screen/number.hpp"
 #include "tui/views/diagnose_details.hpp"
 #include "tui/views/diagnose_view.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <fmt/format.h>
 

@@ -8,6 +8,7 @@
 #include "tui/views/signature_plot.hpp"
 #include "tui/widgets/level_marks.hpp"
 #include "tui/widgets/plot.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

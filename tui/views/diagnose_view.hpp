@@ -4,6 +4,7 @@
 #include "tui/views/candidate_table.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <optional>
 #include <utility>

@@ -1,10 +1,10 @@
 #include "tui/views/frf_checks_view.hpp"
 
+#include "modal/fit/frf_peaks.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/views/frf_curves.hpp"
-#include "tui/views/frf_peaks.hpp"
 #include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
@@ -18,6 +18,7 @@ namespace {
 
 using signal::DrivingPoint;
 using signal::Frf;
+using signal::FrfChecks;
 using signal::FrfSet;
 using signal::Reciprocal;
 
@@ -38,7 +39,7 @@ void draw_driving(Screen& screen,
                          {},
                          {},
                          {Colour::Grey, Pattern::Dotted, '.', true}});
-  for (const Eigen::Index line : peak_lines(frf)) {
+  for (const Eigen::Index line : modal::peak_lines(frf)) {
     const bool fair = frf.H[line].imag() > 0.0;
     plot.markers.push_back(
         {f[line],
@@ -72,10 +73,6 @@ void draw_pair(Screen& screen,
 }
 
 }  // namespace
-
-FrfChecks check_frfs(const FrfSet& frfs) {
-  return {signal::driving_points(frfs), signal::reciprocals(frfs)};
-}
 
 std::string low_line(const DrivingPoint& point) {
   if (point.low == signal::LowLine::Mass) {

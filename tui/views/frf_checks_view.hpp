@@ -13,13 +13,6 @@
 
 namespace tapfit::tui {
 
-struct FrfChecks {
-  std::vector<signal::DrivingPoint> driving;
-  std::vector<signal::Reciprocal> both_ways;
-};
-
-[[nodiscard]] FrfChecks check_frfs(const signal::FrfSet& frfs);
-
 /// "mass of 2.1 kg", "stiffness of 3e4 N/m", "-".
 [[nodiscard]] std::string low_line(const signal::DrivingPoint& point);
 /// "fair", "polarity turned", "another point?", "not passive".
@@ -27,15 +20,15 @@ struct FrfChecks {
 
 /// Driving points first, then pairs.
 [[nodiscard]] Table check_table(const signal::FrfSet& frfs,
-                                const FrfChecks& checks);
+                                const signal::FrfChecks& checks);
 
 /// What was found of one, in a sentence.
 [[nodiscard]] std::string finding(const signal::DrivingPoint& point);
 [[nodiscard]] std::string finding(const signal::Reciprocal& pair);
 
 /// The FRF of a row of the table; of a pair, the first.
-[[nodiscard]] std::optional<std::size_t> checked_frf(const FrfChecks& checks,
-                                                     std::size_t row);
+[[nodiscard]] std::optional<std::size_t> checked_frf(
+    const signal::FrfChecks& checks, std::size_t row);
 
 /// The list above, then what was found of the selected one; below, of a driving
 /// point its imaginary part, whose peaks must all point upwards, of a pair both
@@ -43,7 +36,7 @@ struct FrfChecks {
 void draw_checks(Screen& screen,
                  const Rect& rect,
                  const signal::FrfSet& frfs,
-                 const FrfChecks& checks,
+                 const signal::FrfChecks& checks,
                  const ListState& list,
                  const PlotRange& range);
 

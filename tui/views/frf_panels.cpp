@@ -1,11 +1,11 @@
 #include "tui/views/frf_panels.hpp"
 
+#include "modal/fit/frf_peaks.hpp"
 #include "signal/checks/confidence_band.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
-#include "tui/views/frf_peaks.hpp"
 #include "tui/widgets/plane_plot.hpp"
 #include "tui/widgets/plot.hpp"
 
@@ -100,7 +100,7 @@ Plot part_plot(const FrfChoice& choice, const FrfState& state, bool real) {
   return plot;
 }
 
-Path circle(const PeakFit& fit) {
+Path circle(const modal::PeakFit& fit) {
   constexpr Index points = 120;
   Path path{"", {}, {}, {Colour::Orange, Pattern::Dotted, '.'}, true};
   const Eigen::ArrayXd angle =
@@ -112,7 +112,7 @@ Path circle(const PeakFit& fit) {
 
 /// Lines to draw: those zoomed to, else the peak's surroundings.
 std::pair<Index, Index> nyquist_lines(const FrfSet& frfs,
-                                      const std::optional<PeakFit>& fit,
+                                      const std::optional<modal::PeakFit>& fit,
                                       const PlotRange& range) {
   const Index last = frfs.lines() - 1;
   const FrequencySpan span = frequency_span(frfs);
@@ -131,7 +131,7 @@ std::pair<Index, Index> nyquist_lines(const FrfSet& frfs,
   return {at(range.lo), std::clamp<Index>(at(range.hi), 0, last)};
 }
 
-std::string circle_words(const PeakFit& fit, int width) {
+std::string circle_words(const modal::PeakFit& fit, int width) {
   const std::string hz = number(fit.frequency_hz(), 6);
   const std::string damping = number(100.0 * fit.damping_ratio(), 4);
   const std::string size =
@@ -149,7 +149,8 @@ void draw_nyquist(Screen& screen,
   const FrfSet& frfs = choice.frfs;
   const Frf& frf = frfs.frfs[choice.shown.front()];
   const Index peak = chosen_peak(frfs, frf, state.range);
-  const std::optional<PeakFit> fit = fit_peak(frfs.s, frf.H, peak);
+  const std::optional<modal::PeakFit> fit =
+      modal::fit_peak(frfs.s, frf.H, peak);
   const auto [first, last] = nyquist_lines(frfs, fit, state.range);
   if (last <= first) return;
   PlanePlot plot;
@@ -204,7 +205,7 @@ Index chosen_peak(const FrfSet& frfs, const Frf& frf, const PlotRange& range) {
   const FrequencySpan span = frequency_span(frfs);
   const PlotRange shown = resolved(range, span.lo, span.hi);
   Index chosen = -1;
-  for (const Index line : peak_lines(frf)) {
+  for (const Index line : modal::peak_lines(frf)) {
     if (f[line] < shown.lo || f[line] > shown.hi) continue;
     const bool nearer = chosen >= 0 && std::abs(f[line] - range.cursor) <
                                            std::abs(f[chosen] - range.cursor);

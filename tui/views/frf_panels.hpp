@@ -2,7 +2,9 @@
 // imaginary part, and the Nyquist plane with the circle of a peak.
 #pragma once
 
-#include "tui/views/frf_view.hpp"
+#include "signal/frf_set/frf_set.hpp"
+#include "tui/screen/screen.hpp"
+#include "tui/views/frf_state.hpp"
 
 #include <string>
 #include <vector>

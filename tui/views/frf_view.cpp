@@ -1,11 +1,12 @@
 #include "tui/views/frf_view.hpp"
 
+#include "modal/fit/frf_peaks.hpp"
 #include "signal/checks/frf_quality.hpp"
+#include "tui/report/frf_text.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/frf_panels.hpp"
-#include "tui/views/frf_peaks.hpp"
 
 #include <fmt/format.h>
 
@@ -45,8 +46,9 @@ Table peak_table(const FrfSet& frfs, const Frf& frf) {
   Table table{
       {{"peak Hz", true}, {"|H|", true}, {"phase", true}, {"damping %", true}},
       {}};
-  for (const Index line : peak_lines(frf)) {
-    const std::optional<PeakFit> fit = fit_peak(frfs.s, frf.H, line);
+  for (const Index line : modal::peak_lines(frf)) {
+    const std::optional<modal::PeakFit> fit =
+        modal::fit_peak(frfs.s, frf.H, line);
     const double hz = fit ? fit->frequency_hz() : frfs.frequency_hz()[line];
     table.rows.push_back(
         {{fixed(hz, 3),
@@ -61,7 +63,7 @@ Table peak_table(const FrfSet& frfs, const Frf& frf) {
 /// The FRF that keys and read-outs are about.
 std::size_t selected_frf(const FrfSet& frfs,
                          const FrfState& state,
-                         const FrfChecks* checks) {
+                         const signal::FrfChecks* checks) {
   if (state.checks && checks != nullptr) {
     const std::size_t row =
         settled(check_table(frfs, *checks), state.check_list);
@@ -100,7 +102,7 @@ void draw_side(Screen& screen,
   const Eigen::VectorXd f = frfs.frequency_hz();
   const Index at = chosen_peak(frfs, frfs.frfs[selected], state.range);
   Table marked = peaks;
-  const auto lines = peak_lines(frfs.frfs[selected]);
+  const auto lines = modal::peak_lines(frfs.frfs[selected]);
   ListState near;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] != at) continue;
@@ -117,7 +119,7 @@ std::optional<double> next_peak(const FrfSet& frfs,
                                 bool upwards) {
   const Eigen::VectorXd f = frfs.frequency_hz();
   std::optional<double> found;
-  for (const Index line : peak_lines(frf)) {
+  for (const Index line : modal::peak_lines(frf)) {
     const double hz = f[line];
     if (upwards && (!range.cursor_set || hz > range.cursor + 1e-9)) return hz;
     if (!upwards && (!range.cursor_set || hz < range.cursor - 1e-9)) {
@@ -141,7 +143,7 @@ void show_cursor(PlotRange& range, double lo, double hi) {
 Screen frf_view(const FrfSet& frfs,
                 const FrfState& state,
                 const Canvas& canvas,
-                const FrfChecks* checks) {
+                const signal::FrfChecks* checks) {
   Screen screen(canvas);
   if (frfs.frfs.empty()) {
     screen.text(1, 1, "There is no FRF: no run has an accepted hit (1).");

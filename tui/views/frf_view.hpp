@@ -2,39 +2,19 @@
 #pragma once
 
 #include "tui/views/frf_checks_view.hpp"
+#include "tui/views/frf_state.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 
 #include <optional>
-#include <set>
 
 namespace tapfit::tui {
-
-struct FrfState {
-  ListState list;
-  PlotRange range;     ///< [Hz]
-  bool log = true;     ///< magnitude
-  bool log_f = false;  ///< frequency
-  bool band = true;    ///< the confidence band
-  enum class Panel {
-    Phase,      ///< magnitude and phase
-    Coherence,  ///< magnitude and coherence
-    Parts,      ///< real and imaginary
-    Nyquist,    ///< the plane, with the circle of the peak at the cursor
-    Magnitude,
-  } panel = Panel::Phase;
-  std::set<std::size_t> tagged;  ///< drawn along with the selected one
-  bool both_ways = false;        ///< and the one measured the other way round
-  std::optional<double> mark;    ///< the band cursor's other end [Hz]
-  bool checks = false;           ///< driving points and reciprocity instead
-  ListState check_list;
-};
 
 /// @param checks empty while they are not known
 [[nodiscard]] Screen frf_view(const signal::FrfSet& frfs,
                               const FrfState& state,
                               const Canvas& canvas,
-                              const FrfChecks* checks = nullptr);
+                              const signal::FrfChecks* checks = nullptr);
 
 class FrfPage final : public Page {
  public:

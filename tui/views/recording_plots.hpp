@@ -2,7 +2,8 @@
 // and the average of the hits so far.
 #pragma once
 
-#include "tui/views/recording_view.hpp"
+#include "tui/screen/screen.hpp"
+#include "tui/views/recording_state.hpp"
 
 namespace tapfit::tui {
 

@@ -1,6 +1,7 @@
 #include "tui/views/signature_plot.hpp"
 
 #include "updating/localisation/absorber_law.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include "tui/views/update_panels.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/plot.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 #include "updating/fit/update_record.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <optional>
 #include <utility>

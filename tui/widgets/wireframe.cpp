@@ -2,7 +2,7 @@
 
 #include "tui/screen/dots.hpp"
 #include "tui/screen/text.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,8 @@
 #include "tui/work/snapshot.hpp"
 
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
+
 #include <algorithm>
 #include <utility>
 

@@ -2,10 +2,12 @@
 // and the screens draw.
 #pragma once
 
-#include "tui/views/frf_checks_view.hpp"
+#include "signal/checks/frf_checks.hpp"
 #include "tui/widgets/trace.hpp"
 #include "tui/widgets/wireframe.hpp"
 #include "tui/work/run_look.hpp"
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/session.hpp"
 
 #include <map>
@@ -61,7 +63,7 @@ struct Snapshot {
   updating::HitActs hit_acts;  ///< judgements overruled by hand
   std::map<int, Shared<RunLook>> run_looks;
   Shared<signal::FrfSet> frfs;
-  Shared<FrfChecks> frf_checks;
+  Shared<signal::FrfChecks> frf_checks;
   Shared<modal::ModeSet> modes;
   /// Lines x singular values, or one column of summed FRFs where no matrix of
   /// FRFs is complete.

@@ -4,6 +4,8 @@
 
 #include "acquisition/foundation/progress.hpp"
 #include "acquisition/hits/hits.hpp"
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/session.hpp"
 
 #include <cstddef>

@@ -5,6 +5,8 @@
 #include "tui/screen/number.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/fit/live_fit.hpp"
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -139,7 +141,7 @@ void make_result(Workbench& bench,
       known.frfs = shared(bench.frfs(progress));
       return;
     case Stage::FrfChecks:
-      known.frf_checks = shared(check_frfs(bench.frfs(progress)));
+      known.frf_checks = shared(signal::check_frfs(bench.frfs(progress)));
       return;
     case Stage::Modes:
       known.modes = shared(bench.modes(progress));

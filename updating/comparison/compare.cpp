@@ -4,7 +4,6 @@
 #include "modal/mode_set/pairing.hpp"
 #include "signal/checks/frac.hpp"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -211,23 +210,6 @@ Comparison compare(const Fit& fit,
     pair_up(modes, by_hand, modal::condensed_mass(at_dofs, all.omega), c);
   }
   return c;
-}
-
-Eigen::VectorXd mesh_error(const FrfModel& finer,
-                           const FrfModel& coarser,
-                           const ModelState& state,
-                           const Target& target) {
-  const ModelResponse fine = finer.respond(state, target.s, false);
-  // The coarser model's derivatives: it knows nothing of a factor for the
-  // mesh, which would take the whole difference up.
-  const ModelResponse coarse = coarser.respond(state, target.s, true);
-  Eigen::VectorXd d = stack(target, fine.H - coarse.H);
-  MatrixXd J(d.size(), static_cast<Index>(coarse.dH.size()));
-  for (std::size_t k = 0; k < coarse.dH.size(); ++k) {
-    J.col(static_cast<Index>(k)) = stack(target, coarse.dH[k]);
-  }
-  if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
-  return d;
 }
 
 std::string floor_warning(const Comparison& c) {

@@ -21,18 +21,6 @@ namespace tapfit::updating {
                                  const modal::ModeSet& modes,
                                  const std::vector<PairByHand>& by_hand = {});
 
-/// The share of the error that the mesh causes, from the same model on a mesh
-/// that is one step coarser. At clamped edges and inner corners a mesh
-/// converges as h, not h^2: the finer one is still off by as much as it differs
-/// from the coarser. What uncertain properties and damping can take up is not
-/// counted.
-///
-/// @return the difference as a residual of stack(); its norm is the error
-[[nodiscard]] Eigen::VectorXd mesh_error(const FrfModel& finer,
-                                         const FrfModel& coarser,
-                                         const ModelState& state,
-                                         const Target& target);
-
 /// What is wrong with a floor so high that next to nothing can be told; empty
 /// where it is not.
 [[nodiscard]] std::string floor_warning(const Comparison& comparison);

@@ -5,6 +5,7 @@
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/diagnosis/rung_search.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/fit/rung.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -2,6 +2,7 @@
 // sensor point at which the FRFs that they predict differ most.
 #pragma once
 
+#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <optional>

@@ -4,6 +4,7 @@
 
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/diagnosis/hypotheses.hpp"
+#include "updating/fit/estimate.hpp"
 
 #include <cstddef>
 #include <optional>

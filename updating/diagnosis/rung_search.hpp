@@ -2,9 +2,10 @@
 // is in the model, their evidence, and second thoughts about earlier rungs.
 #pragma once
 
-#include "updating/diagnosis/diagnose.hpp"
+#include "updating/diagnosis/diagnose_options.hpp"
 #include "updating/diagnosis/hypotheses.hpp"
 #include "updating/diagnosis/patch_extent.hpp"
+#include "updating/effects/effect_ref.hpp"
 
 #include <optional>
 #include <string>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/effects/channel_effect.hpp"
+#include "updating/places/location.hpp"
 
 namespace tapfit::effects {
 

@@ -7,8 +7,8 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
-#include "updating/diagnosis/diagnosis.hpp"
-#include "updating/reduction/stiffness_change.hpp"
+#include "updating/effects/change_kind.hpp"
+#include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <complex>

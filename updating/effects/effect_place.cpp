@@ -3,7 +3,6 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
-#include "updating/fit/fitter.hpp"
 
 #include <fmt/format.h>
 

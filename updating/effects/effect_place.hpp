@@ -2,9 +2,12 @@
 // test's model.
 #pragma once
 
-#include "updating/frf_model/frf_model.hpp"
+#include "updating/effects/effect_ref.hpp"
+#include "updating/effects/placed_effect.hpp"
+#include "updating/places/location.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tapfit::updating {
 

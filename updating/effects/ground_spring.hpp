@@ -2,6 +2,7 @@
 #pragma once
 
 #include "updating/effects/point_effect.hpp"
+#include "updating/places/location.hpp"
 
 namespace tapfit::effects {
 

@@ -9,8 +9,8 @@
 //                               6; RBE2 b -> d; CELAS2 k l between b and a in 6
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/places/joint_line.hpp"
+#include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <map>

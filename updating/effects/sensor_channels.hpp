@@ -2,6 +2,7 @@
 #pragma once
 
 #include "updating/effects/effect.hpp"
+#include "updating/places/location.hpp"
 
 #include <string>
 #include <vector>

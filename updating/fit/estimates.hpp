@@ -1,8 +1,9 @@
 // Identified parameters as results: value, standard deviation, interval.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/estimate.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/fit/rung.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "updating/fit/fit_ground.hpp"
 
-#include "updating/comparison/compare.hpp"
+#include "updating/fit/mesh_error.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "updating/fit/fitter.hpp"
 
-#include "updating/comparison/compare.hpp"
 #include "updating/fit/fit_watch.hpp"
+#include "updating/fit/mesh_error.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 
 #include <algorithm>
@@ -29,16 +29,6 @@ double typical(const ModelState& state) {
 }
 
 }  // namespace
-
-PlacedEffect placed(const effects::Effect& effect,
-                    const Where& where,
-                    const effects::Setting& setting) {
-  PlacedEffect result{&effect, where, {}};
-  for (const effects::ParameterSpec& spec : effect.parameters(where, setting)) {
-    result.p.push_back(spec.start);
-  }
-  return result;
-}
 
 std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
                                                   const FrfModel& model) {

@@ -119,9 +119,4 @@ class Fitter {
   FitSetting setting_;
 };
 
-/// An effect with its catalogue start values.
-[[nodiscard]] PlacedEffect placed(const effects::Effect& effect,
-                                  const Where& where,
-                                  const effects::Setting& setting);
-
 }  // namespace tapfit::updating

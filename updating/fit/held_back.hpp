@@ -2,7 +2,7 @@
 // An error that is left may be theirs.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/estimate.hpp"
 #include "updating/fit/estimates.hpp"
 
 #include <string>

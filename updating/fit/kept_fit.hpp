@@ -4,6 +4,7 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
+#include "updating/effects/effect_ref.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <functional>

@@ -14,6 +14,7 @@
 #include "signal/frf_set/frf_set.hpp"
 #include "updating/frf_model/constant_changes.hpp"
 #include "updating/frf_model/model_modes.hpp"
+#include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
@@ -26,27 +27,6 @@ namespace tapfit::updating {
 
 /// Whether the base holds this effect as a change of its stiffness.
 [[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
-
-struct ModelResponse {
-  Eigen::MatrixXcd H;                ///< lines x pairs, accelerance
-  std::vector<Eigen::MatrixXcd> dH;  ///< per entry of pack(); may be empty
-};
-
-/// What was measured between two points, and under which names.
-struct MeasuredPair {
-  std::size_t run = 0;
-  std::string channel;
-  std::string hammer;
-  Eigen::Index response = 0;  ///< column of the points
-  Eigen::Index reference = 0;
-};
-
-/// A pair of the FRF set and its columns among the points walked.
-struct WalkedPair {
-  Eigen::Index frf = 0;
-  Eigen::Index response = 0;
-  Eigen::Index reference = 0;
-};
 
 struct ModalState;
 struct RunLines;

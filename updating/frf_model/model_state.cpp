@@ -8,16 +8,6 @@ namespace tapfit::updating {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-effects::ModeDamping PlacedEffect::mode_damping(double omega) const {
-  effects::ModeDamping sum;
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const effects::ModeDamping unit = effect->mode_damping(omega, k);
-    sum.c += p[k] * unit.c;
-    sum.slope += p[k] * unit.slope;
-  }
-  return sum;
-}
-
 Index ModelState::parameters() const {
   Index n = static_cast<Index>(factor.size()) + zeta.size();
   for (const PlacedEffect& e : effects) n += static_cast<Index>(e.p.size());

@@ -1,23 +1,13 @@
 // Everything of a model that can be fitted.
 #pragma once
 
-#include "updating/effects/effect.hpp"
+#include "updating/effects/placed_effect.hpp"
 
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace tapfit::updating {
-
-/// An effect at a place, with the size of its parameters.
-struct PlacedEffect {
-  const effects::Effect* effect = nullptr;
-  Where where;
-  std::vector<double> p;
-
-  /// What it gives a mode of unit mass, for Entry::Damping.
-  [[nodiscard]] effects::ModeDamping mode_damping(double omega) const;
-};
 
 /// Everything that can be fitted.
 struct ModelState {

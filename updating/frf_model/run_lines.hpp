@@ -2,8 +2,11 @@
 // coordinates of the model's own modes. Internal to frf_model.
 #pragma once
 
-#include "updating/frf_model/frf_model.hpp"
+#include "updating/frf_model/constant_changes.hpp"
 #include "updating/frf_model/mode_turn.hpp"
+#include "updating/frf_model/model_modes.hpp"
+#include "updating/frf_model/model_response.hpp"
+#include "updating/frf_model/model_state.hpp"
 
 #include <Eigen/Core>
 

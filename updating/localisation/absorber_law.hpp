@@ -8,11 +8,17 @@
 // Source: J. P. Den Hartog, "Mechanical Vibrations", section 3.3.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
-
 #include <Eigen/Core>
 
 namespace tapfit::updating {
+
+/// A mass on a spring and a dashpot; see absorber_stiffness().
+struct AbsorberLaw {
+  double mass_kg = 0.0;
+  double frequency_hz = 0.0;
+  double damping_ratio = 0.0;
+  double unexplained = 1.0;  ///< share of z that it leaves
+};
 
 /// How well a law explains a missing stiffness.
 struct LawFit {

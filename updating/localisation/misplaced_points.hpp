@@ -11,8 +11,8 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/localisation/misplaced.hpp"
 
 #include <vector>
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/places/location.hpp"
 
 #include <Eigen/Core>
 

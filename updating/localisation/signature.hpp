@@ -1,21 +1,25 @@
-// The missing dynamic stiffness at one place, line by line.
-//
-//   H_model,oi - H_measured,oi = w H_ob H_bi,   z = w / (1 - H_bb w)
-//
-// w is solved on each line by least squares over all FRFs; how well one w fits
-// them says where, how z runs over frequency says what: s^2 a mass, 1 a
-// spring, s a dashpot, a resonance an absorber.
+// The missing dynamic stiffness at one place.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
-#include "updating/fit/fitter.hpp"
+#include "updating/localisation/absorber_law.hpp"
+
+#include <Eigen/Core>
 
 namespace tapfit::updating {
 
-/// @param node a grid of the deck
-[[nodiscard]] Signature signature_at(Fit current,
-                                     const Fitter& fitter,
-                                     int node,
-                                     const Progress& progress = {});
+/// The missing dynamic stiffness z(s) at one place against frequency.
+struct Signature {
+  int node = 0;
+  Eigen::VectorXd frequency_hz;
+  Eigen::VectorXcd z;      ///< [N/m]
+  Eigen::VectorXd z_sd;    ///< [N/m]
+  double explained = 0.0;  ///< share of the discrepancy one place explains
+  /// Share of z left unexplained by each law: mass, spring, dashpot.
+  double mass_unexplained = 1.0, mass_kg = 0.0;
+  double spring_unexplained = 1.0, spring_n_per_m = 0.0;
+  double dashpot_unexplained = 1.0, dashpot_ns_per_m = 0.0;
+  /// Has three parameters, and so always leaves less than a mass alone.
+  AbsorberLaw absorber = {};
+};
 
 }  // namespace tapfit::updating

@@ -1,6 +1,9 @@
 #include "updating/measurement/measurement.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "modal/fit/continue_frfs.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "signal/estimate/estimate_frfs.hpp"

@@ -10,7 +10,7 @@
 #include "modal/mode_set/mode_set.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "updating/measurement/mode_choices.hpp"
-#include "updating/session/saved_session.hpp"
+#include "updating/measurement/overruled_hit.hpp"
 
 #include <Eigen/Core>
 

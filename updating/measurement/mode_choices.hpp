@@ -2,7 +2,7 @@
 // taken out and put in, and which of the model's modes a measured one is.
 #pragma once
 
-#include "modal/select/pole_edit.hpp"
+#include "modal/poles/pole_edit.hpp"
 
 #include <array>
 #include <optional>

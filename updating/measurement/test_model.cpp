@@ -4,8 +4,8 @@
 #include "signal/files/uff58.hpp"
 #include "updating/structure/assembly/rigid_motion.hpp"
 #include "updating/structure/checks/material_checks.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
-#include "updating/structure/deck/scale_units.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
+#include "updating/structure/readers/scale_units.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Which places are next to a place: a climb goes from one to the next.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/properties/uncertain_property.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
 
 #include <Eigen/LU>
 #include <fmt/format.h>

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <functional>

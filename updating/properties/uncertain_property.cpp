@@ -1,6 +1,7 @@
 #include "updating/properties/uncertain_property.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <fmt/format.h>

@@ -10,6 +10,7 @@
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/elements/dashpots.hpp"

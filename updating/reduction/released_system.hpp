@@ -13,7 +13,7 @@
 
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/stiffness_change.hpp"
-#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/mesh/refined_deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <vector>

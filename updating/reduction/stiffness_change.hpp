@@ -4,7 +4,8 @@
 // elements; the base builds its matrix on the mesh that it solves.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/effects/change_kind.hpp"
+#include "updating/effects/effect_ref.hpp"
 
 #include <Eigen/Core>
 
@@ -12,12 +13,6 @@
 #include <vector>
 
 namespace tapfit::updating {
-
-enum class ChangeKind {
-  Support,   ///< held degrees of freedom are released and held by springs
-  Joint,     ///< elements beside a line turn against the rest, on springs
-  Elements,  ///< the stiffness of elements times a factor
-};
 
 struct StiffnessChange {
   ChangeKind kind = ChangeKind::Elements;

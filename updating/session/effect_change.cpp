@@ -1,6 +1,7 @@
 #include "updating/session/effect_change.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 // the effects once, and of a redo only what it would do to them.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/effects/effect_ref.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -4,6 +4,7 @@
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/effect_place.hpp"
 #include "updating/fit/fit_watch.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
 
 #include <fmt/format.h>

@@ -2,8 +2,10 @@
 // be switched off and on, and every change undone and done again.
 #pragma once
 
+#include "updating/effects/effect_ref.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/fit/kept_fit.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <functional>
 #include <vector>

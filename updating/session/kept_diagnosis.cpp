@@ -3,7 +3,8 @@
 #include "updating/cache/content_digest.hpp"
 #include "updating/cache/program_stamp.hpp"
 #include "updating/diagnosis/diagnosis_text.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
+#include "updating/session/added_effect.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
 
 #include <algorithm>
 #include <fstream>

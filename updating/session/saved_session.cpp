@@ -4,6 +4,7 @@
 #include "updating/session/saved_session.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

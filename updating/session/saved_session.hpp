@@ -6,8 +6,10 @@
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/kept_fit.hpp"
+#include "updating/fit/rung.hpp"
 #include "updating/measurement/mode_choices.hpp"
 #include "updating/measurement/overruled_hit.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
 
 #include <filesystem>

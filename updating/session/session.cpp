@@ -6,10 +6,12 @@
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/fit_ground.hpp"
 #include "updating/fit/plain_fit.hpp"
+#include "updating/localisation/find_signature.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/measurement/measurement.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/reduction/base_error.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/effect_stack.hpp"
 #include "updating/session/kept_diagnosis.hpp"
 

@@ -1,8 +1,10 @@
 #include "updating/studies/property_study.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 
 #include <Eigen/SparseLU>

@@ -1,6 +1,7 @@
 #include "updating/studies/truss_sensitivity.hpp"
 
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/system.hpp"
 #include "updating/studies/sensitivity.hpp"

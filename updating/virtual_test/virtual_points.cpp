@@ -1,6 +1,7 @@
 #include "updating/virtual_test/virtual_points.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/free_motions.hpp"
 #include "updating/structure/solve/system.hpp"
 

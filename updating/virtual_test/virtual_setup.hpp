@@ -4,7 +4,7 @@
 
 #include "acquisition/simulator/hammer_pulse.hpp"
 #include "acquisition/simulator/virtual_test.hpp"
-#include "updating/virtual_test/virtual_bundle.hpp"
+#include "updating/virtual_test/virtual_spec.hpp"
 #include "updating/virtual_test/virtual_structure.hpp"
 
 #include <filesystem>

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/virtual_test/virtual_support.hpp"
 

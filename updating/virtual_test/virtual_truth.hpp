@@ -1,8 +1,8 @@
 // truth.json beside a virtual test: what was built in, for tests alone.
 #pragma once
 
-#include "updating/virtual_test/virtual_bundle.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
+#include "updating/virtual_test/virtual_spec.hpp"
 #include "updating/virtual_test/virtual_structure.hpp"
 
 #include <filesystem>

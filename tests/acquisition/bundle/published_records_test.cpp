@@ -1,10 +1,11 @@
 // Every universal file with time records that others published, against a
 // reading of its bytes by hand. Their folder lies beside the project and is not
 // part of it. None holds a hammer: as bundles they are refused with the reason.
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/import/time_table.hpp"
+#include "acquisition/import/read_time_table.hpp"
 #include "acquisition/uff/uff_values.hpp"
 #include "tests/acquisition/support/mutation.hpp"
 

@@ -1,5 +1,6 @@
 #include "acquisition/bundle/recording.hpp"
 
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"

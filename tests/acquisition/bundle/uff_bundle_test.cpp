@@ -1,5 +1,7 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/acquisition/support/uff_text.hpp"

@@ -2,6 +2,8 @@
 // format's description.
 #include "acquisition/bundle/uff_records.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/uff/uff_geometry.hpp"

@@ -2,6 +2,7 @@
 // a level, and no two samples on it are equal.
 #include "acquisition/hits/force_ceiling.hpp"
 
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/live_hits.hpp"
 #include "tests/acquisition/support/saturated_records.hpp"
 

@@ -1,5 +1,6 @@
 // What the options of finding hits do.
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hammer_pulses.hpp"
 #include "tests/acquisition/support/hit_scene.hpp"
 

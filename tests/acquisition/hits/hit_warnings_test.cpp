@@ -1,4 +1,5 @@
 // Settings and recordings that falsify hits are warned of, and only these.
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
 

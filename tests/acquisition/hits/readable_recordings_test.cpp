@@ -1,5 +1,7 @@
 #include "acquisition/hits/readable_recordings.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_records.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/readers/audio_file.hpp"

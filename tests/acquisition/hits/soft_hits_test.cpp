@@ -1,5 +1,6 @@
 // Where no band is given, hits are judged up to where the usual one's force has
 // fallen by 10 dB. Each shape's spectrum is known in closed form.
+#include "acquisition/hits/find_hits.hpp"
 #include "tests/acquisition/support/soft_records.hpp"
 
 #include <gtest/gtest.h>

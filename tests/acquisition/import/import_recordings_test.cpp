@@ -1,7 +1,10 @@
 #include "acquisition/import/import_recordings.hpp"
 
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hits.hpp"
+#include "acquisition/import/read_time_table.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
 #include <fmt/format.h>

@@ -1,10 +1,12 @@
 // Readers on damaged files: each is read or refused with an InputError, never
 // anything else. TAPFIT_FUZZ_ROUNDS=100000 looks longer; the input that brings
 // a reader down is left in its file, named by the test.
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/import/time_table.hpp"
+#include "acquisition/import/read_time_table.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/readers/mat_file.hpp"
 #include "acquisition/uff/uff_function.hpp"

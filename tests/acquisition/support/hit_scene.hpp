@@ -1,6 +1,7 @@
 // Blows at given times on one mode, and what was found of them.
 #pragma once
 
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
 

@@ -2,6 +2,7 @@
 // where no band says what is asked for. For tests and the study over seeds.
 #pragma once
 
+#include "acquisition/hits/find_hits.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
 
 #include <vector>

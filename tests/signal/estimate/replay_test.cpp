@@ -3,6 +3,7 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/bundle/uff_records.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/signal/support/generated_test.hpp"

@@ -1,6 +1,9 @@
 // A bundle written as a universal file of time records has the same hits and
 // FRFs when it is read again, to the bit.
+#include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_records.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"

@@ -3,6 +3,7 @@
 #include "tui/commands/update_command.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/ladder_text.hpp"
+#include "updating/diagnosis/named_diagnosis.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -159,16 +160,18 @@ TEST(UpdateCommand, NamedEffectsBecomeRungsAndCandidates) {
   updating::Comparison comparison;
   comparison.floor = 0.04;
   const updating::Diagnosis diagnosis =
-      diagnosis_of_named({base, first, second}, comparison, {});
+      updating::diagnosis_of_named({base, first, second}, comparison, {});
   EXPECT_EQ(diagnosis.verdict, "sensor-mass+soft-support");
   EXPECT_EQ(diagnosis.error_base, 0.5);
   EXPECT_EQ(diagnosis.error_best, 0.05);
   EXPECT_EQ(diagnosis.floor, 0.04);
   EXPECT_EQ(diagnosis.ladder.size(), 2U);
   EXPECT_EQ(diagnosis.candidates.size(), 2U);
-  EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "unexplained");
+  EXPECT_EQ(updating::diagnosis_of_named({base}, comparison, {}).verdict,
+            "unexplained");
   comparison.floor = 0.4;
-  EXPECT_EQ(diagnosis_of_named({base}, comparison, {}).verdict, "none");
+  EXPECT_EQ(updating::diagnosis_of_named({base}, comparison, {}).verdict,
+            "none");
 }
 
 TEST(UpdateCommand, WhatExplainsNothingIsNoVerdict) {
@@ -179,7 +182,7 @@ TEST(UpdateCommand, WhatExplainsNothingIsNoVerdict) {
   updating::Comparison comparison;
   comparison.floor = 0.04;
   const updating::Diagnosis diagnosis =
-      diagnosis_of_named({base, useless}, comparison, {});
+      updating::diagnosis_of_named({base, useless}, comparison, {});
   EXPECT_EQ(diagnosis.verdict, "unexplained");
   EXPECT_EQ(diagnosis.candidates.size(), 1U);
   EXPECT_NE(fmt::format("{}", fmt::join(diagnosis.warnings, "\n"))
@@ -201,11 +204,12 @@ TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {
   updating::Rung second = first;
   second.where = at_node(2);
   second.error = 0.05;
-  const auto diagnosis = diagnosis_of_named({base, first, second},
-                                            {},
-                                            {mass("E:1", 7e10),
-                                             mass("added-mass mass_kg", 3.0),
-                                             mass("added-mass mass_kg", 4.0)});
+  const auto diagnosis =
+      updating::diagnosis_of_named({base, first, second},
+                                   {},
+                                   {mass("E:1", 7e10),
+                                    mass("added-mass mass_kg", 3.0),
+                                    mass("added-mass mass_kg", 4.0)});
   EXPECT_EQ(diagnosis.ladder[0].parameters[0].value, 1.0);
   EXPECT_EQ(diagnosis.ladder[0].error, 0.2);
   // Values and error belong together: those with all effects in the model.

@@ -3,6 +3,8 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/commands/modes_command.hpp"
 #include "tui/report/modes_file.hpp"
+#include "tui/report/modes_text.hpp"
+#include "tui/work/pair_words.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 #include "tests/tui/support/fake_results.hpp"
 
+#include "updating/localisation/signature.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>

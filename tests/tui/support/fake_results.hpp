@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tui/work/workbench.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <vector>
 

@@ -1,6 +1,8 @@
 #include "tests/tui/support/fake_workbench.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/localisation/signature.hpp"
+#include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "tests/tui/support/fake_results.hpp"
 #include "tui/work/workbench.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <atomic>
 #include <memory>

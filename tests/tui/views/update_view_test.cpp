@@ -1,6 +1,7 @@
 #include "tui/views/update_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "updating/session/added_effect.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include "tui/views/modes_view.hpp"
 #include "tui/views/recording_view.hpp"
 #include "tui/views/report_view.hpp"
+#include "updating/localisation/signature.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -135,22 +136,22 @@ TEST(FrfView, HoldsDrivingPointsAgainstPhysics) {
   }
   FrfState state;
   state.checks = true;
-  const FrfChecks fair = check_frfs(frfs);
+  const signal::FrfChecks fair = signal::check_frfs(frfs);
   ASSERT_FALSE(fair.driving.empty());
   EXPECT_TRUE(holds(frf_view(frfs, state, {120, 32, false}, &fair),
                     "driving point  fair"));
   for (signal::Frf& frf : frfs.frfs) frf.H = -frf.H;
-  const FrfChecks turned = check_frfs(frfs);
+  const signal::FrfChecks turned = signal::check_frfs(frfs);
   EXPECT_TRUE(holds(frf_view(frfs, state, {120, 32, false}, &turned),
                     "polarity turned"));
-  const FrfChecks none;
+  const signal::FrfChecks none;
   EXPECT_TRUE(holds(frf_view(frfs, state, {}, &none), "No driving point"));
 }
 
 // Nothing of it is cut, and the cursor reads the FRF that is checked.
 TEST(FrfView, SaysInFullWhatACheckFound) {
   const signal::FrfSet frfs = testing::fake_frfs();
-  const FrfChecks checks = check_frfs(frfs);
+  const signal::FrfChecks checks = signal::check_frfs(frfs);
   ASSERT_FALSE(checks.driving.empty());
   const std::size_t checked = checks.driving[0].frf;
   ASSERT_NE(checked, 0U) << "another one than the list's first";

@@ -7,6 +7,7 @@
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/edit/move_elements.hpp"
 #include "updating/structure/edit/release_constraints.hpp"
 

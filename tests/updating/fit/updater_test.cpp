@@ -7,6 +7,7 @@
 #include "updating/fit/live_fit.hpp"
 #include "updating/fit/prior_l_curve.hpp"
 #include "updating/fit/update_record.hpp"
+#include "updating/localisation/find_signature.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/localisation/signature_map.hpp"
 

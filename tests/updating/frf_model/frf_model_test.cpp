@@ -1,6 +1,7 @@
 #include "updating/frf_model/frf_model.hpp"
 
 #include "tests/updating/support/plate_model.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <Eigen/SparseLU>

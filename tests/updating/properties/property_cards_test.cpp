@@ -2,6 +2,7 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <fstream>
 

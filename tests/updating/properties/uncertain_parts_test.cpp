@@ -5,6 +5,7 @@
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "updating/reduction/base_error.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 
 #include <Eigen/LU>

@@ -7,6 +7,8 @@
 #include "updating/measurement/damped_line.hpp"
 #include "updating/reduction/reduced_base.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 
 #include <Eigen/Dense>

@@ -2,6 +2,7 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/reduction/reduced_base.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "updating/reduction/mesh_shift.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/free_motions.hpp"

@@ -4,6 +4,7 @@
 #include "tests/updating/support/matrix_text.hpp"
 #include "updating/effects/effect_place.hpp"
 #include "updating/session/session.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 

@@ -1,6 +1,7 @@
 #include "updating/studies/sensitivity.hpp"
 
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/studies/property_study.hpp"
 

@@ -1,6 +1,7 @@
 // The numbers of the paper's section 4.2, on a wing of like size.
 #include "updating/studies/wing_study.hpp"
 
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 #include "updating/studies/truss_study.hpp"
 

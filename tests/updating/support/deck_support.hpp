@@ -1,6 +1,7 @@
 // Decks for the tests of updating/structure: from text, and meshed plates.
 #pragma once
 
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/free_motions.hpp"
 

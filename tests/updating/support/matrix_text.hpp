@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/updating/support/deck_support.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
 
 #include <fmt/format.h>
 

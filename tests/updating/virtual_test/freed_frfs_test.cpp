@@ -1,6 +1,9 @@
 // FRFs freed of the sensors against recordings of the same structure without
 // them.
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/run_reader.hpp"
+#include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "signal/mass_removal/free_frfs.hpp"

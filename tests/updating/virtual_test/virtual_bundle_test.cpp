@@ -1,6 +1,8 @@
 #include "updating/virtual_test/virtual_bundle.hpp"
 
+#include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 

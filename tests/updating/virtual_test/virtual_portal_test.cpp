@@ -1,5 +1,6 @@
 #include "updating/virtual_test/virtual_portal.hpp"
 
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 #include "updating/virtual_test/virtual_habit.hpp"
 #include "updating/virtual_test/virtual_points.hpp"

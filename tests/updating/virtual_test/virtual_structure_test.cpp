@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/virtual_strip.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
 #include "updating/virtual_test/virtual_panel.hpp"

@@ -1,13 +1,14 @@
+#include "updating/structure/assembly/assemble.hpp"
+
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/structure/assembly/held_dofs.hpp"
 #include "updating/structure/assembly/idle_turns.hpp"
+#include "updating/structure/assembly/negative_cards.hpp"
 #include "updating/structure/assembly/rigid_motion.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
-#include "updating/structure/deck/matrix_market.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
-#include "updating/structure/solve/definiteness.hpp"
-#include "updating/structure/solve/system.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
 
 #include <fmt/format.h>
 
@@ -136,14 +137,6 @@ std::vector<bool> fixed_dofs(const Deck& deck, const ConstraintAxes& axes) {
 }
 
 }  // namespace
-
-std::vector<int> System::free_dofs() const {
-  std::vector<int> free;
-  for (std::size_t i = 0; i < fixed.size(); ++i) {
-    if (!fixed[i] && !inactive[i]) free.push_back(static_cast<int>(i));
-  }
-  return free;
-}
 
 System assemble(const Deck& deck) {
   check_references(deck);

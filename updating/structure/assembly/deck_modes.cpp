@@ -1,5 +1,6 @@
 #include "updating/structure/assembly/deck_modes.hpp"
 
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/held_dofs.hpp"
 #include "updating/structure/cards/error_notes.hpp"
 #include "updating/structure/checks/material_checks.hpp"

@@ -3,6 +3,7 @@
 // carry nothing.
 #pragma once
 
+#include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <string>

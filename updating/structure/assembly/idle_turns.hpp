@@ -9,6 +9,7 @@
 // mode plus a multiple of v is the same mode.
 #pragma once
 
+#include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <vector>

@@ -38,10 +38,4 @@ struct BulkData {
 ///   follows nothing, a line with too many fields, an INCLUDE that goes round
 [[nodiscard]] BulkData read_bulk_data(const std::filesystem::path& path);
 
-/// A real number as bulk data writes it: 1., 1.5-3, 1.5D-3, 7.E+10, 3.
-/// Empty when the text is not a finite number.
-[[nodiscard]] std::optional<double> parse_real(const std::string& text);
-
-[[nodiscard]] std::optional<int> parse_integer(const std::string& text);
-
 }  // namespace tapfit::structure

@@ -1,7 +1,7 @@
 #include "updating/structure/cards/bulk_lines.hpp"
 
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/structure/cards/bulk_cards.hpp"
 
 #include <fmt/format.h>
 

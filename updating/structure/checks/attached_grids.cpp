@@ -1,5 +1,6 @@
 #include "updating/structure/checks/attached_grids.hpp"
 
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/cards/card_reader.hpp"
 #include "updating/structure/cards/listed.hpp"
 

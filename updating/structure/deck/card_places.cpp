@@ -1,5 +1,6 @@
 #include "updating/structure/deck/card_places.hpp"
 
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/card_reader.hpp"
 

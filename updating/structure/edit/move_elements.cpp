@@ -1,5 +1,7 @@
 #include "updating/structure/edit/move_elements.hpp"
 
+#include "updating/structure/cards/bulk_numbers.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>

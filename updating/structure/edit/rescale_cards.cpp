@@ -1,5 +1,7 @@
 #include "updating/structure/edit/rescale_cards.hpp"
 
+#include "updating/structure/cards/bulk_numbers.hpp"
+
 #include <fmt/format.h>
 
 namespace tapfit::structure {

@@ -17,6 +17,7 @@
 // Engng 30, 1990, p. 981 (edge layer).
 #pragma once
 
+#include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
 namespace tapfit::structure {

@@ -2,20 +2,9 @@
 // into two), to learn how much of an error is the mesh's.
 #pragma once
 
-#include "updating/structure/deck/deck.hpp"
-
-#include <map>
-#include <vector>
+#include "updating/structure/mesh/refined_deck.hpp"
 
 namespace tapfit::structure {
-
-struct RefinedDeck {
-  Deck deck;  ///< the original grids keep their ids; new ones come after
-  /// Original element id -> ids of its children (itself where not split).
-  std::map<int, std::vector<int>> children;
-  /// New grid id -> the two or four original grids it lies between.
-  std::map<int, std::vector<int>> between;
-};
 
 /// Splits every shell and bar of a deck. A new grid on an edge is held, or
 /// follows a rigid element, in the components in which both ends of the edge do

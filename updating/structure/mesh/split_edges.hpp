@@ -2,7 +2,7 @@
 // per edge, whoever asks first, held and rigid as the ends of the edge are.
 #pragma once
 
-#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/mesh/refined_deck.hpp"
 
 #include <array>
 #include <functional>

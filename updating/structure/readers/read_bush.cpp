@@ -1,5 +1,6 @@
 // CBUSH and PBUSH: stiffness and damping; axes from CID, GO or a vector; the
 // place S between the grids.
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 

@@ -1,5 +1,6 @@
 // CQUAD4, CTRIA3, CBAR, CBEAM, CROD, CONROD, CONM2, CELAS1, CELAS2, CDAMP1,
 // CDAMP2, CMASS2, PLOTEL. CBUSH and rigid elements have files of their own.
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 

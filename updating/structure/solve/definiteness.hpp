@@ -16,8 +16,4 @@ namespace tapfit::structure {
 ///   indefinite
 void refuse_indefinite(const SparseMatrix& K, const SparseMatrix& M);
 
-/// As refuse_indefinite(), naming the cards below zero. Costs nothing for a
-/// deck without such cards, which cannot be indefinite.
-void refuse_negative_cards(const Deck& deck, const System& system);
-
 }  // namespace tapfit::structure

@@ -26,8 +26,4 @@ struct Eigenmodes {
                                           const SparseMatrix& M,
                                           double max_hz);
 
-/// Rows and columns of A at the given indices.
-[[nodiscard]] SparseMatrix extract(const SparseMatrix& A,
-                                   const std::vector<int>& indices);
-
 }  // namespace tapfit::structure

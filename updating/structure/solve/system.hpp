@@ -1,16 +1,11 @@
-// Stiffness and mass matrices of a deck.
+// Stiffness and mass of a structure, and what of it may move.
 #pragma once
 
-#include "updating/structure/deck/deck.hpp"
+#include "updating/structure/solve/sparse_matrix.hpp"
 
-#include <Eigen/SparseCore>
-
-#include <functional>
 #include <vector>
 
 namespace tapfit::structure {
-
-using SparseMatrix = Eigen::SparseMatrix<double>;
 
 /// Matrices over all degrees of freedom u, six per grid along basic axes:
 /// index = 6 * grid_index + component - 1. Constraints are not applied here but
@@ -28,24 +23,5 @@ struct System {
   /// Indices of q that are neither fixed nor inactive.
   [[nodiscard]] std::vector<int> free_dofs() const;
 };
-
-/// Assembles every element of the deck.
-///
-/// @throws InputError naming the element for a bad shape (zero area, wrong
-///   node order) or missing property
-[[nodiscard]] System assemble(const Deck& deck);
-
-/// Stiffness (or mass) of only the shells, bars and rods that `wanted` accepts
-/// by element id (asked on several threads); for groups and local losses.
-[[nodiscard]] SparseMatrix assemble_stiffness(
-    const Deck& deck, const std::function<bool(int element_id)>& wanted);
-[[nodiscard]] SparseMatrix assemble_mass(
-    const Deck& deck, const std::function<bool(int element_id)>& wanted);
-
-/// Ids of the elements whose material is the one given.
-[[nodiscard]] std::vector<int> elements_of_material(const Deck& deck, int id);
-
-/// Total mass in translation [kg].
-[[nodiscard]] double total_mass(const Deck& deck, const System& system);
 
 }  // namespace tapfit::structure

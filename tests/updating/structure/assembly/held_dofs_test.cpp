@@ -1,6 +1,7 @@
 // Degrees of freedom that are held though no constraint names them.
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 
 #include <cmath>

@@ -1,6 +1,7 @@
 // Grids whose displacement axes are turned: constraints, rigid elements and
 // scalar elements count along them, and nothing else changes.
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"

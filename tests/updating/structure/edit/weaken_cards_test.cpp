@@ -1,6 +1,7 @@
 #include "updating/structure/edit/weaken_cards.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 namespace tapfit::structure {
 namespace {

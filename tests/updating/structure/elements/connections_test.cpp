@@ -1,5 +1,6 @@
 // Offsets, pins, springs and concentrated masses against closed forms.
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/factor.hpp"
 
 #include <Eigen/Dense>

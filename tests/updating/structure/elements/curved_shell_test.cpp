@@ -5,6 +5,7 @@
 // test finite element accuracy", Finite Elements in Analysis and Design 1,
 // 1985.
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/factor.hpp"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // Plates against closed forms and the NAFEMS free vibration benchmarks.
 #include "tests/updating/support/deck_support.hpp"
-#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/mesh/refined_deck.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/solve/factor.hpp"
 

@@ -1,6 +1,7 @@
 #include "updating/structure/mesh/edge_twist.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "updating/structure/mesh/refine_mesh.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 // remedy.
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
-#include "updating/structure/cards/bulk_cards.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/edit/rescale_cards.hpp"
 

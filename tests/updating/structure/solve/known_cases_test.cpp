@@ -1,6 +1,7 @@
 // Sample bundles made by another plate element (Kirchhoff's, on a finer mesh)
 // whose hidden effect leaves the frequencies as they are.
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // The matrices of a real bridge's model, through Matrix Market.
 #include "tests/updating/support/mat_file.hpp"
 #include "tests/updating/support/matrix_text.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 namespace tapfit::structure {
 namespace {

@@ -2,6 +2,7 @@
 #include "updating/structure/solve/sturm_count.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 
 #include <Eigen/Dense>
 

@@ -1,0 +1,382 @@
+// test.json in three passes: JSON syntax (nlohmann-json), form (JSON Schema),
+// and what a schema cannot say (names that refer to each other, units, files).
+#include "acquisition/bundle/read_test_bundle.hpp"
+
+#include "acquisition/bundle/lossy_files.hpp"
+#include "acquisition/bundle/test_schema.hpp"
+#include "acquisition/bundle/uff_bundle.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/units.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+namespace tapfit::acquisition {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// What every check needs: the folder, the name of the file in error texts.
+struct Source {
+  fs::path folder;
+  std::string name;
+
+  [[nodiscard]] std::string at(const std::string& place) const {
+    return name + ": " + place;
+  }
+};
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw InputError(
+        "cannot be opened",
+        file.string(),
+        "give the folder of a test bundle, with a test.json in it, or a "
+        "universal file");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+json parse_json(const std::string& text, const std::string& source) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const std::size_t at =
+        std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
+    const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto line = 1 + std::count(text.begin(), here, '\n');
+    const std::size_t start =
+        at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const std::size_t column = start == std::string::npos ? at + 1 : at - start;
+    std::string what = error.what();
+    const std::size_t colon = what.find("syntax error");
+    if (colon != std::string::npos) what = what.substr(colon);
+    const bool encoding = what.find("UTF-8") != std::string::npos;
+    throw InputError(
+        what,
+        fmt::format("{}:{}:{}", source, line, column),
+        encoding ? "save the file as UTF-8 text"
+                 : "look for a missing comma, quote or bracket just before");
+  } catch (const json::exception& error) {
+    throw InputError(error.what(), source, "correct the JSON");
+  }
+}
+
+Channel read_channel(const json& entry,
+                     const std::string& place,
+                     const Source& source) {
+  Channel channel;
+  channel.name = entry.at("name").get<std::string>();
+  channel.quantity = *find_quantity(entry.at("quantity").get<std::string>());
+  channel.unit = entry.at("unit").get<std::string>();
+  const std::optional<Unit> unit = find_unit(channel.unit);
+  if (!unit || unit->quantity != channel.quantity) {
+    throw InputError(fmt::format("\"{}\" is no known unit of {}",
+                                 channel.unit,
+                                 name(channel.quantity)),
+                     source.at(place + ".unit"),
+                     "use one of " + known_units(channel.quantity));
+  }
+  channel.unit_to_si = unit->si;
+  channel.sensitivity = entry.at("sensitivity").get<double>();
+  if (channel.sensitivity == 0.0) {
+    throw InputError("the sensitivity is 0",
+                     source.at(place + ".sensitivity"),
+                     "give the volts per unit of the sensor's sheet");
+  }
+  if (entry.contains("sensitivity_unit")) {
+    const std::string text = entry["sensitivity_unit"].get<std::string>();
+    const std::optional<SensitivityUnit> per = find_sensitivity_unit(text);
+    if (!per || per->unit.quantity != channel.quantity) {
+      throw InputError(fmt::format("\"{}\" is no voltage per unit of {}",
+                                   text,
+                                   name(channel.quantity)),
+                       source.at(place + ".sensitivity_unit"),
+                       "use V/x, mV/x or uV/x with x one of " +
+                           known_units(channel.quantity));
+    }
+    channel.sensitivity *= per->volts * unit->si / per->unit.si;
+  }
+  channel.full_scale_volts = entry.at("full_scale_volts").get<double>();
+  if (entry.contains("mass_kg")) {
+    channel.mass_kg = entry["mass_kg"].get<double>();
+  }
+  return channel;
+}
+
+std::vector<Channel> read_channels(const json& list, const Source& source) {
+  std::vector<Channel> channels;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = fmt::format("channels[{}]", i);
+    channels.push_back(read_channel(list[i], place, source));
+    if (!names.insert(channels.back().name).second) {
+      throw InputError(fmt::format("a channel \"{}\" was there before",
+                                   channels.back().name),
+                       source.at(place + ".name"),
+                       "give every channel its own name");
+    }
+  }
+  return channels;
+}
+
+std::size_t find_channel(const std::vector<Channel>& channels,
+                         const std::string& name,
+                         const std::string& where) {
+  std::string known;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (channels[i].name == name) return i;
+    known += (i == 0 ? "" : ", ") + channels[i].name;
+  }
+  throw InputError(fmt::format("no channel is called \"{}\"", name),
+                   where,
+                   "use one of " + known);
+}
+
+Dof read_point(const json& entry,
+               const std::string& place,
+               const Source& source) {
+  if (entry.contains("point")) {
+    const std::string text = entry["point"].get<std::string>();
+    const std::optional<Dof> dof = parse_dof(text);
+    if (dof && dof->component <= 3) return *dof;
+    throw InputError(fmt::format("\"{}\" is no point", text),
+                     source.at(place + ".point"),
+                     "write grid and direction as in \"3:+Z\"");
+  }
+  if (!entry.contains("node") || !entry.contains("direction")) {
+    throw InputError("says no place on the structure",
+                     source.at(place),
+                     "give node and direction, or point as in \"3:+Z\"");
+  }
+  const std::string text = entry["direction"].get<std::string>();
+  const std::optional<Dof> dof =
+      parse_direction(entry["node"].get<int>(), text);
+  if (dof && dof->component <= 3) return *dof;
+  throw InputError(fmt::format("\"{}\" is no direction", text),
+                   source.at(place + ".direction"),
+                   "use +X, -X, +Y, -Y, +Z or -Z");
+}
+
+Placement read_placement(const json& entry,
+                         const std::string& place,
+                         const std::vector<Channel>& channels,
+                         const Source& source) {
+  Placement placement;
+  placement.channel = find_channel(channels,
+                                   entry.at("channel").get<std::string>(),
+                                   source.at(place + ".channel"));
+  placement.dof = read_point(entry, place, source);
+  return placement;
+}
+
+fs::path existing_file(const json& entry,
+                       const std::string& place,
+                       const Source& source) {
+  fs::path file = source.folder / entry.get<std::string>();
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    throw InputError(fmt::format("there is no file {}", file.string()),
+                     source.at(place),
+                     "correct the path; it is relative to test.json's folder");
+  }
+  return file;
+}
+
+Run read_run(const json& entry,
+             const std::string& place,
+             const std::vector<Channel>& channels,
+             const Source& source) {
+  Run run;
+  run.file = source.folder / entry.at("file").get<std::string>();
+  run.hammer =
+      read_placement(entry.at("hammer"), place + ".hammer", channels, source);
+  if (channels[run.hammer.channel].quantity != Quantity::Force) {
+    throw InputError("the hammer's channel does not measure force",
+                     source.at(place + ".hammer.channel"),
+                     "name a channel with \"quantity\": \"force\"");
+  }
+  std::set<std::size_t> used{run.hammer.channel};
+  const json& sensors = entry.at("sensors");
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const std::string here = fmt::format("{}.sensors[{}]", place, i);
+    run.sensors.push_back(read_placement(sensors[i], here, channels, source));
+    if (!used.insert(run.sensors.back().channel).second) {
+      throw InputError("this channel has a place in this run already",
+                       source.at(here + ".channel"),
+                       "name each channel once in a run");
+    }
+  }
+  return run;
+}
+
+void read_model(const json& model, const Source& source, TestBundle& bundle) {
+  if (model.is_string()) {
+    bundle.deck = existing_file(model, "model", source);
+    return;
+  }
+  MatrixModel matrices;
+  matrices.stiffness =
+      existing_file(model.at("stiffness"), "model.stiffness", source);
+  matrices.mass = existing_file(model.at("mass"), "model.mass", source);
+  matrices.dofs = existing_file(model.at("dofs"), "model.dofs", source);
+  bundle.matrices = matrices;
+}
+
+std::array<double, 2> read_band(const json& band, const Source& source) {
+  const std::array<double, 2> limits{band[0].get<double>(),
+                                     band[1].get<double>()};
+  if (limits[0] > 0.0 && limits[1] > limits[0]) return limits;
+  throw InputError(
+      fmt::format("[{}, {}] is no band", limits[0], limits[1]),
+      source.at("band_hz"),
+      "give the lower frequency first; it must be above 0 Hz and below the "
+      "upper one");
+}
+
+UncertainProperty read_uncertain(const json& entry,
+                                 const std::string& place,
+                                 const Source& source) {
+  const bool material = entry.contains("material");
+  if (material == entry.contains("element_property")) {
+    throw InputError("says not (or twice) which card is meant",
+                     source.at(place),
+                     "give either material or element_property, an id");
+  }
+  UncertainProperty uncertain;
+  uncertain.card = material ? "material" : "property";
+  uncertain.id =
+      entry.at(material ? "material" : "element_property").get<int>();
+  uncertain.property = entry.at("property").get<std::string>();
+  if (entry.contains("sd_percent")) {
+    uncertain.sd_percent = entry["sd_percent"].get<double>();
+  }
+  return uncertain;
+}
+
+void read_runs(const json& document, const Source& source, TestBundle& bundle) {
+  if (!document.contains("channels")) {
+    throw InputError("there are runs, but no channels",
+                     source.at("channels"),
+                     "list the channels of the recordings, in their order");
+  }
+  const json& runs = document["runs"];
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    bundle.runs.push_back(
+        read_run(runs[i], fmt::format("runs[{}]", i), bundle.channels, source));
+  }
+}
+
+void read_options(const json& document, TestBundle& bundle) {
+  const auto number = [&](const char* key) -> std::optional<double> {
+    if (!document.contains(key)) return std::nullopt;
+    return document[key].get<double>();
+  };
+  bundle.title = document.value("title", std::string());
+  bundle.units = document.value("units", std::string("SI"));
+  bundle.trigger_percent = number("trigger_percent");
+  bundle.trigger.range_percent = number("trigger_range_percent");
+  bundle.trigger.rearm_percent = number("trigger_rearm_percent");
+  bundle.trigger.hold_off_s = number("hold_off_s");
+  if (document.contains("trigger_slope")) {
+    bundle.trigger.slope = document["trigger_slope"] == "falling" ? -1 : 1;
+  }
+  bundle.pre_trigger_s = number("pre_trigger_s");
+  bundle.block_s = number("block_s");
+  constexpr double longest_block_s = 3600.0;
+  if (bundle.block_s && *bundle.block_s > longest_block_s) {
+    throw InputError(
+        fmt::format("a block of {} s is too long", *bundle.block_s),
+        "test.json: block_s",
+        "give at most an hour");
+  }
+  if (bundle.pre_trigger_s && bundle.block_s &&
+      *bundle.pre_trigger_s >= *bundle.block_s) {
+    throw InputError(
+        fmt::format("a pre-trigger of {} s leaves nothing of a block (block_s) "
+                    "of {} s",
+                    *bundle.pre_trigger_s,
+                    *bundle.block_s),
+        "test.json: pre_trigger_s",
+        "give a pre_trigger_s far below block_s, 2 % of it for example");
+  }
+}
+
+// A file that was named instead of a bundle and begins like no JSON object.
+void refuse_foreign(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  char first = ' ';
+  // A byte order mark may stand in front; an empty file is told of later.
+  std::string mark(3, ' ');
+  if (!in.read(mark.data(), 3) || mark != "\xef\xbb\xbf") {
+    in.clear();
+    in.seekg(0);
+  }
+  if (!(in >> first) || first == '{') return;
+  throw InputError(
+      "is no test bundle: neither a folder with a test.json, nor a test.json "
+      "(JSON), nor a universal file (a line of \"    -1\" first)",
+      file.string(),
+      "give the bundle's folder; `tapfit import` makes a bundle of CSV, MATLAB "
+      "and SEP-005 files, and recordings are named in a test.json");
+}
+
+}  // namespace
+
+TestBundle read_test_bundle(const fs::path& folder) {
+  if (is_uff(folder)) return read_uff_bundle(folder);
+  std::error_code ignored;
+  const bool is_folder = fs::is_directory(folder, ignored);
+  const fs::path file = is_folder ? folder / "test.json" : folder;
+  const Source source{file.parent_path(), file.filename().string()};
+  if (!is_folder) refuse_foreign(file);
+
+  const json document = parse_json(read_text(file), source.name);
+  check_against_schema(document, source.name);
+  if (document.contains("runs") == document.contains("frfs")) {
+    throw InputError("needs either runs or frfs",
+                     source.at("runs"),
+                     "list the recordings in runs, or name a UFF file in frfs");
+  }
+
+  TestBundle bundle;
+  bundle.folder = source.folder;
+  read_options(document, bundle);
+  if (document.contains("channels")) {
+    bundle.channels = read_channels(document["channels"], source);
+  }
+  if (document.contains("runs")) read_runs(document, source, bundle);
+  if (document.contains("frfs")) {
+    bundle.frfs = existing_file(document["frfs"], "frfs", source);
+  }
+  if (document.contains("model")) {
+    read_model(document["model"], source, bundle);
+  }
+  if (document.contains("band_hz")) {
+    bundle.band_hz = read_band(document["band_hz"], source);
+  }
+  if (document.contains("uncertain")) {
+    const json& list = document["uncertain"];
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      bundle.uncertain.push_back(
+          read_uncertain(list[i], fmt::format("uncertain[{}]", i), source));
+    }
+  }
+  for (const std::string& place : unknown_fields(document)) {
+    bundle.warnings.push_back(
+        fmt::format("{}: unknown field, not used", source.at(place)));
+  }
+  for (std::string& lossy : lossy_statements(bundle)) {
+    bundle.warnings.push_back(std::move(lossy));
+  }
+  return bundle;
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,68 @@
+#include "modal/select/needed_modes.hpp"
+
+#include "modal/poles/frf_matrix.hpp"
+#include "modal/select/hard_checks.hpp"
+#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/split_poles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+constexpr double kLeastSignificance =
+    4.0;  // F that a mode's residues must earn
+constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
+// A weaker mode counts where it is surely there.
+constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
+
+}  // namespace
+
+Index weakest_mode(const Curves& curves,
+                   const ModalFit& fit,
+                   const IdentifyOptions& options) {
+  const FrfMatrix matrix = arrange_frfs(curves);
+  Index worst = -1;
+  double least = 1.0;
+  for (Index r = 0; r < fit.poles.size(); ++r) {
+    if (far_outside(curves, fit.poles(r))) continue;
+    const double faint = std::min(fit.significance(r) / kSurelyThere,
+                                  fit.contribution(r) / kFaintestContribution);
+    double worth =
+        std::min(fit.significance(r) / kLeastSignificance,
+                 std::max(fit.contribution(r) / kLeastContribution, faint));
+    if (is_impossible(fit.poles(r), options)) worth = 0.0;
+    if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
+    if (worth >= least) continue;
+    least = worth;
+    worst = r;
+  }
+  return worst;
+}
+
+double usual_damping(const Curves& curves, const ModalFit& fit) {
+  std::vector<double> ratios;
+  for (const Complex& pole : fit.poles) {
+    if (!in_band(curves, pole)) continue;
+    ratios.push_back(-pole.real() / std::abs(pole));
+  }
+  if (ratios.empty()) return 0.005;
+  const auto middle =
+      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+  std::ranges::nth_element(ratios, middle);
+  return *middle;
+}
+
+bool are_needed(const Curves& curves,
+                const ModalFit& fit,
+                const IdentifyOptions& options) {
+  return weakest_mode(curves, fit, options) < 0;
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,46 @@
+#include "updating/export/updated_deck.hpp"
+
+#include "updating/structure/deck/deck.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace tapfit::updating {
+namespace {
+
+// A second absorber needs a grid and elements of its own.
+TEST(UpdatedDeck, AbsorbersShareNoIds) {
+  structure::Deck deck;
+  for (const int id : {1, 2}) {
+    structure::Grid grid;
+    grid.id = id;
+    deck.grids.push_back(grid);
+  }
+  acquisition::TestBundle bundle;
+  acquisition::Run run;
+  run.sensors = {{0, {2, 3, 1}}};
+  bundle.runs = {run};
+  std::vector<Candidate> added(2);
+  for (int k = 0; k < 2; ++k) {
+    added[static_cast<std::size_t>(k)].effect = "absorber";
+    added[static_cast<std::size_t>(k)].where.node = k + 1;
+  }
+  std::set<std::string> grids;
+  std::set<std::string> elements;
+  std::size_t cards = 0;
+  for (const std::string& card : effect_cards(added, bundle, deck)) {
+    if (card.starts_with("$")) continue;
+    const std::size_t comma = card.find(',');
+    const std::string id =
+        card.substr(comma + 1, card.find(',', comma + 1) - comma - 1);
+    (card.starts_with("GRID") ? grids : elements).insert(id);
+    ++cards;
+  }
+  EXPECT_EQ(cards, 8U);
+  EXPECT_EQ(grids.size(), 2U);
+  EXPECT_EQ(elements.size(), 6U);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,22 @@
+#include "tui/options/terminal_options.hpp"
+
+namespace tapfit::tui {
+
+void add_terminal_options(CLI::App& app,
+                          std::filesystem::path& bundle,
+                          AppOptions& options) {
+  app.add_option("BUNDLE", bundle, "Test bundle to open in the terminal");
+  app.add_flag("--ascii", options.ascii, "Only ASCII characters");
+  app.add_flag("--blocks", options.blocks, "Blocks instead of braille dots");
+  app.add_flag(
+      "--no-colour,--no-color", options.no_colour, "No colours (as NO_COLOR)");
+  app.add_flag("--light", options.light, "Colours for a light background");
+  app.add_flag("--dark", options.dark, "Colours for a dark background");
+  app.add_flag("--no-mouse", options.no_mouse, "Leave the mouse alone");
+  app.add_option(
+      "--keys", options.keys_file, "Replay a key script without a terminal");
+  app.add_option("--width", options.width, "Columns of the replay");
+  app.add_option("--height", options.height, "Rows of the replay");
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,57 @@
+// What the screen of recordings is drawn from, and what is chosen on it.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/hits/hits.hpp"
+#include "acquisition/hits/readable_recordings.hpp"
+#include "tui/widgets/plot_range.hpp"
+#include "tui/widgets/table.hpp"
+#include "tui/widgets/trace.hpp"
+#include "tui/work/run_look.hpp"
+
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace tapfit::tui {
+
+struct RecordingInput {
+  const acquisition::TestBundle& bundle;
+  const std::vector<Trace>& traces;
+  const acquisition::HitSet& hits;
+  const RunLook* look = nullptr;  ///< of the run on show, once it is there
+  const std::vector<acquisition::LeftOut>* left_out = nullptr;
+
+  /// Why that run is left out, if it is.
+  [[nodiscard]] const acquisition::LeftOut* not_used(std::size_t run) const;
+};
+
+/// A run played: what lies behind `time_s` has not been measured yet.
+struct Playing {
+  bool on = false;
+  bool paused = false;
+  double time_s = 0.0;
+  double speed = 10.0;  ///< seconds of the recording per second
+};
+
+struct RecordingState {
+  using HitAt = std::pair<std::size_t, std::size_t>;  ///< run, hit
+
+  std::size_t run = 0;
+  std::size_t sensor = 0;  ///< which of the run's sensors is drawn first
+  ListState list;          ///< the run's hits
+  PlotRange range;         ///< [s]
+  int zoom = 0;  ///< 0 as the range says, 1 the hit's pulse, 2 its block
+  std::set<HitAt> tagged;
+  bool statements = false;  ///< what was chosen, instead of the plots
+  Playing playing;
+};
+
+/// Hits of the run on show that have been measured when the replay is at
+/// `time_s`: whose block is complete.
+[[nodiscard]] std::size_t hits_by(const RecordingInput& input,
+                                  std::size_t run,
+                                  double time_s);
+
+}  // namespace tapfit::tui

@@ -1,0 +1,21 @@
+// An effect of the catalogue, by name, at a place.
+#pragma once
+
+#include "updating/places/location.hpp"
+
+#include <string>
+
+namespace tapfit::updating {
+
+struct EffectRef {
+  std::string effect;
+  Where where;
+
+  bool operator==(const EffectRef&) const = default;
+};
+
+/// "added-mass at node 201"; the effect alone where it has no place.
+[[nodiscard]] std::string effect_text(const std::string& effect,
+                                      const Where& where);
+
+}  // namespace tapfit::updating

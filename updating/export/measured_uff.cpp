@@ -1,0 +1,84 @@
+#include "updating/export/measured_uff.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/uff55.hpp"
+#include "signal/files/uff58.hpp"
+
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+namespace tapfit::updating {
+
+namespace {
+
+void add_piece(const std::vector<int>& grids,
+               bool closed,
+               acquisition::UffGeometry& geometry) {
+  geometry.trace_lines.push_back(grids);
+  if (closed) geometry.trace_lines.back().push_back(grids.front());
+}
+
+// Grids and element edges of the deck; nothing without one.
+acquisition::UffGeometry geometry_of(Session& session) {
+  acquisition::UffGeometry geometry;
+  if (!session.bundle().deck) return geometry;
+  const structure::Deck& deck = session.deck();
+  for (const structure::Grid& grid : deck.grids) {
+    geometry.nodes[grid.id] = grid.position;
+  }
+  for (const auto& shell : deck.shells) add_piece(shell.grids, true, geometry);
+  for (const auto& bar : deck.bars) {
+    add_piece({bar.grids[0], bar.grids[1]}, false, geometry);
+  }
+  for (const auto& rod : deck.rods) {
+    add_piece({rod.grids[0], rod.grids[1]}, false, geometry);
+  }
+  return geometry;
+}
+
+void finish(std::ofstream& file, const std::filesystem::path& path) {
+  if (file.flush()) return;
+  throw InputError(
+      "cannot be written", path.string(), "check folder and permissions");
+}
+
+}  // namespace
+
+void write_measured_uff(Session& session,
+                        const std::filesystem::path& path,
+                        acquisition::UffNodes nodes,
+                        const Progress& progress) {
+  const std::string& title = session.bundle().title;
+  const signal::FrfSet& frfs = session.frfs(progress);
+  const modal::ModeSet& modes = session.modes(progress);
+  std::ofstream file(path);
+  signal::write_frfs_uff(frfs, title, file);
+  file << modal::modes_as_uff(modes, title);
+  write_geometry(geometry_of(session), nodes, file);
+  finish(file, path);
+}
+
+void write_recorded_uff(Session& session,
+                        const std::filesystem::path& path,
+                        acquisition::UffEncoding encoding,
+                        acquisition::UffNodes nodes) {
+  const acquisition::TestBundle& bundle = session.bundle();
+  if (bundle.runs.empty()) {
+    throw InputError("the bundle holds ready FRFs and no recording",
+                     bundle.folder.string(),
+                     "write its FRFs with --uff");
+  }
+  std::error_code missing;
+  if (bundle.uff && std::filesystem::equivalent(*bundle.uff, path, missing)) {
+    throw InputError("is the recording itself",
+                     path.string(),
+                     "give the time records another name");
+  }
+  std::ofstream file(path, std::ios::binary);
+  write_uff_records(bundle, encoding, file);
+  write_geometry(geometry_of(session), nodes, file);
+  finish(file, path);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,233 @@
+#include "updating/export/updated_deck.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/diagnosis/named_diagnosis.hpp"
+#include "updating/effects/catalogue.hpp"
+#include "updating/effects/joint_cards.hpp"
+#include "updating/fit/fit_setting.hpp"
+#include "updating/properties/property_cards.hpp"
+#include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/edit/move_elements.hpp"
+#include "updating/structure/edit/release_constraints.hpp"
+#include "updating/structure/edit/weaken_cards.hpp"
+#include "updating/structure/solve/system.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+namespace tapfit::updating {
+
+namespace {
+
+effects::Setting setting_of(const acquisition::TestBundle& bundle,
+                            const structure::Deck& deck) {
+  effects::Setting setting;
+  setting.bundle = &bundle;
+  setting.deck = &deck;
+  setting.mass_kg = structure::total_mass(deck, structure::assemble(deck));
+  if (bundle.band_hz) {
+    setting.low_hz = bundle.band_hz->front();
+    setting.high_hz = bundle.band_hz->back();
+  }
+  setting.component = measured_component(bundle);
+  return setting;
+}
+
+/// The identified values in the order the effect wants them; its start value
+/// for one that was not identified.
+std::vector<double> values(const std::vector<Estimate>& identified,
+                           const std::vector<effects::ParameterSpec>& specs) {
+  std::vector<double> p;
+  for (const auto& spec : specs) {
+    const auto found =
+        std::ranges::find(identified, spec.name, &Estimate::name);
+    p.push_back(found == identified.end() ? spec.start : found->value);
+  }
+  return p;
+}
+
+/// Marks the id of a card, "CONM2,305,..." or "GRID,400,...", as taken.
+void take_id(const std::string& card, structure::Deck& deck) {
+  const std::size_t comma = card.find(',');
+  if (card.starts_with('$') || comma == std::string::npos) return;
+  if (card.starts_with("CORD")) return deck.cards.push_back(card);
+  int id = 0;
+  const char* first = card.data() + comma + 1;
+  std::from_chars(first, card.data() + card.size(), id);
+  if (id <= 0) return;
+  if (card.starts_with("GRID")) {
+    structure::Grid grid;
+    grid.id = id;
+    deck.grids.push_back(grid);
+  } else {
+    deck.masses.push_back({.id = id});
+  }
+}
+
+/// What was identified as changes of cards; in the same order.
+struct IdentifiedCards {
+  std::vector<structure::CardScale> scales;
+  std::vector<Estimate> estimates;
+};
+
+IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
+                                 const structure::Deck& deck,
+                                 const std::vector<Estimate>& identified) {
+  IdentifiedCards result;
+  for (const auto& uncertain : bundle.uncertain) {
+    const PropertyLaw law =
+        property_law(deck, uncertain, "test.json: uncertain");
+    const auto found = std::ranges::find(identified, law.name, &Estimate::name);
+    if (found == identified.end()) continue;
+    result.scales.push_back(
+        property_card(deck, uncertain, found->value / law.nominal));
+    result.estimates.push_back(*found);
+  }
+  return result;
+}
+
+std::vector<structure::WeakElements> weak_elements(
+    const std::vector<Candidate>& added_effects) {
+  std::vector<structure::WeakElements> weak;
+  for (const auto& added : added_effects) {
+    const auto kind = effects::find(added.effect).changes_stiffness();
+    if (kind != ChangeKind::Elements) continue;
+    weak.push_back({{added.where.elements.begin(), added.where.elements.end()},
+                    added.parameters.at(0).value});
+  }
+  return weak;
+}
+
+/// Effects as cards to add and as elements on other grids.
+struct EffectCards {
+  std::vector<std::string> added;
+  structure::GridMoves moves;
+};
+
+/// The elements beside a joint take its doubled grids; false where another
+/// joint has moved one of them there already.
+bool move_side(const JointLine& line,
+               const std::map<int, int>& doubles,
+               structure::GridMoves& moves) {
+  structure::GridMoves all = moves;
+  for (const int element : line.side) {
+    for (const auto& [grid, twin] : doubles) {
+      if (!all[element].try_emplace(grid, twin).second) return false;
+    }
+  }
+  moves = std::move(all);
+  return true;
+}
+
+EffectCards cards_of(const std::vector<Candidate>& added_effects,
+                     const acquisition::TestBundle& bundle,
+                     const structure::Deck& deck) {
+  structure::Deck with_ids = deck;
+  effects::Setting setting = setting_of(bundle, deck);
+  setting.deck = &with_ids;
+  EffectCards cards;
+  for (const auto& added : added_effects) {
+    const effects::Effect& effect = effects::find(added.effect);
+    cards.added.push_back(fmt::format("$ {}: {}",
+                                      effect_text(added.effect, added.where),
+                                      parameters_text(added.parameters)));
+    const auto p =
+        values(added.parameters, effect.parameters(added.where, setting));
+    if (effect.changes_stiffness() == ChangeKind::Joint) {
+      const JointLine line =
+          effects::joint_at(with_ids, added.where, setting.component);
+      const auto doubles =
+          effects::joint_cards(with_ids, line, p.front()).doubles;
+      if (!move_side(line, doubles, cards.moves)) {
+        cards.added.emplace_back(
+            "$ not written: it crosses another joint at a grid");
+        continue;
+      }
+    }
+    for (std::string& card : effect.bulk_data(added.where, setting, p)) {
+      take_id(card, with_ids);
+      cards.added.push_back(std::move(card));
+    }
+  }
+  return cards;
+}
+
+}  // namespace
+
+std::vector<std::string> effect_cards(
+    const std::vector<Candidate>& added_effects,
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck) {
+  return cards_of(added_effects, bundle, deck).added;
+}
+
+UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
+                         const structure::Deck& deck,
+                         const std::vector<Candidate>& added_effects,
+                         const std::vector<Estimate>& identified) {
+  const effects::Setting setting = setting_of(bundle, deck);
+  std::vector<structure::Constraint> released;
+  for (const auto& added : added_effects) {
+    const auto out = effects::find(added.effect).released(added.where, setting);
+    released.insert(released.end(), out.begin(), out.end());
+  }
+  const IdentifiedCards cards = identified_cards(bundle, deck, identified);
+  const structure::WeakenCards weak(deck, weak_elements(added_effects));
+  EffectCards written = cards_of(added_effects, bundle, deck);
+  std::vector<bool> done;
+  const structure::CardEdit rescale =
+      structure::rescale_cards(cards.scales, done);
+  UpdatedDeck result;
+  result.lines =
+      structure::edit_cards(deck.path,
+                            {structure::move_elements(written.moves, weak),
+                             weak.edit(cards.scales, done),
+                             rescale,
+                             structure::release_constraints(deck, released)});
+  result.added = std::move(written.added);
+  for (std::size_t k = 0; k < cards.scales.size(); ++k) {
+    if (done[k]) continue;
+    const Estimate& estimate = cards.estimates[k];
+    result.added.push_back(
+        fmt::format("$ identified, not written to its card: {} {}",
+                    parameters_text({estimate}),
+                    estimate.unit));
+  }
+  return result;
+}
+
+void check_deck_path(Session& session, const std::filesystem::path& path) {
+  if (session.bundle().matrices) {
+    throw InputError("the model is given as matrices: there is no deck",
+                     (session.bundle().folder / "test.json").string(),
+                     "leave --deck out, or give the model as a Nastran deck");
+  }
+  std::error_code missing;
+  const auto& own = session.bundle().deck;
+  if (own && std::filesystem::equivalent(*own, path, missing)) {
+    throw InputError("is the model of the test itself",
+                     path.string(),
+                     "give the updated deck another name");
+  }
+}
+
+void write_updated_deck(Session& session,
+                        const std::filesystem::path& path,
+                        const Progress& progress) {
+  const structure::Deck& deck = session.deck(progress);
+  const Diagnosis named =
+      diagnosis_of_named(session.ladder(progress),
+                         session.comparison(progress),
+                         session.model_parameters(progress));
+  UpdatedDeck updated = updated_deck(
+      session.bundle(), deck, named.candidates, named.model_parameters);
+  structure::Deck changed = deck;
+  changed.cards = std::move(updated.lines);
+  structure::write_deck(changed, updated.added, path);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,48 @@
+// The deck of a session's model: the original lines with the identified base
+// properties in their cards, and the cards of the effects added.
+#pragma once
+
+#include "updating/session/session.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Cards of the effects, each with element ids of its own.
+///
+/// @param added_effects with the values that all of them together have
+[[nodiscard]] std::vector<std::string> effect_cards(
+    const std::vector<Candidate>& added_effects,
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck);
+
+/// Lines of the deck with identified properties in their cards and released
+/// components out of its constraints, and the cards to be added.
+struct UpdatedDeck {
+  std::vector<std::string> lines;
+  std::vector<std::string> added;
+};
+
+/// @param added_effects with the values that all of them together have
+/// @param identified uncertain properties
+/// @throws InputError for a deck that cannot be read again
+[[nodiscard]] UpdatedDeck updated_deck(
+    const acquisition::TestBundle& bundle,
+    const structure::Deck& deck,
+    const std::vector<Candidate>& added_effects,
+    const std::vector<Estimate>& identified);
+
+/// @throws InputError for a bundle without a deck, a file that cannot be
+///   written; Stopped
+void write_updated_deck(Session& session,
+                        const std::filesystem::path& path,
+                        const Progress& progress);
+
+/// The deck that was read is the engineer's own: it is never written over. A
+/// model given as matrices has none.
+/// @throws InputError
+void check_deck_path(Session& session, const std::filesystem::path& path);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,24 @@
+#include "updating/fit/mesh_error.hpp"
+
+#include <Eigen/QR>
+
+namespace tapfit::updating {
+
+Eigen::VectorXd mesh_error(const FrfModel& finer,
+                           const FrfModel& coarser,
+                           const ModelState& state,
+                           const Target& target) {
+  const ModelResponse fine = finer.respond(state, target.s, false);
+  // The coarser model's derivatives: it knows nothing of a factor for the
+  // mesh, which would take the whole difference up.
+  const ModelResponse coarse = coarser.respond(state, target.s, true);
+  Eigen::VectorXd d = stack(target, fine.H - coarse.H);
+  Eigen::MatrixXd J(d.size(), static_cast<Eigen::Index>(coarse.dH.size()));
+  for (std::size_t k = 0; k < coarse.dH.size(); ++k) {
+    J.col(static_cast<Eigen::Index>(k)) = stack(target, coarse.dH[k]);
+  }
+  if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
+  return d;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,26 @@
+// Where an effect sits on the structure or in the measuring chain.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Where an effect sits; which member is used depends on the effect.
+struct Where {
+  int node = 0;  ///< 0: not used
+  std::vector<int> nodes = {};
+  std::vector<int> elements = {};
+  std::vector<std::string> channels = {};
+  /// Which form of the effect, where it has several: "rotation",
+  /// "translation"; "each" for one mass per channel instead of a shared one;
+  /// "rotary" for a mass with an inertia.
+  std::string variant = {};
+
+  bool operator==(const Where&) const = default;
+};
+
+/// "node 201", "acc1, acc2", "19 nodes (1 ... 38)".
+[[nodiscard]] std::string describe(const Where& where);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,31 @@
+// Stiffness and mass matrices of a deck.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+#include "updating/structure/solve/system.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace tapfit::structure {
+
+/// Assembles every element of the deck.
+///
+/// @throws InputError naming the element for a bad shape (zero area, wrong
+///   node order) or missing property
+[[nodiscard]] System assemble(const Deck& deck);
+
+/// Stiffness (or mass) of only the shells, bars and rods that `wanted` accepts
+/// by element id (asked on several threads); for groups and local losses.
+[[nodiscard]] SparseMatrix assemble_stiffness(
+    const Deck& deck, const std::function<bool(int element_id)>& wanted);
+[[nodiscard]] SparseMatrix assemble_mass(
+    const Deck& deck, const std::function<bool(int element_id)>& wanted);
+
+/// Ids of the elements whose material is the one given.
+[[nodiscard]] std::vector<int> elements_of_material(const Deck& deck, int id);
+
+/// Total mass in translation [kg].
+[[nodiscard]] double total_mass(const Deck& deck, const System& system);
+
+}  // namespace tapfit::structure
