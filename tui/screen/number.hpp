@@ -2,7 +2,8 @@
 // uncertainty, their unit. Never "nan", never wider than needed.
 #pragma once
 
-#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/estimate.hpp"
+#include "updating/places/location.hpp"
 
 #include <string>
 #include <string_view>

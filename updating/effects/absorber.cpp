@@ -1,6 +1,6 @@
 #include "updating/effects/absorber.hpp"
 
-#include "updating/effects/deck_cards.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <cmath>
 #include <numbers>

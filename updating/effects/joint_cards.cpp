@@ -1,6 +1,6 @@
 #include "updating/effects/joint_cards.hpp"
 
-#include "updating/effects/deck_cards.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -61,12 +61,12 @@ std::string system_card(int id, const Vector3d& z) {
       "CORD2R,{},0,0.,0.,0.,{},{},{}\n"
       ",{},{},{}",
       id,
-      card_real(z.x()),
-      card_real(z.y()),
-      card_real(z.z()),
-      card_real(c.x()),
-      card_real(c.y()),
-      card_real(c.z()));
+      structure::card_real(z.x()),
+      structure::card_real(z.y()),
+      structure::card_real(z.z()),
+      structure::card_real(c.x()),
+      structure::card_real(c.y()),
+      structure::card_real(c.z()));
 }
 
 // Cards for one line, with ids counted on from the deck's own.
@@ -84,14 +84,14 @@ class Writer {
         "RBE2,{},{},{},{}", element(), leader, components, follower));
   }
   void spring(double stiffness, int a, int b, int component) {
-    cards.push_back(
-        fmt::format("CELAS2,{},{},{},{},{},{}",
-                    element(),
-                    card_real(file_stiffness(*deck_, component, stiffness)),
-                    a,
-                    component,
-                    b,
-                    component));
+    cards.push_back(fmt::format(
+        "CELAS2,{},{},{},{},{},{}",
+        element(),
+        structure::card_real(file_stiffness(*deck_, component, stiffness)),
+        a,
+        component,
+        b,
+        component));
   }
 
   std::vector<std::string> cards;

@@ -1,7 +1,7 @@
 #include "updating/effects/sensor_cable.hpp"
 
-#include "updating/effects/deck_cards.hpp"
 #include "updating/effects/sensor_channels.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <cmath>
 #include <numbers>

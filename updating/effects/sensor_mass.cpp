@@ -1,8 +1,8 @@
 #include "updating/effects/sensor_mass.hpp"
 
-#include "updating/effects/deck_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/sensor_channels.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <algorithm>
 #include <map>

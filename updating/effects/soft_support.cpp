@@ -1,7 +1,7 @@
 #include "updating/effects/soft_support.hpp"
 
-#include "updating/effects/deck_cards.hpp"
 #include "updating/places/support_line.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/deck_cards.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <gtest/gtest.h>
 

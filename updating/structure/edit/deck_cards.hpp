@@ -11,34 +11,29 @@
 #include <string>
 #include <vector>
 
-namespace tapfit::effects {
+namespace tapfit::structure {
 
 /// The `offset`-th element (or grid) id that the deck has not (0, 1, ...).
-[[nodiscard]] int free_element(const structure::Deck& deck, int offset);
-[[nodiscard]] int free_grid(const structure::Deck& deck, int offset);
+[[nodiscard]] int free_element(const Deck& deck, int offset);
+[[nodiscard]] int free_grid(const Deck& deck, int offset);
 
 /// A real in bulk data needs a point or an exponent with one.
 [[nodiscard]] std::string card_real(double value);
 
 /// A stiffness, damping [SI] in the file's units: force by length is mass by
 /// time squared; a rotation (component 4..6) has a length at either end.
-[[nodiscard]] double file_stiffness(const structure::Deck& deck,
-                                    int component,
-                                    double si);
+[[nodiscard]] double file_stiffness(const Deck& deck, int component, double si);
 
 /// GRID at the place of another one. Zeros stand where blanks would take what
 /// GRDSET says.
 /// @param held components of its own constraint, or none
 /// @param axes coordinate system of its displacements (CD)
-[[nodiscard]] std::string grid_card(const structure::Deck& deck,
-                                    int id,
-                                    int like,
-                                    const std::string& held,
-                                    int axes = 0);
+[[nodiscard]] std::string grid_card(
+    const Deck& deck, int id, int like, const std::string& held, int axes = 0);
 
 /// CONM2 with the `offset`-th free element id of the deck (0, 1, ...).
 /// @param inertia_kg_m2 about each axis; a second line where there is one
-[[nodiscard]] std::string point_mass_card(const structure::Deck& deck,
+[[nodiscard]] std::string point_mass_card(const Deck& deck,
                                           int offset,
                                           int node,
                                           double mass_kg,
@@ -46,34 +41,25 @@ namespace tapfit::effects {
 
 /// The component by which cards at a grid mean a direction along basic axes, in
 /// either sense; empty where the grid's axes are askew to it.
-[[nodiscard]] std::optional<int> card_component(const structure::Deck& deck,
+[[nodiscard]] std::optional<int> card_component(const Deck& deck,
                                                 int node,
                                                 int component);
 
 /// CELAS2 from a grid's component to ground, with what it needs in front of it.
 /// Takes no more ids, from the `offset`-th on, than there are cards.
 [[nodiscard]] std::vector<std::string> ground_spring_cards(
-    const structure::Deck& deck,
-    int offset,
-    int node,
-    int component,
-    double stiffness);
+    const Deck& deck, int offset, int node, int component, double stiffness);
 
 /// CDAMP2 alike.
 [[nodiscard]] std::vector<std::string> ground_damper_cards(
-    const structure::Deck& deck,
-    int offset,
-    int node,
-    int component,
-    double damping);
+    const Deck& deck, int offset, int node, int component, double damping);
 
 /// A grid of its own with a mass, on a spring and damper to a grid.
-[[nodiscard]] std::vector<std::string> absorber_cards(
-    const structure::Deck& deck,
-    int node,
-    int component,
-    double mass_kg,
-    double stiffness,
-    double damping);
+[[nodiscard]] std::vector<std::string> absorber_cards(const Deck& deck,
+                                                      int node,
+                                                      int component,
+                                                      double mass_kg,
+                                                      double stiffness,
+                                                      double damping);
 
-}  // namespace tapfit::effects
+}  // namespace tapfit::structure

@@ -1,4 +1,4 @@
-#include "updating/effects/deck_cards.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include "acquisition/foundation/dof.hpp"
 
@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace tapfit::effects {
+namespace tapfit::structure {
 namespace {
 
 // Cosine between a grid's own axis and a basic one.
-double cosine(const structure::Deck& deck, int node, int own, int basic) {
+double cosine(const Deck& deck, int node, int own, int basic) {
   return deck.grids[deck.grid_index(node)].axes((basic - 1) % 3, own % 3);
 }
 
@@ -25,11 +25,8 @@ struct Hold {
 // Between two grids the sense counts, against ground it does not.
 enum class Sense { Either, Same };
 
-Hold hold_of(const structure::Deck& deck,
-             int offset,
-             int node,
-             int component,
-             Sense sense) {
+Hold hold_of(
+    const Deck& deck, int offset, int node, int component, Sense sense) {
   const auto own = card_component(deck, node, component);
   const bool good = own && (sense == Sense::Either ||
                             cosine(deck, node, *own - 1, component) > 0.0);
@@ -44,7 +41,7 @@ Hold hold_of(const structure::Deck& deck,
 }
 
 std::vector<std::string> ground_cards(const char* card,
-                                      const structure::Deck& deck,
+                                      const Deck& deck,
                                       int offset,
                                       const Dof& dof,
                                       double size) {
@@ -61,7 +58,7 @@ std::vector<std::string> ground_cards(const char* card,
 
 }  // namespace
 
-int free_element(const structure::Deck& deck, int offset) {
+int free_element(const Deck& deck, int offset) {
   int highest = 0;
   const auto scan = [&highest](const auto& elements) {
     for (const auto& element : elements) {
@@ -78,26 +75,23 @@ int free_element(const structure::Deck& deck, int offset) {
   return highest + 1 + offset;
 }
 
-double file_stiffness(const structure::Deck& deck, int component, double si) {
+double file_stiffness(const Deck& deck, int component, double si) {
   const double length = component > 3 ? deck.file_length_m : 1.0;
   return si / (deck.file_mass_kg * length * length);
 }
 
 std::string card_real(double value) { return fmt::format("{:#.7g}", value); }
 
-int free_grid(const structure::Deck& deck, int offset) {
+int free_grid(const Deck& deck, int offset) {
   int highest = 0;
-  for (const structure::Grid& grid : deck.grids) {
+  for (const Grid& grid : deck.grids) {
     highest = std::max(highest, grid.id);
   }
   return highest + 1 + offset;
 }
 
-std::string grid_card(const structure::Deck& deck,
-                      int id,
-                      int like,
-                      const std::string& held,
-                      int axes) {
+std::string grid_card(
+    const Deck& deck, int id, int like, const std::string& held, int axes) {
   const Eigen::Vector3d at =
       deck.grids[deck.grid_index(like)].position / deck.file_length_m;
   return fmt::format("GRID,{},0,{},{},{},{},{}",
@@ -109,9 +103,7 @@ std::string grid_card(const structure::Deck& deck,
                      held.empty() ? "0" : held);
 }
 
-std::optional<int> card_component(const structure::Deck& deck,
-                                  int node,
-                                  int component) {
+std::optional<int> card_component(const Deck& deck, int node, int component) {
   constexpr double kRounding = 1e-6;
   const int kind = component > 3 ? 3 : 0;
   for (int own = 0; own < 3; ++own) {
@@ -122,7 +114,7 @@ std::optional<int> card_component(const structure::Deck& deck,
   return std::nullopt;
 }
 
-std::string point_mass_card(const structure::Deck& deck,
+std::string point_mass_card(const Deck& deck,
                             int offset,
                             int node,
                             double mass_kg,
@@ -141,23 +133,17 @@ std::string point_mass_card(const structure::Deck& deck,
   return card;
 }
 
-std::vector<std::string> ground_spring_cards(const structure::Deck& deck,
-                                             int offset,
-                                             int node,
-                                             int component,
-                                             double stiffness) {
+std::vector<std::string> ground_spring_cards(
+    const Deck& deck, int offset, int node, int component, double stiffness) {
   return ground_cards("CELAS2", deck, offset, {node, component, 1}, stiffness);
 }
 
-std::vector<std::string> ground_damper_cards(const structure::Deck& deck,
-                                             int offset,
-                                             int node,
-                                             int component,
-                                             double damping) {
+std::vector<std::string> ground_damper_cards(
+    const Deck& deck, int offset, int node, int component, double damping) {
   return ground_cards("CDAMP2", deck, offset, {node, component, 1}, damping);
 }
 
-std::vector<std::string> absorber_cards(const structure::Deck& deck,
+std::vector<std::string> absorber_cards(const Deck& deck,
                                         int node,
                                         int component,
                                         double mass_kg,
@@ -186,4 +172,4 @@ std::vector<std::string> absorber_cards(const structure::Deck& deck,
   return cards;
 }
 
-}  // namespace tapfit::effects
+}  // namespace tapfit::structure
