@@ -1,3 +1,9 @@
+// The room acquisition/bundle. The test bundle: who measured what where, and
+// the recordings in SI.
+// In:  A folder with a test.json and sound files, or one universal file.
+// Out: TestBundle, and one Recording per run. Hits are sought further on.
+// May include: its row in CONTRIBUTING.md.
+//
 // The test bundle: a folder with a test.json that says what was measured where
 // and with what. The format is described in docs/test-bundle.md and checked
 // against docs/test.schema.json.

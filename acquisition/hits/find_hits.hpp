@@ -1,3 +1,11 @@
+// The room acquisition/hits. Hits: triggered, cut into blocks of one length,
+// and judged.
+// In:  A test bundle and its recordings.
+// Out: HitSet: per run the hits, each accepted or with what speaks against it;
+//      what was chosen and what is odd, in words. A run can also come in piece
+//      by piece (live_hits.hpp).
+// May include: its row in CONTRIBUTING.md.
+//
 // Finds the hits in the hammer channel, and judges them.
 #pragma once
 

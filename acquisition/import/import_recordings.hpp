@@ -1,3 +1,9 @@
+// The room acquisition/import. A test bundle made of tables of samples.
+// In:  CSV, MATLAB, SEP-005 or universal files, and what the user says of their
+//      columns.
+// Out: A folder with test.json and one sound file per table.
+// May include: its row in CONTRIBUTING.md.
+//
 // Makes a test bundle out of files of samples
 // (acquisition/import/read_time_table.hpp): test.json and one sound file for
 // each.

@@ -1,3 +1,10 @@
+// The room acquisition/readers. Files that others wrote, as matrices of
+// numbers: sound files, CSV, MATLAB.
+// In:  A path.
+// Out: Numbers and what the file says of them, or an InputError with the place
+//      in the file. What they mean is decided further on.
+// May include: its row in CONTRIBUTING.md.
+//
 // Sound files as matrices, by way of libsndfile (included only here).
 #pragma once
 

@@ -1,3 +1,10 @@
+// The room acquisition/samples. What is done to the samples of one channel,
+// whatever they measure: range, where it rests, values between samples, the
+// recorder's filter, decay octave by octave.
+// In:  A column of samples, at most with its sampling rate.
+// Out: Numbers, or views that copy nothing.
+// May include: its row in CONTRIBUTING.md.
+//
 // Lowest and highest value of many samples in one pass, whole or by pieces.
 #pragma once
 

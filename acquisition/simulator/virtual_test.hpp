@@ -1,3 +1,10 @@
+// The room acquisition/simulator. A hammer test without a laboratory: hand,
+// structure, sensors, recorder.
+// In:  Matrices of a small structure and what the recorder is like.
+// Out: Samples as a recorder delivers them. Used by virtual tests and by tests
+//      of the program, not by the way from recording to result.
+// May include: its row in CONTRIBUTING.md.
+//
 // A hammer test without a laboratory: hits, exact response, the recorder.
 //
 // Force and response are made at a multiple of the sampling rate. The force is

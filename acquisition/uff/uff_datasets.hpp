@@ -1,3 +1,10 @@
+// The room acquisition/uff. Universal files: taken apart into datasets, and the
+// numbers, functions, shapes, points and units in these.
+// In:  The bytes of a file.
+// Out: Datasets as plain structs, in file units. What they mean to a test is
+//      decided in acquisition/bundle and signal/files.
+// May include: its row in CONTRIBUTING.md.
+//
 // A universal file taken apart into its datasets, and the numbers in them.
 //
 // A dataset stands between two lines of "    -1"; its first line is its type.

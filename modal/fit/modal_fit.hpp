@@ -1,3 +1,10 @@
+// The room modal/fit. The modal model fitted to FRFs for given poles, and how
+// well it is known.
+// In:  Weighted FRFs and poles.
+// Out: Residues, refined poles and their covariance, shapes, FRFs beyond what
+//      was measured.
+// May include: its row in CONTRIBUTING.md.
+//
 // The modal model fitted to FRFs: residues by linear least squares, poles by
 // Gauss-Newton on what the residues leave (variable projection).
 //

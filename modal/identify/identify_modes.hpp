@@ -1,3 +1,8 @@
+// The room modal/identify. The whole way from FRFs to modes.
+// In:  FrfSet and IdentifyOptions.
+// Out: ModeSet with uncertainties and warnings.
+// May include: its row in CONTRIBUTING.md.
+//
 // From FRFs to modes: poly-reference LSCF, stabilisation, residues.
 #pragma once
 

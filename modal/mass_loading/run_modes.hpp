@@ -1,3 +1,10 @@
+// The room modal/mass_loading. Modes that move because the sensors do:
+// identified set-up by set-up, and what their shifts say of the sensors' mass.
+// In:  Weighted FRFs of several set-ups.
+// Out: One set of modes with each set-up's own poles, and the cause of the
+//      shifts.
+// May include: its row in CONTRIBUTING.md.
+//
 // Modes when the sensors move between set-ups and their mass moves the modes.
 //
 // Then no pole is common to all runs. Each set-up (runs with the sensors at the

@@ -1,3 +1,8 @@
+// The room modal/mode_set. Modes as everything further on takes them: ModeSet;
+// how sets of modes are compared, paired, written and made FRFs again.
+// Out: ModeSet, MAC, pairs, synthesised FRFs, UFF 55.
+// May include: its row in CONTRIBUTING.md.
+//
 // Identified modes: poles, shapes, and how far to trust them.
 #pragma once
 

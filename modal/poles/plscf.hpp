@@ -1,3 +1,10 @@
+// The room modal/poles. Poles that FRFs suggest, order by order.
+// In:  FRFs.
+// Out: Weighted FRFs in one matrix, poles per model order, the stabilisation
+//      diagram and its tracks. Which of them are modes is decided in
+//      modal/select.
+// May include: its row in CONTRIBUTING.md.
+//
 // Poles by the poly-reference least-squares complex frequency method (pLSCF).
 //
 //   H(k) = B(Omega_k) A(Omega_k)^-1,  Omega_k = exp(-j (omega_k - omega_0) dt)

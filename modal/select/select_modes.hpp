@@ -1,3 +1,10 @@
+// The room modal/select. Which poles are modes: candidates that last over the
+// orders are dropped, added, merged and split until the FRFs need all of them.
+// In:  Weighted FRFs and the tracks of the diagram.
+// Out: Selection: the fit of the modes that stay, and what was left out and
+//      why.
+// May include: its row in CONTRIBUTING.md.
+//
 // From tracks to modes: every track that lasts is a candidate; the fit of the
 // modal model then decides which candidates the FRFs need.
 #pragma once

@@ -1,3 +1,9 @@
+// The room modal/statistics. Least squares and the tails of distributions that
+// decisions on modes need.
+// In:  Numbers.
+// Out: Estimates, covariances, probabilities.
+// May include: its row in CONTRIBUTING.md.
+//
 // Weighted linear least squares with what hypothesis tests need of it.
 //
 //   min_b (y - X b)' V^-1 (y - X b)

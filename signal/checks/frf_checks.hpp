@@ -1,3 +1,9 @@
+// The room signal/checks. What a measurement is held against without any model:
+// driving points, reciprocity, coherence of hits, a free mass.
+// In:  FRFs, and hits where these count.
+// Out: Findings as numbers and in words. Nothing is changed.
+// May include: its row in CONTRIBUTING.md.
+//
 // What an FRF set can be held against without any model: passive structures
 // take up energy where they are hit, and answer alike both ways.
 //

@@ -1,3 +1,9 @@
+// The room signal/decay. How responses decay towards their block's end, and
+// what to do where they outlast it.
+// In:  The blocks of each run.
+// Out: Decay per run and, in words, a longer block or a narrower band.
+// May include: its row in CONTRIBUTING.md.
+//
 // Whether responses die within the block, and what to do where they do not:
 // a longer block or a narrower band, before any window.
 #pragma once

@@ -1,9 +1,16 @@
+// The room signal/estimate. From spectra to FRFs: H1, H2, Hv, coherence,
+// variance; whether they change with the force or from run to run. The replay
+// does the same hit by hit.
+// In:  A test bundle, its recordings and hits.
+// Out: FrfSet with statements on what is odd.
+// May include: its row in CONTRIBUTING.md.
+//
 // FRFs of every placement from the accepted hits of its runs.
 #pragma once
 
-#include "signal/estimate/estimator.hpp"
 #include "acquisition/foundation/progress.hpp"
 #include "acquisition/hits/hits.hpp"
+#include "signal/estimate/estimator.hpp"
 #include "signal/frf_set/frf_set.hpp"
 #include "signal/spectra/hit_blocks.hpp"
 

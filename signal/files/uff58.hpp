@@ -1,3 +1,8 @@
+// The room signal/files. FRFs in universal files, read and written.
+// In:  Datasets 58 and 58b.
+// Out: FrfSet, or the file.
+// May include: its row in CONTRIBUTING.md.
+//
 // FRFs in universal files: dataset 58 (functions at nodal degrees of freedom),
 // type 4 (FRF), ASCII and binary (58b).
 //

@@ -1,3 +1,8 @@
+// The room signal/frf_set. FRFs as everything further on takes them.
+// Out: FrfSet: accelerances on lines of the s-plane with variance and
+//      coherence; which of them belong to one set-up.
+// May include: its row in CONTRIBUTING.md.
+//
 // A set of measured frequency response functions on lines of the s-plane.
 #pragma once
 

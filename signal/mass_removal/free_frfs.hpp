@@ -1,3 +1,8 @@
+// The room signal/mass_removal. FRFs freed of the sensors' mass.
+// In:  FRFs and masses, by name or by point.
+// Out: The same FRFs without the masses, each with how it was freed or why not.
+// May include: its row in CONTRIBUTING.md.
+//
 // A whole set of FRFs freed of the sensors' mass.
 //
 // A mass at the points T is taken off A_ij with A_iT, A_Tj and A_TT of the same

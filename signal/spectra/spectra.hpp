@@ -1,3 +1,10 @@
+// The room signal/spectra. From hits to spectra: blocks cut out, freed of
+// offset and of what still rings, windowed, transformed.
+// In:  Recordings, hits and a plan of windows.
+// Out: Per run the transforms of force and responses of each hit, and the
+//      channels' noise on the same lines.
+// May include: its row in CONTRIBUTING.md.
+//
 // Transforms of a run's blocks, on FFT lines or anywhere in the s-plane:
 //
 //   X(s) = sum_n x_n exp(-s t_n),   t = 0 at the trigger

@@ -1,3 +1,8 @@
+// The room tui/app. The program without its terminal.
+// In:  Keys.
+// Out: Screens, and jobs for the worker.
+// May include: its row in CONTRIBUTING.md.
+//
 // The program without its terminal: keys in, screens out. It keeps the seven
 // pages, asks the worker for what the shown one needs, and carries out what
 // the user asks for.

@@ -1,3 +1,9 @@
+// The room tui/commands. The command line: one pair per command, all through
+// one table.
+// In:  argv.
+// Out: What a command prints.
+// May include: its row in CONTRIBUTING.md.
+//
 // The command line: which command, with which options.
 #pragma once
 

@@ -1,3 +1,9 @@
+// The room tui/options. What commands can be told, and what they share: opening
+// the bundle, decisions by hand, the line of progress.
+// In:  The command line.
+// Out: CommandOptions.
+// May include: its row in CONTRIBUTING.md.
+//
 // What every command line command is given, and what it returns.
 #pragma once
 

@@ -1,3 +1,9 @@
+// The room tui/paper. The tables of the paper whose method this program
+// implements, beside the program's own results.
+// In:  Bundles of the three structures.
+// Out: Text.
+// May include: its row in CONTRIBUTING.md.
+//
 // tapfit paper: the tables of the paper whose method this program implements,
 // with its own results beside them.
 #pragma once

@@ -1,3 +1,9 @@
+// The room tui/report. Results as text and as JSON, for the command line and
+// for the written report.
+// In:  Results of the rooms to the left.
+// Out: Strings.
+// May include: its row in CONTRIBUTING.md.
+//
 // The work on a test as it stands, written down: what `w` on the Report screen
 // and `tapfit session BUNDLE -o REPORT.md` give.
 #pragma once

@@ -1,3 +1,9 @@
+// The room tui/screen. Cells, colours, keys and the terminal. Nothing here
+// knows a test.
+// In:  Keys.
+// Out: A screen of cells.
+// May include: its row in CONTRIBUTING.md.
+//
 // A grid of cells: what every view returns and the terminal shows. Nothing
 // here knows a terminal, so that screens are compared as text.
 #pragma once

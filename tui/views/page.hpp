@@ -1,3 +1,8 @@
+// The room tui/views. The seven screens, one view each.
+// In:  A snapshot, keys, clicks.
+// Out: Cells, and what the user asks for.
+// May include: its row in CONTRIBUTING.md.
+//
 // What the seven screens have in common.
 #pragma once
 

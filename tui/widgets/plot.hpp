@@ -1,3 +1,9 @@
+// The room tui/widgets. What screens are put together from: plots, tables,
+// bars, heat maps, the wireframe.
+// In:  Numbers and a rectangle.
+// Out: Cells in a screen.
+// May include: its row in CONTRIBUTING.md.
+//
 // Line plots in cells: axes with ticks and units, linear or logarithmic,
 // several curves, bands around them, shaded stretches, markers and a cursor.
 #pragma once

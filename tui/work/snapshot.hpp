@@ -1,3 +1,8 @@
+// The room tui/work. What is known so far and the thread that works out more.
+// In:  A workbench: the session, or a fake one in tests.
+// Out: Snapshots that never change, for screens to draw.
+// May include: its row in CONTRIBUTING.md.
+//
 // What is known so far: shared, unchanging results that the worker hands over
 // and the screens draw.
 #pragma once

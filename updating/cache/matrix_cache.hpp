@@ -1,3 +1,10 @@
+// The room updating/cache. What is dear to compute, kept on disk from run to
+// run.
+// In:  Matrices, and the data that they follow from.
+// Out: The same matrices again as long as data and program are the same. A
+//      damaged or foreign file counts as none.
+// May include: its row in CONTRIBUTING.md.
+//
 // Keeps on disk the matrices that are dear to compute, named by the digest of
 // what they follow from.
 //

@@ -1,3 +1,9 @@
+// The room updating/comparison. Model against measurement.
+// In:  A fit, measured FRFs and modes.
+// Out: Comparison: error per FRF, band and point, pairs of modes, MAC, the
+//      error's floor.
+// May include: its row in CONTRIBUTING.md.
+//
 // Compares a fitted (or nominal) model with the measurement.
 #pragma once
 

@@ -1,3 +1,9 @@
+// The room updating/effects. The catalogue of physical effects, one pair for
+// each, all by one interface.
+// In:  Deck, bundle and a place.
+// Out: Parameters with bounds, dynamic stiffness and its derivative, cards.
+// May include: its row in CONTRIBUTING.md.
+//
 // What every effect of the catalogue must say of itself: where it may sit, on
 // which degrees of freedom it acts, and its dynamic stiffness
 //

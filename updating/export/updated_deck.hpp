@@ -1,3 +1,9 @@
+// The room updating/export. What leaves the program for other programs: the
+// updated deck, universal files.
+// In:  A session.
+// Out: Files.
+// May include: its row in CONTRIBUTING.md.
+//
 // The deck of a session's model: the original lines with the identified base
 // properties in their cards, and the cards of the effects added.
 #pragma once

@@ -1,3 +1,9 @@
+// The room updating/fit. Parameters identified from FRFs.
+// In:  FrfModel, measured FRFs on damped lines, priors.
+// Out: Fit: the parameters, their uncertainty, the error that is left, and how
+//      it came about.
+// May include: its row in CONTRIBUTING.md.
+//
 // Fits the base model with any set of effects to the measured FRFs, from wide
 // damped lines to the one on which models are compared.
 #pragma once

@@ -1,3 +1,9 @@
+// The room updating/frf_model. FRFs of the model with effects, without solving
+// the whole model again.
+// In:  ReducedBase and ModelState.
+// Out: FRFs at the measured pairs with their derivatives; modes.
+// May include: its row in CONTRIBUTING.md.
+//
 // FRFs of the base model with effects added, and their derivatives, without
 // ever solving the full model again (Sherman-Morrison-Woodbury).
 //

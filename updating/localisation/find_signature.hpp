@@ -1,3 +1,10 @@
+// The room updating/localisation. Where something is missing and what it is
+// like, to first order or at one place, without a fit.
+// In:  A fit.
+// Out: Misfit per place, the missing dynamic stiffness, points that were not
+//      where they were written down.
+// May include: its row in CONTRIBUTING.md.
+//
 // The missing dynamic stiffness at one place, line by line.
 //
 //   H_model,oi - H_measured,oi = w H_ob H_bi,   z = w / (1 - H_bb w)

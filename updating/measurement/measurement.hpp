@@ -1,3 +1,9 @@
+// The room updating/measurement. One test's measurement: each stage worked out
+// when first asked for.
+// In:  A bundle's folder and what was decided by hand.
+// Out: Recordings, hits, FRFs, modes; the model that the bundle names.
+// May include: its row in CONTRIBUTING.md.
+//
 // A test's measurement from its files to its modes. Each stage is worked out
 // when first asked for and kept; overruling a hit drops what follows from it.
 #pragma once

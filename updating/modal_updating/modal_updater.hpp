@@ -1,3 +1,9 @@
+// The room updating/modal_updating. Updating from measured modes alone. No
+// command leads here yet.
+// In:  Measured modes and parts of K and M.
+// Out: Shares of the parts with their uncertainty.
+// May include: its row in CONTRIBUTING.md.
+//
 // Identifies the shares theta of a model's parts from measured modes alone:
 // Levenberg-Marquardt on
 //

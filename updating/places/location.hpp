@@ -1,3 +1,9 @@
+// The room updating/places. Where something may sit in a structure: supports,
+// joints, patches of elements, and what is near what.
+// In:  Deck.
+// Out: Location lists. What sits there is decided in updating/effects.
+// May include: its row in CONTRIBUTING.md.
+//
 // Where an effect sits on the structure or in the measuring chain.
 #pragma once
 

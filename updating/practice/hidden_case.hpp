@@ -1,3 +1,9 @@
+// The room updating/practice. Practice cases and the judgement of their
+// diagnosis.
+// In:  A seed.
+// Out: A virtual test's specification; whether a diagnosis found what it hides.
+// May include: its row in CONTRIBUTING.md.
+//
 // Draws practice cases: a structure, what is hidden in it and how large, all
 // from one seed. Sizes are scaled by the structure, so that what is hidden is
 // felt but not gross.

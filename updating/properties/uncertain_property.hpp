@@ -1,3 +1,10 @@
+// The room updating/properties. Properties of the model that the engineer does
+// not trust: which elements they concern, how K and M depend on them, how they
+// are written back.
+// In:  Deck and the bundle's list.
+// Out: Parts of K and M with their laws; changes of cards.
+// May include: its row in CONTRIBUTING.md.
+//
 // Properties of the deck's cards that a test may call uncertain: where they
 // stand, which elements they concern, and the deck with one of them scaled.
 //

@@ -1,3 +1,10 @@
+// The room updating/reduction. The base model solved once and made small, good
+// for all effects that are to be tried.
+// In:  Deck, uncertain properties, stiffness changes, points.
+// Out: ReducedBase: K, M and their parts in a few hundred coordinates, and how
+//      far FRFs through it are off.
+// May include: its row in CONTRIBUTING.md.
+//
 // The base model, solved once and made small.
 //
 //   K_r = V' K V,  M_r = V' M V = I

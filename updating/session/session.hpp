@@ -1,3 +1,10 @@
+// The room updating/session. One test from recording to updated model, with
+// undo and a file.
+// In:  A bundle's folder and what the user does.
+// Out: Every stage's result. The screens and the command line stand on this
+//      alone.
+// May include: its row in CONTRIBUTING.md.
+//
 // One test, worked through from recording to updated model. Each stage's result
 // is computed when first asked for and dropped when a stage to its left
 // changes. The terminal screens and the command line are both thin over this.

@@ -1,3 +1,8 @@
+// The room updating/studies. Structures of the paper, solved as printed and by
+// this program.
+// Out: Tables of figures, to be set beside the published ones.
+// May include: its row in CONTRIBUTING.md.
+//
 // A study of a deck whose properties are off by known amounts: exact FRFs of
 // the true deck, with noise as told, and the model that is to find it. What a
 // paper on model updating calls a simulated experiment.

@@ -1,3 +1,9 @@
+// The room updating/virtual_test. Tests of structures that exist only in
+// memory, with what is hidden in them.
+// In:  A specification.
+// Out: A bundle's folder, and truth.json for tests alone.
+// May include: its row in CONTRIBUTING.md.
+//
 // Makes a whole test bundle of a structure that exists only in memory:
 // model.bdf, the recordings, test.json and, for tests alone, truth.json.
 #pragma once

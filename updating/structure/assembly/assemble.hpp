@@ -1,3 +1,10 @@
+// The room updating/structure/assembly. From a deck to matrices: all elements,
+// constraints, rigid elements, degrees of freedom without stiffness; the modes
+// of a deck.
+// In:  Deck in SI.
+// Out: System: K, M and which degrees of freedom may move.
+// May include: its row in CONTRIBUTING.md.
+//
 // Stiffness and mass matrices of a deck.
 #pragma once
 

@@ -1,3 +1,10 @@
+// The room updating/structure/cards. Bulk data as text: lines, cards, fields,
+// numbers.
+// In:  The files of a deck.
+// Out: Cards with their place in the file. What they mean is decided in
+//      updating/structure/readers.
+// May include: its row in CONTRIBUTING.md.
+//
 // Nastran bulk data as cards: lines are put into fields (free, small and large
 // field), continuations joined, INCLUDE files brought in. What the fields mean
 // is not known here.

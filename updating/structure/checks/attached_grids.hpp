@@ -1,3 +1,9 @@
+// The room updating/structure/checks. What a deck gives away by itself, before
+// anything is solved: loose grids, doubled parts, odd shapes, wrong units.
+// In:  A deck.
+// Out: Sentences for the user, or an InputError.
+// May include: its row in CONTRIBUTING.md.
+//
 // Grids that something with stiffness holds in the model, and cards on grids
 // that nothing holds.
 #pragma once

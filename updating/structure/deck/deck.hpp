@@ -1,3 +1,9 @@
+// The room updating/structure/deck. The finite element model as the deck says
+// it.
+// Out: Deck: grids, elements, properties, materials, constraints, in the deck's
+//      own units or in SI.
+// May include: its row in CONTRIBUTING.md.
+//
 // The finite element model as the deck says it: grids, elements, properties,
 // materials, constraints. Reading and writing are in read_deck and write_deck.
 #pragma once

@@ -1,3 +1,9 @@
+// The room updating/structure/edit. A deck's own file with cards changed, taken
+// out or added, everything else as written.
+// In:  Deck and what is to change.
+// Out: Lines of bulk data.
+// May include: its row in CONTRIBUTING.md.
+//
 // A deck's own cards replaced, everything else left as written.
 #pragma once
 

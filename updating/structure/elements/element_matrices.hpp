@@ -1,3 +1,8 @@
+// The room updating/structure/elements. Stiffness and mass of one element.
+// In:  An element of the deck with its grids and properties, in SI.
+// Out: Dense matrices in basic axes.
+// May include: its row in CONTRIBUTING.md.
+//
 // Stiffness and mass of one element over the six degrees of freedom of each of
 // its grids, in basic axes.
 #pragma once

@@ -1,3 +1,9 @@
+// The room updating/structure/mesh. A mesh with every element split once more,
+// and what free edges lack.
+// In:  Deck.
+// Out: RefinedDeck: the finer deck and where its grids and elements come from.
+// May include: its row in CONTRIBUTING.md.
+//
 // The same deck with every element split once more (a shell into four, a bar
 // into two), to learn how much of an error is the mesh's.
 #pragma once

@@ -1,3 +1,9 @@
+// The room updating/structure/readers. From cards to a deck: one reader per
+// group of cards, Matrix Market files, units.
+// In:  The path of a model.
+// Out: Deck in SI, or an InputError with file, line and field.
+// May include: its row in CONTRIBUTING.md.
+//
 // What is known of a deck while its cards are being read. Each group of cards
 // has a reader of its own (read_coordinates, read_grids, read_properties,
 // read_elements, read_rigid, read_constraints); read_deck runs them in order of

@@ -1,3 +1,10 @@
+// The room updating/structure/solve. Sparse linear algebra: factorisation,
+// eigenmodes, motions that constraints leave.
+// In:  Sparse matrices.
+// Out: Solutions, modes, or an InputError for matrices of no structure. Decks
+//      are not known here.
+// May include: its row in CONTRIBUTING.md.
+//
 // Undamped modes: K phi = omega^2 M phi, Spectra in shift-invert mode.
 #pragma once
 
