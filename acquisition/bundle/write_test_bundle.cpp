@@ -10,7 +10,7 @@
 namespace tapfit::acquisition {
 namespace {
 
-using json = nlohmann::ordered_json;
+using ordered_json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 std::string path_text(const fs::path& file, const fs::path& folder) {
@@ -22,9 +22,9 @@ std::string path_text(const fs::path& file, const fs::path& folder) {
   return (inside ? relative : whole).generic_string();
 }
 
-json channel_json(const Channel& channel) {
+ordered_json channel_json(const Channel& channel) {
   const bool compound = channel.unit.find('/') != std::string::npos;
-  json entry = {
+  ordered_json entry = {
       {"name", channel.name},
       {"quantity", name(channel.quantity)},
       {"unit", channel.unit},
@@ -37,7 +37,7 @@ json channel_json(const Channel& channel) {
   return entry;
 }
 
-json placement_json(const Placement& placement, const TestBundle& bundle) {
+ordered_json placement_json(const Placement& placement, const TestBundle& bundle) {
   const std::string direction =
       std::string(placement.dof.sign < 0 ? "-" : "+") +
       "XYZ"[(placement.dof.component - 1) % 3];
@@ -46,10 +46,10 @@ json placement_json(const Placement& placement, const TestBundle& bundle) {
           {"direction", direction}};
 }
 
-json runs_json(const TestBundle& bundle, const fs::path& folder) {
-  json runs = json::array();
+ordered_json runs_json(const TestBundle& bundle, const fs::path& folder) {
+  ordered_json runs = ordered_json::array();
   for (const Run& run : bundle.runs) {
-    json sensors = json::array();
+    ordered_json sensors = ordered_json::array();
     for (const Placement& sensor : run.sensors) {
       sensors.push_back(placement_json(sensor, bundle));
     }
@@ -62,7 +62,7 @@ json runs_json(const TestBundle& bundle, const fs::path& folder) {
 
 void add_model(const TestBundle& bundle,
                const fs::path& folder,
-               json& document) {
+               ordered_json& document) {
   if (bundle.deck) document["model"] = path_text(*bundle.deck, folder);
   if (!bundle.matrices) return;
   document["model"] = {
@@ -71,7 +71,7 @@ void add_model(const TestBundle& bundle,
       {"dofs", path_text(bundle.matrices->dofs, folder)}};
 }
 
-void add_settings(const TestBundle& bundle, json& document) {
+void add_settings(const TestBundle& bundle, ordered_json& document) {
   if (bundle.band_hz) document["band_hz"] = *bundle.band_hz;
   if (bundle.trigger_percent) {
     document["trigger_percent"] = *bundle.trigger_percent;
@@ -101,7 +101,7 @@ void add_settings(const TestBundle& bundle, json& document) {
 }  // namespace
 
 void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
-  json document = {{"tapfit", 1}};
+  ordered_json document = {{"tapfit", 1}};
   if (!bundle.title.empty()) document["title"] = bundle.title;
   if (bundle.units != "SI") document["units"] = bundle.units;
   add_model(bundle, folder, document);

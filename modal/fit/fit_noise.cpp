@@ -12,7 +12,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-constexpr Complex j{0.0, 1.0};
 
 // Lines of one FRF whose |H|^2 is alike.
 struct Level {
@@ -108,7 +107,7 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
   Eigen::MatrixXcd result = x;
   for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
     const Complex rho =
-        1.0 / (1.0 + j * static_cast<double>(d) / (2.0 * ratio));
+        1.0 / (1.0 + Complex(0.0, 1.0) * static_cast<double>(d) / (2.0 * ratio));
     const Index n = x.rows() - d;
     result.bottomRows(n) += rho * x.topRows(n);
     result.topRows(n) += std::conj(rho) * x.bottomRows(n);

@@ -1,5 +1,6 @@
 #include "modal/identify/identify_modes.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/fit/shapes.hpp"
@@ -30,7 +31,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// Standard deviations of |lambda| and of damping from the covariance of
 /// (Re, Im) lambda.
@@ -42,7 +42,7 @@ void fill_uncertainty(const Eigen::Matrix2d& covariance, Mode& mode) {
   const double cube = size * size * size;
   const Eigen::Vector2d to_zeta(-im * im / cube, re * im / cube);
   mode.frequency_sd_hz =
-      std::sqrt(std::max(0.0, to_size.dot(covariance * to_size))) / kTwoPi;
+      std::sqrt(std::max(0.0, to_size.dot(covariance * to_size))) / two_pi;
   mode.damping_sd = std::sqrt(std::max(0.0, to_zeta.dot(covariance * to_zeta)));
 }
 
@@ -51,7 +51,7 @@ Mode make_mode(const Complex& pole,
                const Eigen::VectorXcd& shape) {
   Mode mode;
   mode.pole = pole;
-  mode.frequency_hz = std::abs(pole) / kTwoPi;
+  mode.frequency_hz = std::abs(pole) / two_pi;
   mode.damping_ratio = -pole.real() / std::abs(pole);
   mode.shape = shape;
   mode.mpc = phase_collinearity(shape);

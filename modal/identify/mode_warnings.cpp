@@ -1,5 +1,7 @@
 #include "modal/identify/mode_warnings.hpp"
 
+#include "acquisition/foundation/constants.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +12,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 }  // namespace
 
@@ -63,7 +64,7 @@ void warn_about_complex(const std::vector<Complex>& poles,
     warnings.push_back(fmt::format(
         "a pole at {:.4g} Hz was left out: its points do not move in phase "
         "(MPC below {:.2g} or MPD above {:.2g} deg)",
-        std::abs(pole) / kTwoPi,
+        std::abs(pole) / two_pi,
         options.least_mpc,
         options.largest_mpd_deg));
   }
@@ -76,7 +77,7 @@ void warn_about_shifting(const std::vector<Complex>& poles,
         "the pole at {:.5g} Hz is not quite the same in all FRFs (a sensor or "
         "hammer that moved, a level that changed), or two modes share it: a "
         "second reference tells",
-        std::abs(pole) / kTwoPi));
+        std::abs(pole) / two_pi));
   }
 }
 
@@ -86,13 +87,13 @@ void warn_about_unresolved(const std::vector<Complex>& poles,
     warnings.push_back(fmt::format(
         "a pole at {:.4g} Hz was left out: its damping cannot be told from "
         "none (hum, or a block too short for it)",
-        std::abs(pole) / kTwoPi));
+        std::abs(pole) / two_pi));
   }
 }
 
 void warn_about_shared(const ModesOfPole& modes,
                        std::vector<std::string>& warnings) {
-  const double hz = std::abs(modes.poles(0)) / kTwoPi;
+  const double hz = std::abs(modes.poles(0)) / two_pi;
   if (modes.poles.size() < modes.shapes) {
     warnings.push_back(fmt::format(
         "the pole at {:.5g} Hz holds {} shapes that cannot be taken apart; the "

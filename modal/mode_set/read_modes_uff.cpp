@@ -1,5 +1,6 @@
 #include "modal/mode_set/read_modes_uff.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_shapes.hpp"
@@ -23,7 +24,6 @@ using Complex = std::complex<double>;
 using acquisition::UffDataset;
 using acquisition::UffShape;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kNormal = 2;         // analysis types
 constexpr int kComplex = 3;        // of first order
 constexpr int kComplexSecond = 7;  // of second order
@@ -54,7 +54,7 @@ std::string fault(const UffShape& shape) {
 
 Raw raw_from(const UffShape& shape) {
   Raw raw;
-  const double omega = kTwoPi * shape.frequency_hz;
+  const double omega = two_pi * shape.frequency_hz;
   const double zeta = shape.damping_ratio;
   const double damped = omega * std::sqrt(std::max(0.0, 1.0 - zeta * zeta));
   raw.pole = {-zeta * omega, damped};
@@ -105,7 +105,7 @@ ModeSet collect(std::vector<Raw>& raws) {
     Mode mode;
     mode.pole = raw.pole;
     const double omega = std::abs(raw.pole);
-    mode.frequency_hz = omega / kTwoPi;
+    mode.frequency_hz = omega / two_pi;
     mode.damping_ratio = omega > 0.0 ? -raw.pole.real() / omega : 0.0;
     mode.shape.setZero(static_cast<Eigen::Index>(set.dofs.size()));
     // phi phi' / A is what stays when both are scaled.

@@ -1,5 +1,6 @@
 #include "modal/select/edit_poles.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/select/close_modes.hpp"
 #include "modal/select/neighbour_modes.hpp"
@@ -18,13 +19,12 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
 constexpr double kNear = 0.02;          // relative
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
 
 void drop(const Curves& curves, double hz, ModalFit& fit) {
-  const double omega = kTwoPi * hz;
+  const double omega = two_pi * hz;
   Index nearest = 0;
   const bool any = fit.poles.size() > 0;
   if (any) (fit.poles.array().abs() - omega).abs().minCoeff(&nearest);
@@ -32,7 +32,7 @@ void drop(const Curves& curves, double hz, ModalFit& fit) {
     throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
                      "modes",
                      any ? fmt::format("the nearest is at {:.6g} Hz",
-                                       std::abs(fit.poles(nearest)) / kTwoPi)
+                                       std::abs(fit.poles(nearest)) / two_pi)
                          : std::string("no mode was found at all"));
   }
   Eigen::VectorXcd rest(fit.poles.size() - 1);
@@ -72,7 +72,7 @@ std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
     const double width = -std::min(fit.poles(r).real(), fit.poles(last).real());
     if (std::abs(fit.poles(r) - fit.poles(last)) > width) continue;
     if (are_told_apart(covariance, fit, r, last)) continue;
-    return std::abs(fit.poles(r)) / kTwoPi;
+    return std::abs(fit.poles(r)) / two_pi;
   }
   return {};
 }
@@ -81,13 +81,13 @@ void add(const Curves& curves,
          const std::vector<Track>& tracks,
          double hz,
          ModalFit& fit) {
-  const double omega = kTwoPi * hz;
+  const double omega = two_pi * hz;
   if (!in_band(curves, omega)) {
     throw InputError(fmt::format("no mode can be put in at {:.6g} Hz", hz),
                      "modes",
                      fmt::format("the lines go from {:.6g} to {:.6g} Hz",
-                                 curves.s(0).imag() / kTwoPi,
-                                 curves.s(curves.lines() - 1).imag() / kTwoPi));
+                                 curves.s(0).imag() / two_pi,
+                                 curves.s(curves.lines() - 1).imag() / two_pi));
   }
   Eigen::VectorXcd poles(fit.poles.size() + 1);
   poles << fit.poles, start_near(tracks, fit, omega);
@@ -98,7 +98,7 @@ void add(const Curves& curves,
         fmt::format("no pole can be fitted at {:.6g} Hz: it goes to {:.6g} Hz, "
                     "damping {:.2g}",
                     hz,
-                    std::abs(last) / kTwoPi,
+                    std::abs(last) / two_pi,
                     -last.real() / std::abs(last)),
         "modes",
         "choose a frequency at which the stabilisation diagram has poles");

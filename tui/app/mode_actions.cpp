@@ -47,7 +47,7 @@ Job choose(const std::string& title,
           std::nullopt};
 }
 
-[[noreturn]] void refuse(const std::string& word) {
+[[noreturn]] void refuse_choice(const std::string& word) {
   throw InputError(
       "not understood",
       ":" + word,
@@ -63,7 +63,7 @@ std::vector<double> numbers(const std::string& text, const std::string& word) {
   const auto positive = [](double hz) { return std::isfinite(hz) && hz > 0.0; };
   if (!stream.eof() || values.empty() ||
       !std::all_of(values.begin(), values.end(), positive)) {
-    refuse(word);
+    refuse_choice(word);
   }
   return values;
 }
@@ -148,7 +148,7 @@ Job redo_modes() {
 Job mode_action(const std::string& word, const std::string& argument) {
   if (word == "pair") {
     const std::optional<modal::Pair> pair = parse_pair(argument);
-    if (!pair) refuse(word);
+    if (!pair) refuse_choice(word);
     return pair_mode(static_cast<std::size_t>(pair->measured),
                      static_cast<int>(pair->model));
   }
@@ -157,7 +157,7 @@ Job mode_action(const std::string& word, const std::string& argument) {
   if (word == "band" && hz.size() == 2) return mode_band({{hz[0], hz[1]}});
   if (word == "drop" && hz.size() == 1) return drop_mode(hz[0]);
   if (word == "pick" && hz.size() == 1) return add_mode(hz[0]);
-  refuse(word);
+  refuse_choice(word);
 }
 
 }  // namespace tapfit::tui

@@ -29,7 +29,7 @@ acquisition::HitSet hits_of(updating::Session& session,
                                        : session.hits(progress);
 }
 
-std::string run_json(updating::Session& session,
+std::string whole_json(updating::Session& session,
                      const CommandOptions& options,
                      const Progress& progress) {
   ordered_json json;
@@ -73,7 +73,7 @@ std::string run_text(updating::Session& session, const Progress& progress) {
 std::string run_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session = open_by_hand(options, progress);
-  return options.json ? run_json(session, options, progress)
+  return options.json ? whole_json(session, options, progress)
                       : run_text(session, progress);
 }
 

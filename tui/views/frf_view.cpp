@@ -88,7 +88,7 @@ std::vector<std::size_t> shown_frfs(const FrfSet& frfs,
   return shown;
 }
 
-void draw_side(Screen& screen,
+void draw_frf_side(Screen& screen,
                const Rect& side,
                const FrfSet& frfs,
                const FrfState& state,
@@ -159,7 +159,7 @@ Screen frf_view(const FrfSet& frfs,
   } else {
     const int side_width = std::min(canvas.width * 3 / 8, 38);
     const auto [side, body] = split_left(all, side_width);
-    draw_side(screen, side, frfs, state, selected);
+    draw_frf_side(screen, side, frfs, state, selected);
     draw_panel(screen, body, choice, state);
   }
   screen.text(1,

@@ -11,7 +11,7 @@ namespace {
 
 using acquisition::Hit;
 
-std::size_t run_count(const RecordingInput& input) {
+std::size_t page_run_count(const RecordingInput& input) {
   return std::min(
       {input.bundle.runs.size(), input.traces.size(), input.hits.runs.size()});
 }
@@ -56,7 +56,7 @@ void RecordingPage::select(std::size_t run) {
 }
 
 bool RecordingPage::press_run(const RecordingInput& input, Key key) {
-  const std::size_t runs = run_count(input);
+  const std::size_t runs = page_run_count(input);
   if (key == U'n' || key == U'p') {
     state_.run = (state_.run + (key == U'n' ? 1 : runs - 1)) % runs;
     state_.list = {};
@@ -77,7 +77,7 @@ bool RecordingPage::press_run(const RecordingInput& input, Key key) {
 
 /// Among the hits after the selected one, then from the first again.
 void RecordingPage::next_rejected(const RecordingInput& input) {
-  const std::size_t runs = run_count(input);
+  const std::size_t runs = page_run_count(input);
   std::size_t run = state_.run;
   std::size_t hit = state_.list.selected + 1;
   for (std::size_t tried = 0; tried <= runs; ++tried) {
@@ -186,7 +186,7 @@ bool RecordingPage::leave_view() {
 
 bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   const RecordingInput input = input_of(known);
-  const std::size_t runs = run_count(input);
+  const std::size_t runs = page_run_count(input);
   if (runs == 0) return false;
   state_.run = std::min(state_.run, runs - 1);
   if (press_replay(key) || press_run(input, key)) return true;
@@ -218,12 +218,12 @@ bool RecordingPage::animate(const Snapshot& known) {
   Playing& playing = state_.playing;
   if (!playing.on || playing.paused) return false;
   const RecordingInput input = input_of(known);
-  if (state_.run >= run_count(input)) return false;
+  if (state_.run >= page_run_count(input)) return false;
   const double length = input.traces[state_.run].duration_s();
   constexpr double frame_s = 0.04;
   playing.time_s += frame_s * playing.speed;
   if (playing.time_s < length) return true;
-  if (state_.run + 1 < run_count(input)) {
+  if (state_.run + 1 < page_run_count(input)) {
     ++state_.run;
     playing.time_s = 0.0;
   } else {

@@ -1,5 +1,6 @@
 #include "updating/effects/absorber.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 
 #include <cmath>
@@ -8,7 +9,6 @@
 namespace tapfit::effects {
 namespace {
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // 2 zeta w s + w^2: spring and damper per unit mass.
 std::complex<double> coupling(std::complex<double> s,

@@ -1,5 +1,7 @@
 #include "updating/fit/plain_updater.hpp"
 
+#include "acquisition/foundation/constants.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -100,7 +102,6 @@ class PlainProblem {
   [[nodiscard]] std::vector<bool> lines(const ModelState& state) const {
     const auto count = static_cast<std::size_t>(target_.s.size());
     if (!options_.rule) return std::vector<bool>(count, true);
-    const double two_pi = 2.0 * std::numbers::pi;
     return off_peaks(target_.s.imag() / two_pi,
                      options_.measured_hz,
                      model_.full_modes(state).omega / two_pi,

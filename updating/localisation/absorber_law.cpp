@@ -1,5 +1,7 @@
 #include "updating/localisation/absorber_law.hpp"
 
+#include "acquisition/foundation/constants.hpp"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -11,7 +13,6 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 class Search {
  public:

@@ -11,13 +11,13 @@ using Eigen::MatrixXd;
 namespace {
 
 // All rows under each other, and where each place begins.
-struct Stacked {
+struct StackedRows {
   MatrixXd rows;
   std::vector<Index> first;
 };
 
-Stacked stacked(const std::vector<MatrixXd>& places, Index columns) {
-  Stacked result;
+StackedRows stacked(const std::vector<MatrixXd>& places, Index columns) {
+  StackedRows result;
   Index count = 0;
   for (const MatrixXd& rows : places) {
     result.first.push_back(count);
@@ -41,7 +41,7 @@ MatrixXd single_rows(const std::vector<MatrixXd>& places, Index columns) {
 }
 
 // Sum over a place's rows of what response and reference feel there.
-std::complex<double> felt_by_both(const MatrixXcd& felt_o,
+std::complex<double> pair_patterns(const MatrixXcd& felt_o,
                                   const MatrixXcd& felt_i,
                                   const WalkedPair& pair,
                                   Index first,
@@ -71,7 +71,7 @@ PlacePatterns place_patterns(const Fit& current,
     if (rows[k].rows() == 1) result.own[k].resize(lines, frfs);
   }
   progress("patterns of places", 0.0);
-  const Stacked all = stacked(rows, size);
+  const StackedRows all = stacked(rows, size);
   const std::vector<FrfModel::Walk> walks = model.walk_columns(
       current.result.state, target.s, single_rows(rows, size));
   for_each_parallel(static_cast<std::size_t>(lines), [&](std::size_t at) {
@@ -84,7 +84,7 @@ PlacePatterns place_patterns(const Fit& current,
         const Index count = rows[k].rows();
         for (const WalkedPair& pair : walk.pairs) {
           result.pattern[k](line, pair.frf) =
-              felt_by_both(felt_o, felt_i, pair, first, count);
+              pair_patterns(felt_o, felt_i, pair, first, count);
           if (count != 1) continue;
           result.own[k](line, pair.frf) = walk.own(line, static_cast<Index>(k));
         }

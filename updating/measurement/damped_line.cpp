@@ -1,5 +1,7 @@
 #include "updating/measurement/damped_line.hpp"
 
+#include "acquisition/foundation/constants.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,6 @@ namespace tapfit::updating {
 Eigen::VectorXcd damped_line(std::array<double, 2> band_hz,
                              double block_s,
                              const DampedLineOptions& options) {
-  const double two_pi = 2.0 * std::numbers::pi;
   const double least = 5.0 / block_s;
   // Lines one peak width apart carry nearly independent information.
   const double octaves = std::log(band_hz[1] / std::max(band_hz[0], 1e-3));

@@ -96,7 +96,7 @@ VectorXd bounded(const Prior& prior, const VectorXd& theta) {
   return theta.cwiseMax(prior.lower).cwiseMin(prior.upper);
 }
 
-void require(bool good, const std::string& what, const std::string& remedy) {
+void require_modes(bool good, const std::string& what, const std::string& remedy) {
   if (!good) throw InputError(what, "parameters of the update", remedy);
 }
 
@@ -104,21 +104,21 @@ void check(const Prior& prior,
            const VectorXd& start,
            const std::vector<ScaledPart>& parts) {
   const auto n = static_cast<Index>(parts.size());
-  require(n > 0, "there is no part to identify", "Name one.");
-  require(start.size() == n && prior.mean.size() == n && prior.sd.size() == n &&
+  require_modes(n > 0, "there is no part to identify", "Name one.");
+  require_modes(start.size() == n && prior.mean.size() == n && prior.sd.size() == n &&
               prior.lower.size() == n && prior.upper.size() == n,
           fmt::format("start and prior are not of {} numbers", n),
           "Give one of each for every part.");
   for (Index k = 0; k < n; ++k) {
     const std::string& name = parts[static_cast<std::size_t>(k)].name;
-    require(prior.sd(k) > 0.0 && std::isfinite(prior.mean(k)),
+    require_modes(prior.sd(k) > 0.0 && std::isfinite(prior.mean(k)),
             fmt::format("the prior of \"{}\" has no mean or a standard "
                         "deviation of {}",
                         name,
                         prior.sd(k)),
             "The standard deviation is above 0, infinite where nothing is "
             "known.");
-    require(prior.lower(k) <= start(k) && start(k) <= prior.upper(k),
+    require_modes(prior.lower(k) <= start(k) && start(k) <= prior.upper(k),
             fmt::format("\"{}\" starts at {}, which is not between {} and {}",
                         name,
                         start(k),
@@ -135,7 +135,7 @@ Task make_task(const ScaledModel& model,
   const double points = static_cast<double>(measured.dofs.size());
   const double most = std::max(points - 1.0, 1.0);
   const double independent = options.independent.value_or(most);
-  require(independent >= 1.0 && independent <= most,
+  require_modes(independent >= 1.0 && independent <= most,
           fmt::format("{} independent readings in a shape of {} points",
                       independent,
                       points),

@@ -1,5 +1,6 @@
 #include "updating/practice/hidden_case.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/seeded_random.hpp"
 #include "updating/frf_model/model_modes.hpp"
@@ -29,7 +30,6 @@ constexpr const char* moving = "moving-soft-support";
 constexpr const char* loose = "turning-and-moving-soft-support";
 // Sensors of two makes.
 constexpr const char* unequal = "unequal-sensor-mass";
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Everything that sizes are scaled by.
 class Draw {

@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -15,7 +16,6 @@ namespace {
 using structure::SparseMatrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 /// Of what stands for all higher modes: their answer in the band is static.
 constexpr double residual_damping = 0.05;
 

@@ -1,5 +1,6 @@
 #include "updating/virtual_test/virtual_structure.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/reduction/released_system.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -20,7 +21,6 @@ namespace {
 using structure::SparseMatrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 // As bungees give it; of a structure that bends slowly a share of where it does
 // so first: above a tenth it would stiffen what is measured.
 constexpr double usual_suspension_hz = 1.3;

@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "modal/select/double_poles.hpp"
 
 #include "modal/identify/identify_modes.hpp"
@@ -15,7 +16,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 modal::Curves curves_of(const test::SyntheticSystem& system,
                         const std::vector<Index>& sensors,
@@ -29,7 +29,7 @@ modal::Curves curves_of(const test::SyntheticSystem& system,
 /// What expand_pole() finds under one pole fitted to all.
 Eigen::VectorXcd found_under_one(const modal::Curves& curves) {
   Eigen::VectorXcd one(1);
-  one << std::complex<double>(-0.01, 1.0) * 50.0 * kTwoPi;
+  one << std::complex<double>(-0.01, 1.0) * 50.0 * two_pi;
   const modal::ModalFit fit = modal::refine_poles(curves, one, 20);
   const modal::PoleExpansion expansion =
       modal::expand_pole(curves, modal::arrange_frfs(curves), fit, 0);
@@ -51,7 +51,7 @@ TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
         found_under_one(curves_of(system, {0, 1, 2}, 0.0, random));
     ASSERT_EQ(found.size(), count);
     std::vector<double> hz;
-    for (const auto& pole : found) hz.push_back(std::abs(pole) / kTwoPi);
+    for (const auto& pole : found) hz.push_back(std::abs(pole) / two_pi);
     std::ranges::sort(hz);
     for (Index r = 0; r < count; ++r) {
       EXPECT_NEAR(hz[static_cast<std::size_t>(r)],

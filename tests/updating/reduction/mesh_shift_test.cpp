@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/mesh_shift.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
@@ -18,7 +19,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Two grids, modes that move one of them each; the coarser mesh has them in the
 // other order, at 0.9 of the frequency, and a third one it lacks.

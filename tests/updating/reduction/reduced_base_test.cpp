@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
@@ -19,7 +20,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // A strip clamped at x = 0, 8 by 3 elements.
 structure::Deck strip() {

@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "updating/virtual_test/virtual_structure.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
@@ -25,7 +26,6 @@ using support::grid_at;
 using support::Strip;
 
 using Complex = std::complex<double>;
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 Complex receptance(const ReducedTruth& truth, Eigen::Index hammer, double hz) {
   const Complex s(0.0, two_pi * hz);

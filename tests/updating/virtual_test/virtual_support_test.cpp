@@ -1,3 +1,4 @@
+#include "acquisition/foundation/constants.hpp"
 #include "updating/virtual_test/virtual_support.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
@@ -14,7 +15,6 @@ namespace tapfit::updating {
 namespace {
 
 using support::Strip;
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 TEST(VirtualSupport, SoftSupportRunsFromClampToHinge) {
   const Strip strip;

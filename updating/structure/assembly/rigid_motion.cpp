@@ -148,13 +148,13 @@ class Followed {
   std::unordered_map<int, Row> rows_;
 };
 
-using Entries = std::vector<Eigen::Triplet<double>>;
+using Triplets = std::vector<Eigen::Triplet<double>>;
 
 // One column of a grid's axes, times what that component of q follows.
 void add_component(const Eigen::Matrix<double, 6, 1>& direction,
                    const Row& row,
                    int first,
-                   Entries& entries) {
+                   Triplets& entries) {
   for (const auto& [q, a] : row) {
     for (int i = 0; i < 6; ++i) {
       const double part = direction(i) * a;
@@ -169,7 +169,7 @@ Eigen::SparseMatrix<double> rigid_motion(const Deck& deck,
                                          const ConstraintAxes& axes) {
   if (deck.rigids.empty() && axes.turned.empty()) return {};
   Followed followed(deck, axes);
-  Entries entries;
+  Triplets entries;
   for (std::size_t g = 0; g < deck.grids.size(); ++g) {
     const Grid& grid = deck.grids[g];
     const int first = 6 * static_cast<int>(g);

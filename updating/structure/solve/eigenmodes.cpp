@@ -1,5 +1,6 @@
 #include "updating/structure/solve/eigenmodes.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/solve/definiteness.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -18,7 +19,6 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
 
 // Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
@@ -177,7 +177,7 @@ std::optional<bool> is_complete(const SparseMatrix& K,
 
 Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
   const Eigen::Index n = std::min(count, pairs.lambda.size());
-  return {pairs.lambda.head(n).cwiseMax(0.0).cwiseSqrt() / kTwoPi,
+  return {pairs.lambda.head(n).cwiseMax(0.0).cwiseSqrt() / two_pi,
           pairs.phi.leftCols(n)};
 }
 
@@ -227,7 +227,7 @@ Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
                             const SparseMatrix& M,
                             double max_hz) {
   const std::optional<Eigen::Index> counted =
-      count_below(K, M, std::pow(kTwoPi * max_hz, 2));
+      count_below(K, M, std::pow(two_pi * max_hz, 2));
   Eigen::Index count = counted ? *counted + 1 : Eigen::Index{20};
   while (true) {
     Eigenmodes modes = eigenmodes(K, M, count);
