@@ -37,7 +37,7 @@ class ScreeningCase {
     updating::BaseOptions options;
     options.high_hz = plate_.setting.high_hz;
     options.split = false;
-    options.points = updating::measured_points(plate_.deck, bundle_);
+    options.points = updating::measured_points(plate_.deck, bundle_).all;
     builder_.emplace(
         plate_.deck,
         std::vector<acquisition::UncertainProperty>{{"material", 1, "E", 3.0}},

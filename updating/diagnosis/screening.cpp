@@ -143,6 +143,7 @@ Screened scanned(const std::vector<effects::ParameterSpec>& specs,
 
 class Screening {
  public:
+  /// @param current its model may be asked about any grid
   Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
       : setting_(fitter.setting().setting),
         current_(&current),
@@ -292,7 +293,9 @@ class Screening {
 std::vector<Screened> screen(const Fit& current,
                              const Fitter& fitter,
                              const Progress& progress) {
-  const Screening screening(current, fitter, progress);
+  Fit anywhere = current;
+  anywhere.model = fitter.model_for(current.effects, BaseUse::Scan);
+  const Screening screening(anywhere, fitter, progress);
   progress("screening", 0.5);
   std::vector<Screened> result = screening.points();
   for (const auto& more :

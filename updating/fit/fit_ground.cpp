@@ -22,7 +22,9 @@ SolvedModel solve_model(const structure::Deck& deck,
   BaseOptions options;
   options.high_hz = high_hz;
   options.cache = user_cache();
-  options.points = measured_points(deck, bundle);
+  const MeasuredPoints points = measured_points(deck, bundle);
+  options.points = points.all;
+  options.driven = points.driven;
   const bool has_mesh = !deck.shells.empty() || !deck.bars.empty();
   options.split = has_mesh && 4 * deck.grids.size() <= refined_grid_limit;
   SolvedModel model{

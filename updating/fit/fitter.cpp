@@ -71,7 +71,7 @@ Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
 }
 
 std::shared_ptr<const FrfModel> Fitter::model_for(
-    const std::vector<PlacedEffect>& effects) const {
+    const std::vector<PlacedEffect>& effects, BaseUse use) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);
   std::vector<StiffnessChange> changes;
   for (const PlacedEffect& e : effects) {
@@ -81,7 +81,7 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
         {*kind, {e.effect->name(), e.where}, setting_.setting.component});
   }
   auto model = std::make_shared<FrfModel>(
-      builder_->build(acted, changes), setting_.setting, setting_.measured);
+      builder_->build(acted, changes, use), setting_.setting, setting_.measured);
   model->set_reference(first_state(*model, effects));
   return model;
 }

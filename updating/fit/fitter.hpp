@@ -53,7 +53,8 @@ class Fitter {
 
   /// Model whose base holds the points and supports of all effects given.
   [[nodiscard]] std::shared_ptr<const FrfModel> model_for(
-      const std::vector<PlacedEffect>& effects) const;
+      const std::vector<PlacedEffect>& effects,
+      BaseUse use = BaseUse::Fit) const;
 
   /// Fits effects' parameters, uncertain properties and damping together. The
   /// modes beyond those fitted have the ratio that is typical of these, without

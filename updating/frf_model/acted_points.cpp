@@ -1,5 +1,7 @@
 #include "updating/frf_model/acted_points.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace tapfit::updating {
@@ -40,18 +42,23 @@ std::vector<int> acted_points(const effects::Setting& setting,
   return {points.begin(), points.end()};
 }
 
-std::vector<int> measured_points(const structure::Deck& deck,
-                                 const acquisition::TestBundle& bundle) {
-  std::set<int> points;
-  const auto insert = [&](const acquisition::Placement& p) {
-    points.insert(6 * static_cast<int>(deck.grid_index(p.dof.node)) +
-                  p.dof.component - 1);
+MeasuredPoints measured_points(const structure::Deck& deck,
+                               const acquisition::TestBundle& bundle) {
+  std::set<int> hit;
+  std::set<int> sensed;
+  const auto dof = [&](const acquisition::Placement& p) {
+    return 6 * static_cast<int>(deck.grid_index(p.dof.node)) +
+           p.dof.component - 1;
   };
   for (const acquisition::Run& run : bundle.runs) {
-    insert(run.hammer);
-    for (const acquisition::Placement& p : run.sensors) insert(p);
+    hit.insert(dof(run.hammer));
+    for (const acquisition::Placement& p : run.sensors) sensed.insert(dof(p));
   }
-  return {points.begin(), points.end()};
+  const std::set<int>& fewer = hit.size() < sensed.size() ? hit : sensed;
+  MeasuredPoints points;
+  points.driven.assign(fewer.begin(), fewer.end());
+  std::ranges::set_union(hit, sensed, std::back_inserter(points.all));
+  return points;
 }
 
 }  // namespace tapfit::updating

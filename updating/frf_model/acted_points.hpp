@@ -16,8 +16,14 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<int> acted_points(
     const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
 
-/// @return degrees of freedom that are hit or measured, ascending
-[[nodiscard]] std::vector<int> measured_points(
+/// Degrees of freedom that are hit or measured, ascending.
+struct MeasuredPoints {
+  std::vector<int> all;
+  /// One end of every pair: those that are hit or those that are measured,
+  /// whichever are fewer.
+  std::vector<int> driven;
+};
+[[nodiscard]] MeasuredPoints measured_points(
     const structure::Deck& deck, const acquisition::TestBundle& bundle);
 
 }  // namespace tapfit::updating

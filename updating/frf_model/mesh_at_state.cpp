@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Beyond this many times the band the vectors of a base are no modes.
-constexpr double reach = 4.0;
+constexpr double reach = 2.5;
 
 MeshModes seen_by_grids(const FrfModel& model, const BaseModes& modes) {
   const double top = two_pi * reach * model.setting().high_hz;

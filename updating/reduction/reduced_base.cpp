@@ -5,6 +5,7 @@
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
+#include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 #include "updating/reduction/released_system.hpp"
@@ -74,19 +75,28 @@ struct BaseBuilder::Impl {
   MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
   ReleasedSystem plain;  // the model with nothing released
-  MatrixXd V0;           // modes and static responses at options.points
-  ReducedBase fixed;     // seen through V0, K diagonal
-  double error = 0.0;    // of FRFs through V0
+  // Vectors of the model with nothing added, and it seen through them.
+  struct Span {
+    MatrixXd V;
+    ReducedBase base;         // K diagonal
+    std::vector<int> points;  // whose answers it holds, ascending
+  };
+  Span wide;           // modes and static responses at options.points
+  Span lean;           // what fits need of it
+  double error = 0.0;  // of FRFs through the whole
   std::vector<std::string> warnings;
   std::optional<StaticAnswers> answers;
-  std::vector<MeshFactor> of_mesh;  // parts of `fixed` beyond the plain ones
+  std::vector<MeshFactor> of_mesh;  // parts of the bases beyond the plain ones
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
 
-  [[nodiscard]] ReducedBase extend(const MatrixXd& extra,
+  void make_lean();
+  [[nodiscard]] ReducedBase extend(const Span& span,
+                                   const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
+  [[nodiscard]] MatrixXd needed(const Span& span,
+                                const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
@@ -105,6 +115,13 @@ BaseBuilder::BaseBuilder(
   std::set<int> points = structure::damped_dofs(deck);
   points.insert(options.points.begin(), options.points.end());
   m.options.points.assign(points.begin(), points.end());
+  if (options.driven.empty()) {
+    m.options.driven = m.options.points;
+  } else {
+    std::set<int> driven = structure::damped_dofs(deck);
+    driven.insert(options.driven.begin(), options.driven.end());
+    m.options.driven.assign(driven.begin(), driven.end());
+  }
   m.original_grids = static_cast<Index>(deck.grids.size());
   m.mesh = options.split ? structure::refine_mesh(deck)
                          : structure::RefinedDeck{deck, {}, {}};
@@ -143,14 +160,17 @@ BaseBuilder::BaseBuilder(
   m.modes = m.motions.expand(solved.modes);
   m.modes_hz = std::move(solved.modes_hz);
   m.error = solved.error;
-  m.V0 = std::move(solved.V);
-  m.fixed.rows = m.V0.topRows(6 * m.original_grids);
-  m.fixed.K = std::move(solved.K);
-  m.fixed.K_part = std::move(solved.K_part);
-  m.fixed.M_part = std::move(solved.M_part);
+  ReducedBase& fixed = m.wide.base;
+  m.wide.points = m.options.points;
+  m.wide.V = std::move(solved.V);
+  fixed.rows = m.wide.V.topRows(6 * m.original_grids);
+  fixed.K = std::move(solved.K);
+  fixed.K_part = std::move(solved.K_part);
+  fixed.M_part = std::move(solved.M_part);
   for (const UncertainPart& part : m.plain.parts) {
-    m.fixed.part_power.push_back(part.power);
+    fixed.part_power.push_back(part.power);
   }
+  m.make_lean();
   if (!options.split) {
     m.warnings = structure::mechanism_warnings(deck, m.system, solved.modes);
   }
@@ -164,20 +184,44 @@ std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.original_grids;
+  ReducedBase& fixed = m.wide.base;
   m.of_mesh = mesh_factors(m.mesh.deck,
-                           m.V0,
+                           m.wide.V,
                            {m.modes.topRows(known), m.modes_hz},
                            {c.modes.topRows(known), c.modes_hz});
   const std::size_t first = m.uncertain.size();
   const std::size_t all = first + m.of_mesh.size();
-  for (std::vector<int>& power : m.fixed.part_power) power.resize(all, 0);
+  for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);
   for (std::size_t k = 0; k < m.of_mesh.size(); ++k) {
-    m.fixed.part_power.emplace_back(all, 0);
-    m.fixed.part_power.back()[first + k] = 1;
-    m.fixed.K_part.push_back(m.of_mesh[k].K);
-    m.fixed.M_part.push_back(m.of_mesh[k].M);
+    fixed.part_power.emplace_back(all, 0);
+    fixed.part_power.back()[first + k] = 1;
+    fixed.K_part.push_back(m.of_mesh[k].K);
+    fixed.M_part.push_back(m.of_mesh[k].M);
   }
+  m.make_lean();
   return m.of_mesh.size();
+}
+
+void BaseBuilder::Impl::make_lean() {
+  LeanOptions lean_options;
+  lean_options.high_hz = options.high_hz;
+  std::vector<double> sd;
+  for (const auto& u : uncertain) sd.push_back(u.sd_percent / 100.0);
+  std::ranges::copy(mesh_factor_sd(of_mesh.size()), std::back_inserter(sd));
+  for (const double s : sd) {
+    lean_options.spread.push_back(std::clamp(2.0 * s, 0.1, 1.0));
+  }
+  const MatrixXd driven =
+      wide.V(options.driven, Eigen::all).transpose();
+  const MatrixXd Q = lean_span(wide.base, driven, lean_options);
+  lean.points = options.driven;
+  lean.V = wide.V * Q;
+  lean.base = wide.base;
+  turn(lean.base, Q);
+  const MatrixXd own =
+      Eigen::SelfAdjointEigenSolver<MatrixXd>(lean.base.K).eigenvectors();
+  lean.V = (lean.V * own).eval();
+  turn(lean.base, own);
 }
 
 bool BaseBuilder::is_free() const {
@@ -274,17 +318,20 @@ ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
 
 // The fixed basis and a few vectors more. Only products with the new vectors
 // are taken in the large space; what is known of the fixed ones is kept.
-ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
+ReducedBase BaseBuilder::Impl::extend(const Span& span,
+                                      const MatrixXd& extra,
                                       const ReleasedSystem& released) const {
   const Index n = system.dofs();
-  const MatrixXd R = beyond(released.M, V0, extra);
-  const Index a = V0.cols();
+  const MatrixXd& V = span.V;
+  const ReducedBase& fixed = span.base;
+  const MatrixXd R = beyond(released.M, V, extra);
+  const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
     const MatrixXd AR = A * R;
     MatrixXd whole(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
-    whole.topRightCorner(a, b) = V0.transpose() * AR.topRows(n);
+    whole.topRightCorner(a, b) = V.transpose() * AR.topRows(n);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     whole.bottomRightCorner(b, b) = R.transpose() * AR;
     return whole;
@@ -303,16 +350,17 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
     whole.topLeftCorner(a, a) = known;
     return whole;
   };
-  for (const MeshFactor& factor : of_mesh) {
-    SparseMatrix beyond = factor.beyond;
+  for (std::size_t k = 0; k < of_mesh.size(); ++k) {
+    const MatrixXd& K = fixed.K_part[released.parts.size() + k];
+    SparseMatrix beyond = of_mesh[k].beyond;
     beyond.conservativeResize(released.dofs(), released.dofs());
-    base.K_part.push_back(factor.beyond.size() > 0 ? grow(factor.K, beyond)
-                                                   : padded(factor.K));
-    base.M_part.push_back(padded(factor.M));
+    base.K_part.push_back(of_mesh[k].beyond.size() > 0 ? grow(K, beyond)
+                                                       : padded(K));
+    base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
   }
   const auto through = [&](const SparseMatrix& A) {
     const SparseMatrix known = A.topLeftCorner(n, n);
-    return grow(V0.transpose() * (known * V0), A);
+    return grow(V.transpose() * (known * V), A);
   };
   for (const ScaledStiffness& scaled : released.scaled) {
     StiffnessTerm& term = base.terms.emplace_back();
@@ -328,7 +376,8 @@ ReducedBase BaseBuilder::Impl::extend(const MatrixXd& extra,
 }
 
 // What the fixed basis lacks, as columns over the released dofs.
-MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
+MatrixXd BaseBuilder::Impl::needed(const Span& span,
+                                   const ReleasedSystem& released,
                                    const std::vector<StiffnessChange>& changes,
                                    const std::vector<int>& fresh) const {
   const auto padded = [&released](const MatrixXd& block) {
@@ -336,9 +385,9 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
     whole.topRows(block.rows()) = block;
     return whole;
   };
-  const VectorXd stiffness = fixed.K.diagonal();
+  const VectorXd stiffness = span.base.K.diagonal();
   const HeldBase held = {
-      system, motions, *answers, V0, stiffness, shift, options.high_hz};
+      system, motions, *answers, span.V, stiffness, shift, options.high_hz};
   std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
@@ -352,15 +401,13 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
 
 ReducedBase BaseBuilder::build(
     const std::vector<int>& points,
-    const std::vector<StiffnessChange>& changes) const {
+    const std::vector<StiffnessChange>& changes,
+    BaseUse use) const {
   const Impl& m = *impl_;
+  const Impl::Span& span = use == BaseUse::Fit ? m.lean : m.wide;
   std::vector<int> fresh;
-  std::set_difference(points.begin(),
-                      points.end(),
-                      m.options.points.begin(),
-                      m.options.points.end(),
-                      std::back_inserter(fresh));
-  if (changes.empty() && fresh.empty()) return m.fixed;
+  std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
+  if (changes.empty() && fresh.empty()) return span.base;
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
     own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
@@ -373,7 +420,8 @@ ReducedBase BaseBuilder::build(
     own->M += lent;
   }
   const ReleasedSystem& released = own ? *own : m.plain;
-  ReducedBase base = m.extend(m.needed(released, changes, fresh), released);
+  ReducedBase base =
+      m.extend(span, m.needed(span, released, changes, fresh), released);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

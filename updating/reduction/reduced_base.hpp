@@ -53,8 +53,16 @@ struct BaseOptions {
   bool split = true;       ///< every element once more
   /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
   std::vector<int> points = {};
+  /// Of these, one end of every pair; empty: all of them.
+  std::vector<int> driven = {};
   /// Where what is solved for is kept; empty: nowhere.
   std::optional<MatrixCache> cache = {};
+};
+
+/// What a base is asked for.
+enum class BaseUse {
+  Fit,   ///< the FRFs between the points given; see lean_span.hpp
+  Scan,  ///< any grid may be asked about
 };
 
 /// Holds the factored matrices, so that bases for other points cost only
@@ -73,9 +81,10 @@ class BaseBuilder {
 
   /// @param points further degrees of freedom that are acted on, ascending
   /// @param changes of the stiffness that the base must hold
-  [[nodiscard]] ReducedBase build(
-      const std::vector<int>& points,
-      const std::vector<StiffnessChange>& changes) const;
+  /// @param use what of the deck's own motions it holds
+  [[nodiscard]] ReducedBase build(const std::vector<int>& points,
+                                  const std::vector<StiffnessChange>& changes,
+                                  BaseUse use = BaseUse::Scan) const;
 
   /// Gives the bases further factors, of what the mesh does to the modes: see
   /// mesh_factors().

@@ -68,7 +68,7 @@ FrfModel PropertyStudy::model_at(const std::vector<double>& factor) const {
   options.high_hz = reach_hz_;
   options.reach = 1.0;
   options.split = false;
-  options.points = measured_points(deck_, bundle_);
+  options.points = measured_points(deck_, bundle_).all;
   const BaseBuilder builder(
       scaled(factor), bundle_.uncertain, options, Progress{});
   return {builder.build({}, {}), setting_, empty_set(VectorXcd())};

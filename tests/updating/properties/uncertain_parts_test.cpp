@@ -126,7 +126,7 @@ TEST(UncertainPartsTest, DerivativesAgreeWithDifferences) {
   BaseOptions options;
   options.high_hz = 400.0;
   options.split = false;
-  options.points = measured_points(deck, bundle);
+  options.points = measured_points(deck, bundle).all;
   const BaseBuilder builder(deck, bundle.uncertain, options, Progress{});
   const FrfModel model(
       builder.build({}, {}), setting, support::plate_pairs(bundle, s));
@@ -164,7 +164,7 @@ TEST(UncertainPartsTest, ReducedModelFollowsTheScaledDeck) {
     BaseOptions options;
     options.high_hz = 400.0;
     options.split = false;
-    options.points = measured_points(of, bundle);
+    options.points = measured_points(of, bundle).all;
     const BaseBuilder builder(of, bundle.uncertain, options, Progress{});
     const FrfModel model(
         builder.build({}, {}), setting, support::plate_pairs(bundle, s));

@@ -107,7 +107,7 @@ class ChangedMotions : public ::testing::Test {
 
   structure::Deck deck_ = support::plate_deck(true);
   acquisition::TestBundle bundle_ = support::plate_bundle();
-  std::vector<int> points_ = measured_points(deck_, bundle_);
+  std::vector<int> points_ = measured_points(deck_, bundle_).all;
 };
 
 // The bound of a base with nothing changed.

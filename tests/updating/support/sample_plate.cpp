@@ -82,7 +82,10 @@ updating::BaseOptions plate_base(const acquisition::TestBundle& bundle,
   updating::BaseOptions options;
   options.high_hz = 400.0;
   options.split = false;
-  options.points = updating::measured_points(deck, bundle);
+  const updating::MeasuredPoints points =
+      updating::measured_points(deck, bundle);
+  options.points = points.all;
+  options.driven = points.driven;
   return options;
 }
 
