@@ -1,22 +1,34 @@
 # Half of a build from nothing is instances of Eigen's templates that every file
-# makes anew. With CMAKE_UNITY_BUILD the files of a room are compiled several at
-# a time, few enough that a change stays cheap.
+# makes anew. With CMAKE_UNITY_BUILD the files of a room are compiled in two
+# parts. Which part a file belongs to depends on its name alone, so that a new
+# file never changes what others are compiled with.
 function(group_sources)
-  set(most_together 6)
   foreach(source ${ARGN})
     cmake_path(GET source PARENT_PATH room)
+    cmake_path(GET source STEM name)
     cmake_path(RELATIVE_PATH room BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
     string(MAKE_C_IDENTIFIER "${room}" room)
-    if(NOT DEFINED count_${room})
-      set(count_${room} 0)
-    endif()
-    math(EXPR part "${count_${room}} / ${most_together}")
-    math(EXPR count_${room} "${count_${room}} + 1")
+    string(MD5 part ${name})
+    string(REGEX REPLACE "^[0-7].*" "a" part ${part})
+    string(REGEX REPLACE "^[89abcdef]...*" "b" part ${part})
     set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
-    if(source MATCHES "(wing_study|paper_wing|virtual_portal)\\.cpp$")
+    # They name what their neighbours name otherwise.
+    set(alone decompositions products wing_study paper_wing virtual_portal short_pulses_test
+      replay_test turned_axes_test plate_modes_test reduced_normal_test
+      run_differences_test effect_stack_test
+      mesh_shift_test ringing_modes_test)
+    if(name IN_LIST alone)
       set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
     endif()
   endforeach()
+endfunction()
+
+# Not the screens: few products of matrices, many short names.
+function(compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
+  if(target MATCHES "tui")
+    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+  endif()
 endfunction()
 
 # One library per folder: tapfit_folder(signal DEPENDS acquisition).
@@ -30,12 +42,8 @@ function(tapfit_folder name)
     set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
   endif()
   add_library(tapfit_${name} STATIC ${sources})
-  if(name STREQUAL "tui")  # few products of matrices, many short names
-    set_target_properties(tapfit_${name} PROPERTIES UNITY_BUILD OFF)
-  else()
-    group_sources(${sources})
-    set_target_properties(tapfit_${name} PROPERTIES UNITY_BUILD_MODE GROUP)
-  endif()
+  group_sources(${sources})
+  compile_together(tapfit_${name})
   list(TRANSFORM ARG_DEPENDS PREPEND tapfit_)
   target_link_libraries(tapfit_${name}
     PUBLIC tapfit_flags ${ARG_DEPENDS}

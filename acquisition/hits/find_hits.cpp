@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double usable_snr = 10.0;  // of the largest peak in a run
+constexpr double least_usable_snr = 10.0;  // of the largest peak in a run
 
 double usual_peak(const std::vector<HammerRun>& work) {
   Eigen::VectorXd peaks(static_cast<Index>(work.size()));
@@ -83,7 +83,7 @@ void trigger(const TestBundle& bundle,
     HammerRun& run = work[r];
     run.level =
         trigger_level(bundle, bundle.runs[r], options, run.hammer, usual);
-    if (run.hammer.peak > usable_snr * run.hammer.noise) {
+    if (run.hammer.peak > least_usable_snr * run.hammer.noise) {
       run.pulses.pulses = find_pulses(
           run.hammer.force, run.hammer.pieces, run.level, rearm_share(options));
     }

@@ -1,6 +1,7 @@
 #include "tui/commands/command_line.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "signal/mass_removal/named_masses.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
@@ -136,7 +137,7 @@ std::string effect_fault(const std::string& text) {
 
 /// What is wrong with a mass as written; empty where nothing is.
 std::string free_fault(const std::string& text) {
-  return parse_free(text) ? std::string{}
+  return signal::parse_free(text) ? std::string{}
                           : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
 }
 

@@ -36,9 +36,6 @@ struct Candidate {
   std::vector<EffectRef> indistinguishable_from;
 };
 
-/// Of a candidate that no linear model holds: it cannot be added.
-inline constexpr const char* nonlinearity = "nonlinearity";
-
 /// What an effect must lower the error to, as a share of what it was. Mesh and
 /// model form leave errors of a few percent that some effect can always shave a
 /// little.

@@ -9,6 +9,7 @@
 #include "updating/effects/channel_swap.hpp"
 #include "updating/effects/damping_law.hpp"
 #include "updating/effects/dashpot.hpp"
+#include "updating/effects/effect_ref.hpp"
 #include "updating/effects/ground_spring.hpp"
 #include "updating/effects/joint.hpp"
 #include "updating/effects/sensor_cable.hpp"

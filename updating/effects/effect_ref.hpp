@@ -18,4 +18,7 @@ struct EffectRef {
 [[nodiscard]] std::string effect_text(const std::string& effect,
                                       const Where& where);
 
+/// Of a candidate that no linear model holds: it cannot be added.
+inline constexpr const char* nonlinearity = "nonlinearity";
+
 }  // namespace tapfit::updating

@@ -161,10 +161,11 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   }
 }
 
-ModelState Fitter::start_state(const FrfModel& model,
-                               const std::vector<PlacedEffect>& start,
-                               const Fit* before) const {
-  std::vector<PlacedEffect> effects = start;
+namespace {
+
+// Sizes that this structure may have.
+std::vector<PlacedEffect> in_range(std::vector<PlacedEffect> effects,
+                                   const FrfModel& model) {
   for (PlacedEffect& e : effects) {
     const std::vector<effects::ParameterSpec> specs = parameters_of(e, model);
     for (std::size_t k = 0; k < specs.size(); ++k) {
@@ -173,7 +174,15 @@ ModelState Fitter::start_state(const FrfModel& model,
       if (far) e.p[k] = specs[k].start;
     }
   }
-  ModelState state = first_state(model, effects);
+  return effects;
+}
+
+}  // namespace
+
+ModelState Fitter::start_state(const FrfModel& model,
+                               const std::vector<PlacedEffect>& start,
+                               const Fit* before) const {
+  ModelState state = first_state(model, in_range(start, model));
   if (before != nullptr) state.factor = before->result.state.factor;
   scan_start(model, state);
   return state;
@@ -242,98 +251,161 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   return ground;
 }
 
+// A fit on its way: where it is, on what, and how it came there.
+class Fitter::Course {
+ public:
+  Course(const Fitter& fitter,
+         std::shared_ptr<const FrfModel> model,
+         ModelState start,
+         const Progress& progress)
+      : fitter_(&fitter),
+        targets_(fitter.setting_.targets),
+        model_(std::move(model)),
+        progress_(&progress) {
+    result_.state = std::move(start);
+  }
+
+  /// The lines before those that count, widest first.
+  void approach(const UpdateOptions& options) {
+    for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
+      go_on(k, options);
+      take_damping();
+    }
+  }
+
+  /// The lines that count, with the mesh's error and the damping of higher
+  /// modes as they are there: again until nothing moves any more.
+  void arrive(const UpdateOptions& options, int rounds) {
+    const std::size_t last = targets_.size() - 1;
+    bool there = false;
+    for (int round = 0; round < rounds; ++round) {
+      if (round > 0 && !take_damping() && there) break;
+      const Eigen::VectorXd from = pack(result_.state);
+      if (fitter_->coarser_ == nullptr) {
+        go_on(last, options);
+      } else if (!with_mesh(options)) {
+        break;
+      }
+      if (is_enough(*progress_)) break;
+      there = is_there(from);
+    }
+  }
+
+  /// The lines that count once more from another state, kept where it is
+  /// better.
+  void try_from(ModelState state, const UpdateOptions& options) {
+    const UpdateResult found = result_;
+    result_.state = std::move(state);
+    go_on(targets_.size() - 1, options);
+    if (result_.objective > found.objective) result_ = found;
+  }
+
+  [[nodiscard]] const UpdateResult& result() const { return result_; }
+  [[nodiscard]] const FrfModel& model() const { return *model_; }
+
+  [[nodiscard]] Fit finished() && {
+    Fit fit;
+    fit.result = std::move(result_);
+    fit.result.history = std::move(history_);
+    fit.effects = fit.result.state.effects;
+    fit.model = std::move(model_);
+    return fit;
+  }
+
+ private:
+  // Of a parameter's standard deviation.
+  static constexpr double settled_step = 0.05;
+
+  void go_on(std::size_t stage, const UpdateOptions& options) {
+    const ModelState state = result_.state;
+    // How often the last lines are gone over is not known.
+    const double from = done_;
+    done_ += 0.5 * (1.0 - done_);
+    result_ = update(*model_,
+                     targets_[stage],
+                     state,
+                     fitter_->prior_for(*model_, state),
+                     options,
+                     watched_part(*progress_, from, done_));
+    // It starts where the last step of the stage ended.
+    const bool again =
+        !history_.empty() && history_.back().stage == static_cast<int>(stage);
+    for (std::size_t k = again ? 1 : 0; k < result_.history.size(); ++k) {
+      history_.push_back(std::move(result_.history[k]));
+      history_.back().stage = static_cast<int>(stage);
+    }
+  }
+
+  // With the mesh's error as it is at this state; false where that ends above
+  // what it began from: then it ends as it was.
+  bool with_mesh(const UpdateOptions& options) {
+    const std::size_t last = targets_.size() - 1;
+    const ModelState from = result_.state;
+    const Ground held{model_, targets_[last]};
+    const double known = relative_error(
+        held.target, model_->respond(from, held.target.s, false).H);
+    const std::size_t steps = history_.size();
+    Ground ground = fitter_->with_mesh_at_state(from, held);
+    model_ = std::move(ground.model);
+    targets_[last] = std::move(ground.target);
+    go_on(last, options);
+    if (result_.error <= known) return true;
+    model_ = held.model;
+    targets_[last] = held.target;
+    history_.resize(steps);
+    result_.state = from;
+    go_on(last, options);
+    return false;
+  }
+
+  // Whether the modes beyond the band have another ratio than was assumed:
+  // within the scatter of ratios there is no telling.
+  bool take_damping() {
+    ModelState& state = result_.state;
+    const double now = typical(state);
+    if (std::abs(std::log(now / state.zeta_other)) <
+        0.2 * fitter_->setting_.damping_spread) {
+      return false;
+    }
+    state.zeta_other = now;
+    return true;
+  }
+
+  [[nodiscard]] bool is_there(const Eigen::VectorXd& from) const {
+    const Eigen::VectorXd sd = result_.covariance.diagonal().cwiseSqrt();
+    const Eigen::VectorXd moved = (pack(result_.state) - from).cwiseAbs();
+    return (moved.array() <= settled_step * sd.array()).all();
+  }
+
+  const Fitter* fitter_;
+  std::vector<Target> targets_;
+  std::shared_ptr<const FrfModel> model_;
+  const Progress* progress_;
+  double done_ = 0.0;
+  UpdateResult result_;
+  std::vector<UpdateStep> history_;
+};
+
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress,
                 const Fit* before) const {
-  Fit fit;
-  fit.result.state = start_state(*model, start);
-  std::vector<UpdateStep> history;
-  std::vector<Target> targets = setting_.targets;
-  const auto go_on = [&](std::size_t stage, std::size_t again = 0) {
-    const bool last = stage + 1 == targets.size();
-    UpdateOptions options;
-    options.max_iterations = last ? 30 : 10;
-    options.tolerance = last ? 1e-6 : 1e-3;
-    // Within a few hundredths of a standard error of the best.
-    options.objective_tolerance = last ? 1e-3 : 1e-1;
-    const ModelState state = fit.result.state;
-    const Prior prior = prior_for(*model, state);
-    // The last may be done twice more.
-    const auto parts = static_cast<double>(targets.size() + 2);
-    const auto part = static_cast<double>(stage + again);
-    fit.result =
-        update(*model,
-               targets[stage],
-               state,
-               prior,
-               options,
-               watched_part(progress, part / parts, (part + 1.0) / parts));
-    // It starts where the last step of the stage ended.
-    for (std::size_t k = again > 0 ? 1 : 0; k < fit.result.history.size();
-         ++k) {
-      history.push_back(std::move(fit.result.history[k]));
-      history.back().stage = static_cast<int>(stage);
+  constexpr UpdateOptions wide{10, 1e-3, 1e-1};
+  // Within a few hundredths of a standard error of the best.
+  constexpr UpdateOptions exact{30, 1e-6, 1e-3};
+  constexpr int rounds = 5;
+  ModelState first = start_state(*model, start);
+  Course course(*this, std::move(model), std::move(first), progress);
+  course.approach(wide);
+  course.arrive(exact, rounds);
+  constexpr double rounding = 1e-6;
+  if (before != nullptr &&
+      course.result().error > (1.0 + rounding) * before->result.error) {
+    if (auto known = continued(course.model(), start, *before)) {
+      course.try_from(std::move(*known), exact);
     }
-  };
-  // The last, with the mesh's error as it is there; where that ends above what
-  // it began from, as it was.
-  const auto finish = [&](std::size_t k) {
-    if (coarser_ == nullptr) return go_on(k);
-    const ModelState from = fit.result.state;
-    const Ground held{model, targets.back()};
-    const double known = relative_error(
-        held.target, model->respond(from, held.target.s, false).H);
-    const std::size_t steps = history.size();
-    Ground ground = with_mesh_at_state(from, held);
-    model = std::move(ground.model);
-    targets.back() = std::move(ground.target);
-    go_on(k);
-    if (fit.result.error <= known) return;
-    model = held.model;
-    targets.back() = held.target;
-    history.resize(steps);
-    fit.result.state = from;
-    go_on(k);
-  };
-  for (std::size_t k = 0; k < targets.size(); ++k) {
-    const bool last = k + 1 == targets.size();
-    if (last) {
-      finish(k);
-    } else {
-      go_on(k);
-    }
-    ModelState& state = fit.result.state;
-    const double assumed = state.zeta_other;
-    const double now = typical(state);
-    // Within this all is as well as the scatter of ratios lets one know.
-    const bool settled =
-        std::abs(std::log(now / assumed)) < 0.2 * setting_.damping_spread;
-    if (settled) continue;
-    const UpdateResult found = fit.result;
-    state.zeta_other = now;
-    if (!last) continue;
-    go_on(k, 1);
-    if (fit.result.error > found.error) fit.result = found;
   }
-  const auto from_before = [&]() -> std::optional<ModelState> {
-    constexpr double rounding = 1e-6;
-    if (before == nullptr ||
-        fit.result.error <= (1.0 + rounding) * before->result.error) {
-      return std::nullopt;
-    }
-    return continued(*model, start, *before);
-  };
-  if (std::optional<ModelState> known = from_before()) {
-    const UpdateResult found = fit.result;
-    fit.result.state = std::move(*known);
-    go_on(targets.size() - 1, 2);
-    if (fit.result.error > found.error) fit.result = found;
-  }
-  fit.result.history = std::move(history);
-  fit.effects = fit.result.state.effects;
-  fit.model = std::move(model);
-  return fit;
+  return std::move(course).finished();
 }
 
 double Fitter::held_out_error(const Fit& fit,

@@ -118,6 +118,7 @@ class Fitter {
   };
   [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
                                           const Ground& before) const;
+  class Course;
 
   const BaseBuilder* builder_;
   const BaseBuilder* coarser_ = nullptr;

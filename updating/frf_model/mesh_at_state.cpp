@@ -1,5 +1,6 @@
 #include "updating/frf_model/mesh_at_state.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/mesh_shift.hpp"
 
 #include <Eigen/QR>
@@ -12,7 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double two_pi = 2.0 * std::numbers::pi;
 
 // Beyond this many times the band the vectors of a base are no modes.
 constexpr double reach = 2.5;

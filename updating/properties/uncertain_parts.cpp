@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include <Eigen/LU>

@@ -1,9 +1,8 @@
 #include "updating/reduction/lean_span.hpp"
 
-#include "updating/frf_model/model_modes.hpp"
-#include "updating/reduction/reduced_base.hpp"
-#include "updating/reduction/subspace.hpp"
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/base_matrices.hpp"
+#include "updating/reduction/subspace.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -27,7 +26,7 @@ constexpr double looked_at_reach = 1.3;
 
 // Of the amplitude (root of the energy) of a mode, or of all that a point
 // answers: what is left is its square, in frequency and in flexibility.
-constexpr double negligible = 1e-4;
+constexpr double negligible = 1e-6;
 
 // The coordinates beyond the modes that are kept.
 struct Beyond {
@@ -42,15 +41,18 @@ MatrixXd answers(const ReducedBase& base,
                  const MatrixXd& driven,
                  double top) {
   const VectorXd all = base.K.diagonal().cwiseMax(1e-3 * top);
-  MatrixXd result(beyond.lambda.size(), 2 * driven.cols());
+  constexpr Index shifts = 3;
+  MatrixXd result(beyond.lambda.size(), shifts * driven.cols());
   for (Index p = 0; p < driven.cols(); ++p) {
     const double flexibility =
         driven.col(p).cwiseAbs2().cwiseQuotient(all).sum();
     const VectorXd felt = driven.col(p).tail(beyond.lambda.size()) /
                           std::sqrt(std::max(flexibility, 1e-300));
-    result.col(2 * p) = felt.cwiseQuotient(beyond.lambda);
-    result.col(2 * p + 1) =
-        felt.array() / (beyond.lambda.array() - top);
+    for (Index k = 0; k < shifts; ++k) {
+      const double sigma = top * static_cast<double>(k) / (shifts - 1);
+      result.col(shifts * p + k) =
+          felt.array() / (beyond.lambda.array() - sigma);
+    }
   }
   return result;
 }
@@ -71,12 +73,12 @@ MatrixXd changed_modes(const ReducedBase& base,
   }
   const Index m = beyond.first;
   const Index h = beyond.lambda.size();
-  const BaseModes kept =
-      solve_modes(K.topLeftCorner(m, m), M.topLeftCorner(m, m));
-  const VectorXd lambda = kept.omega.cwiseAbs2();
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> kept(
+      MatrixXd(K.topLeftCorner(m, m)), MatrixXd(M.topLeftCorner(m, m)));
+  const VectorXd lambda = kept.eigenvalues().cwiseMax(0.0);
   const Index count =
       (lambda.array() < looked_at_reach * looked_at_reach * top).count();
-  const MatrixXd phi = kept.phi.leftCols(count);
+  const MatrixXd phi = kept.eigenvectors().leftCols(count);
   MatrixXd load = K.bottomLeftCorner(h, m) * phi;
   load -= M.bottomLeftCorner(h, m) * phi *
           lambda.head(count).asDiagonal();

@@ -6,7 +6,7 @@
 // band leave is smooth: the span holds modes to a little above the band and,
 // through the others (index H), what they answer
 //
-//   x = (Lambda_H - sigma)^-1 P_H,  sigma = 0 and at the top of the band,
+//   x = (Lambda_H - sigma)^-1 P_H,  sigma from 0 to the top of the band,
 //   y = -K'_HH^-1 (K'_HL - lambda' M'_HL) phi',
 //
 // P the rows of the driven points, y what the modes phi' of properties at

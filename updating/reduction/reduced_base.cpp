@@ -95,8 +95,7 @@ struct BaseBuilder::Impl {
   [[nodiscard]] ReducedBase extend(const Span& span,
                                    const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd needed(const Span& span,
-                                const ReleasedSystem& released,
+  [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
@@ -376,8 +375,7 @@ ReducedBase BaseBuilder::Impl::extend(const Span& span,
 }
 
 // What the fixed basis lacks, as columns over the released dofs.
-MatrixXd BaseBuilder::Impl::needed(const Span& span,
-                                   const ReleasedSystem& released,
+MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
                                    const std::vector<StiffnessChange>& changes,
                                    const std::vector<int>& fresh) const {
   const auto padded = [&released](const MatrixXd& block) {
@@ -385,9 +383,9 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
     whole.topRows(block.rows()) = block;
     return whole;
   };
-  const VectorXd stiffness = span.base.K.diagonal();
+  const VectorXd stiffness = wide.base.K.diagonal();
   const HeldBase held = {
-      system, motions, *answers, span.V, stiffness, shift, options.high_hz};
+      system, motions, *answers, wide.V, stiffness, shift, options.high_hz};
   std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
@@ -421,7 +419,7 @@ ReducedBase BaseBuilder::build(
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base =
-      m.extend(span, m.needed(span, released, changes, fresh), released);
+      m.extend(span, m.needed(released, changes, fresh), released);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

@@ -23,6 +23,7 @@
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/progress.hpp"
 #include "updating/cache/matrix_cache.hpp"
+#include "updating/reduction/base_matrices.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/deck/deck.hpp"
 
@@ -34,18 +35,6 @@
 #include <vector>
 
 namespace tapfit::updating {
-
-struct ReducedBase {
-  Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
-  Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
-  /// Of the uncertain properties, see uncertain_parts.hpp.
-  std::vector<std::vector<int>> part_power;
-  std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
-  std::vector<Eigen::MatrixXd> M_part;
-  std::vector<StiffnessTerm> terms;  ///< of the changes asked for
-
-  [[nodiscard]] Eigen::Index size() const { return K.rows(); }
-};
 
 struct BaseOptions {
   double high_hz = 100.0;  ///< top of the band

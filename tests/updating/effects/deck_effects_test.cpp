@@ -82,7 +82,7 @@ class DeckEffects : public ::testing::Test {
   // FRFs with next to no damping but what the effects and the deck have.
   MatrixXcd frfs(const Model& m,
                  const std::vector<PlacedEffect>& effects) const {
-    const auto model = m.fitter->model_for(effects);
+    const auto model = m.fitter->model_for(effects, BaseUse::Scan);
     ModelState state = m.fitter->first_state(*model, effects);
     state.zeta.setConstant(1e-12);
     state.zeta_other = 1e-12;
@@ -172,7 +172,7 @@ TEST_F(DeckEffects, DerivativesKnowTheDecksDashpots) {
       plate_cards(kClamp) + "CDAMP2,901,7.,30,3\nCDAMP2,902,3.,11,3,60,1\n"));
   const std::vector<PlacedEffect> effects = {at_node("dashpot", 20, {2.0}),
                                              at_node("added-mass", 60, {0.03})};
-  const auto model = m->fitter->model_for(effects);
+  const auto model = m->fitter->model_for(effects, BaseUse::Scan);
   const ModelState state = m->fitter->first_state(*model, effects);
   const ModelResponse whole = model->respond(state, s_, true);
   const Eigen::VectorXd theta = pack(state);
@@ -203,7 +203,7 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
   ASSERT_EQ(soft.where.nodes, std::vector<int>{70});
   soft.p = {1.0};
   const StiffnessTerm term =
-      held->fitter->model_for({soft})->base().terms.front();
+      held->fitter->model_for({soft}, BaseUse::Scan)->base().terms.front();
   for (const double k : {term.lower, term.start, 0.1 * term.upper}) {
     soft.p = {k};
     std::string springs = "SPC1,1,123,70\n";
@@ -242,7 +242,7 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
     if (soft.effect->parameters(soft.where, held->setting).size() == 2) {
       soft.p.push_back(1.0);
     }
-    const auto base = held->fitter->model_for({soft});
+    const auto base = held->fitter->model_for({soft}, BaseUse::Scan);
     for (const StiffnessTerm& term : base->base().terms) {
       // The second end a third as stiff as the first.
       soft.p[term.parameter] = term.start / (term.parameter == 0 ? 1.0 : 3.0);
@@ -295,7 +295,7 @@ TEST_F(DeckEffects, JointReadBackGivesTheSameFrfs) {
     PlacedEffect joint{&effects::find("joint"), {}, {1.0}};
     joint.where.nodes = {5, 16, 27, 38, 49};
     const StiffnessTerm term =
-        whole->fitter->model_for({joint})->base().terms.front();
+        whole->fitter->model_for({joint}, BaseUse::Scan)->base().terms.front();
     for (const double k : {term.lower, term.start}) {
       joint.p = {k};
       const JointLine line = effects::joint_at(whole->deck, joint.where, 3);

@@ -93,7 +93,7 @@ ModelState undamped(const Fitter& fitter,
 using FrfModelTest = PlateModel;
 
 TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
-  const auto model = fitter_->model_for({});
+  const auto model = fitter_->model_for({}, BaseUse::Scan);
   const MatrixXcd H =
       model->respond(undamped(*fitter_, *model, {}), s_, false).H;
   // What the basis is made for, see response_orders.
@@ -105,7 +105,7 @@ TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
                                              at_node("ground-spring", 50, 3e4),
                                              at_node("dashpot", 20, 7.0),
                                              sensors(0.01, 0.02)};
-  const auto model = fitter_->model_for(effects);
+  const auto model = fitter_->model_for(effects, BaseUse::Scan);
   const MatrixXcd H =
       model->respond(undamped(*fitter_, *model, effects), s_, false).H;
   const MatrixXcd exact = direct(
@@ -117,7 +117,7 @@ TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
 }
 
 TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
-  const auto model = fitter_->model_for({clamp(1.0)});
+  const auto model = fitter_->model_for({clamp(1.0)}, BaseUse::Scan);
   const StiffnessTerm& term = model->base().terms.front();
   std::vector<int> rotations;
   for (int j = 0; j < 5; ++j) rotations.push_back(6 * 11 * j + 4);
@@ -134,7 +134,7 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   Where where;
   where.elements = {4, 5, 6, 14, 15, 16};
   const effects::Effect& effect = effects::find("stiffness-loss");
-  const auto model = fitter_->model_for({{&effect, where, {0.5}}});
+  const auto model = fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
   for (const double factor : {0.8, 0.3, 0.05}) {
     structure::Deck weak = deck_;
     weak.materials[2] = weak.materials[1];

@@ -1,0 +1,73 @@
+#include "updating/reduction/lean_span.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/measurement/damped_line.hpp"
+#include "updating/frf_model/acted_points.hpp"
+#include "updating/frf_model/frf_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+// A plate whose wood and thickness are uncertain.
+class LeanSpan : public ::testing::Test {
+ protected:
+  LeanSpan() {
+    deck_.materials[1] = {
+        1, true, 12e9, 0.35, 0.7e9, 450.0, 0.9e9, 0.7e9, 0.1e9};
+    bundle_.uncertain = {{"material", 1, "E1", 20.0},
+                         {"material", 1, "E2", 20.0},
+                         {"material", 1, "G12", 20.0},
+                         {"property", 1, "t", 5.0}};
+  }
+
+  [[nodiscard]] Eigen::MatrixXcd respond(
+      BaseUse use, const std::vector<double>& factor) const {
+    const effects::Setting setting = support::plate_setting(bundle_, deck_);
+    const BaseBuilder builder(deck_,
+                              bundle_.uncertain,
+                              support::plate_base(bundle_, deck_),
+                              Progress{});
+    const FrfModel model(builder.build({}, {}, use),
+                         setting,
+                         support::plate_pairs(bundle_, s_));
+    ModelState state;
+    state.factor = factor;
+    return model.respond(state, s_, false).H;
+  }
+
+  structure::Deck deck_ = support::plate_deck(true);
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+  Eigen::VectorXcd s_ = damped_line({10.0, 400.0}, 2.0, {0.03, 80});
+};
+
+// The whole base is exact to 1e-6 as the deck is; where properties differ it
+// is what the lean one is compared with.
+TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
+  const std::vector<std::vector<double>> states = {{1.0, 1.0, 1.0, 1.0},
+                                                   {1.3, 0.8, 1.2, 0.95},
+                                                   {0.7, 1.4, 0.7, 1.1}};
+  for (const std::vector<double>& factor : states) {
+    const Eigen::MatrixXcd whole = respond(BaseUse::Scan, factor);
+    const Eigen::MatrixXcd lean = respond(BaseUse::Fit, factor);
+    // A hundredth of the scatter of a careful test.
+    EXPECT_LT((lean - whole).norm(), 1e-4 * whole.norm()) << factor[0];
+  }
+}
+
+// Its size is what every evaluation of a fit costs, cubed.
+TEST_F(LeanSpan, IsSmallerThanTheBase) {
+  bundle_.uncertain = {{"property", 1, "t", 5.0}};
+  const BaseBuilder builder(deck_,
+                            bundle_.uncertain,
+                            support::plate_base(bundle_, deck_),
+                            Progress{});
+  EXPECT_LT(builder.build({}, {}, BaseUse::Fit).size(),
+            builder.build({}, {}, BaseUse::Scan).size());
+}
+
+}  // namespace
+}  // namespace tapfit::updating

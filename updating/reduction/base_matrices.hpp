@@ -1,0 +1,24 @@
+// A model seen through the vectors of a reduced base.
+#pragma once
+
+#include "updating/reduction/stiffness_change.hpp"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace tapfit::updating {
+
+struct ReducedBase {
+  Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
+  Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
+  /// Of the uncertain properties, see uncertain_parts.hpp.
+  std::vector<std::vector<int>> part_power;
+  std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
+  std::vector<Eigen::MatrixXd> M_part;
+  std::vector<StiffnessTerm> terms;  ///< of the changes asked for
+
+  [[nodiscard]] Eigen::Index size() const { return K.rows(); }
+};
+
+}  // namespace tapfit::updating
