@@ -393,7 +393,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
   constexpr UpdateOptions wide{10, 1e-3, 1e-1};
   // Within a few hundredths of a standard error of the best.
   constexpr UpdateOptions exact{30, 1e-6, 1e-3};
-  constexpr int rounds = 5;
+  constexpr int rounds = 2;  // the second moves little as it is
   ModelState first = start_state(*model, start);
   Course course(*this, std::move(model), std::move(first), progress);
   course.approach(wide);
