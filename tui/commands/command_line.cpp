@@ -137,8 +137,9 @@ std::string effect_fault(const std::string& text) {
 
 /// What is wrong with a mass as written; empty where nothing is.
 std::string free_fault(const std::string& text) {
-  return signal::parse_free(text) ? std::string{}
-                          : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
+  return signal::parse_free(text)
+             ? std::string{}
+             : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
 }
 
 std::string lines_fault(const std::string& text) {

@@ -1,6 +1,7 @@
 #include "updating/diagnosis/hypotheses.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/diagnosis/screening.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/effect_place.hpp"
