@@ -19,7 +19,7 @@ using Eigen::Index;
 // factor of 1.5 is far enough from a resonance for what the end of the block
 // makes of it.
 std::optional<std::array<double, 2>> narrower(
-    const Lasting& lasting, const std::array<double, 2>& band) {
+    const DecayCheck& lasting, const std::array<double, 2>& band) {
   const double half = 0.5 * (band[1] - band[0]);
   const double from = 1.5 * lasting.high_hz;
   const double to = lasting.low_hz / 1.5;
@@ -50,7 +50,7 @@ std::string proposal(const BlockAdvice& advice) {
 
 }  // namespace
 
-std::optional<BlockAdvice> advise_block(const Lasting& lasting,
+std::optional<BlockAdvice> advise_block(const DecayCheck& lasting,
                                         const HitSet& hits,
                                         const std::vector<Index>& samples,
                                         const std::array<double, 2>& band_hz) {
@@ -87,7 +87,7 @@ std::optional<BlockAdvice> advise_block(const Lasting& lasting,
 }
 
 std::string statement(const BlockAdvice& advice, double sigma) {
-  const Lasting& lasting = advice.lasting;
+  const DecayCheck& lasting = advice.lasting;
   std::string text = fmt::format(
       "the response at {:.4g} Hz has {:.2g} time constants in the block where "
       "6 let it decay. Before any window, take {}",
@@ -104,7 +104,7 @@ std::string statement(const BlockAdvice& advice, double sigma) {
              100.0 * sigma / (2.0 * std::numbers::pi * lasting.hz));
 }
 
-std::string hum_statement(const Lasting& lasting) {
+std::string hum_statement(const DecayCheck& lasting) {
   if (lasting.hum_hz == 0.0) return {};
   return fmt::format(
       "what is heard at {:.4g} Hz does not decay within the block: hum, or a "
@@ -112,7 +112,7 @@ std::string hum_statement(const Lasting& lasting) {
       lasting.hum_hz);
 }
 
-std::string excited_statement(const Lasting& lasting) {
+std::string excited_statement(const DecayCheck& lasting) {
   const Excited& excited = lasting.excited;
   if (excited.hz == 0.0) return {};
   const std::string when =
@@ -129,7 +129,7 @@ std::string excited_statement(const Lasting& lasting) {
 }
 
 std::vector<std::string> lasting_statements(
-    const Lasting& lasting,
+    const DecayCheck& lasting,
     const HitSet& hits,
     const std::vector<Index>& samples,
     const std::array<double, 2>& band_hz,

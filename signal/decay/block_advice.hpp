@@ -9,7 +9,7 @@
 #pragma once
 
 #include "acquisition/hits/hits.hpp"
-#include "signal/decay/lasting_response.hpp"
+#include "signal/decay/decay_check.hpp"
 
 #include <array>
 #include <optional>
@@ -19,7 +19,7 @@
 namespace tapfit::signal {
 
 struct BlockAdvice {
-  Lasting lasting;
+  DecayCheck lasting;
   double block_s = 0.0;    ///< six time constants and the pre-trigger
   int accepted = 0;        ///< hits
   int with_room = 0;       ///< of these, hits that a block as long would fit
@@ -32,7 +32,7 @@ struct BlockAdvice {
 /// @param samples length of each run's recording
 /// @return empty where all that is seen decays by six time constants, or nearly
 [[nodiscard]] std::optional<BlockAdvice> advise_block(
-    const Lasting& lasting,
+    const DecayCheck& lasting,
     const acquisition::HitSet& hits,
     const std::vector<Eigen::Index>& samples,
     const std::array<double, 2>& band_hz);
@@ -43,17 +43,17 @@ struct BlockAdvice {
 [[nodiscard]] std::string statement(const BlockAdvice& advice, double sigma);
 
 /// What to say of the hum; empty where there is none.
-[[nodiscard]] std::string hum_statement(const Lasting& lasting);
+[[nodiscard]] std::string hum_statement(const DecayCheck& lasting);
 
 /// What to say of what is excited anew; empty where nothing is.
-[[nodiscard]] std::string excited_statement(const Lasting& lasting);
+[[nodiscard]] std::string excited_statement(const DecayCheck& lasting);
 
 /// Advice, hum and excitation in words, as far as there is something to say.
 ///
 /// @param samples, band_hz as for advise_block()
 /// @param sigma as for statement()
 [[nodiscard]] std::vector<std::string> lasting_statements(
-    const Lasting& lasting,
+    const DecayCheck& lasting,
     const acquisition::HitSet& hits,
     const std::vector<Eigen::Index>& samples,
     const std::array<double, 2>& band_hz,

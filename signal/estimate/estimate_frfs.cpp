@@ -5,8 +5,8 @@
 #include "acquisition/foundation/parallel.hpp"
 #include "signal/decay/block_advice.hpp"
 #include "signal/estimate/frf_average.hpp"
-#include "signal/estimate/level_dependence.hpp"
-#include "signal/estimate/run_differences.hpp"
+#include "signal/estimate/linearity_check.hpp"
+#include "signal/estimate/run_consistency.hpp"
 #include "signal/spectra/spectra.hpp"
 #include "signal/spectra/window.hpp"
 
@@ -72,7 +72,7 @@ std::string no_quiet(std::size_t run) {
 struct RunPart {
   Spectra spectra;  ///< no columns where none of its hits is accepted
   RunAverage average;
-  Lasting lasting;
+  DecayCheck lasting;
   bool heard = false;  ///< whether a hit is accepted
   bool quiet = true;   ///< whether something precedes its hits
 };
@@ -83,8 +83,7 @@ RunPart part_of(const HitBlocks& blocks, const Plan& plan) {
   part.heard = true;
   part.quiet = blocks.quiet;
   part.spectra = plan.transform(blocks);
-  if (plan.lasting_hz)
-    part.lasting = lasting_response(blocks, *plan.lasting_hz);
+  if (plan.lasting_hz) part.lasting = check_decay(blocks, *plan.lasting_hz);
   part.average.s = plan.s;
   add_hits(blocks, part.spectra, part.average);
   return part;
@@ -94,7 +93,7 @@ RunPart part_of(const HitBlocks& blocks, const Plan& plan) {
 /// accepted.
 struct GroupResult {
   std::vector<Frf> frfs;
-  LevelDependence levels;
+  LinearityCheck levels;
   bool scatter_known = true;
   std::string difference;  ///< between the runs, in words; empty: none
 };
@@ -122,7 +121,7 @@ GroupResult estimate_group(const TestBundle& bundle,
   if (average.hits() == 0) return result;
   result.scatter_known = quiet || average.hits() > 1;
   const Spectra all = side_by_side(std::move(spectra));
-  if (const auto difference = run_difference(runs)) {
+  if (const auto difference = run_inconsistency(runs)) {
     result.difference = statement(*difference, bundle, group);
   }
   const Eigen::MatrixXcd change = result.levels.add(all);
@@ -150,7 +149,7 @@ FrfSet joined(const TestBundle& bundle,
               const Plan& plan) {
   FrfSet set;
   set.s = plan.s;
-  LevelDependence levels;
+  LinearityCheck levels;
   for (std::size_t r = 0; r < parts.size(); ++r) {
     if (!parts[r].heard) {
       set.statements.push_back(
@@ -218,7 +217,7 @@ FrfSet estimate_all(const TestBundle& bundle,
       tail_statement(plan.blocks.lasting_poles, ringing_time(hits));
   if (!followed.empty()) set.statements.push_back(followed);
   if (!plan.lasting_hz) return set;
-  Lasting lasting;
+  DecayCheck lasting;
   for (const RunPart& part : parts) lasting.join(part.lasting);
   const std::vector<std::string> said = lasting_statements(
       lasting, hits, lengths_of(recordings), *plan.lasting_hz, plan.sigma);
@@ -322,14 +321,14 @@ std::vector<std::string> block_statements(
   const BlockOptions blocks{options.window.force_window,
                             std::max(band_hz[0], 1.0 / ringing_time(hits)),
                             options.lasting_poles};
-  std::vector<Lasting> lasting(bundle.runs.size());
+  std::vector<DecayCheck> lasting(bundle.runs.size());
   for_each_parallel(lasting.size(), [&](std::size_t r) {
-    lasting[r] = lasting_response(
+    lasting[r] = check_decay(
         cut_hits(bundle.runs[r], recordings[r], hits, hits.runs[r], blocks),
         band_hz);
   });
-  Lasting all;
-  for (const Lasting& of : lasting) all.join(of);
+  DecayCheck all;
+  for (const DecayCheck& of : lasting) all.join(of);
   return lasting_statements(
       all,
       hits,

@@ -29,8 +29,8 @@ struct FrfOptions {
   Estimator estimator = Estimator::H1;
   WindowOptions window;
   /// Poles of modes that outlast a block [rad/s]; may be empty. Their ringing
-  /// from earlier hits is taken off (signal/spectra/ringing.hpp), their decay
-  /// behind the block's end is added (signal/spectra/block_tail.hpp).
+  /// from earlier hits is taken off (signal/spectra/carry_over.hpp), their
+  /// decay behind the block's end is added (signal/spectra/block_tail.hpp).
   Eigen::VectorXcd lasting_poles;
 };
 

@@ -8,7 +8,7 @@
 #include "acquisition/hits/live_hits.hpp"
 #include "signal/decay/block_advice.hpp"
 #include "signal/estimate/frf_average.hpp"
-#include "signal/estimate/run_differences.hpp"
+#include "signal/estimate/run_consistency.hpp"
 #include "signal/spectra/spectra.hpp"
 
 #include <fmt/format.h>
@@ -197,7 +197,7 @@ struct LiveRun {
   std::vector<Hit> hits{};
   Index samples = 0;
   double strongest_n = 0.0;  ///< of the accepted hits
-  Lasting lasting{};         ///< of that one
+  DecayCheck lasting{};      ///< of that one
 };
 
 // The run's own sums, where there are others to compare them with.
@@ -233,7 +233,7 @@ void average_hit(const LivePiece& piece,
   keep(hit.powers, run);
   if (found.hits[k].peak_n <= run.strongest_n) return;
   run.strongest_n = found.hits[k].peak_n;
-  run.lasting = lasting_response(blocks, run.band_hz);
+  run.lasting = check_decay(blocks, run.band_hz);
 }
 
 void work_through(const LivePiece& piece,
@@ -312,7 +312,7 @@ void check_rate(const RecordingStream& stream,
 void add_statements(const TestBundle& bundle,
                     const FrfPlan& plan,
                     const std::vector<Index>& samples,
-                    const Lasting& lasting,
+                    const DecayCheck& lasting,
                     Replayed& result) {
   std::vector<std::string>& said = result.frfs.statements;
   said = lasting_statements(
@@ -346,7 +346,7 @@ Replayed replay(const TestBundle& bundle,
   result.frfs.s = plan.s;
   const RealFft fft(result.hits.block);
   Pace pace(options.speed);
-  Lasting lasting;
+  DecayCheck lasting;
   std::vector<Index> samples;
   std::vector<LiveGroup> groups = live_groups(bundle, plan);
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
@@ -382,7 +382,7 @@ Replayed replay(const TestBundle& bundle,
   }
   add_statements(bundle, plan, samples, lasting, result);
   for (const LiveGroup& group : groups) {
-    if (const auto difference = run_difference(group.heard)) {
+    if (const auto difference = run_inconsistency(group.heard)) {
       result.frfs.statements.push_back(
           statement(*difference, bundle, group.runs));
     }

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "acquisition/foundation/dof.hpp"
-#include "signal/frf_set/level_finding.hpp"
+#include "signal/frf_set/linearity_finding.hpp"
 
 #include <Eigen/Core>
 
@@ -41,7 +41,7 @@ struct FrfSet {
   Eigen::VectorXcd s;  ///< complex angular frequency of each line [rad/s]
   std::vector<Frf> frfs;
   std::vector<std::string> statements;  ///< runs left out, poor FRFs
-  LevelFinding level = {};              ///< whether they follow the hits' force
+  LinearityFinding level = {};          ///< whether they follow the hits' force
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }
   [[nodiscard]] Eigen::VectorXd frequency_hz() const;

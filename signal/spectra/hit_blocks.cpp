@@ -3,8 +3,8 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
 #include "acquisition/hits/judge_hits.hpp"
+#include "signal/spectra/carry_over.hpp"
 #include "signal/spectra/offset.hpp"
-#include "signal/spectra/ringing.hpp"
 #include "signal/spectra/window.hpp"
 
 #include <fmt/format.h>
@@ -57,7 +57,7 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
     const Index onset = place.trigger - std::min(margin, place.trigger / 2);
     place.before = quiet_stretch(earlier, onset, lengths.wanted);
     if (k > 0) {
-      place.rings = ringing_stretch(
+      place.rings = carry_over_stretch(
           lasting_poles, fs, quiet_stretch(earlier, onset, n_samples));
     }
     const Index start = std::min(place.trigger, n_samples);
@@ -112,7 +112,7 @@ CutChannel cut_channel(const Eigen::Ref<const Eigen::VectorXd>& recorded,
       const Index from = std::max<Index>(0, std::min(p.before.begin, begin));
       const Index to = std::min(begin + block, recorded.size());
       rung.segment(from, to - from) -=
-          ringing(recorded, p.rings, lasting_poles, fs, from, to - from);
+          carry_over(recorded, p.rings, lasting_poles, fs, from, to - from);
     }
     const Eigen::Map<const Eigen::VectorXd> channel(
         rung.size() > 0 ? rung.data() : recorded.data(), recorded.size());

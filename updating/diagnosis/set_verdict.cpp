@@ -16,7 +16,8 @@ namespace {
 // What the FRFs change with the force is a good part of what is left. At the
 // floor nothing is, unless it is the change that lifts the floor: hits that
 // differ in force scatter by it.
-bool is_nonlinear(const signal::LevelFinding& level, const Diagnosis& result) {
+bool is_nonlinear(const signal::LinearityFinding& level,
+                  const Diagnosis& result) {
   constexpr double most = 1.0 / 2.0;
   return follows_the_force(level, result.error_best) &&
          (result.error_best > at_floor * result.floor ||
@@ -26,7 +27,7 @@ bool is_nonlinear(const signal::LevelFinding& level, const Diagnosis& result) {
 // A rung stands by itself where it explains far more than what changes with the
 // force. A spring that hardens alone looks like a linear one at the mean force,
 // and its stiffness doubles where the motion grows by 40 %.
-std::vector<bool> believed(const signal::LevelFinding& level,
+std::vector<bool> believed(const signal::LinearityFinding& level,
                            const Diagnosis& result) {
   constexpr double clear = 3.0;
   std::vector<bool> believed;
@@ -48,7 +49,8 @@ std::string joined(const std::vector<Rung>& ladder,
   return names;
 }
 
-void name_nonlinearity(const signal::LevelFinding& level, Diagnosis& result) {
+void name_nonlinearity(const signal::LinearityFinding& level,
+                       Diagnosis& result) {
   const std::vector<bool> own = believed(level, result);
   result.verdict = joined(result.ladder, own);
   result.verdict += (result.verdict.empty() ? "" : "+");
@@ -76,12 +78,12 @@ void name_nonlinearity(const signal::LevelFinding& level, Diagnosis& result) {
 
 }  // namespace
 
-bool follows_the_force(const signal::LevelFinding& level, double error) {
+bool follows_the_force(const signal::LinearityFinding& level, double error) {
   constexpr double part = 1.0 / 3.0;
   return level.is_nonlinear() && level.change >= part * error;
 }
 
-void set_verdict(const signal::LevelFinding& level,
+void set_verdict(const signal::LinearityFinding& level,
                  const std::vector<std::string>& held,
                  Diagnosis& result) {
   constexpr double wide = 0.1;

@@ -1,7 +1,7 @@
 // What a diagnosis comes to in a word, once its ladder stands.
 #pragma once
 
-#include "signal/frf_set/level_finding.hpp"
+#include "signal/frf_set/linearity_finding.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 
 #include <string>
@@ -11,7 +11,7 @@ namespace tapfit::updating {
 
 /// Whether what the FRFs change with the force is a good part of an error: then
 /// no linear model comes much closer.
-[[nodiscard]] bool follows_the_force(const signal::LevelFinding& level,
+[[nodiscard]] bool follows_the_force(const signal::LinearityFinding& level,
                                      double error);
 
 /// Names what the ladder holds, "none" or "unexplained".
@@ -26,7 +26,7 @@ namespace tapfit::updating {
 /// @param held what else than the data holds the parameters: held_back()
 /// @param result with ladder, candidates and errors; gains the verdict, and
 ///   warnings where it is "unexplained"
-void set_verdict(const signal::LevelFinding& level,
+void set_verdict(const signal::LinearityFinding& level,
                  const std::vector<std::string>& held,
                  Diagnosis& result);
 

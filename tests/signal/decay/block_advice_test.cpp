@@ -37,7 +37,7 @@ GeneratedOptions noisy() {
 }
 
 struct Seen {
-  Lasting lasting;
+  DecayCheck lasting;
   std::optional<BlockAdvice> advice;
 };
 
@@ -45,12 +45,12 @@ Seen look(const GeneratedTest& test) {
   const std::array<double, 2> band = *test.bundle.band_hz;
   const BlockOptions options{true, band[0], {}};
   Seen seen;
-  seen.lasting = lasting_response(cut_hits(test.bundle.runs[0],
-                                           test.recordings[0],
-                                           test.hits,
-                                           test.hits.runs[0],
-                                           options),
-                                  band);
+  seen.lasting = check_decay(cut_hits(test.bundle.runs[0],
+                                      test.recordings[0],
+                                      test.hits,
+                                      test.hits.runs[0],
+                                      options),
+                             band);
   seen.advice = advise_block(
       seen.lasting, test.hits, {test.recordings[0].samples.rows()}, band);
   return seen;
@@ -61,7 +61,7 @@ TEST(BlockAdvice, AsksForNoBlockThatIsHardlyLonger) {
   acquisition::HitSet hits;
   hits.sample_rate_hz = 1000.0;
   hits.block = 6000;
-  Lasting lasting;
+  DecayCheck lasting;
   lasting.low_hz = lasting.high_hz = lasting.hz = 20.0;
   lasting.rate = 6.0 / 6.2;
   EXPECT_FALSE(advise_block(lasting, hits, {}, {5.0, 95.0}));

@@ -6,8 +6,8 @@ namespace tapfit::updating {
 namespace {
 
 /// FRFs that surely change with the force, by so much.
-signal::LevelFinding changing(double change) {
-  signal::LevelFinding level;
+signal::LinearityFinding changing(double change) {
+  signal::LinearityFinding level;
   level.p_value = 0.002;
   level.change = change;
   return level;
@@ -31,7 +31,8 @@ Diagnosis with_mass(double best) {
   return diagnosis;
 }
 
-std::string verdict(Diagnosis diagnosis, const signal::LevelFinding& level) {
+std::string verdict(Diagnosis diagnosis,
+                    const signal::LinearityFinding& level) {
   set_verdict(level, {}, diagnosis);
   return diagnosis.verdict;
 }
@@ -67,7 +68,7 @@ TEST(SetVerdict, SaysWhereNonlinearityCouldNotBeLookedFor) {
   set_verdict({}, {}, scattered);
   ASSERT_EQ(scattered.warnings.size(), 1U);
   EXPECT_NE(scattered.warnings[0].find("three hits"), std::string::npos);
-  signal::LevelFinding seen;
+  signal::LinearityFinding seen;
   seen.runs = 8;
   Diagnosis looked = errors(0.4, 0.4, 0.3);
   set_verdict(seen, {}, looked);
@@ -94,7 +95,7 @@ TEST(SetVerdict, SmallOrDoubtfulChangesAreNoVerdict) {
   // At one that the change itself makes.
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.6), changing(0.36)), "nonlinearity");
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.1)), "unexplained");
-  signal::LevelFinding doubtful = changing(0.08);
+  signal::LinearityFinding doubtful = changing(0.08);
   doubtful.p_value = 0.01;
   EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), doubtful), "none");
 }

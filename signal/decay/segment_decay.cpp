@@ -1,4 +1,4 @@
-#include "signal/decay/level_course.hpp"
+#include "signal/decay/segment_decay.hpp"
 
 #include "acquisition/hits/choose_block.hpp"
 #include "acquisition/samples/remove_offset.hpp"
@@ -93,9 +93,9 @@ Regression robust_regression(const Eigen::VectorXcd& z) {
   return found;
 }
 
-std::optional<Fall> fall_of(const Eigen::VectorXcd& z,
-                            double hop_s,
-                            double segment_s) {
+std::optional<DecayEstimate> fall_of(const Eigen::VectorXcd& z,
+                                     double hop_s,
+                                     double segment_s) {
   constexpr double clear = 1.4;  // ln of the power's ratio, 6 dB
   const Regression found = robust_regression(z);
   if (!(found.q + 2.0 * found.sd < 1.0) || !(found.q > 0.0)) {
@@ -108,7 +108,7 @@ std::optional<Fall> fall_of(const Eigen::VectorXcd& z,
       0.5 * above / decay, 0.0, static_cast<double>(found.first_blow));
   if (2.0 * decay * end < clear) return std::nullopt;
   const double least_q = std::max(found.q - 2.0 * found.sd, 1e-12);
-  return Fall{
+  return DecayEstimate{
       decay / hop_s, -std::log(least_q) / hop_s, end * hop_s + 0.5 * segment_s};
 }
 
@@ -132,8 +132,8 @@ Segments::Segments(const Eigen::Ref<const Eigen::VectorXd>& response, double dt)
   }
 }
 
-LevelCourse Segments::course(double hz, double noise) const {
-  LevelCourse course;
+SegmentDecay Segments::course(double hz, double noise) const {
+  SegmentDecay course;
   const double segment_s = static_cast<double>(length_) * dt_;
   const auto line = static_cast<Index>(std::lround(hz * segment_s));
   if (lines_.cols() < fewest || line < lowest || line >= lines_.rows()) {

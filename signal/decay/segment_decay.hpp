@@ -27,20 +27,20 @@
 namespace tapfit::signal {
 
 /// What follows the blow, up to where something else is louder.
-struct Fall {
+struct DecayEstimate {
   double rate = 0.0;   ///< of the decay [1/s]
   double most = 0.0;   ///< two standard deviations above it [1/s]
   double end_s = 0.0;  ///< behind the trigger; middle of the last segment
 };
 
-struct LevelCourse {
+struct SegmentDecay {
   /// Up to three decays tell all of it, or it cannot be told.
   bool decays = true;
   /// The same level from beginning to end, within 2 dB.
   bool steady = false;
   /// Empty where it does not surely decay, or falls by less than 6 dB before
   /// something else is louder.
-  std::optional<Fall> fall;
+  std::optional<DecayEstimate> fall;
 };
 
 /// The segments of one response.
@@ -52,7 +52,7 @@ class Segments {
 
   /// @param noise mean square of a line of noise over the sum of the squared
   ///   window [SI^2]
-  [[nodiscard]] LevelCourse course(double hz, double noise) const;
+  [[nodiscard]] SegmentDecay course(double hz, double noise) const;
 
  private:
   double dt_;

@@ -6,7 +6,7 @@
 
 namespace tapfit::signal {
 
-struct LevelFinding {
+struct LinearityFinding {
   int runs = 0;        ///< with three hits or more, whose levels differ
   double share = 0.0;  ///< of |e|^2 that follows the level, mean over lines
   double share_by_chance = 0.0;  ///< mean over the permutations
@@ -21,6 +21,6 @@ struct LevelFinding {
 };
 
 /// What to tell the user; empty where there is no sign of it.
-[[nodiscard]] std::string statement(const LevelFinding& finding);
+[[nodiscard]] std::string statement(const LinearityFinding& finding);
 
 }  // namespace tapfit::signal

@@ -14,7 +14,7 @@
 // Carlo p-values", Biometrika 78(2), 1991).
 #pragma once
 
-#include "signal/frf_set/level_finding.hpp"
+#include "signal/frf_set/linearity_finding.hpp"
 #include "signal/spectra/spectra.hpp"
 
 #include <Eigen/Core>
@@ -25,16 +25,16 @@
 namespace tapfit::signal {
 
 /// Collects runs; each is a structure of its own (sensors may have moved).
-class LevelDependence {
+class LinearityCheck {
  public:
   /// @return change of each sensor's FRF from the run's weakest hit to its
   /// strongest, lines x sensors; no columns where the levels do not tell
   Eigen::MatrixXcd add(const Spectra& spectra);
   /// Adds the runs of another.
-  void add(LevelDependence&& other);
+  void add(LinearityCheck&& other);
 
   /// @param seed of the permutations
-  [[nodiscard]] LevelFinding finding(std::uint64_t seed) const;
+  [[nodiscard]] LinearityFinding finding(std::uint64_t seed) const;
 
  private:
   /// One run in terms of which any order of its levels is quickly tried.

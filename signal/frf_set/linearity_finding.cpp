@@ -1,4 +1,4 @@
-#include "signal/frf_set/level_finding.hpp"
+#include "signal/frf_set/linearity_finding.hpp"
 
 #include <fmt/format.h>
 
@@ -11,11 +11,11 @@ constexpr double worth_saying = 0.01;
 
 }  // namespace
 
-bool LevelFinding::is_nonlinear() const {
+bool LinearityFinding::is_nonlinear() const {
   return p_value <= sure && change >= worth_saying;
 }
 
-std::string statement(const LevelFinding& finding) {
+std::string statement(const LinearityFinding& finding) {
   if (!finding.is_nonlinear()) return {};
   return fmt::format(
       "the FRFs change with the force of the hits: by about {:.2g} % from the "

@@ -1,4 +1,4 @@
-#include "signal/estimate/run_differences.hpp"
+#include "signal/estimate/run_consistency.hpp"
 
 #include "signal/spectra/spectra.hpp"
 
@@ -62,7 +62,7 @@ Made test_of(
   return test;
 }
 
-std::optional<RunDifference> difference_of(const Made& test) {
+std::optional<RunInconsistency> difference_of(const Made& test) {
   std::vector<RunPowers> runs;
   for (std::size_t k = 0; k < test.run.size(); ++k) {
     if (runs.empty() || runs.back().place != test.run[k]) {
@@ -75,14 +75,14 @@ std::optional<RunDifference> difference_of(const Made& test) {
                        test.spectra.responses[c].col(column));
     }
   }
-  return run_difference(runs);
+  return run_inconsistency(runs);
 }
 
 double no_gain(std::size_t /*run*/, std::size_t /*sensor*/) { return 1.0; }
 double no_shift(std::size_t /*run*/) { return 0.0; }
 
 // Promised: 1 in 500; 400 tests, so 4 and more would be chance of 1 in 100.
-TEST(RunDifference, IsNotSeenWhereRunsAgree) {
+TEST(RunInconsistency, IsNotSeenWhereRunsAgree) {
   int false_alarms = 0;
   for (unsigned seed = 1; seed <= 200; ++seed) {
     for (const auto& [runs, each] : {std::pair{5U, 1}, {3U, 4}}) {
@@ -93,7 +93,7 @@ TEST(RunDifference, IsNotSeenWhereRunsAgree) {
   EXPECT_LE(false_alarms, 3);
 }
 
-TEST(RunDifference, NamesTheRunWhoseRangeWasChanged) {
+TEST(RunInconsistency, NamesTheRunWhoseRangeWasChanged) {
   const auto gain = [](std::size_t run, std::size_t sensor) {
     return run == 2 && sensor == 1 ? 1.5 : 1.0;
   };
@@ -111,7 +111,7 @@ TEST(RunDifference, NamesTheRunWhoseRangeWasChanged) {
 
 // Nothing but single hits: one that is four times as far away as five hits of
 // 2 % ever were is said to be.
-TEST(RunDifference, NamesASingleHitThatStandsApart) {
+TEST(RunInconsistency, NamesASingleHitThatStandsApart) {
   const auto gain = [](std::size_t run, std::size_t /*sensor*/) {
     return run == 4 ? 3.0 : 1.0;
   };
@@ -121,7 +121,7 @@ TEST(RunDifference, NamesASingleHitThatStandsApart) {
     const auto difference = difference_of(test);
     if (!difference) continue;
     ++found;
-    EXPECT_EQ(difference->kind, RunDifference::Kind::OneApart);
+    EXPECT_EQ(difference->kind, RunInconsistency::Kind::OneApart);
     EXPECT_EQ(difference->run, 4U);
     ASSERT_TRUE(difference->factor);
     EXPECT_NEAR(*difference->factor, 3.0, 0.3);
@@ -130,7 +130,7 @@ TEST(RunDifference, NamesASingleHitThatStandsApart) {
 }
 
 // Half a per cent over six files, at 1 % damping a quarter of a bandwidth.
-TEST(RunDifference, SeesAStructureThatWarmsUp) {
+TEST(RunInconsistency, SeesAStructureThatWarmsUp) {
   const auto shift = [](std::size_t run) {
     return -0.001 * static_cast<double>(run);
   };
@@ -138,34 +138,34 @@ TEST(RunDifference, SeesAStructureThatWarmsUp) {
     const Made test = test_of(6, 3, seed, no_gain, shift);
     const auto found = difference_of(test);
     ASSERT_TRUE(found) << "seed " << seed;
-    EXPECT_NE(found->kind, RunDifference::Kind::OneApart);
+    EXPECT_NE(found->kind, RunInconsistency::Kind::OneApart);
     EXPECT_FALSE(found->factor);
   }
 }
 
 // The point that is hit again at the end: two runs.
-TEST(RunDifference, ComparesTwoRuns) {
+TEST(RunInconsistency, ComparesTwoRuns) {
   const auto shift = [](std::size_t run) { return run == 1 ? 0.01 : 0.0; };
   const Made test = test_of(2, 5, 1, no_gain, shift);
   EXPECT_TRUE(difference_of(test));
 }
 
-TEST(RunDifference, NeedsTwoRunsAndThreeHits) {
+TEST(RunInconsistency, NeedsTwoRunsAndThreeHits) {
   const Made one = test_of(1, 6, 1, no_gain, no_shift);
   EXPECT_FALSE(difference_of(one));
   const Made two = test_of(2, 1, 1, no_gain, no_shift);
   EXPECT_FALSE(difference_of(two));
 }
 
-TEST(RunDifference, IsSaidInWords) {
+TEST(RunInconsistency, IsSaidInWords) {
   acquisition::TestBundle bundle;
   bundle.channels.resize(2);
   bundle.channels[1].name = "acc1";
   bundle.runs.resize(3);
   for (acquisition::Run& run : bundle.runs) run.sensors = {{1, {}}};
   bundle.runs[2].file = "third.wav";
-  RunDifference found;
-  found.kind = RunDifference::Kind::OneApart;
+  RunInconsistency found;
+  found.kind = RunInconsistency::Kind::OneApart;
   found.change = 0.5;
   found.run = 1;
   found.factor = 1.5;

@@ -1,4 +1,4 @@
-#include "signal/estimate/run_differences.hpp"
+#include "signal/estimate/run_consistency.hpp"
 
 #include "signal/estimate/f_tail.hpp"
 
@@ -87,12 +87,12 @@ double by_contrast(const std::vector<RunPowers>& runs,
 }
 
 // @param d1, d2 degrees of freedom of what is explained, and of the rest
-RunDifference tried(RunDifference::Kind kind,
-                    double squares,
-                    double explained,
-                    double d1,
-                    double d2) {
-  RunDifference found;
+RunInconsistency tried(RunInconsistency::Kind kind,
+                       double squares,
+                       double explained,
+                       double d1,
+                       double d2) {
+  RunInconsistency found;
   found.kind = kind;
   const double rest = std::max(squares - explained, 1e-24) / d2;
   found.p_value = f_tail(explained / d1 / rest, d1, d2);
@@ -124,7 +124,7 @@ Against against_others(const CrossPowers& own, const CrossPowers& all) {
 
 double find_worst(const std::vector<RunPowers>& runs,
                   const std::vector<Sensor>& sensors,
-                  RunDifference& found) {
+                  RunInconsistency& found) {
   double largest = 0.0;
   for (const RunPowers& run : runs) {
     for (std::size_t c = 0; c < sensors.size(); ++c) {
@@ -142,15 +142,15 @@ double find_worst(const std::vector<RunPowers>& runs,
 }
 
 // All that is tried, each with what chance gives.
-std::vector<RunDifference> all_tried(const std::vector<RunPowers>& runs,
-                                     const std::vector<Sensor>& sensors) {
-  using Kind = RunDifference::Kind;
+std::vector<RunInconsistency> all_tried(const std::vector<RunPowers>& runs,
+                                        const std::vector<Sensor>& sensors) {
+  using Kind = RunInconsistency::Kind;
   const auto m = static_cast<double>(sensors.front().all.hits);
   const auto R = static_cast<double>(runs.size());
   double squares = 0.0;
   for (const Sensor& sensor : sensors) squares += sensor.squares;
   const auto count = std::ssize(runs);
-  std::vector<RunDifference> all{
+  std::vector<RunInconsistency> all{
       tried(Kind::Trend,
             squares,
             by_contrast(runs, sensors, Contrast::LinSpaced(count, -0.5, 0.5)),
@@ -183,7 +183,7 @@ std::string numbers(const acquisition::RunGroup& group) {
 
 }  // namespace
 
-std::optional<RunDifference> run_difference(
+std::optional<RunInconsistency> run_inconsistency(
     const std::vector<RunPowers>& runs) {
   if (runs.size() < 2 || runs.front().powers.empty()) return std::nullopt;
   std::vector<Sensor> sensors;
@@ -191,21 +191,21 @@ std::optional<RunDifference> run_difference(
     sensors.push_back(sensor_of(runs, c));
   }
   if (sensors.front().all.hits < 3) return std::nullopt;
-  const std::vector<RunDifference> all = all_tried(runs, sensors);
-  RunDifference found =
-      *std::ranges::min_element(all, {}, &RunDifference::p_value);
+  const std::vector<RunInconsistency> all = all_tried(runs, sensors);
+  RunInconsistency found =
+      *std::ranges::min_element(all, {}, &RunInconsistency::p_value);
   found.p_value *= static_cast<double>(all.size());
   if (found.p_value > sure) return std::nullopt;
   const double distance = find_worst(runs, sensors, found);
-  if (found.kind == RunDifference::Kind::OneApart) found.change = distance;
+  if (found.kind == RunInconsistency::Kind::OneApart) found.change = distance;
   if (found.change < worth_saying) return std::nullopt;
   return found;
 }
 
-std::string statement(const RunDifference& difference,
+std::string statement(const RunInconsistency& difference,
                       const acquisition::TestBundle& bundle,
                       const acquisition::RunGroup& group) {
-  using Kind = RunDifference::Kind;
+  using Kind = RunInconsistency::Kind;
   const std::size_t worst = group.at(difference.run);
   const std::string channel =
       bundle

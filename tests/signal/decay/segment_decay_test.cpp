@@ -1,5 +1,5 @@
 // Decays of known rates and what is none.
-#include "signal/decay/level_course.hpp"
+#include "signal/decay/segment_decay.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ Eigen::VectorXd decay(double hz, double rate, double amplitude) {
   return x;
 }
 
-TEST(LevelCourse, ThreeDecaysTellAll) {
+TEST(SegmentDecay, ThreeDecaysTellAll) {
   // One and its neighbours within a segment's main lobe, 2 Hz to either side;
   // one of them does not decay.
   const Eigen::VectorXd x =
@@ -38,13 +38,14 @@ TEST(LevelCourse, ThreeDecaysTellAll) {
   EXPECT_TRUE(Segments(noisy, dt).course(20.0, 0.03 * 0.03).decays);
 }
 
-TEST(LevelCourse, AToneIsSteadyAndADecayFalls) {
-  const LevelCourse tone =
+TEST(SegmentDecay, AToneIsSteadyAndADecayFalls) {
+  const SegmentDecay tone =
       Segments(decay(20.0, 0.0, 1.0), dt).course(20.0, 0.0);
   EXPECT_TRUE(tone.decays);
   EXPECT_TRUE(tone.steady);
   EXPECT_FALSE(tone.fall);
-  const LevelCourse one = Segments(decay(20.0, 0.6, 1.0), dt).course(20.0, 0.0);
+  const SegmentDecay one =
+      Segments(decay(20.0, 0.6, 1.0), dt).course(20.0, 0.0);
   EXPECT_TRUE(one.decays);
   EXPECT_FALSE(one.steady);
   ASSERT_TRUE(one.fall);
@@ -54,10 +55,10 @@ TEST(LevelCourse, AToneIsSteadyAndADecayFalls) {
 }
 
 // Struck again after 4 s: the fall ends there, its rate is the first one's.
-TEST(LevelCourse, ABlowThatComesAnewIsNoDecay) {
+TEST(SegmentDecay, ABlowThatComesAnewIsNoDecay) {
   Eigen::VectorXd x = decay(20.0, 1.0, 1.0);
   x.tail(samples / 2) += decay(20.0, 1.0, 0.8).head(samples / 2);
-  const LevelCourse course = Segments(x, dt).course(20.0, 0.0);
+  const SegmentDecay course = Segments(x, dt).course(20.0, 0.0);
   EXPECT_FALSE(course.decays);
   EXPECT_FALSE(course.steady);
   ASSERT_TRUE(course.fall);
@@ -69,7 +70,7 @@ TEST(LevelCourse, ABlowThatComesAnewIsNoDecay) {
 // half over each other, so that the e_k are not quite independent: two
 // deviations above hold in 9 of 10 and more instead of 97 of 100. A line
 // through the levels as they bend falls too slowly.
-TEST(LevelCourse, ADecayIntoAFloorIsNotTakenForASlowerOne) {
+TEST(SegmentDecay, ADecayIntoAFloorIsNotTakenForASlowerOne) {
   constexpr double rate = 1.2;
   const std::complex<double> step =
       std::exp(std::complex<double>(-rate, 2.0 * std::numbers::pi * 20.0) * dt);
@@ -87,7 +88,7 @@ TEST(LevelCourse, ADecayIntoAFloorIsNotTakenForASlowerOne) {
           size * std::complex<double>(normal(random), normal(random));
       value += z.imag();
     }
-    const LevelCourse course = Segments(x, dt).course(20.0, 0.0);
+    const SegmentDecay course = Segments(x, dt).course(20.0, 0.0);
     ASSERT_TRUE(course.fall) << seed;
     mean += course.fall->rate / seeds;
     below += rate < course.fall->most ? 1 : 0;
@@ -98,8 +99,8 @@ TEST(LevelCourse, ADecayIntoAFloorIsNotTakenForASlowerOne) {
   EXPECT_GE(below, 90 * seeds / 100);
 }
 
-TEST(LevelCourse, TooFewSamplesTellNothing) {
-  const LevelCourse course =
+TEST(SegmentDecay, TooFewSamplesTellNothing) {
+  const SegmentDecay course =
       Segments(decay(20.0, 1.0, 1.0).head(100), dt).course(20.0, 0.0);
   EXPECT_TRUE(course.decays);
   EXPECT_FALSE(course.fall);

@@ -1,4 +1,4 @@
-#include "signal/spectra/ringing.hpp"
+#include "signal/spectra/carry_over.hpp"
 
 #include "signal/spectra/decays.hpp"
 
@@ -10,9 +10,9 @@ namespace tapfit::signal {
 
 using Eigen::Index;
 
-Stretch ringing_stretch(const Eigen::VectorXcd& poles,
-                        double fs,
-                        const Stretch& before) {
+Stretch carry_over_stretch(const Eigen::VectorXcd& poles,
+                           double fs,
+                           const Stretch& before) {
   if (poles.size() == 0) return {};
   // Twelve periods of the slowest pole fix its amplitude and phase; more would
   // only ask for more digits of the poles.
@@ -25,12 +25,12 @@ Stretch ringing_stretch(const Eigen::VectorXcd& poles,
   return fit.length() >= least ? fit : Stretch{};
 }
 
-Eigen::VectorXd ringing(const Eigen::Ref<const Eigen::VectorXd>& channel,
-                        const Stretch& fit,
-                        const Eigen::VectorXcd& poles,
-                        double fs,
-                        Index begin,
-                        Index n) {
+Eigen::VectorXd carry_over(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                           const Stretch& fit,
+                           const Eigen::VectorXcd& poles,
+                           double fs,
+                           Index begin,
+                           Index n) {
   if (fit.length() == 0 || poles.size() == 0) return Eigen::VectorXd::Zero(n);
   const Eigen::VectorXd a =
       fit_decays(decays(poles, fs, fit.begin, fit.length(), fit.end),

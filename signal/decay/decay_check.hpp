@@ -14,7 +14,7 @@
 //
 // A structure that wind, machines or people excite between the blows is louder
 // late in the block than its decay leaves it, and the halves tell of neither.
-// The decay is then fitted along with it (signal/decay/level_course.hpp), and
+// The decay is then fitted along with it (signal/decay/segment_decay.hpp), and
 // counts as too slow only where it surely is.
 #pragma once
 
@@ -33,7 +33,7 @@ struct Excited {
 };
 
 /// What is left at the block's end of all that was looked at.
-struct Lasting {
+struct DecayCheck {
   double time_constants = std::numeric_limits<double>::infinity();
   double rate = 0.0;  ///< of the decay that is slowest [1/s]
   double hz = 0.0;    ///< where
@@ -45,7 +45,7 @@ struct Lasting {
   Excited excited{};  ///< where it stands highest out of the noise
 
   [[nodiscard]] bool any() const { return high_hz > 0.0; }
-  void join(const Lasting& other);
+  void join(const DecayCheck& other);
 };
 
 /// Looks at every sensor's response to the strongest hit of a run. Lines that
@@ -53,7 +53,7 @@ struct Lasting {
 ///
 /// @param blocks of one run; no hits leave nothing to see
 /// @param band_hz lines looked at
-[[nodiscard]] Lasting lasting_response(const HitBlocks& blocks,
-                                       const std::array<double, 2>& band_hz);
+[[nodiscard]] DecayCheck check_decay(const HitBlocks& blocks,
+                                     const std::array<double, 2>& band_hz);
 
 }  // namespace tapfit::signal

@@ -20,16 +20,16 @@ namespace tapfit::signal {
 /// @param fs sampling rate [Hz]
 /// @param before samples between the earlier hit and this one
 /// @return the part of `before` to fit; empty where it is too short
-[[nodiscard]] Stretch ringing_stretch(const Eigen::VectorXcd& poles,
-                                      double fs,
-                                      const Stretch& before);
+[[nodiscard]] Stretch carry_over_stretch(const Eigen::VectorXcd& poles,
+                                         double fs,
+                                         const Stretch& before);
 
 /// The ringing, without c, at samples [begin, begin + n) of a channel.
 ///
 /// @param channel all samples
 /// @param fit samples before the hit; an empty stretch gives zeros
 /// @param begin first sample wanted; may be negative
-[[nodiscard]] Eigen::VectorXd ringing(
+[[nodiscard]] Eigen::VectorXd carry_over(
     const Eigen::Ref<const Eigen::VectorXd>& channel,
     const Stretch& fit,
     const Eigen::VectorXcd& poles,

@@ -1,4 +1,4 @@
-#include "signal/estimate/level_dependence.hpp"
+#include "signal/estimate/linearity_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ VectorXcd frf(const VectorXcd& s, double level, double stiffening) {
   return H;
 }
 
-LevelFinding finding_of(const Options& options, unsigned seed) {
+LinearityFinding finding_of(const Options& options, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
   std::uniform_real_distribution<double> uniform(0.6, 1.4);
@@ -44,7 +44,7 @@ LevelFinding finding_of(const Options& options, unsigned seed) {
   s.imag().setLinSpaced(
       80, 2.0 * std::numbers::pi * 5.0, 2.0 * std::numbers::pi * 80.0);
   const VectorXd mean = frf(s, 1.0, 0.0).cwiseAbs();
-  LevelDependence levels;
+  LinearityCheck levels;
   for (int run = 0; run < options.runs; ++run) {
     Spectra spectra;
     spectra.force.resize(s.size(), options.hits);
@@ -67,7 +67,7 @@ LevelFinding finding_of(const Options& options, unsigned seed) {
   return levels.finding(1);
 }
 
-TEST(LevelDependence, SuspectsNoLinearStructure) {
+TEST(LinearityCheck, SuspectsNoLinearStructure) {
   int suspected = 0;
   for (unsigned seed = 1; seed <= 100; ++seed) {
     if (!statement(finding_of({}, seed)).empty()) ++suspected;
@@ -77,7 +77,7 @@ TEST(LevelDependence, SuspectsNoLinearStructure) {
 }
 
 // The p-value of a linear structure is uniform: 10 % of it lie below 0.1.
-TEST(LevelDependence, ItsPValueIsFair) {
+TEST(LinearityCheck, ItsPValueIsFair) {
   int below = 0;
   constexpr int tests = 200;
   for (unsigned seed = 1; seed <= tests; ++seed) {
@@ -90,11 +90,11 @@ TEST(LevelDependence, ItsPValueIsFair) {
   EXPECT_NEAR(below, 0.1 * tests, 3.0 * std::sqrt(0.09 * tests));
 }
 
-TEST(LevelDependence, FindsAStiffeningModeAndItsSize) {
+TEST(LinearityCheck, FindsAStiffeningModeAndItsSize) {
   Options options;
   options.noise = options.scatter = 0.005;
   options.stiffening = 0.02;
-  const LevelFinding finding = finding_of(options, 3);
+  const LinearityFinding finding = finding_of(options, 3);
   EXPECT_LE(finding.p_value, 0.002);
   EXPECT_GT(finding.share, finding.share_by_chance);
   // The same from the two models at the levels' mean range over five hits,
@@ -112,12 +112,12 @@ TEST(LevelDependence, FindsAStiffeningModeAndItsSize) {
   EXPECT_FALSE(statement(finding).empty());
 }
 
-TEST(LevelDependence, SaysNothingOfEvenOrFewHits) {
+TEST(LinearityCheck, SaysNothingOfEvenOrFewHits) {
   Options two;
   two.hits = 2;
   two.stiffening = 0.05;
   EXPECT_EQ(finding_of(two, 1).runs, 0);
-  EXPECT_TRUE(statement(LevelDependence().finding(1)).empty());
+  EXPECT_TRUE(statement(LinearityCheck().finding(1)).empty());
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
-#include "signal/decay/lasting_response.hpp"
+#include "signal/decay/decay_check.hpp"
 
 #include "acquisition/hits/choose_block.hpp"
 #include "acquisition/samples/octave_decay.hpp"
 #include "acquisition/samples/remove_offset.hpp"
-#include "signal/decay/level_course.hpp"
+#include "signal/decay/segment_decay.hpp"
 #include "signal/spectra/fft.hpp"
 #include "signal/spectra/offset.hpp"
 
@@ -54,7 +54,7 @@ struct Line {
   double time_constants = 0.0;  ///< by the halves
   double over_noise = 0.0;      ///< late power over the median's
   bool counts = true;           ///< where it is excited anew
-  LevelCourse course;
+  SegmentDecay course;
 };
 
 /// The lines of one response, where they are and what can be told of each.
@@ -138,8 +138,8 @@ std::optional<double> time_constants_of(const Line& line, double half_s) {
 }
 
 // What one line adds.
-Lasting lasting_of(const Line& line, double half_s) {
-  Lasting found;
+DecayCheck lasting_of(const Line& line, double half_s) {
+  DecayCheck found;
   if (!is_told(line) && !line.counts) return found;
   if (is_excited(line, half_s)) {
     found.excited = {line.hz,
@@ -154,9 +154,9 @@ Lasting lasting_of(const Line& line, double half_s) {
   return found;
 }
 
-Lasting lasting_lines(const Lines& lines) {
+DecayCheck lasting_lines(const Lines& lines) {
   const std::vector<Line> out = standing_out(lines);
-  Lasting found;
+  DecayCheck found;
   std::vector<double> hum;
   for (const Line& line : out) {
     if (is_hum(line)) hum.push_back(line.hz);
@@ -173,7 +173,7 @@ Lasting lasting_lines(const Lines& lines) {
 
 }  // namespace
 
-void Lasting::join(const Lasting& other) {
+void DecayCheck::join(const DecayCheck& other) {
   if (other.time_constants < time_constants) {
     time_constants = other.time_constants;
     rate = other.rate;
@@ -185,9 +185,9 @@ void Lasting::join(const Lasting& other) {
   high_hz = std::max(high_hz, other.high_hz);
 }
 
-Lasting lasting_response(const HitBlocks& blocks,
-                         const std::array<double, 2>& band_hz) {
-  Lasting found;
+DecayCheck check_decay(const HitBlocks& blocks,
+                       const std::array<double, 2>& band_hz) {
+  DecayCheck found;
   if (blocks.force.cols() == 0) return found;
   Index strongest = 0;
   blocks.force.colwise().squaredNorm().maxCoeff(&strongest);

@@ -30,7 +30,7 @@
 
 namespace tapfit::signal {
 
-struct RunDifference {
+struct RunInconsistency {
   enum class Kind { FromRunToRun, OneApart, Trend };
 
   Kind kind = Kind::FromRunToRun;
@@ -50,10 +50,10 @@ struct RunPowers {
 
 /// @param runs of one placement that have hits, in order
 /// @return empty where the runs agree, or too few hits tell
-[[nodiscard]] std::optional<RunDifference> run_difference(
+[[nodiscard]] std::optional<RunInconsistency> run_inconsistency(
     const std::vector<RunPowers>& runs);
 
-[[nodiscard]] std::string statement(const RunDifference& difference,
+[[nodiscard]] std::string statement(const RunInconsistency& difference,
                                     const acquisition::TestBundle& bundle,
                                     const acquisition::RunGroup& group);
 

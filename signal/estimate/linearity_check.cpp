@@ -1,4 +1,4 @@
-#include "signal/estimate/level_dependence.hpp"
+#include "signal/estimate/linearity_check.hpp"
 
 #include "acquisition/foundation/seeded_random.hpp"
 #include "signal/estimate/estimator.hpp"
@@ -53,7 +53,7 @@ Eigen::VectorXcd weighted(const MatrixXcd& q, const VectorXd& level) {
 
 }  // namespace
 
-MatrixXcd LevelDependence::add(const Spectra& spectra) {
+MatrixXcd LinearityCheck::add(const Spectra& spectra) {
   const Index hits = spectra.force.cols();
   if (hits < fewest_hits || spectra.responses.empty()) return {};
   Run run;
@@ -77,12 +77,12 @@ MatrixXcd LevelDependence::add(const Spectra& spectra) {
   return changes(runs_.back());
 }
 
-void LevelDependence::add(LevelDependence&& other) {
+void LinearityCheck::add(LinearityCheck&& other) {
   std::move(other.runs_.begin(), other.runs_.end(), std::back_inserter(runs_));
 }
 
 // G range, from least squares over the hits.
-MatrixXcd LevelDependence::changes(const Run& run) {
+MatrixXcd LinearityCheck::changes(const Run& run) {
   const VectorXd spread = spread_of(run.power, run.level).cwiseMax(1e-300);
   const double range = run.level.maxCoeff() - run.level.minCoeff();
   MatrixXcd result(run.power.rows(), static_cast<Index>(run.q.size()));
@@ -95,17 +95,17 @@ MatrixXcd LevelDependence::changes(const Run& run) {
 }
 
 // |e|^2 that follows the levels, per line.
-VectorXd LevelDependence::explained(const Run& run,
-                                    std::size_t sensor,
-                                    const VectorXd& level,
-                                    const VectorXd& spread) {
+VectorXd LinearityCheck::explained(const Run& run,
+                                   std::size_t sensor,
+                                   const VectorXd& level,
+                                   const VectorXd& spread) {
   return weighted(run.q[sensor], level)
       .cwiseAbs2()
       .cwiseQuotient(spread.cwiseMax(1e-300));
 }
 
 // Sum over lines and sensors of the share of each.
-double LevelDependence::shares(const Run& run, const VectorXd& level) {
+double LinearityCheck::shares(const Run& run, const VectorXd& level) {
   const VectorXd spread = spread_of(run.power, level);
   double sum = 0.0;
   for (std::size_t c = 0; c < run.q.size(); ++c) {
@@ -117,7 +117,7 @@ double LevelDependence::shares(const Run& run, const VectorXd& level) {
 }
 
 // |dH|^2 from the weakest hit to the strongest, per line, summed over sensors.
-VectorXd LevelDependence::change_squared(const Run& run) {
+VectorXd LinearityCheck::change_squared(const Run& run) {
   const VectorXd spread = spread_of(run.power, run.level);
   const double range = run.level.maxCoeff() - run.level.minCoeff();
   // What does not follow the level is in it as well, a hit's worth.
@@ -131,8 +131,8 @@ VectorXd LevelDependence::change_squared(const Run& run) {
   return range * range * sum;
 }
 
-LevelFinding LevelDependence::finding(std::uint64_t seed) const {
-  LevelFinding result;
+LinearityFinding LinearityCheck::finding(std::uint64_t seed) const {
+  LinearityFinding result;
   result.runs = static_cast<int>(runs_.size());
   if (runs_.empty()) return result;
   double lines = 0.0;
