@@ -13,9 +13,9 @@ function(group_sources)
     string(REGEX REPLACE "^[89abcdef]...*" "b" part ${part})
     set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
     # They name what their neighbours name otherwise.
-    set(alone decompositions products wing_study paper_wing virtual_portal short_pulses_test
+    set(alone decompositions products wing_study paper_wing virtual_portal undersampled_pulses_test
       replay_test turned_axes_test plate_modes_test reduced_normal_test
-      run_differences_test effect_stack_test
+      run_consistency_test effect_stack_test
       mesh_shift_test ringing_modes_test)
     if(name IN_LIST alone)
       set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)

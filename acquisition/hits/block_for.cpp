@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "acquisition/samples/octave_decay.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <array>

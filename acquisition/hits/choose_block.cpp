@@ -1,6 +1,6 @@
 #include "acquisition/hits/choose_block.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 

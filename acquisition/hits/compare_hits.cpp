@@ -1,6 +1,6 @@
 #include "acquisition/hits/compare_hits.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void judge_weak(std::vector<Hit>& hits) {
     if (hit.accepted) peaks.push_back(hit.peak_n);
   }
   for (Hit& hit : hits) {
-    if (is_weak(hit.peak_n, peaks)) note(hit, HitFault::Weak);
+    if (is_weak(hit.peak_n, peaks)) reject(hit, HitFault::Weak);
   }
 }
 
@@ -106,14 +106,14 @@ void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set) {
   }
   for (Index i = 0; i < count; ++i) {
     if (!is_outlier(levels.row(i), levels)) continue;
-    note(*good[static_cast<std::size_t>(i)], HitFault::Outlier);
+    reject(*good[static_cast<std::size_t>(i)], HitFault::Outlier);
   }
 }
 
-void rescue(const Run& run,
-            double noise,
-            std::vector<Hit>& hits,
-            std::vector<std::string>& statements) {
+void keep_best_rejected(const Run& run,
+                        double noise,
+                        std::vector<Hit>& hits,
+                        std::vector<std::string>& statements) {
   if (any_accepted(hits)) return;
   Hit* best = nullptr;
   for (Hit& hit : hits) {

@@ -57,9 +57,9 @@ void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set);
 /// there is none.
 ///
 /// @param noise of the hammer channel [N]
-void rescue(const Run& run,
-            double noise,
-            std::vector<Hit>& hits,
-            std::vector<std::string>& statements);
+void keep_best_rejected(const Run& run,
+                        double noise,
+                        std::vector<Hit>& hits,
+                        std::vector<std::string>& statements);
 
 }  // namespace tapfit::acquisition

@@ -10,9 +10,9 @@
 #include "acquisition/hits/compare_hits.hpp"
 #include "acquisition/hits/hit_statements.hpp"
 #include "acquisition/hits/hit_steps.hpp"
-#include "acquisition/hits/judge_ceiling.hpp"
+#include "acquisition/hits/judge_saturation.hpp"
 #include "acquisition/hits/no_hits.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -126,15 +126,16 @@ std::vector<ComparedRun> compared(const TestBundle& bundle,
 }
 
 // Of runs of one placement the best of each, where no hit of any is accepted.
-void rescue(const TestBundle& bundle,
-            const std::vector<HammerRun>& work,
-            const RunGroup& group,
-            HitSet& set) {
+void keep_best_rejected(const TestBundle& bundle,
+                        const std::vector<HammerRun>& work,
+                        const RunGroup& group,
+                        HitSet& set) {
   const bool any = std::ranges::any_of(
       group, [&](std::size_t r) { return any_accepted(set.runs[r]); });
   for (const std::size_t r : group) {
     if (!any) {
-      rescue(bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
+      keep_best_rejected(
+          bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
     } else if (!any_accepted(set.runs[r])) {
       set.statements.push_back(
           fmt::format("{}: every hit was judged out; the run is not used, "
@@ -179,7 +180,7 @@ HitSet find_hits(const TestBundle& bundle,
   set.pre_trigger = block.pre_trigger;
   set.block_reason = block.reason;
   set.hold_off = hold_off;
-  set.judged_to_hz = judged_to(bundle, work, rate);
+  set.usable_bandwidth_hz = usable_bandwidth(bundle, work, rate);
   state_choices(bundle, work, options, set);
   set.runs.resize(work.size());
   for_each_parallel(work.size(), [&](std::size_t r) {
@@ -192,12 +193,13 @@ HitSet find_hits(const TestBundle& bundle,
                        options.double_hit_percent);
     judge_weak(hits);
   });
-  judge_ceilings(bundle, work, set);
+  judge_saturation(bundle, work, set);
   const std::vector<RunGroup> groups = runs_alike(bundle);
   for_each_parallel(groups.size(), [&](std::size_t g) {
     judge_outliers(compared(bundle, recordings, work, groups[g], set), set);
   });
-  for (const RunGroup& group : groups) rescue(bundle, work, group, set);
+  for (const RunGroup& group : groups)
+    keep_best_rejected(bundle, work, group, set);
   return set;
 }
 

@@ -20,10 +20,10 @@ namespace tapfit::acquisition {
 ///
 /// The block is as long as the gaps between hits allow (and no longer than the
 /// response lasts), the same for all hits. The bundle's band says how soft a
-/// hit may be (without one: see judged_to()). Empty options are taken from the
-/// bundle, else chosen and stated. Outliers are judged among all hits of one
-/// placement (runs_alike.hpp); where all of these are judged out, each run
-/// keeps its best one when that is merely weak, soft or an outlier.
+/// hit may be (without one: see usable_bandwidth()). Empty options are taken
+/// from the bundle, else chosen and stated. Outliers are judged among all hits
+/// of one placement (runs_alike.hpp); where all of these are judged out, each
+/// run keeps its best one when that is merely weak, soft or an outlier.
 ///
 /// @throws InputError when a run holds no hit at all
 [[nodiscard]] HitSet find_hits(const TestBundle& bundle,

@@ -1,8 +1,8 @@
 #include "acquisition/hits/hammer_pulses.hpp"
 
 #include "acquisition/samples/range.hpp"
-#include "acquisition/samples/remove_offset.hpp"
 #include "acquisition/samples/sinc_interpolation.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace {
 
 // Samples from the peak to where the force falls below `share` of it, with a
 // straight line between the two samples around that point.
-double flank(const DriftFree& force,
+double flank(const BaselineFree& force,
              Eigen::Index peak,
              int step,
              double share) {
@@ -32,7 +32,7 @@ double flank(const DriftFree& force,
 
 // The range within what the pieces bound: few of these reach so far that the
 // samples must be looked at.
-Range exact_range(const DriftFree& force, const std::vector<Range>& pieces) {
+Range exact_range(const BaselineFree& force, const std::vector<Range>& pieces) {
   Range exact;
   const auto look = [&](std::ptrdiff_t piece) {
     const Eigen::Index first = piece_length * piece;
@@ -60,7 +60,7 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   const auto half_second = static_cast<Eigen::Index>(0.5 * sample_rate_hz);
   const Eigen::Index segment = std::max<Eigen::Index>(64, half_second);
   HammerSignal signal;
-  signal.force = DriftFree(channel, segment);
+  signal.force = BaselineFree(channel, segment);
   signal.pieces = signal.force.pieces();
   const auto [low, high] = exact_range(signal.force, signal.pieces);
   // Undershoot after a blow stays well below the blow itself.
@@ -77,7 +77,7 @@ HammerSignal prepare_hammer(const Eigen::Ref<const Eigen::VectorXd>& channel,
   return signal;
 }
 
-Pulse measure_pulse(const DriftFree& force, Eigen::Index peak) {
+Pulse measure_pulse(const BaselineFree& force, Eigen::Index peak) {
   Pulse pulse;
   pulse.first = peak;
   pulse.peak = peak;
@@ -97,7 +97,7 @@ Pulse measure_pulse(const DriftFree& force, Eigen::Index peak) {
   return pulse;
 }
 
-std::vector<Pulse> find_pulses(const DriftFree& force,
+std::vector<Pulse> find_pulses(const BaselineFree& force,
                                const std::vector<Range>& pieces,
                                double level,
                                double rearm) {

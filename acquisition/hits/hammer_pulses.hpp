@@ -2,7 +2,7 @@
 // places where it rises over a level.
 #pragma once
 
-#include "acquisition/samples/drift_free.hpp"
+#include "acquisition/samples/baseline_removal.hpp"
 #include "acquisition/samples/range.hpp"
 
 #include <Eigen/Core>
@@ -15,11 +15,11 @@ namespace tapfit::acquisition {
 /// The force channel with drift removed and turned so that a blow is positive.
 /// It looks at the channel, which must outlive it.
 struct HammerSignal {
-  DriftFree force;        ///< [N]
+  BaselineFree force;     ///< [N]
   double noise = 0.0;     ///< robust standard deviation (1.4826 MAD), > 0 [N]
   double polarity = 1.0;  ///< -1 when blows are negative in the file
   double peak = 0.0;      ///< largest value [N]
-  /// Bounds of `force` by pieces, as of DriftFree::pieces().
+  /// Bounds of `force` by pieces, as of BaselineFree::pieces().
   std::vector<Range> pieces;
 };
 
@@ -45,14 +45,14 @@ struct Pulse {
 /// level for four samples or half a pulse width, whichever is longer: an
 /// anti-alias filter's ringing swings within two or three samples.
 ///
-/// @param pieces bounds of the force, as of DriftFree::pieces()
+/// @param pieces bounds of the force, as of BaselineFree::pieces()
 /// @param rearm that share, 0..1
-[[nodiscard]] std::vector<Pulse> find_pulses(const DriftFree& force,
+[[nodiscard]] std::vector<Pulse> find_pulses(const BaselineFree& force,
                                              const std::vector<Range>& pieces,
                                              double level,
                                              double rearm = 0.5);
 
 /// Measures the pulse whose highest sample is given; `first` is left at it.
-[[nodiscard]] Pulse measure_pulse(const DriftFree& force, Eigen::Index peak);
+[[nodiscard]] Pulse measure_pulse(const BaselineFree& force, Eigen::Index peak);
 
 }  // namespace tapfit::acquisition

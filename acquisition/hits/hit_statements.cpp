@@ -74,11 +74,11 @@ void state_block(const HitOptions& options, HitSet& set) {
 }
 
 void state_reach(const TestBundle& bundle, HitSet& set) {
-  if (set.judged_to_hz >= band_end(bundle, set.sample_rate_hz)) return;
+  if (set.usable_bandwidth_hz >= band_end(bundle, set.sample_rate_hz)) return;
   set.statements.push_back(fmt::format(
       "no band is given: hits are judged up to {:.3g} Hz, where the "
       "usual one's force has fallen by 10 dB; give band_hz",
-      set.judged_to_hz));
+      set.usable_bandwidth_hz));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "acquisition/foundation/parallel.hpp"
 #include "acquisition/hits/judge_hits.hpp"
 #include "acquisition/hits/overload.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,9 +87,9 @@ double band_end(const TestBundle& bundle, double rate) {
   return bundle.band_hz ? (*bundle.band_hz)[1] : 0.4 * rate;
 }
 
-double judged_to(const TestBundle& bundle,
-                 const std::vector<HammerRun>& runs,
-                 double rate) {
+double usable_bandwidth(const TestBundle& bundle,
+                        const std::vector<HammerRun>& runs,
+                        double rate) {
   const double most = band_end(bundle, rate);
   if (bundle.band_hz) return most;
   std::vector<double> reach;
@@ -114,8 +114,8 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
                              double double_percent) {
   const double rate = recording.sample_rate_hz;
   const Eigen::VectorXd noise = channel_noise(recording);
-  const double reach_hz =
-      bundle.band_hz ? set.judged_to_hz : scatters * set.judged_to_hz;
+  const double reach_hz = bundle.band_hz ? set.usable_bandwidth_hz
+                                         : scatters * set.usable_bandwidth_hz;
   std::vector<Hit> hits(work.groups.size());
   for_each_parallel(hits.size(), [&](std::size_t k) {
     const PulseGroup& group = work.groups[k];
@@ -125,18 +125,18 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
     const Index end = std::min(stop, recording.samples.rows());
     if (has_second_pulse(
             work.hammer, group.largest, hit.begin, end, double_percent)) {
-      note(hit, HitFault::Double);
+      reject(hit, HitFault::Double);
     }
     if (overloaded(bundle, run, recording, noise, hit.begin, end - hit.begin)) {
-      note(hit, HitFault::Overload);
+      reject(hit, HitFault::Overload);
     }
-    if (hit.peak_n < least_snr * work.hammer.noise) note(hit, HitFault::Weak);
+    if (hit.peak_n < least_snr * work.hammer.noise) reject(hit, HitFault::Weak);
     if (force_reach_hz(work.hammer, group.largest, softest_db, reach_hz, rate) <
         reach_hz) {
-      note(hit, HitFault::Soft);
+      reject(hit, HitFault::Soft);
     }
     if (wanted < 0 || stop > recording.samples.rows()) {
-      note(hit, HitFault::Truncated);
+      reject(hit, HitFault::Truncated);
     }
   });
   return hits;

@@ -41,9 +41,9 @@ struct HammerRun {
 /// none is given nobody asked for more than the hammer's tip excites: where the
 /// usual hit's force has fallen by 10 dB, at most 0.4 of the rate. A hit is
 /// then soft when its force falls by 20 dB before 0.9 of that.
-[[nodiscard]] double judged_to(const TestBundle& bundle,
-                               const std::vector<HammerRun>& runs,
-                               double rate);
+[[nodiscard]] double usable_bandwidth(const TestBundle& bundle,
+                                      const std::vector<HammerRun>& runs,
+                                      double rate);
 
 /// The run's groups as hits, with everything that can be told from each alone:
 /// double, overload, too little over the noise, soft, truncated.

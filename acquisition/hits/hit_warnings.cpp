@@ -1,6 +1,6 @@
 #include "acquisition/hits/hit_warnings.hpp"
 
-#include "acquisition/hits/short_pulses.hpp"
+#include "acquisition/hits/undersampled_pulses.hpp"
 
 #include <fmt/format.h>
 
@@ -105,7 +105,7 @@ std::vector<std::string> hit_warnings(const TestBundle& bundle,
       slope(bundle, runs, options),
       pre_trigger(runs, options, set),
       block(runs, options, set),
-      short_pulse_statement(runs, set.sample_rate_hz)};
+      undersampled_statement(runs, set.sample_rate_hz)};
   std::erase(warnings, "");
   return warnings;
 }

@@ -4,7 +4,7 @@
 
 namespace tapfit::acquisition {
 
-void note(Hit& hit, HitFault fault) {
+void reject(Hit& hit, HitFault fault) {
   hit.accepted = false;
   const bool known =
       std::count(hit.reasons.begin(), hit.reasons.end(), fault) > 0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/recording.hpp"
-#include "acquisition/hits/force_ceiling.hpp"
+#include "acquisition/hits/hammer_saturation.hpp"
 
 #include <optional>
 #include <string>
@@ -42,10 +42,10 @@ struct HitSet {
   std::string block_reason;      ///< why the block is as long as that
   Eigen::Index hold_off = 0;     ///< samples; a later pulse is a new hit
   double trigger_n = 0.0;        ///< lowest level used in any run [N]
-  double judged_to_hz = 0.0;     ///< up to where a hit must not be soft
+  double usable_bandwidth_hz = 0.0;    ///< up to where a hit must not be soft
   std::vector<std::vector<Hit>> runs;  ///< as TestBundle::runs
   /// Per run the hammer's ceiling, where hits at it are judged out.
-  std::vector<std::optional<ForceCeiling>> ceilings;
+  std::vector<std::optional<HammerSaturation>> ceilings;
   std::vector<std::string> statements;  ///< what was chosen, and why
   /// Those of the statements that whoever sees FRFs or modes only must know,
   /// too: something in the recording or in test.json wants to be set right.
@@ -62,7 +62,7 @@ struct HitOptions {
 };
 
 /// Judges a hit out for a reason, which is noted once.
-void note(Hit& hit, HitFault fault);
+void reject(Hit& hit, HitFault fault);
 
 /// Turns a hit's acceptance over by hand and notes HitFault::ByHand; a second
 /// time takes both back. A truncated hit stays out: its block is not all there.

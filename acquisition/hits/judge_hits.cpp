@@ -1,7 +1,7 @@
 #include "acquisition/hits/judge_hits.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
 #include "acquisition/samples/sinc_interpolation.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool is_local_maximum(const Eigen::VectorXd& force, Index k) {
 
 // Whether a pulse rings before and after itself alike, as it does behind a
 // linear-phase filter.
-bool rings_both_ways(const DriftFree& force, const Pulse& main) {
+bool rings_both_ways(const BaselineFree& force, const Pulse& main) {
   const auto near =
       std::max<Index>(3, static_cast<Index>(std::ceil(main.width)));
   constexpr Index span = 8;
@@ -42,7 +42,7 @@ bool rings_both_ways(const DriftFree& force, const Pulse& main) {
 // image. The pulse goes with it: cut off from its ringing it would reach far
 // where heights are read between samples. Nothing is done behind a filter that
 // rings only afterwards.
-Eigen::VectorXd without_ringing(const DriftFree& force,
+Eigen::VectorXd without_ringing(const BaselineFree& force,
                                 const Pulse& main,
                                 Index begin,
                                 Index end) {

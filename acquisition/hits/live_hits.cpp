@@ -1,7 +1,7 @@
 #include "acquisition/hits/live_hits.hpp"
 
 #include "acquisition/hits/compare_hits.hpp"
-#include "acquisition/hits/judge_ceiling.hpp"
+#include "acquisition/hits/judge_saturation.hpp"
 
 #include <algorithm>
 
@@ -45,7 +45,7 @@ void judge_cut(const HammerRun& work,
     if (!tells_height(hits[k])) continue;
     const PulseTop top = measure_top(
         work.hammer.force, work.groups[k].largest, work.hammer.noise);
-    if (is_cut(*settings.ceiling, top)) note(hits[k], HitFault::Overload);
+    if (is_cut(*settings.ceiling, top)) reject(hits[k], HitFault::Overload);
   }
 }
 
@@ -55,12 +55,12 @@ void compare(const Run& run,
              const LiveSettings& settings,
              Hit& hit,
              LiveHits& known) {
-  if (is_weak(hit.peak_n, known.peaks)) note(hit, HitFault::Weak);
+  if (is_weak(hit.peak_n, known.peaks)) reject(hit, HitFault::Weak);
   if (!hit.accepted) return;
   known.levels.push_back(response_per_impulse(
       run, piece.recording, work.hammer, hit, settings.set));
   if (is_outlier(known.levels.back().transpose(), rows_of(known.levels))) {
-    note(hit, HitFault::Outlier);
+    reject(hit, HitFault::Outlier);
     known.levels.pop_back();
     return;
   }

@@ -21,7 +21,7 @@ struct LiveSettings {
   double rearm = 0.5;        ///< share of the level
   double double_hit_percent = 5.0;
   /// At which hits are cut off ahead of the recorder, as the trial look found.
-  std::optional<ForceCeiling> ceiling;
+  std::optional<HammerSaturation> ceiling;
 };
 
 /// What is remembered of the hits so far; of the last 256 accepted ones.

@@ -1,7 +1,7 @@
 #include "acquisition/hits/overload.hpp"
 
 #include "acquisition/samples/range.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

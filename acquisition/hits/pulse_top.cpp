@@ -1,7 +1,7 @@
 #include "acquisition/hits/pulse_top.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
 #include "acquisition/samples/sinc_interpolation.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ struct Surroundings {
 };
 
 // Samples from the peak on in steps of 1 or -1 that stay above half of it.
-Index above_half(const DriftFree& force, Index peak, Index step) {
+Index above_half(const BaselineFree& force, Index peak, Index step) {
   Index i = peak;
   while (i + step >= 0 && i + step < force.size() &&
          force[i + step] > 0.5 * force[peak]) {
@@ -42,7 +42,7 @@ Index above_half(const DriftFree& force, Index peak, Index step) {
   return std::abs(i - peak) + 1;
 }
 
-Surroundings surroundings(const DriftFree& force, Index peak) {
+Surroundings surroundings(const BaselineFree& force, Index peak) {
   const Index width = above_half(force, peak, -1) + above_half(force, peak, 1);
   const Index reach = width + width / 2 + 6;
   const Index first = std::max<Index>(0, peak - reach);
@@ -116,7 +116,9 @@ double corners(const Surroundings& of, double noise) {
 
 }  // namespace
 
-PulseTop measure_top(const DriftFree& force, const Pulse& pulse, double noise) {
+PulseTop measure_top(const BaselineFree& force,
+                     const Pulse& pulse,
+                     double noise) {
   const Surroundings near = surroundings(force, pulse.peak);
   const Span half = above(near, 0.5);
   const Span high = above(near, 0.9);

@@ -31,7 +31,7 @@ struct PulseTop {
 /// @param force as of HammerSignal [N]
 /// @param pulse one of it
 /// @param noise standard deviation [N]
-[[nodiscard]] PulseTop measure_top(const DriftFree& force,
+[[nodiscard]] PulseTop measure_top(const BaselineFree& force,
                                    const Pulse& pulse,
                                    double noise);
 

@@ -8,7 +8,7 @@
 #include "acquisition/import/read_time_table.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/readers/mat_file.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 

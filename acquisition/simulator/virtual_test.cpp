@@ -33,11 +33,11 @@ Eigen::VectorXd delayed(const Eigen::VectorXd& signal, double samples) {
 
 }  // namespace
 
-Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
-                         const std::vector<HammerPulse>& pulses,
-                         double seconds,
-                         const VirtualRecorder& recorder,
-                         const std::vector<double>& delay_s) {
+Eigen::MatrixXd simulate_response(const SecondOrderSystem& system,
+                                  const std::vector<HammerPulse>& pulses,
+                                  double seconds,
+                                  const VirtualRecorder& recorder,
+                                  const std::vector<double>& delay_s) {
   const double fast_hz = recorder.rate_hz * recorder.oversampling;
   const auto samples =
       static_cast<Eigen::Index>(std::llround(seconds * recorder.rate_hz)) *
@@ -66,10 +66,10 @@ Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
   return decimate(fast, recorder.oversampling);
 }
 
-Eigen::MatrixXd record_run(const Eigen::MatrixXd& felt,
-                           const VirtualRecorder& recorder,
-                           const std::vector<AnalogueChannel>& channels,
-                           SeededRandom& random) {
+Eigen::MatrixXd digitise(const Eigen::MatrixXd& felt,
+                         const VirtualRecorder& recorder,
+                         const std::vector<AnalogueChannel>& channels,
+                         SeededRandom& random) {
   Eigen::MatrixXd samples(felt.rows(), felt.cols());
   for (Eigen::Index c = 0; c < felt.cols(); ++c) {
     samples.col(c) = pass_chain(felt.col(c),

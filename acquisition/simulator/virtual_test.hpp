@@ -37,17 +37,18 @@ struct VirtualRecorder {
 /// @param delay_s per channel (hammer first); empty: none
 /// @return n_samples x (1 + sensors), hammer first [N, m/s^2]
 /// @throws InputError when the structure has no full set of complex modes
-[[nodiscard]] Eigen::MatrixXd feel_run(const SecondOrderSystem& system,
-                                       const std::vector<HammerPulse>& pulses,
-                                       double seconds,
-                                       const VirtualRecorder& recorder,
-                                       const std::vector<double>& delay_s);
+[[nodiscard]] Eigen::MatrixXd simulate_response(
+    const SecondOrderSystem& system,
+    const std::vector<HammerPulse>& pulses,
+    double seconds,
+    const VirtualRecorder& recorder,
+    const std::vector<double>& delay_s);
 
 /// Passes every channel through its chain; samples in [-1, 1).
 ///
-/// @param felt n_samples x channels, as from feel_run
+/// @param felt n_samples x channels, as from simulate_response
 /// @param random a stream of this run's own
-[[nodiscard]] Eigen::MatrixXd record_run(
+[[nodiscard]] Eigen::MatrixXd digitise(
     const Eigen::MatrixXd& felt,
     const VirtualRecorder& recorder,
     const std::vector<AnalogueChannel>& channels,

@@ -1,6 +1,6 @@
 #include "signal/checks/frf_checks.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

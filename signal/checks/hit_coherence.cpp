@@ -1,7 +1,7 @@
 #include "signal/checks/hit_coherence.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "signal/checks/quality_findings.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 

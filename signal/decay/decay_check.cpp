@@ -2,7 +2,7 @@
 
 #include "acquisition/hits/choose_block.hpp"
 #include "acquisition/samples/octave_decay.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 #include "signal/decay/segment_decay.hpp"
 #include "signal/spectra/fft.hpp"
 #include "signal/spectra/offset.hpp"

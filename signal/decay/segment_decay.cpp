@@ -1,7 +1,7 @@
 #include "signal/decay/segment_decay.hpp"
 
 #include "acquisition/hits/choose_block.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 #include "signal/spectra/fft.hpp"
 #include "signal/spectra/offset.hpp"
 

@@ -16,7 +16,7 @@ namespace {
 std::optional<std::array<double, 2>> excited_band(
     const acquisition::TestBundle& bundle, const acquisition::HitSet& hits) {
   if (bundle.band_hz) return std::nullopt;
-  return std::array{0.0, hits.judged_to_hz};
+  return std::array{0.0, hits.usable_bandwidth_hz};
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ struct LastingFrfs {
 };
 
 /// H1 with the windows of signal::FrfOptions. Without TestBundle::band_hz
-/// modes are followed up to HitSet::judged_to_hz; where none can be identified,
-/// none is.
+/// modes are followed up to HitSet::usable_bandwidth_hz; where none can be
+/// identified, none is.
 ///
 /// @throws InputError as of signal::estimate_frfs
 [[nodiscard]] LastingFrfs estimate_lasting_frfs(

@@ -95,11 +95,11 @@ Eigen::MatrixXd feel(const VirtualBundleSpec& spec,
   for (const std::string& name : channel_names(setup)) {
     delays.push_back(value_of(spec, "channel-delay", name, 0.0));
   }
-  return acquisition::feel_run(records.systems[run],
-                               records.pulses[run],
-                               acquisition::duration(setup.hand),
-                               setup.recorder,
-                               delays);
+  return acquisition::simulate_response(records.systems[run],
+                                        records.pulses[run],
+                                        acquisition::duration(setup.hand),
+                                        setup.recorder,
+                                        delays);
 }
 
 // An ordinary hit stays below full scale by this factor, with its scatter
@@ -365,8 +365,7 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
     SeededRandom random(spec.seed, "chain", k);
     acquisition::write_audio(
         bundle.runs[k].file,
-        acquisition::record_run(
-            records.felt[k], setup.recorder, chains, random),
+        acquisition::digitise(records.felt[k], setup.recorder, chains, random),
         static_cast<int>(setup.recorder.rate_hz),
         acquisition::AudioFormat::Flac24);
   }

@@ -1,11 +1,11 @@
-#include "acquisition/hits/hits.hpp"
+#include "acquisition/hits/find_hits.hpp"
 
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/hits/choose_block.hpp"
-#include "acquisition/hits/find_hits.hpp"
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/hits/hits.hpp"
+#include "acquisition/samples/statistics.hpp"
 #include "tests/acquisition/support/hit_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -170,7 +170,7 @@ TEST(FindHits, WithoutABandHitsNeedNotReachFartherThanTheUsualOne) {
   const TestBundle bundle = testing::hammer_bundle();
   const HitSet hits = find_hits(bundle, {record(scene)}, {});
   for (const Hit& hit : hits.runs[0]) EXPECT_EQ(reasons(hit), "");
-  EXPECT_NEAR(hits.judged_to_hz, 101.94, 0.0025 * 101.94);
+  EXPECT_NEAR(hits.usable_bandwidth_hz, 101.94, 0.0025 * 101.94);
   EXPECT_TRUE(std::any_of(
       hits.statements.begin(), hits.statements.end(), [](const auto& said) {
         return said.find("no band is given") == 0;

@@ -49,7 +49,7 @@ TEST(SoftHits, CleanBlowsAreNone) {
         // The sum over samples aliases: where a pulse has three samples, by
         // 1 % of its frequency; the filter cuts at 0.42 of the rate, gently
         // from 0.38 on.
-        EXPECT_NEAR(hits.judged_to_hz,
+        EXPECT_NEAR(hits.usable_bandwidth_hz,
                     closed,
                     (closed > 0.36 * rate ? 0.1 : 0.02) * closed)
             << rate << " Hz, " << width << " s, power " << power;

@@ -153,7 +153,8 @@ void expect_recorded_ratio(const SecondOrderSystem& system,
                            double tolerance) {
   const VirtualRecorder recorder{256.0, 16};
   const std::vector<HammerPulse> pulses{{0.5, 0.008, 12.0, 0.93}};
-  const Eigen::MatrixXd felt = feel_run(system, pulses, 12.0, recorder, {});
+  const Eigen::MatrixXd felt =
+      simulate_response(system, pulses, 12.0, recorder, {});
   for (const double hz : {1.0, 7.0, 14.7, 23.0, 39.5, 60.0, 70.0}) {
     const Eigen::RowVectorXcd X = transform(felt, hz, recorder.rate_hz);
     const Eigen::VectorXcd H = accelerance(system, hz);
@@ -199,9 +200,10 @@ TEST(VirtualTest, DelayMovesAChannel) {
   const VirtualRecorder recorder{256.0, 16};
   const double delay = 0.37 / (256.0 * 16.0);
   const std::vector<HammerPulse> pulses{{0.2, 0.008, 12.0, 1.0}};
-  const Eigen::MatrixXd none = feel_run(pair(), pulses, 8.0, recorder, {});
+  const Eigen::MatrixXd none =
+      simulate_response(pair(), pulses, 8.0, recorder, {});
   const Eigen::MatrixXd late =
-      feel_run(pair(), pulses, 8.0, recorder, {0.0, 0.0, delay});
+      simulate_response(pair(), pulses, 8.0, recorder, {0.0, 0.0, delay});
   EXPECT_EQ(none.leftCols(2), late.leftCols(2));
   const Complex ratio =
       transform(late, 11.0, 256.0)(2) / transform(none, 11.0, 256.0)(2);
@@ -300,9 +302,9 @@ TEST(VirtualTest, SameSeedSameSamples) {
   SeededRandom first(9, "run", 4);
   SeededRandom again(9, "run", 4);
   SeededRandom other(9, "run", 5);
-  const Eigen::MatrixXd a = record_run(felt, {}, channels, first);
-  EXPECT_EQ(a, record_run(felt, {}, channels, again));
-  EXPECT_NE(a, record_run(felt, {}, channels, other));
+  const Eigen::MatrixXd a = digitise(felt, {}, channels, first);
+  EXPECT_EQ(a, digitise(felt, {}, channels, again));
+  EXPECT_NE(a, digitise(felt, {}, channels, other));
 }
 
 TEST(SeededRandom, FirstNumbersAreFixed) {

@@ -68,12 +68,12 @@ TEST(LastingFrfs, AreFollowedWithoutABandUpToWhereHitsReach) {
   const auto modes = modes_with(3.0, o);
   GeneratedTest test = signal::generate_test(modes, o);
   ASSERT_FALSE(test.bundle.band_hz);
-  test.hits.judged_to_hz = 100.0;
+  test.hits.usable_bandwidth_hz = 100.0;
   LastingFrfs found =
       estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
   EXPECT_EQ(found.poles.size(), 2);
   EXPECT_FALSE(found.modes) << "they are not of all lines";
-  test.hits.judged_to_hz = 45.0;
+  test.hits.usable_bandwidth_hz = 45.0;
   found = estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
   ASSERT_EQ(found.poles.size(), 1);
   EXPECT_NEAR(found.poles(0).imag(), 2.0 * std::numbers::pi * 20.0, 0.1);

@@ -1,6 +1,6 @@
 // A conditioner that saturates ahead of the anti-alias filter: no blow is above
 // a level, and no two samples on it are equal.
-#include "acquisition/hits/force_ceiling.hpp"
+#include "acquisition/hits/hammer_saturation.hpp"
 
 #include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/live_hits.hpp"
@@ -67,7 +67,7 @@ TEST(MeasureTop, KnowsTheShapesOfSmoothPulses) {
 }
 
 // Behind both kinds of filter. Without a ceiling looked for none is blamed.
-TEST(ForceCeiling, IsFoundBehindTheFilter) {
+TEST(HammerSaturation, IsFoundBehindTheFilter) {
   for (const bool causal : {false, true}) {
     for (const double samples : {10.0, 20.0, 60.0}) {
       SeededRandom random(3, "blows");
@@ -92,7 +92,7 @@ TEST(ForceCeiling, IsFoundBehindTheFilter) {
 }
 
 // Each placement keeps what it has where good hits would be too few.
-TEST(ForceCeiling, LeavesAPlacementItsHits) {
+TEST(HammerSaturation, LeavesAPlacementItsHits) {
   SeededRandom random(4, "blows");
   Blows strong = ten_blows(30.0, false);
   Blows weak = strong;
@@ -111,7 +111,7 @@ TEST(ForceCeiling, LeavesAPlacementItsHits) {
       << hits.warnings[0];
 }
 
-TEST(ForceCeiling, IsSuspectedWhereAllBlowsAreCut) {
+TEST(HammerSaturation, IsSuspectedWhereAllBlowsAreCut) {
   SeededRandom random(5, "blows");
   Blows blows = ten_blows(15.0, false);
   for (double& strength : blows.strengths) strength += 0.6;
@@ -125,7 +125,7 @@ TEST(ForceCeiling, IsSuspectedWhereAllBlowsAreCut) {
 }
 
 // One blow more than the others stands too high: only a suspicion.
-TEST(ForceCeiling, IsSuspectedFromOneBlow) {
+TEST(HammerSaturation, IsSuspectedFromOneBlow) {
   SeededRandom random(6, "blows");
   Blows blows = ten_blows(30.0, false);
   blows.strengths = {0.6, 0.7, 1.4, 0.8, 0.9};
@@ -138,7 +138,7 @@ TEST(ForceCeiling, IsSuspectedFromOneBlow) {
 }
 
 // A flat tip is flat at every level.
-TEST(ForceCeiling, IsNoneOfAFlatTip) {
+TEST(HammerSaturation, IsNoneOfAFlatTip) {
   SeededRandom random(7, "blows");
   Blows blows = ten_blows(30.0, false);
   blows.ceiling = 1e9;
@@ -152,7 +152,7 @@ TEST(ForceCeiling, IsNoneOfAFlatTip) {
 
 // An automatic hammer, and one place of nine that gives way: flat tops there,
 // nearly equal and the highest, but at that place weaker ones are as flat.
-TEST(ForceCeiling, IsNoneWhereAPlaceHasItsShape) {
+TEST(HammerSaturation, IsNoneWhereAPlaceHasItsShape) {
   SeededRandom random(9, "blows");
   Blows blows = ten_blows(16.0, false);
   blows.ceiling = 1e9;
@@ -180,7 +180,7 @@ TEST(ForceCeiling, IsNoneWhereAPlaceHasItsShape) {
 
 // A hard tip's blows are cut off at three of five places, at one of them all;
 // those of a soft tip, at the others, are flatter than they are then.
-TEST(ForceCeiling, IsFoundBesideAFlatterTip) {
+TEST(HammerSaturation, IsFoundBesideAFlatterTip) {
   SeededRandom random(10, "blows");
   Blows blows = ten_blows(16.0, false);
   TestBundle bundle = hammer_bundle(5);
@@ -214,7 +214,7 @@ TEST(ForceCeiling, IsFoundBesideAFlatterTip) {
 
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and
 // more, ten samples long and more, 92 % are found or told of here.
-TEST(ForceCeiling, HoldsItsRates) {
+TEST(HammerSaturation, HoldsItsRates) {
   SeededRandom random(8, "rates");
   int honest = 0;
   int alarms = 0;
@@ -247,7 +247,7 @@ TEST(ForceCeiling, HoldsItsRates) {
 }
 
 // Live: what the trial look found judges each hit as it comes.
-TEST(ForceCeiling, JudgesLiveHits) {
+TEST(HammerSaturation, JudgesLiveHits) {
   SeededRandom random(3, "blows");
   const Blows blows = ten_blows(15.0, false);
   const Saturated record = saturated(blows, random);
@@ -278,7 +278,7 @@ TEST(ForceCeiling, JudgesLiveHits) {
 
 // Blows that are doubles besides, at the ceiling or not, have the same reasons
 // live as in hindsight.
-TEST(ForceCeiling, GivesLiveHitsTheReasonsOfTheOthers) {
+TEST(HammerSaturation, GivesLiveHitsTheReasonsOfTheOthers) {
   SeededRandom random(3, "blows");
   const Blows blows = ten_blows(15.0, false);
   Saturated record = saturated(blows, random);

@@ -1,5 +1,5 @@
 // What is taken from a record to know its level, against the definitions.
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "acquisition/hits/force_ceiling.hpp"
+#include "acquisition/hits/hammer_saturation.hpp"
 
-#include "acquisition/hits/parted_tops.hpp"
+#include "acquisition/hits/saturated_tops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,10 +42,11 @@ std::optional<Evidence> evidence_of(const std::vector<PulseTop>& cut,
 
 }  // namespace
 
-std::optional<ForceCeiling> find_ceiling(const std::vector<PulseTop>& tops) {
-  ForceCeiling ceiling;
+std::optional<HammerSaturation> find_saturation(
+    const std::vector<PulseTop>& tops) {
+  HammerSaturation ceiling;
   ceiling.level_n = highest_level(tops);
-  auto [at, below] = part_tops(tops, ceiling.level_n);
+  auto [at, below] = tops_by_level(tops, ceiling.level_n);
   if (at.size() + below.size() < 2) return std::nullopt;
   std::optional<Evidence> evidence;
   if (below.empty()) {
@@ -61,7 +62,7 @@ std::optional<ForceCeiling> find_ceiling(const std::vector<PulseTop>& tops) {
   return ceiling;
 }
 
-bool is_cut(const ForceCeiling& ceiling, const PulseTop& top) {
+bool is_cut(const HammerSaturation& ceiling, const PulseTop& top) {
   return top.width >= least_width &&
          std::abs(top.level - ceiling.level_n) <=
              equal_levels * ceiling.level_n &&

@@ -1,8 +1,8 @@
-#include "acquisition/hits/judge_ceiling.hpp"
+#include "acquisition/hits/judge_saturation.hpp"
 
 #include "acquisition/bundle/runs_alike.hpp"
 #include "acquisition/foundation/parallel.hpp"
-#include "acquisition/hits/parted_tops.hpp"
+#include "acquisition/hits/saturated_tops.hpp"
 
 #include <fmt/format.h>
 
@@ -59,16 +59,17 @@ std::vector<PulseTop> tops_of(const RunGroup& group,
 // than two of them are below the ceiling.
 std::optional<double> own_flatness(
     const RunGroup& group,
-    const ForceCeiling& ceiling,
+    const HammerSaturation& ceiling,
     const std::vector<std::vector<Topped>>& of_runs) {
-  const PartedTops tops = part_tops(tops_of(group, of_runs), ceiling.level_n);
+  const TopsByLevel tops =
+      tops_by_level(tops_of(group, of_runs), ceiling.level_n);
   if (tops.below.size() < 2) return std::nullopt;
   return cut_flatness(tops.below);
 }
 
 // Where it is all cut off, the least flat tip may have been at work.
 double least_flatness(const std::vector<RunGroup>& groups,
-                      const ForceCeiling& ceiling,
+                      const HammerSaturation& ceiling,
                       const std::vector<std::vector<Topped>>& of_runs) {
   double least = ceiling.least_flatness;
   for (const RunGroup& group : groups) {
@@ -88,7 +89,7 @@ double lost_beyond(double usual, double flatness) {
 // places have shapes of their own: hits are compared with those of the same
 // points where there are two or more below the ceiling.
 void judge_placement(const RunGroup& group,
-                     ForceCeiling ceiling,
+                     HammerSaturation ceiling,
                      const std::vector<std::vector<Topped>>& of_runs,
                      HitSet& set,
                      Cut& sum) {
@@ -110,38 +111,38 @@ void judge_placement(const RunGroup& group,
     good += std::ranges::count_if(set.runs[r], &Hit::accepted);
   }
   if (ceiling.evidence == Evidence::Suspicion || good < 2) return;
-  for (Hit* hit : cut) note(*hit, HitFault::Overload);
+  for (Hit* hit : cut) reject(*hit, HitFault::Overload);
   sum.out += cut.size();
   for (const std::size_t r : group) set.ceilings[r] = ceiling;
 }
 
 // Of all blows; else of those of one placement, which another one's tip hides.
-std::optional<ForceCeiling> ceiling_of(
+std::optional<HammerSaturation> ceiling_of(
     const std::vector<RunGroup>& groups,
     const std::vector<std::vector<Topped>>& of_runs) {
   std::vector<PulseTop> tops;
   for (const RunGroup& group : groups) {
     for (const PulseTop& top : tops_of(group, of_runs)) tops.push_back(top);
   }
-  const std::optional<ForceCeiling> of_all = find_ceiling(tops);
+  const std::optional<HammerSaturation> of_all = find_saturation(tops);
   if (of_all && of_all->evidence != Evidence::Suspicion) return of_all;
   const double level = highest_level(tops);
   for (const RunGroup& group : groups) {
     const std::vector<PulseTop> own = tops_of(group, of_runs);
-    std::optional<ForceCeiling> ceiling = find_ceiling(own);
+    std::optional<HammerSaturation> ceiling = find_saturation(own);
     // Where others go higher there is none.
     if (!ceiling || ceiling->evidence == Evidence::Suspicion ||
-        part_tops(own, level).highest.empty()) {
+        tops_by_level(own, level).highest.empty()) {
       continue;
     }
     ceiling->level_n = level;
-    ceiling->least_flatness = cut_flatness(part_tops(tops, level).below);
+    ceiling->least_flatness = cut_flatness(tops_by_level(tops, level).below);
     return ceiling;
   }
   return of_all;
 }
 
-bool is_certain(const ForceCeiling& ceiling, const Cut& cut) {
+bool is_certain(const HammerSaturation& ceiling, const Cut& cut) {
   if (ceiling.evidence == Evidence::Suspicion) return false;
   return cut.shown || ceiling.evidence == Evidence::Corners;
 }
@@ -156,7 +157,7 @@ std::string fate(const Cut& cut) {
       kept);
 }
 
-std::string statement(const ForceCeiling& ceiling,
+std::string statement(const HammerSaturation& ceiling,
                       const Cut& cut,
                       std::size_t hits) {
   const bool all = cut.all == hits;
@@ -179,7 +180,7 @@ std::string statement(const ForceCeiling& ceiling,
 void judge_channel(const std::vector<RunGroup>& groups,
                    const std::vector<std::vector<Topped>>& of_runs,
                    HitSet& set) {
-  std::optional<ForceCeiling> ceiling = ceiling_of(groups, of_runs);
+  std::optional<HammerSaturation> ceiling = ceiling_of(groups, of_runs);
   if (!ceiling) return;
   ceiling->least_flatness = least_flatness(groups, *ceiling, of_runs);
   Cut cut;
@@ -202,9 +203,9 @@ bool tells_height(const Hit& hit) {
   });
 }
 
-void judge_ceilings(const TestBundle& bundle,
-                    const std::vector<HammerRun>& runs,
-                    HitSet& set) {
+void judge_saturation(const TestBundle& bundle,
+                      const std::vector<HammerRun>& runs,
+                      HitSet& set) {
   set.ceilings.assign(runs.size(), std::nullopt);
   const auto of_runs = topped_hits(runs, set);
   std::map<std::size_t, std::vector<RunGroup>> of_channels;

@@ -20,7 +20,7 @@ enum class Evidence {
   Corners     ///< only conditioners do
 };
 
-struct ForceCeiling {
+struct HammerSaturation {
   double level_n = 0.0;         ///< of the highest top
   double least_flatness = 0.0;  ///< from here on a top at it is cut off
   Evidence evidence = Evidence::Suspicion;
@@ -40,10 +40,10 @@ struct ForceCeiling {
 ///
 /// Tops of less than 5 samples' width are left out: behind a filter they have
 /// no shape of their own.
-[[nodiscard]] std::optional<ForceCeiling> find_ceiling(
+[[nodiscard]] std::optional<HammerSaturation> find_saturation(
     const std::vector<PulseTop>& tops);
 
 /// Whether a blow is cut off at the ceiling.
-[[nodiscard]] bool is_cut(const ForceCeiling& ceiling, const PulseTop& top);
+[[nodiscard]] bool is_cut(const HammerSaturation& ceiling, const PulseTop& top);
 
 }  // namespace tapfit::acquisition

@@ -15,14 +15,14 @@ inline constexpr double flatter = 0.05;   ///< a loss of 1 % of the impulse
 inline constexpr double odd_ones = 20.0;  ///< one of so many may be odd
 
 /// Without tops of less than the least width.
-struct PartedTops {
+struct TopsByLevel {
   std::vector<PulseTop> highest;  ///< from 1 % below the level on
   std::vector<PulseTop> below;
 };
 
 /// @param level_n of the ceiling, > 0 [N]
-[[nodiscard]] PartedTops part_tops(const std::vector<PulseTop>& tops,
-                                   double level_n);
+[[nodiscard]] TopsByLevel tops_by_level(const std::vector<PulseTop>& tops,
+                                        double level_n);
 
 /// From which flatness on a top is cut off: by 0.05 flatter, a loss of 1 % of
 /// the impulse, than all of these but one in 20; 0.05 of none.

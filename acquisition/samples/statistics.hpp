@@ -1,4 +1,4 @@
-// Where a channel rests.
+// Median and thinned values of many samples.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
-#include "acquisition/hits/short_pulses.hpp"
+#include "acquisition/hits/undersampled_pulses.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -47,8 +47,8 @@ double impulse_error(double samples) {
   return 1.0 - x * std::cos(x) / std::sin(x);
 }
 
-std::string short_pulse_statement(const std::vector<HammerRun>& runs,
-                                  double rate) {
+std::string undersampled_statement(const std::vector<HammerRun>& runs,
+                                   double rate) {
   std::vector<double> lengths;
   std::size_t ringing = 0;
   for (const HammerRun& run : runs) {

@@ -22,16 +22,16 @@ namespace tapfit::acquisition {
 /// median near its mean.
 ///
 /// The channel must outlive it.
-class DriftFree {
+class BaselineFree {
  public:
-  DriftFree() = default;
+  BaselineFree() = default;
 
   /// The values as they are.
-  DriftFree(const Eigen::VectorXd& values);  // NOLINT: a view of themselves
+  BaselineFree(const Eigen::VectorXd& values);  // NOLINT: a view of themselves
 
   /// @param segment samples per segment, > 0
-  DriftFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
-            Eigen::Index segment);
+  BaselineFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
+               Eigen::Index segment);
 
   /// Changes the sign.
   void turn() { sign_ = -sign_; }

@@ -1,6 +1,6 @@
-#include "acquisition/samples/drift_free.hpp"
+#include "acquisition/samples/baseline_removal.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +15,14 @@ constexpr Index enough = 512;
 
 }  // namespace
 
-DriftFree::DriftFree(const Eigen::VectorXd& values)
+BaselineFree::BaselineFree(const Eigen::VectorXd& values)
     : samples_(values.data()),
       size_(values.size()),
       length_(static_cast<double>(values.size())),
       lines_{{0.0, 0.0, values.size()}} {}
 
-DriftFree::DriftFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
-                     Index segment)
+BaselineFree::BaselineFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
+                           Index segment)
     : samples_(channel.data()), size_(channel.size()) {
   const Index count = std::max<Index>(1, size_ / segment);
   length_ = static_cast<double>(size_) / static_cast<double>(count);
@@ -46,20 +46,20 @@ DriftFree::DriftFree(const Eigen::Ref<const Eigen::VectorXd>& channel,
   }
 }
 
-std::size_t DriftFree::line_at(Index i) const {
+std::size_t BaselineFree::line_at(Index i) const {
   const double middles = static_cast<double>(i) / length_ + 0.5;
   return std::min(static_cast<std::size_t>(middles), lines_.size() - 1);
 }
 
-double DriftFree::drift_on(const Line& line, Index i) {
+double BaselineFree::drift_on(const Line& line, Index i) {
   return line.start + line.slope * static_cast<double>(i);
 }
 
-double DriftFree::operator[](Index i) const {
+double BaselineFree::operator[](Index i) const {
   return sign_ * (samples_[i] - drift_on(lines_[line_at(i)], i));
 }
 
-void DriftFree::copy(Index first, Eigen::Ref<Eigen::VectorXd> out) const {
+void BaselineFree::copy(Index first, Eigen::Ref<Eigen::VectorXd> out) const {
   Index done = 0;
   for (std::size_t k = line_at(first); done < out.size(); ++k) {
     const Line& line = lines_[k];
@@ -76,13 +76,13 @@ void DriftFree::copy(Index first, Eigen::Ref<Eigen::VectorXd> out) const {
   }
 }
 
-Eigen::VectorXd DriftFree::segment(Index first, Index count) const {
+Eigen::VectorXd BaselineFree::segment(Index first, Index count) const {
   Eigen::VectorXd values(count);
   if (count > 0) copy(first, values);
   return values;
 }
 
-Eigen::VectorXd DriftFree::thinned(Index most) const {
+Eigen::VectorXd BaselineFree::thinned(Index most) const {
   const std::vector<Index> places = thinned_places(size_, most);
   Eigen::VectorXd values(std::ssize(places));
   for (Index k = 0; k < values.size(); ++k) {
@@ -91,7 +91,7 @@ Eigen::VectorXd DriftFree::thinned(Index most) const {
   return values;
 }
 
-std::vector<Range> DriftFree::pieces() const {
+std::vector<Range> BaselineFree::pieces() const {
   const Eigen::Map<const Eigen::VectorXd> samples(samples_, size_);
   std::vector<Range> pieces = piece_ranges(samples);
   for (std::size_t p = 0; p < pieces.size(); ++p) {

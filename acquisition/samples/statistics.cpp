@@ -1,4 +1,4 @@
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,12 +1,12 @@
-#include "acquisition/hits/parted_tops.hpp"
+#include "acquisition/hits/saturated_tops.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 
 namespace tapfit::acquisition {
-PartedTops part_tops(const std::vector<PulseTop>& tops, double level_n) {
-  PartedTops parted;
+TopsByLevel tops_by_level(const std::vector<PulseTop>& tops, double level_n) {
+  TopsByLevel parted;
   for (const PulseTop& top : tops) {
     if (top.width < least_width) continue;
     const bool high = top.level >= (1.0 - equal_levels) * level_n;

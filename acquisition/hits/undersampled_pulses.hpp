@@ -27,7 +27,7 @@ namespace tapfit::acquisition {
 ///
 /// @param runs with their pulses found
 /// @param rate of sampling [Hz]
-[[nodiscard]] std::string short_pulse_statement(
+[[nodiscard]] std::string undersampled_statement(
     const std::vector<HammerRun>& runs, double rate);
 
 }  // namespace tapfit::acquisition

@@ -23,8 +23,8 @@ namespace tapfit::acquisition {
 /// @param runs with their groups
 /// @param set with hits that are judged alone and for weakness; its ceilings
 ///   are set
-void judge_ceilings(const TestBundle& bundle,
-                    const std::vector<HammerRun>& runs,
-                    HitSet& set);
+void judge_saturation(const TestBundle& bundle,
+                      const std::vector<HammerRun>& runs,
+                      HitSet& set);
 
 }  // namespace tapfit::acquisition

@@ -1,4 +1,4 @@
-#include "acquisition/hits/short_pulses.hpp"
+#include "acquisition/hits/undersampled_pulses.hpp"
 
 #include "tests/acquisition/support/hammer_record.hpp"
 
@@ -34,7 +34,7 @@ HammerRun run_of(const Eigen::VectorXd& force) {
 }
 
 std::string said_of(const Eigen::VectorXd& force) {
-  return short_pulse_statement({run_of(force)}, rate);
+  return undersampled_statement({run_of(force)}, rate);
 }
 
 // The sum of a pulse's samples against its impulse, 2 w / pi of its peak.
@@ -62,7 +62,7 @@ TEST(ShortPulses, AreSaidUnlessAFilterRings) {
     EXPECT_EQ(said_of(blows(3.0, true, seed)), "");
     EXPECT_EQ(said_of(blows(6.0, false, seed)), "");
   }
-  EXPECT_EQ(short_pulse_statement({}, rate), "");
+  EXPECT_EQ(undersampled_statement({}, rate), "");
 }
 
 // A charge amplifier whose zero comes back over a few samples is no filter.

@@ -1,7 +1,7 @@
 // A channel seen without its drift, against the drift that was put in.
-#include "acquisition/samples/drift_free.hpp"
+#include "acquisition/samples/baseline_removal.hpp"
 
-#include "acquisition/samples/remove_offset.hpp"
+#include "acquisition/samples/statistics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@ Eigen::VectorXd drifting(Index n) {
 
 // Between the first segment's middle and the last one's a ramp is taken off
 // whole; medians of 300 values of that scatter are good to 0.02.
-TEST(DriftFree, TakesARampOff) {
+TEST(BaselineFree, TakesARampOff) {
   const Eigen::VectorXd x = drifting(5000);
-  const DriftFree left(x, 300);
+  const BaselineFree left(x, 300);
   for (Index i = 200; i < 4800; ++i) {
     const double put_in = x[i] - 5.0 - 0.01 * static_cast<double>(i);
     ASSERT_NEAR(left[i], put_in, 0.1) << i;
@@ -35,19 +35,19 @@ TEST(DriftFree, TakesARampOff) {
 
 // Level before the first segment's middle: sample 0 lies half a segment of
 // slope 0.01 below.
-TEST(DriftFree, IsLevelAtTheEnds) {
+TEST(BaselineFree, IsLevelAtTheEnds) {
   const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(4000, 0.0, 39.99);
-  const DriftFree left(ramp, 400);
+  const BaselineFree left(ramp, 400);
   EXPECT_NEAR(left[0], -0.01 * 200, 0.01);
   EXPECT_NEAR(left[3999], 0.01 * 200, 0.01);
   EXPECT_NEAR(left[2000], 0.0, 0.01);
 }
 
 // One by one, by stretches that begin and end anywhere, and thinned.
-TEST(DriftFree, GivesTheSameInEveryWay) {
+TEST(BaselineFree, GivesTheSameInEveryWay) {
   for (const Index n : {1, 100, 256, 1000, 4096, 5000}) {
     const Eigen::VectorXd x = drifting(n);
-    DriftFree left(x, 300);
+    BaselineFree left(x, 300);
     if (n == 1000) left.turn();
     const Eigen::VectorXd whole = left.segment(0, n);
     for (Index i = 0; i < n; ++i) ASSERT_NEAR(left[i], whole[i], 1e-12) << i;
@@ -64,11 +64,11 @@ TEST(DriftFree, GivesTheSameInEveryWay) {
 
 // Around the values, and no farther than a slope of 0.01, or what medians that
 // are off by 0.02 make of it, goes in 256 samples.
-TEST(DriftFree, BoundsItsPieces) {
+TEST(BaselineFree, BoundsItsPieces) {
   for (const Index n : {100, 256, 1000, 4096, 5000}) {
     for (const bool turned : {false, true}) {
       const Eigen::VectorXd x = drifting(n);
-      DriftFree left(x, 300);
+      BaselineFree left(x, 300);
       if (turned) left.turn();
       const std::vector<Range> exact = piece_ranges(left.segment(0, n));
       const std::vector<Range> pieces = left.pieces();
@@ -83,9 +83,9 @@ TEST(DriftFree, BoundsItsPieces) {
   }
 }
 
-TEST(DriftFree, LeavesPlainValuesAsTheyAre) {
+TEST(BaselineFree, LeavesPlainValuesAsTheyAre) {
   const Eigen::VectorXd x = drifting(100);
-  const DriftFree same = x;
+  const BaselineFree same = x;
   EXPECT_EQ(same.segment(0, 100), x);
   EXPECT_EQ(same[99], x[99]);
 }
