@@ -15,7 +15,7 @@ quiet=--quiet
   cmake --preset release >build/configure.log 2>&1 ||
     cmake --fresh --preset release --log-level=WARNING
   [ -e build/release/tapfit ] ||
-    echo "Building tapfit: some 20 minutes on two cores the first time ..."
+    echo "Building tapfit: up to 40 minutes on two cores the first time ..."
   # shellcheck disable=SC2086 # no option at all where $quiet is empty
   cmake --build --preset release -j "$(nproc)" ${1:+--target "$1"} -- $quiet
 } >&2
