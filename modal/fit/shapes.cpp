@@ -213,10 +213,11 @@ ShapeGraph shape_graph(const Curves& curves,
     graph.dofs.push_back(graph.points[p]);
   }
   if (!graph.scaled) {
-    warnings.push_back(fmt::format(
-        "no driving point was measured: shapes have no scale and hold only the "
-        "{} points of one side; hit next to one of the sensors to get both",
-        graph.dofs.size()));
+    warnings.push_back(
+        fmt::format("no driving-point FRF: shapes are unscaled and cover only "
+                    "the {} points of one side; hit next to one of the sensors "
+                    "to get both",
+                    graph.dofs.size()));
   }
   if (std::ranges::count(graph.side, -1) > 0) {
     warnings.push_back(fmt::format(

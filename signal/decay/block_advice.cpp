@@ -107,8 +107,8 @@ std::string statement(const BlockAdvice& advice, double sigma) {
 std::string hum_statement(const DecayCheck& lasting) {
   if (lasting.hum_hz == 0.0) return {};
   return fmt::format(
-      "what is heard at {:.4g} Hz does not decay within the block: hum, or a "
-      "mode with next to no damping; look at the sensors before the first blow",
+      "{:.4g} Hz does not decay: mains hum or a very light mode; check the "
+      "pre-trigger signal",
       lasting.hum_hz);
 }
 

@@ -55,12 +55,15 @@ std::string tail_statement(const Eigen::VectorXcd& poles, double seconds) {
   if (poles.size() == 0) return {};
   Index slowest = 0;
   const double rate = -poles.real().maxCoeff(&slowest);
+  const bool one = poles.size() == 1;
   return fmt::format(
-      "modes that outlast the block: {} ({:.4g} Hz the most, {:.2g} % left at "
-      "its end); followed with the identified poles behind the block's end and "
-      "into the next hit's block",
+      "{} mode{} ({:.4g} Hz{}) {} not decayed at the end of the block ({:.2g} "
+      "% left); corrected by extrapolation, in the next hit's block, too",
       poles.size(),
+      one ? "" : "s",
       std::abs(poles(slowest)) / (2.0 * std::numbers::pi),
+      one ? "" : " the most",
+      one ? "has" : "have",
       100.0 * std::exp(-rate * seconds));
 }
 

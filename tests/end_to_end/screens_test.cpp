@@ -76,12 +76,12 @@ TEST(Screens, WorkOutlivesTheProgram) {
   EXPECT_TRUE(holds(test.replay("7\nwait\nw\nwait\n"), "written: "));
   const std::filesystem::path bundle = test.bundle();
   const auto session = run_tapfit(fmt::format(
-      "session '{}' -o '{}'", bundle.string(), (bundle / "r.md").string()));
+      "session '{}' -o '{}'", bundle.string(), (bundle / "r.html").string()));
   ASSERT_EQ(session.exit_status, 0) << session.err;
   EXPECT_TRUE(holds(session.out, "as saved")) << session.out;
-  const std::string report = read_file(bundle / "report.md");
-  EXPECT_TRUE(holds(report, "+ added-mass at node 200")) << report;
-  EXPECT_EQ(report, read_file(bundle / "r.md"));
+  const std::string report = read_file(bundle / "report.html");
+  EXPECT_TRUE(holds(report, "+ added mass (node 200)")) << report;
+  EXPECT_EQ(report, read_file(bundle / "r.html"));
 }
 
 // S as soon as the fit runs, with nothing before it in the queue: it ends with

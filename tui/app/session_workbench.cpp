@@ -17,7 +17,8 @@ namespace {
 class SessionWorkbench final : public Workbench {
  public:
   explicit SessionWorkbench(const std::filesystem::path& bundle)
-      : session_(bundle, acquisition::Unreadable::LeftOut),
+      : bundle_(bundle),
+        session_(bundle, acquisition::Unreadable::LeftOut),
         file_(session_file(bundle)) {
     std::error_code ignored;
     if (std::filesystem::exists(file_, ignored)) {
@@ -111,21 +112,37 @@ class SessionWorkbench final : public Workbench {
   std::string save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
+  void write_report_to(const std::filesystem::path& path, const Progress& p);
+
+  std::filesystem::path bundle_;
   updating::Session session_;
   std::filesystem::path file_;
   updating::HitActs hit_acts_;  ///< when it was opened
 };
 
+// Where nothing was added, the report adds what the diagnosis supports: in a
+// session of its own, so that the user's stays as it is.
+void SessionWorkbench::write_report_to(const std::filesystem::path& path,
+                                       const Progress& p) {
+  if (!session_.has_model() || !session_.effects().empty()) {
+    return write_report(report_document(report_data(session_, bundle_, p)),
+                        path);
+  }
+  updating::Session worked(bundle_, acquisition::Unreadable::LeftOut);
+  worked.take_up(session_.saved(p));
+  write_report(report_document(report_data(worked, bundle_, p)), path);
+}
+
 std::filesystem::path SessionWorkbench::write(Output what,
                                               const std::filesystem::path& to,
                                               const Progress& p) {
-  const char* name = what == Output::Report ? "report.md"
+  const char* name = what == Output::Report ? "report.html"
                      : what == Output::Uff  ? "measured.uff"
                                             : "updated.bdf";
   const std::filesystem::path path =
       to.empty() ? file_.parent_path() / name : to;
   if (what == Output::Report) {
-    write_text_file(session_report(session_, p), path);
+    write_report_to(path, p);
   } else if (what == Output::Uff) {
     updating::write_measured_uff(
         session_, path, acquisition::UffNodes::D2411, p);

@@ -116,7 +116,7 @@ constexpr std::array<Entry, 17> entries{{
      session_command,
      SavedFile | Output},
     {"report",
-     "A Markdown report of the finished work",
+     "A report of the finished work, HTML or Markdown",
      report_command,
      Output | TextOnly | ByHand | Pairs},
     {"export",

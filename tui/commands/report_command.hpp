@@ -1,14 +1,13 @@
-// tapfit report: the finished work as one Markdown document.
+// tapfit report: the finished work as one document.
 #pragma once
 
 #include "tui/options/command.hpp"
-#include "updating/comparison/comparison.hpp"
-#include "updating/diagnosis/diagnosis.hpp"
 
 namespace tapfit::tui {
 
-/// Runs the chain, adds every rung of the diagnosis, and writes the report to
-/// --output or returns it.
+/// Takes up what was done in the terminal, where anything was; where no effect
+/// was added there, runs the chain and adds every rung of the diagnosis. Writes
+/// the report to --output, or to report.html beside the bundle's session.json.
 ///
 /// @throws InputError, Stopped
 [[nodiscard]] std::string report_command(const CommandOptions& options,

@@ -86,7 +86,8 @@ std::string session_command(const CommandOptions& options,
   static_cast<void>(session.ladder(progress));
   const updating::SavedSession now = session.saved(progress);
   if (options.output) {
-    write_text_file(session_report(session, progress), *options.output);
+    write_report(report_document(report_data(session, options.input, progress)),
+                 *options.output);
   }
   if (options.json) return updating::as_text(now);
   const std::string other = differences(then, now);

@@ -90,6 +90,24 @@ void keep(const std::filesystem::path& file,
   }
 }
 
+/// @param then what is kept
+/// @param now what of it is taken up
+updating::Session opened(const CommandOptions& options,
+                         const updating::SavedSession& then,
+                         updating::SavedSession now,
+                         const Progress& progress) {
+  const HandChoices& given = options.by_hand;
+  updating::Session session = open_bundle(options.input);
+  now.modes = together(now.modes, given.modes);
+  session.take_up(now);
+  if (!given.pairs.empty()) choose_pairs(given.pairs, session, progress);
+  if (given.keep) {
+    static_cast<void>(session.modes(progress));  // or they are refused
+    keep(session_file(options.input), then, session);
+  }
+  return session;
+}
+
 }  // namespace
 
 void add_mode_choices(CLI::App& command, HandChoices& by_hand) {
@@ -141,7 +159,6 @@ void add_pair_choices(CLI::App& command, HandChoices& by_hand) {
 updating::Session open_by_hand(const CommandOptions& options,
                                const Progress& progress) {
   const HandChoices& given = options.by_hand;
-  updating::Session session = open_bundle(options.input);
   const std::filesystem::path file = session_file(options.input);
   const updating::SavedSession then = kept(file);
   updating::SavedSession now;
@@ -153,14 +170,13 @@ updating::Session open_by_hand(const CommandOptions& options,
                "note: {} holds decisions by hand; --session takes them over\n",
                file.string());
   }
-  now.modes = together(now.modes, given.modes);
-  session.take_up(now);
-  if (!given.pairs.empty()) choose_pairs(given.pairs, session, progress);
-  if (given.keep) {
-    static_cast<void>(session.modes(progress));  // or they are refused
-    keep(file, then, session);
-  }
-  return session;
+  return opened(options, then, std::move(now), progress);
+}
+
+updating::Session open_as_kept(const CommandOptions& options,
+                               const Progress& progress) {
+  const updating::SavedSession then = kept(session_file(options.input));
+  return opened(options, then, then, progress);
 }
 
 }  // namespace tapfit::tui

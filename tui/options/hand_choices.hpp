@@ -22,4 +22,9 @@ void add_pair_choices(CLI::App& command, HandChoices& by_hand);
 [[nodiscard]] updating::Session open_by_hand(const CommandOptions& options,
                                              const Progress& progress);
 
+/// The same with all that the session's file keeps, added effects too, and
+/// beneath what the command line says.
+[[nodiscard]] updating::Session open_as_kept(const CommandOptions& options,
+                                             const Progress& progress);
+
 }  // namespace tapfit::tui

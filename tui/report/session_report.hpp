@@ -1,25 +1,31 @@
 // The room tui/report. Results as text and as JSON, for the command line and
 // for the written report.
 // In:  Results of the rooms to the left.
-// Out: Strings.
+// Out: Strings and files.
 // May include: its row in CONTRIBUTING.md.
 //
-// The work on a test as it stands, written down: what `w` on the Report screen
-// and `tapfit session BUNDLE -o REPORT.md` give.
+// The report of a test: what `tapfit report`, `w` on the Report screen and
+// `tapfit session -o` write, from one document.
 #pragma once
 
-#include "updating/session/session.hpp"
+#include "tui/document/document.hpp"
+#include "tui/report/report_data.hpp"
 
 #include <filesystem>
 #include <string>
 
 namespace tapfit::tui {
 
-/// Markdown: hits, FRFs, modes; with a model the error ladder of what was
-/// added, parameters, modes before and after, MAC before and after.
-/// @throws InputError, Stopped
-[[nodiscard]] std::string session_report(updating::Session& session,
-                                         const Progress& progress);
+[[nodiscard]] Document report_document(const ReportData& data);
+
+/// Of a bundle whose session is kept in `session`: report.html beside it.
+[[nodiscard]] std::filesystem::path usual_report(
+    const std::filesystem::path& session);
+
+/// Writes it to one HTML file; to a file named .md or .markdown as Markdown,
+/// with its pictures in a folder beside it ("x-files" of x.md).
+/// @throws InputError where it cannot be written
+void write_report(const Document& document, const std::filesystem::path& path);
 
 /// @throws InputError where it cannot be written
 void write_text_file(const std::string& text,

@@ -130,18 +130,11 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
       sheet.line("    " + updating::stopped_text(rung.stopped_after),
                  {.colour = Colour::Yellow});
     }
-    for (const updating::Estimate& p : rung.parameters) {
-      sheet.line(fmt::format("    {}", describe(p)));
-    }
   }
+  // Of the last model: rungs hold what was found when each was the last.
+  if (!input.parameters.empty()) sheet.heading("Identified");
   for (const updating::Estimate& p : input.parameters) {
-    // Those of added effects stand below their rungs.
-    const bool of_rung = std::any_of(
-        input.ladder.begin(), input.ladder.end(), [&](const updating::Rung& r) {
-          return p.name.starts_with(fmt::format("{} ", r.added));
-        });
-    if (of_rung) continue;
-    sheet.line(fmt::format("model: {}", describe(p)));
+    sheet.line(describe(p));
   }
 }
 
@@ -346,8 +339,10 @@ std::string ReportPage::help() const {
          "added, the frequencies and MAC of the base model and the current "
          "one against the measurement, and every warning that was given. w "
          "writes "
-         "it with hits, FRFs and modes to report.md beside the bundle's "
-         "test.json, e the deck with what was identified to updated.bdf, f "
+         "a report with pictures, set-up, hits, FRFs and modes to report.html "
+         "beside the bundle's test.json (nothing added: with what the "
+         "diagnosis "
+         "finds), e the deck with what was identified to updated.bdf, f "
          "FRFs and modes to measured.uff; :report FILE, :deck FILE and :uff "
          "FILE write elsewhere.";
 }

@@ -65,7 +65,7 @@ class Workbench {
   virtual bool redo(const Progress&) = 0;
   virtual std::vector<updating::AddedEffect> effects() = 0;
 
-  /// Writes to the file named, or where nothing is named to report.md,
+  /// Writes to the file named, or where nothing is named to report.html,
   /// measured.uff or updated.bdf beside the saved session; says where.
   virtual std::filesystem::path write(Output what,
                                       const std::filesystem::path& to,

@@ -129,7 +129,7 @@ TEST(Stitching, SaysWhatCannotBeScaledOrReached) {
       modal::identify_modes(measured(system, pairs, 0.0), {});
   EXPECT_FALSE(unscaled.scaled);
   ASSERT_FALSE(unscaled.warnings.empty());
-  EXPECT_NE(unscaled.warnings.front().find("no driving point"),
+  EXPECT_NE(unscaled.warnings.front().find("no driving-point FRF"),
             std::string::npos);
   // A set-up that shares no point with the others.
   pairs = both_ways();

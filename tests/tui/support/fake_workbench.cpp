@@ -103,7 +103,7 @@ class FakeWorkbench final : public Workbench {
                               const std::filesystem::path& to,
                               const Progress&) override {
     return !to.empty()              ? to
-           : what == Output::Report ? "report.md"
+           : what == Output::Report ? "report.html"
            : what == Output::Deck   ? "updated.bdf"
                                     : "measured.uff";
   }

@@ -53,7 +53,8 @@ TEST(LastingFrfs, SayWhatWasDone) {
     const auto set =
         estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {}).set;
     return std::ranges::count_if(set.statements, [](const std::string& words) {
-      return words.starts_with("modes that outlast the block: 2 (");
+      return words.starts_with("2 modes (") &&
+             words.find("have not decayed") != std::string::npos;
     });
   };
   test.bundle.band_hz = {5.0, 100.0};

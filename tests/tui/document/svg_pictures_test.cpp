@@ -1,0 +1,174 @@
+// Pictures: where lines, bars, cells and points come to lie.
+#include "tui/document/svg_bars.hpp"
+#include "tui/document/svg_canvas.hpp"
+#include "tui/document/svg_heat_map.hpp"
+#include "tui/document/svg_plot.hpp"
+#include "tui/document/svg_structure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+long count(const std::string& text, const std::string& part) {
+  long found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos;
+       at = text.find(part, at + 1)) {
+    ++found;
+  }
+  return found;
+}
+
+bool has_no_number_that_is_none(const std::string& svg) {
+  return !holds(svg, "nan") && !holds(svg, "inf");
+}
+
+SvgPlot line_plot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  SvgPlot plot;
+  plot.name = "line";
+  plot.x.title = "f [Hz]";
+  plot.y.title = "|H|";
+  plot.curves = {{"measured", x, y, {}}};
+  return plot;
+}
+
+TEST(Coordinate, HasOneDecimalAtMost) {
+  EXPECT_EQ(coordinate(12.04), "12");
+  EXPECT_EQ(coordinate(12.06), "12.1");
+  EXPECT_EQ(coordinate(-0.04), "0");
+  EXPECT_EQ(coordinate(not_a_number), "0");
+}
+
+// The frame is 62 px from the left and 14 px from the right of 680.
+TEST(SvgPlot, TheEndsOfACurveAreTheEndsOfTheAxis) {
+  SvgPlot plot = line_plot(Eigen::Vector2d(0, 10), Eigen::Vector2d(0, 1));
+  plot.y = {"", false, 0.0, 1.0};
+  const std::string svg = svg_plot(plot);
+  EXPECT_TRUE(holds(svg, "<path d=\"M62 276L666 32\"")) << svg;
+  EXPECT_TRUE(holds(svg, ">measured</text>"));
+  EXPECT_TRUE(holds(svg, ">f [Hz]</text>"));
+}
+
+// A tenth of two decades down is half way.
+TEST(SvgPlot, ALogarithmicAxisCountsDecades) {
+  SvgPlot plot =
+      line_plot(Eigen::Vector3d(0, 5, 10), Eigen::Vector3d(0.01, 0.1, 1.0));
+  plot.y = {"", true, 0.01, 1.0};
+  EXPECT_TRUE(holds(svg_plot(plot), "M62 276L364 154 666 32"));
+}
+
+TEST(SvgPlot, WhatCannotBeDrawnIsAGap) {
+  Eigen::VectorXd y(5);
+  y << 1.0, 2.0, not_a_number, 2.0, 1.0;
+  const std::string svg =
+      svg_plot(line_plot(Eigen::VectorXd::LinSpaced(5, 0.0, 4.0), y));
+  EXPECT_TRUE(has_no_number_that_is_none(svg)) << svg;
+  const std::size_t curve = svg.find("stroke=\"#1a1a1a\"");
+  const std::size_t begin = svg.rfind("<path", curve);
+  EXPECT_EQ(count(svg.substr(begin, curve - begin), "M"), 2);
+}
+
+TEST(SvgPlot, NothingToDrawIsAnEmptyFrame) {
+  const std::string svg = svg_plot(line_plot({}, {}));
+  EXPECT_TRUE(has_no_number_that_is_none(svg));
+  EXPECT_TRUE(holds(svg, "</svg>"));
+}
+
+// A peak of a single line among 100,000 is still as high.
+TEST(SvgPlot, AThinnedCurveKeepsItsPeaks) {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(100000);
+  y(54321) = 1.0;
+  SvgPlot plot = line_plot(Eigen::VectorXd::LinSpaced(100000, 0.0, 1.0), y);
+  plot.y = {"", false, 0.0, 1.0};
+  const std::string svg = svg_plot(plot);
+  EXPECT_LT(svg.size(), 20000U);
+  EXPECT_TRUE(holds(svg, " 32 "));
+}
+
+TEST(SvgBars, TheLargestGoesToTheEnd) {
+  const std::string svg = svg_bars({{"base", 1.0, "100 %", ink::orange},
+                                    {"after", 0.01, "1 %", ink::blue},
+                                    {"none", 0.0, "–", ink::blue}},
+                                   "ladder",
+                                   "error [%]",
+                                   100.0);
+  EXPECT_TRUE(holds(svg, "width=\"262\"")) << svg;
+  EXPECT_TRUE(holds(svg, ">100 %</text>"));
+  EXPECT_TRUE(has_no_number_that_is_none(svg));
+}
+
+TEST(SvgHeatMap, LeavesOutWhatIsNoNumber) {
+  SvgHeatMap map;
+  map.values = Eigen::Matrix2d{{1.0, not_a_number}, {0.0, 0.5}};
+  map.rows = {"1", "<2>"};
+  map.columns = {"a", "b"};
+  const std::string svg = svg_heat_map(map);
+  EXPECT_EQ(count(svg, "<rect"), 3);
+  EXPECT_TRUE(holds(svg, ">100</text>"));
+  EXPECT_TRUE(holds(svg, "&lt;2&gt;"));
+  EXPECT_TRUE(holds(svg, "#ffffff"));
+}
+
+Wireframe square() {
+  Wireframe wire;
+  wire.points.resize(3, 4);
+  wire.points << 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 0;
+  wire.lines = {{0, 1}, {1, 2}, {2, 3}, {0, 3}};
+  wire.ranks.assign(4, {0, true});
+  wire.index = {{11, 0}, {12, 1}, {13, 2}, {14, 3}};
+  return wire;
+}
+
+// Four edges round a square are one line of five points.
+TEST(SvgStructure, EdgesAreJoined) {
+  const std::string svg =
+      svg_structure(square(), {"set-up", {{12, "hit", ink::orange, 4.0}}});
+  EXPECT_EQ(count(svg, "M"), 1) << svg;
+  EXPECT_EQ(count(svg, "<circle"), 1);
+  EXPECT_TRUE(holds(svg, ">hit</text>"));
+}
+
+TEST(SvgStructure, PointsThatAreNotThereAreLeftOut) {
+  const std::string svg =
+      svg_structure(square(), {"set-up", {{99, "lost", ink::orange, 4.0}}});
+  EXPECT_FALSE(holds(svg, "lost"));
+}
+
+// Both ways from rest by the same, and back.
+TEST(SvgShape, SwingsBetweenTwoPathsOfTheSameCommands) {
+  SvgShape shape;
+  shape.name = "mode 1";
+  shape.grids = Eigen::Matrix3Xd::Zero(3, 4);
+  shape.grids(2, 2) = 0.5;
+  shape.points = {{13, Eigen::Vector3d(0, 0, 0.5)}};
+  const std::string svg = svg_shape(square(), shape);
+  EXPECT_EQ(count(svg, "<animate "), 2);
+  const std::size_t begin = svg.find("values=\"") + 8;
+  const std::string values = svg.substr(begin, svg.find('"', begin) - begin);
+  EXPECT_EQ(std::count(values.begin(), values.end(), ';'), 2);
+  EXPECT_EQ(std::count(values.begin(), values.end(), 'M'), 3);
+  EXPECT_EQ(values.substr(0, values.find(';')),
+            values.substr(values.rfind(';') + 1));
+}
+
+TEST(SvgShape, AStructureOfOnePointHasASize) {
+  Wireframe wire;
+  wire.points = Eigen::Matrix3Xd::Zero(3, 1);
+  wire.index = {{1, 0}};
+  SvgShape shape;
+  shape.points = {{1, Eigen::Vector3d(0, 0, 1)}};
+  EXPECT_TRUE(has_no_number_that_is_none(svg_shape(wire, shape)));
+}
+
+}  // namespace
+}  // namespace tapfit::tui

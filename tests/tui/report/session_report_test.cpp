@@ -1,0 +1,197 @@
+// A report of made-up results: what stands in it and what must not.
+#include "tui/report/session_report.hpp"
+
+#include "tests/tui/support/fake_results.hpp"
+#include "tui/document/html_document.hpp"
+#include "tui/document/markdown_document.hpp"
+#include "tui/report/report_model.hpp"
+#include "tui/report/report_parameters.hpp"
+#include "tui/report/report_verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <string>
+
+namespace tapfit::tui {
+namespace {
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A mass was added first, then a spring; both were identified anew.
+ReportData data_of_two_effects() {
+  ReportData data;
+  data.path = "strip";
+  data.date = "2026-11-25";
+  data.bundle = testing::fake_bundle();
+  data.hits = testing::fake_hits();
+  data.frfs = testing::fake_frfs();
+  data.modes = testing::fake_modes();
+  ModelResults model;
+  model.deck = testing::fake_deck();
+  model.before = testing::fake_comparison(0.05);
+  model.after = testing::fake_comparison(0.0);
+  model.diagnosis = testing::fake_diagnosis();
+  model.ladder = {{updating::base_rung, {}, 0.388, {}},
+                  {"added-mass",
+                   {.node = 5},
+                   0.1,
+                   {{"mass_kg", 0.0666, 0.0006, 0.0654, 0.0678}}},
+                  {"ground-spring",
+                   {.node = 6},
+                   0.038,
+                   {{"stiffness_n_per_m", 412.0, 3.0, 406.0, 418.0}}}};
+  model.diagnosis->ladder.push_back(model.ladder.back());
+  model.parameters = {
+      {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10, "Pa"},
+      {"added-mass mass_kg", 0.0785, 0.0006, 0.0773, 0.0797},
+      {"ground-spring stiffness_n_per_m", 412.0, 3.0, 406.0, 418.0}};
+  data.model = std::move(model);
+  return data;
+}
+
+// 66.6 g was the mass before the spring was there.
+TEST(IdentifiedRows, AreOfTheLastModelOnly) {
+  const ReportData data = data_of_two_effects();
+  const auto rows = identified_rows(data.bundle, *data.model);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].what, "added mass (node 5)");
+  EXPECT_EQ(rows[0].quantity, "mass");
+  EXPECT_EQ(rows[0].value, "78.50 ± 0.60 g");
+  EXPECT_EQ(rows[0].interval, "77.3 … 79.7 g");
+  EXPECT_EQ(rows[1].value, "412.0 ± 3.0 N/m");
+  EXPECT_FALSE(holds(as_html(report_document(data)), "66.6"));
+}
+
+TEST(VerdictSentence, NamesWhatIsMissingAndTheErrors) {
+  const std::string verdict = verdict_sentence(data_of_two_effects());
+  EXPECT_EQ(
+      verdict,
+      "An added mass (node 5) and a spring to ground (node 6) explain where "
+      "model and measurement differ: with them, the error of the FRFs "
+      "falls from 38.8 % to 0.01 %, below what repeatability and mesh can "
+      "resolve (3.1 %).");
+}
+
+TEST(VerdictSentence, SaysThatNothingIsMissing) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->diagnosis->verdict = "none";
+  EXPECT_TRUE(verdict_sentence(data).starts_with(
+      "Nothing significant is missing from the model"));
+}
+
+TEST(VerdictSentence, SaysWhatNoEffectExplains) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->after = data.model->before;
+  data.model->diagnosis->verdict = "unexplained";
+  EXPECT_EQ(verdict_sentence(data),
+            "Something is missing from the model that no known effect "
+            "explains: its FRFs are off by 38.8 %, 13 times what repeatability "
+            "and mesh allow (3.1 %).");
+}
+
+TEST(VerdictSentence, WithoutAModelCountsModes) {
+  ReportData data = data_of_two_effects();
+  data.model.reset();
+  EXPECT_TRUE(holds(verdict_sentence(data), "no model was given"));
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds(html, "Order of the points"));
+  EXPECT_FALSE(holds(html, "MAC"));
+}
+
+TEST(VerdictSentence, TellsWhatWasAddedByHand) {
+  ReportData data = data_of_two_effects();
+  data.model->diagnosis.reset();
+  EXPECT_TRUE(verdict_sentence(data).starts_with(
+      "With what was added by hand (an added mass (node 5) and"));
+}
+
+TEST(Correlation, IsTheWorstOverThePairs) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.pairs[1].error_percent = -7.0;
+  c.pairs[2].mac = 0.5;
+  c.weighted_mac = Eigen::Matrix3d::Identity();
+  c.weighted_mac(0, 2) = 0.04;  // 0.2 squared
+  const Correlation found = correlation_of(c);
+  EXPECT_DOUBLE_EQ(found.frequency_percent, 7.0);
+  EXPECT_DOUBLE_EQ(found.mac, 0.5);
+  EXPECT_DOUBLE_EQ(found.cross_orthogonality, 0.2);
+  EXPECT_EQ(found.pairs, 3U);
+}
+
+TEST(ReportDocument, JudgesByTheLimitsOfTheTest) {
+  ReportData data = data_of_two_effects();
+  data.notes.limits = {2.0, 0.98, std::nullopt};
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds(html,
+                    "≤ 2 %</td><td>5.00 %</td><td>0.00 %</td>"
+                    "<td class=\"l\">✓ pass"));
+  EXPECT_TRUE(holds(html,
+                    "≥ 0.98</td><td>0.970</td><td>0.970</td>"
+                    "<td class=\"l\">✗ fail"));
+}
+
+TEST(ReportDocument, PrintsWhatMakesATestTraceable) {
+  ReportData data = data_of_two_effects();
+  data.notes.channels["acc1"] = {"SN <4711>", "2026-03-01"};
+  data.notes.facts = {{"operator", "A. & B."}};
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds(html, "SN &lt;4711&gt;"));
+  EXPECT_TRUE(holds(html, "2026-03-01"));
+  EXPECT_TRUE(holds(html, "A. &amp; B."));
+}
+
+TEST(ReportDocument, HoldsNoNumberThatIsNone) {
+  ReportData data = data_of_two_effects();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  data.model->after.model_frfs[0](3) = none;
+  data.model->after.frf_band_error(0, 0) = none;
+  data.model->after.frf_error[1] = none;
+  data.model->before.pairs[0].error_percent =
+      std::numeric_limits<double>::infinity();
+  data.model->parameters[0].sd = none;
+  data.modes.modes[0].frequency_sd_hz = none;
+  for (const std::string& text : {as_html(report_document(data)),
+                                  as_markdown(report_document(data), "f")}) {
+    EXPECT_FALSE(holds(text, "nan"));
+    EXPECT_FALSE(holds(text, "-0.00"));
+    EXPECT_FALSE(holds(text, "+-"));
+    EXPECT_FALSE(holds(text, "_kg"));
+  }
+}
+
+TEST(ReportDocument, NamesEachPictureOnce) {
+  std::set<std::string> names;
+  const auto figures = figures_of(report_document(data_of_two_effects()));
+  for (const Figure& figure : figures) names.insert(figure.name);
+  EXPECT_EQ(names.size(), figures.size());
+  for (const char* wanted : {"frf",
+                             "error-ladder",
+                             "set-up",
+                             "stabilisation",
+                             "mode-1",
+                             "mac-before",
+                             "mac-after",
+                             "error-before",
+                             "error-after"}) {
+    EXPECT_TRUE(names.contains(wanted)) << wanted;
+  }
+}
+
+TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
+  ReportData data = data_of_two_effects();
+  data.model->signature = testing::fake_signature(5);
+  EXPECT_TRUE(holds(as_html(report_document(data)),
+                    "Grid 5 alone explains 99.0&#160;% of the misfit; a pure "
+                    "mass (80.1 g) leaves 6.0&#160;% of it."));
+  data.model->signature->explained = 0.1;
+  EXPECT_FALSE(holds(as_html(report_document(data)), "of the misfit"));
+}
+
+}  // namespace
+}  // namespace tapfit::tui

@@ -1,0 +1,167 @@
+#include "tui/document/html_document.hpp"
+
+#include "tui/document/markup_text.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace tapfit::tui {
+namespace {
+
+constexpr std::string_view style = R"(
+@page{size:A4;margin:16mm 15mm 18mm}
+*{box-sizing:border-box}
+body{font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1a1a1a;
+background:#fff;margin:0 auto;padding:1.2rem 1rem 3rem;max-width:60rem}
+h1{font-size:1.7rem;line-height:1.2;margin:.2rem 0 .3rem}
+h2{font-size:1.2rem;margin:2.2rem 0 .6rem;padding-bottom:.2rem;
+border-bottom:1px solid #bbb}
+p{margin:.5rem 0;overflow-wrap:anywhere}
+.subtitle,.small{color:#555;font-size:.86rem}
+.verdict{font-size:1.12rem;line-height:1.45;border-left:4px solid #0072b2;
+background:#eef5fa;padding:.7rem .9rem;margin:.9rem 0}
+ul{margin:.4rem 0;padding-left:1.3rem}
+li{margin:.2rem 0;overflow-wrap:anywhere}
+.scroll{overflow-x:auto;margin:.7rem 0}
+table{border-collapse:collapse;font-size:.86rem;line-height:1.35}
+caption{text-align:left;font-weight:600;padding:.2rem 0}
+th,td{padding:.22rem .8rem .22rem 0;text-align:right;vertical-align:top;
+border-bottom:1px solid #e2e2e2;font-variant-numeric:tabular-nums}
+th{border-bottom:1px solid #888;color:#333;font-weight:600}
+td:not(.l),th:not(.l){white-space:nowrap}
+.l{text-align:left}
+figure{margin:.8rem 0;overflow-x:auto}
+figure svg{display:block;width:100%;height:auto}
+figcaption{color:#444;font-size:.84rem;margin-top:.2rem}
+.row{display:flex;flex-wrap:wrap;gap:.4rem 1.2rem}
+.row figure{flex:1 1 17rem;min-width:0;margin:.4rem 0}
+.row .scroll{flex:0 1 auto;margin:.2rem 0}.row .scroll+figure{flex-basis:22rem}
+@media(max-width:600px){body{font-size:14px;padding:.8rem .7rem 2rem}
+figure.wide svg{min-width:30rem}
+td.l{min-width:7.5rem}h1{font-size:1.35rem}.verdict{font-size:1rem}}
+@media print{body{font-size:10pt;max-width:none;padding:0}
+h2{break-after:avoid;margin:1.1rem 0 .3rem}
+.verdict{font-size:11pt}p,.scroll,figure{margin:.35rem 0}.page{break-before:page}.page h2{margin-top:0}
+figure,.verdict,.short{break-inside:avoid}.scroll,figure{overflow:visible}
+tr{break-inside:avoid}thead{display:table-header-group}
+.row figure{flex:0 1 47%}
+.row .scroll+figure{flex:1 1 45%}.row .scroll{flex:0 1 46%}table{font-size:8.5pt}}
+)";
+
+// Pictures move on screens only, and where nobody asked for less.
+constexpr std::string_view script = R"(
+(function(){var all=document.querySelectorAll('svg'),
+still=function(){all.forEach(function(s){if(s.pauseAnimations){
+s.setCurrentTime(0);s.pauseAnimations();}});},
+go=function(){all.forEach(function(s){if(s.unpauseAnimations)
+s.unpauseAnimations();});};
+addEventListener('beforeprint',still);
+if(matchMedia('(prefers-reduced-motion: reduce)').matches)still();
+else addEventListener('afterprint',go);})();
+)";
+
+/// Escaped, with a number and its % on one line.
+std::string prose(std::string_view text) {
+  std::string out = escaped(text);
+  for (std::size_t at = out.find(" %"); at != std::string::npos;
+       at = out.find(" %", at + 1)) {
+    out.replace(at, 1, "&#160;");
+  }
+  return out;
+}
+
+std::string html_of(const Paragraph& paragraph) {
+  const char* kind =
+      paragraph.kind == Paragraph::Kind::Verdict ? " class=\"verdict\""
+      : paragraph.kind == Paragraph::Kind::Small ? " class=\"small\""
+                                                 : "";
+  return fmt::format("<p{}>{}</p>\n", kind, prose(paragraph.text));
+}
+
+std::string html_of(const BulletList& list) {
+  if (list.items.empty()) return {};
+  std::string text = "<ul>\n";
+  for (const std::string& item : list.items) {
+    text += "<li>" + prose(item) + "</li>\n";
+  }
+  return text + "</ul>\n";
+}
+
+std::string row_of(const std::vector<std::string>& cells,
+                   const std::vector<std::string>& heading,
+                   const char* tag) {
+  std::string text = "<tr>";
+  for (std::size_t k = 0; k < heading.size(); ++k) {
+    text += fmt::format("<{}{}>{}</{}>",
+                        tag,
+                        column_name(heading[k]).left ? " class=\"l\"" : "",
+                        k < cells.size() ? escaped(cells[k]) : "",
+                        tag);
+  }
+  return text + "</tr>\n";
+}
+
+std::string html_of(const DataTable& table) {
+  std::vector<std::string> names;
+  for (const std::string& heading : table.heading) {
+    names.push_back(column_name(heading).text);
+  }
+  constexpr std::size_t few = 12;  // rows that stay on one sheet of paper
+  std::string text = fmt::format("<div class=\"scroll{}\"><table>\n",
+                                 table.rows.size() <= few ? " short" : "");
+  if (!table.caption.empty()) {
+    text += "<caption>" + escaped(table.caption) + "</caption>\n";
+  }
+  text +=
+      "<thead>" + row_of(names, table.heading, "th") + "</thead>\n<tbody>\n";
+  for (const auto& row : table.rows) text += row_of(row, table.heading, "td");
+  return text + "</tbody></table></div>\n";
+}
+
+std::string html_figure(const Figure& figure, bool wide) {
+  return fmt::format("<figure{}>{}<figcaption>{}</figcaption></figure>\n",
+                     wide ? " class=\"wide\"" : "",
+                     figure.svg,
+                     prose(figure.caption));
+}
+
+std::string html_of(const Figure& figure) { return html_figure(figure, true); }
+
+std::string html_of(const TableBesideFigure& both) {
+  return "<div class=\"row\">\n" + html_of(both.table) +
+         html_figure(both.figure, false) + "</div>\n";
+}
+
+std::string html_of(const FigureRow& row) {
+  std::string text = "<div class=\"row\">\n";
+  for (const Figure& figure : row.figures) text += html_figure(figure, false);
+  return text + "</div>\n";
+}
+
+}  // namespace
+
+std::string as_html(const Document& document) {
+  std::string text = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\"/>\n"
+      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
+      "<h1>{0}</h1>\n<p class=\"subtitle\">{2}</p>\n",
+      escaped(document.title),
+      style,
+      escaped(document.subtitle));
+  for (const Section& section : document.sections) {
+    text += section.new_page ? "<section class=\"page\">\n" : "<section>\n";
+    if (!section.title.empty()) {
+      text += "<h2>" + escaped(section.title) + "</h2>\n";
+    }
+    for (const Part& part : section.parts) {
+      text += std::visit([](const auto& p) { return html_of(p); }, part);
+    }
+    text += "</section>\n";
+  }
+  return text + fmt::format("<script>{}</script>\n</body>\n</html>\n", script);
+}
+
+}  // namespace tapfit::tui

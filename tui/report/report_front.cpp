@@ -1,0 +1,304 @@
+#include "tui/report/report_front.hpp"
+
+#include "tui/document/svg_bars.hpp"
+#include "tui/document/svg_plot.hpp"
+#include "tui/report/report_parameters.hpp"
+#include "tui/report/report_verdict.hpp"
+#include "tui/report/report_words.hpp"
+#include "tui/screen/number.hpp"
+#include "updating/fit/kept_fit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Rung;
+
+std::array<double, 2> band_of(const ReportData& data) {
+  if (data.bundle.band_hz) return *data.bundle.band_hz;
+  if (data.frfs.lines() == 0) return {0.0, 0.0};
+  const Eigen::VectorXd hz = data.frfs.frequency_hz();
+  return {hz(0), hz(hz.size() - 1)};
+}
+
+std::string hits_words(const acquisition::HitSet& hits) {
+  std::size_t found = 0;
+  long accepted = 0;
+  for (const auto& run : hits.runs) {
+    found += run.size();
+    accepted += std::count_if(
+        run.begin(), run.end(), [](const auto& hit) { return hit.accepted; });
+  }
+  return fmt::format("{} found, {} accepted", found, accepted);
+}
+
+/// One row: what a customer asks first.
+DataTable tested(const ReportData& data) {
+  DataTable table{"What was tested", {}, {{}}};
+  const auto add = [&](const char* what, const std::string& value) {
+    if (value.empty()) return;
+    table.heading.emplace_back(what);
+    table.rows[0].push_back(value);
+  };
+  add("<bundle", data.path.lexically_normal().filename().string());
+  if (data.model) add("<model", data.model->deck.path.filename().string());
+  if (data.hits) {
+    add("<runs", fmt::format("{}", data.bundle.runs.size()));
+    add("<hits", hits_words(*data.hits));
+  } else if (data.bundle.frfs) {
+    add("<FRFs from", data.bundle.frfs->filename().string());
+  }
+  add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
+  const std::array<double, 2> band = band_of(data);
+  add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
+  add("<modes", fmt::format("{}", data.modes.modes.size()));
+  return table;
+}
+
+/// A driving point where there is one: it has every mode.
+std::size_t shown_frf(const signal::FrfSet& frfs) {
+  for (std::size_t k = 0; k < frfs.frfs.size(); ++k) {
+    const signal::Frf& frf = frfs.frfs[k];
+    if (frf.response.node == frf.reference.node &&
+        frf.response.component == frf.reference.component) {
+      return k;
+    }
+  }
+  return 0;
+}
+
+void add_model_curve(SvgPlot& plot,
+                     const updating::Comparison& comparison,
+                     std::size_t frf,
+                     const char* label,
+                     const Stroke& stroke) {
+  const Eigen::VectorXd& hz = plot.curves.front().x;
+  if (frf >= comparison.model_frfs.size()) return;
+  if (comparison.model_frfs[frf].size() != hz.size()) return;
+  plot.curves.push_back(
+      {label, hz, comparison.model_frfs[frf].cwiseAbs(), stroke});
+}
+
+Figure frf_figure(const ReportData& data) {
+  const std::size_t shown = shown_frf(data.frfs);
+  const signal::Frf& frf = data.frfs.frfs[shown];
+  const Eigen::VectorXd hz = data.frfs.frequency_hz();
+  SvgPlot plot;
+  plot.name = "FRF " + name(frf);
+  plot.x = {"frequency [Hz]", hz(0) > 0.0 && hz(hz.size() - 1) / hz(0) > 300.0};
+  plot.y = {"|H| [(m/s²)/N]", true};
+  plot.height = 280.0;
+  plot.curves = {{"measured", hz, frf.H.cwiseAbs(), {ink::black, 1.4}}};
+  std::string caption =
+      fmt::format("Accelerance {} (response / hammer)", name(frf));
+  if (data.model) {
+    const bool changed = data.model->ladder.size() > 1;
+    add_model_curve(plot,
+                    data.model->before,
+                    shown,
+                    changed ? "model before" : "model",
+                    {ink::orange, 1.3, "6 3"});
+    if (changed) {
+      add_model_curve(plot,
+                      data.model->after,
+                      shown,
+                      "model after",
+                      {ink::blue, 1.6, "2 2"});
+    }
+  }
+  if (const double sigma = data.frfs.s(0).real(); sigma > 0.0) {
+    caption += fmt::format(
+        ", with the exponential window of {} 1/s on all curves", number(sigma));
+  }
+  return {"frf", caption + ".", svg_plot(plot)};
+}
+
+std::string ladder_words(const Rung& rung) {
+  if (rung.added == updating::base_rung) return "model as delivered";
+  if (rung.added == updating::uncertain_rung) {
+    return "uncertain properties identified";
+  }
+  return "+ " + found_words(rung.added, rung.where);
+}
+
+Section ladder_section(const ModelResults& model) {
+  DataTable table{"", {"<model", "error of FRFs"}, {}};
+  std::vector<SvgBar> bars;
+  for (const Rung& rung : model.ladder) {
+    std::string words = ladder_words(rung);
+    bars.push_back({words,
+                    rung.error,
+                    percent(rung.error),
+                    &rung == &model.ladder.back() ? ink::blue : ink::grey});
+    if (rung.stopped_after > 0) {
+      words += fmt::format(" ({})", updating::stopped_text(rung.stopped_after));
+    }
+    table.rows.push_back({words, percent(rung.error)});
+  }
+  const updating::Comparison& now = model.after;
+  table.rows.push_back({fmt::format("floor: repeatability {}, mesh {}",
+                                    percent(now.floor_noise),
+                                    percent(now.floor_mesh)),
+                        percent(now.floor)});
+  bars.push_back({"floor", now.floor, percent(now.floor), ink::yellow});
+  return {"Error step by step",
+          {TableBesideFigure{
+              table,
+              {"error-ladder",
+               "Relative error of the FRFs after each step. Each step "
+               "identifies all parameters anew. The floor is what the "
+               "scatter over the hits and the mesh of the model allow.",
+               svg_bars(bars, "error ladder", "error [%]", 100.0)}}}};
+}
+
+Section identified_section(const ReportData& data) {
+  DataTable table{
+      "",
+      {"<what", "<", "value ± s.d.", "95 %", "deck or sheet", "change"},
+      {}};
+  for (const IdentifiedRow& row : identified_rows(data.bundle, *data.model)) {
+    table.rows.push_back({row.what,
+                          row.quantity,
+                          row.value,
+                          row.interval,
+                          row.nominal,
+                          row.change});
+  }
+  Section section{"What was identified", {}};
+  if (table.rows.empty()) {
+    section.parts.emplace_back(
+        Paragraph{"Nothing was identified: the model is as delivered."});
+  } else {
+    section.parts.emplace_back(table);
+  }
+  return section;
+}
+
+std::string alike_words(const std::vector<updating::EffectRef>& alike) {
+  constexpr std::size_t most = 3;
+  if (alike.empty()) return "uniquely identified";
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(alike.size(), most); ++k) {
+    names.push_back(found_words(alike[k].effect, alike[k].where));
+  }
+  std::string text = "indistinguishable with these points from: ";
+  if (alike.size() > most) {
+    names.push_back(fmt::format("{} more", alike.size() - most));
+  }
+  return text + enumerated(names);
+}
+
+std::string held_out_words(const updating::Diagnosis& diagnosis,
+                           const Rung& rung) {
+  for (const updating::Candidate& candidate : diagnosis.candidates) {
+    if (candidate.effect == leading_kind(rung) &&
+        candidate.where == rung.where && candidate.held_out_error > 0.0) {
+      return percent(candidate.held_out_error);
+    }
+  }
+  return "–";
+}
+
+std::string rest_words(const ModelResults& model) {
+  if (!model.rest) return {};
+  if (model.rest->verdict == "none") {
+    return "Diagnosed again with these effects in the model: nothing "
+           "significant is missing any more.";
+  }
+  return fmt::format(
+      "Diagnosed again with these effects in the model: {} is still missing.",
+      model.rest->verdict == "unexplained"
+          ? "something that no known effect explains"
+          : effect_words(model.rest->verdict));
+}
+
+Section sure_section(const ModelResults& model) {
+  Section section{"How sure is it", {}};
+  if (!model.diagnosis) {
+    section.parts.emplace_back(Paragraph{
+        "No diagnosis of the base model is known: effects were chosen by hand, "
+        "and how probable others are has not been worked out."});
+    return section;
+  }
+  DataTable table{
+      "", {"<effect", "probability", "hold-out error", "<look-alikes"}, {}};
+  for (const Rung& rung : effect_rungs(model.ladder)) {
+    const Rung* found = diagnosed_rung(model, rung);
+    if (found == nullptr) {
+      table.rows.push_back(
+          {found_words(rung.added, rung.where), "–", "–", "added by hand"});
+      continue;
+    }
+    table.rows.push_back({found_words(found->added, found->where),
+                          probability(found->probability),
+                          held_out_words(*model.diagnosis, *found),
+                          alike_words(found->alike)});
+  }
+  if (table.rows.empty()) {
+    section.parts.emplace_back(Paragraph{fmt::format(
+        "{} candidates were tried; none lowers the error enough to pay for its "
+        "parameters.",
+        model.diagnosis->candidates.size())});
+  } else {
+    section.parts.emplace_back(table);
+    section.parts.emplace_back(Paragraph{
+        "Probability: among all effects and places that were tried. Hold-out "
+        "error: on runs that the parameters were not fitted to.",
+        Paragraph::Kind::Small});
+  }
+  if (const std::string rest = rest_words(model); !rest.empty()) {
+    section.parts.emplace_back(Paragraph{rest});
+  }
+  return section;
+}
+
+Section next_section(const ModelResults& model) {
+  BulletList list;
+  if (model.diagnosis) {
+    for (const updating::NextMeasurement& next : model.diagnosis->next) {
+      list.items.push_back(next_words(next, model.diagnosis->floor));
+    }
+    for (const updating::Misplaced& point : model.diagnosis->misplaced) {
+      list.items.push_back(fmt::format(
+          "Check the place of {}: its FRFs fit {} better than {}, where it was "
+          "written down.",
+          point.channel.empty() ? "the hits" : point.channel,
+          name(point.likely),
+          name(point.written)));
+    }
+  }
+  Section section{"What to measure next", {}};
+  if (list.items.empty()) {
+    section.parts.emplace_back(Paragraph{
+        "No further measurement is proposed: nothing found has a look-alike "
+        "that other points would separate."});
+  } else {
+    section.parts.emplace_back(list);
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> front_sections(const ReportData& data) {
+  Section first{"",
+                {Paragraph{verdict_sentence(data), Paragraph::Kind::Verdict},
+                 tested(data)}};
+  if (!data.frfs.frfs.empty() && data.frfs.lines() > 1) {
+    first.parts.emplace_back(frf_figure(data));
+  }
+  std::vector<Section> sections{std::move(first)};
+  if (!data.model) return sections;
+  sections.push_back(ladder_section(*data.model));
+  sections.push_back(identified_section(data));
+  sections.push_back(sure_section(*data.model));
+  sections.push_back(next_section(*data.model));
+  return sections;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,403 @@
+#include "tui/report/report_measurement.hpp"
+
+#include "modal/poles/cmif.hpp"
+#include "tui/document/svg_plot.hpp"
+#include "tui/document/svg_structure.hpp"
+#include "tui/report/frf_text.hpp"
+#include "tui/report/report_verdict.hpp"
+#include "tui/report/report_words.hpp"
+#include "tui/screen/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace tapfit::tui {
+namespace {
+
+std::set<int> hit_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  for (const signal::Frf& frf : data.frfs.frfs) {
+    nodes.insert(frf.reference.node);
+  }
+  for (const acquisition::Run& run : data.bundle.runs) {
+    nodes.insert(run.hammer.dof.node);
+  }
+  return nodes;
+}
+
+/// Where sensors stood, with the names of their channels.
+std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
+  std::map<int, std::set<std::string>> nodes;
+  for (const acquisition::Run& run : data.bundle.runs) {
+    for (const acquisition::Placement& sensor : run.sensors) {
+      nodes[sensor.dof.node].insert(
+          data.bundle.channels.at(sensor.channel).name);
+    }
+  }
+  if (nodes.empty()) {
+    for (const signal::Frf& frf : data.frfs.frfs) {
+      nodes[frf.response.node].insert(name(frf.response));
+    }
+  }
+  return nodes;
+}
+
+/// Grids where something was found: few, each by itself.
+std::set<int> found_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  if (!data.model) return nodes;
+  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
+    if (rung.where.node != 0) nodes.insert(rung.where.node);
+    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
+    const std::set<int> elements(rung.where.elements.begin(),
+                                 rung.where.elements.end());
+    for (const structure::Shell& shell : data.model->deck.shells) {
+      if (!elements.contains(shell.id)) continue;
+      nodes.insert(shell.grids.begin(), shell.grids.end());
+    }
+    for (const structure::Bar& bar : data.model->deck.bars) {
+      if (!elements.contains(bar.id)) continue;
+      nodes.insert(bar.grids.begin(), bar.grids.end());
+    }
+    for (const structure::Rod& rod : data.model->deck.rods) {
+      if (!elements.contains(rod.id)) continue;
+      nodes.insert(rod.grids.begin(), rod.grids.end());
+    }
+  }
+  return nodes;
+}
+
+Figure sketch(const ReportData& data) {
+  SvgStructure picture;
+  picture.name = "structure with hit points and sensors";
+  const std::set<int> found = found_nodes(data);
+  for (const int node : found) {
+    picture.marks.push_back({node,
+                             found.size() == 1 ? "found" : "",
+                             ink::green,
+                             found.size() < 10 ? 6.5 : 4.5});
+  }
+  const auto sensors = sensor_nodes(data);
+  constexpr std::size_t few = 12;
+  for (const auto& [node, names] : sensors) {
+    std::string label;
+    for (const std::string& one : names) {
+      label += (label.empty() ? "" : ", ") + one;
+    }
+    picture.marks.push_back(
+        {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
+  }
+  const std::set<int> hits = hit_nodes(data);
+  for (const int node : hits) {
+    picture.marks.push_back({node,
+                             hits.size() <= 30 && !sensors.contains(node)
+                                 ? std::to_string(node)
+                                 : "",
+                             ink::orange,
+                             3.2});
+  }
+  std::string caption = "Small orange dots: hit points. Blue: sensors.";
+  if (!found.empty()) {
+    caption += " Green: where something was found.";
+  }
+  return {
+      "set-up", caption, svg_structure(wireframe(data.model->deck), picture)};
+}
+
+const char* quantity_words(acquisition::Quantity quantity) {
+  return quantity == acquisition::Quantity::Force          ? "force"
+         : quantity == acquisition::Quantity::Acceleration ? "acceleration"
+         : quantity == acquisition::Quantity::Velocity     ? "velocity"
+                                                           : "displacement";
+}
+
+std::string or_dash(const std::string& text) {
+  return text.empty() ? "–" : text;
+}
+
+std::string sensitivity_words(const acquisition::Channel& channel) {
+  const bool ratio = channel.unit.find('/') != std::string::npos;
+  return typeset(fmt::format("{} mV/{}{}{}",
+                             number(1e3 * channel.sensitivity),
+                             ratio ? "(" : "",
+                             channel.unit,
+                             ratio ? ")" : ""));
+}
+
+DataTable channel_table(const ReportData& data) {
+  DataTable table{"Channels",
+                  {"<channel",
+                   "<quantity",
+                   "sensitivity",
+                   "full scale",
+                   "mass by its sheet",
+                   "<serial number",
+                   "<calibrated"},
+                  {}};
+  for (const acquisition::Channel& channel : data.bundle.channels) {
+    const auto found = data.notes.channels.find(channel.name);
+    const acquisition::ChannelNotes notes = found == data.notes.channels.end()
+                                                ? acquisition::ChannelNotes{}
+                                                : found->second;
+    table.rows.push_back(
+        {channel.name,
+         quantity_words(channel.quantity),
+         sensitivity_words(channel),
+         number(channel.full_scale_volts) + " V",
+         channel.mass_kg ? number(1e3 * *channel.mass_kg) + " g" : "–",
+         or_dash(notes.serial),
+         or_dash(notes.calibrated)});
+  }
+  return table;
+}
+
+Section set_up_section(const ReportData& data) {
+  Section section{"Set-up", {}, true};
+  if (data.model) section.parts.emplace_back(sketch(data));
+  if (!data.notes.facts.empty()) {
+    DataTable table{"", {"<Test", "<"}, {}};
+    for (const auto& [name, value] : data.notes.facts) {
+      table.rows.push_back({name, value});
+    }
+    section.parts.emplace_back(table);
+  }
+  if (!data.bundle.channels.empty()) {
+    section.parts.emplace_back(channel_table(data));
+  }
+  if (data.bundle.runs.empty()) {
+    section.parts.emplace_back(Paragraph{
+        "FRFs were given ready: nothing is known here of hammer, hits and "
+        "channels."});
+  }
+  return section;
+}
+
+std::string placed_sensors(const acquisition::TestBundle& bundle,
+                           const acquisition::Run& run) {
+  std::string text;
+  for (const acquisition::Placement& sensor : run.sensors) {
+    text += fmt::format("{}{} ({})",
+                        text.empty() ? "" : ", ",
+                        name(sensor.dof),
+                        bundle.channels.at(sensor.channel).name);
+  }
+  return text;
+}
+
+std::string reasons_of(const acquisition::Hit& hit) {
+  std::string text;
+  for (const acquisition::HitFault fault : hit.reasons) {
+    text += (text.empty() ? "" : ", ") + name(fault);
+  }
+  return text;
+}
+
+Section hits_section(const ReportData& data) {
+  DataTable runs{
+      "", {"<run", "<hit at", "hits", "accepted", "peak N", "<sensors"}, {}};
+  DataTable rejected{
+      "Rejected hits", {"<run", "time s", "peak N", "<reason"}, {}};
+  const acquisition::HitSet& hits = *data.hits;
+  for (std::size_t k = 0; k < hits.runs.size(); ++k) {
+    const acquisition::Run& run = data.bundle.runs.at(k);
+    const std::string file = run.file.filename().string();
+    long accepted = 0;
+    double peak = 0.0;
+    for (const acquisition::Hit& hit : hits.runs[k]) {
+      peak = std::max(peak, hit.peak_n);
+      accepted += hit.accepted ? 1 : 0;
+      if (hit.accepted) continue;
+      rejected.rows.push_back(
+          {file, fixed(hit.time_s, 3), fixed(hit.peak_n, 1), reasons_of(hit)});
+    }
+    runs.rows.push_back({file,
+                         name(run.hammer.dof),
+                         fmt::format("{}", hits.runs[k].size()),
+                         fmt::format("{}", accepted),
+                         fixed(peak, 1),
+                         placed_sensors(data.bundle, run)});
+  }
+  Section section{"Hits", {runs}};
+  if (rejected.rows.empty()) {
+    section.parts.emplace_back(Paragraph{"No hit was rejected."});
+  } else {
+    section.parts.emplace_back(rejected);
+  }
+  BulletList by_hand;
+  for (const updating::OverruledHit& hit : data.overruled) {
+    by_hand.items.push_back(fmt::format(
+        "Run {}, hit {} was judged manually.", hit.run + 1, hit.hit + 1));
+  }
+  section.parts.emplace_back(by_hand);
+  return section;
+}
+
+std::string at_frf(const std::vector<double>& values,
+                   std::size_t frf,
+                   std::string (*written)(double)) {
+  return frf < values.size() ? written(values[frf]) : "–";
+}
+
+std::string three_decimals(double value) { return fixed(value, 3); }
+
+Section frf_section(const ReportData& data) {
+  DataTable table{
+      "", {"<response / hammer", "hits", "coherence", "median s.d."}, {}};
+  if (data.model) {
+    for (const char* more :
+         {"error before", "error after", "FRAC before", "FRAC after"}) {
+      table.heading.emplace_back(more);
+    }
+  }
+  for (std::size_t k = 0; k < data.frfs.frfs.size(); ++k) {
+    const signal::Frf& frf = data.frfs.frfs[k];
+    // A single hit's coherence is 1 whatever it is worth.
+    const bool coherent = frf.coherence.size() > 0 && frf.hits != 1;
+    const double sd = median_sd_percent(frf);
+    std::vector<std::string> row{
+        name(frf),
+        frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
+        coherent ? fixed(frf.coherence.mean(), 4) : "–",
+        sd > 0.0 ? percent(sd / 100.0) : "–"};
+    if (data.model) {
+      const updating::Comparison& before = data.model->before;
+      const updating::Comparison& after = data.model->after;
+      row.push_back(at_frf(before.frf_error, k, percent));
+      row.push_back(at_frf(after.frf_error, k, percent));
+      row.push_back(at_frf(before.frac, k, three_decimals));
+      row.push_back(at_frf(after.frac, k, three_decimals));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  BulletList statements;
+  for (const std::string& statement : data.frfs.statements) {
+    statements.items.push_back(typeset(statement));
+  }
+  return {"Quality of the FRFs",
+          {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
+                     "deviation over the hits, in per cent of |H|.",
+                     Paragraph::Kind::Small},
+           table,
+           statements}};
+}
+
+/// The letters of the diagram from the least steady on.
+struct Steadiness {
+  char letter;
+  const char* words;
+  const char* colour;
+  double size;
+};
+constexpr std::array<Steadiness, 5> steadiness{
+    {{'o', "new", ink::pale, 2.6},
+     {'f', "frequency", ink::yellow, 3.2},
+     {'d', "+ damping", ink::orange, 3.4},
+     {'v', "+ shape", ink::blue, 3.4},
+     {'s', "stable", ink::green, 4.4}}};
+
+Figure stabilisation(const ReportData& data) {
+  const Eigen::VectorXd hz = data.frfs.frequency_hz();
+  SvgPlot plot;
+  plot.name = "stabilisation diagram";
+  plot.x = {"frequency [Hz]", false, hz(0), hz(hz.size() - 1)};
+  plot.y = {"model order"};
+  plot.height = 340.0;
+  int highest = 1;
+  for (const modal::DiagramPole& pole : data.modes.diagram) {
+    highest = std::max(highest, pole.order);
+  }
+  plot.y.high = highest + 2.0;
+  const Eigen::VectorXd sum = modal::summed_frf(data.frfs).array().log10();
+  const double low = sum.minCoeff();
+  const double span = std::max(sum.maxCoeff() - low, 1e-9);
+  plot.curves.push_back(
+      {"sum of |H| (log)",
+       hz,
+       ((sum.array() - low) / span * 0.95 * plot.y.high).matrix(),
+       {ink::grey, 0.9}});
+  for (const Steadiness& kind : steadiness) {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (const modal::DiagramPole& pole : data.modes.diagram) {
+      if (pole.letter != kind.letter) continue;
+      x.push_back(pole.frequency_hz);
+      y.push_back(pole.order);
+    }
+    if (x.empty()) continue;
+    const auto n = static_cast<Eigen::Index>(x.size());
+    plot.curves.push_back({kind.words,
+                           Eigen::Map<Eigen::VectorXd>(x.data(), n),
+                           Eigen::Map<Eigen::VectorXd>(y.data(), n),
+                           {kind.colour, kind.size},
+                           true});
+  }
+  for (const modal::Mode& mode : data.modes.modes) {
+    plot.upright.push_back(mode.frequency_hz);
+  }
+  return {"stabilisation",
+          "Stabilisation diagram: poles of models of rising order; dotted "
+          "lines are the modes taken.",
+          svg_plot(plot)};
+}
+
+DataTable mode_table(const modal::ModeSet& modes) {
+  DataTable table{"",
+                  {"mode",
+                   "frequency Hz",
+                   "damping %",
+                   "MPC",
+                   "MPD °",
+                   "poles",
+                   "scatter Hz"},
+                  {}};
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    const modal::Mode& mode = modes.modes[k];
+    const bool poles = mode.cluster.poles > 0;
+    table.rows.push_back(
+        {fmt::format("{}", k + 1),
+         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
+         with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
+         fixed(mode.mpc, 3),
+         fixed(mode.mpd_deg, 1),
+         poles ? fmt::format("{}", mode.cluster.poles) : "–",
+         poles ? number(mode.cluster.frequency_scatter_hz, 2) : "–"});
+  }
+  return table;
+}
+
+Section mode_section(const ReportData& data) {
+  Section section{"Modes", {}};
+  if (data.modes.modes.empty()) {
+    section.parts.emplace_back(Paragraph{"No mode was identified."});
+  } else {
+    section.parts.emplace_back(mode_table(data.modes));
+    section.parts.emplace_back(Paragraph{
+        fmt::format("FRFs synthesised from the modes differ from those "
+                    "measured by {}. MPC and MPD: how far the points of a mode "
+                    "move in phase (1 and 0° for a real mode). Poles and "
+                    "scatter: of the mode in the stabilisation diagram.",
+                    percent(data.modes.synthesis_error)),
+        Paragraph::Kind::Small});
+  }
+  if (!data.modes.diagram.empty() && data.frfs.lines() > 1) {
+    section.parts.emplace_back(stabilisation(data));
+  }
+  return section;
+}
+
+}  // namespace
+
+std::vector<Section> measurement_sections(const ReportData& data) {
+  std::vector<Section> sections{set_up_section(data)};
+  if (data.hits) sections.push_back(hits_section(data));
+  sections.push_back(frf_section(data));
+  sections.push_back(mode_section(data));
+  return sections;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,388 @@
+#include "tui/report/report_model.hpp"
+
+#include "tui/document/svg_heat_map.hpp"
+#include "tui/document/svg_plot.hpp"
+#include "tui/report/report_words.hpp"
+#include "tui/screen/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Comparison;
+using updating::ModePair;
+
+bool anything_changed(const ModelResults& model) {
+  return model.ladder.size() > 1;
+}
+
+/// One criterion before and after, and against its limit.
+std::vector<std::string> criterion(const std::string& what,
+                                   const std::string& limit,
+                                   const std::string& before,
+                                   const std::string& after,
+                                   std::optional<bool> kept) {
+  return {what,
+          limit.empty() ? "none set" : limit,
+          before,
+          after,
+          !kept   ? "–"
+          : *kept ? "✓ pass"
+                  : "✗ fail"};
+}
+
+Section criteria_section(const ReportData& data) {
+  const Correlation before = correlation_of(data.model->before);
+  const Correlation after = correlation_of(data.model->after);
+  const acquisition::Limits& limits = data.notes.limits;
+  DataTable table{
+      "", {"<criterion", "<limit", "before", "after", "<result"}, {}};
+  const auto kept = [](const std::optional<double>& limit, bool within) {
+    return limit ? std::optional<bool>(within) : std::nullopt;
+  };
+  const auto words = [](const std::optional<double>& limit,
+                        const char* format) {
+    return limit ? fmt::format(fmt::runtime(format), *limit) : std::string();
+  };
+  table.rows.push_back(criterion(
+      "largest frequency error of a pair",
+      words(limits.frequency_percent, "≤ {:.4g} %"),
+      fixed(before.frequency_percent, 2) + " %",
+      fixed(after.frequency_percent, 2) + " %",
+      kept(limits.frequency_percent,
+           after.frequency_percent <= limits.frequency_percent.value_or(0.0))));
+  table.rows.push_back(
+      criterion("smallest MAC of a pair",
+                words(limits.mac, "≥ {:.4g}"),
+                fixed(before.mac, 3),
+                fixed(after.mac, 3),
+                kept(limits.mac, after.mac >= limits.mac.value_or(0.0))));
+  table.rows.push_back(
+      criterion("largest cross-orthogonality off the diagonal",
+                words(limits.cross_orthogonality, "≤ {:.4g}"),
+                fixed(before.cross_orthogonality, 3),
+                fixed(after.cross_orthogonality, 3),
+                kept(limits.cross_orthogonality,
+                     after.cross_orthogonality <=
+                         limits.cross_orthogonality.value_or(0.0))));
+  table.rows.push_back(criterion("pairs of modes",
+                                 "",
+                                 fmt::format("{}", before.pairs),
+                                 fmt::format("{}", after.pairs),
+                                 std::nullopt));
+  table.rows.back()[1] = fmt::format("of {} measured", data.modes.modes.size());
+  return {"Correlation of model and measurement",
+          {table,
+           Paragraph{"Limits are those of test.json (\"limits\"). "
+                     "Cross-orthogonality: in the model's mass condensed to "
+                     "the measured points; where these are few it is large by "
+                     "itself.",
+                     Paragraph::Kind::Small}},
+          true};
+}
+
+std::map<int, const ModePair*> by_measured(const Comparison& comparison) {
+  std::map<int, const ModePair*> pairs;
+  for (const ModePair& pair : comparison.pairs) pairs[pair.measured] = &pair;
+  return pairs;
+}
+
+void add_pair_cells(std::vector<std::string>& row,
+                    const std::map<int, const ModePair*>& pairs,
+                    int mode) {
+  const auto found = pairs.find(mode);
+  if (found == pairs.end()) {
+    row.insert(row.end(), 3, "–");
+    return;
+  }
+  row.push_back(fixed(found->second->model_hz, 3));
+  row.push_back(signed_percent_words(found->second->error_percent));
+  row.push_back(fixed(found->second->mac, 3));
+}
+
+DataTable pair_table(const ReportData& data) {
+  const bool both = anything_changed(*data.model);
+  DataTable table{"Modes of measurement and model",
+                  {"mode", "measured Hz", "before Hz", "error", "MAC"},
+                  {}};
+  if (both) {
+    table.heading.insert(table.heading.end(), {"after Hz", "error", "MAC"});
+  }
+  const auto before = by_measured(data.model->before);
+  const auto after = by_measured(data.model->after);
+  for (std::size_t k = 0; k < data.modes.modes.size(); ++k) {
+    const int mode = static_cast<int>(k);
+    std::vector<std::string> row{fmt::format("{}", k + 1),
+                                 fixed(data.modes.modes[k].frequency_hz, 3)};
+    add_pair_cells(row, before, mode);
+    if (both) add_pair_cells(row, after, mode);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The model's modes that a reader looks for: paired, or between those
+/// measured.
+std::vector<Eigen::Index> shown_modes(const ReportData& data,
+                                      const Comparison& comparison) {
+  constexpr std::size_t most = 14;
+  std::vector<Eigen::Index> shown;
+  if (data.modes.modes.empty()) return shown;
+  const double low = 0.7 * data.modes.modes.front().frequency_hz;
+  const double high = 1.2 * data.modes.modes.back().frequency_hz;
+  const auto is_paired = [&](Eigen::Index mode) {
+    return std::ranges::any_of(comparison.pairs, [&](const ModePair& pair) {
+      return pair.model == mode;
+    });
+  };
+  for (Eigen::Index k = 0; k < comparison.mac.cols(); ++k) {
+    const double hz = comparison.modes.frequency_hz(k);
+    if (is_paired(k) || (hz >= low && hz <= high)) shown.push_back(k);
+  }
+  // Those paired stay where there are too many.
+  std::ranges::stable_partition(shown, is_paired);
+  if (shown.size() > most) shown.resize(most);
+  std::ranges::sort(shown);
+  return shown;
+}
+
+Figure mac_figure(const ReportData& data,
+                  const Comparison& comparison,
+                  const char* name,
+                  const char* title) {
+  const std::vector<Eigen::Index> shown = shown_modes(data, comparison);
+  SvgHeatMap map;
+  map.name = title;
+  map.values = comparison.mac(Eigen::all, shown);
+  map.row_title = "measured Hz";
+  map.column_title = "model Hz";
+  for (const modal::Mode& mode : data.modes.modes) {
+    map.rows.push_back(number(mode.frequency_hz));
+  }
+  for (const Eigen::Index k : shown) {
+    map.columns.push_back(number(comparison.modes.frequency_hz(k)));
+  }
+  return {name, title, svg_heat_map(map)};
+}
+
+FigureRow mac_row(const ReportData& data) {
+  const ModelResults& model = *data.model;
+  const bool both = anything_changed(model);
+  FigureRow row;
+  row.figures.push_back(mac_figure(data,
+                                   model.before,
+                                   "mac-before",
+                                   both ? "MAC in %, before" : "MAC in %"));
+  if (both) {
+    row.figures.push_back(
+        mac_figure(data, model.after, "mac-after", "MAC in %, after"));
+  }
+  return row;
+}
+
+/// The FRFs of the largest error before, in their own order.
+std::vector<std::size_t> shown_frfs(const Comparison& before) {
+  constexpr std::size_t most = 48;
+  std::vector<std::size_t> shown(before.frf_error.size());
+  std::iota(shown.begin(), shown.end(), std::size_t{0});
+  std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
+    return before.frf_error[a] > before.frf_error[b];
+  });
+  if (shown.size() > most) shown.resize(most);
+  std::ranges::sort(shown);
+  return shown;
+}
+
+Figure error_figure(const ReportData& data,
+                    const Comparison& comparison,
+                    double full,
+                    const char* name_of_file,
+                    const char* title) {
+  SvgHeatMap map;
+  map.name = title;
+  map.alarming = true;
+  map.full = full;
+  map.row_title = "response / hammer";
+  map.column_title = "band, up to Hz";
+  const std::vector<std::size_t> shown = shown_frfs(data.model->before);
+  map.values.resize(static_cast<Eigen::Index>(shown.size()),
+                    comparison.frf_band_error.cols());
+  for (std::size_t k = 0; k < shown.size(); ++k) {
+    map.values.row(static_cast<Eigen::Index>(k)) =
+        comparison.frf_band_error.row(static_cast<Eigen::Index>(shown[k]));
+    map.rows.push_back(name(data.frfs.frfs.at(shown[k])));
+  }
+  for (const updating::BandError& band : comparison.bands) {
+    map.columns.push_back(number(band.high_hz, 3));
+  }
+  return {name_of_file, title, svg_heat_map(map)};
+}
+
+bool has_error_map(const ReportData& data, const Comparison& comparison) {
+  const auto rows = static_cast<Eigen::Index>(comparison.frf_error.size());
+  return rows > 0 && comparison.frf_band_error.rows() == rows &&
+         comparison.frf_band_error.cols() > 0 &&
+         comparison.frf_error.size() <= data.frfs.frfs.size();
+}
+
+Section error_section(const ReportData& data) {
+  const ModelResults& model = *data.model;
+  const double largest = (model.before.frf_band_error.array().isFinite())
+                             .select(model.before.frf_band_error, 0.0)
+                             .maxCoeff();
+  // One scale for both: what is small after is pale.
+  const double full = std::clamp(largest, 1e-9, 1.0);
+  FigureRow row;
+  const bool both = anything_changed(model);
+  row.figures.push_back(
+      error_figure(data,
+                   model.before,
+                   full,
+                   "error-before",
+                   both ? "Error in %, before" : "Error in %"));
+  if (both && has_error_map(data, model.after)) {
+    row.figures.push_back(error_figure(
+        data, model.after, full, "error-after", "Error in %, after"));
+  }
+  return {"Where the error is",
+          {Paragraph{"Relative error of each FRF in each band; both maps have "
+                     "the same scale.",
+                     Paragraph::Kind::Small},
+           row}};
+}
+
+struct Law {
+  const char* words;
+  double unexplained;
+  std::string size;
+  Eigen::VectorXd curve;
+  bool imaginary = false;
+};
+
+/// The one that leaves least.
+Law best_law(const updating::Signature& s) {
+  const Eigen::ArrayXd w = 2.0 * std::numbers::pi * s.frequency_hz.array();
+  std::vector<Law> laws{
+      {"a pure mass",
+       s.mass_unexplained,
+       value_words({"mass_kg", s.mass_kg}, s.mass_kg),
+       (-s.mass_kg * w.square()).matrix()},
+      {"a pure spring",
+       s.spring_unexplained,
+       value_words({"stiffness_n_per_m", s.spring_n_per_m}, s.spring_n_per_m),
+       Eigen::VectorXd::Constant(w.size(), s.spring_n_per_m)},
+      {"a pure damper",
+       s.dashpot_unexplained,
+       value_words({"damping_ns_per_m", s.dashpot_ns_per_m},
+                   s.dashpot_ns_per_m),
+       (s.dashpot_ns_per_m * w).matrix(),
+       true}};
+  return *std::ranges::min_element(laws, {}, &Law::unexplained);
+}
+
+/// Where one grid explains most of the misfit.
+bool means_something(const std::optional<updating::Signature>& signature) {
+  return signature && signature->explained >= 0.5 &&
+         signature->frequency_hz.size() > 1 &&
+         signature->z.size() == signature->frequency_hz.size();
+}
+
+/// Scattered values at the ends of the band do not set the scale.
+void hold_range(SvgPlot& plot) {
+  std::vector<double> values;
+  for (const SvgCurve& curve : plot.curves) {
+    for (const double y : curve.y) {
+      if (std::isfinite(y)) values.push_back(y);
+    }
+  }
+  if (values.size() < 20) return;
+  std::ranges::sort(values);
+  const double low = values[values.size() / 20];
+  const double high = values[values.size() - 1 - values.size() / 20];
+  plot.y.low = low - 0.25 * (high - low);
+  plot.y.high = high + 0.25 * (high - low);
+}
+
+Section signature_section(const updating::Signature& signature) {
+  const Law law = best_law(signature);
+  SvgPlot plot;
+  plot.name = fmt::format("missing stiffness at grid {}", signature.node);
+  plot.x.title = "frequency [Hz]";
+  plot.y.title = "missing stiffness [N/m]";
+  plot.height = 300.0;
+  plot.curves = {
+      {"real part", signature.frequency_hz, signature.z.real(), {ink::blue}},
+      {"imaginary part",
+       signature.frequency_hz,
+       signature.z.imag(),
+       {ink::violet, 1.0, "2 2"}},
+      {law.imaginary ? fmt::format("{} (imaginary)", law.words) : law.words,
+       signature.frequency_hz,
+       law.curve,
+       {ink::orange, 1.6, "6 3"}}};
+  hold_range(plot);
+  return {
+      "The missing stiffness",
+      {Figure{"signature",
+              fmt::format(
+                  "Dynamic stiffness that the base model lacks at grid {0}. "
+                  "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
+                  "{4} of it. A mass falls with frequency squared, a spring is "
+                  "constant, a damper is imaginary and rises.",
+                  signature.node,
+                  percent(signature.explained),
+                  law.words,
+                  law.size,
+                  percent(law.unexplained)),
+              svg_plot(plot)}}};
+}
+
+}  // namespace
+
+Correlation correlation_of(const Comparison& comparison) {
+  Correlation found;
+  found.pairs = comparison.pairs.size();
+  if (comparison.pairs.empty()) found.mac = 0.0;
+  for (const ModePair& pair : comparison.pairs) {
+    found.frequency_percent =
+        std::max(found.frequency_percent, std::abs(pair.error_percent));
+    found.mac = std::min(found.mac, pair.mac);
+    for (const ModePair& other : comparison.pairs) {
+      if (other.model == pair.model ||
+          pair.measured >= comparison.weighted_mac.rows() ||
+          other.model >= comparison.weighted_mac.cols()) {
+        continue;
+      }
+      found.cross_orthogonality = std::max(
+          found.cross_orthogonality,
+          std::sqrt(std::max(
+              comparison.weighted_mac(pair.measured, other.model), 0.0)));
+    }
+  }
+  return found;
+}
+
+std::vector<Section> model_sections(const ReportData& data) {
+  if (!data.model) return {};
+  std::vector<Section> sections{criteria_section(data)};
+  sections.back().parts.emplace_back(pair_table(data));
+  if (data.model->before.mac.size() > 0 && data.model->after.mac.size() > 0) {
+    sections.back().parts.emplace_back(mac_row(data));
+  }
+  if (has_error_map(data, data.model->before)) {
+    sections.push_back(error_section(data));
+  }
+  if (means_something(data.model->signature)) {
+    sections.push_back(signature_section(*data.model->signature));
+  }
+  return sections;
+}
+
+}  // namespace tapfit::tui

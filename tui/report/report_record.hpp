@@ -1,0 +1,14 @@
+// A report's last page: how it was worked out, and from which files.
+#pragma once
+
+#include "tui/document/document.hpp"
+#include "tui/report/report_data.hpp"
+
+#include <vector>
+
+namespace tapfit::tui {
+
+/// Warnings; settings; version and digests of the files read.
+[[nodiscard]] std::vector<Section> record_sections(const ReportData& data);
+
+}  // namespace tapfit::tui

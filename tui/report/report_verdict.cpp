@@ -1,0 +1,167 @@
+#include "tui/report/report_verdict.hpp"
+
+#include "tui/report/report_words.hpp"
+#include "tui/screen/number.hpp"
+#include "updating/diagnosis/rung_search.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Rung;
+
+/// As the diagnosis names it: of look-alikes all.
+std::string rung_words(const ModelResults& model, const Rung& rung) {
+  const Rung* found = diagnosed_rung(model, rung);
+  return with_article(
+      found_words(found ? found->added : rung.added, rung.where));
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  }
+  return text;
+}
+
+/// How the error stands to the floor, as the end of a sentence.
+std::string against_floor(const updating::Comparison& now) {
+  const std::string floor = percent(now.floor);
+  if (now.error <= now.floor) {
+    return fmt::format("below what repeatability and mesh can resolve ({})",
+                       floor);
+  }
+  if (now.error <= updating::at_floor * now.floor) {
+    return fmt::format("as far as repeatability and mesh allow ({})", floor);
+  }
+  return fmt::format("{} times what repeatability and mesh allow ({})",
+                     number(now.error / now.floor, 2),
+                     floor);
+}
+
+std::string without_effects(const ModelResults& model) {
+  const updating::Comparison& now = model.after;
+  const bool unexplained =
+      model.diagnosis && model.diagnosis->verdict == "unexplained";
+  if (unexplained) {
+    return fmt::format(
+        "Something is missing from the model that no known effect explains: "
+        "its FRFs are off by {}, {}.",
+        percent(now.error),
+        against_floor(now));
+  }
+  const std::string was =
+      model.before.error > now.error
+          ? fmt::format(" ({} before what is uncertain in it was identified)",
+                        percent(model.before.error))
+          : "";
+  if (!model.diagnosis) {
+    return fmt::format(
+        "The FRFs of the model are off by {}{}, {}; what may be missing from "
+        "it has not been looked for.",
+        percent(now.error),
+        was,
+        against_floor(now));
+  }
+  if (model.diagnosis->verdict == updating::nonlinearity) {
+    return fmt::format(
+        "The structure behaves nonlinearly, which no linear model can hold; "
+        "the model's FRFs are off by {}{}, {}.",
+        percent(now.error),
+        was,
+        against_floor(now));
+  }
+  if (now.error <= updating::at_floor * now.floor) {
+    return fmt::format(
+        "Nothing significant is missing from the model: its FRFs are off by "
+        "{}{}, {}.",
+        percent(now.error),
+        was,
+        against_floor(now));
+  }
+  return fmt::format(
+      "No effect is supported by the data: the model's FRFs are off by {}{}, "
+      "{}.",
+      percent(now.error),
+      was,
+      against_floor(now));
+}
+
+std::string with_effects(const ModelResults& model,
+                         const std::vector<Rung>& rungs) {
+  std::vector<std::string> names;
+  bool diagnosed = true;
+  for (const Rung& rung : rungs) {
+    names.push_back(rung_words(model, rung));
+    diagnosed = diagnosed && diagnosed_rung(model, rung) != nullptr;
+  }
+  const std::string what = enumerated(names);
+  const std::string errors =
+      fmt::format("the error of the FRFs falls from {} to {}, {}",
+                  percent(model.before.error),
+                  percent(model.after.error),
+                  against_floor(model.after));
+  if (!diagnosed) {
+    return fmt::format("With what was added by hand ({}), {}.", what, errors);
+  }
+  if (model.diagnosis->verdict == "unexplained") {
+    return fmt::format(
+        "Something is missing from the model that no known effect explains; "
+        "with what comes closest ({}), {}.",
+        what,
+        errors);
+  }
+  const bool nonlinear = model.diagnosis->verdict.find(
+                             updating::nonlinearity) != std::string::npos;
+  return fmt::format(
+      "{} explain{} where model and measurement differ: with {}, {}{}.",
+      capitalised(what),
+      rungs.size() == 1 ? "s" : "",
+      rungs.size() == 1 ? "it" : "them",
+      errors,
+      nonlinear ? "; the structure behaves nonlinearly, too" : "");
+}
+
+}  // namespace
+
+std::vector<Rung> effect_rungs(const std::vector<Rung>& ladder) {
+  std::vector<Rung> effects;
+  std::ranges::copy_if(
+      ladder, std::back_inserter(effects), [](const Rung& rung) {
+        return rung.added != updating::base_rung &&
+               rung.added != updating::uncertain_rung;
+      });
+  return effects;
+}
+
+const Rung* diagnosed_rung(const ModelResults& model, const Rung& rung) {
+  if (!model.diagnosis) return nullptr;
+  for (const Rung& found : model.diagnosis->ladder) {
+    if (leading_kind(found) == rung.added && found.where == rung.where) {
+      return &found;
+    }
+  }
+  return nullptr;
+}
+
+std::string verdict_sentence(const ReportData& data) {
+  if (data.model) {
+    const std::vector<Rung> rungs = effect_rungs(data.model->ladder);
+    return rungs.empty() ? without_effects(*data.model)
+                         : with_effects(*data.model, rungs);
+  }
+  const auto& modes = data.modes.modes;
+  if (modes.empty()) return "No mode was identified in the band.";
+  return fmt::format(
+      "{} mode{} identified, from {} to {} Hz; no model was given to compare "
+      "with.",
+      modes.size(),
+      modes.size() == 1 ? " was" : "s were",
+      number(modes.front().frequency_hz),
+      number(modes.back().frequency_hz));
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,221 @@
+#include "tui/report/report_words.hpp"
+
+#include "tui/screen/number.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <regex>
+#include <string_view>
+#include <utility>
+
+namespace tapfit::tui {
+namespace {
+
+using Name = std::pair<std::string_view, const char*>;
+
+constexpr std::array<Name, 16> effect_names{{
+    {"sensor-mass", "mass of the sensors"},
+    {"sensor-cable", "pull of the sensor cables"},
+    {"soft-support", "support that gives"},
+    {"added-mass", "added mass"},
+    {"ground-spring", "spring to ground"},
+    {"dashpot", "damper to ground"},
+    {"stiffness-loss", "loss of stiffness"},
+    {"joint", "joint that gives"},
+    {"absorber", "vibration absorber"},
+    {"damping-law", "law of damping"},
+    {"channel-gain", "wrong sensitivity of a channel"},
+    {"channel-delay", "delay of a channel"},
+    {"channel-polarity", "wrong polarity of a channel"},
+    {"channel-swap", "two channels swapped"},
+    {"nonlinearity", "nonlinear behaviour"},
+    {"base", "model as delivered"},
+}};
+
+std::string replaced(std::string text,
+                     std::string_view what,
+                     std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+struct Prefix {
+  double factor = 1.0;  ///< on the value in SI
+  std::string unit;
+};
+
+Prefix prefix_of(const std::string& unit, double value) {
+  const double size = std::abs(value);
+  if (unit == "Pa" && size >= 1e9) return {1e-9, "GPa"};
+  if (unit == "Pa" && size >= 1e6) return {1e-6, "MPa"};
+  if (unit == "kg" && size > 0.0 && size < 1.0) return {1e3, "g"};
+  if (unit == "s" && size > 0.0 && size < 1e-3) return {1e6, "µs"};
+  if (unit == "s" && size > 0.0 && size < 1.0) return {1e3, "ms"};
+  if (unit == "m" && size > 0.0 && size < 1.0) return {1e3, "mm"};
+  if (unit == "m^2" && size > 0.0 && size < 1.0) return {1e6, "mm²"};
+  if (unit == "m^4" && size > 0.0 && size < 1.0) return {1e12, "mm⁴"};
+  std::string written = replaced(unit, "N m", "N·m");
+  written = replaced(written, "N s", "N·s");
+  for (const auto& [plain, power] :
+       {Name{"^2", "²"}, Name{"^3", "³"}, Name{"^4", "⁴"}}) {
+    written = replaced(written, plain, power);
+  }
+  return {1.0, written == "1" ? std::string() : written};
+}
+
+std::string unit_of(const updating::Estimate& estimate) {
+  return estimate.unit.empty() ? split_unit(estimate.name).unit : estimate.unit;
+}
+
+std::string plain_name(const std::string& name) {
+  const std::string plain = split_unit(name).name;
+  return plain.starts_with("mesh ")
+             ? fmt::format("mesh correction ({})", plain.substr(5))
+             : plain;
+}
+
+}  // namespace
+
+std::string typeset(std::string text) {
+  text = replaced(std::move(text), "+-", "±");
+  text = replaced(std::move(text), " ... ", " … ");
+  text = replaced(std::move(text), "m/s^2", "m/s²");
+  return replaced(std::move(text), "N m/rad", "N·m/rad");
+}
+
+std::string effect_words(const std::string& effect) {
+  std::string text;
+  for (std::size_t at = 0; at <= effect.size();) {
+    const std::size_t end = std::min(effect.find('|', at), effect.size());
+    const std::string one = effect.substr(at, end - at);
+    std::string words = replaced(one, "-", " ");
+    for (const auto& [name, plain] : effect_names) {
+      if (name == one) words = plain;
+    }
+    text += (text.empty() ? "" : " or ") + words;
+    at = end + 1;
+  }
+  return text;
+}
+
+std::string place_words(const updating::Where& where) {
+  updating::Where plain = where;
+  plain.variant.clear();
+  std::string text = typeset(updating::describe(plain));
+  if (text == "everywhere") text.clear();
+  // It will stand in brackets itself.
+  if (text.ends_with(')')) text = replaced(text, " (", ", "), text.pop_back();
+  std::string variant = where.variant;
+  if (variant == "each") variant = "one for each channel";
+  if (variant == "rotary") variant = "with rotary inertia";
+  if (variant == "both") variant = "rotation and translation";
+  if (variant.empty()) return text;
+  return text + (text.empty() ? "" : "; ") + variant;
+}
+
+std::string found_words(const std::string& effect,
+                        const updating::Where& where) {
+  const std::string place = place_words(where);
+  if (place.empty()) return effect_words(effect);
+  return fmt::format("{} ({})", effect_words(effect), place);
+}
+
+std::string with_article(const std::string& found) {
+  if (found.starts_with("mass of the") || found.starts_with("pull of the")) {
+    return "the " + found;
+  }
+  if (found.starts_with("two ") || found.starts_with("nonlinear")) {
+    return found;
+  }
+  const bool vowel = found.find_first_of("aeiou") == 0;
+  return (vowel ? "an " : "a ") + found;
+}
+
+Quantity quantity(const updating::Estimate& estimate) {
+  const Prefix prefix = prefix_of(unit_of(estimate), estimate.value);
+  const double f = prefix.factor;
+  Quantity found{
+      plain_name(estimate.name),
+      with_sd(f * estimate.value, f * estimate.sd),
+      fmt::format(
+          "{} … {}", number(f * estimate.lo95), number(f * estimate.hi95)),
+      prefix.unit};
+  // Wider than the value itself, a deviation says nothing more.
+  if (estimate.sd >= std::abs(estimate.value) && estimate.sd > 0.0) {
+    found.value = "not determined";
+  } else if (estimate.at_bound) {
+    found.value += " (at its bound)";
+  }
+  return found;
+}
+
+std::string value_words(const updating::Estimate& like, double value) {
+  const Prefix prefix = prefix_of(unit_of(like), like.value);
+  return fmt::format("{}{}{}",
+                     number(prefix.factor * value),
+                     prefix.unit.empty() ? "" : " ",
+                     prefix.unit);
+}
+
+std::string next_words(const updating::NextMeasurement& next, double floor) {
+  const std::string one =
+      with_article(found_words(next.one.effect, next.one.where));
+  const std::string other =
+      with_article(found_words(next.other.effect, next.other.where));
+  if (!is_telling(next, floor)) {
+    return fmt::format(
+        "No hit or sensor point would separate {} from {}: their "
+        "predictions differ by {} at most, the floor is {}.",
+        one,
+        other,
+        percent(next.difference),
+        percent(floor));
+  }
+  return fmt::format(
+      "To separate {} from {}: hit {} with {} {} {} (they differ by {} "
+      "there, by {} at your points).",
+      one,
+      other,
+      name(next.hit),
+      next.channel,
+      next.moves_sensor ? "moved to" : "at",
+      name(next.sensor),
+      percent(next.difference),
+      percent(next.difference_now));
+}
+
+std::string contour_words(const std::string& contour) {
+  static const std::regex line(
+      R"((\d+) lines from (\S+) to (\S+) Hz on s = sigma \+ j omega, )"
+      R"(sigma = (\S+) omega.*)");
+  std::smatch found;
+  if (!std::regex_match(contour, found, line)) return typeset(contour);
+  return fmt::format(
+      "evaluated at {} frequencies, {}–{} Hz, with {} % added damping",
+      found.str(1),
+      found.str(2),
+      found.str(3),
+      number(100.0 * std::strtod(found.str(4).c_str(), nullptr)));
+}
+
+std::string signed_percent_words(double percent) {
+  const std::string text = fixed(percent, 2);
+  return (percent > 0.0 && text != "0.00" ? "+" : "") + text + " %";
+}
+
+std::string enumerated(const std::vector<std::string>& items) {
+  std::string text;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    if (k > 0) text += k + 1 == items.size() ? " and " : ", ";
+    text += items[k];
+  }
+  return text;
+}
+
+}  // namespace tapfit::tui

@@ -1,0 +1,59 @@
+// How a report names effects, their places and what was identified: for readers
+// who do not know the program's own names.
+#pragma once
+
+#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/estimate.hpp"
+#include "updating/places/location.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// "soft-support" to "support that gives"; of a group "a|b" both with "or".
+[[nodiscard]] std::string effect_words(const std::string& effect);
+
+/// "19 nodes, 1 … 38; rotation"; empty for everywhere.
+[[nodiscard]] std::string place_words(const updating::Where& where);
+
+/// "mass of the sensors (acc1, acc2)".
+[[nodiscard]] std::string found_words(const std::string& effect,
+                                      const updating::Where& where);
+
+/// "an added mass (node 5)" of found_words().
+[[nodiscard]] std::string with_article(const std::string& found);
+
+/// A parameter in the unit that its size asks for: g, GPa, ms.
+struct Quantity {
+  std::string name;      ///< "mass"
+  std::string value;     ///< "20.04 ± 0.16"; "not determined"
+  std::string interval;  ///< "19.72 … 20.36"
+  std::string unit;
+};
+/// @param estimate its name without the effect's
+[[nodiscard]] Quantity quantity(const updating::Estimate& estimate);
+
+/// "70.7 GPa": a value alone as quantity() would write it.
+[[nodiscard]] std::string value_words(const updating::Estimate& like,
+                                      double value);
+
+/// "to separate A from B: hit 144Z+ with acc1 at 146Z+ …".
+[[nodiscard]] std::string next_words(const updating::NextMeasurement& next,
+                                     double floor);
+
+/// Comparison::contour as "evaluated at 136 frequencies, 1–55 Hz, with 3 %
+/// added damping".
+[[nodiscard]] std::string contour_words(const std::string& contour);
+
+/// "+1.91 %", "0.00 %".
+[[nodiscard]] std::string signed_percent_words(double percent);
+
+/// "A, B and C".
+[[nodiscard]] std::string enumerated(const std::vector<std::string>& items);
+
+/// Texts of other rooms as they are printed: ± and … in one character, m/s²
+/// with its power.
+[[nodiscard]] std::string typeset(std::string text);
+
+}  // namespace tapfit::tui
