@@ -281,6 +281,8 @@ void read_options(const json& document, TestBundle& bundle) {
   };
   bundle.title = document.value("title", std::string());
   bundle.units = document.value("units", std::string("SI"));
+  bundle.ignored_cards =
+      document.value("ignore_cards", std::vector<std::string>());
   bundle.trigger_percent = number("trigger_percent");
   bundle.trigger.range_percent = number("trigger_range_percent");
   bundle.trigger.rearm_percent = number("trigger_rearm_percent");

@@ -68,7 +68,9 @@ struct TriggerOptions {
 struct TestBundle {
   std::filesystem::path folder;
   std::string title;
-  std::string units = "SI";                   ///< "SI" or "mm-t-s"
+  std::string units = "SI";  ///< "SI", "mm-t-s" or "in-lbf-s"
+  /// Names of the deck's cards that are left out, though it needs them.
+  std::vector<std::string> ignored_cards;
   std::optional<std::filesystem::path> deck;  ///< Nastran bulk data
   std::optional<MatrixModel> matrices;
   std::vector<Channel> channels;

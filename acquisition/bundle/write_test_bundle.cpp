@@ -37,7 +37,8 @@ ordered_json channel_json(const Channel& channel) {
   return entry;
 }
 
-ordered_json placement_json(const Placement& placement, const TestBundle& bundle) {
+ordered_json placement_json(const Placement& placement,
+                            const TestBundle& bundle) {
   const std::string direction =
       std::string(placement.dof.sign < 0 ? "-" : "+") +
       "XYZ"[(placement.dof.component - 1) % 3];
@@ -104,6 +105,9 @@ void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
   ordered_json document = {{"tapfit", 1}};
   if (!bundle.title.empty()) document["title"] = bundle.title;
   if (bundle.units != "SI") document["units"] = bundle.units;
+  if (!bundle.ignored_cards.empty()) {
+    document["ignore_cards"] = bundle.ignored_cards;
+  }
   add_model(bundle, folder, document);
   for (const Channel& channel : bundle.channels) {
     document["channels"].push_back(channel_json(channel));

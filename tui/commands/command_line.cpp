@@ -263,6 +263,10 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if ((entry.extras & Modes) != 0) {
     command->add_option("--modes", options.modes, "How many modes")
         ->check(CLI::Range(1, 10000));
+    command->add_option("--ignore-card",
+                        options.ignored_cards,
+                        "Leaves cards of this name out, though they carry "
+                        "stiffness, mass or a constraint");
   }
   if ((entry.extras & Node) != 0) {
     command->add_option("NODE", options.node, "Grid id; none for a map of all")

@@ -20,15 +20,20 @@ using nlohmann::ordered_json;
 namespace {
 
 // The model of a bundle, or a deck by itself.
-structure::Deck read_any_model(const std::filesystem::path& input) {
+structure::Deck read_any_model(const CommandOptions& options) {
+  const std::filesystem::path& input = options.input;
   if (!std::filesystem::is_directory(input)) {
-    structure::Deck deck = structure::read_deck(input);
+    structure::Deck deck = structure::read_deck(input, options.ignored_cards);
     for (std::string& text : structure::material_unit_warnings(deck)) {
       deck.warnings.push_back(std::move(text));
     }
     return deck;
   }
-  return updating::read_test_model(acquisition::read_test_bundle(input));
+  acquisition::TestBundle bundle = acquisition::read_test_bundle(input);
+  bundle.ignored_cards.insert(bundle.ignored_cards.end(),
+                              options.ignored_cards.begin(),
+                              options.ignored_cards.end());
+  return updating::read_test_model(bundle);
 }
 
 ModelSummary summarise(const structure::Deck& deck, int count) {
@@ -81,7 +86,7 @@ std::string model_text(const ModelSummary& summary) {
 std::string model_command(const CommandOptions& options,
                           const Progress& progress) {
   progress("reading the model", 0.0);
-  const structure::Deck deck = read_any_model(options.input);
+  const structure::Deck deck = read_any_model(options);
   progress("solving for modes", 0.3);
   const ModelSummary summary = summarise(deck, options.modes);
   return options.json ? model_json(summary).dump(2) + "\n"

@@ -76,11 +76,12 @@ struct CommandOptions {
   std::vector<std::string> effects;            ///< "added-mass@201", in order
   std::vector<std::string> free;               ///< "acc1=0.02", masses to free
   std::string lines = "damped";  ///< see updating/fit/line_rule.hpp
-  std::string lambda;    ///< a number or "l-curve"; empty: not asked for
-  int modes = 10;        ///< of the model
-  int node = 0;          ///< grid id
-  double mass_kg = 0.0;  ///< of a free body; 0: not said
-  double speed = 0.0;    ///< of a replay, times real time; 0: all it can
+  std::string lambda;  ///< a number or "l-curve"; empty: not asked for
+  int modes = 10;      ///< of the model
+  std::vector<std::string> ignored_cards;  ///< of a deck, left out knowingly
+  int node = 0;                            ///< grid id
+  double mass_kg = 0.0;                    ///< of a free body; 0: not said
+  double speed = 0.0;  ///< of a replay, times real time; 0: all it can
   FrfArguments frf;
   ImportArguments imports;
   PaperArguments paper;

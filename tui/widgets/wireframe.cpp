@@ -2,6 +2,7 @@
 
 #include "tui/screen/dots.hpp"
 #include "tui/screen/text.hpp"
+#include "updating/structure/elements/solid_shapes.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include <algorithm>
@@ -243,6 +244,13 @@ Wireframe wireframe(const structure::Deck& deck) {
   for (const structure::Shell& shell : deck.shells) {
     for (std::size_t i = 0; i < shell.grids.size(); ++i) {
       edges.add(shell.grids[i], shell.grids[(i + 1) % shell.grids.size()], 1);
+    }
+  }
+  for (const structure::Solid& solid : deck.solids) {
+    for (const auto& [a, b] : structure::solid_edges(solid.grids.size())) {
+      edges.add(solid.grids[static_cast<std::size_t>(a)],
+                solid.grids[static_cast<std::size_t>(b)],
+                1);
     }
   }
   for (const auto& bar : deck.bars) {

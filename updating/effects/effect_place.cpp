@@ -84,7 +84,8 @@ bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
     const auto is = [id](const auto& e) { return e.id == id; };
     return std::any_of(deck.shells.begin(), deck.shells.end(), is) ||
            std::any_of(deck.bars.begin(), deck.bars.end(), is) ||
-           std::any_of(deck.rods.begin(), deck.rods.end(), is);
+           std::any_of(deck.rods.begin(), deck.rods.end(), is) ||
+           std::any_of(deck.solids.begin(), deck.solids.end(), is);
   };
   return std::all_of(ids.begin(), ids.end(), known);
 }

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/uff55.hpp"
 #include "signal/files/uff58.hpp"
+#include "updating/structure/elements/solid_shapes.hpp"
 
 #include <fstream>
 #include <system_error>
@@ -28,6 +29,14 @@ acquisition::UffGeometry geometry_of(Session& session) {
     geometry.nodes[grid.id] = grid.position;
   }
   for (const auto& shell : deck.shells) add_piece(shell.grids, true, geometry);
+  for (const auto& solid : deck.solids) {
+    for (const auto& [a, b] : structure::solid_edges(solid.grids.size())) {
+      add_piece({solid.grids[static_cast<std::size_t>(a)],
+                 solid.grids[static_cast<std::size_t>(b)]},
+                false,
+                geometry);
+    }
+  }
   for (const auto& bar : deck.bars) {
     add_piece({bar.grids[0], bar.grids[1]}, false, geometry);
   }

@@ -2,6 +2,7 @@
 
 #include "updating/fit/mesh_error.hpp"
 #include "updating/reduction/mesh_factors.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,8 @@ SolvedModel solve_model(const structure::Deck& deck,
   const MeasuredPoints points = measured_points(deck, bundle);
   options.points = points.all;
   options.driven = points.driven;
-  const bool has_mesh = !deck.shells.empty() || !deck.bars.empty();
+  const bool has_mesh = (!deck.shells.empty() || !deck.bars.empty()) &&
+                        structure::can_refine(deck);
   options.split = has_mesh && 4 * deck.grids.size() <= refined_grid_limit;
   SolvedModel model{
       BaseBuilder(deck, bundle.uncertain, options, progress), {}, 0};

@@ -14,6 +14,10 @@ std::set<int> rigidly_joined(const structure::Deck& deck) {
     grids.insert(e.independent);
     for (const structure::Dependent& d : e.dependents) grids.insert(d.grid);
   }
+  for (const structure::Relation& e : deck.relations) {
+    grids.insert(e.grid);
+    for (const structure::RelationTerm& term : e.terms) grids.insert(term.grid);
+  }
   return grids;
 }
 
@@ -47,8 +51,8 @@ MeasuredPoints measured_points(const structure::Deck& deck,
   std::set<int> hit;
   std::set<int> sensed;
   const auto dof = [&](const acquisition::Placement& p) {
-    return 6 * static_cast<int>(deck.grid_index(p.dof.node)) +
-           p.dof.component - 1;
+    return 6 * static_cast<int>(deck.grid_index(p.dof.node)) + p.dof.component -
+           1;
   };
   for (const acquisition::Run& run : bundle.runs) {
     hit.insert(dof(run.hammer));

@@ -60,6 +60,9 @@ PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
   for (const structure::Rod& e : deck.rods) {
     take(e.id, structure::rod_matrices(deck, e));
   }
+  for (const structure::Solid& e : deck.solids) {
+    take(e.id, structure::solid_matrices(deck, e));
+  }
 }
 
 MatrixXd PlaceRows::grid(int node) const {

@@ -4,6 +4,7 @@
 #include "signal/files/uff58.hpp"
 #include "updating/structure/assembly/rigid_motion.hpp"
 #include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 #include "updating/structure/readers/scale_units.hpp"
 #include "updating/structure/solve/system.hpp"
@@ -133,7 +134,9 @@ void warn_of_turned_supports(structure::Deck& deck) {
 }
 
 structure::Deck read_model(const acquisition::TestBundle& bundle) {
-  if (bundle.deck) return structure::read_deck(*bundle.deck);
+  if (bundle.deck) {
+    return structure::read_deck(*bundle.deck, bundle.ignored_cards);
+  }
   const acquisition::MatrixModel& files = *bundle.matrices;
   return structure::read_matrix_model(files.stiffness, files.mass, files.dofs);
 }
@@ -150,6 +153,11 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   structure::scale_to_si(deck, bundle.units);
   std::ranges::move(structure::material_unit_warnings(deck),
                     std::back_inserter(deck.warnings));
+  if (!structure::can_refine(deck)) {
+    deck.warnings.push_back(
+        "solids and quadratic shells are not split: what the mesh does to the "
+        "modes is not known, and the floor is the noise alone");
+  }
   check_points(bundle, deck);
   warn_of_turned_supports(deck);
   return deck;

@@ -66,6 +66,7 @@ class Patches {
     add_middles(deck, deck.shells, middles_);
     add_middles(deck, deck.bars, middles_);
     add_middles(deck, deck.rods, middles_);
+    add_middles(deck, deck.solids, middles_);
     const std::size_t limit = std::min(largest_patch, middles_.size() / 4);
     for (const Middle& middle : middles_) take({middle.id});
     for (const Middle& middle : middles_) boxes_around(middle.position, limit);

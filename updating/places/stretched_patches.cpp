@@ -45,6 +45,7 @@ void for_each_element(const Deck& deck, Visit visit) {
   for (const auto& e : deck.shells) visit(e.id, corners(deck, e));
   for (const auto& e : deck.bars) visit(e.id, corners(deck, e));
   for (const auto& e : deck.rods) visit(e.id, corners(deck, e));
+  for (const auto& e : deck.solids) visit(e.id, corners(deck, e));
 }
 
 std::vector<Block> blocks_of(const Deck& deck, int first) {
@@ -146,8 +147,8 @@ class Stretch {
 std::vector<std::vector<int>> stretched_patches(const std::vector<int>& patch,
                                                 const Deck& deck) {
   const Stretch stretch(patch, deck);
-  const std::size_t all =
-      deck.shells.size() + deck.bars.size() + deck.rods.size();
+  const std::size_t all = deck.shells.size() + deck.bars.size() +
+                          deck.rods.size() + deck.solids.size();
   std::vector<std::vector<int>> result;
   for (Index axis = 0; axis < 3; ++axis) {
     for (const double sign : {1.0, -1.0}) {

@@ -20,19 +20,44 @@ const Fields& fields_of(const std::string& card) {
         {"nu", {4}},
         {"G12", {5}},
         {"rho", {8}}}},
+      {"MAT2", {{"E", {2, 3, 4, 5, 6, 7}}, {"rho", {8}}}},
       {"PSHELL", {{"t", {3}}}},
+      {"PSHEAR", {{"t", {3}}}},
       {"PBAR", {{"A", {3}}, {"I1", {4}}, {"I2", {5}}, {"J", {6}}}},
+      {"PBEAM", {{"A", {3}}, {"I1", {4}}, {"I2", {5}}, {"J", {7}}}},
       {"PROD", {{"A", {3}}, {"J", {4}}}}};
-  return all.at(card);
+  // Of the others a number stands in many fields, or in none.
+  static const Fields none;
+  const auto found = all.find(card);
+  return found == all.end() ? none : found->second;
+}
+
+// The name in "file:line NAME id"; the other where nothing is said.
+std::string name_in(const std::string& where, const std::string& other) {
+  const std::size_t to = where.find_last_of(' ');
+  if (to == std::string::npos || to == 0) return other;
+  const std::size_t from = where.find_last_of(' ', to - 1);
+  if (from == std::string::npos) return other;
+  return where.substr(from + 1, to - from - 1);
 }
 
 std::string card_of(const structure::Deck& deck,
                     const acquisition::UncertainProperty& u) {
   if (u.card == "material") {
-    return deck.materials.at(u.id).orthotropic ? "MAT8" : "MAT1";
+    const structure::Material& m = deck.materials.at(u.id);
+    return name_in(m.where, m.orthotropic ? "MAT8" : "MAT1");
   }
-  if (deck.shell_properties.contains(u.id)) return "PSHELL";
-  return deck.bar_properties.contains(u.id) ? "PBAR" : "PROD";
+  if (const auto p = deck.shell_properties.find(u.id);
+      p != deck.shell_properties.end()) {
+    return name_in(p->second.where, "PSHELL");
+  }
+  if (const auto p = deck.bar_properties.find(u.id);
+      p != deck.bar_properties.end()) {
+    return name_in(p->second.where, "PBAR");
+  }
+  const auto p = deck.rod_properties.find(u.id);
+  return p == deck.rod_properties.end() ? "PROD"
+                                        : name_in(p->second.where, "PROD");
 }
 
 }  // namespace

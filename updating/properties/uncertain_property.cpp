@@ -25,12 +25,14 @@ struct Field {
 
 Field material_field(Material& m, const std::string& property) {
   Field field{nullptr, "Pa", "E, rho, nu"};
+  const bool general = m.is_plane() || m.is_solid();
+  if (general) field.known = "E, rho";
   if (m.orthotropic) field.known += ", E1, E2, G12";
   if (property == "E" || (m.orthotropic && property == "E1")) {
     field.value = &m.E;
   } else if (property == "rho") {
     field = {&m.rho, "kg/m^3", field.known};
-  } else if (property == "nu") {
+  } else if (property == "nu" && !general) {
     field = {&m.nu, "1", field.known};
   } else if (m.orthotropic && property == "E2") {
     field.value = &m.E2;
@@ -85,9 +87,9 @@ Field checked_field(Deck& deck,
   if (field.known.empty()) {
     throw InputError(fmt::format("the deck has no {} {}", u.card, u.id),
                      place,
-                     material ? "name a MAT1 or MAT8 of the deck"
-                              : "name a PSHELL, PBAR, PBARL or PROD of the "
-                                "deck");
+                     material ? "name a MAT card of the deck"
+                              : "name a property of a shell, bar or rod of "
+                                "the deck");
   }
   if (field.value == nullptr) {
     throw InputError(
@@ -114,18 +116,43 @@ bool is_linear_bar(const Deck& deck, int property) {
              });
 }
 
+// Whether shells have the material beside others: what they share out then is
+// no sum of terms in each.
+bool shares_shells(const Deck& deck, int material) {
+  const auto shares = [material](const auto& entry) {
+    const structure::ShellProperty& p = entry.second;
+    std::set<int> all{p.membrane, p.bending, p.shear, p.coupling};
+    for (const structure::Ply& ply : p.plies) all.insert(ply.material);
+    all.erase(0);
+    return all.contains(material) && all.size() > 1;
+  };
+  return std::any_of(
+      deck.shell_properties.begin(), deck.shell_properties.end(), shares);
+}
+
+// Quadratic shells give what is stiff in shear a share of the membrane's.
+bool has_mids(const Deck& deck, int property) {
+  return std::any_of(
+      deck.shells.begin(), deck.shells.end(), [property](const auto& e) {
+        return e.property == property && !e.mids.empty();
+      });
+}
+
 void set_degrees(const Deck& deck,
                  const UncertainProperty& u,
                  PropertyLaw& law) {
   if (u.card == "material") {
-    law.stiffness_degree = u.property == "E" ? 1 : rational;
+    const bool linear = u.property == "E" && !shares_shells(deck, u.id);
+    law.stiffness_degree = linear ? 1 : rational;
     if (u.property == "rho") {
       law.stiffness_degree = 0;
       law.mass_degree = 1;
     }
   } else if (u.property == "t") {
-    const bool shear = deck.shell_properties.at(u.id).shear != 0;
-    law.stiffness_degree = shear ? rational : 3;
+    const structure::ShellProperty& p = deck.shell_properties.at(u.id);
+    // The elements' shear, and inner modes that bend with the plane.
+    const bool sheared = p.shear != 0 || p.coupling != 0 || !p.plies.empty();
+    law.stiffness_degree = sheared || has_mids(deck, u.id) ? rational : 3;
     law.mass_degree = 3;
   } else {
     const bool linear =
@@ -177,6 +204,7 @@ PropertyLaw property_law(const Deck& deck,
     collect(deck.shells, u.id, law.elements);
     collect(deck.bars, u.id, law.elements);
     collect(deck.rods, u.id, law.elements);
+    collect(deck.solids, u.id, law.elements);
   }
   return law;
 }
@@ -187,6 +215,8 @@ void scale_property(Deck& deck, const UncertainProperty& u, double factor) {
   Material& m = deck.materials.at(u.id);
   if (u.property == "E") {
     for (double* modulus : {&m.G, &m.E2, &m.G1z, &m.G2z}) *modulus *= factor;
+    m.plane *= factor;
+    m.solid *= factor;
   }
   if (u.property == "nu" && !m.orthotropic) m.G = m.E / (2.0 * (1.0 + m.nu));
 }

@@ -9,9 +9,11 @@
 // stand, which elements they concern, and the deck with one of them scaled.
 //
 //   material (MAT1, MAT8)          E (every modulus), rho, nu; MAT8: E1 E2 G12
+//            (MAT2, MAT9)          E (every modulus), rho
 //   element_property (PSHELL)      t
-//                    (PBAR, PBARL) A I1 I2 J
-//                    (PROD)        A J
+//                    (PCOMP)       t (of all plies alike), (PSHEAR) t
+//                    (PBAR, PBEAM) A I1 I2 J
+//                    (PROD, PTUBE) A J
 //   material 1 of given matrices   E (all stiffness), rho (all mass)
 #pragma once
 

@@ -101,6 +101,37 @@ TEST(UncertainPartsTest, RationalPropertiesAreCloseInTheirRange) {
       1e-4);
 }
 
+// A block of one hexahedron on the plate, which is a laminate of two materials.
+Deck laid_plate_with_block() {
+  Deck deck = stiffened_plate();
+  structure::ShellProperty& p = deck.shell_properties[1];
+  p.plies = {{1, 0.4 * p.thickness, 30.0}, {2, 0.6 * p.thickness, 0.0}};
+  p.bottom = -0.5 * p.thickness;
+  p.membrane = p.bending = p.shear = 0;
+  deck.solid_properties[4] = {4, 2, ""};
+  structure::Solid block{301, 4, {}};
+  for (int k = 0; k < 8; ++k) {
+    const int id = 9001 + k;
+    const double x = k % 4 == 1 || k % 4 == 2 ? 0.1 : 0.0;
+    deck.grids.push_back({id, {x, k % 4 < 2 ? 0.0 : 0.1, k < 4 ? 0.5 : 0.6}});
+    block.grids.push_back(id);
+  }
+  deck.solids.push_back(block);
+  return deck;
+}
+
+TEST(UncertainPartsTest, LaminatesAndSolids) {
+  const Deck deck = laid_plate_with_block();
+  const std::vector<UncertainProperty> uncertain = {
+      {"material", 2, "E"}, {"material", 2, "rho"}, {"property", 1, "t"}};
+  // E of one of two plies is rational; the polynomial through five values is
+  // this close in a tenth about them.
+  expect_reassembled(deck, uncertain, {1.1, 0.8, 0.95}, 1e-5);
+  // The block alone is linear in E.
+  const PropertyLaw law = property_law(deck, uncertain[0], "test.json");
+  EXPECT_TRUE(law.elements.contains(301));
+}
+
 TEST(UncertainPartsTest, OrthotropicModuli) {
   Deck deck = support::plate_deck(true);
   structure::Material& wood = deck.materials[1];

@@ -69,22 +69,26 @@ void take(const Deck& deck,
   take(deck, matrices, entries);
 }
 
-// The k-th of the shells, bars and rods, in this order.
+// The k-th of the shells, bars, rods and solids, in this order.
 void take_structural(const Deck& deck,
                      std::size_t k,
                      const Wanted& wanted,
                      Entries& entries) {
   const std::size_t bars = deck.shells.size();
   const std::size_t rods = bars + deck.bars.size();
+  const std::size_t solids = rods + deck.rods.size();
   if (k < bars) {
     const Shell& e = deck.shells[k];
     if (wanted(e.id)) take(deck, e, shell_matrices(deck, e), entries);
   } else if (k < rods) {
     const Bar& e = deck.bars[k - bars];
     if (wanted(e.id)) take(deck, e, bar_matrices(deck, e), entries);
-  } else {
+  } else if (k < solids) {
     const Rod& e = deck.rods[k - rods];
     if (wanted(e.id)) take(deck, e, rod_matrices(deck, e), entries);
+  } else {
+    const Solid& e = deck.solids[k - solids];
+    if (wanted(e.id)) take(deck, e, solid_matrices(deck, e), entries);
   }
 }
 
@@ -97,8 +101,8 @@ void append(Triplets& part, Triplets& whole) {
 // the number of cores.
 Entries structural(const Deck& deck, const Wanted& wanted) {
   constexpr std::size_t kPiece = 512;
-  const std::size_t count =
-      deck.shells.size() + deck.bars.size() + deck.rods.size();
+  const std::size_t count = deck.shells.size() + deck.bars.size() +
+                            deck.rods.size() + deck.solids.size();
   std::vector<Entries> pieces((count + kPiece - 1) / kPiece);
   for_each_parallel(pieces.size(), [&](std::size_t piece) {
     const std::size_t end = std::min(count, (piece + 1) * kPiece);
@@ -125,6 +129,35 @@ SparseMatrix gather(const Deck& deck, const Triplets& triplets) {
   return A;
 }
 
+// Entries that the deck gives directly, along the grids' own axes.
+void take(const Deck& deck,
+          const std::vector<MatrixTerm>& terms,
+          Triplets& triplets) {
+  const auto along = [&](const MatrixTerm& term, std::size_t end) {
+    const std::size_t index = deck.grid_index(term.grids[end]);
+    const int component = term.components[end] - 1;
+    const Eigen::Vector3d a = deck.grids[index].axes.col(component % 3);
+    std::array<std::pair<int, double>, 3> parts;
+    for (int j = 0; j < 3; ++j) {
+      parts[static_cast<std::size_t>(j)] = {
+          6 * static_cast<int>(index) + component / 3 * 3 + j, a(j)};
+    }
+    return parts;
+  };
+  for (const MatrixTerm& term : terms) {
+    const bool diagonal = term.grids[0] == term.grids[1] &&
+                          term.components[0] == term.components[1];
+    for (const auto& [i, a] : along(term, 0)) {
+      for (const auto& [j, b] : along(term, 1)) {
+        const double value = term.value * a * b;
+        if (value == 0.0) continue;
+        triplets.emplace_back(i, j, value);
+        if (!diagonal) triplets.emplace_back(j, i, value);
+      }
+    }
+  }
+}
+
 std::vector<bool> fixed_dofs(const Deck& deck, const ConstraintAxes& axes) {
   std::vector<bool> fixed(6 * deck.grids.size(), false);
   for (const auto& [grid, components] : axes.held) {
@@ -148,6 +181,8 @@ System assemble(const Deck& deck) {
     take(deck, scalar_matrices(e), entries);
   }
   for (const Bush& e : deck.bushes) take(deck, bush_matrices(e), entries);
+  take(deck, deck.stiffness_terms, entries.K);
+  take(deck, deck.mass_terms, entries.M);
   System system;
   system.K = gather(deck, entries.K);
   system.M = gather(deck, entries.M) * deck.weight_to_mass;
@@ -178,7 +213,11 @@ std::vector<int> elements_of_material(const Deck& deck, int id) {
   std::vector<int> elements;
   for (const Shell& e : deck.shells) {
     const ShellProperty& p = deck.shell_properties.at(e.property);
-    if (p.membrane == id || p.bending == id) elements.push_back(e.id);
+    const bool laid = std::ranges::any_of(
+        p.plies, [id](const Ply& ply) { return ply.material == id; });
+    if (p.membrane == id || p.bending == id || p.coupling == id || laid) {
+      elements.push_back(e.id);
+    }
   }
   for (const Bar& e : deck.bars) {
     if (deck.bar_properties.at(e.property).material == id) {
@@ -187,6 +226,11 @@ std::vector<int> elements_of_material(const Deck& deck, int id) {
   }
   for (const Rod& e : deck.rods) {
     if (deck.rod_properties.at(e.property).material == id) {
+      elements.push_back(e.id);
+    }
+  }
+  for (const Solid& e : deck.solids) {
+    if (deck.solid_properties.at(e.property).material == id) {
       elements.push_back(e.id);
     }
   }
@@ -204,7 +248,9 @@ double total_mass(const Deck& deck, const System& system) {
   double largest = 0.0;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     Eigen::VectorXd rigid = Eigen::VectorXd::Zero(n);
-    for (Eigen::Index i = axis; i < n; i += 6) rigid(i) = 1.0;
+    for (Eigen::Index i = axis; i < n; i += 6) {
+      if (!deck.grids[static_cast<std::size_t>(i / 6)].scalar) rigid(i) = 1.0;
+    }
     largest = std::max(largest, rigid.dot(system.M * rigid));
   }
   return largest;

@@ -22,8 +22,9 @@ namespace tapfit::structure {
 ///   node order) or missing property
 [[nodiscard]] System assemble(const Deck& deck);
 
-/// Stiffness (or mass) of only the shells, bars and rods that `wanted` accepts
-/// by element id (asked on several threads); for groups and local losses.
+/// Stiffness (or mass) of only the shells, bars, rods and solids that `wanted`
+/// accepts by element id (asked on several threads); for groups and local
+/// losses.
 [[nodiscard]] SparseMatrix assemble_stiffness(
     const Deck& deck, const std::function<bool(int element_id)>& wanted);
 [[nodiscard]] SparseMatrix assemble_mass(

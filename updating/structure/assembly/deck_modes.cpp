@@ -45,6 +45,10 @@ MatrixXd rigid_motions(const Deck& deck, const std::set<int>& turned) {
   for (std::size_t i = 0; i < deck.grids.size(); ++i) {
     const Eigen::Vector3d p = (deck.grids[i].position - middle) / size;
     auto part = R.middleRows<6>(6 * static_cast<Index>(i));
+    if (deck.grids[i].scalar) {
+      part.setZero();
+      continue;
+    }
     part.setIdentity();
     part.bottomRightCorner<3, 3>() /= size;
     part.topRightCorner<3, 3>() << 0.0, p.z(), -p.y(), -p.z(), 0.0, p.x(),

@@ -17,7 +17,9 @@ std::vector<int> loose_rotations(const Deck& deck,
                                  const std::vector<int>& free) {
   std::set<int> plated;
   for (const Shell& e : deck.shells) {
-    plated.insert(e.grids.begin(), e.grids.end());
+    if (deck.shell_properties.at(e.property).panel) continue;
+    const std::vector<int> grids = e.all_grids();
+    plated.insert(grids.begin(), grids.end());
   }
   std::vector<int> places;
   for (std::size_t k = 0; k < free.size(); ++k) {

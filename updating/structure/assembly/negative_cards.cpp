@@ -29,9 +29,10 @@ std::vector<std::string> negative_springs(const Deck& deck) {
   std::vector<std::string> cards;
   for (const ScalarElement& e : deck.scalars) {
     if (e.stiffness >= 0.0) continue;
-    cards.push_back(fmt::format("{} (K = {:.6g})",
-                                place(deck, {"CELAS1", "CELAS2"}, e.id),
-                                e.stiffness));
+    cards.push_back(fmt::format(
+        "{} (K = {:.6g})",
+        place(deck, {"CELAS1", "CELAS2", "CELAS3", "CELAS4", "CBUSH1D"}, e.id),
+        e.stiffness));
   }
   for (const Bush& e : deck.bushes) {
     const double least =
@@ -47,6 +48,11 @@ bool is_positive(const PointMass& e) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
       e.inertia, Eigen::EigenvaluesOnly);
   const Eigen::Vector3d I = solver.eigenvalues();
+  if (e.matrix.size() > 0) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> whole(
+        e.matrix, Eigen::EigenvaluesOnly);
+    if (whole.eigenvalues()(0) < -1e-9 * e.matrix.norm()) return false;
+  }
   return e.mass >= 0.0 && I(0) >= -1e-9 * I.cwiseAbs().maxCoeff();
 }
 
@@ -55,14 +61,16 @@ std::vector<std::string> negative_masses(const Deck& deck) {
   for (const ScalarElement& e : deck.scalars) {
     if (e.mass >= 0.0) continue;
     cards.push_back(
-        fmt::format("{} (M = {:.6g})", place(deck, {"CMASS2"}, e.id), e.mass));
+        fmt::format("{} (M = {:.6g})",
+                    place(deck, {"CMASS1", "CMASS2", "CMASS3", "CMASS4"}, e.id),
+                    e.mass));
   }
   for (const PointMass& e : deck.masses) {
     if (is_positive(e)) continue;
     cards.push_back(
         fmt::format("{} (M = {:.6g}, I11 = {:.6g}, I21 = {:.6g}, "
                     "I22 = {:.6g}, I31 = {:.6g}, I32 = {:.6g}, I33 = {:.6g})",
-                    place(deck, {"CONM2"}, e.id),
+                    place(deck, {"CONM1", "CONM2"}, e.id),
                     e.mass,
                     e.inertia(0, 0),
                     // As the card has them: products with a minus.

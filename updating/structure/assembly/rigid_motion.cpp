@@ -31,6 +31,20 @@ Matrix6 arm(const Eigen::Vector3d& r) {
   return X;
 }
 
+// What a component follows: a rigid element, or a relation.
+struct Leader {
+  const RigidElement* rigid = nullptr;
+  const Relation* relation = nullptr;
+
+  [[nodiscard]] const std::string& where() const {
+    return rigid != nullptr ? rigid->where : relation->where;
+  }
+  [[nodiscard]] std::string name() const {
+    return rigid != nullptr ? fmt::format("rigid element {}", rigid->id)
+                            : std::string("MPC");
+  }
+};
+
 // Follows every component back to those that may be chosen.
 class Followed {
  public:
@@ -39,6 +53,7 @@ class Followed {
     for (const RigidElement& e : deck.rigids) {
       for (const Dependent& d : e.dependents) lead(e, d);
     }
+    for (const Relation& e : deck.relations) lead(e);
   }
 
   [[nodiscard]] bool plain(const Grid& grid, std::size_t index) const {
@@ -55,8 +70,11 @@ class Followed {
     const auto [place, fresh] = rows_.try_emplace(dof);
     const auto leader = leader_.find(dof);
     if (!fresh) {
-      // Rows are never empty but while they are being worked out.
-      if (place->second.empty()) fail_round(*leader->second, dof);
+      // A row is empty while it is worked out, or where it follows nothing.
+      if (place->second.empty() && leader != leader_.end() &&
+          !done_.contains(dof)) {
+        fail_round(leader->second, dof);
+      }
       return place->second;
     }
     Row& row = place->second;
@@ -64,9 +82,12 @@ class Followed {
       row[dof] = 1.0;
       return row;
     }
-    Row sum = led(*leader->second, dof);
+    Row sum = leader->second.rigid != nullptr
+                  ? led(*leader->second.rigid, dof)
+                  : summed(*leader->second.relation);
     // A place in an unordered_map stays where it is while others are added.
     row = std::move(sum);
+    done_.insert(dof);
     return row;
   }
 
@@ -88,6 +109,50 @@ class Followed {
     return sum;
   }
 
+  // Terms count along their grids' own axes, whether solved in them or not.
+  [[nodiscard]] Row summed(const Relation& e) {
+    Row sum;
+    for (const RelationTerm& term : e.terms) {
+      const std::size_t index = deck_->grid_index(term.grid);
+      const Grid& grid = deck_->grids[index];
+      const int kind = term.component > 3 ? 3 : 0;
+      const int axis = (term.component - 1) % 3;
+      const int first = 6 * static_cast<int>(index) + kind;
+      for (int j = 0; j < 3; ++j) {
+        const double along = axes_->turned.contains(term.grid)
+                                 ? (j == axis ? 1.0 : 0.0)
+                                 : grid.axes(j, axis);
+        if (along == 0.0) continue;
+        for (const auto& [q, a] : row(first + j)) {
+          sum[q] += term.factor * along * a;
+        }
+      }
+    }
+    return sum;
+  }
+
+  void lead(const Relation& e) {
+    const std::size_t index = deck_->grid_index(e.grid);
+    follows_.insert(index);
+    take(6 * static_cast<int>(index) + e.component - 1,
+         Leader{nullptr, &e},
+         e.grid,
+         static_cast<char>('0' + e.component));
+  }
+
+  // Makes a component follow.
+  void take(int dof, const Leader& leader, int grid, char digit) {
+    refuse_held(leader, grid, digit);
+    const auto [place, fresh] = leader_.try_emplace(dof, leader);
+    if (fresh) return;
+    fail(leader,
+         fmt::format("component {} of grid {} follows {} already",
+                     digit,
+                     grid,
+                     card_place(*deck_, place->second.where(), "another")),
+         "Leave it to one of the two.");
+  }
+
   void lead(const RigidElement& e, const Dependent& d) {
     const std::size_t index = deck_->grid_index(d.grid);
     follows_.insert(index);
@@ -96,55 +161,55 @@ class Followed {
       components = *along_basic(components, deck_->grids[index].axes);
     }
     for (const char digit : components) {
-      refuse_held(e, d.grid, digit);
-      const int dof = 6 * static_cast<int>(index) + digit - '1';
-      const auto [place, fresh] = leader_.try_emplace(dof, &e);
-      if (fresh) continue;
-      fail(e,
-           fmt::format("component {} of grid {} follows {} already",
-                       digit,
-                       d.grid,
-                       card_place(*deck_, place->second->where, "another")),
-           "Leave it to one of the two.");
+      take(6 * static_cast<int>(index) + digit - '1',
+           Leader{&e, nullptr},
+           d.grid,
+           digit);
     }
   }
 
-  void refuse_held(const RigidElement& e, int grid, char digit) const {
+  void refuse_held(const Leader& e, int grid, char digit) const {
     const auto held = axes_->held.find(grid);
     if (held == axes_->held.end() ||
         held->second.find(digit) == std::string::npos) {
       return;
+    }
+    if (e.rigid == nullptr) {
+      fail(e,
+           fmt::format("component {} of grid {} depends on others and is held "
+                       "by an SPC (or GRID field 8) besides",
+                       digit,
+                       grid),
+           "Take it out of the one or the other.");
     }
     fail(e,
          fmt::format("component {} of grid {} follows grid {} and is held by "
                      "an SPC (or GRID field 8) besides",
                      digit,
                      grid,
-                     e.independent),
+                     e.rigid->independent),
          fmt::format("Take it out of the one or the other, or hold grid {}.",
-                     e.independent));
+                     e.rigid->independent));
   }
 
-  [[noreturn]] void fail_round(const RigidElement& e, int dof) const {
+  [[noreturn]] void fail_round(const Leader& e, int dof) const {
     fail(e,
          fmt::format("grid {} follows itself round a ring of rigid elements",
                      deck_->grids[static_cast<std::size_t>(dof / 6)].id),
          "Let one grid lead all others of the ring.");
   }
 
-  [[noreturn]] void fail(const RigidElement& e,
+  [[noreturn]] void fail(const Leader& e,
                          const std::string& what,
                          const std::string& remedy) const {
-    throw InputError(
-        what,
-        card_place(*deck_, e.where, fmt::format("rigid element {}", e.id)),
-        remedy);
+    throw InputError(what, card_place(*deck_, e.where(), e.name()), remedy);
   }
 
   const Deck* deck_;
   const ConstraintAxes* axes_;
-  std::unordered_set<std::size_t> follows_;              // grid index
-  std::unordered_map<int, const RigidElement*> leader_;  // index in q
+  std::unordered_set<std::size_t> follows_;  // grid index
+  std::unordered_map<int, Leader> leader_;   // index in q
+  std::unordered_set<int> done_;             // of those that follow
   std::unordered_map<int, Row> rows_;
 };
 
@@ -167,7 +232,9 @@ void add_component(const Eigen::Matrix<double, 6, 1>& direction,
 
 Eigen::SparseMatrix<double> rigid_motion(const Deck& deck,
                                          const ConstraintAxes& axes) {
-  if (deck.rigids.empty() && axes.turned.empty()) return {};
+  if (deck.rigids.empty() && deck.relations.empty() && axes.turned.empty()) {
+    return {};
+  }
   Followed followed(deck, axes);
   Triplets entries;
   for (std::size_t g = 0; g < deck.grids.size(); ++g) {

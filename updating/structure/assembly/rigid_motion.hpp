@@ -8,8 +8,8 @@
 //
 //   u_d = u_i + theta_i x (x_d - x_i),   theta_d = theta_i
 //
-// in the components that its element names. What leads one rigid element may
-// follow another.
+// in the components that its element names. A component that a relation (MPC,
+// RBE3) names is the sum of its terms. What leads one may follow another.
 // Source: MSC Nastran Linear Static Analysis User's Guide, "R-type elements".
 #pragma once
 

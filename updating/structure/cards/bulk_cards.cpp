@@ -137,8 +137,7 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   DeckLines source = read_deck_lines(path);
   BulkData result;
   result.lines = std::move(source.all);
-  result.spc_set = source.spc_set;
-  result.other_spc_sets = std::move(source.other_spc_sets);
+  result.control = std::move(source.control);
   CardJoiner joiner(result.cards);
   for (const SourceLine& line : source.bulk) joiner.add(line);
   return result;

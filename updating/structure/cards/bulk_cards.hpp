@@ -12,8 +12,9 @@
 // Source: MSC Nastran Quick Reference Guide, "Format of bulk data entries".
 #pragma once
 
+#include "updating/structure/cards/bulk_lines.hpp"
+
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,8 +35,7 @@ struct Card {
 struct BulkData {
   std::vector<std::string> lines;  ///< the whole file, INCLUDE files inlined
   std::vector<Card> cards;
-  std::optional<int> spc_set;  ///< SPC = n of the case control, the first one
-  std::vector<int> other_spc_sets;  ///< of further subcases
+  CaseControl control;
 };
 
 /// Reads a deck up to ENDDATA. A file without BEGIN BULK is all bulk data,

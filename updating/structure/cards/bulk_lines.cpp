@@ -1,7 +1,7 @@
 #include "updating/structure/cards/bulk_lines.hpp"
 
-#include "updating/structure/cards/bulk_numbers.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/cards/bulk_numbers.hpp"
 
 #include <fmt/format.h>
 
@@ -60,6 +60,21 @@ struct RawLine {
   int number = 0;
 };
 
+// Beside the file that asks, or beside the deck itself, where solvers are
+// started.
+std::filesystem::path included(const std::filesystem::path& asks,
+                               std::string name,
+                               const std::filesystem::path& main) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  const std::filesystem::path beside = asks.parent_path() / name;
+  const std::filesystem::path at_main = main / name;
+  std::error_code error;
+  return !std::filesystem::exists(beside, error) &&
+                 std::filesystem::exists(at_main, error)
+             ? at_main
+             : beside;
+}
+
 bool next_line(std::istream& file, std::string& text) {
   if (!std::getline(file, text)) return false;
   if (!text.empty() && text.back() == '\r') text.pop_back();
@@ -67,6 +82,7 @@ bool next_line(std::istream& file, std::string& text) {
 }
 
 void read_file(const std::filesystem::path& path,
+               const std::filesystem::path& folder,
                const std::string& asked_by,
                std::size_t depth,
                std::vector<RawLine>& lines) {
@@ -99,7 +115,7 @@ void read_file(const std::filesystem::path& path,
     const std::optional<std::string> name = include_name(text);
     if (name) {
       lines.push_back({"$ inlined: " + trimmed(text), where, number});
-      read_file(path.parent_path() / *name, where, depth + 1, lines);
+      read_file(included(path, *name, folder), folder, where, depth + 1, lines);
     } else {
       lines.push_back({text, where, number});
     }
@@ -138,29 +154,75 @@ bool looks_like_control(const std::string& text) {
          (equals > 0 && equals < 24 && line.find_first_of(",=(") != comma);
 }
 
-std::optional<int> selected_spc(const std::string& text) {
+// NAME = value, in capitals; empty for other lines.
+struct Selection {
+  std::string name;
+  std::string value;
+};
+
+Selection selection(const std::string& text) {
   const std::string line = upper(trimmed(text));
   const std::size_t equals = line.find('=');
   if (equals == std::string::npos) return {};
-  if (trimmed(line.substr(0, equals)) != "SPC") return {};
-  return parse_integer(trimmed(line.substr(equals + 1)));
+  return {trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1))};
 }
 
-void take_spc(std::optional<int> set, DeckLines& lines) {
-  if (!set || set == lines.spc_set) return;
-  std::vector<int>& others = lines.other_spc_sets;
-  if (!lines.spc_set) {
-    lines.spc_set = set;
-  } else if (std::find(others.begin(), others.end(), *set) == others.end()) {
-    others.push_back(*set);
+// NAME, or 2.0*NAME, one after the other.
+std::vector<std::string> matrix_names(const std::string& value) {
+  std::vector<std::string> names;
+  std::size_t from = 0;
+  while (from < value.size()) {
+    const std::size_t comma = std::min(value.find(',', from), value.size());
+    const std::string one = trimmed(value.substr(from, comma - from));
+    if (!one.empty()) names.push_back(one);
+    from = comma + 1;
   }
+  return names;
 }
+
+// Takes the case control line by line. What stands above all subcases holds in
+// the first, unless that has its own.
+class CaseReader {
+ public:
+  void add(const std::string& text, CaseControl& control) {
+    const std::string line = upper(trimmed(text));
+    if (line.starts_with("SUBCASE")) {
+      ++subcase_;
+      return;
+    }
+    const Selection chosen = selection(text);
+    if (chosen.name == "SPC") take_spc(parse_integer(chosen.value), control);
+    if (chosen.name == "MPC" && (subcase_ < 2 || !control.mpc_set)) {
+      const std::optional<int> set = parse_integer(chosen.value);
+      if (set) control.mpc_set = set;
+    }
+    if (subcase_ > 1) return;
+    if (chosen.name == "K2GG") {
+      control.stiffness_matrices = matrix_names(chosen.value);
+    } else if (chosen.name == "M2GG") {
+      control.mass_matrices = matrix_names(chosen.value);
+    }
+  }
+
+ private:
+  void take_spc(std::optional<int> set, CaseControl& control) const {
+    if (!set || set == control.spc_set) return;
+    std::vector<int>& others = control.other_spc_sets;
+    if (!control.spc_set || subcase_ < 2) {
+      control.spc_set = set;
+    } else if (std::find(others.begin(), others.end(), *set) == others.end()) {
+      others.push_back(*set);
+    }
+  }
+
+  int subcase_ = 0;
+};
 
 }  // namespace
 
 DeckLines read_deck_lines(const std::filesystem::path& path) {
   std::vector<RawLine> raw;
-  read_file(path, path.string(), 0, raw);
+  read_file(path, path.parent_path(), path.string(), 0, raw);
   const bool has_begin =
       std::any_of(raw.begin(), raw.end(), [](const RawLine& line) {
         return is_begin_bulk(without_comment(line.text));
@@ -168,12 +230,13 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
   DeckLines result;
   bool in_bulk = !has_begin;
   bool ended = false;
+  CaseReader cases;
   for (const RawLine& line : raw) {
     result.all.push_back(line.text);
     const std::string text = expand_tabs(without_comment(line.text));
     if (ended || trimmed(text).empty()) continue;
     if (!in_bulk || (!has_begin && looks_like_control(text))) {
-      take_spc(selected_spc(text), result);
+      cases.add(text, result.control);
       if (is_begin_bulk(text)) in_bulk = true;
     } else if (is_end(text)) {
       ended = true;

@@ -16,11 +16,19 @@ struct SourceLine {
   std::size_t index = 0;  ///< in DeckLines::all
 };
 
-struct DeckLines {
-  std::vector<std::string> all;     ///< every line as written, INCLUDE inlined
-  std::vector<SourceLine> bulk;     ///< between BEGIN BULK and ENDDATA
-  std::optional<int> spc_set;       ///< SPC = n of the case control, the first
+/// What the case control selects: of several subcases the first.
+struct CaseControl {
+  std::optional<int> spc_set;       ///< SPC = n
   std::vector<int> other_spc_sets;  ///< of further subcases, each once
+  std::optional<int> mpc_set;       ///< MPC = n
+  std::vector<std::string> stiffness_matrices;  ///< K2GG = name, ...
+  std::vector<std::string> mass_matrices;       ///< M2GG = name, ...
+};
+
+struct DeckLines {
+  std::vector<std::string> all;  ///< every line as written, INCLUDE inlined
+  std::vector<SourceLine> bulk;  ///< between BEGIN BULK and ENDDATA
+  CaseControl control;
 };
 
 /// @throws InputError for a file that cannot be read, or includes itself

@@ -24,8 +24,10 @@ std::optional<int> orienting_grid(const Card& card) {
 // Grids of a card that is nothing but mass.
 std::vector<int> mass_grids(const Card& card) {
   std::vector<std::size_t> fields;
-  if (card.name() == "CONM2") fields = {2};
-  if (card.name() == "CMASS2") fields = {3, 5};
+  const std::string& name = card.name();
+  if (name == "CONM1" || name == "CONM2") fields = {2};
+  if (name == "CMASS1" || name == "CMASS2") fields = {3, 5};
+  if (name == "CMASS3" || name == "CMASS4") fields = {3, 4};
   std::vector<int> grids;
   for (const std::size_t field : fields) {
     const int grid = CardReader(card).integer_or(field, 0, "grid");
@@ -69,7 +71,21 @@ std::set<int> attached_grids(const Deck& deck) {
       grids.insert(e.grids.begin(), e.grids.end());
     }
   };
-  take(deck.shells);
+  for (const Shell& e : deck.shells) {
+    const std::vector<int> own = e.all_grids();
+    grids.insert(own.begin(), own.end());
+  }
+  for (const Solid& e : deck.solids) {
+    const std::vector<int> own = e.all_grids();
+    grids.insert(own.begin(), own.end());
+  }
+  for (const Relation& e : deck.relations) {
+    grids.insert(e.grid);
+    for (const RelationTerm& term : e.terms) grids.insert(term.grid);
+  }
+  for (const MatrixTerm& term : deck.stiffness_terms) {
+    grids.insert(term.grids.begin(), term.grids.end());
+  }
   take(deck.bars);
   take(deck.rods);
   take(deck.bushes);

@@ -24,6 +24,9 @@ std::set<int> meshed_grids(const Deck& deck) {
   for (const Shell& e : deck.shells) {
     grids.insert(e.grids.begin(), e.grids.end());
   }
+  for (const Solid& e : deck.solids) {
+    grids.insert(e.grids.begin(), e.grids.end());
+  }
   for (const Bar& e : deck.bars) grids.insert(e.grids.begin(), e.grids.end());
   for (const Rod& e : deck.rods) grids.insert(e.grids.begin(), e.grids.end());
   return grids;
@@ -42,6 +45,14 @@ std::set<GridPair> joined_grids(const Deck& deck) {
     for (const Dependent& d : e.dependents) {
       joined.insert(ordered(e.independent, d.grid));
     }
+  }
+  for (const Relation& e : deck.relations) {
+    for (const RelationTerm& term : e.terms) {
+      joined.insert(ordered(e.grid, term.grid));
+    }
+  }
+  for (const MatrixTerm& term : deck.stiffness_terms) {
+    joined.insert(ordered(term.grids[0], term.grids[1]));
   }
   return joined;
 }

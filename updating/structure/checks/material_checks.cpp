@@ -30,15 +30,17 @@ std::vector<std::string> material_unit_warnings(const Deck& deck) {
   for (const auto& [id, m] : deck.materials) {
     if (m.E <= 0.0) continue;
     const bool odd_modulus = m.E < softest || m.E > stiffest;
-    const double speed = m.rho > 0.0 ? std::sqrt(m.E / m.rho) : slowest;
+    const double rho = m.rho * deck.weight_to_mass;
+    const double speed = rho > 0.0 ? std::sqrt(m.E / rho) : slowest;
     if (!odd_modulus && speed >= slowest && speed <= fastest) continue;
     texts.push_back(fmt::format(
         "{}: E = {:.4g} Pa with a density of {:.4g} kg/m^3 is no solid's; "
-        "check the deck's \"units\" in test.json, \"SI\" or \"mm-t-s\" "
-        "(millimetres, tonnes, newtons)",
+        "check the deck's \"units\" in test.json, \"SI\", \"mm-t-s\" "
+        "(millimetres, tonnes, newtons) or \"in-lbf-s\" (inches, "
+        "pounds-force)",
         place_of(deck, m),
         m.E,
-        m.rho));
+        rho));
   }
   return texts;
 }

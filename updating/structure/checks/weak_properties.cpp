@@ -18,6 +18,7 @@ std::set<int> used(const Elements& elements) {
 }
 
 std::string lacks(const ShellProperty& p) {
+  if (p.panel || !p.plies.empty()) return {};
   if (p.membrane == 0 && p.bending == 0) {
     return "neither MID1 nor MID2, the elements have no stiffness";
   }

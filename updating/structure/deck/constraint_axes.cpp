@@ -57,6 +57,12 @@ ConstraintAxes constraint_axes(const Deck& deck) {
   for (const RigidElement& e : deck.rigids) {
     for (const Dependent& d : e.dependents) need(d.grid, d.components);
   }
+  // What a relation gives is one component along the grid's own axes.
+  for (const Relation& e : deck.relations) {
+    if (axes_of(deck, e.grid) != Eigen::Matrix3d::Identity()) {
+      result.turned.insert(e.grid);
+    }
+  }
   for (auto& [grid, components] : result.held) {
     if (result.turned.contains(grid)) continue;
     components = *along_basic(components, axes_of(deck, grid));

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <initializer_list>
+#include <iterator>
 #include <optional>
 
 namespace tapfit::structure {
@@ -27,6 +28,14 @@ std::optional<std::size_t> find_grid(const std::vector<Grid>& grids, int id) {
   }
   if (found == grids.end()) return std::nullopt;
   return static_cast<std::size_t>(found - grids.begin());
+}
+
+std::vector<int> with_mids(std::vector<int> grids,
+                           const std::vector<int>& mids) {
+  std::copy_if(mids.begin(), mids.end(), std::back_inserter(grids), [](int id) {
+    return id != 0;
+  });
+  return grids;
 }
 
 [[noreturn]] void missing(const std::string& what, const std::string& where) {
@@ -50,16 +59,19 @@ void check_materials(const Deck& deck,
   }
 }
 
-// MAT8 is a layer's material: it says nothing of a bar's axis.
+// A layer's material, which says nothing of a bar's axis or a solid.
 template <typename Property>
-void refuse_orthotropic(const Deck& deck,
-                        const Property& property,
-                        const char* kind) {
+void refuse_layered(const Deck& deck,
+                    const Property& property,
+                    const char* kind) {
   const auto found = deck.materials.find(property.material);
-  if (found == deck.materials.end() || !found->second.orthotropic) return;
+  if (found == deck.materials.end()) return;
+  const Material& m = found->second;
+  if (!m.orthotropic && !m.is_plane()) return;
   throw InputError(
-      fmt::format("material {} is a MAT8, which is for shells",
-                  property.material),
+      fmt::format("material {} is a {}, which is for shells",
+                  property.material,
+                  m.orthotropic ? "MAT8" : "MAT2"),
       card_place(deck,
                  property.where,
                  fmt::format("{} {}", kind, std::abs(property.id))),
@@ -68,16 +80,33 @@ void refuse_orthotropic(const Deck& deck,
 
 void check_properties(const Deck& deck) {
   for (const auto& [id, p] : deck.shell_properties) {
-    check_materials(deck, p, {p.membrane, p.bending, p.shear}, "PSHELL");
+    check_materials(
+        deck, p, {p.membrane, p.bending, p.shear, p.coupling}, "PSHELL");
+    for (const Ply& ply : p.plies) {
+      check_materials(deck, p, {ply.material}, "PCOMP");
+    }
+  }
+  for (const auto& [id, p] : deck.solid_properties) {
+    check_materials(deck, p, {p.material}, "PSOLID");
+    refuse_layered(deck, p, "PSOLID");
   }
   for (const auto& [id, p] : deck.bar_properties) {
     check_materials(deck, p, {p.material}, "PBAR");
-    refuse_orthotropic(deck, p, "PBAR");
+    refuse_layered(deck, p, "PBAR");
   }
   for (const auto& [id, p] : deck.rod_properties) {
     const char* kind = id < 0 ? "CONROD" : "PROD";
     check_materials(deck, p, {p.material}, kind);
-    refuse_orthotropic(deck, p, kind);
+    refuse_layered(deck, p, kind);
+  }
+}
+
+template <typename Element>
+std::vector<int> grids_of(const Element& element) {
+  if constexpr (requires { element.mids; }) {
+    return element.all_grids();
+  } else {
+    return {element.grids.begin(), element.grids.end()};
   }
 }
 
@@ -91,7 +120,7 @@ void check_element(const Deck& deck,
     return card_place(
         deck, element.where, fmt::format("{} {}", kind, element.id));
   };
-  for (const int grid : element.grids) {
+  for (const int grid : grids_of(element)) {
     if (!deck.has_grid(grid)) missing(fmt::format("grid {}", grid), place());
   }
   if (!properties.contains(element.property)) {
@@ -103,8 +132,12 @@ void check_element(const Deck& deck,
 
 std::size_t Deck::element_count() const {
   return shells.size() + bars.size() + rods.size() + masses.size() +
-         scalars.size() + bushes.size() + rigids.size();
+         scalars.size() + bushes.size() + rigids.size() + solids.size() +
+         relations.size();
 }
+
+std::vector<int> Shell::all_grids() const { return with_mids(grids, mids); }
+std::vector<int> Solid::all_grids() const { return with_mids(grids, mids); }
 
 std::size_t Deck::grid_index(int id) const {
   const std::optional<std::size_t> index = find_grid(grids, id);
@@ -136,6 +169,9 @@ void check_references(const Deck& deck) {
   for (const Rod& e : deck.rods) {
     check_element(deck, e, deck.rod_properties, "rod", "PROD");
   }
+  for (const Solid& e : deck.solids) {
+    check_element(deck, e, deck.solid_properties, "solid", "PSOLID");
+  }
   const auto need =
       [&](int grid, const std::string& where, const std::string& name) {
         if (!deck.has_grid(grid)) {
@@ -149,6 +185,10 @@ void check_references(const Deck& deck) {
     const std::string name = fmt::format("rigid element {}", e.id);
     need(e.independent, e.where, name);
     for (const Dependent& d : e.dependents) need(d.grid, e.where, name);
+  }
+  for (const Relation& e : deck.relations) {
+    need(e.grid, e.where, "MPC");
+    for (const RelationTerm& term : e.terms) need(term.grid, e.where, "MPC");
   }
   for (const Constraint& held : deck.constraints) need(held.grid, {}, "SPC");
 }

@@ -25,18 +25,42 @@ struct Grid {
   /// Displacement axes (CD), columns in basic axes: the components of cards at
   /// this grid count along them.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  /// SPOINT: its one degree of freedom is component 1, the others are held; it
+  /// has no place of its own.
+  bool scalar = false;
 };
 
-/// CQUAD4 (four grids) or CTRIA3 (three).
+/// CQUAD4, CQUADR, CQUAD8 (four corners), CTRIA3, CTRIAR, CTRIA6 (three), and
+/// CSHEAR where its property is a panel.
 struct Shell {
   int id = 0;
   int property = 0;
-  std::vector<int> grids;
+  std::vector<int> grids;  ///< corners
   double theta_deg = 0.0;  ///< material axis from side 1-2
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
+  /// Of CQUAD8 and CTRIA6: in the middle of each side, from 1-2 on; 0 where
+  /// there is none.
+  std::vector<int> mids = {};
+  double offset = 0.0;     ///< ZOFFS: reference surface above the grids [m]
+  double thickness = 0.0;  ///< mean of the corners'; 0: the property's [m]
+
+  /// Corners and mids that are there.
+  [[nodiscard]] std::vector<int> all_grids() const;
 };
 
-/// CBAR (and CBEAM of constant section).
+/// CHEXA (8 corners), CPENTA (6), CPYRAM (5), CTETRA (4).
+struct Solid {
+  int id = 0;
+  int property = 0;
+  std::vector<int> grids;      ///< corners, in the order of the card
+  std::vector<int> mids = {};  ///< of its edges, in the order of the card;
+                               ///< none, or 0 where there is none
+  std::string where = {};      ///< "file:line CARD id"
+
+  [[nodiscard]] std::vector<int> all_grids() const;
+};
+
+/// CBAR, CBEAM.
 struct Bar {
   int id = 0;
   int property = 0;
@@ -49,7 +73,7 @@ struct Bar {
   std::string where = {};       ///< "file:line CARD id"; empty: not from a file
 };
 
-/// CROD and CONROD (the latter gets a property of its own, id < 0).
+/// CROD, CTUBE and CONROD (the latter gets a property of its own, id < 0).
 struct Rod {
   int id = 0;
   int property = 0;
@@ -57,16 +81,19 @@ struct Rod {
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
-/// CONM2.
+/// CONM2, CONM1.
 struct PointMass {
   int id = 0;
   int grid = 0;
   double mass = 0.0;                                  ///< [kg]
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< about its centre
+  /// CONM1: a mass matrix besides, in basic axes; 0 x 0 where there is none.
+  Eigen::MatrixXd matrix = {};
 };
 
-/// CELAS1/2 (stiffness), CDAMP1/2 (damping), CMASS2 (mass); grid 0 is ground.
+/// CELAS1-4 and CBUSH1D (stiffness), CDAMP1-4 (damping), CMASS1-4 (mass); grid
+/// 0 is ground.
 struct ScalarElement {
   int id = 0;
   std::array<int, 2> grids{};
@@ -107,7 +134,32 @@ struct RigidElement {
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
 };
 
-/// MAT1, or MAT8 (orthotropic) when `orthotropic` is set.
+/// One degree of freedom times a factor.
+struct RelationTerm {
+  int grid = 0;
+  int component = 0;  ///< 1..6, along the grid's own axes
+  double factor = 0.0;
+};
+
+/// MPC, and each dependent component of an RBE3: a degree of freedom that is a
+/// sum of others.
+struct Relation {
+  int grid = 0;
+  int component = 0;  ///< 1..6, along the grid's own axes
+  std::vector<RelationTerm> terms;
+  std::string where = {};  ///< "file:line CARD id"
+};
+
+/// An entry of a symmetric matrix that the deck gives directly (DMIG), and its
+/// mirror image.
+struct MatrixTerm {
+  std::array<int, 2> grids{};
+  std::array<int, 2> components{};  ///< 1..6, along the grids' own axes
+  double value = 0.0;
+};
+
+/// MAT1, or MAT8 (orthotropic) when `orthotropic` is set; MAT2 and MAT9 where
+/// their matrix is not zero, E and G then being those along its first axis.
 struct Material {
   int id = 0;
   bool orthotropic = false;
@@ -119,9 +171,24 @@ struct Material {
   double G1z = 0.0;  ///< 0: infinitely stiff in transverse shear
   double G2z = 0.0;
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
+  Eigen::Matrix3d plane = Eigen::Matrix3d::Zero();  ///< MAT2: for (exx, eyy,
+                                                    ///< 2 exy) [Pa]
+  /// MAT9: for (exx, eyy, ezz, 2 exy, 2 eyz, 2 ezx) [Pa]; empty: none.
+  Eigen::MatrixXd solid = {};
+
+  [[nodiscard]] bool is_plane() const { return !plane.isZero(0.0); }
+  [[nodiscard]] bool is_solid() const { return solid.size() > 0; }
 };
 
-/// PSHELL. Material ids 0 mean the part is absent.
+/// A layer of a PCOMP.
+struct Ply {
+  int material = 0;
+  double thickness = 0.0;  ///< [m]
+  double theta_deg = 0.0;  ///< from the element's material axis
+};
+
+/// PSHELL, PCOMP (with plies), PSHEAR (a panel). Material ids 0 mean the part
+/// is absent.
 struct ShellProperty {
   int id = 0;
   int membrane = 0;
@@ -131,10 +198,17 @@ struct ShellProperty {
   double bending_ratio = 1.0;      ///< 12 I / t^3
   double shear_ratio = 5.0 / 6.0;  ///< ts / t
   double nonstructural = 0.0;      ///< [kg/m^2]
-  std::string where = {};  ///< "file:line CARD id"; empty: not from a file
+  std::string where = {};       ///< "file:line CARD id"; empty: not from a file
+  int coupling = 0;             ///< MID4: between membrane and bending
+  std::vector<Ply> plies = {};  ///< from the bottom; instead of the materials
+  double bottom = 0.0;          ///< Z0: of the plies, from the reference [m]
+  bool panel = false;           ///< carries shear flow only (CSHEAR)
+  /// PSHEAR F1, F2: the share of the panel's area that acts as rods along sides
+  /// 1-2 and 2-3.
+  std::array<double, 2> extensional{};
 };
 
-/// PBAR, PBARL, PBEAM of constant section.
+/// PBAR, PBARL, PBEAM, PBEAML, of the mean section where it changes.
 struct BarProperty {
   int id = 0;
   int material = 0;
@@ -147,9 +221,14 @@ struct BarProperty {
   double K1 = 0.0;             ///< shear factors; 0: no shear deformation
   double K2 = 0.0;
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
+  /// Of a beam, from its shear centre, along element y and z [m]: where axial
+  /// force bends nothing, and where the nonstructural mass is.
+  Eigen::Vector2d neutral = Eigen::Vector2d::Zero();
+  Eigen::Vector2d nonstructural_at = Eigen::Vector2d::Zero();
+  double nonstructural_inertia = 0.0;  ///< about that place [kg m]
 };
 
-/// PROD, or a CONROD's own section.
+/// PROD, PTUBE, or a CONROD's own section.
 struct RodProperty {
   int id = 0;
   int material = 0;
@@ -157,6 +236,17 @@ struct RodProperty {
   double J = 0.0;
   double nonstructural = 0.0;
   std::string where = {};  ///< "file:line CARD id"; empty: not from a file
+};
+
+/// PSOLID.
+struct SolidProperty {
+  int id = 0;
+  int material = 0;
+  std::string where = {};  ///< "file:line CARD id"
+  /// Axes of a MAT9, columns in basic axes; where they are an element's own
+  /// (CORDM -1, blank) `in_element`.
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  bool in_element = false;
 };
 
 /// SPC, SPC1 and a grid's permanent constraints: components held at zero.
@@ -178,10 +268,15 @@ struct Deck {
   std::vector<ScalarElement> scalars;
   std::vector<Bush> bushes;
   std::vector<RigidElement> rigids;
+  std::vector<Solid> solids;
+  std::vector<Relation> relations;
+  std::vector<MatrixTerm> stiffness_terms;  ///< DMIG named by K2GG
+  std::vector<MatrixTerm> mass_terms;       ///< DMIG named by M2GG
   std::map<int, Material> materials;
   std::map<int, ShellProperty> shell_properties;
   std::map<int, BarProperty> bar_properties;
   std::map<int, RodProperty> rod_properties;
+  std::map<int, SolidProperty> solid_properties;
   std::vector<Constraint> constraints;
   std::vector<std::array<int, 2>> plot_lines;  ///< PLOTEL
   bool coupled_mass = false;        ///< PARAM,COUPMASS: consistent mass
@@ -205,11 +300,16 @@ struct Deck {
 };
 
 /// Reads Nastran bulk data: free, small and large field, continuations,
-/// `1.5-3` reals, INCLUDE. Unknown cards are kept and warned about.
+/// `1.5-3` reals, INCLUDE. Cards that change nothing of the modes are listed in
+/// one warning.
 ///
+/// @param ignored names of cards that are left out with a warning though they
+///   carry stiffness, mass or a constraint
 /// @throws InputError with file and line for a card that cannot be read, a
-///   reference to a grid, property or material that does not exist
-[[nodiscard]] Deck read_deck(const std::filesystem::path& path);
+///   reference to a grid, property or material that does not exist, a card
+///   without which the model lacks something and that is not supported
+[[nodiscard]] Deck read_deck(const std::filesystem::path& path,
+                             const std::vector<std::string>& ignored = {});
 
 /// Where an error says that an element or property is.
 /// @param where its `where`

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t first_grid = 3;
 
 std::size_t grid_count(const std::string& name) {
-  if (name == "CQUAD4") return 4;
-  if (name == "CTRIA3") return 3;
+  if (name == "CQUAD4" || name == "CQUADR" || name == "CSHEAR") return 4;
+  if (name == "CTRIA3" || name == "CTRIAR") return 3;
   return name == "CBAR" || name == "CBEAM" ? 2 : 0;
 }
 

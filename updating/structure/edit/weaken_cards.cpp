@@ -11,19 +11,55 @@ namespace {
 
 // Positions of the MSC Nastran Quick Reference Guide, the name at 0.
 const std::map<std::string, std::vector<std::size_t>> material_fields = {
-    {"PSHELL", {2, 4, 6}},
+    {"PSHELL", {2, 4, 6, 11}},
+    {"PSHEAR", {2}},
     {"PBAR", {2}},
     {"PBARL", {2}},
     {"PBEAM", {2}},
-    {"PROD", {2}}};
+    {"PBEAML", {2}},
+    {"PROD", {2}},
+    {"PTUBE", {2}},
+    {"PSOLID", {2}}};
 const std::map<std::string, std::vector<std::size_t>> modulus_fields = {
-    {"MAT1", {2, 3}}, {"MAT8", {2, 3, 5, 6, 7}}};
-const std::set<std::string> element_names = {
-    "CQUAD4", "CTRIA3", "CBAR", "CBEAM", "CROD"};
+    {"MAT1", {2, 3}},
+    {"MAT2", {2, 3, 4, 5, 6, 7}},
+    {"MAT8", {2, 3, 5, 6, 7}},
+    {"MAT9", {2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
+              13, 14, 15, 16, 17, 18, 19, 20, 21, 22}},
+    {"MAT11", {2, 3, 4, 8, 9, 10}}};
+const std::set<std::string> element_names = {"CQUAD4",
+                                             "CQUADR",
+                                             "CQUAD8",
+                                             "CTRIA3",
+                                             "CTRIAR",
+                                             "CTRIA6",
+                                             "CSHEAR",
+                                             "CBAR",
+                                             "CBEAM",
+                                             "CROD",
+                                             "CTUBE",
+                                             "CHEXA",
+                                             "CPENTA",
+                                             "CPYRAM",
+                                             "CTETRA"};
 
 int id_of(const Card& card) {
   if (card.fields.size() < 2) return 0;
   return parse_integer(card.fields[1]).value_or(0);
+}
+
+// Where a property's card names materials: of a laminate each ply's.
+std::vector<std::size_t> links_of(const Card& card) {
+  const auto found = material_fields.find(card.name());
+  if (found != material_fields.end()) return found->second;
+  std::vector<std::size_t> fields;
+  const bool global = card.name() == "PCOMPG";
+  if (!global && card.name() != "PCOMP") return fields;
+  for (std::size_t at = global ? 10 : 9; at < card.fields.size();
+       at += global ? 8 : 4) {
+    fields.push_back(at);
+  }
+  return fields;
 }
 
 std::string& field(Card& card, std::size_t at) {
@@ -34,13 +70,20 @@ std::string& field(Card& card, std::size_t at) {
 std::set<int> materials_of(const Deck& deck, int property) {
   if (const auto p = deck.shell_properties.find(property);
       p != deck.shell_properties.end()) {
-    std::set<int> ids = {
-        p->second.membrane, p->second.bending, p->second.shear};
+    std::set<int> ids = {p->second.membrane,
+                         p->second.bending,
+                         p->second.shear,
+                         p->second.coupling};
+    for (const Ply& ply : p->second.plies) ids.insert(ply.material);
     ids.erase(0);
     return ids;
   }
   if (const auto p = deck.bar_properties.find(property);
       p != deck.bar_properties.end()) {
+    return {p->second.material};
+  }
+  if (const auto p = deck.solid_properties.find(property);
+      p != deck.solid_properties.end()) {
     return {p->second.material};
   }
   const auto p = deck.rod_properties.find(property);
@@ -66,9 +109,10 @@ int after(const Map& map, int least) {
 
 WeakenCards::WeakenCards(const Deck& deck,
                          const std::vector<WeakElements>& weak)
-    : next_property_(
-          after(deck.shell_properties,
-                after(deck.bar_properties, after(deck.rod_properties, 1)))),
+    : next_property_(after(
+          deck.shell_properties,
+          after(deck.bar_properties,
+                after(deck.rod_properties, after(deck.solid_properties, 1))))),
       next_material_(after(deck.materials, 1)) {
   for (const WeakElements& w : weak) place(deck, w);
 }
@@ -78,6 +122,7 @@ void WeakenCards::place(const Deck& deck, const WeakElements& weak) {
   collect(deck.shells, weak.elements, by_property);
   collect(deck.bars, weak.elements, by_property);
   collect(deck.rods, weak.elements, by_property);
+  collect(deck.solids, weak.elements, by_property);
   for (const auto& [property, elements] : by_property) {
     Copy copy;
     copy.id = next_property_++;
@@ -110,15 +155,15 @@ std::optional<Card> WeakenCards::moved(const Card& card) const {
 // Copies of a property's or material's card.
 std::vector<Card> WeakenCards::copies(const Card& card) const {
   std::vector<Card> result;
-  const auto links = material_fields.find(card.name());
+  const std::vector<std::size_t> links = links_of(card);
   const auto moduli = modulus_fields.find(card.name());
-  if (links != material_fields.end()) {
+  if (!links.empty()) {
     const auto found = properties_.find(id_of(card));
     if (found == properties_.end()) return {};
     for (const Copy& copy : found->second) {
       Card other = card;
       field(other, 1) = fmt::format("{}", copy.id);
-      for (const std::size_t at : links->second) {
+      for (const std::size_t at : links) {
         const auto old = parse_integer(field(other, at));
         if (!old || !copy.materials.contains(*old)) continue;
         field(other, at) = fmt::format("{}", copy.materials.at(*old));

@@ -1,7 +1,6 @@
 // Elements of a deck on properties and materials of their own, softer than the
-// rest by a factor: copies of the PSHELL, PBAR, PBARL, PBEAM or PROD and of the
-// MAT1 or MAT8 behind it, with every modulus multiplied; the elements' cards
-// name the copy.
+// rest by a factor: copies of the property's card and of the MAT card behind
+// it, with every modulus multiplied; the elements' cards name the copy.
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"

@@ -1,7 +1,9 @@
-// CBAR and CBEAM of constant section: Timoshenko beam (Euler-Bernoulli where
+// CBAR and CBEAM: Timoshenko beam (Euler-Bernoulli where
 // no shear factor is given) with offsets and released components. The
 // consistent mass of a CBEAM holds the inertia of its cross sections' rotation;
-// that of a CBAR does not, as in Nastran.
+// that of a CBAR does not, as in Nastran. Of a beam whose axial force acts off
+// its shear centre, at r = (0, N1, N2), the ends' axial displacements are those
+// there, u + theta x r; its mass is there, too.
 //
 // Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968,
 // sections 5.6 and 11.4.
@@ -88,22 +90,45 @@ void add_pair(Eigen::Index dof, double same, double other, Matrix12& A) {
   A(dof + 6, dof) += other;
 }
 
+// Displacements at a place off the shear centre, from those of it.
+Matrix12 at_place(const Eigen::Vector2d& r) {
+  Matrix12 T = Matrix12::Identity();
+  for (const Eigen::Index end : {0, 6}) {
+    T(end, end + 4) = r.y();
+    T(end, end + 5) = -r.x();
+    T(end + 1, end + 3) = -r.y();
+    T(end + 2, end + 3) = r.x();
+  }
+  return T;
+}
+
 Matrix12 local_stiffness(const BarProperty& p, const Material& m, double L) {
   Matrix12 K = Matrix12::Zero();
   add_pair(0, m.E * p.area / L, -m.E * p.area / L, K);
+  if (!p.neutral.isZero(0.0)) {
+    const Matrix12 T = at_place(p.neutral);
+    K = (T.transpose() * K * T).eval();
+  }
   add_pair(3, m.G * p.J / L, -m.G * p.J / L, K);
   add_plane(kPlane1, plane_stiffness(m.E * p.I1, p.K1 * m.G * p.area, L), K);
   add_plane(kPlane2, plane_stiffness(m.E * p.I2, p.K2 * m.G * p.area, L), K);
   return K;
 }
 
-Matrix12 local_mass(const Bar& bar,
-                    const BarProperty& p,
-                    const Material& m,
-                    double L,
-                    bool coupled) {
-  const double mass = (m.rho * p.area + p.nonstructural) * L;
-  const double polar = bar.rotary_inertia ? m.rho * (p.I1 + p.I2) * L : 0.0;
+// What of a bar's mass is where.
+struct Lineal {
+  double mass = 0.0;   // [kg/m]
+  double polar = 0.0;  // about the axis [kg m]
+};
+
+Matrix12 mass_of(const Bar& bar,
+                 const BarProperty& p,
+                 const Material& m,
+                 const Lineal& lineal,
+                 double L,
+                 bool coupled) {
+  const double mass = lineal.mass * L;
+  const double polar = lineal.polar * L;
   Matrix12 M = Matrix12::Zero();
   if (!coupled) {
     for (Eigen::Index c = 0; c < 3; ++c) add_pair(c, mass / 2.0, 0.0, M);
@@ -117,11 +142,40 @@ Matrix12 local_mass(const Bar& bar,
     add_plane(kPlane2, plane_mass(mass, 0.0, 0.0, L), M);
     return M;
   }
+  // The sections' own inertia goes with the part that has some.
+  const double own = lineal.polar > 0.0 ? m.rho * L : 0.0;
   const double phi1 = shear_ratio(m.E * p.I1, p.K1 * m.G * p.area, L);
   const double phi2 = shear_ratio(m.E * p.I2, p.K2 * m.G * p.area, L);
-  add_plane(kPlane1, plane_mass(mass, m.rho * p.I1 * L, phi1, L), M);
-  add_plane(kPlane2, plane_mass(mass, m.rho * p.I2 * L, phi2, L), M);
+  add_plane(kPlane1, plane_mass(mass, own * p.I1, phi1, L), M);
+  add_plane(kPlane2, plane_mass(mass, own * p.I2, phi2, L), M);
   return M;
+}
+
+Matrix12 local_mass(const Bar& bar,
+                    const BarProperty& p,
+                    const Material& m,
+                    double L,
+                    bool coupled) {
+  const double polar = bar.rotary_inertia ? m.rho * (p.I1 + p.I2) : 0.0;
+  const double inertia = bar.rotary_inertia ? p.nonstructural_inertia : 0.0;
+  if (p.neutral.isZero(0.0) && p.nonstructural_at.isZero(0.0)) {
+    return mass_of(bar,
+                   p,
+                   m,
+                   {m.rho * p.area + p.nonstructural, polar + inertia},
+                   L,
+                   coupled);
+  }
+  const Matrix12 T = at_place(p.neutral);
+  const Matrix12 S = at_place(p.nonstructural_at);
+  Matrix12 added = mass_of(bar, p, m, {p.nonstructural, 0.0}, L, coupled);
+  add_pair(3,
+           coupled ? inertia * L / 3.0 : inertia * L / 2.0,
+           coupled ? inertia * L / 6.0 : 0.0,
+           added);
+  return T.transpose() *
+             mass_of(bar, p, m, {m.rho * p.area, polar}, L, coupled) * T +
+         S.transpose() * added * S;
 }
 
 // Released local dofs follow the others statically: T' K T, T' M T.
@@ -202,6 +256,9 @@ void make_principal(BarProperty& p, Eigen::Matrix3d& local) {
   Eigen::Matrix2d V;
   V << -std::sin(angle), -std::cos(angle), std::cos(angle), -std::sin(angle);
   local.rightCols<2>() = (local.rightCols<2>() * V).eval();
+  for (Eigen::Vector2d* r : {&p.neutral, &p.nonstructural_at}) {
+    *r = (V.transpose() * *r).eval();
+  }
   p.I1 = mean - radius;
   p.I2 = mean + radius;
   p.K1 = p.K2 = 0.5 * (p.K1 + p.K2);

@@ -23,7 +23,7 @@ struct ElementMatrices {
   Eigen::MatrixXd M;  ///< 6n x 6n [kg, kg m, kg m^2]; before WTMASS
 };
 
-/// CQUAD4 or CTRIA3.
+/// A shell of any kind, by its mids and its property.
 /// @throws InputError naming the element for a bad shape
 [[nodiscard]] ElementMatrices shell_matrices(const Deck& deck,
                                              const Shell& shell);
@@ -33,16 +33,30 @@ struct ElementMatrices {
                                              const Shell& shell,
                                              const ShellSection& section);
 
+/// CQUAD8 or CTRIA6: shell_matrices() of a shell with mids.
+[[nodiscard]] ElementMatrices quadratic_matrices(const Deck& deck,
+                                                 const Shell& shell,
+                                                 const ShellSection& section);
+
+/// CSHEAR: shell_matrices() of a shell whose property is a panel.
+[[nodiscard]] ElementMatrices panel_matrices(const Deck& deck,
+                                             const Shell& shell);
+
+/// CHEXA, CPENTA, CPYRAM, CTETRA.
+/// @throws InputError naming the element for one that is turned inside out
+[[nodiscard]] ElementMatrices solid_matrices(const Deck& deck,
+                                             const Solid& solid);
+
 /// CBAR or CBEAM. @throws InputError for a bar without length
 [[nodiscard]] ElementMatrices bar_matrices(const Deck& deck, const Bar& bar);
 
-/// CROD or CONROD. @throws InputError for a rod without length
+/// CROD, CTUBE or CONROD. @throws InputError for a rod without length
 [[nodiscard]] ElementMatrices rod_matrices(const Deck& deck, const Rod& rod);
 
-/// CONM2: mass only.
+/// CONM1, CONM2: mass only.
 [[nodiscard]] ElementMatrices mass_matrices(const PointMass& mass);
 
-/// CELAS, CMASS2; damping is not part of K or M.
+/// CELAS, CMASS, CBUSH1D; damping is not part of K or M.
 [[nodiscard]] ElementMatrices scalar_matrices(const ScalarElement& scalar);
 
 /// CBUSH; damping is not part of K or M.

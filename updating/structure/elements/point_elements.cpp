@@ -14,6 +14,7 @@ ElementMatrices mass_matrices(const PointMass& mass) {
   M.topRightCorner<3, 3>() = -mass.mass * cross;
   M.bottomLeftCorner<3, 3>() = mass.mass * cross;
   M.bottomRightCorner<3, 3>() = mass.inertia - mass.mass * cross * cross;
+  if (mass.matrix.size() > 0) M += mass.matrix;
   return {{mass.grid}, Eigen::MatrixXd::Zero(6, 6), M};
 }
 

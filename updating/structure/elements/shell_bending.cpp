@@ -16,6 +16,7 @@ Sides make_sides(const Corners& xy, const ShellSection& section) {
   const Eigen::Index n = xy.rows();
   Sides sides{
       Eigen::MatrixXd::Zero(n, 3 * n), Eigen::VectorXd::Zero(n), Corners(n, 2)};
+  const Eigen::Matrix3d bending = section.least_bending();
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index j = (i + 1) % n;
     const Eigen::Vector2d side = (xy.row(j) - xy.row(i)).transpose();
@@ -23,7 +24,7 @@ Sides make_sides(const Corners& xy, const ShellSection& section) {
     const Eigen::Vector2d d = side / L;
     const Eigen::Vector3d along(
         d.x() * d.x(), d.y() * d.y(), 2.0 * d.x() * d.y());
-    const double Db = along.dot(section.bending * along);
+    const double Db = along.dot(bending * along);
     const double flexible = d.dot(section.shear_compliance * d);
     const double phi = 12.0 * Db * flexible / (L * L);
     const double scale = 1.5 / (L * (1.0 + phi));
@@ -58,6 +59,20 @@ Eigen::MatrixXd curvature(const Sides& sides,
 }
 
 }  // namespace
+
+std::vector<Eigen::MatrixXd> curvatures(const Corners& xy,
+                                        const ShellSection& section) {
+  const Eigen::Index n = xy.rows();
+  const Sides sides = make_sides(xy, section);
+  std::vector<Eigen::MatrixXd> result;
+  for (const GaussPoint& point : gauss_points(n, 2)) {
+    const Eigen::Matrix2d Ji = jacobian(xy, point.at).inverse();
+    const Corners dN = corner_slopes(n, point.at) * Ji.transpose();
+    const Corners dP = bubble_slopes(n, point.at) * Ji.transpose();
+    result.push_back(curvature(sides, dN, dP));
+  }
+  return result;
+}
 
 Eigen::MatrixXd bending_stiffness(const Corners& xy,
                                   const ShellSection& section) {

@@ -18,6 +18,11 @@
 
 namespace tapfit::structure {
 
+/// Curvatures over (w, theta_x, theta_y) of each corner, 3 x 3n, at each of
+/// gauss_points(n, 2).
+[[nodiscard]] std::vector<Eigen::MatrixXd> curvatures(
+    const Corners& xy, const ShellSection& section);
+
 /// Stiffness over (w, theta_x, theta_y) of each corner, 3n x 3n.
 /// @param xy corners in the element's plane, counter-clockwise [m]
 [[nodiscard]] Eigen::MatrixXd bending_stiffness(const Corners& xy,

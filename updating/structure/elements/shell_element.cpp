@@ -1,5 +1,6 @@
 // A shell element in basic axes: local frame, projection of a warped quad onto
 // its mean plane by rigid arms, membrane, bending and mass put together.
+// Quadratic shells and panels have files of their own.
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/elements/shell_bending.hpp"
@@ -82,6 +83,49 @@ Eigen::MatrixXd transformation(const Frame& frame) {
   return T;
 }
 
+// Membrane and bending of a section in which each brings forth the other.
+Eigen::MatrixXd coupled_stiffness(const Corners& xy,
+                                  const ShellSection& section) {
+  const Eigen::Index n = xy.rows();
+  const MembraneParts membrane = membrane_parts(xy, section);
+  const std::vector<Eigen::MatrixXd> bending = curvatures(xy, section);
+  // Membrane, bending, inner modes.
+  const Eigen::Index inner = membrane.inner;
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n + inner, 6 * n + inner);
+  K.topLeftCorner(3 * n, 3 * n) = membrane.K.topLeftCorner(3 * n, 3 * n);
+  K.topRightCorner(3 * n, inner) = membrane.K.topRightCorner(3 * n, inner);
+  K.bottomLeftCorner(inner, 3 * n) = membrane.K.bottomLeftCorner(inner, 3 * n);
+  K.bottomRightCorner(inner, inner) =
+      membrane.K.bottomRightCorner(inner, inner);
+  K.block(3 * n, 3 * n, 3 * n, 3 * n) = bending_stiffness(xy, section);
+  const std::vector<GaussPoint> points = gauss_points(n, 2);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double dA =
+        points[k].weight * jacobian(xy, points[k].at).determinant();
+    const Eigen::MatrixXd cross =
+        dA * membrane.strains[k].transpose() * section.coupling * bending[k];
+    K.block(0, 3 * n, 3 * n, 3 * n) += cross.topRows(3 * n);
+    K.block(3 * n, 0, 3 * n, 3 * n) += cross.topRows(3 * n).transpose();
+    K.block(6 * n, 3 * n, inner, 3 * n) += cross.bottomRows(inner);
+    K.block(3 * n, 6 * n, 3 * n, inner) += cross.bottomRows(inner).transpose();
+  }
+  const Eigen::MatrixXd own = condensed(K, inner);
+  // Per grid u, v, theta_z, then w, theta_x, theta_y.
+  constexpr std::array<Eigen::Index, 6> kPlace{0, 1, 5, 2, 3, 4};
+  const auto place = [&](Eigen::Index i) {
+    const Eigen::Index part = i / (3 * n);
+    return 6 * (i % (3 * n) / 3) +
+           kPlace.at(static_cast<std::size_t>(3 * part + i % 3));
+  };
+  Eigen::MatrixXd sorted(6 * n, 6 * n);
+  for (Eigen::Index i = 0; i < 6 * n; ++i) {
+    for (Eigen::Index j = 0; j < 6 * n; ++j) {
+      sorted(place(i), place(j)) = own(i, j);
+    }
+  }
+  return sorted;
+}
+
 void add_part(const Eigen::MatrixXd& part,
               const std::array<Eigen::Index, 3>& dofs,
               Eigen::MatrixXd& whole) {
@@ -99,19 +143,27 @@ void add_part(const Eigen::MatrixXd& part,
 }  // namespace
 
 ElementMatrices shell_matrices(const Deck& deck, const Shell& shell) {
+  if (deck.shell_properties.at(shell.property).panel) {
+    return panel_matrices(deck, shell);
+  }
   return shell_matrices(deck, shell, shell_section(deck, shell));
 }
 
 ElementMatrices shell_matrices(const Deck& deck,
                                const Shell& shell,
                                const ShellSection& section) {
-  const Frame frame = make_frame(deck, shell);
+  if (!shell.mids.empty()) return quadratic_matrices(deck, shell, section);
+  Frame frame = make_frame(deck, shell);
+  // The element lies above its grids by the offset.
+  frame.height.array() -= shell.offset;
   const Eigen::Index n = frame.xy.rows();
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6 * n, 6 * n);
-  if (section.membrane.trace() > 0.0) {
+  if (section.is_coupled()) {
+    K = coupled_stiffness(frame.xy, section);
+  } else if (section.membrane.trace() > 0.0) {
     add_part(membrane_stiffness(frame.xy, section), {0, 1, 5}, K);
   }
-  if (section.bending.trace() > 0.0) {
+  if (!section.is_coupled() && section.bending.trace() > 0.0) {
     add_part(bending_stiffness(frame.xy, section), {2, 3, 4}, K);
   }
   const Eigen::MatrixXd M = shell_mass(frame.xy, section, deck.coupled_mass);

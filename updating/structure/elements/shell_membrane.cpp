@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include <utility>
+
 namespace tapfit::structure {
 namespace {
 
@@ -44,7 +46,8 @@ Corners slopes(const Corners& xy, const Eigen::Vector2d& at) {
   return corner_slopes(xy.rows(), at) * jacobian(xy, at).inverse().transpose();
 }
 
-// Takes the inner modes, which load nothing, out of K: they are the last.
+}  // namespace
+
 Eigen::MatrixXd condensed(const Eigen::MatrixXd& K, Eigen::Index inner) {
   const Eigen::Index n = K.rows() - inner;
   if (inner == 0) return K;
@@ -54,12 +57,11 @@ Eigen::MatrixXd condensed(const Eigen::MatrixXd& K, Eigen::Index inner) {
                                           .solve(K.bottomLeftCorner(inner, n));
 }
 
-}  // namespace
-
-Eigen::MatrixXd membrane_stiffness(const Corners& xy,
-                                   const ShellSection& section) {
+MembraneParts membrane_parts(const Corners& xy, const ShellSection& section) {
   const Eigen::Index n = xy.rows();
   const Eigen::Index inner = n == 4 ? 4 : 0;
+  MembraneParts parts;
+  parts.inner = inner;
   const double G = section.membrane(2, 2);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(3 * n + inner, 3 * n + inner);
   Eigen::MatrixXd B = Eigen::MatrixXd::Zero(3, 3 * n + inner);
@@ -81,8 +83,16 @@ Eigen::MatrixXd membrane_stiffness(const Corners& xy,
     }
     K += dA * B.transpose() * section.membrane * B;
     K += dA * kDrilling * G * drill.transpose() * drill;
+    parts.strains.push_back(B);
   }
-  return condensed(K, inner);
+  parts.K = std::move(K);
+  return parts;
+}
+
+Eigen::MatrixXd membrane_stiffness(const Corners& xy,
+                                   const ShellSection& section) {
+  const MembraneParts parts = membrane_parts(xy, section);
+  return condensed(parts.K, parts.inner);
 }
 
 }  // namespace tapfit::structure

@@ -17,6 +17,20 @@
 
 namespace tapfit::structure {
 
+/// Stiffness with the inner modes still in it, they last.
+struct MembraneParts {
+  Eigen::MatrixXd K;                     ///< (3n + inner) square
+  std::vector<Eigen::MatrixXd> strains;  ///< 3 x (3n + inner) at each of
+                                         ///< gauss_points(n, 2)
+  Eigen::Index inner = 0;
+};
+[[nodiscard]] MembraneParts membrane_parts(const Corners& xy,
+                                           const ShellSection& section);
+
+/// Takes the last entries, which carry no load, out of K.
+[[nodiscard]] Eigen::MatrixXd condensed(const Eigen::MatrixXd& K,
+                                        Eigen::Index inner);
+
 /// Stiffness over (u, v, theta_z) of each corner, 3n x 3n.
 /// @param xy corners in the element's plane, counter-clockwise [m]
 [[nodiscard]] Eigen::MatrixXd membrane_stiffness(const Corners& xy,

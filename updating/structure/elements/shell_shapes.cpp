@@ -105,6 +105,14 @@ std::vector<GaussPoint> gauss_points(Eigen::Index corners, int order) {
   return points;
 }
 
+std::vector<GaussPoint> line_points(int order) {
+  std::vector<GaussPoint> points;
+  for (const LinePoint& p : line_rule(order)) {
+    points.push_back({{p.at, 0.0}, p.weight});
+  }
+  return points;
+}
+
 Eigen::VectorXd corner_values(Eigen::Index corners, const Eigen::Vector2d& at) {
   if (corners == 3) return area_coordinates(at);
   Eigen::Vector4d N;

@@ -21,6 +21,9 @@ struct GaussPoint {
 [[nodiscard]] std::vector<GaussPoint> gauss_points(Eigen::Index corners,
                                                    int order);
 
+/// Gauss rule of 1 to 4 points over [-1, 1], the coordinate first.
+[[nodiscard]] std::vector<GaussPoint> line_points(int order);
+
 /// Corner functions, n.
 [[nodiscard]] Eigen::VectorXd corner_values(Eigen::Index corners,
                                             const Eigen::Vector2d& at);

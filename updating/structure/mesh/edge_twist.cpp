@@ -79,6 +79,9 @@ ShellSection with_layers(const ShellSection& section,
 SparseMatrix edge_twist(const Deck& deck) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& [shell, sides] : free_sides(deck)) {
+    // Others have no layer of this kind, or are told from their corners only.
+    const ShellProperty& p = deck.shell_properties.at(shell->property);
+    if (p.panel || !p.plies.empty() || !shell->mids.empty()) continue;
     const ShellSection section = shell_section(deck, *shell);
     if (section.shear_compliance.isZero(0.0)) continue;
     std::vector<Vector3d> corners;

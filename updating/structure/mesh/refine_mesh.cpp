@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -19,7 +20,15 @@ class Refiner {
     for (const PointMass& e : deck.masses) keep(e.id);
     for (const ScalarElement& e : deck.scalars) keep(e.id);
     for (const Bush& e : deck.bushes) keep(e.id);
-    for (const Shell& e : deck.shells) split(e);
+    for (const Solid& e : deck.solids) keep(e.id);
+    for (const Shell& e : deck.shells) {
+      if (!e.mids.empty() || deck.shell_properties.at(e.property).panel) {
+        keep(e.id);
+        edges_.mesh().deck.shells.push_back(e);
+      } else {
+        split(e);
+      }
+    }
     for (const Bar& e : deck.bars) split(e);
     tie_seams(edges_);
   }
@@ -96,6 +105,12 @@ class Refiner {
 };
 
 }  // namespace
+
+bool can_refine(const Deck& deck) {
+  return deck.solids.empty() &&
+         std::ranges::all_of(deck.shells,
+                             [](const Shell& e) { return e.mids.empty(); });
+}
 
 RefinedDeck refine_mesh(const Deck& deck) { return Refiner(deck).take(); }
 

@@ -72,6 +72,7 @@ SplitEdges::SplitEdges(const Deck& deck) {
   see(deck.masses);
   see(deck.scalars);
   see(deck.bushes);
+  see(deck.solids);
 }
 
 // @param extent diagonal of the box around all grids [m]

@@ -1,18 +1,22 @@
-// Cross sections of PBARL: area, second moments about the centroid, torsion
-// constant (thin-walled or Roark's formula for the rectangle), shear factors.
+// Cross sections of PBARL and PBEAML: area, second moments about the centroid,
+// torsion constant (thin-walled or Roark's formula for the rectangle), shear
+// factors, and where the centroid lies from the shear centre (thin-walled).
 //
-// Source: MSC Nastran Quick Reference Guide, PBARL; W. C. Young, Roark's
-// Formulas for Stress and Strain, 7th ed., table 10.1.
+// Source: MSC Nastran Quick Reference Guide, PBARL, PBEAML; W. C. Young,
+// Roark's Formulas for Stress and Strain, 7th ed., tables 9.2 and 10.1.
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace tapfit::structure {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+
+using Dimensions = std::vector<double>;
 
 // J = a b^3 (1/3 - 0.21 b/a (1 - b^4/(12 a^4))), a >= b.
 double rectangle_torsion(double w, double h) {
@@ -58,12 +62,15 @@ BarProperty box(double w, double h, double t1, double t2) {
   return p;
 }
 
-// A section of rectangles stacked along element y, each centred on z = z0.
+// A rectangle of a section: along element z and y, its centre.
 struct Plate {
   double width, height, y, z;
 };
 
-BarProperty stacked(const std::vector<Plate>& plates) {
+// @param shear_y, shear_z the shear centre, in the plates' axes
+BarProperty composed(const std::vector<Plate>& plates,
+                     double shear_y,
+                     double shear_z) {
   BarProperty p;
   double first_y = 0.0;
   double first_z = 0.0;
@@ -79,72 +86,278 @@ BarProperty stacked(const std::vector<Plate>& plates) {
     const double area = r.width * r.height;
     p.I1 += area * (r.height * r.height / 12.0 + std::pow(r.y - y0, 2));
     p.I2 += area * (r.width * r.width / 12.0 + std::pow(r.z - z0, 2));
+    p.I12 += area * (r.y - y0) * (r.z - z0);
     p.J += std::max(r.width, r.height) *
            std::pow(std::min(r.width, r.height), 3) / 3.0;
   }
+  // Of a symmetric section, rounding.
+  if (std::abs(p.I12) < 1e-12 * (p.I1 + p.I2)) p.I12 = 0.0;
+  p.neutral = {y0 - shear_y, z0 - shear_z};
   return p;
 }
 
 // d: height, bottom width, top width, web, bottom flange, top flange.
-BarProperty i_beam(const std::vector<double>& d) {
+BarProperty i_beam(const Dimensions& d) {
   const double web = d[0] - d[4] - d[5];
-  BarProperty p = stacked({{d[1], d[4], d[4] / 2.0, 0.0},
-                           {d[3], web, d[4] + web / 2.0, 0.0},
-                           {d[2], d[5], d[0] - d[5] / 2.0, 0.0}});
+  const double bottom = d[4] * std::pow(d[1], 3);
+  const double top = d[5] * std::pow(d[2], 3);
+  const double apart = d[0] - 0.5 * (d[4] + d[5]);
+  BarProperty p = composed({{d[1], d[4], d[4] / 2.0, 0.0},
+                            {d[3], web, d[4] + web / 2.0, 0.0},
+                            {d[2], d[5], d[0] - d[5] / 2.0, 0.0}},
+                           d[4] / 2.0 + apart * top / (top + bottom),
+                           0.0);
   p.K1 = d[3] * d[0] / p.area;
   p.K2 = 5.0 / 6.0 * (d[1] * d[4] + d[2] * d[5]) / p.area;
   return p;
 }
 
-// d: flange width, total height, flange thickness, web thickness.
-BarProperty tee(const std::vector<double>& d) {
+// d: flange overhangs together, web, height of the web, total height.
+BarProperty i1_beam(const Dimensions& d) {
+  const double flange = 0.5 * (d[3] - d[2]);
+  return i_beam({d[3], d[0] + d[1], d[0] + d[1], d[1], flange, flange});
+}
+
+// d: flange width, total height, flange thickness, web thickness; the flange on
+// top, or below.
+BarProperty tee(const Dimensions& d, bool on_top) {
   const double web = d[1] - d[2];
-  BarProperty p = stacked(
-      {{d[0], d[2], d[1] - d[2] / 2.0, 0.0}, {d[3], web, web / 2.0, 0.0}});
+  const double flange_y = on_top ? d[1] - d[2] / 2.0 : d[2] / 2.0;
+  const double web_y = on_top ? web / 2.0 : d[2] + web / 2.0;
+  BarProperty p = composed(
+      {{d[0], d[2], flange_y, 0.0}, {d[3], web, web_y, 0.0}}, flange_y, 0.0);
   p.K1 = d[3] * d[1] / p.area;
   p.K2 = d[0] * d[2] / p.area;
   return p;
 }
 
-// d: width, height, web thickness, flange thickness. Shear centre is taken at
-// the centroid, as PBARL users of this subset put it there with offsets.
-BarProperty channel(const std::vector<double>& d) {
+// The section turned by a right angle: y takes the place of z.
+BarProperty turned(BarProperty p) {
+  std::swap(p.I1, p.I2);
+  std::swap(p.K1, p.K2);
+  p.I12 = -p.I12;
+  p.neutral = {-p.neutral.y(), p.neutral.x()};
+  return p;
+}
+
+// d: width, height, web thickness, flange thickness. The shear centre lies
+// beyond the web, 3 b^2 t / (6 b t + h w) from its middle; z points that way.
+BarProperty channel(const Dimensions& d) {
   const double flange = d[0] - d[2];
-  const double z = d[2] + flange / 2.0;
-  BarProperty p = stacked({{d[2], d[1], d[1] / 2.0, d[2] / 2.0},
-                           {flange, d[3], d[3] / 2.0, z},
-                           {flange, d[3], d[1] - d[3] / 2.0, z}});
+  const double z = -(d[2] + flange) / 2.0;
+  const double b = d[0] - d[2] / 2.0;
+  const double beyond =
+      3.0 * b * b * d[3] / (6.0 * b * d[3] + (d[1] - d[3]) * d[2]);
+  BarProperty p = composed({{d[2], d[1], d[1] / 2.0, 0.0},
+                            {flange, d[3], d[3] / 2.0, z},
+                            {flange, d[3], d[1] - d[3] / 2.0, z}},
+                           d[1] / 2.0,
+                           beyond);
   p.K1 = d[2] * d[1] / p.area;
   p.K2 = 2.0 * flange * d[3] / p.area;
   return p;
 }
 
+// d: overhang, web, height of the web, total height; one flange each way.
+BarProperty zee(const Dimensions& d) {
+  const double t = 0.5 * (d[3] - d[2]);
+  const double z = 0.5 * d[0];
+  BarProperty p = composed({{d[1], d[2], 0.0, 0.0},
+                            {d[0] + d[1], t, 0.5 * (d[3] - t), -z},
+                            {d[0] + d[1], t, -0.5 * (d[3] - t), z}},
+                           0.0,
+                           0.0);
+  p.K1 = d[1] * d[3] / p.area;
+  p.K2 = 5.0 / 6.0 * 2.0 * (d[0] + d[1]) * t / p.area;
+  return p;
+}
+
+// d: width, height, thickness of the leg along z, of the one along y.
+BarProperty angle(const Dimensions& d) {
+  const double leg = d[1] - d[2];
+  BarProperty p = composed({{d[0], d[2], d[2] / 2.0, -d[0] / 2.0},
+                            {d[3], leg, d[2] + leg / 2.0, -d[3] / 2.0}},
+                           d[2] / 2.0,
+                           -d[3] / 2.0);
+  p.K1 = 5.0 / 6.0 * d[3] * d[1] / p.area;
+  p.K2 = 5.0 / 6.0 * d[2] * d[0] / p.area;
+  return p;
+}
+
+// d: arms together, upright's thickness, its height, arms' thickness.
+BarProperty cross(const Dimensions& d) {
+  BarProperty p = composed({{d[1], d[2], 0.0, 0.0},
+                            {d[0] / 2.0, d[3], 0.0, (d[0] + 2 * d[1]) / 4.0},
+                            {d[0] / 2.0, d[3], 0.0, -(d[0] + 2 * d[1]) / 4.0}},
+                           0.0,
+                           0.0);
+  p.J = (d[2] * std::pow(d[1], 3) + d[0] * std::pow(d[3], 3)) / 3.0;
+  p.K1 = 5.0 / 6.0 * d[1] * d[2] / p.area;
+  p.K2 = 5.0 / 6.0 * (d[0] + d[1]) * d[3] / p.area;
+  return p;
+}
+
+// d: between the legs, legs' thickness together, their height, the web's.
+BarProperty h_beam(const Dimensions& d) {
+  const double z = 0.5 * (d[0] + 0.5 * d[1]);
+  BarProperty p = composed({{d[0], d[3], 0.0, 0.0},
+                            {d[1] / 2.0, d[2], 0.0, z},
+                            {d[1] / 2.0, d[2], 0.0, -z}},
+                           0.0,
+                           0.0);
+  p.K1 = 5.0 / 6.0 * d[1] * d[2] / p.area;
+  p.K2 = d[3] * (d[0] + d[1]) / p.area;
+  return p;
+}
+
+// d: height, thickness, width of the top, flange beyond each web.
+BarProperty hat(const Dimensions& d) {
+  const double t = d[1];
+  const double web = d[0] - 2.0 * t;
+  const double web_z = 0.5 * (d[2] - t);
+  const double foot = d[3] + t;
+  const double foot_z = web_z - 0.5 * t + 0.5 * foot;
+  BarProperty p = composed({{d[2], t, d[0] - t / 2.0, 0.0},
+                            {t, web, d[0] / 2.0, web_z},
+                            {t, web, d[0] / 2.0, -web_z},
+                            {foot, t, t / 2.0, foot_z},
+                            {foot, t, t / 2.0, -foot_z}},
+                           0.0,
+                           0.0);
+  p.neutral.setZero();
+  p.K1 = 2.0 * t * d[0] / p.area;
+  p.K2 = t * (d[2] + 2.0 * foot) / p.area;
+  return p;
+}
+
+// d: width, height, thickness of top, bottom, left and right wall.
+// J by Bredt: 4 A^2 / integral ds/t.
+BarProperty box1(const Dimensions& d) {
+  const double side = d[1] - d[2] - d[3];
+  BarProperty p = composed({{d[0], d[2], d[1] - d[2] / 2.0, d[0] / 2.0},
+                            {d[0], d[3], d[3] / 2.0, d[0] / 2.0},
+                            {d[4], side, d[3] + side / 2.0, d[4] / 2.0},
+                            {d[5], side, d[3] + side / 2.0, d[0] - d[5] / 2.0}},
+                           0.0,
+                           0.0);
+  p.neutral.setZero();
+  const double w = d[0] - 0.5 * (d[4] + d[5]);
+  const double h = d[1] - 0.5 * (d[2] + d[3]);
+  p.J = 4.0 * w * w * h * h / (w / d[2] + w / d[3] + h / d[4] + h / d[5]);
+  p.K1 = (d[4] + d[5]) * d[1] / p.area;
+  p.K2 = (d[2] + d[3]) * d[0] / p.area;
+  return p;
+}
+
+// d: width of a pointed end, total width, height.
+BarProperty hexagon(const Dimensions& d) {
+  const double flat = d[1] - 2.0 * d[0];
+  const double h = d[2];
+  BarProperty p;
+  p.area = (d[1] - d[0]) * h;
+  // Each end is two right triangles of d0 by h / 2.
+  p.I1 = flat * h * h * h / 12.0 + d[0] * h * h * h / 24.0;
+  const double end = 0.5 * d[0] * h;  // area of one end
+  p.I2 = h * std::pow(flat, 3) / 12.0 +
+         2.0 * (h * std::pow(d[0], 3) / 36.0 +
+                end * std::pow(flat / 2.0 + d[0] / 3.0, 2));
+  // Saint-Venant's approximation for compact sections.
+  p.J = std::pow(p.area, 4) / (4.0 * kPi * kPi * (p.I1 + p.I2));
+  p.K1 = p.K2 = 5.0 / 6.0;
+  return p;
+}
+
+struct Shape {
+  std::size_t dimensions;
+  bool (*fits)(const Dimensions&);  // walls inside
+  BarProperty (*section)(const Dimensions&);
+};
+
+bool always(const Dimensions& /*d*/) { return true; }
+
+const std::map<std::string, Shape>& shapes() {
+  using D = const Dimensions&;
+  static const std::map<std::string, Shape> kShapes{
+      {"ROD", {1, always, [](D d) { return tube(d[0], 0.0); }}},
+      {"TUBE",
+       {2,
+        [](D d) { return d[1] < d[0]; },
+        [](D d) { return tube(d[0], d[1]); }}},
+      {"TUBE2",
+       {2,
+        [](D d) { return d[1] <= d[0]; },
+        [](D d) { return tube(d[0], d[0] - d[1]); }}},
+      {"BAR", {2, always, [](D d) { return rectangle(d[0], d[1]); }}},
+      {"BOX",
+       {4,
+        [](D d) { return 2.0 * d[2] < d[1] && 2.0 * d[3] < d[0]; },
+        [](D d) { return box(d[0], d[1], d[2], d[3]); }}},
+      {"BOX1",
+       {6, [](D d) { return d[2] + d[3] < d[1] && d[4] + d[5] < d[0]; }, box1}},
+      {"I", {6, [](D d) { return d[4] + d[5] < d[0]; }, i_beam}},
+      {"I1", {4, [](D d) { return d[2] < d[3]; }, i1_beam}},
+      {"T",
+       {4, [](D d) { return d[2] < d[1]; }, [](D d) { return tee(d, true); }}},
+      // Flange height, web length, flange thickness, web thickness.
+      {"T1",
+       {4,
+        always,
+        [](D d) {
+          return turned(tee({d[0], d[1] + d[2], d[2], d[3]}, true));
+        }}},
+      {"T2",
+       {4, [](D d) { return d[2] < d[1]; }, [](D d) { return tee(d, false); }}},
+      {"CHAN",
+       {4, [](D d) { return d[2] < d[0] && 2.0 * d[3] < d[1]; }, channel}},
+      // Overhang, web, height of the web, total height.
+      {"CHAN1",
+       {4,
+        [](D d) { return d[2] < d[3]; },
+        [](D d) {
+          return channel({d[0] + d[1], d[3], d[1], 0.5 * (d[3] - d[2])});
+        }}},
+      // Legs' thickness, web's, height, width.
+      {"CHAN2",
+       {4,
+        [](D d) { return 2.0 * d[0] < d[3] && d[1] < d[2]; },
+        [](D d) {
+          return turned(channel({d[2], d[3], d[1], d[0]}));
+        }}},
+      {"Z", {4, [](D d) { return d[2] < d[3]; }, zee}},
+      {"L", {4, [](D d) { return d[2] < d[1] && d[3] < d[0]; }, angle}},
+      {"CROSS", {4, [](D d) { return d[3] < d[2]; }, cross}},
+      {"H", {4, [](D d) { return d[3] < d[2]; }, h_beam}},
+      {"HAT",
+       {4, [](D d) { return 2.0 * d[1] < d[0] && 2.0 * d[1] < d[2]; }, hat}},
+      {"HEXA", {3, [](D d) { return 2.0 * d[0] < d[1]; }, hexagon}}};
+  return kShapes;
+}
+
 }  // namespace
 
 std::size_t section_dimensions(const std::string& type) {
-  if (type == "ROD") return 1;
-  if (type == "TUBE" || type == "TUBE2" || type == "BAR") return 2;
-  if (type == "BOX" || type == "T" || type == "CHAN") return 4;
-  return type == "I" ? 6 : 0;
+  const auto found = shapes().find(type);
+  return found == shapes().end() ? 0 : found->second.dimensions;
+}
+
+std::string known_sections() {
+  std::string names;
+  for (const auto& [name, shape] : shapes()) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
 }
 
 std::optional<BarProperty> section_of(const std::string& type,
                                       const std::vector<double>& d) {
+  const auto found = shapes().find(type);
+  if (found == shapes().end()) return {};
   const bool hollow = type == "TUBE";
   for (std::size_t i = 0; i < d.size(); ++i) {
     if (d[i] < 0.0 || (d[i] == 0.0 && !(hollow && i == 1))) return {};
   }
-  BarProperty p;
-  if (type == "ROD") p = tube(d[0], 0.0);
-  if (type == "TUBE" && d[1] < d[0]) p = tube(d[0], d[1]);
-  if (type == "TUBE2" && d[1] <= d[0]) p = tube(d[0], d[0] - d[1]);
-  if (type == "BAR") p = rectangle(d[0], d[1]);
-  if (type == "BOX" && 2.0 * d[2] < d[1] && 2.0 * d[3] < d[0]) {
-    p = box(d[0], d[1], d[2], d[3]);
-  }
-  if (type == "I" && d[4] + d[5] < d[0]) p = i_beam(d);
-  if (type == "T" && d[2] < d[1]) p = tee(d);
-  if (type == "CHAN" && d[2] < d[0] && 2.0 * d[3] < d[1]) p = channel(d);
+  if (!found->second.fits(d)) return {};
+  BarProperty p = found->second.section(d);
   if (!(p.area > 0.0)) return {};
   return p;
 }

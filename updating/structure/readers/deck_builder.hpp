@@ -5,9 +5,10 @@
 // May include: its row in CONTRIBUTING.md.
 //
 // What is known of a deck while its cards are being read. Each group of cards
-// has a reader of its own (read_coordinates, read_grids, read_properties,
-// read_elements, read_rigid, read_constraints); read_deck runs them in order of
-// dependence.
+// has a reader of its own (read_coordinates, read_grids, read_materials,
+// read_sections, read_laminates, read_properties, read_elements, read_solids,
+// read_scalars, read_rigid, read_relations, read_constraints, read_direct);
+// read_deck runs them in order of dependence.
 #pragma once
 
 #include "updating/structure/cards/card_reader.hpp"
@@ -18,6 +19,7 @@
 #include <array>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -48,16 +50,32 @@ struct BushProperty {
   std::array<double, 6> damping{};
 };
 
+/// A DMIG matrix, with the place of its head.
+struct DirectMatrix {
+  std::string where;
+  int form = 0;
+  std::vector<MatrixTerm> terms;
+};
+
 struct DeckBuilder {
   Deck deck;
   std::map<int, CoordinateSystem> systems;  ///< 0 is basic
   std::unordered_map<int, std::size_t> grid_index;
   std::map<int, std::array<double, 2>> spring_properties;  ///< PELAS: k, g
   std::map<int, double> damper_properties;                 ///< PDAMP: B
-  std::map<int, BushProperty> bush_properties;             ///< PBUSH
+  std::map<int, double> mass_properties;                   ///< PMASS: M
+  /// PBUSH1D: k, c, m.
+  std::map<int, std::array<double, 3>> line_spring_properties;
+  std::map<int, BushProperty> bush_properties;  ///< PBUSH
+  /// DMIG, by name, in the deck's order.
+  std::map<std::string, DirectMatrix> direct_matrices;
   std::map<int, std::vector<Constraint>> constraint_sets;
-  std::map<int, std::vector<int>> added_sets;  ///< SPCADD
-  std::vector<Constraint> permanent;           ///< GRID field 8
+  std::map<int, std::vector<int>> added_sets;           ///< SPCADD
+  std::vector<Constraint> permanent;                    ///< GRID field 8
+  std::map<int, std::vector<Relation>> relation_sets;   ///< MPC
+  std::map<int, std::vector<int>> added_relation_sets;  ///< MPCADD
+  /// MAT1 whose E and G no isotropic material has.
+  std::set<int> odd_materials;
   std::set<int> element_ids;
   /// Where a property, material or system of an id was read.
   std::map<std::pair<std::string, int>, std::string> defined;
@@ -95,8 +113,13 @@ struct DeckBuilder {
 using ReadCard = std::function<void(DeckBuilder&, const CardReader&)>;
 using CardTable = std::map<std::string, ReadCard>;
 
-/// Tables of the cards each reader understands. Systems on grids (CORD1R) need
-/// the grids, and the axes of grids these systems.
+/// Reads coordinate systems and grids.
+/// @throws InputError where one refers to what does not exist, or to itself
+///   round a ring
+void read_places(DeckBuilder& builder, const std::vector<Card>& cards);
+
+/// Tables of the cards each reader understands. The axes of grids need systems
+/// on grids (CORD1R).
 [[nodiscard]] CardTable coordinate_cards();
 /// Puts each coordinate_cards() behind the one that it refers to; decks have
 /// them in any order.
@@ -105,21 +128,72 @@ void order_coordinate_cards(std::vector<Card>& cards);
 [[nodiscard]] CardTable grid_cards();
 [[nodiscard]] CardTable grid_coordinate_cards();
 [[nodiscard]] CardTable grid_axes_cards();
+[[nodiscard]] CardTable scalar_point_cards();
+[[nodiscard]] CardTable material_cards();
 [[nodiscard]] CardTable property_cards();
+[[nodiscard]] CardTable section_cards();
+[[nodiscard]] CardTable laminate_cards();
+[[nodiscard]] CardTable scalar_property_cards();
 [[nodiscard]] CardTable element_cards();
+[[nodiscard]] CardTable solid_cards();
+[[nodiscard]] CardTable scalar_cards();
 [[nodiscard]] CardTable rigid_cards();
+[[nodiscard]] CardTable relation_cards();
 [[nodiscard]] CardTable constraint_cards();
+[[nodiscard]] CardTable direct_matrix_cards();
 
 void read_pbush(DeckBuilder& builder, const CardReader& card);
 void read_cbush(DeckBuilder& builder, const CardReader& card);
+/// An RBAR both of whose ends have independent components; its id is taken.
+void read_shared_rbar(DeckBuilder& builder, const CardReader& card);
+
+/// Puts SPOINTs in the middle of the grids.
+void place_scalar_points(DeckBuilder& builder);
+
+/// @throws InputError for a MAT1 with E and G that no isotropic material has
+///   where more than bars and rods have it; else warns of it
+void check_odd_materials(DeckBuilder& builder);
 
 /// Puts the constraints of the chosen set (all sets when none is chosen) into
 /// the deck.
 void apply_constraints(DeckBuilder& builder, std::optional<int> chosen);
 
+/// Puts the MPCs of the chosen set (all sets when none is chosen) into the
+/// deck.
+void apply_relations(DeckBuilder& builder, std::optional<int> chosen);
+
+/// Puts the DMIG matrices that the case control selects into the deck; without
+/// a selection those of the usual names (KAAX, MAAX, K2GG, M2GG).
+void apply_direct_matrices(DeckBuilder& builder,
+                           const std::vector<std::string>& stiffness,
+                           const std::vector<std::string>& mass);
+
+/// Id of the grid that a field names.
+/// @throws InputError when there is none
+[[nodiscard]] int existing_grid(const DeckBuilder& builder,
+                                const CardReader& card,
+                                std::size_t field);
+
+/// The id, if it is one of the properties'.
+/// @throws InputError naming the kind of property when it is not
+template <typename Properties>
+int property_of(const CardReader& card,
+                const Properties& properties,
+                int id,
+                const std::string& kind) {
+  if (!properties.contains(id)) {
+    card.fail(kind + " " + std::to_string(id) + " does not exist",
+              "Add the property or correct the entry.");
+  }
+  return id;
+}
+
 /// Cross section of a PBARL. @return empty for a type that is not known
 [[nodiscard]] std::optional<BarProperty> section_of(
     const std::string& type, const std::vector<double>& dimensions);
+
+/// All types of section_of(), with commas between.
+[[nodiscard]] std::string known_sections();
 
 /// Number of dimensions of a PBARL type, 0 when it is not known.
 [[nodiscard]] std::size_t section_dimensions(const std::string& type);

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
+#include "updating/structure/readers/output4.hpp"
 
 #include <fmt/format.h>
 
@@ -336,8 +337,12 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
 Deck read_matrix_model(const std::filesystem::path& stiffness,
                        const std::filesystem::path& mass,
                        const std::filesystem::path& dofs) {
-  const SparseMatrix K = read_matrix_market(stiffness);
-  const SparseMatrix M = read_matrix_market(mass);
+  const auto read = [](const std::filesystem::path& path, char letter) {
+    return is_output4(path) ? read_output4(path, letter)
+                            : read_matrix_market(path);
+  };
+  const SparseMatrix K = read(stiffness, 'K');
+  const SparseMatrix M = read(mass, 'M');
   const std::vector<Row> rows = read_rows(dofs);
   const Eigen::Index n = static_cast<Eigen::Index>(rows.size());
   if (K.rows() != n || M.rows() != n) {

@@ -1,5 +1,5 @@
-// Stiffness and mass from any other program: two Matrix Market files and a
-// table that says which row is which degree of freedom.
+// Stiffness and mass from any other program: two files, Matrix Market or
+// OUTPUT4, and a table that says which row is which degree of freedom.
 //
 // Source: R. F. Boisvert, R. Pozo, K. A. Remington, "The Matrix Market exchange
 // formats: initial design", NISTIR 5935, 1996.

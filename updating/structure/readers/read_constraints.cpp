@@ -7,15 +7,21 @@
 namespace tapfit::structure {
 namespace {
 
+// A scalar point's only component is written as 0 or 1.
+Constraint held_at(const Grid& grid, const std::string& components) {
+  return {grid.id, grid.scalar ? "1" : components};
+}
+
 void read_spc(DeckBuilder& builder, const CardReader& card) {
   const int set = card.id(1, "SID");
   for (std::size_t at : {std::size_t{2}, std::size_t{5}}) {
     if (card.blank(at)) continue;
-    const int grid = builder.grid(card, card.id(at, "G")).id;
+    const Grid& grid = builder.grid(card, card.id(at, "G"));
     if (card.real_or(at + 2, 0.0, "D") != 0.0) {
       builder.warn(card, "an enforced displacement is taken as zero");
     }
-    builder.constraint_sets[set].push_back({grid, card.components(at + 1)});
+    builder.constraint_sets[set].push_back(
+        held_at(grid, card.components(at + 1)));
   }
 }
 
@@ -26,14 +32,14 @@ void read_spc1(DeckBuilder& builder, const CardReader& card) {
   for (std::size_t at = 3; at < card.size(); ++at) {
     if (card.blank(at)) continue;
     if (upper(card.text(at)) != "THRU") {
-      held.push_back({builder.grid(card, card.id(at, "G")).id, components});
+      held.push_back(held_at(builder.grid(card, card.id(at, "G")), components));
       continue;
     }
     const auto [from, to] = card.range(at, "G");
     // THRU may run over ids that do not exist.
     for (const Grid& grid : builder.deck.grids) {
       if (grid.id > from && grid.id <= to) {
-        held.push_back({grid.id, components});
+        held.push_back(held_at(grid, components));
       }
     }
     ++at;

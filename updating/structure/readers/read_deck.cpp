@@ -23,27 +23,74 @@ DeckBuilder read_cards(const BulkData& bulk,
                        const std::vector<CardTable>& passes) {
   DeckBuilder builder;
   builder.deck.cards = bulk.lines;
+  read_places(builder, bulk.cards);
   for (const CardTable& table : passes) {
     for (const Card& card : bulk.cards) {
       const auto reader = table.find(card.name());
       if (reader != table.end()) reader->second(builder, CardReader(card));
     }
   }
+  place_scalar_points(builder);
   builder.hand_over_warnings();
   return builder;
 }
 
-void warn_other_subcases(const BulkData& bulk, Deck& deck) {
-  if (bulk.other_spc_sets.empty()) return;
+std::string numbered(const char* name, std::size_t count) {
+  return fmt::format("{} sets of {}", count, name);
+}
+
+// All sets hold where none is chosen; that is said where it may not be meant.
+void warn_unselected(const DeckBuilder& builder,
+                     const CaseControl& control,
+                     Deck& deck) {
   std::vector<std::string> sets;
-  for (const int set : bulk.other_spc_sets) {
+  if (!control.spc_set && builder.constraint_sets.size() > 1) {
+    sets.push_back(numbered("SPC", builder.constraint_sets.size()));
+  }
+  if (!control.mpc_set && builder.relation_sets.size() > 1) {
+    sets.push_back(numbered("MPC", builder.relation_sets.size()));
+  }
+  if (sets.empty()) return;
+  deck.warnings.push_back(
+      fmt::format("the case control chooses none of {}: all hold; choose one "
+                  "there (SPC = n, MPC = n) if that is meant",
+                  listed(sets)));
+}
+
+void warn_other_subcases(const CaseControl& control, Deck& deck) {
+  if (control.other_spc_sets.empty()) return;
+  std::vector<std::string> sets;
+  for (const int set : control.other_spc_sets) {
     sets.push_back(fmt::format("{}", set));
   }
   deck.warnings.push_back(
       fmt::format("the case control also selects SPC {}: the model is held as "
                   "in its first subcase, by SPC {} alone",
                   listed(sets),
-                  *bulk.spc_set));
+                  *control.spc_set));
+}
+
+// What the case control selects, and what is not read.
+void finish(const BulkData& bulk,
+            const UnsupportedCards& unsupported,
+            DeckBuilder& builder) {
+  Deck& deck = builder.deck;
+  const CaseControl& control = bulk.control;
+  apply_constraints(builder, control.spc_set);
+  apply_relations(builder, control.mpc_set);
+  apply_direct_matrices(
+      builder, control.stiffness_matrices, control.mass_matrices);
+  check_odd_materials(builder);
+  warn_unselected(builder, control, deck);
+  warn_other_subcases(control, deck);
+  for (const auto& cards : {unsupported.needed, unsupported.others}) {
+    for (const UnsupportedCard& card : cards) {
+      deck.warnings.push_back(card.text);
+    }
+  }
+  if (!unsupported.ignored.empty()) {
+    deck.warnings.push_back(unsupported.ignored);
+  }
 }
 
 // A matrix says nothing without the other one and the table of its rows.
@@ -62,30 +109,36 @@ void refuse_matrix(const std::filesystem::path& path) {
 
 }  // namespace
 
-Deck read_deck(const std::filesystem::path& path) {
+Deck read_deck(const std::filesystem::path& path,
+               const std::vector<std::string>& ignored) {
   refuse_matrix(path);
   BulkData bulk = read_bulk_data(path);
   fill_defaults(bulk);
   order_coordinate_cards(bulk.cards);
-  const std::vector<CardTable> passes{coordinate_cards(),
-                                      grid_cards(),
-                                      grid_coordinate_cards(),
+  const std::vector<CardTable> passes{scalar_point_cards(),
                                       grid_axes_cards(),
+                                      material_cards(),
                                       property_cards(),
+                                      section_cards(),
+                                      laminate_cards(),
+                                      scalar_property_cards(),
                                       element_cards(),
+                                      solid_cards(),
+                                      scalar_cards(),
                                       rigid_cards(),
-                                      constraint_cards()};
-  const std::vector<UnsupportedCard> unsupported =
-      unsupported_cards(bulk, passes);
+                                      relation_cards(),
+                                      constraint_cards(),
+                                      direct_matrix_cards()};
+  std::vector<CardTable> known = passes;
+  known.push_back(coordinate_cards());
+  known.push_back(grid_coordinate_cards());
+  const UnsupportedCards unsupported = unsupported_cards(bulk, known);
+  refuse_needed(unsupported, ignored);
   try {
     DeckBuilder builder = read_cards(bulk, passes);
     Deck& deck = builder.deck;
     deck.path = path;
-    apply_constraints(builder, bulk.spc_set);
-    warn_other_subcases(bulk, deck);
-    for (const UnsupportedCard& card : unsupported) {
-      deck.warnings.push_back(card.text);
-    }
+    finish(bulk, unsupported, builder);
     if (deck.grids.empty()) {
       throw InputError("the model has no GRID",
                        path.string(),
@@ -105,7 +158,7 @@ Deck read_deck(const std::filesystem::path& path) {
     return std::move(builder.deck);
   } catch (const InputError& error) {
     std::vector<std::string> causes;
-    for (const UnsupportedCard& card : unsupported) {
+    for (const UnsupportedCard& card : unsupported.others) {
       if (card.defines) causes.push_back(card.text);
     }
     throw with_notes(error, causes);

@@ -1,7 +1,7 @@
-// CQUAD4, CTRIA3, CBAR, CBEAM, CROD, CONROD, CONM2, CELAS1, CELAS2, CDAMP1,
-// CDAMP2, CMASS2, PLOTEL. CBUSH and rigid elements have files of their own.
-#include "updating/structure/cards/bulk_numbers.hpp"
+// Shells, CBAR, CBEAM, CROD, CTUBE, CONROD, CONM1, CONM2, PLOTEL. Solids,
+// scalar elements, CBUSH and rigid elements have files of their own.
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <Eigen/Geometry>
@@ -14,25 +14,6 @@
 
 namespace tapfit::structure {
 namespace {
-
-template <typename Properties>
-int property_of(const CardReader& card,
-                const Properties& properties,
-                int id,
-                const char* kind) {
-  if (!properties.contains(id)) {
-    card.fail(fmt::format("{} {} does not exist", kind, id),
-              "Add the property or correct the entry.");
-  }
-  return id;
-}
-
-int existing_grid(const DeckBuilder& builder,
-                  const CardReader& card,
-                  std::size_t field) {
-  const int id = card.id(field, "grid");
-  return builder.grid(card, id).id;
-}
 
 void refuse_repeated(const CardReader& card, std::vector<int> grids) {
   std::sort(grids.begin(), grids.end());
@@ -65,9 +46,49 @@ double material_angle(const DeckBuilder& builder,
   return angle * 180.0 / std::numbers::pi;
 }
 
+// The mean of the corners' thicknesses, which blank ones have of the property;
+// 0 where none is given.
+double mean_thickness(DeckBuilder& builder,
+                      const CardReader& card,
+                      const Shell& shell,
+                      std::size_t first,
+                      std::size_t flag) {
+  const double own = builder.deck.shell_properties.at(shell.property).thickness;
+  // TFLAG: what they give is a share of the property's.
+  const bool relative = card.text(flag) == "1";
+  double sum = 0.0;
+  bool any = false;
+  for (std::size_t i = 0; i < shell.grids.size(); ++i) {
+    if (card.blank(first + i)) {
+      sum += own;
+      continue;
+    }
+    const double t = card.real(first + i, "T");
+    if (t == 0.0) return 0.0;  // as some programs write blanks
+    if (!(t > 0.0)) {
+      card.fail(fmt::format("the corner thickness {} is below zero", t),
+                "Correct it, or leave it blank.");
+    }
+    sum += relative ? t * own : t;
+    any = true;
+  }
+  const double mean = sum / static_cast<double>(shell.grids.size());
+  return any && mean != own ? mean : 0.0;
+}
+
+// Where a shell's card has what.
+struct ShellFields {
+  std::size_t corners;
+  std::size_t mids;       // how many
+  std::size_t theta;      // THETA or MCID
+  std::size_t offset;     // ZOFFS
+  std::size_t thickness;  // T1
+  std::size_t flag;       // TFLAG
+};
+
 void read_shell(DeckBuilder& builder,
                 const CardReader& card,
-                std::size_t corners) {
+                const ShellFields& fields) {
   Shell shell;
   shell.id = card.id(1, "EID");
   shell.where = card.where();
@@ -76,21 +97,36 @@ void read_shell(DeckBuilder& builder,
                                builder.deck.shell_properties,
                                card.integer_or(2, shell.id, "PID"),
                                "PSHELL");
-  for (std::size_t i = 0; i < corners; ++i) {
+  for (std::size_t i = 0; i < fields.corners; ++i) {
     shell.grids.push_back(existing_grid(builder, card, 3 + i));
   }
-  refuse_repeated(card, shell.grids);
-  shell.theta_deg = material_angle(builder, card, 3 + corners, shell.grids);
-  if (card.real_or(4 + corners, 0.0, "ZOFFS") != 0.0) {
-    builder.warn(card, "ZOFFS is ignored: the plate lies in its grids' plane");
+  for (std::size_t i = 0; i < fields.mids; ++i) {
+    const std::size_t at = 3 + fields.corners + i;
+    const bool none = card.integer_or(at, 0, "grid") == 0;
+    shell.mids.push_back(none ? 0 : existing_grid(builder, card, at));
   }
-  for (std::size_t i = 0; i < corners; ++i) {
-    if (!card.blank(11 + i) && card.text(11 + i) != "0.") {
-      builder.warn(card, "corner thicknesses are ignored, PSHELL's is used");
-      break;
-    }
+  if (std::ranges::all_of(shell.mids, [](int id) { return id == 0; })) {
+    shell.mids.clear();
+  }
+  refuse_repeated(card, shell.all_grids());
+  shell.theta_deg = material_angle(builder, card, fields.theta, shell.grids);
+  shell.offset = card.real_or(fields.offset, 0.0, "ZOFFS");
+  shell.thickness =
+      mean_thickness(builder, card, shell, fields.thickness, fields.flag);
+  if (shell.thickness > 0.0) {
+    builder.warn(card, "the mean of its corners' thicknesses is taken");
   }
   builder.deck.shells.push_back(shell);
+}
+
+// CSHEAR: four grids and nothing else.
+void read_panel(DeckBuilder& builder, const CardReader& card) {
+  read_shell(builder, card, {4, 0, 32, 33, 35, 34});
+  if (builder.deck.shell_properties.at(builder.deck.shells.back().property)
+          .panel) {
+    return;
+  }
+  card.fail("its property is no PSHEAR", "Name a PSHEAR, or use a CQUAD4.");
 }
 
 Eigen::Vector3d bar_orientation(const DeckBuilder& builder,
@@ -103,7 +139,11 @@ Eigen::Vector3d bar_orientation(const DeckBuilder& builder,
     const int g0 = card.id(5, "G0");
     v = builder.grid(card, g0).position - (a + bar.offsets[0]);
   } else {
-    v = builder.grid(card, bar.grids[0]).axes * card.vector(5, "orientation");
+    v = card.vector(5, "orientation");
+    // OFFT: along the first grid's axes, unless it begins with B (basic).
+    if (!upper(card.text(8)).starts_with("B")) {
+      v = builder.grid(card, bar.grids[0]).axes * v;
+    }
   }
   const Eigen::Vector3d axis = b + bar.offsets[1] - a - bar.offsets[0];
   if (!(axis.norm() > 0.0)) {
@@ -115,6 +155,32 @@ Eigen::Vector3d bar_orientation(const DeckBuilder& builder,
               "Give a vector (or G0) off the bar's axis.");
   }
   return v;
+}
+
+// OFFT with O: that end's offset counts along the axes of the element that
+// joins the grids.
+void take_own_offsets(DeckBuilder& builder, const CardReader& card, Bar& bar) {
+  const std::string option = upper(card.text(8));
+  if (option.size() != 3) {
+    if (!option.empty() && option != "1") {
+      builder.warn(card, fmt::format("field 9 \"{}\" is taken as GGG", option));
+    }
+    return;
+  }
+  if (option[1] != 'O' && option[2] != 'O') return;
+  Bar straight = bar;
+  straight.offsets = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  const Eigen::Vector3d v = bar_orientation(builder, card, straight);
+  const Eigen::Vector3d x = (builder.grid(card, bar.grids[1]).position -
+                             builder.grid(card, bar.grids[0]).position)
+                                .normalized();
+  const Eigen::Vector3d z = x.cross(v).normalized();
+  Eigen::Matrix3d axes;
+  axes << x, z.cross(x), z;
+  for (std::size_t end = 0; end < 2; ++end) {
+    if (option[1 + end] != 'O') continue;
+    bar.offsets[end] = axes * card.vector(11 + 3 * end, "offset");
+  }
 }
 
 void read_bar(DeckBuilder& builder, const CardReader& card) {
@@ -133,10 +199,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
     bar.offsets[end] = builder.grid(card, bar.grids[end]).axes *
                        card.vector(11 + 3 * end, "offset");
   }
-  const std::string option = upper(card.text(8));
-  if (!option.empty() && option != "GGG" && option != "1") {
-    builder.warn(card, fmt::format("field 9 \"{}\" is taken as GGG", option));
-  }
+  take_own_offsets(builder, card, bar);
   bar.rotary_inertia = card.card().name() == "CBEAM";
   bar.orientation = bar_orientation(builder, card, bar);
   builder.deck.bars.push_back(bar);
@@ -180,6 +243,28 @@ void read_conrod(DeckBuilder& builder, const CardReader& card) {
   builder.deck.rods.push_back(rod);
 }
 
+// A mass matrix along the axes of a system, its lower triangle row by row.
+void read_conm1(DeckBuilder& builder, const CardReader& card) {
+  PointMass mass;
+  mass.id = card.id(1, "EID");
+  builder.claim(card, mass.id);
+  mass.grid = existing_grid(builder, card, 2);
+  Eigen::Matrix<double, 6, 6> M = Eigen::Matrix<double, 6, 6>::Zero();
+  std::size_t field = 4;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j, ++field) {
+      M(i, j) = M(j, i) = card.real_or(field, 0.0, "M");
+    }
+  }
+  Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Zero();
+  const Eigen::Matrix3d axes =
+      builder.system(card, card.integer_or(3, 0, "CID"))
+          .directions(builder.grid(card, mass.grid).position);
+  R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = axes;
+  mass.matrix = R * M * R.transpose();
+  builder.deck.masses.push_back(mass);
+}
+
 void read_conm2(DeckBuilder& builder, const CardReader& card) {
   PointMass mass;
   mass.id = card.id(1, "EID");
@@ -208,82 +293,6 @@ void read_conm2(DeckBuilder& builder, const CardReader& card) {
   builder.deck.masses.push_back(mass);
 }
 
-// Fields first: G1, C1, G2, C2.
-ScalarElement scalar_ends(DeckBuilder& builder,
-                          const CardReader& card,
-                          std::size_t first) {
-  ScalarElement e;
-  e.id = card.id(1, "EID");
-  builder.claim(card, e.id);
-  for (std::size_t end = 0; end < 2; ++end) {
-    const std::size_t field = first + 2 * end;
-    if (card.integer_or(field, 0, "grid") == 0) continue;
-    e.grids[end] = existing_grid(builder, card, field);
-    e.components[end] = card.integer_or(field + 1, 0, "component");
-    if (e.components[end] < 1 || e.components[end] > 6) {
-      card.fail(fmt::format("component {} of grid {} is not one of 1 to 6",
-                            e.components[end],
-                            e.grids[end]),
-                "Correct the component.");
-    }
-    const Eigen::Matrix3d& axes = builder.grid(card, e.grids[end]).axes;
-    if (axes != Eigen::Matrix3d::Identity()) {
-      e.axes[end] = axes.col((e.components[end] - 1) % 3);
-    }
-  }
-  if (e.grids[0] == 0 && e.grids[1] == 0) {
-    card.fail("the element connects ground with ground", "Name a grid.");
-  }
-  return e;
-}
-
-void read_celas1(DeckBuilder& builder, const CardReader& card) {
-  ScalarElement e = scalar_ends(builder, card, 3);
-  const int pid = property_of(card,
-                              builder.spring_properties,
-                              card.integer_or(2, e.id, "PID"),
-                              "PELAS");
-  e.stiffness = builder.spring_properties.at(pid)[0];
-  builder.deck.scalars.push_back(e);
-}
-
-void read_celas2(DeckBuilder& builder, const CardReader& card) {
-  ScalarElement e = scalar_ends(builder, card, 3);
-  e.stiffness = card.real(2, "K");
-  builder.deck.scalars.push_back(e);
-}
-
-double passive_damping(const CardReader& card, double B) {
-  if (!(B >= 0.0)) {
-    card.fail(
-        fmt::format("B = {} drives the structure instead of damping it", B),
-        "Give a damping of zero or more.");
-  }
-  return B;
-}
-
-void read_cdamp1(DeckBuilder& builder, const CardReader& card) {
-  ScalarElement e = scalar_ends(builder, card, 3);
-  const int pid = property_of(card,
-                              builder.damper_properties,
-                              card.integer_or(2, e.id, "PID"),
-                              "PDAMP");
-  e.damping = passive_damping(card, builder.damper_properties.at(pid));
-  builder.deck.scalars.push_back(e);
-}
-
-void read_cdamp2(DeckBuilder& builder, const CardReader& card) {
-  ScalarElement e = scalar_ends(builder, card, 3);
-  e.damping = passive_damping(card, card.real(2, "B"));
-  builder.deck.scalars.push_back(e);
-}
-
-void read_cmass2(DeckBuilder& builder, const CardReader& card) {
-  ScalarElement e = scalar_ends(builder, card, 3);
-  e.mass = card.real(2, "M");
-  builder.deck.scalars.push_back(e);
-}
-
 void read_plotel(DeckBuilder& builder, const CardReader& card) {
   builder.deck.plot_lines.push_back(
       {existing_grid(builder, card, 2), existing_grid(builder, card, 3)});
@@ -292,20 +301,27 @@ void read_plotel(DeckBuilder& builder, const CardReader& card) {
 }  // namespace
 
 CardTable element_cards() {
-  return {{"CQUAD4",
-           [](DeckBuilder& b, const CardReader& c) { read_shell(b, c, 4); }},
-          {"CTRIA3",
-           [](DeckBuilder& b, const CardReader& c) { read_shell(b, c, 3); }},
+  const auto shell = [](const ShellFields& fields) {
+    return [fields](DeckBuilder& b, const CardReader& c) {
+      read_shell(b, c, fields);
+    };
+  };
+  const ReadCard quad = shell({4, 0, 7, 8, 11, 10});
+  const ReadCard triangle = shell({3, 0, 6, 7, 11, 10});
+  return {{"CQUAD4", quad},
+          {"CQUADR", quad},
+          {"CQUAD8", shell({4, 4, 15, 16, 11, 17})},
+          {"CTRIA3", triangle},
+          {"CTRIAR", triangle},
+          {"CTRIA6", shell({3, 3, 9, 10, 11, 14})},
+          {"CSHEAR", read_panel},
           {"CBAR", read_bar},
           {"CBEAM", read_bar},
           {"CROD", read_crod},
+          {"CTUBE", read_crod},
           {"CONROD", read_conrod},
+          {"CONM1", read_conm1},
           {"CONM2", read_conm2},
-          {"CELAS1", read_celas1},
-          {"CELAS2", read_celas2},
-          {"CDAMP1", read_cdamp1},
-          {"CDAMP2", read_cdamp2},
-          {"CMASS2", read_cmass2},
           {"CBUSH", read_cbush},
           {"PLOTEL", read_plotel}};
 }

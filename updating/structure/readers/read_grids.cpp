@@ -1,4 +1,5 @@
-// GRID.
+// GRID, SPOINT.
+#include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +43,63 @@ void read_axes(DeckBuilder& builder, const CardReader& card) {
   grid.axes = builder.system(card, cd).directions(grid.position);
 }
 
+// One degree of freedom each; THRU makes those between.
+void read_spoint(DeckBuilder& builder, const CardReader& card) {
+  const auto add = [&](int id) {
+    Grid grid;
+    grid.id = id;
+    grid.position.setZero();
+    grid.scalar = true;
+    const auto [known, fresh] =
+        builder.grid_index.emplace(id, builder.deck.grids.size());
+    if (!fresh) {
+      // A point may be named more than once.
+      if (builder.deck.grids[known->second].scalar) return;
+      card.fail(fmt::format("a grid {} exists already", id),
+                "Renumber one of the two.");
+    }
+    builder.deck.grids.push_back(grid);
+    builder.permanent.push_back({id, "23456"});
+  };
+  constexpr int kMost = 1000000;
+  for (std::size_t at = 1; at < card.size(); ++at) {
+    if (card.blank(at)) continue;
+    if (upper(card.text(at + 1)) != "THRU") {
+      add(card.id(at, "ID"));
+      continue;
+    }
+    const auto [from, to] = card.range(at + 1, "ID");
+    if (to - from > kMost) {
+      card.fail(fmt::format("{} THRU {} makes too many points", from, to),
+                "Correct the ids.");
+    }
+    for (int id = from; id <= to; ++id) add(id);
+    at += 2;
+  }
+}
+
 }  // namespace
+
+void place_scalar_points(DeckBuilder& builder) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  double count = 0.0;
+  for (const Grid& grid : builder.deck.grids) {
+    if (grid.scalar) continue;
+    middle += grid.position;
+    count += 1.0;
+  }
+  if (count > 0.0) middle /= count;
+  for (Grid& grid : builder.deck.grids) {
+    if (grid.scalar) grid.position = middle;
+  }
+}
+
+int existing_grid(const DeckBuilder& builder,
+                  const CardReader& card,
+                  std::size_t field) {
+  const int id = card.id(field, "grid");
+  return builder.grid(card, id).id;
+}
 
 const Grid& DeckBuilder::grid(const CardReader& card, int id) const {
   const auto found = grid_index.find(id);
@@ -60,8 +117,8 @@ const CoordinateSystem& DeckBuilder::system(const CardReader& card,
   const auto found = systems.find(id);
   if (found == systems.end()) {
     card.fail(fmt::format("coordinate system {} does not exist", id),
-              "Add a CORD2R, CORD2C or CORD2S (the axes of grids may also be a "
-              "CORD1R, CORD1C or CORD1S).");
+              "Add a CORD2R, CORD2C, CORD2S or a CORD1R, CORD1C, CORD1S whose "
+              "grids do not lie in it.");
   }
   return found->second;
 }
@@ -102,6 +159,7 @@ void DeckBuilder::hand_over_warnings() {
 }
 
 CardTable grid_cards() { return {{"GRID", read_grid}}; }
+CardTable scalar_point_cards() { return {{"SPOINT", read_spoint}}; }
 CardTable grid_axes_cards() { return {{"GRID", read_axes}}; }
 
 }  // namespace tapfit::structure

@@ -1,4 +1,5 @@
-// RBE2, and RBAR where one end leads with all six components.
+// RBE2, and RBAR; where the independent components of an RBAR are shared
+// between its ends it becomes relations.
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
@@ -87,11 +88,8 @@ void read_rbar(DeckBuilder& builder, const CardReader& card) {
   const std::string lead_b = card.components(5);
   const bool from_a = leads(lead_a) && lead_b.empty();
   if (!from_a && !(leads(lead_b) && lead_a.empty())) {
-    card.fail(
-        "an RBAR whose independent components are shared between its "
-        "ends is not supported",
-        "Give one end 123456 (CNA or CNB) and leave the other's blank, "
-        "or write it as an RBE2.");
+    read_shared_rbar(builder, card);
+    return;
   }
   e.independent = builder.grid(card, card.id(from_a ? 2 : 3, "G")).id;
   std::string follow = card.components(from_a ? 7 : 6);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 namespace tapfit::structure {
 namespace {
@@ -22,12 +23,46 @@ struct Units {
   [[nodiscard]] double density() const { return mass / (area() * length); }
 };
 
+// A pound-force accelerates its mass by an inch per second squared.
+const std::map<std::string, Units>& systems() {
+  constexpr double inch = 0.0254;
+  constexpr double pound_force = 4.4482216152605;
+  static const std::map<std::string, Units> kSystems{
+      {"mm-t-s", {1e-3, 1e3}}, {"in-lbf-s", {inch, pound_force / inch}}};
+  return kSystems;
+}
+
 void scale_elements(Deck& deck, const Units& to) {
   for (Grid& grid : deck.grids) grid.position *= to.length;
   for (Bar& bar : deck.bars) {
     for (Eigen::Vector3d& offset : bar.offsets) offset *= to.length;
   }
+  for (Shell& shell : deck.shells) {
+    shell.offset *= to.length;
+    shell.thickness *= to.length;
+  }
+  for (Relation& e : deck.relations) {
+    for (RelationTerm& term : e.terms) {
+      // A displacement is a length, a turn is none.
+      if (e.component < 4) term.factor *= to.length;
+      if (term.component < 4) term.factor /= to.length;
+    }
+  }
+  for (std::vector<MatrixTerm>* terms :
+       {&deck.stiffness_terms, &deck.mass_terms}) {
+    for (MatrixTerm& term : *terms) {
+      term.value *= to.inertia();
+      for (const int component : term.components) {
+        if (component < 4) term.value /= to.length;
+      }
+    }
+  }
   for (PointMass& mass : deck.masses) {
+    for (Eigen::Index i = 0; i < mass.matrix.rows(); ++i) {
+      for (Eigen::Index j = 0; j < mass.matrix.cols(); ++j) {
+        mass.matrix(i, j) *= to.mass * std::pow(to.length, i / 3 + j / 3);
+      }
+    }
     mass.mass *= to.mass;
     mass.offset *= to.length;
     mass.inertia *= to.inertia();
@@ -60,12 +95,17 @@ void scale_elements(Deck& deck, const Units& to) {
 void scale_properties(Deck& deck, const Units& to) {
   for (auto& [id, p] : deck.shell_properties) {
     p.thickness *= to.length;
+    p.bottom *= to.length;
+    for (Ply& ply : p.plies) ply.thickness *= to.length;
     p.nonstructural *= to.mass / to.area();
   }
   for (auto& [id, p] : deck.bar_properties) {
     p.area *= to.area();
     for (double* I : {&p.I1, &p.I2, &p.I12, &p.J}) *I *= to.area_moment();
     p.nonstructural *= to.mass / to.length;
+    p.nonstructural_inertia *= to.mass * to.length;
+    p.neutral *= to.length;
+    p.nonstructural_at *= to.length;
   }
   for (auto& [id, p] : deck.rod_properties) {
     p.area *= to.area();
@@ -74,6 +114,8 @@ void scale_properties(Deck& deck, const Units& to) {
   }
   for (auto& [id, m] : deck.materials) {
     for (double* E : {&m.E, &m.E2, &m.G, &m.G1z, &m.G2z}) *E *= to.stress();
+    m.plane *= to.stress();
+    m.solid *= to.stress();
     m.rho *= to.density();
   }
 }
@@ -92,12 +134,13 @@ SparseMatrix scaled(const SparseMatrix& A, const Units& to) {
 
 void scale_to_si(Deck& deck, const std::string& units) {
   if (units == "SI" || units.empty()) return;
-  if (units != "mm-t-s") {
+  const auto known = systems().find(units);
+  if (known == systems().end()) {
     throw InputError(fmt::format("the units \"{}\" are not known", units),
                      "test.json: units",
-                     "Use \"SI\" or \"mm-t-s\".");
+                     "Use \"SI\", \"mm-t-s\" or \"in-lbf-s\".");
   }
-  const Units to{1e-3, 1e3};
+  const Units& to = known->second;
   scale_elements(deck, to);
   if (!deck.given) {
     scale_properties(deck, to);

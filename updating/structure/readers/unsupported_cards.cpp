@@ -1,61 +1,90 @@
 #include "updating/structure/readers/unsupported_cards.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/card_defaults.hpp"
+#include "updating/structure/cards/listed.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <map>
 #include <set>
 
 namespace tapfit::structure {
 namespace {
 
-// Cards that say how to solve or print and change nothing of the model.
+// Cards that say what to solve for and change nothing of the model.
 bool is_silent(const std::string& name) {
   static const std::set<std::string> kSilent{
-      "EIGRL", "EIGR",   "EIGB",   "EIGC",   "FREQ",   "FREQ1", "FREQ2",
-      "TSTEP", "DLOAD",  "RLOAD1", "RLOAD2", "TLOAD1", "DAREA", "TABLED1",
-      "FORCE", "MOMENT", "GRAV",   "LOAD",   "PLOAD4", "SET1",  "MONPNT1"};
+      "EIGRL", "EIGR", "EIGB", "EIGC", "FREQ", "FREQ1", "FREQ2", "TSTEP"};
   return kSilent.contains(name);
 }
 
-bool is_scalar_point(const std::string& name) {
-  return name == "SPOINT" || name == "EPOINT";
+bool starts_with_any(const std::string& name,
+                     std::initializer_list<const char*> beginnings) {
+  return std::any_of(
+      beginnings.begin(), beginnings.end(), [&](const char* beginning) {
+        return name.starts_with(beginning);
+      });
+}
+
+// Loads, temperatures, aerodynamics, optimisation, tables, plots, damping,
+// heat, control, sets of a reduction: nothing that the modes see.
+bool is_harmless(const std::string& name) {
+  return starts_with_any(
+      name, {"FREQ",    "TSTEP",   "DLOAD",   "RLOAD",   "TLOAD",   "DAREA",
+             "DELAY",   "DPHASE",  "FORCE",   "MOMENT",  "GRAV",    "RFORCE",
+             "LOAD",    "LSEQ",    "PLOAD",   "SLOAD",   "ACCEL",   "TEMP",
+             "QBDY",    "QHBDY",   "QVECT",   "QVOL",    "CHBDY",   "PHBDY",
+             "CONV",    "PCONV",   "RAD",     "VIEW",    "MATT",    "MATS",
+             "MATF",    "TABL",    "TABD",    "TABR",    "TIC",     "SPCD",
+             "SPCR",    "SET1",    "SET2",    "SET3",    "SETREE",  "MONPNT",
+             "MONDSP",  "MONSUM",  "AE",      "AERO",    "CAERO",   "PAERO",
+             "SPLINE",  "MKAERO",  "FLFACT",  "FLUTTER", "FLSYM",   "TRIM",
+             "DIVERG",  "GUST",    "CSSCHD",  "DMI",     "DMIJ",    "DMIK",
+             "DESVAR",  "DVPREL",  "DVCREL",  "DVMREL",  "DVGRID",  "DVBSHAP",
+             "DVSHAP",  "DRESP",   "DCON",    "DSCREEN", "DOPTPRM", "DLINK",
+             "DDVAL",   "DEQATN",  "DESSUB",  "DTABLE",  "DTI",     "USET",
+             "ASET",    "OMIT",    "BSET",    "CSET",    "QSET",    "BNDF",
+             "BNDG",    "BNDR",    "SUPORT",  "CVISC",   "PVISC",   "CDAMP5",
+             "PDAMP5",  "PDAMPT",  "PBUSHT",  "PELAST",  "CBARAO",  "PLOTEL",
+             "NOLIN",   "NLPARM",  "NLPCI",   "TF",      "EPOINT",  "RANDPS",
+             "RANDT",   "RGYRO",   "ROTOR",   "RSPIN",   "UNBAL",   "GEOMCHECK",
+             "MDLPRM",  "MODTRAK", "NSMADD",  "POINT",   "FEEDGE",  "FEFACE",
+             "GMCURV",  "GMSURF",  "PRESPT",  "CSCHD",   "ECHO",    "SEUSET",
+             "SEQSET",  "SEBSET",  "SECSET",  "SESET",   "SWLDPRM", "TSTEPNL",
+             "VCEV",    "HYBDAMP", "DAMPING", "CYSUP",   "CYSYM",   "PARAMARM",
+             "MESHREP", "BCPARA",  "ACMODL",  "CAMPBLL", "FATIGUE", "FTGDEF"});
 }
 
 std::string consequence(const std::string& name) {
-  if (name == "DMIG") return "matrices given directly are left out";
-  if (is_scalar_point(name)) {
-    return "cards that refer to these points fail; use a GRID of which five "
-           "components are held";
-  }
   if (name.starts_with("=")) {
     return "what it repeats is missing from the model; write the cards out";
   }
-  if (name == "RBE3") {
-    return "its reference grid is left loose: what hangs on it, masses too, is "
-           "missing from the model";
-  }
-  if (name.starts_with("RB") || name.starts_with("RROD") || name == "MPC") {
+  if (name.starts_with("R") || name.starts_with("MPC")) {
     return "a rigid connection is left out: the model is softer or falls "
            "apart";
   }
-  if (name.starts_with("SUPORT") || name.starts_with("ASET")) {
-    return "it only steers the reduction, the model is unchanged";
+  if (name.starts_with("NSM")) {
+    return "nonstructural mass is missing from the model; give it by the NSM "
+           "of its properties";
   }
-  if (name.starts_with("AE") || name.starts_with("CAERO") ||
-      name.starts_with("PAERO") || name.starts_with("SPLINE") ||
-      name.starts_with("MKAERO") || name.starts_with("FL")) {
-    return "aerodynamics are left out";
+  if (name.starts_with("SPC")) return "a support is missing from the model";
+  if (name.starts_with("BG") || name.starts_with("BC") ||
+      name.starts_with("BS")) {
+    return "what is glued or in contact is missing from the model; join it by "
+           "equal grids or RBE2";
+  }
+  if (name.starts_with("SE") || name == "RELEASE") {
+    return "superelements are missing from the model; write it as one";
   }
   if (name.starts_with("CORD")) return "cards that refer to it fail";
-  if (name.starts_with("DES") || name.starts_with("DV") ||
-      name.starts_with("DRESP") || name.starts_with("DCON")) {
-    return "design optimisation is left out, the model is as given";
-  }
   if (name.starts_with("C")) {
     return "these elements' stiffness and mass are missing from the model";
   }
+  if (name == "GENEL") return "its stiffness is missing from the model";
   if (name.starts_with("M")) return "the material is not known";
   if (name.starts_with("P")) return "the property is not known";
   return "it is left out of the model";
@@ -63,21 +92,30 @@ std::string consequence(const std::string& name) {
 
 // Other cards refer to it, or leave fields blank that it fills.
 bool defines(const std::string& name) {
-  return is_scalar_point(name) || name.starts_with("CORD") ||
-         name.starts_with("P") ||
-         (name.starts_with("M") && !name.starts_with("MKAERO") &&
-          name != "MPC");
+  return name.starts_with("CORD") || name.starts_with("P") ||
+         (name.starts_with("M") && !name.starts_with("MPC"));
+}
+
+// The model lacks stiffness, mass or a constraint without it.
+bool is_needed(const std::string& name) {
+  if (defines(name)) return false;
+  return starts_with_any(
+      name,
+      {"C",      "RB",     "RROD",    "RTRPLT", "RSPLINE", "RSSCON", "RJOINT",
+       "MPC",    "NSM",    "SPC",     "BGSET",  "BGADD",   "BCTSET", "BCTABLE",
+       "BCBODY", "SEBULK", "SECONCT", "SEELT",  "SELOC",   "GENEL",  "="});
 }
 
 struct Unknown {
-  int line = 0;  // of the first
+  std::string where;  // of the first
+  int line = 0;
   int count = 0;
 };
 
 }  // namespace
 
-std::vector<UnsupportedCard> unsupported_cards(
-    const BulkData& bulk, const std::vector<CardTable>& passes) {
+UnsupportedCards unsupported_cards(const BulkData& bulk,
+                                   const std::vector<CardTable>& passes) {
   std::map<std::string, Unknown> unknown;
   for (const Card& card : bulk.cards) {
     const bool known =
@@ -88,18 +126,59 @@ std::vector<UnsupportedCard> unsupported_cards(
       continue;
     }
     Unknown& seen = unknown[card.name()];
-    if (seen.count++ == 0) seen.line = card.line;
+    if (seen.count++ == 0) {
+      seen.line = card.line;
+      seen.where = card.where;
+    }
   }
-  std::vector<UnsupportedCard> cards;
+  UnsupportedCards result;
+  std::vector<std::string> harmless;
   for (const auto& [name, seen] : unknown) {
-    cards.push_back({fmt::format("{} (line {}, {} in all) is not supported: {}",
-                                 name,
-                                 seen.line,
-                                 seen.count,
-                                 consequence(name)),
-                     defines(name)});
+    if (is_harmless(name)) {
+      harmless.push_back(name);
+      continue;
+    }
+    const UnsupportedCard card{
+        name,
+        seen.where,
+        fmt::format("{} (line {}, {} in all) is not supported: {}",
+                    name,
+                    seen.line,
+                    seen.count,
+                    consequence(name)),
+        defines(name)};
+    (is_needed(name) ? result.needed : result.others).push_back(card);
   }
-  return cards;
+  if (!harmless.empty()) {
+    constexpr std::size_t kShown = 40;
+    result.ignored = fmt::format(
+        "ignored, for they change nothing of the "
+        "modes: {}",
+        listed(harmless, kShown));
+  }
+  return result;
+}
+
+void refuse_needed(const UnsupportedCards& cards,
+                   const std::vector<std::string>& ignored) {
+  std::vector<const UnsupportedCard*> left;
+  for (const UnsupportedCard& card : cards.needed) {
+    const bool given_up = std::any_of(
+        ignored.begin(), ignored.end(), [&](const std::string& name) {
+          return upper(name) == card.name;
+        });
+    if (!given_up) left.push_back(&card);
+  }
+  if (left.empty()) return;
+  std::string text = left.front()->text;
+  for (std::size_t k = 1; k < left.size(); ++k) text += "; " + left[k]->text;
+  throw InputError(
+      text,
+      left.front()->where,
+      fmt::format("Write it with cards that are read, or leave it out "
+                  "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
+                  "--ignore-card {0} of tapfit model.",
+                  left.front()->name));
 }
 
 }  // namespace tapfit::structure

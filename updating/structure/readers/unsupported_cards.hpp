@@ -12,13 +12,28 @@ namespace tapfit::structure {
 
 /// The cards of one name.
 struct UnsupportedCard {
+  std::string name;
+  std::string where;     ///< "file:line" of the first
   std::string text;      ///< line of the first, how many, the consequence
   bool defines = false;  ///< what other cards refer to
 };
 
-/// By name. Cards that only steer a solution are left out.
+struct UnsupportedCards {
+  /// Without which the model lacks stiffness, mass or a constraint.
+  std::vector<UnsupportedCard> needed;
+  std::vector<UnsupportedCard> others;
+  /// One sentence on those that change no mode; empty where there are none.
+  std::string ignored;
+};
+
+/// Cards that only steer a solution are left out.
 /// @param passes what the readers understand
-[[nodiscard]] std::vector<UnsupportedCard> unsupported_cards(
+[[nodiscard]] UnsupportedCards unsupported_cards(
     const BulkData& bulk, const std::vector<CardTable>& passes);
+
+/// @param ignored names that the user takes upon himself
+/// @throws InputError for a needed card of another name
+void refuse_needed(const UnsupportedCards& cards,
+                   const std::vector<std::string>& ignored);
 
 }  // namespace tapfit::structure

@@ -268,15 +268,9 @@ TEST(RigidElement, FaultsAreNamed) {
   expect_error("RBE2,5,1,123456,2\nRBE2,6,2,123456,3\nRBE2,7,3,123456,1\n",
                "RBE2",
                "follows itself round a ring");
+  expect_error("RBAR,5,1,2,1236,4\n", "model.bdf:5 RBAR 5", "six are needed");
   expect_error(
-      "RBAR,5,1,2,1236,45\n", "model.bdf:5 RBAR 5", "shared between its ends");
-}
-
-TEST(RigidElement, WeightedMeansStayUnknown) {
-  const Deck deck = deck_of(kBeam + "RBE3,7,,2,123,1.,123,1\n");
-  ASSERT_EQ(deck.warnings.size(), 1U);
-  EXPECT_THAT(deck.warnings[0], HasSubstr("RBE3 (line 7"));
-  EXPECT_THAT(deck.warnings[0], HasSubstr("reference grid is left loose"));
+      "RBAR,5,1,2,123,123\n", "model.bdf:5 RBAR 5", "do not hold a rigid body");
 }
 
 }  // namespace

@@ -1,0 +1,69 @@
+// OUTPUT4 as text: dense columns, strings of both kinds, against the matrix.
+#include "updating/structure/readers/output4.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/readers/matrix_market.hpp"
+
+#include <Eigen/Core>
+
+#include <gmock/gmock.h>
+
+namespace tapfit::structure {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kDense =
+    "       2       2       6       2KAA     1P,3E23.16\n"
+    "       1       1       2\n"
+    " 2.0000000000000000E+00-1.0000000000000000E+00\n"
+    "       2       1       2\n"
+    "-1.0000000000000000E+00 3.0000000000000000E+00\n"
+    "       3       1       1\n"
+    " 1.0000000000000000E+00\n";
+// Row and length in one number: 1 + 65536 * 3.
+const std::string kStrings =
+    "       2       2       6       2MAA     1P,3E23.16\n"
+    "       1       0       3\n"
+    "  196609\n"
+    " 4.0000000000000000E+00\n"
+    "       2       0       3\n"
+    "       3       2\n"
+    " 5.0000000000000000E+00\n"
+    "       3       1       1\n"
+    " 1.0000000000000000E+00\n";
+
+TEST(Output4, DenseAndSparseColumns) {
+  const std::filesystem::path both = write_text("km.op4", kDense + kStrings);
+  ASSERT_TRUE(is_output4(both));
+  Eigen::Matrix2d K;
+  K << 2, -1, -1, 3;
+  Eigen::Matrix2d M;
+  M << 4, 0, 0, 5;
+  EXPECT_EQ(Eigen::Matrix2d(read_output4(both, 'K')), K);
+  EXPECT_EQ(Eigen::Matrix2d(read_output4(both, 'M')), M);
+  const Deck deck = read_matrix_model(
+      both, both, write_text("dofs.csv", "1,X,0,0,0\n2,X,1,0,0\n"));
+  EXPECT_EQ(deck.given->K.coeff(0, 6), -1.0);
+  EXPECT_EQ(deck.given->M.coeff(6, 6), 5.0);
+}
+
+TEST(Output4, FaultsAreNamed) {
+  const auto expect = [](const std::string& text, const std::string& what) {
+    try {
+      static_cast<void>(read_output4(write_text("bad.op4", text), 'K'));
+      ADD_FAILURE() << what;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(what));
+      EXPECT_THAT(error.where(), HasSubstr("bad.op4"));
+    }
+  };
+  expect(kDense.substr(0, kDense.find("       2       1")), "ends too soon");
+  expect("       2       3       2       2KAA     1P,3E23.16\n", "no square");
+  expect("       2       2       6       4KAA     1P,3E23.16\n", "complex");
+  expect(kStrings + "       1" + kStrings.substr(8), "no square");
+}
+
+}  // namespace
+}  // namespace tapfit::structure
