@@ -7,10 +7,10 @@
 #include "tui/commands/score_command.hpp"
 #include "tui/commands/simulate_command.hpp"
 #include "tui/options/progress_line.hpp"
+#include "tui/options/standard_streams.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -22,6 +22,8 @@ namespace {
 
 using tapfit::tui::CommandLineAnswer;
 using tapfit::tui::Invocation;
+using tapfit::tui::print;
+using tapfit::tui::say;
 
 enum ExitStatus {
   Done = 0,
@@ -34,9 +36,8 @@ enum ExitStatus {
 int open_terminal(const Invocation& invocation) {
   const bool replay = invocation.app.keys_file.has_value();
   if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
-    fmt::print(stderr,
-               "tapfit: this is no terminal; try 'tapfit run {}'\n",
-               invocation.options.input.string());
+    say(fmt::format("tapfit: this is no terminal; try 'tapfit run {}'\n",
+                    invocation.options.input.string()));
     return CommandLineAtFault;
   }
   return tapfit::tui::run_app(invocation.options.input, invocation.app);
@@ -47,11 +48,7 @@ int run_command(const Invocation& invocation) {
   const std::string output =
       invocation.command(invocation.options, line.progress());
   line.clear();
-  if (std::fwrite(output.data(), 1, output.size(), stdout) < output.size() ||
-      std::fflush(stdout) != 0) {
-    fmt::print(stderr, "tapfit: standard output cannot be written\n");
-    return InputAtFault;
-  }
+  print(output);
   return Done;
 }
 
@@ -63,18 +60,16 @@ int run_own(const Invocation& invocation) {
   }
   argv.push_back(nullptr);
   const int argc = static_cast<int>(argv.size()) - 1;
-  if (invocation.name == "simulate") {
-    return tapfit::tui::simulate_command(argc, argv.data());
-  }
   tapfit::tui::ProgressLine line(false);
-  return tapfit::tui::score_command(argc, argv.data(), line.progress());
+  return invocation.name == "simulate"
+             ? tapfit::tui::simulate_command(argc, argv.data(), line.progress())
+             : tapfit::tui::score_command(argc, argv.data(), line.progress());
 }
 
 int tapfit_main(int argc, const char* const* argv) {
   const auto parsed = tapfit::tui::parse_command_line(argc, argv);
   if (const auto* answer = std::get_if<CommandLineAnswer>(&parsed)) {
-    fmt::print(
-        answer->exit_status == Done ? stdout : stderr, "{}", answer->text);
+    answer->exit_status == Done ? print(answer->text) : say(answer->text);
     return answer->exit_status;
   }
   const auto& invocation = std::get<Invocation>(parsed);
@@ -91,17 +86,17 @@ int main(int argc, char** argv) {
   try {
     return tapfit_main(argc, argv);
   } catch (const tapfit::InputError& error) {
-    fmt::print(stderr, "tapfit: {}\n", error.what());
+    say(fmt::format("tapfit: {}\n", error.what()));
     return InputAtFault;
   } catch (const tapfit::Stopped&) {
-    fmt::print(stderr, "tapfit: stopped\n");
+    say("tapfit: stopped\n");
     return StoppedByUser;
   } catch (const std::filesystem::filesystem_error& error) {
-    fmt::print(stderr, "tapfit: {}\n", error.what());
+    say(fmt::format("tapfit: {}\n", error.what()));
     return InputAtFault;
   } catch (const std::exception& error) {
-    fmt::print(
-        stderr, "tapfit: our own fault, please report it: {}\n", error.what());
+    say(fmt::format("tapfit: our own fault, please report it: {}\n",
+                    error.what()));
     return OwnFault;
   }
 }

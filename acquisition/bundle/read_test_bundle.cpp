@@ -350,6 +350,7 @@ TestBundle read_test_bundle(const fs::path& folder) {
 
   TestBundle bundle;
   bundle.folder = source.folder;
+  bundle.file = file;
   read_options(document, bundle);
   if (document.contains("channels")) {
     bundle.channels = read_channels(document["channels"], source);

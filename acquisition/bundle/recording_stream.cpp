@@ -26,7 +26,8 @@ void RecordingStream::open_uff_records() {
   assert(uff_ != nullptr);
   for (const UffSource& source : run_.datasets) {
     const UffDataset& dataset = uff_->datasets.at(source.dataset);
-    const UffHeader header = read_header(dataset);
+    const UffHeader header =
+        uff_->bytes.reading([&dataset] { return read_header(dataset); });
     rate_ = rate_of(header);
     samples_ = header.count;
     records_.emplace_back(dataset, header);
@@ -38,7 +39,10 @@ void RecordingStream::read_uff_records(Eigen::Ref<Eigen::MatrixXd> out) {
   for (std::size_t k = 0; k < records_.size(); ++k) {
     const UffSource& source = run_.datasets[k];
     auto column = out.col(static_cast<Index>(source.channel));
-    records_[k].read(column);
+    uff_->bytes.reading([this, k, &column] {
+      records_[k].read(column);
+      return true;
+    });
     uff_->bytes.forget(records_[k].passed());
     if (source.unit_to_si != 1.0) column *= source.unit_to_si;
   }

@@ -67,6 +67,7 @@ struct TriggerOptions {
 
 struct TestBundle {
   std::filesystem::path folder;
+  std::filesystem::path file;  ///< test.json, or the universal file
   std::string title;
   std::string units = "SI";  ///< "SI", "mm-t-s" or "in-lbf-s"
   /// Names of the deck's cards that are left out, though it needs them.

@@ -233,10 +233,12 @@ void refuse_empty(const TestBundle& bundle, const UffFile& file) {
 
 UffFile open_uff(const std::filesystem::path& file) {
   UffFile result{MappedFile(file), file.filename().string(), {}};
-  result.datasets =
-      split_uff(result.bytes.text(), result.name, [&](std::string_view part) {
-        result.bytes.forget(part);
-      });
+  const MappedFile& bytes = result.bytes;
+  result.datasets = bytes.reading([&] {
+    return split_uff(bytes.text(), result.name, [&](std::string_view part) {
+      bytes.forget(part);
+    });
+  });
   return result;
 }
 
@@ -250,9 +252,11 @@ bool is_uff(const std::filesystem::path& file) {
 
 TestBundle read_uff_bundle(const std::filesystem::path& path) {
   const UffFile file = open_uff(path);
-  const Contents found = contents_of(file);
+  const Contents found =
+      file.bytes.reading([&file] { return contents_of(file); });
   TestBundle bundle;
   bundle.folder = path.parent_path();
+  bundle.file = path;
   bundle.title = found.title.empty() ? path.stem().string() : found.title;
   bundle.uff = path;
   bundle.band_hz = found.band_hz;
@@ -286,7 +290,9 @@ double rate_of(const UffHeader& header) {
   return said && std::abs(*said * header.step - 1.0) <= 1e-5 ? *said : rate;
 }
 
-Recording read_uff_run(const UffFile& file,
+namespace {
+
+Recording read_run_now(const UffFile& file,
                        const Run& run,
                        std::size_t channels) {
   Recording recording;
@@ -311,6 +317,14 @@ Recording read_uff_run(const UffFile& file,
     if (source.unit_to_si != 1.0) column *= source.unit_to_si;
   }
   return recording;
+}
+
+}  // namespace
+
+Recording read_uff_run(const UffFile& file,
+                       const Run& run,
+                       std::size_t channels) {
+  return file.bytes.reading([&] { return read_run_now(file, run, channels); });
 }
 
 }  // namespace tapfit::acquisition

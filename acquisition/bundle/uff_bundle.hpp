@@ -24,7 +24,8 @@ struct UffFile {
   std::vector<UffDataset> datasets;
 };
 
-/// @throws InputError as MappedFile and split_uff
+/// @throws InputError as MappedFile and split_uff. What is read of it later is
+///   read within MappedFile::reading()
 [[nodiscard]] UffFile open_uff(const std::filesystem::path& file);
 
 /// Whether a file begins as universal files do, with a line of "-1".
@@ -50,7 +51,7 @@ struct UffFile {
 /// has no place in the run is zero.
 ///
 /// @param channels how many the bundle has
-/// @throws InputError for a broken record
+/// @throws InputError for a broken record, as MappedFile::reading
 [[nodiscard]] Recording read_uff_run(const UffFile& file,
                                      const Run& run,
                                      std::size_t channels);

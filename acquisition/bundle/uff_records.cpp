@@ -167,10 +167,13 @@ void write_uff_run(const TestBundle& bundle,
 
 void write_uff_records(const TestBundle& bundle,
                        UffEncoding encoding,
-                       std::ostream& out) {
+                       std::ostream& out,
+                       const Progress& progress) {
   write_uff_header(bundle.title, "time records of a hammer test", out);
   int number = 1;
+  double done = 0.0;
   for (const Run& run : bundle.runs) {
+    progress("writing", done++ / static_cast<double>(bundle.runs.size()));
     write_uff_run(
         bundle, run, read_recording(bundle, run), encoding, number, out);
   }

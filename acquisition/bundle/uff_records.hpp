@@ -12,6 +12,7 @@
 
 #include "acquisition/bundle/recording.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/progress.hpp"
 
 #include <filesystem>
 #include <iosfwd>
@@ -35,9 +36,10 @@ void write_uff_run(const TestBundle& bundle,
 
 /// Header, then all runs; one recording is in memory at a time.
 ///
-/// @throws InputError as read_recording
+/// @throws InputError as read_recording; Stopped
 void write_uff_records(const TestBundle& bundle,
                        UffEncoding encoding,
-                       std::ostream& out);
+                       std::ostream& out,
+                       const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -1,11 +1,11 @@
 #include "acquisition/bundle/write_test_bundle.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
+#include <system_error>
 
 namespace tapfit::acquisition {
 namespace {
@@ -101,7 +101,8 @@ void add_settings(const TestBundle& bundle, ordered_json& document) {
 
 }  // namespace
 
-void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
+std::string test_bundle_text(const TestBundle& bundle,
+                             const fs::path& folder) {
   ordered_json document = {{"tapfit", 1}};
   if (!bundle.title.empty()) document["title"] = bundle.title;
   if (bundle.units != "SI") document["units"] = bundle.units;
@@ -115,17 +116,13 @@ void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
   if (!bundle.runs.empty()) document["runs"] = runs_json(bundle, folder);
   if (bundle.frfs) document["frfs"] = path_text(*bundle.frfs, folder);
   add_settings(bundle, document);
+  return document.dump(1) + '\n';
+}
 
-  std::error_code fault;
-  fs::create_directories(folder, fault);
-  std::ofstream stream(folder / "test.json", std::ios::binary);
-  stream << document.dump(1) << '\n';
-  stream.flush();
-  if (!stream) {
-    throw InputError("cannot be written",
-                     (folder / "test.json").string(),
-                     "choose a folder that can be written to");
-  }
+void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
+  std::error_code told_by_writing;
+  fs::create_directories(folder, told_by_writing);
+  write_file(folder / "test.json", test_bundle_text(bundle, folder));
 }
 
 }  // namespace tapfit::acquisition

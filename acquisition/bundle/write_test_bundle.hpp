@@ -4,8 +4,13 @@
 #include "acquisition/bundle/test_bundle.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace tapfit::acquisition {
+
+/// The text of a test.json that is to stand in the folder; paths as below.
+[[nodiscard]] std::string test_bundle_text(const TestBundle& bundle,
+                                           const std::filesystem::path& folder);
 
 /// Writes FOLDER/test.json (the folder is made when it is not there).
 ///

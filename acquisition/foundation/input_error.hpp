@@ -1,7 +1,7 @@
 // The room acquisition/foundation. What all other rooms stand on: the one
-// exception for bad input, text of any encoding, threads, progress, random
-// numbers, units, degrees of freedom, files kept from run to run.
-// In:  Nothing of the test itself comes in: no file format, no signal.
+// exception for bad input, output files, text of any encoding, threads,
+// progress, random numbers, units, degrees of freedom, files kept from run to
+// run. In:  Nothing of the test itself comes in: no file format, no signal.
 // Out: Small functions and plain types.
 // May include: its row in CONTRIBUTING.md.
 //

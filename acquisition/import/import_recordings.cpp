@@ -3,6 +3,8 @@
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/import/rate_of_times.hpp"
 #include "acquisition/import/read_time_table.hpp"
@@ -215,10 +217,10 @@ void check_options(const ImportOptions& options) {
                      "name at least one file and one sensor's column");
   }
   std::error_code ignored;
-  if (!options.overwrite && fs::exists(options.folder / "test.json", ignored)) {
-    throw InputError("there is a test bundle already",
+  if (fs::exists(options.folder / "test.json", ignored)) {
+    throw InputError("there is a test already, which is never written over",
                      options.folder.string(),
-                     "choose another folder, or ask to overwrite it");
+                     "choose another folder, or take that one away first");
   }
   // Before the first is read: that may take a while.
   for (const ImportFile& source : options.files) {
@@ -263,6 +265,15 @@ fs::path sound_file(const ImportFile& source, std::set<std::string>& used) {
   return result;
 }
 
+OutputRule output_rule(const ImportOptions& options) {
+  OutputRule rule{{}, options.force};
+  for (const ImportFile& source : options.files) {
+    rule.inputs.push_back(source.file);
+  }
+  if (options.deck) rule.inputs.push_back(*options.deck);
+  return rule;
+}
+
 }  // namespace
 
 TestBundle import_recordings(const ImportOptions& options) {
@@ -285,18 +296,21 @@ TestBundle import_recordings(const ImportOptions& options) {
     bundle.channels.push_back(bundle_channel(channel, volts));
     scale[column] = (channels[k].flip_sign ? -1.0 : 1.0) / volts;
   }
-  std::error_code ignored;
-  fs::create_directories(options.folder, ignored);
+  OutputFolder output(options.folder);
   std::set<std::string> used;
   for (std::size_t r = 0; r < tables.size(); ++r) {
-    const fs::path file = options.folder / sound_file(options.files[r], used);
-    write_audio(file,
+    const std::string name = sound_file(options.files[r], used);
+    output_rule(options).check(options.folder / name);
+    write_audio(output.file(name),
                 tables[r].values * scale.asDiagonal(),
                 tables[r].rate,
                 AudioFormat::WavFloat64);
-    bundle.runs.push_back(bundle_run(options.files[r], options, file));
+    bundle.runs.push_back(
+        bundle_run(options.files[r], options, options.folder / name));
   }
-  write_test_bundle(bundle, options.folder);
+  write_file(output.file("test.json"),
+             test_bundle_text(bundle, options.folder));
+  output.commit();
   TestBundle written = read_test_bundle(options.folder);
   for (Table& table : tables) {
     std::ranges::move(table.notes, std::back_inserter(written.warnings));

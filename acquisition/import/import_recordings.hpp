@@ -58,7 +58,7 @@ struct ImportOptions {
   std::optional<std::filesystem::path> deck;
   std::optional<std::array<double, 2>> band_hz;
   std::filesystem::path folder;  ///< of the new bundle
-  bool overwrite = false;        ///< an existing test.json
+  bool force = false;  ///< replaces sound files that are there; never a test
 };
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
@@ -69,7 +69,8 @@ struct ImportOptions {
 ///
 /// @throws InputError for a file that is not there, what read_time_table
 ///   refuses, uneven sampling, a rate that is no whole number of Hz (sound
-///   files cannot say it), an unknown unit, a bundle that is there already
+///   files cannot say it), an unknown unit, a bundle that is there already, a
+///   sound file that is without `force`. The folder is then as it was
 TestBundle import_recordings(const ImportOptions& options);
 
 }  // namespace tapfit::acquisition

@@ -55,9 +55,8 @@ const UffDataset& pick(const std::vector<const UffDataset*>& records,
                   records.size()));
 }
 
-TimeTable read_uff_table(const std::filesystem::path& path,
+TimeTable read_uff_table(const UffFile& file,
                          const std::vector<std::string>& columns) {
-  const UffFile file = open_uff(path);
   const std::vector<const UffDataset*> records = time_records(file);
   TimeTable table;
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -90,7 +89,10 @@ bool says_rate(const std::filesystem::path& file) {
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns,
                           const CsvOptions& options) {
-  if (is_uff(file)) return read_uff_table(file, columns);
+  if (is_uff(file)) {
+    const UffFile uff = open_uff(file);
+    return uff.bytes.reading([&] { return read_uff_table(uff, columns); });
+  }
   if (ending(file) == ".json") return read_sep005(file, columns);
   TimeTable table;
   table.values = ending(file) == ".mat"

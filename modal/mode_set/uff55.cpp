@@ -1,12 +1,11 @@
 #include "modal/mode_set/uff55.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <complex>
-#include <fstream>
 #include <map>
 #include <vector>
 
@@ -161,14 +160,7 @@ void write_modes_uff(const ModeSet& modes,
                      const std::string& title,
                      const std::filesystem::path& path,
                      ModeDataset as) {
-  std::ofstream file(path, std::ios::binary);
-  file << modes_as_uff(modes, title, as);
-  file.close();
-  if (!file) {
-    throw InputError("cannot write the modes",
-                     path.string(),
-                     "check that the folder exists and is writable");
-  }
+  acquisition::write_file(path, modes_as_uff(modes, title, as));
 }
 
 }  // namespace tapfit::modal

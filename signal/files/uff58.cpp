@@ -304,7 +304,9 @@ UffFrfs read_frfs_uff_text(std::string_view text, const std::string& name) {
 
 UffFrfs read_frfs_uff(const std::filesystem::path& file) {
   const acquisition::MappedFile bytes(file);
-  return read_frfs_uff_text(bytes.text(), file.filename().string());
+  return bytes.reading([&] {
+    return read_frfs_uff_text(bytes.text(), file.filename().string());
+  });
 }
 
 }  // namespace tapfit::signal

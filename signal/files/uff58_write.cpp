@@ -1,6 +1,7 @@
 // Writing FRFs to a universal file: datasets 151, 164, then a 58 (and with an
 // exponential window a 1858) per FRF.
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "acquisition/uff/uff_header.hpp"
 #include "signal/files/uff58.hpp"
 
@@ -8,7 +9,6 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
-#include <fstream>
 #include <ostream>
 
 namespace tapfit::signal {
@@ -169,13 +169,9 @@ void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
                     const std::filesystem::path& file,
                     FrfForm form) {
-  std::ofstream out(file, std::ios::binary);
-  if (out) write_frfs_uff(set, title, out, form);
-  out.flush();
-  if (!out)
-    throw InputError("the file cannot be written",
-                     file.string(),
-                     "check that the folder exists and has room");
+  acquisition::OutputFile out(file);
+  write_frfs_uff(set, title, out.stream(), form);
+  out.commit();
 }
 
 }  // namespace tapfit::signal

@@ -1,6 +1,8 @@
 #include "signal/spectra/fft.hpp"
 
 #include "acquisition/foundation/cache_folder.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 
 #include <fftw3.h>
 
@@ -14,7 +16,6 @@
 #include <mutex>
 #include <string>
 #include <system_error>
-#include <unistd.h>
 #include <vector>
 
 namespace tapfit::signal {
@@ -47,13 +48,11 @@ class Wisdom {
     if (file_.empty() || words() == known_) return;
     std::error_code fault;
     fs::create_directories(file_.parent_path(), fault);
-    // Whoever reads sees a whole file or none.
-    fs::path unfinished = file_;
-    unfinished += "." + std::to_string(getpid());
-    if (fftw_export_wisdom_to_filename(unfinished.c_str()) != 0) {
-      fs::rename(unfinished, file_, fault);
+    try {
+      acquisition::write_file(file_, words());
+    } catch (const InputError&) {
+      // Where nothing can be written nothing is kept.
     }
-    fs::remove(unfinished, fault);
   }
   Wisdom(const Wisdom&) = delete;
   Wisdom& operator=(const Wisdom&) = delete;

@@ -221,8 +221,7 @@ TEST_F(Demo, MacAfterIsNearOne) {
 
 // A test that came as FRFs and a model, without recordings.
 TEST_F(Demo, ReadyFrfsAreUpdatedAsRecordingsAre) {
-  const fs::path folder = fs::path(testing::TempDir()) / "tapfit-ready-frfs";
-  fs::remove_all(folder);
+  const fs::path folder = fresh_folder() / "ready-frfs";
   fs::create_directories(folder);
   ASSERT_EQ(run_tapfit(fmt::format("export '{}' --uff '{}'",
                                    demo.string(),

@@ -20,6 +20,7 @@ const fs::path data = TAPFIT_SOURCE_DIR "/../shared/data/three-storey-frame";
 
 fs::path imported(const std::string& file, const std::string& how) {
   const fs::path bundle = fresh_folder() / "frame";
+  fs::remove_all(bundle);
   const auto result = run_tapfit(fmt::format(
       "import '{}' -o '{}' {}", (data / file).string(), bundle.string(), how));
   EXPECT_EQ(result.exit_status, 0) << result.err;
@@ -91,7 +92,7 @@ TEST(MeasuredFrameModes, ItsFourthPoleIsInAnotherRecordToo) {
     std::array<double, 3> shape{};
   };
   const auto fourth = [&](const std::string& file, const std::string& more) {
-    const fs::path bundle = imported(file, how + " --overwrite");
+    const fs::path bundle = imported(file, how);
     const json modes =
         json_of(fmt::format("modes '{}' {} --json", bundle.string(), more))
             .at("modes");
@@ -140,7 +141,7 @@ TEST(MeasuredFrameModes, TheirSignsShowTheTurnedSensor) {
         file,
         "--hammer CH8@3:+X,volts_per_unit=1 --sensor CH2@1:+X,unit=cm/s^2 "
         "--sensor CH3@2:+X,unit=cm/s^2 --sensor CH5@3:+X,unit=cm/s^2 "
-        "--sensor CH6@4:+X,unit=cm/s^2 --band 1 20 --overwrite");
+        "--sensor CH6@4:+X,unit=cm/s^2 --band 1 20");
     const json modes =
         json_of(fmt::format("modes '{}' --json", bundle.string())).at("modes");
     struct Noted {
@@ -180,7 +181,7 @@ TEST(MeasuredFrameHits, SayThatTheScaleMeansNothing) {
     const fs::path bundle = imported(
         file,
         "--hammer CH8@3:+X,volts_per_unit=1 --sensor CH5@3:+X,unit=cm/s^2 "
-        "--band 1 20 --overwrite");
+        "--band 1 20");
     const auto result = run_tapfit(fmt::format("hits '{}'", bundle.string()));
     EXPECT_NE(result.out.find("show no anti-alias filter"), std::string::npos)
         << file << result.out;

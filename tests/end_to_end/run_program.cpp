@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <sys/wait.h>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
 
 namespace tapfit::end_to_end {
 
@@ -25,6 +28,22 @@ ProgramResult run_tapfit(const std::string& arguments) {
           .err = read_file(folder / "err")};
 }
 
+fs::path scratch_folder(const std::string& name) {
+  struct Made {
+    std::vector<fs::path> folders;
+    ~Made() {
+      std::error_code ignored;
+      for (const fs::path& folder : folders) fs::remove_all(folder, ignored);
+    }
+  };
+  static Made made;
+  made.folders.push_back(fs::path(testing::TempDir()) /
+                         fmt::format("tapfit-{}-{}", ::getpid(), name));
+  fs::remove_all(made.folders.back());
+  fs::create_directories(made.folders.back());
+  return made.folders.back();
+}
+
 fs::path fresh_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   // Null while a suite is set up.
@@ -32,12 +51,10 @@ fs::path fresh_folder() {
       test == nullptr
           ? "suite"
           : fmt::format("{}-{}", test->test_suite_name(), test->name());
-  const fs::path folder = fs::path(testing::TempDir()) / ("tapfit-" + name);
-  static std::string emptied;
-  if (emptied != folder) {
-    fs::remove_all(folder);
-    emptied = folder;
-  }
+  static std::string made_for;
+  static fs::path folder;
+  if (made_for != name) folder = scratch_folder(name);
+  made_for = name;
   fs::create_directories(folder);
   return folder;
 }

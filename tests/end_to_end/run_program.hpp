@@ -16,8 +16,11 @@ struct ProgramResult {
 /// @param arguments quoted for the shell where needed
 [[nodiscard]] ProgramResult run_tapfit(const std::string& arguments);
 
-/// An empty folder of the running test's own below the system's temporary
-/// folder; what an earlier run left there is removed.
+/// An empty folder of this process's own below the system's temporary folder,
+/// removed when it ends.
+[[nodiscard]] std::filesystem::path scratch_folder(const std::string& name);
+
+/// The same for the running test, by whose name it is called; made once.
 [[nodiscard]] std::filesystem::path fresh_folder();
 
 void write_file(const std::filesystem::path& path, const std::string& text);

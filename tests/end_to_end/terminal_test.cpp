@@ -26,8 +26,7 @@ constexpr const char* mouse_off = "1000l";
 const std::filesystem::path& small_bundle() {
   static const std::filesystem::path bundle = [] {
     const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "tapfit-terminal-bundle";
-    std::filesystem::remove_all(folder);
+        scratch_folder("terminal-bundle") / "test";
     const auto made = run_tapfit(fmt::format(
         "simulate '{}' --structure ladder --seed 5 --runs 6 --hits 3 "
         "--effect added-mass@200=0.05",

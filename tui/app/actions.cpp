@@ -181,10 +181,13 @@ Job toggle_effect(std::size_t effect) {
           std::nullopt};
 }
 
-Job write_output(Output what, const std::filesystem::path& to) {
+Job write_output(Output what,
+                 const std::filesystem::path& to,
+                 const std::string& note) {
   return {"writing",
-          [what, to](Workbench& bench, Snapshot&, const Progress& p) {
-            return "written: " + bench.write(what, to, p).string();
+          [what, to, note](Workbench& bench, Snapshot&, const Progress& p) {
+            bench.write(what, to, p);
+            return note + "written: " + to.string();
           },
           std::nullopt};
 }

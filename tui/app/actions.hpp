@@ -23,8 +23,10 @@ namespace tapfit::tui {
 [[nodiscard]] Job add_effects(const std::string& typed);
 /// Switches an added effect off or on, counted from 0.
 [[nodiscard]] Job toggle_effect(std::size_t effect);
-/// To a file, or where that is empty to the usual one.
-[[nodiscard]] Job write_output(Output what, const std::filesystem::path& to);
+/// @param note what is told before where it was written
+[[nodiscard]] Job write_output(Output what,
+                               const std::filesystem::path& to,
+                               const std::string& note = {});
 [[nodiscard]] Job undo();
 [[nodiscard]] Job redo();
 

@@ -4,6 +4,7 @@
 #include "tui/app/program.hpp"
 #include "tui/app/replay.hpp"
 #include "tui/app/session_workbench.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/terminal.hpp"
 
@@ -99,7 +100,7 @@ int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
   const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
   Program program(std::move(bench), {options.width, options.height, ascii});
   const std::string text = replay(program, steps);
-  std::fwrite(text.data(), 1, text.size(), stdout);
+  print(text);
   return 0;
 }
 

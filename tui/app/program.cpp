@@ -243,6 +243,9 @@ void Program::press(Key key) {
   help_open_ = false;
   tell("");  // what was told has been read
   quit_asked_before_ = std::exchange(quit_asked_, false);
+  if (const auto asked = std::exchange(asked_to_replace_, std::nullopt)) {
+    return answer_replacing(*asked, key);
+  }
   if (helped || (covered && only_closes(key))) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
@@ -333,7 +336,7 @@ void Program::carry_out(const Command& command) {
     case Command::Kind::Toggle:
       return act(toggle_effect(command.added));
     case Command::Kind::Write:
-      return act(write_output(command.output, {}));
+      return write(command.output, {});
     case Command::Kind::PickPole:
       return act(add_mode(command.hz.value_or(0.0)));
     case Command::Kind::DropMode:

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <deque>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -56,6 +57,13 @@ class Program {
  private:
   enum class Mode { Normal, Filter, Colon };
 
+  /// A file that is to be written and is there.
+  struct Replacement {
+    Output what;
+    std::filesystem::path there;
+    std::filesystem::path free;  ///< what it could be named instead
+  };
+
   [[nodiscard]] Page& page() const { return *pages_[current_]; }
   [[nodiscard]] bool ready() const;
   [[nodiscard]] std::optional<Need> next_need() const;
@@ -80,6 +88,10 @@ class Program {
   /// What is known of the test that places are named in.
   [[nodiscard]] effects::Setting setting() const;
   void carry_out(const Command& command);
+  /// Writes, or asks first whether a file is to be replaced.
+  /// @param named the file; empty: the usual one beside the test
+  void write(Output what, const std::string& named);
+  void answer_replacing(const Replacement& asked, Key key);
   void act(Job job);
   /// What runs is what the user asked for, and not a screen's need.
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
@@ -104,6 +116,7 @@ class Program {
   void draw_tabs(Screen& screen) const;
   void draw_line(Screen& screen, int y) const;
   void draw_work(Screen& screen, int y) const;
+  void draw_question(Screen& screen, int y) const;
   void draw_live(Screen& screen) const;
   void draw_keys(Screen& screen, int y) const;
 
@@ -122,7 +135,8 @@ class Program {
   std::string typed_before_;         ///< and what was carried out last
   std::string message_;
   bool message_is_error_ = false;
-  bool message_is_to_wait_ = false;  ///< and ends with what runs
+  std::optional<Replacement> asked_to_replace_;  ///< the next key answers
+  bool message_is_to_wait_ = false;              ///< and ends with what runs
   bool help_open_ = false;
   int help_row_ = 0;  ///< the first line shown of a help that is too long
   bool quit_ = false;

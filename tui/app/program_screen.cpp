@@ -248,6 +248,7 @@ void Program::mouse(Key key) {
 
 void Program::draw_line(Screen& screen, int y) const {
   const int width = screen.width() - 2;
+  if (asked_to_replace_) return draw_question(screen, y);
   if (mode_ == Mode::Colon) {
     const int x = screen.text(0, y, ":" + typed_, {}, width);
     screen.put(x, y, U' ', {.reverse = true});

@@ -105,11 +105,11 @@ void Program::run_colon(const std::string& text) {
     case Kind::Run:
       return show_run(command.number);
     case Kind::Report:
-      return act(write_output(Output::Report, command.argument));
+      return write(Output::Report, command.argument);
     case Kind::Deck:
-      return act(write_output(Output::Deck, command.argument));
+      return write(Output::Deck, command.argument);
     case Kind::Uff:
-      return act(write_output(Output::Uff, command.argument));
+      return write(Output::Uff, command.argument);
     case Kind::Undo:
       return act(undo());
     case Kind::Redo:

@@ -1,13 +1,15 @@
 #include "tui/app/session_workbench.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "tui/report/session_report.hpp"
-#include "tui/work/session_file.hpp"
 #include "updating/export/measured_uff.hpp"
+#include "updating/export/output_rule_of.hpp"
 #include "updating/export/updated_deck.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/saved_session.hpp"
+#include "updating/session/session_file.hpp"
 
 #include <system_error>
 
@@ -19,7 +21,7 @@ class SessionWorkbench final : public Workbench {
   explicit SessionWorkbench(const std::filesystem::path& bundle)
       : bundle_(bundle),
         session_(bundle, acquisition::Unreadable::LeftOut),
-        file_(session_file(bundle)) {
+        file_(updating::session_file(session_.bundle())) {
     std::error_code ignored;
     if (std::filesystem::exists(file_, ignored)) {
       const updating::SavedSession saved = updating::read_saved_session(file_);
@@ -106,9 +108,9 @@ class SessionWorkbench final : public Workbench {
     return session_.effects();
   }
   updating::HitActs hit_acts() override { return hit_acts_; }
-  std::filesystem::path write(Output what,
-                              const std::filesystem::path& to,
-                              const Progress& p) override;
+  void write(Output what,
+             const std::filesystem::path& to,
+             const Progress& p) override;
   std::string save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
@@ -133,24 +135,18 @@ void SessionWorkbench::write_report_to(const std::filesystem::path& path,
   write_report(report_document(report_data(worked, bundle_, p)), path);
 }
 
-std::filesystem::path SessionWorkbench::write(Output what,
-                                              const std::filesystem::path& to,
-                                              const Progress& p) {
-  const char* name = what == Output::Report ? "report.html"
-                     : what == Output::Uff  ? "measured.uff"
-                                            : "updated.bdf";
-  const std::filesystem::path path =
-      to.empty() ? file_.parent_path() / name : to;
+void SessionWorkbench::write(Output what,
+                             const std::filesystem::path& to,
+                             const Progress& p) {
+  updating::output_rule_of(session_.bundle(), true).check(to);
   if (what == Output::Report) {
-    write_report_to(path, p);
+    write_report_to(to, p);
   } else if (what == Output::Uff) {
-    updating::write_measured_uff(
-        session_, path, acquisition::UffNodes::D2411, p);
+    updating::write_measured_uff(session_, to, acquisition::UffNodes::D2411, p);
   } else {
-    updating::check_deck_path(session_, path);
-    updating::write_updated_deck(session_, path, p);
+    updating::check_has_deck(session_);
+    updating::write_updated_deck(session_, to, p);
   }
-  return path;
 }
 
 std::string SessionWorkbench::save(const updating::HitActs& acts,

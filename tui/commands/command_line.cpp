@@ -197,6 +197,12 @@ void add_estimate(CLI::App& command, FrfArguments& frf) {
                    "Without hits that stand apart from the others");
 }
 
+void add_force(CLI::App& command, CommandOptions& options) {
+  command.add_flag("--force",
+                   options.force,
+                   "Replace files that are there; never what the test reads");
+}
+
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   CommandOptions& options = invocation.options;
@@ -210,6 +216,9 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if ((entry.extras & DeckFile) != 0) add_export_options(*command, options);
   if ((entry.extras & Output) != 0) {
     command->add_option("-o,--output", options.output, "Where to write");
+  }
+  if ((entry.extras & (Uff | DeckFile | Output | Identify)) != 0) {
+    add_force(*command, options);
   }
   if ((entry.extras & SavedFile) != 0) {
     command->add_option(
@@ -301,7 +310,7 @@ void add_import(CLI::App& app, Invocation& invocation) {
   command->add_option("--deck", options.deck, "Its bulk data model");
   command->add_option("--band", given.band_hz, "Lowest and highest frequency")
       ->delimiter(',');
-  command->add_flag("--overwrite", given.overwrite, "Replace a test.json");
+  add_force(*command, options);
   command->add_flag("--json", options.json, "Print one JSON object");
   command->callback([&invocation] {
     invocation.name = "import";
@@ -320,9 +329,11 @@ void add_paper(CLI::App& app, Invocation& invocation) {
       ->check(CLI::IsMember({"truss", "wing", "frame"}));
   command->add_option(
       "--recordings", options.input, "Folder of the bundles (recordings)");
-  command->add_flag("--write",
-                    options.paper.write,
-                    "Make the simulated FRFs of truss and wing again");
+  command->add_option("--write",
+                      options.paper.write,
+                      "Folder for the simulated FRFs of truss and wing, made "
+                      "again");
+  add_force(*command, options);
   command->add_flag("--json", options.json, "Print one JSON object");
   command->callback([&invocation] {
     invocation.name = "paper";

@@ -53,7 +53,8 @@ std::string export_command(const CommandOptions& options,
                      "tapfit export",
                      "name a file with --uff, --records, --deck or several");
   }
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_bundle(options);
+  if (options.deck) updating::check_has_deck(session);
   std::vector<std::string> written;
   if (options.uff) {
     updating::write_measured_uff(
@@ -66,11 +67,11 @@ std::string export_command(const CommandOptions& options,
                                  options.text_records
                                      ? acquisition::UffEncoding::Text
                                      : acquisition::UffEncoding::Binary,
-                                 nodes_as(options));
+                                 nodes_as(options),
+                                 progress);
     written.push_back(options.records->string());
   }
   if (options.deck) {
-    updating::check_deck_path(session, *options.deck);
     add_effects(session, options, progress);
     updating::write_updated_deck(session, *options.deck, progress);
     written.push_back(options.deck->string());

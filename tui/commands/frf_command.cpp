@@ -4,6 +4,7 @@
 #include "signal/files/uff58.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
 #include "updating/session/session.hpp"
 
@@ -32,11 +33,11 @@ void leave_hits_apart(updating::Session& session, const Progress& progress) {
     for (const auto& [run, hit] : signal::hits_apart(signal::group_coherence(
              session.bundle(), session.recordings(), hits, group))) {
       session.overrule_hit(run, hit);
-      fmt::print(stderr,
-                 "note: {}: hit {} at {:.3f} s stands apart and is left out\n",
-                 session.bundle().runs[run].file.filename().string(),
-                 hit + 1,
-                 hits.runs[run][hit].time_s);
+      say(fmt::format(
+          "note: {}: hit {} at {:.3f} s stands apart and is left out\n",
+          session.bundle().runs[run].file.filename().string(),
+          hit + 1,
+          hits.runs[run][hit].time_s));
     }
   }
 }
@@ -88,7 +89,7 @@ ordered_json with_block(ordered_json frfs,
 
 std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
-  updating::Session session = open_bundle(options.input);
+  updating::Session session = open_bundle(options);
   if (options.frf.best_hits) leave_hits_apart(session, progress);
   if (!options.free.empty()) return free_masses(session, options, progress);
   const signal::FrfSet frfs = frfs_as_asked(session, options.frf, progress);

@@ -121,7 +121,7 @@ std::string import_command(const CommandOptions& options,
   import_options.title = arguments.title;
   import_options.deck = options.deck;
   import_options.band_hz = arguments.band_hz;
-  import_options.overwrite = arguments.overwrite;
+  import_options.force = options.force;
   import_options.folder = options.output.value_or("");
   const auto bundle = acquisition::import_recordings(import_options);
   if (options.json) {

@@ -7,6 +7,8 @@
 #include "signal/files/uff58.hpp"
 #include "tui/commands/frf_command.hpp"
 #include "tui/commands/hits_command.hpp"
+#include "tui/options/open_bundle.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/hits_text.hpp"
 
@@ -14,7 +16,6 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include <cstdio>
 #include <unistd.h>
 
 namespace tapfit::tui {
@@ -26,15 +27,14 @@ void show(const acquisition::TestBundle& bundle, const signal::LiveHit& now) {
   for (const auto fault : now.hit.reasons) reasons.push_back(name(fault));
   // Only there is a line of progress to be overwritten.
   const bool terminal = isatty(STDERR_FILENO) != 0;
-  fmt::print(stderr,
-             "{}{}  {:.3f} s  {:.4g} N  {}\n",
-             terminal ? "\r\x1b[K" : "",
-             bundle.runs[now.run].file.filename().string(),
-             now.hit.time_s,
-             now.hit.peak_n,
-             now.hit.accepted
-                 ? fmt::format("average of {}", now.averaged)
-                 : fmt::format("rejected: {}", fmt::join(reasons, ", ")));
+  say(fmt::format("{}{}  {:.3f} s  {:.4g} N  {}\n",
+                  terminal ? "\r\x1b[K" : "",
+                  bundle.runs[now.run].file.filename().string(),
+                  now.hit.time_s,
+                  now.hit.peak_n,
+                  now.hit.accepted
+                      ? fmt::format("average of {}", now.averaged)
+                      : fmt::format("rejected: {}", fmt::join(reasons, ", "))));
 }
 
 }  // namespace
@@ -50,8 +50,9 @@ std::string replay_command(const CommandOptions& options,
                      "replay a bundle with `runs`");
   }
   for (const std::string& warning : bundle.warnings) {
-    fmt::print(stderr, "note: {}\n", warning);
+    say(fmt::format("note: {}\n", warning));
   }
+  check_outputs(bundle, options);
   signal::ReplayOptions replay_options;
   replay_options.speed = options.speed;
   const signal::Replayed result = signal::replay(

@@ -1,6 +1,8 @@
 #include "tui/commands/score_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/commands/own_answer.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/practice/hidden_case.hpp"
 #include "updating/practice/hidden_verdict.hpp"
@@ -12,7 +14,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -190,16 +191,15 @@ ordered_json run_cases(const Words& words, const Progress& progress) {
   for (std::size_t at = k - 1; at < words.cases; at += m) {
     const ordered_json c =
         scored(kinds[at % kinds.size()], 1000 * words.seed + at, progress);
-    fmt::print(stderr,
-               "{:>4} {:<8} {:<26} {:<30} {} {:.1f} %\n",
-               at,
-               c["structure"].get<std::string>(),
-               c["hidden"].get<std::string>(),
-               c["found"].get<std::string>(),
-               c["right_kind"].get<bool>()
-                   ? (c["right_place"].get<bool>() ? "right" : "elsewhere")
-                   : "WRONG",
-               100.0 * c["size_error"].get<double>());
+    say(fmt::format("{:>4} {:<8} {:<26} {:<30} {} {:.1f} %\n",
+                    at,
+                    c["structure"].get<std::string>(),
+                    c["hidden"].get<std::string>(),
+                    c["found"].get<std::string>(),
+                    c["right_kind"].get<bool>()
+                        ? (c["right_place"].get<bool>() ? "right" : "elsewhere")
+                        : "WRONG",
+                    100.0 * c["size_error"].get<double>()));
     cases.push_back(c);
   }
   return cases;
@@ -224,14 +224,14 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return answer(app, error);
   }
   const ordered_json cases = words.merge.empty() ? run_cases(words, progress)
                                                  : read_parts(words.merge);
   if (words.json) {
-    fmt::print("{}\n", ordered_json{{"cases", cases}}.dump(2));
+    print(ordered_json{{"cases", cases}}.dump(2) + "\n");
   } else {
-    fmt::print("{}{}", matrix_text(cases), summary_text(cases));
+    print(matrix_text(cases) + summary_text(cases));
   }
   return 0;
 }

@@ -1,11 +1,12 @@
 #include "tui/commands/session_command.hpp"
 
+#include "acquisition/foundation/output_file.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/session_report.hpp"
 #include "tui/report/text_table.hpp"
-#include "tui/work/session_file.hpp"
 #include "updating/session/added_effect.hpp"
+#include "updating/session/session_file.hpp"
 
 #include <fmt/format.h>
 
@@ -79,9 +80,9 @@ std::string differences(const updating::SavedSession& then,
 
 std::string session_command(const CommandOptions& options,
                             const Progress& progress) {
+  updating::Session session = open_bundle(options);
   const updating::SavedSession then = updating::read_saved_session(
-      options.saved.value_or(session_file(options.input)));
-  updating::Session session = open_bundle(options.input);
+      options.saved.value_or(updating::session_file(session.bundle())));
   session.take_up(then);
   static_cast<void>(session.ladder(progress));
   const updating::SavedSession now = session.saved(progress);

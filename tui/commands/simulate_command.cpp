@@ -1,13 +1,14 @@
 #include "tui/commands/simulate_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/commands/own_answer.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 #include "updating/virtual_test/virtual_habit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -72,7 +73,9 @@ void describe(CLI::App& app, Words& words) {
   app.add_flag("!--no-faulty-hits",
                spec.faulty_hits,
                "leave out the double hit and the overload");
-  app.add_flag("--force", spec.overwrite, "replace a test that is there");
+  app.add_flag("--force",
+               spec.overwrite,
+               "replace a test that was made before; never a measured one");
   app.footer("Effects:\n" + updating::virtual_effect_help() +
              "Without --structure and --effect the demo is made.");
 }
@@ -124,7 +127,9 @@ std::string summary(const VirtualBundleResult& result,
 
 }  // namespace
 
-int simulate_command(int argc, const char* const* argv) {
+int simulate_command(int argc,
+                     const char* const* argv,
+                     const Progress& progress) {
   CLI::App app("Makes a hammer test of a structure with a hidden effect",
                "tapfit simulate");
   Words words;
@@ -133,12 +138,12 @@ int simulate_command(int argc, const char* const* argv) {
     app.parse(argc, argv);
     check_band(words.band);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return answer(app, error);
   }
   const VirtualBundleSpec spec = spec_of(app, words);
   const VirtualBundleResult result =
-      updating::make_virtual_bundle(spec, words.folder);
-  fmt::print("{}", summary(result, words.folder));
+      updating::make_virtual_bundle(spec, words.folder, progress);
+  print(summary(result, words.folder));
   return 0;
 }
 

@@ -70,6 +70,18 @@ void take(const UffDataset& dataset,
   }
 }
 
+Contents contents_of(const acquisition::UffFile& file,
+                     const Progress& progress) {
+  Contents found;
+  for (std::size_t k = 0; k < file.datasets.size(); ++k) {
+    take(file.datasets[k], file.bytes, found);
+    progress(
+        "reading",
+        static_cast<double>(k + 1) / static_cast<double>(file.datasets.size()));
+  }
+  return found;
+}
+
 std::string kind(int type) {
   switch (type) {
     case 1:
@@ -190,13 +202,8 @@ std::string uff_command(const CommandOptions& options,
                      "give a universal file: datasets stand between lines of "
                      "\"    -1\"");
   }
-  Contents found;
-  for (std::size_t k = 0; k < file.datasets.size(); ++k) {
-    take(file.datasets[k], file.bytes, found);
-    progress(
-        "reading",
-        static_cast<double>(k + 1) / static_cast<double>(file.datasets.size()));
-  }
+  const Contents found =
+      file.bytes.reading([&] { return contents_of(file, progress); });
   return options.json ? json_of(found).dump(2) + "\n" : text_of(found);
 }
 

@@ -28,7 +28,6 @@ struct ImportArguments {
   std::string time_column = "1";
   std::string title;
   std::optional<std::array<double, 2>> band_hz;
-  bool overwrite = false;
 };
 
 /// How FRFs are to be estimated and written.
@@ -43,7 +42,8 @@ struct FrfArguments {
 /// What `tapfit paper` is told.
 struct PaperArguments {
   std::vector<std::string> structures;  ///< "truss", "wing", "frame"; none: all
-  bool write = false;                   ///< make the bundles' FRFs again
+  /// Folder for the bundles' FRFs, made again.
+  std::optional<std::filesystem::path> write;
 };
 
 /// What `tapfit modes` is told.
@@ -66,6 +66,7 @@ struct HandChoices {
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
+  bool force = false;           ///< replace files that are there
   std::optional<std::filesystem::path> uff;      ///< universal file to write
   std::optional<std::filesystem::path> deck;     ///< bulk data to write
   std::optional<std::filesystem::path> output;   ///< file or folder to write

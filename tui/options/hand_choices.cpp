@@ -2,13 +2,13 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/options/standard_streams.hpp"
 #include "tui/work/pair_words.hpp"
-#include "tui/work/session_file.hpp"
 #include "updating/session/saved_session.hpp"
+#include "updating/session/session_file.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <system_error>
 
 namespace tapfit::tui {
@@ -92,18 +92,17 @@ void keep(const std::filesystem::path& file,
 
 /// @param then what is kept
 /// @param now what of it is taken up
-updating::Session opened(const CommandOptions& options,
-                         const updating::SavedSession& then,
-                         updating::SavedSession now,
-                         const Progress& progress) {
-  const HandChoices& given = options.by_hand;
-  updating::Session session = open_bundle(options.input);
+updating::Session taken_up(updating::Session session,
+                           const HandChoices& given,
+                           const updating::SavedSession& then,
+                           updating::SavedSession now,
+                           const Progress& progress) {
   now.modes = together(now.modes, given.modes);
   session.take_up(now);
   if (!given.pairs.empty()) choose_pairs(given.pairs, session, progress);
   if (given.keep) {
     static_cast<void>(session.modes(progress));  // or they are refused
-    keep(session_file(options.input), then, session);
+    keep(updating::session_file(session.bundle()), then, session);
   }
   return session;
 }
@@ -159,24 +158,27 @@ void add_pair_choices(CLI::App& command, HandChoices& by_hand) {
 updating::Session open_by_hand(const CommandOptions& options,
                                const Progress& progress) {
   const HandChoices& given = options.by_hand;
-  const std::filesystem::path file = session_file(options.input);
+  updating::Session session = open_bundle(options);
+  const std::filesystem::path file = updating::session_file(session.bundle());
   const updating::SavedSession then = kept(file);
   updating::SavedSession now;
   if (given.session) {
     now.overruled = then.overruled;
     now.modes = then.modes;
   } else if (!then.modes.empty() || !then.overruled.empty()) {
-    fmt::print(stderr,
-               "note: {} holds decisions by hand; --session takes them over\n",
-               file.string());
+    say(fmt::format(
+        "note: {} holds decisions by hand; --session takes them over\n",
+        file.string()));
   }
-  return opened(options, then, std::move(now), progress);
+  return taken_up(std::move(session), given, then, std::move(now), progress);
 }
 
 updating::Session open_as_kept(const CommandOptions& options,
                                const Progress& progress) {
-  const updating::SavedSession then = kept(session_file(options.input));
-  return opened(options, then, then, progress);
+  updating::Session session = open_bundle(options);
+  const updating::SavedSession then =
+      kept(updating::session_file(session.bundle()));
+  return taken_up(std::move(session), options.by_hand, then, then, progress);
 }
 
 }  // namespace tapfit::tui

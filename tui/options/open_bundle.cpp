@@ -1,8 +1,9 @@
 #include "tui/options/open_bundle.hpp"
 
-#include <fmt/format.h>
+#include "tui/options/standard_streams.hpp"
+#include "updating/export/output_rule_of.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace tapfit::tui {
 
@@ -25,8 +26,30 @@ updating::Diagnosis with_input_warnings(updating::Diagnosis diagnosis,
 updating::Session open_bundle(const std::filesystem::path& bundle) {
   updating::Session session(bundle);
   for (const std::string& warning : input_warnings(session)) {
-    fmt::print(stderr, "note: {}\n", warning);
+    say(fmt::format("note: {}\n", warning));
   }
+  return session;
+}
+
+void check_outputs(const acquisition::TestBundle& bundle,
+                   const CommandOptions& options) {
+  acquisition::OutputRule rule =
+      updating::output_rule_of(bundle, options.force);
+  if (options.saved) rule.inputs.push_back(*options.saved);
+  std::vector<std::filesystem::path> outputs;
+  for (const auto& output : {options.uff,
+                             options.deck,
+                             options.output,
+                             options.records,
+                             options.identification.fit}) {
+    if (output) outputs.push_back(*output);
+  }
+  rule.check(outputs);
+}
+
+updating::Session open_bundle(const CommandOptions& options) {
+  updating::Session session = open_bundle(options.input);
+  check_outputs(session.bundle(), options);
   return session;
 }
 

@@ -2,6 +2,7 @@
 // input, whatever the command prints of it.
 #pragma once
 
+#include "tui/options/command.hpp"
 #include "updating/session/session.hpp"
 
 #include <filesystem>
@@ -13,6 +14,15 @@ namespace tapfit::tui {
 /// @throws InputError
 [[nodiscard]] updating::Session open_bundle(
     const std::filesystem::path& bundle);
+
+/// The same for a command, before whose work it is seen to that all that it is
+/// to write may be written.
+[[nodiscard]] updating::Session open_bundle(const CommandOptions& options);
+
+/// @throws InputError where a file that the command names may not be written:
+///   an input of the test, or one that is there and `force` is not given
+void check_outputs(const acquisition::TestBundle& bundle,
+                   const CommandOptions& options);
 
 /// What was odd in the bundle and, where it names one, in the deck.
 [[nodiscard]] std::vector<std::string> input_warnings(

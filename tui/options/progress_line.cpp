@@ -1,10 +1,12 @@
 #include "tui/options/progress_line.hpp"
 
+#include "tui/options/standard_streams.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
-#include <cstdio>
 
 namespace tapfit::tui {
 
@@ -13,25 +15,34 @@ namespace {
 // The one thing a signal handler may write to has to be global.
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void on_interrupt(int /*signal*/) {
+constexpr std::array<int, 3> asking{SIGINT, SIGTERM, SIGHUP};
+
+extern "C" void on_interrupt(int signal) {
   interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 ProgressLine::ProgressLine(bool shown) : shown_(shown) {
   interrupted = 0;
-  std::signal(SIGINT, on_interrupt);
+  for (const int signal : asking) {
+    // As nohup and shells in the background have set it, it stays.
+    if (std::signal(signal, on_interrupt) == SIG_IGN) {
+      std::signal(signal, SIG_IGN);
+    }
+  }
 }
 
 ProgressLine::~ProgressLine() {
-  std::signal(SIGINT, SIG_DFL);
+  for (const int signal : asking) {
+    if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
   clear();
 }
 
 void ProgressLine::clear() {
-  if (drawn_) std::fputs("\r\x1b[K", stderr);
+  if (drawn_) say("\r\x1b[K");
   drawn_ = false;
 }
 
@@ -45,8 +56,7 @@ void ProgressLine::report(std::string_view stage, double fraction) {
   if (interrupted != 0) stop_.request_stop();
   if (!shown_) return;
   const double percent = 100.0 * std::clamp(fraction, 0.0, 1.0);
-  fmt::print(stderr, "\r\x1b[K{} {:.0f} %", stage, percent);
-  std::fflush(stderr);
+  say(fmt::format("\r\x1b[K{} {:.0f} %", stage, percent));
   drawn_ = true;
 }
 

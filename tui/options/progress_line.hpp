@@ -1,12 +1,14 @@
-// Shows on standard error how far long work has come, and stops it on Ctrl-C.
+// Shows on standard error how far long work has come, and stops it on Ctrl-C or
+// where the system asks to end.
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
 
 namespace tapfit::tui {
 
-/// While it lives, the first Ctrl-C asks the work to stop and the second ends
-/// the program at once. At most one may live at a time.
+/// While it lives, the first SIGINT (Ctrl-C), SIGTERM or SIGHUP asks the work
+/// to stop and the second ends the program at once. At most one may live at a
+/// time.
 class ProgressLine {
  public:
   /// @param shown whether to draw the line (standard error is a terminal)

@@ -2,6 +2,7 @@
 
 #include "signal/files/uff58.hpp"
 #include "tui/paper/paper_structures.hpp"
+#include "updating/export/output_rule_of.hpp"
 #include "updating/studies/truss_study.hpp"
 #include "updating/studies/wing_study.hpp"
 
@@ -27,27 +28,33 @@ constexpr std::array<Structure, 3> structures{{
     {"frame", "solar-panel-frame", paper_frame},
 }};
 
-// The simulated FRFs that the bundles hold.
-std::string write_measured(const fs::path& recordings) {
-  const fs::path truss = recordings / structures[0].folder;
-  const fs::path wing = recordings / structures[1].folder;
-  const updating::TrussStudy of_truss(truss);
-  const updating::WingStudy of_wing(wing);
-  signal::write_frfs_uff(of_truss.measured(1),
-                         of_truss.study().bundle().title,
-                         truss / "measured.uff");
-  signal::write_frfs_uff(of_wing.measured(1),
-                         of_wing.study().bundle().title,
-                         wing / "measured.uff");
-  return "written: " + (truss / "measured.uff").string() +
-         "\nwritten: " + (wing / "measured.uff").string() + "\n";
+// The simulated FRFs that the bundles hold, made again beside them.
+std::string write_measured(const CommandOptions& options) {
+  const updating::TrussStudy truss(options.input / structures[0].folder);
+  const updating::WingStudy wing(options.input / structures[1].folder);
+  const fs::path of_truss = *options.paper.write / "paper-truss.uff";
+  const fs::path of_wing = *options.paper.write / "paper-solar-wing.uff";
+  acquisition::OutputRule rule{{}, options.force};
+  for (const acquisition::TestBundle* bundle :
+       {&truss.study().bundle(), &wing.study().bundle()}) {
+    const acquisition::OutputRule one =
+        updating::output_rule_of(*bundle, options.force);
+    rule.inputs.insert(rule.inputs.end(), one.inputs.begin(), one.inputs.end());
+  }
+  rule.check({of_truss, of_wing});
+  signal::write_frfs_uff(
+      truss.measured(1), truss.study().bundle().title, of_truss);
+  signal::write_frfs_uff(
+      wing.measured(1), wing.study().bundle().title, of_wing);
+  return "written: " + of_truss.string() + "\nwritten: " + of_wing.string() +
+         "\n";
 }
 
 }  // namespace
 
 std::string paper_command(const CommandOptions& options,
                           const Progress& progress) {
-  if (options.paper.write) return write_measured(options.input);
+  if (options.paper.write) return write_measured(options);
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   std::string text;
   for (const Structure& structure : structures) {

@@ -1,6 +1,6 @@
 #include "tui/report/session_report.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
 #include "tui/report/report_front.hpp"
@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
 
 namespace tapfit::tui {
@@ -44,30 +43,16 @@ Document report_document(const ReportData& data) {
   return document;
 }
 
-std::filesystem::path usual_report(const std::filesystem::path& session) {
-  return session.parent_path() / "report.html";
-}
-
 void write_report(const Document& document, const std::filesystem::path& path) {
-  if (!is_markdown(path)) return write_text_file(as_html(document), path);
-  const std::string folder = path.stem().string() + "-files";
-  std::error_code ignored;
-  std::filesystem::create_directories(path.parent_path() / folder, ignored);
+  if (!is_markdown(path)) return acquisition::write_file(path, as_html(document));
+  const std::string name = path.stem().string() + "-files";
+  acquisition::OutputFolder pictures(path.parent_path() / name);
   for (const Figure& figure : figures_of(document)) {
-    write_text_file(figure.svg + "\n",
-                    path.parent_path() / folder / (figure.name + ".svg"));
+    acquisition::write_file(pictures.file(figure.name + ".svg"),
+                            figure.svg + "\n");
   }
-  write_text_file(as_markdown(document, folder), path);
-}
-
-void write_text_file(const std::string& text,
-                     const std::filesystem::path& path) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  if (!file.flush()) {
-    throw InputError(
-        "cannot be written", path.string(), "check folder and permissions");
-  }
+  pictures.commit();
+  acquisition::write_file(path, as_markdown(document, name));
 }
 
 }  // namespace tapfit::tui

@@ -11,24 +11,18 @@
 #include "tui/document/document.hpp"
 #include "tui/report/report_data.hpp"
 
-#include <filesystem>
 #include <string>
 
 namespace tapfit::tui {
 
 [[nodiscard]] Document report_document(const ReportData& data);
 
-/// Of a bundle whose session is kept in `session`: report.html beside it.
-[[nodiscard]] std::filesystem::path usual_report(
-    const std::filesystem::path& session);
+/// Its name where none is given, in the bundle's folder.
+inline constexpr const char* usual_report = "report.html";
 
 /// Writes it to one HTML file; to a file named .md or .markdown as Markdown,
 /// with its pictures in a folder beside it ("x-files" of x.md).
 /// @throws InputError where it cannot be written
 void write_report(const Document& document, const std::filesystem::path& path);
-
-/// @throws InputError where it cannot be written
-void write_text_file(const std::string& text,
-                     const std::filesystem::path& path);
 
 }  // namespace tapfit::tui

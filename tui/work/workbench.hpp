@@ -65,11 +65,10 @@ class Workbench {
   virtual bool redo(const Progress&) = 0;
   virtual std::vector<updating::AddedEffect> effects() = 0;
 
-  /// Writes to the file named, or where nothing is named to report.html,
-  /// measured.uff or updated.bdf beside the saved session; says where.
-  virtual std::filesystem::path write(Output what,
-                                      const std::filesystem::path& to,
-                                      const Progress&) = 0;
+  /// Writes a file, over an older one; never over an input of the test.
+  virtual void write(Output what,
+                     const std::filesystem::path& to,
+                     const Progress&) = 0;
   /// How hits had been judged by hand when it was opened.
   virtual updating::HitActs hit_acts() = 0;
   /// Writes down what was done so far, with how hits were judged by hand;

@@ -1,16 +1,16 @@
 #include "updating/cache/matrix_cache.hpp"
 
 #include "acquisition/foundation/cache_folder.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fstream>
 #include <string>
 #include <string_view>
-#include <unistd.h>
 
 namespace tapfit::updating {
 namespace {
@@ -40,7 +40,7 @@ fs::path file_of(const MatrixCache& cache, const Digest& key) {
 }
 
 template <class T>
-void write(std::ofstream& file, const T* items, std::size_t count) {
+void write(std::ostream& file, const T* items, std::size_t count) {
   file.write(reinterpret_cast<const char*>(items),
              static_cast<std::streamsize>(count * sizeof(T)));
 }
@@ -96,18 +96,18 @@ std::optional<std::vector<MatrixXd>> read_matrices(std::ifstream& file,
   return matrices;
 }
 
-bool write_matrices(const fs::path& path,
+void write_matrices(const fs::path& path,
                     const Head& head,
                     const Sizes& sizes,
                     const std::vector<MatrixXd>& matrices) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
+  acquisition::OutputFile output(path);
+  std::ostream& file = output.stream();
   write(file, &head, 1);
   write(file, sizes.data(), sizes.size());
   for (const MatrixXd& matrix : matrices) {
     write(file, matrix.data(), static_cast<std::size_t>(matrix.size()));
   }
-  file.close();
-  return file.good();
+  output.commit();
 }
 
 // Files of this cache, parts of files that were never finished included, least
@@ -192,15 +192,12 @@ bool MatrixCache::store(const Digest& key,
   head.key = key;
   head.content = content_of(sizes, matrices);
   head.matrices = sizes.size();
-  const fs::path path = file_of(*this, key);
-  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
-  fs::path unfinished = path;
-  unfinished += fmt::format(".{}-{}", getpid(), now);
-  const bool written = write_matrices(unfinished, head, sizes, matrices);
-  if (written) fs::rename(unfinished, path, fault);
-  if (written && !fault) return true;
-  fs::remove(unfinished, fault);
-  return false;
+  try {
+    write_matrices(file_of(*this, key), head, sizes, matrices);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
 }
 
 std::optional<MatrixCache> user_cache() {

@@ -1,12 +1,11 @@
 #include "updating/export/measured_uff.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "modal/mode_set/uff55.hpp"
 #include "signal/files/uff58.hpp"
 #include "updating/structure/elements/solid_shapes.hpp"
 
-#include <fstream>
-#include <system_error>
 #include <vector>
 
 namespace tapfit::updating {
@@ -46,12 +45,6 @@ acquisition::UffGeometry geometry_of(Session& session) {
   return geometry;
 }
 
-void finish(std::ofstream& file, const std::filesystem::path& path) {
-  if (file.flush()) return;
-  throw InputError(
-      "cannot be written", path.string(), "check folder and permissions");
-}
-
 }  // namespace
 
 void write_measured_uff(Session& session,
@@ -61,33 +54,28 @@ void write_measured_uff(Session& session,
   const std::string& title = session.bundle().title;
   const signal::FrfSet& frfs = session.frfs(progress);
   const modal::ModeSet& modes = session.modes(progress);
-  std::ofstream file(path);
-  signal::write_frfs_uff(frfs, title, file);
-  file << modal::modes_as_uff(modes, title);
-  write_geometry(geometry_of(session), nodes, file);
-  finish(file, path);
+  acquisition::OutputFile file(path);
+  signal::write_frfs_uff(frfs, title, file.stream());
+  file.stream() << modal::modes_as_uff(modes, title);
+  write_geometry(geometry_of(session), nodes, file.stream());
+  file.commit();
 }
 
 void write_recorded_uff(Session& session,
                         const std::filesystem::path& path,
                         acquisition::UffEncoding encoding,
-                        acquisition::UffNodes nodes) {
+                        acquisition::UffNodes nodes,
+                        const Progress& progress) {
   const acquisition::TestBundle& bundle = session.bundle();
   if (bundle.runs.empty()) {
     throw InputError("the bundle holds ready FRFs and no recording",
                      bundle.folder.string(),
                      "write its FRFs with --uff");
   }
-  std::error_code missing;
-  if (bundle.uff && std::filesystem::equivalent(*bundle.uff, path, missing)) {
-    throw InputError("is the recording itself",
-                     path.string(),
-                     "give the time records another name");
-  }
-  std::ofstream file(path, std::ios::binary);
-  write_uff_records(bundle, encoding, file);
-  write_geometry(geometry_of(session), nodes, file);
-  finish(file, path);
+  acquisition::OutputFile file(path);
+  write_uff_records(bundle, encoding, file.stream(), progress);
+  write_geometry(geometry_of(session), nodes, file.stream());
+  file.commit();
 }
 
 }  // namespace tapfit::updating

@@ -18,11 +18,12 @@ void write_measured_uff(Session& session,
                         const Progress& progress);
 
 /// The recordings (dataset 58, or 58b).
-/// @throws InputError for ready FRFs, which have none, for a file that is the
-///   recording itself or cannot be written
+/// @throws InputError for ready FRFs, which have none, for a file that cannot
+///   be written; Stopped
 void write_recorded_uff(Session& session,
                         const std::filesystem::path& path,
                         acquisition::UffEncoding encoding,
-                        acquisition::UffNodes nodes);
+                        acquisition::UffNodes nodes,
+                        const Progress& progress);
 
 }  // namespace tapfit::updating

@@ -200,18 +200,11 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
   return result;
 }
 
-void check_deck_path(Session& session, const std::filesystem::path& path) {
+void check_has_deck(const Session& session) {
   if (session.bundle().matrices) {
     throw InputError("the model is given as matrices: there is no deck",
                      (session.bundle().folder / "test.json").string(),
                      "leave --deck out, or give the model as a Nastran deck");
-  }
-  std::error_code missing;
-  const auto& own = session.bundle().deck;
-  if (own && std::filesystem::equivalent(*own, path, missing)) {
-    throw InputError("is the model of the test itself",
-                     path.string(),
-                     "give the updated deck another name");
   }
 }
 

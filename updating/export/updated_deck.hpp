@@ -46,9 +46,7 @@ void write_updated_deck(Session& session,
                         const std::filesystem::path& path,
                         const Progress& progress);
 
-/// The deck that was read is the engineer's own: it is never written over. A
-/// model given as matrices has none.
-/// @throws InputError
-void check_deck_path(Session& session, const std::filesystem::path& path);
+/// @throws InputError for a model given as matrices, which has no deck
+void check_has_deck(const Session& session);
 
 }  // namespace tapfit::updating

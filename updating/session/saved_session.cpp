@@ -4,6 +4,7 @@
 #include "updating/session/saved_session.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +15,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <system_error>
 
 namespace tapfit::updating {
 namespace {
@@ -346,18 +346,7 @@ std::string as_text(const SavedSession& session) {
 }
 
 void write_saved_session(const fs::path& file, const SavedSession& session) {
-  const fs::path fresh = fs::path(file).concat(".new");
-  std::ofstream stream(fresh, std::ios::binary);
-  stream << as_text(session);
-  stream.close();
-  std::error_code failed;
-  if (stream) fs::rename(fresh, file, failed);
-  if (stream && !failed) return;
-  std::error_code ignored;
-  fs::remove(fresh, ignored);
-  throw InputError("the session cannot be saved",
-                   file.string(),
-                   "make the folder writable, or free some space");
+  acquisition::write_file(file, as_text(session));
 }
 
 SavedSession read_saved_session(const fs::path& file) {

@@ -2,7 +2,10 @@
 
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/readers/audio_file.hpp"
+#include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
 #include "updating/virtual_test/virtual_truth.hpp"
 
@@ -199,6 +202,8 @@ std::vector<acquisition::AnalogueChannel> make_chains(
   return chains;
 }
 
+constexpr const char* truth_file = "truth.json";
+
 fs::path recording_file(const fs::path& folder, int run) {
   return folder / fmt::format("run-{:02}.flac", run);
 }
@@ -269,21 +274,42 @@ acquisition::TestBundle describe(const VirtualBundleSpec& spec,
   return bundle;
 }
 
-void make_folder(const VirtualBundleSpec& spec, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw InputError("cannot make the folder",
+// A test that was made here may be made again; a measured one is not replaced.
+void check_test(const VirtualBundleSpec& spec, const fs::path& folder) {
+  if (!fs::exists(folder / "test.json")) return;
+  if (!fs::exists(folder / truth_file)) {
+    throw InputError("holds a measured test, which is never written over",
                      folder.string(),
-                     "Choose a place where you may write.");
+                     "Choose another folder.");
   }
-  if (!spec.overwrite && fs::exists(folder / "test.json")) {
-    throw InputError("there is a test already",
-                     folder.string(),
-                     "Choose another folder, or replace it with --force.");
+  if (spec.overwrite) return;
+  throw InputError("there is a test already",
+                   folder.string(),
+                   "Choose another folder, or replace it with --force.");
+}
+
+void check_files(const VirtualBundleSpec& spec,
+                 const VirtualSetup& setup,
+                 const fs::path& folder) {
+  std::error_code ignored;
+  acquisition::OutputRule rule{{}, spec.overwrite};
+  if (fs::is_regular_file(spec.structure, ignored)) {
+    rule.inputs = structure::deck_files(spec.structure);
   }
-  // Recordings of a longer test must not be left beside a shorter one.
-  for (int run = 1; fs::remove(recording_file(folder, run), error); ++run) {
+  for (const char* name : {"test.json", "model.bdf", truth_file}) {
+    rule.check(folder / name);
+  }
+  for (std::size_t k = 0; k < setup.runs.size(); ++k) {
+    rule.check(recording_file(folder, static_cast<int>(k) + 1));
+  }
+}
+
+// Recordings of a longer test must not be left beside a shorter one.
+void remove_further_runs(const fs::path& folder, std::size_t runs) {
+  std::error_code gone;
+  for (int run = static_cast<int>(runs) + 1;
+       fs::remove(recording_file(folder, run), gone);
+       ++run) {
   }
 }
 
@@ -345,8 +371,9 @@ VirtualBundleSpec demo_spec() {
 VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
                                         const fs::path& folder,
                                         const Progress& progress) {
+  check_test(spec, folder);
   const VirtualSetup setup = set_up(spec);
-  make_folder(spec, folder);
+  check_files(spec, setup, folder);
   const double factor = modulus_factor(spec);
   const VirtualStructure structure = build_virtual_structure(
       setup.model, spec.effects, factor, setup.component);
@@ -361,18 +388,24 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
       describe(spec, setup, channels, folder);
   const std::vector<acquisition::AnalogueChannel> chains =
       make_chains(spec, setup, channels);
+  acquisition::OutputFolder output(folder);
   for (std::size_t k = 0; k < bundle.runs.size(); ++k) {
+    progress("writing",
+             static_cast<double>(k) / static_cast<double>(bundle.runs.size()));
     SeededRandom random(spec.seed, "chain", k);
     acquisition::write_audio(
-        bundle.runs[k].file,
+        output.file(bundle.runs[k].file.filename()),
         acquisition::digitise(records.felt[k], setup.recorder, chains, random),
         static_cast<int>(setup.recorder.rate_hz),
         acquisition::AudioFormat::Flac24);
   }
-  write_model(setup, folder / "model.bdf");
-  acquisition::write_test_bundle(bundle, folder);
+  write_model(setup, output.file("model.bdf"));
+  acquisition::write_file(output.file("test.json"),
+                          acquisition::test_bundle_text(bundle, folder));
   write_truth(
-      spec, setup, structure, records.first, factor, folder / "truth.json");
+      spec, setup, structure, records.first, factor, output.file(truth_file));
+  output.commit();
+  remove_further_runs(folder, bundle.runs.size());
 
   VirtualBundleResult result;
   result.model_hz = setup.model_hz;

@@ -39,8 +39,9 @@ struct VirtualBundleResult {
 /// Makes the bundle; the same spec makes the same bytes.
 ///
 /// @param folder made when it is not there
-/// @throws InputError for a folder that holds a test already, effects that do
-///   not fit the structure, a deck without a band; Stopped
+/// @throws InputError for a folder that holds a measured test, or one made
+///   before without `overwrite`, effects that do not fit the structure, a deck
+///   without a band; Stopped. The folder is then as it was
 VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
                                         const std::filesystem::path& folder,
                                         const Progress& progress = {});

@@ -1,11 +1,10 @@
 #include "updating/virtual_test/virtual_truth.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <fstream>
 
 namespace tapfit::updating {
 namespace {
@@ -80,14 +79,7 @@ void write_truth(const VirtualBundleSpec& spec,
   if (!materials.empty()) {
     document["E_true"] = materials.begin()->second.E * modulus_factor;
   }
-  std::ofstream out(file);
-  out << document.dump(1) << '\n';
-  out.flush();
-  if (!out) {
-    throw InputError("cannot write what was built in",
-                     file.string(),
-                     "Check the folder and the space left.");
-  }
+  acquisition::write_file(file, document.dump(1) + '\n');
 }
 
 }  // namespace tapfit::updating

@@ -125,9 +125,10 @@ TEST_F(Csv, BecomesABundleWithPhysicalValues) {
   EXPECT_DOUBLE_EQ(recordings[0].samples(1, 0), 4.0);
   EXPECT_DOUBLE_EQ(recordings[0].samples(1, 1), 4.0);
   EXPECT_DOUBLE_EQ(recordings[1].samples(0, 0), 14.0);
-  EXPECT_THROW(import_recordings(options), InputError) << "must not overwrite";
-  options.overwrite = true;
-  EXPECT_NO_THROW(import_recordings(options));
+  for (const bool force : {false, true}) {
+    options.force = force;
+    EXPECT_THROW(import_recordings(options), InputError) << "a test is there";
+  }
 }
 
 TEST_F(Csv, NamesColumnsThatAreZeroThroughout) {
@@ -216,7 +217,7 @@ TEST_F(Csv, TimesPrintedWithFewDigitsGiveTheWholeRate) {
   options.files = {{folder_.write("rounded.csv", rounded), {}}};
   EXPECT_EQ(read_recordings(import_recordings(options))[0].sample_rate_hz,
             1024.0);
-  options.overwrite = true;
+  options.folder += "-2";
   options.files = {{folder_.write("multiples.csv", multiples), {}}};
   const TestBundle bundle = import_recordings(options);
   EXPECT_EQ(read_recordings(bundle)[0].sample_rate_hz, 2048.0);

@@ -19,12 +19,13 @@ struct Ran {
   std::string err;
 };
 
-template <typename Command>
-Ran ran(std::vector<const char*> arguments, Command command) {
+Ran ran(std::vector<const char*> arguments,
+        int (*command)(int, const char* const*, const Progress&)) {
   testing::internal::CaptureStderr();
   testing::internal::CaptureStdout();
   Ran result;
-  result.status = command(static_cast<int>(arguments.size()), arguments.data());
+  result.status =
+      command(static_cast<int>(arguments.size()), arguments.data(), {});
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
   result.err = testing::internal::GetCapturedStderr();
   return result;
@@ -56,10 +57,8 @@ TEST(SimulateCommand, ABandTheWrongWayRoundIsStatusTwo) {
 
 TEST(ScoreCommand, AShardThatIsNoneIsStatusTwo) {
   for (const char* shard : {"3/2", "0/2", "1/0", "1", "1/2x", "-1/2", "a/b"}) {
-    const Ran result = ran({"score", "--cases", "1", "--shard", shard},
-                           [](int argc, const char* const* argv) {
-                             return score_command(argc, argv, {});
-                           });
+    const Ran result =
+        ran({"score", "--cases", "1", "--shard", shard}, score_command);
     EXPECT_EQ(result.status, 2) << shard;
     EXPECT_NE(result.err.find(shard), std::string::npos) << result.err;
   }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -81,11 +82,18 @@ bool next_line(std::istream& file, std::string& text) {
   return true;
 }
 
+/// A deck with its INCLUDE files inlined.
+struct RawDeck {
+  std::vector<std::filesystem::path> files;
+  std::vector<RawLine> lines;
+};
+
 void read_file(const std::filesystem::path& path,
                const std::filesystem::path& folder,
                const std::string& asked_by,
                std::size_t depth,
-               std::vector<RawLine>& lines) {
+               RawDeck& deck) {
+  deck.files.push_back(path);
   if (depth > kMaxDepth) {
     throw InputError("INCLUDE files include each other without end",
                      asked_by,
@@ -114,10 +122,10 @@ void read_file(const std::filesystem::path& path,
     }
     const std::optional<std::string> name = include_name(text);
     if (name) {
-      lines.push_back({"$ inlined: " + trimmed(text), where, number});
-      read_file(included(path, *name, folder), folder, where, depth + 1, lines);
+      deck.lines.push_back({"$ inlined: " + trimmed(text), where, number});
+      read_file(included(path, *name, folder), folder, where, depth + 1, deck);
     } else {
-      lines.push_back({text, where, number});
+      deck.lines.push_back({text, where, number});
     }
   }
 }
@@ -221,8 +229,9 @@ class CaseReader {
 }  // namespace
 
 DeckLines read_deck_lines(const std::filesystem::path& path) {
-  std::vector<RawLine> raw;
-  read_file(path, path.parent_path(), path.string(), 0, raw);
+  RawDeck deck;
+  read_file(path, path.parent_path(), path.string(), 0, deck);
+  const std::vector<RawLine>& raw = deck.lines;
   const bool has_begin =
       std::any_of(raw.begin(), raw.end(), [](const RawLine& line) {
         return is_begin_bulk(without_comment(line.text));
@@ -246,6 +255,17 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
     }
   }
   return result;
+}
+
+std::vector<std::filesystem::path> deck_files(
+    const std::filesystem::path& path) {
+  RawDeck deck;
+  try {
+    read_file(path, path.parent_path(), path.string(), 0, deck);
+  } catch (const InputError&) {
+    // Those read so far are known; who needs the deck says what is wrong.
+  }
+  return std::move(deck.files);
 }
 
 std::string trimmed(const std::string& text) {

@@ -34,6 +34,10 @@ struct DeckLines {
 /// @throws InputError for a file that cannot be read, or includes itself
 [[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
 
+/// The deck and all that it includes, as far as that can be read.
+[[nodiscard]] std::vector<std::filesystem::path> deck_files(
+    const std::filesystem::path& path);
+
 [[nodiscard]] std::string trimmed(const std::string& text);
 [[nodiscard]] std::string upper(std::string text);
 

@@ -1,9 +1,9 @@
-#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <ostream>
 
 namespace tapfit::structure {
 
@@ -14,7 +14,8 @@ void write_deck(const Deck& deck,
       deck.cards.begin(), deck.cards.end(), [](const std::string& line) {
         return upper(trimmed(line)).starts_with("ENDDATA");
       });
-  std::ofstream file(path);
+  acquisition::OutputFile output(path);
+  std::ostream& file = output.stream();
   for (auto line = deck.cards.begin(); line != end; ++line) {
     file << *line << '\n';
   }
@@ -23,12 +24,7 @@ void write_deck(const Deck& deck,
   for (auto line = end; line != deck.cards.end(); ++line) {
     file << *line << '\n';
   }
-  file.flush();
-  if (!file) {
-    throw InputError("cannot write the model",
-                     path.string(),
-                     "Check the folder and the space left.");
-  }
+  output.commit();
 }
 
 }  // namespace tapfit::structure

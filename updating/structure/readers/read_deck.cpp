@@ -7,6 +7,7 @@
 #include "updating/structure/checks/attached_grids.hpp"
 #include "updating/structure/checks/doubled_parts.hpp"
 #include "updating/structure/checks/element_shapes.hpp"
+#include "updating/structure/checks/number_scales.hpp"
 #include "updating/structure/checks/weak_properties.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
@@ -145,6 +146,7 @@ Deck read_deck(const std::filesystem::path& path,
                        "Check that this is Nastran bulk data.");
     }
     check_references(deck);
+    check_number_scales(deck);
     warn_unattached(bulk, deck);
     for (std::string& text : weak_property_warnings(deck)) {
       deck.warnings.push_back(std::move(text));

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 
 namespace tapfit::structure {
 namespace {
@@ -135,10 +136,18 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
                                Spectra::GEigsMode::ShiftInvert>
       solver(op, mass, count, basis, sigma);
   solver.init();
-  const Eigen::Index found = solver.compute(Spectra::SortRule::LargestMagn,
-                                            300,
-                                            1e-11,
-                                            Spectra::SortRule::SmallestAlge);
+  Eigen::Index found = 0;
+  try {
+    found = solver.compute(Spectra::SortRule::LargestMagn,
+                           300,
+                           1e-11,
+                           Spectra::SortRule::SmallestAlge);
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    // Rounding has eaten the smaller stiffnesses up; a larger basis may do.
+    return std::nullopt;
+  }
   if (solver.info() != Spectra::CompInfo::Successful || found < count) {
     return std::nullopt;
   }
@@ -175,6 +184,15 @@ std::optional<bool> is_complete(const SparseMatrix& K,
   return std::nullopt;
 }
 
+bool is_finite(const SparseMatrix& A) {
+  for (Eigen::Index column = 0; column < A.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator at(A, column); at; ++at) {
+      if (!std::isfinite(at.value())) return false;
+    }
+  }
+  return true;
+}
+
 Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
   const Eigen::Index n = std::min(count, pairs.lambda.size());
   return {pairs.lambda.head(n).cwiseMax(0.0).cwiseSqrt() / two_pi,
@@ -188,6 +206,7 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
                       Eigen::Index count) {
   const Eigen::Index n = K.rows();
   if (n == 0 || count <= 0) return {{}, Eigen::MatrixXd(n, 0)};
+  if (!is_finite(K) || !is_finite(M)) throw out_of_scale();
   const double sigma = shift_below_zero(K, M);
   const SparseMatrix A = K - sigma * M;
   const Factor factor(A);  // throws for a mechanism without mass
@@ -220,7 +239,8 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   throw InputError(
       fmt::format("the {} lowest modes did not converge", count),
       "stiffness and mass matrix",
-      "Ask for fewer modes, or look for parts that are not held or joined.");
+      "Ask for fewer modes, or look for parts that are not held or joined and "
+      "for values far larger or smaller than the others.");
 }
 
 Eigenmodes eigenmodes_up_to(const SparseMatrix& K,

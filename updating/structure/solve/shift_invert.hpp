@@ -1,9 +1,18 @@
 // Operators for Spectra: x -> (K - sigma M)^-1 x through CHOLMOD, and x -> M x.
 #pragma once
 
+#include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/solve/factor.hpp"
 
 namespace tapfit::structure {
+
+/// What is to be said of matrices that the arithmetic cannot hold.
+inline InputError out_of_scale() {
+  return {"numbers are too large or too far apart to be solved with",
+          "stiffness and mass matrix",
+          "Look for far too large or small values in grids, properties and "
+          "materials."};
+}
 
 class ShiftInvert {
  public:
@@ -21,7 +30,10 @@ class ShiftInvert {
 
   void perform_op(const double* x, double* y) const {
     const Eigen::Map<const Eigen::VectorXd> in(x, size_);
-    Eigen::Map<Eigen::VectorXd>(y, size_) = factor_.solve(in);
+    Eigen::Map<Eigen::VectorXd> out(y, size_);
+    out = factor_.solve(in);
+    // Spectra sorts what it is given, and knows no NaN.
+    if (!out.allFinite()) throw out_of_scale();
   }
 
  private:
@@ -41,7 +53,9 @@ class MassProduct {
 
   void perform_op(const double* x, double* y) const {
     const Eigen::Map<const Eigen::VectorXd> in(x, M_.rows());
-    Eigen::Map<Eigen::VectorXd>(y, M_.rows()) = M_ * in;
+    Eigen::Map<Eigen::VectorXd> out(y, M_.rows());
+    out = M_ * in;
+    if (!out.allFinite()) throw out_of_scale();
   }
 
  private:

@@ -124,11 +124,37 @@ TEST(BadDeck, DefinitionIsRepeated) {
 TEST(BadDeck, MaterialOrPlaceIsNoNumberToReckonWith) {
   expect_error("MAT1,7,,,.3\n", "model.bdf:7 MAT1 7", "neither E nor G");
   expect_error("GRID,7,,1.+200,0.,0.\n", "model.bdf:7 GRID 7", "1e+200");
+  // In bounds one by one, and together not.
   expect_error(
-      "PBAR,2,1,1.+300,1.+300,1.+300,1.\nMAT1,9,1.+300,,.3\n"
-      "PROD,3,9,1.+100\nCROD,5,3,1,2\n",
-      "model.bdf:10 CROD 5",
+      "PBAR,3,1,1.,1.+19,1.+19,1.\nGRID,8,,2.,0.,0.\nGRID,9,,2.,1.-150,0.\n"
+      "CBAR,5,3,8,9,0.,0.,1.\n",
+      "model.bdf:10 CBAR 5",
       "not a finite number");
+}
+
+// What the arithmetic behind would end with is no answer, and no crash.
+TEST(BadDeck, NumberIsOfNoStructureInAnyUnits) {
+  struct Case {
+    const char* cards;
+    const char* where;
+    const char* what;
+  };
+  for (const Case& one : {
+           Case{"PBAR,2,1,1.+38,1.-8,1.-8,1.-8\n", ":7 PBAR 2", "A is 1e+38"},
+           Case{"PBAR,2,1,1.-4,1.+38,1.-8,1.-8\n", ":7 PBAR 2", "I1 is 1e+38"},
+           Case{"PROD,2,1,1.+38\n", ":7 PROD 2", "A is 1e+38"},
+           Case{"MAT1,2,1.-300,,.3,2700.\n", ":7 MAT1 2", "E is 1e-300"},
+           Case{"MAT1,2,7.+10,,.3,1.+300\n", ":7 MAT1 2", "RHO is 1e+300"},
+           Case{"MAT1,2,7.+10,,.3,1.-300\n", ":7 MAT1 2", "RHO is 1e-300"},
+           Case{"CONM2,2,1,,1.+40\n", ":7 CONM2 2", "M is 1e+40"},
+           Case{"CELAS2,2,1.+40,1,1\n", ":7 CELAS2 2", "K is 1e+40"},
+           Case{"PSHELL,2,1,1.+40,1,,1\n", ":7 PSHELL 2", "T is 1e+40"},
+           Case{"PARAM,WTMASS,1.+200\n", "PARAM", "WTMASS is 1e+200"},
+           Case{"PARAM,WTMASS,1.-200\n", "PARAM", "WTMASS is 1e-200"},
+       }) {
+    expect_error(one.cards, one.where, one.what);
+    expect_error(one.cards, one.where, "is plausible");
+  }
 }
 
 TEST(BadDeck, ModelHasNoMassOrNothingThatMoves) {

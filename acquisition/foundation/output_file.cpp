@@ -1,0 +1,132 @@
+#include "acquisition/foundation/output_file.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <system_error>
+#include <unistd.h>
+#include <vector>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+
+InputError unwritable(const fs::path& target) {
+  return {"cannot be written",
+          target.string(),
+          "check the folder, your rights to it and the space left"};
+}
+
+// Told apart from those of other threads and other runs of the program.
+fs::path unfinished_name(const fs::path& target) {
+  static std::atomic<unsigned> count = 0;
+  fs::path name = target;
+  name += fmt::format(".{}-{}.part", ::getpid(), ++count);
+  return name;
+}
+
+fs::path behind_links(const fs::path& target) {
+  std::error_code fault;
+  if (!fs::is_symlink(target, fault)) return target;
+  const fs::path whole = fs::weakly_canonical(target, fault);
+  return fault ? target : whole;
+}
+
+// A new file has the rights of the one that it replaces.
+void take_over_rights(const fs::path& from, const fs::path& to) {
+  std::error_code fault;
+  const fs::perms rights = fs::status(from, fault).permissions();
+  if (!fault && fs::exists(from, fault)) fs::permissions(to, rights, fault);
+}
+
+}  // namespace
+
+OutputFile::OutputFile(const fs::path& target) : target_(behind_links(target)) {
+  std::error_code fault;
+  const fs::file_status there = fs::status(target_, fault);
+  const bool exists = fs::exists(there);
+  if (fs::is_directory(there) ||
+      (exists && ::access(target_.c_str(), W_OK) != 0)) {
+    throw unwritable(target);
+  }
+  const bool direct = exists && !fs::is_regular_file(there);
+  if (!direct) unfinished_ = unfinished_name(target_);
+  stream_.open(direct ? target_ : unfinished_, std::ios::binary);
+  if (stream_) return;
+  unfinished_.clear();
+  throw unwritable(target);
+}
+
+OutputFile::~OutputFile() {
+  if (unfinished_.empty()) return;
+  stream_.close();
+  std::error_code gone;
+  fs::remove(unfinished_, gone);
+}
+
+void OutputFile::commit() {
+  stream_.close();
+  if (!stream_) throw unwritable(target_);
+  if (unfinished_.empty()) return;
+  take_over_rights(target_, unfinished_);
+  std::error_code fault;
+  fs::rename(unfinished_, target_, fault);
+  if (fault) throw unwritable(target_);
+  unfinished_.clear();
+}
+
+// Beside the folder, or in it where it is there: on the same file system, so
+// that files can be renamed into their place.
+OutputFolder::OutputFolder(const fs::path& target)
+    : target_(fs::absolute(target).lexically_normal()) {
+  if (!target_.has_filename()) target_ = target_.parent_path();
+  std::error_code fault;
+  if (fs::is_directory(target_, fault)) {
+    unfinished_ = unfinished_name(target_ / "tapfit");
+  } else {
+    fs::path beside = target_.parent_path();
+    while (!fs::exists(beside, fault) && beside.has_relative_path()) {
+      beside = beside.parent_path();
+    }
+    unfinished_ = unfinished_name(beside / target_.filename());
+  }
+  if (fs::create_directory(unfinished_, fault)) return;
+  throw unwritable(target);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code gone;
+  if (!unfinished_.empty()) fs::remove_all(unfinished_, gone);
+}
+
+void OutputFolder::commit() {
+  std::error_code fault;
+  if (!fs::exists(target_, fault)) {
+    fs::create_directories(target_.parent_path(), fault);
+    fs::rename(unfinished_, target_, fault);
+    if (fault) throw unwritable(target_);
+    unfinished_.clear();
+    return;
+  }
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(unfinished_, fault), end; !fault && at != end;
+       at.increment(fault)) {
+    files.push_back(at->path());
+  }
+  if (fault) throw unwritable(target_);
+  for (const fs::path& file : files) {
+    fs::rename(file, target_ / file.filename(), fault);
+    if (fault) throw unwritable(target_ / file.filename());
+  }
+}
+
+void write_file(const fs::path& target, std::string_view content) {
+  OutputFile file(target);
+  file.stream() << content;
+  file.commit();
+}
+
+}  // namespace tapfit::acquisition

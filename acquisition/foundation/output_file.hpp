@@ -1,0 +1,69 @@
+// Files that appear whole or not at all. What is written stands beside its
+// target under another name, and takes the target's place when it is done: a
+// full disk, a fault or a request to stop leaves the older file, or none.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace tapfit::acquisition {
+
+/// One file. Links are followed; what is no regular file (a pipe, /dev/null)
+/// is written to as it is.
+class OutputFile {
+ public:
+  /// @throws InputError where nothing can be written
+  explicit OutputFile(const std::filesystem::path& target);
+  /// Takes away what was not committed.
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  [[nodiscard]] std::ostream& stream() { return stream_; }
+
+  /// Puts the file in its place; to be called once, at the end. The system
+  /// reports a full disk at the latest when the file is closed, which is here.
+  /// @throws InputError where something could not be written
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path unfinished_;  ///< empty: nothing to take away
+  std::ofstream stream_;
+};
+
+/// Several files that belong together.
+class OutputFolder {
+ public:
+  /// @param target made by commit() when it is not there
+  /// @throws InputError where nothing can be written
+  explicit OutputFolder(const std::filesystem::path& target);
+  /// Takes away what was not committed.
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  /// Where a file is to be written that commit() brings into the folder.
+  /// @param name without a folder
+  [[nodiscard]] std::filesystem::path file(
+      const std::filesystem::path& name) const {
+    return unfinished_ / name;
+  }
+
+  /// Brings all files into the folder, over older ones of their names.
+  /// @throws InputError where that fails
+  void commit();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path unfinished_;
+};
+
+/// A whole file at once.
+/// @throws InputError where it cannot be written
+void write_file(const std::filesystem::path& target, std::string_view content);
+
+}  // namespace tapfit::acquisition

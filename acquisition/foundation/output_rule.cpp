@@ -1,0 +1,88 @@
+#include "acquisition/foundation/output_rule.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Empty where the path says nothing.
+fs::path resolved(const fs::path& file) {
+  std::error_code fault;
+  const fs::path from_root = fs::absolute(file, fault);
+  if (fault) return {};
+  const fs::path result = fs::weakly_canonical(from_root, fault);
+  return fault ? fs::path() : result;
+}
+
+// Of files that are not there the names decide.
+bool same_file(const fs::path& one, const fs::path& other) {
+  std::error_code fault;
+  const bool there = fs::exists(one, fault);
+  if (fs::exists(other, fault) != there) return false;
+  if (there) return fs::equivalent(one, other, fault);
+  const fs::path a = resolved(one);
+  return !a.empty() && a == resolved(other);
+}
+
+// Neither a pipe nor a device is replaced by writing to it.
+bool would_be_replaced(const fs::path& output) {
+  std::error_code fault;
+  return fs::is_regular_file(output, fault);
+}
+
+}  // namespace
+
+bool OutputRule::is_input(const fs::path& output) const {
+  return std::ranges::any_of(inputs, [&output](const fs::path& input) {
+    return same_file(input, output);
+  });
+}
+
+fs::path OutputRule::free_name(const fs::path& output) const {
+  std::error_code fault;
+  fs::path free = output;
+  for (int k = 2; fs::exists(fs::symlink_status(free, fault)) || is_input(free);
+       ++k) {
+    free = output.parent_path() / fmt::format("{}-{}{}",
+                                              output.stem().string(),
+                                              k,
+                                              output.extension().string());
+  }
+  return free;
+}
+
+void OutputRule::check(const fs::path& output) const {
+  const std::string free = free_name(output).filename().string();
+  if (is_input(output)) {
+    throw InputError("is an input of the test and is never written over",
+                     output.string(),
+                     fmt::format("give another name, such as {}", free));
+  }
+  if (force || !would_be_replaced(output)) return;
+  throw InputError(
+      "is there already",
+      output.string(),
+      fmt::format("give another name, such as {}, or replace it with --force",
+                  free));
+}
+
+void OutputRule::check(const std::vector<fs::path>& outputs) const {
+  for (std::size_t k = 0; k < outputs.size(); ++k) {
+    check(outputs[k]);
+    for (std::size_t i = 0; i < k; ++i) {
+      if (!same_file(outputs[i], outputs[k])) continue;
+      throw InputError("is named for two outputs",
+                       outputs[k].string(),
+                       "give each a file of its own");
+    }
+  }
+}
+
+}  // namespace tapfit::acquisition

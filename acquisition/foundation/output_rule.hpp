@@ -1,0 +1,31 @@
+// What may be written where: never over an input, over another file only where
+// that is asked for.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace tapfit::acquisition {
+
+struct OutputRule {
+  /// What was read, and must never be written. Need not be there.
+  std::vector<std::filesystem::path> inputs;
+  bool force = false;  ///< other files that are there may be replaced
+
+  /// Whether the path leads to an input, by whatever name or link.
+  [[nodiscard]] bool is_input(const std::filesystem::path& output) const;
+
+  /// The first of NAME.EXT, NAME-2.EXT, NAME-3.EXT, ... that is neither an
+  /// input nor there.
+  [[nodiscard]] std::filesystem::path free_name(
+      const std::filesystem::path& output) const;
+
+  /// @throws InputError for an input, for a file that is there without
+  ///   `force`; names one that is free
+  void check(const std::filesystem::path& output) const;
+
+  /// As above for each, and that no file is named twice.
+  void check(const std::vector<std::filesystem::path>& outputs) const;
+};
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,108 @@
+// What is written is there as a whole, or as it was before.
+#include "acquisition/foundation/output_file.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iterator>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::ptrdiff_t entries_of(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder),
+                       fs::directory_iterator());
+}
+
+class Outputs : public ::testing::Test {
+ protected:
+  testing::TemporaryFolder folder_;
+};
+
+TEST_F(Outputs, FileTakesItsPlaceWhenItIsDone) {
+  const fs::path file = folder_.write("a.txt", "older");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  OutputFile output(file);
+  output.stream() << "newer";
+  output.stream().flush();
+  EXPECT_EQ(content_of(file), "older");
+  output.commit();
+  EXPECT_EQ(content_of(file), "newer");
+  EXPECT_EQ(fs::status(file).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+TEST_F(Outputs, FileThatIsGivenUpLeavesTheOlderOne) {
+  const fs::path file = folder_.write("a.txt", "older");
+  { OutputFile(file).stream() << "half"; }
+  EXPECT_EQ(content_of(file), "older");
+  EXPECT_EQ(entries_of(folder_.path()), 1);
+  { OutputFile(folder_.path() / "none.txt").stream() << "half"; }
+  EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+TEST_F(Outputs, FileWithoutAPlaceIsRefused) {
+  EXPECT_THROW(write_file(folder_.path() / "no" / "a.txt", "x"), InputError);
+  EXPECT_THROW(write_file(folder_.path(), "x"), InputError);
+  EXPECT_EQ(entries_of(folder_.path()), 0);
+}
+
+TEST_F(Outputs, LinkStaysAndItsFileIsReplaced) {
+  const fs::path file = folder_.write("a.txt", "older");
+  const fs::path link = folder_.path() / "link";
+  fs::create_symlink("a.txt", link);
+  write_file(link, "newer");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content_of(file), "newer");
+}
+
+// The device that stands for a full disk.
+TEST_F(Outputs, DevicesAreWrittenToAndFullOnesTold) {
+  EXPECT_NO_THROW(write_file("/dev/null", "x"));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_THROW(write_file("/dev/full", "x"), InputError);
+}
+
+TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
+  const fs::path target = folder_.path() / "new" / "test";
+  {
+    const OutputFolder output(target);
+    write_file(output.file("a.txt"), "a");
+  }
+  EXPECT_EQ(entries_of(folder_.path()), 0);
+  OutputFolder output(target);
+  write_file(output.file("a.txt"), "a");
+  write_file(output.file("b.txt"), "b");
+  EXPECT_FALSE(fs::exists(target));
+  output.commit();
+  EXPECT_EQ(content_of(target / "b.txt"), "b");
+  EXPECT_EQ(entries_of(target), 2);
+  EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+TEST_F(Outputs, FolderThatIsThereKeepsItsOtherFiles) {
+  folder_.write("a.txt", "older");
+  folder_.write("other.txt", "other");
+  {
+    OutputFolder output(folder_.path());
+    write_file(output.file("a.txt"), "newer");
+    EXPECT_EQ(content_of(folder_.path() / "a.txt"), "older");
+    output.commit();
+  }
+  EXPECT_EQ(content_of(folder_.path() / "a.txt"), "newer");
+  EXPECT_EQ(content_of(folder_.path() / "other.txt"), "other");
+  EXPECT_EQ(entries_of(folder_.path()), 2);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition

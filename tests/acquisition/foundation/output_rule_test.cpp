@@ -1,0 +1,75 @@
+#include "acquisition/foundation/output_rule.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputRuleTest : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::string refusal(const fs::path& output, bool force) const {
+    try {
+      OutputRule{{input_, folder_.path() / "gone.wav"}, force}.check(output);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return {};
+  }
+  static bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  }
+
+  testing::TemporaryFolder folder_;
+  fs::path input_ = folder_.write("measured.uff", "measured");
+};
+
+TEST_F(OutputRuleTest, InputIsNeverWrittenByWhateverName) {
+  const fs::path folder = folder_.path();
+  fs::create_symlink("measured.uff", folder / "link.uff");
+  fs::create_hard_link(input_, folder / "hard.uff");
+  fs::create_directory(folder / "sub");
+  for (const fs::path& name : {input_,
+                               folder / "." / "measured.uff",
+                               folder / "sub" / ".." / "measured.uff",
+                               folder / "link.uff",
+                               folder / "hard.uff",
+                               folder / "gone.wav",
+                               folder / "sub" / ".." / "gone.wav"}) {
+    for (const bool force : {false, true}) {
+      EXPECT_TRUE(holds(refusal(name, force), "is an input")) << name;
+    }
+  }
+  EXPECT_TRUE(holds(refusal(input_, true), "such as measured-2.uff"));
+}
+
+TEST_F(OutputRuleTest, AnotherFileIsReplacedWhereThatIsAskedFor) {
+  const fs::path file = folder_.write("report.md", "older");
+  folder_.write("report-2.md", "older");
+  EXPECT_TRUE(holds(refusal(file, false), "report-3.md"));
+  EXPECT_TRUE(holds(refusal(file, false), "--force"));
+  EXPECT_EQ(refusal(file, true), "");
+  EXPECT_EQ(refusal(folder_.path() / "new.md", false), "");
+  EXPECT_EQ(refusal("/dev/null", false), "");
+}
+
+TEST_F(OutputRuleTest, TwoOutputsTakeTwoFiles) {
+  const OutputRule rule;
+  const fs::path one = folder_.path() / "a.uff";
+  EXPECT_NO_THROW(rule.check({one, folder_.path() / "b.uff"}));
+  EXPECT_THROW(rule.check({one, folder_.path() / "." / "a.uff"}), InputError);
+}
+
+TEST_F(OutputRuleTest, FreeNameIsNoInputThatIsNotThere) {
+  const OutputRule rule{{folder_.path() / "gone.wav"}, false};
+  EXPECT_EQ(rule.free_name(folder_.path() / "gone.wav").filename(),
+            "gone-2.wav");
+  EXPECT_EQ(rule.free_name("no-such-file.md"), "no-such-file.md");
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition

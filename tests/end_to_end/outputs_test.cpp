@@ -1,0 +1,251 @@
+// What the program writes: never over what it reads, over other files only with
+// --force or a y, and as a whole or not at all.
+#include "tests/end_to_end/run_program.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <sys/wait.h>
+#include <vector>
+
+namespace tapfit::end_to_end {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path recordings = TAPFIT_SOURCE_DIR "/recordings";
+
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The command through the shell, "%tapfit" in it replaced by the program.
+int shell_status(std::string command) {
+  const std::string name = "%tapfit";
+  command.replace(command.find(name), name.size(), "'" TAPFIT_PROGRAM "'");
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+std::vector<std::string> parts_in(const fs::path& folder) {
+  std::vector<std::string> parts;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".part")) parts.push_back(name);
+  }
+  return parts;
+}
+
+class OutputsOfATest : public testing::Test {
+ protected:
+  void SetUp() override {
+    bundle_ = fresh_folder() / "truss";
+    fs::copy(recordings / "paper-truss", bundle_);
+  }
+  [[nodiscard]] ProgramResult run(const std::string& command,
+                                  const std::string& options) const {
+    return run_tapfit(
+        fmt::format("{} '{}' {}", command, bundle_.string(), options));
+  }
+  [[nodiscard]] std::string in_bundle(const std::string& name) const {
+    return "'" + (bundle_ / name).string() + "'";
+  }
+  [[nodiscard]] std::string keys(const std::string& script) const {
+    write_file(bundle_ / "keys.txt", script);
+    const auto seen = run_tapfit(fmt::format(
+        "'{}' --width 200 --keys {}", bundle_.string(), in_bundle("keys.txt")));
+    EXPECT_EQ(seen.exit_status, 0) << seen.err;
+    return seen.out;
+  }
+
+  fs::path bundle_;
+};
+
+TEST_F(OutputsOfATest, NeverGoOverWhatItReads) {
+  fs::create_symlink("measured.uff", bundle_ / "link.uff");
+  const std::string measured = read_file(bundle_ / "measured.uff");
+  const std::string test = read_file(bundle_ / "test.json");
+  const std::string deck = read_file(bundle_ / "model.bdf");
+  struct Attempt {
+    const char* command;
+    const char* option;
+    const char* file;
+  };
+  for (const Attempt& attempt : {Attempt{"frf", "--uff", "measured.uff"},
+                                 Attempt{"frf", "--uff", "./measured.uff"},
+                                 Attempt{"frf", "--uff", "link.uff"},
+                                 Attempt{"modes", "--uff", "measured.uff"},
+                                 Attempt{"modes", "--fit", "measured.uff"},
+                                 Attempt{"export", "--uff", "measured.uff"},
+                                 Attempt{"export", "--deck", "model.bdf"},
+                                 Attempt{"export", "--records", "test.json"},
+                                 Attempt{"report", "-o", "measured.uff"},
+                                 Attempt{"report", "-o", "test.json"},
+                                 Attempt{"report", "-o", "session.json"}}) {
+    for (const char* force : {"", "--force"}) {
+      const ProgramResult result =
+          run(attempt.command,
+              fmt::format(
+                  "{} {} {}", attempt.option, in_bundle(attempt.file), force));
+      EXPECT_EQ(result.exit_status, 1) << attempt.command << attempt.file;
+      EXPECT_EQ(result.out, "") << attempt.command << attempt.file;
+      EXPECT_TRUE(holds(result.err, "never written over")) << result.err;
+      EXPECT_TRUE(holds(result.err, "-2.")) << result.err;
+    }
+  }
+  EXPECT_EQ(read_file(bundle_ / "measured.uff"), measured);
+  EXPECT_EQ(read_file(bundle_ / "test.json"), test);
+  EXPECT_EQ(read_file(bundle_ / "model.bdf"), deck);
+}
+
+TEST_F(OutputsOfATest, GoOverAnotherFileOnlyWhereThatIsAskedFor) {
+  const fs::path file = bundle_ / "out.uff";
+  write_file(file, "older");
+  const std::string option = "--uff " + in_bundle("out.uff");
+  const ProgramResult refused = run("frf", option);
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(holds(refused.err, "out-2.uff")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "--force")) << refused.err;
+  EXPECT_EQ(read_file(file), "older");
+  EXPECT_EQ(run("frf", option + " --force").exit_status, 0);
+  EXPECT_TRUE(holds(read_file(file), "    58"));
+  EXPECT_TRUE(parts_in(bundle_).empty());
+}
+
+// The shell's limit stands for a disk that is full.
+TEST_F(OutputsOfATest, LeaveTheOlderFileOnAFullDisk) {
+  const fs::path file = bundle_ / "out.uff";
+  write_file(file, "older");
+  const int status = shell_status(
+      fmt::format("trap '' XFSZ; ulimit -f 4; "
+                  "%tapfit frf '{}' --uff '{}' --force >/dev/null 2>/dev/null",
+                  bundle_.string(),
+                  file.string()));
+  EXPECT_EQ(status, 1);
+  EXPECT_EQ(read_file(file), "older");
+  EXPECT_TRUE(parts_in(bundle_).empty());
+}
+
+TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
+  const std::string measured = read_file(bundle_ / "measured.uff");
+  const std::string seen = keys("7\nwait\nf\nwait\n");
+  EXPECT_TRUE(holds(seen, "measured-2.uff")) << seen;
+  EXPECT_EQ(read_file(bundle_ / "measured.uff"), measured);
+  EXPECT_TRUE(holds(read_file(bundle_ / "measured-2.uff"), "    58"));
+
+  write_file(bundle_ / "report.md", "older");
+  EXPECT_TRUE(holds(keys("7\nwait\nw\n"), "report.md is there: y replaces it"));
+  EXPECT_TRUE(holds(keys("7\nwait\nw\n<Esc>\n"), "nothing written"));
+  EXPECT_TRUE(holds(keys("7\nwait\nw\nn\nwait\n"), "report-2.md"));
+  EXPECT_EQ(read_file(bundle_ / "report.md"), "older");
+  EXPECT_TRUE(holds(keys("7\nwait\nw\ny\nwait\n"), "written: "));
+  EXPECT_TRUE(holds(read_file(bundle_ / "report.md"), "## FRFs"));
+}
+
+TEST_F(OutputsOfATest, OfSimulateNeverReplaceAMeasuredTest) {
+  const std::string test = read_file(bundle_ / "test.json");
+  const ProgramResult result =
+      run("simulate", "--structure ladder --runs 2 --hits 1 --force");
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_TRUE(holds(result.err, "a measured test")) << result.err;
+  EXPECT_EQ(read_file(bundle_ / "test.json"), test);
+  EXPECT_FALSE(fs::exists(bundle_ / "truth.json"));
+}
+
+// Whenever the signal comes, the bundle is there as a whole or not at all.
+TEST(Outputs, OfSimulateLeaveNothingWhereItIsStopped) {
+  const fs::path folder = fresh_folder();
+  for (const char* delay : {"0.05", "0.3", "0.8"}) {
+    const fs::path bundle = folder / "test";
+    fs::remove_all(bundle);
+    (void)shell_status(
+        fmt::format("timeout -s INT {} %tapfit simulate '{}' "
+                    ">/dev/null 2>/dev/null",
+                    delay,
+                    bundle.string()));
+    EXPECT_TRUE(parts_in(folder).empty()) << delay;
+    EXPECT_EQ(fs::exists(bundle), fs::exists(bundle / "truth.json")) << delay;
+  }
+}
+
+TEST(Outputs, OfEveryCommandThatWritesCanBeForced) {
+  const std::string page = read_file(TAPFIT_SOURCE_DIR "/docs/commands.md");
+  EXPECT_TRUE(holds(page, "`--force`"));
+  for (const char* command : {"frf",
+                              "replay",
+                              "modes",
+                              "session",
+                              "report",
+                              "export",
+                              "import",
+                              "paper",
+                              "simulate"}) {
+    const ProgramResult help = run_tapfit(fmt::format("{} --help", command));
+    EXPECT_TRUE(holds(help.out, "--force")) << command << help.out;
+  }
+}
+
+/// A small test with recordings; made once.
+const fs::path& recorded() {
+  static const fs::path bundle = [] {
+    const fs::path folder = scratch_folder("recorded") / "test";
+    const auto made = run_tapfit(
+        fmt::format("simulate '{}' --structure ladder --seed 5 --runs 4 "
+                    "--hits 2",
+                    folder.string()));
+    EXPECT_EQ(made.exit_status, 0) << made.err;
+    return folder;
+  }();
+  return bundle;
+}
+
+TEST(StandardError, ThatIsFullEndsNoCommand) {
+  for (const char* command : {"hits", "replay", "run", "modes"}) {
+    EXPECT_EQ(shell_status(fmt::format("%tapfit {} '{}' >/dev/null 2>/dev/full",
+                                       command,
+                                       recorded().string())),
+              0)
+        << command;
+  }
+  // A fault has its status though nobody reads the message.
+  EXPECT_EQ(shell_status("%tapfit hits /nonexistent >/dev/null 2>/dev/full"),
+            1);
+  EXPECT_EQ(shell_status("%tapfit no-such --option 2>/dev/full"), 2);
+}
+
+TEST(StandardOutput, ThatIsFullIsTold) {
+  const fs::path folder = fresh_folder();
+  const fs::path said = folder / "said";
+  for (const std::string& command :
+       {fmt::format("hits '{}'", recorded().string()),
+        fmt::format("modes '{}' --json", recorded().string()),
+        fmt::format("simulate '{}' --structure ladder --runs 2 --hits 1",
+                    (folder / "made").string()),
+        std::string("--help"),
+        std::string("simulate --help")}) {
+    EXPECT_EQ(shell_status(fmt::format(
+                  "%tapfit {} >/dev/full 2>'{}'", command, said.string())),
+              1)
+        << command;
+    EXPECT_TRUE(holds(read_file(said), "standard output")) << command;
+  }
+}
+
+// An area that no structure has ends with the card that holds it.
+TEST(Deck, WithAnAreaBeyondAllReasonIsRefused) {
+  const fs::path deck = fresh_folder() / "model.bdf";
+  std::string cards = read_file(recordings / "paper-solar-wing" / "model.bdf");
+  const std::size_t at = cards.find("PBAR,2,1,4.-4");
+  ASSERT_NE(at, std::string::npos);
+  cards.replace(at, 13, "PBAR,2,1,1.+38");
+  write_file(deck, cards);
+  const ProgramResult result =
+      run_tapfit(fmt::format("model '{}'", deck.string()));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_TRUE(holds(result.err, "PBAR 2")) << result.err;
+  EXPECT_TRUE(holds(result.err, "A is 1e+38")) << result.err;
+}
+
+}  // namespace
+}  // namespace tapfit::end_to_end

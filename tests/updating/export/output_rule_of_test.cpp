@@ -1,0 +1,58 @@
+// All that a test reads is an input, also what its deck includes.
+#include "updating/export/output_rule_of.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(OutputRuleOf, NamesAllThatATestReads) {
+  const testing::TemporaryFolder folder;
+  acquisition::TestBundle bundle;
+  bundle.folder = folder.path();
+  bundle.file = folder.write("test.json", "{}");
+  bundle.frfs = folder.write("measured.uff", "");
+  bundle.deck = folder.write("model.bdf", "INCLUDE 'grids.bdf'\nENDDATA\n");
+  folder.write("grids.bdf", "INCLUDE 'more.bdf'\n");
+  folder.write("more.bdf", "INCLUDE 'gone.bdf'\n");
+  bundle.matrices = acquisition::MatrixModel{folder.write("K.mtx", ""),
+                                             folder.write("M.mtx", ""),
+                                             folder.write("dofs.csv", "")};
+  bundle.runs.resize(1);
+  bundle.runs[0].file = folder.write("run-01.wav", "");
+  const acquisition::OutputRule rule = output_rule_of(bundle, true);
+  for (const char* name : {"test.json",
+                           "session.json",
+                           "measured.uff",
+                           "model.bdf",
+                           "grids.bdf",
+                           "more.bdf",
+                           "gone.bdf",
+                           "K.mtx",
+                           "M.mtx",
+                           "dofs.csv",
+                           "run-01.wav"}) {
+    EXPECT_TRUE(rule.is_input(folder.path() / name)) << name;
+    EXPECT_THROW(rule.check(folder.path() / name), InputError) << name;
+  }
+  EXPECT_FALSE(rule.is_input(folder.path() / "report.md"));
+}
+
+TEST(OutputRuleOf, AUniversalFileIsATestByItself) {
+  const testing::TemporaryFolder folder;
+  acquisition::TestBundle bundle;
+  bundle.folder = folder.path();
+  bundle.file = folder.write("plate.uff", "");
+  bundle.uff = bundle.file;
+  const acquisition::OutputRule rule = output_rule_of(bundle, false);
+  EXPECT_TRUE(rule.is_input(folder.path() / "plate.uff"));
+  EXPECT_TRUE(rule.is_input(folder.path() / "plate.uff.session.json"));
+}
+
+}  // namespace
+}  // namespace tapfit::updating

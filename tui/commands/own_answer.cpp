@@ -1,0 +1,20 @@
+#include "tui/commands/own_answer.hpp"
+
+#include "tui/options/standard_streams.hpp"
+
+#include <sstream>
+
+namespace tapfit::tui {
+
+int answer(const CLI::App& app, const CLI::ParseError& error) {
+  std::ostringstream out;
+  std::ostringstream err;
+  if (app.exit(error, out, err) != 0) {
+    say(err.str());
+    return 2;
+  }
+  print(out.str());
+  return 0;
+}
+
+}  // namespace tapfit::tui
