@@ -1,6 +1,7 @@
 #include "modal/fit/continue_frfs.hpp"
 
-#include "modal/fit/fit_columns.hpp"
+#include "modal/fit/linear_fit.hpp"
+#include "modal/poles/fit_columns.hpp"
 #include "modal/fit/modal_fit.hpp"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ signal::FrfSet continue_frfs(const signal::FrfSet& frfs,
   result.statements = frfs.statements;
   const Curves curves = prepare_curves(frfs, result.statements);
   const ModalFit fit = fit_residues(curves, poles_of(modes));
-  const MatrixXcd left = curves.H - fit.H;
+  const MatrixXcd left = curves.H - fitted_accelerance(curves, fit);
   const MatrixXd variance = curves.variance.cwiseMax(left.cwiseAbs2());
   const PoissonWeights poisson(curves.s.imag());
   MatrixXcd H = model_at(fit, s, curves.s);

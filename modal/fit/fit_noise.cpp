@@ -1,5 +1,9 @@
 #include "modal/fit/fit_noise.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
+#include "modal/fit/linear_fit.hpp"
+#include "modal/poles/fit_columns.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -20,14 +24,14 @@ struct Level {
   double lines = 0.0;
 };
 
-std::vector<Level> levels_of(const ModalFit& fit,
+std::vector<Level> levels_of(const Eigen::VectorXd& followed,
                              const Eigen::VectorXd& left,
                              const Eigen::VectorXd& power) {
   constexpr double octaves = 2.0;  // levels of |H|^2 in one
   constexpr double told = 0.3;     // a line followed further tells nothing
   std::map<int, Level> levels;
   for (Index k = 0; k < left.size(); ++k) {
-    const double free = 1.0 - fit.leverage(k);
+    const double free = 1.0 - followed(k);
     if (free < told || !(power(k) > 0.0)) continue;
     Level& level =
         levels[static_cast<int>(std::floor(octaves * std::log2(power(k))))];
@@ -83,15 +87,16 @@ double proportional_noise(const std::vector<Level>& levels,
 //
 // Lines at a resonance too sharp for its neighbours to tell of its noise have
 // it from all others.
-double common_proportion(const ModalFit& fit,
+double common_proportion(const Eigen::VectorXd& followed,
                          const Eigen::MatrixXd& left,
                          const Eigen::MatrixXd& power,
                          double lines_correlated) {
-  std::vector<double> shares;
-  for (Index f = 0; f < left.cols(); ++f) {
-    shares.push_back(proportional_noise(
-        levels_of(fit, left.col(f), power.col(f)), lines_correlated));
-  }
+  std::vector<double> shares(static_cast<std::size_t>(left.cols()));
+  for_each_parallel(shares.size(), [&](std::size_t k) {
+    const auto f = static_cast<Index>(k);
+    shares[k] = proportional_noise(
+        levels_of(followed, left.col(f), power.col(f)), lines_correlated);
+  });
   if (shares.empty()) return 0.0;
   const auto middle =
       shares.begin() + static_cast<std::ptrdiff_t>((shares.size() - 1) / 2);
@@ -99,10 +104,8 @@ double common_proportion(const ModalFit& fit,
   return *middle;
 }
 
-}  // namespace
-
+/// x with every line's neighbours added as they are correlated.
 Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
-  if (ratio <= 0.0) return x;
   constexpr Index kReach = 24;
   Eigen::MatrixXcd result = x;
   for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
@@ -115,27 +118,57 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
   return result;
 }
 
+/// Share of each line's noise that the residues and terms follow: the mean of
+/// its two rows' squares in Phi L^-T, whose columns are orthonormal.
+Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
+  const LinearFit linear = fit_linear(curves, fit.poles);
+  Eigen::MatrixXd Q = model_columns(curves, fit.poles, 0, curves.lines()) *
+                      linear.scale.cwiseInverse().asDiagonal();
+  linear.factor.matrixU().solveInPlace<Eigen::OnTheRight>(Q);
+  return 0.5 * unstack(Q).rowwise().squaredNorm();
+}
+
+/// Mean over a line and five on each side, fewer at the ends, per column.
+Eigen::MatrixXd mean_over_lines(const Eigen::MatrixXd& x) {
+  constexpr Index kReach = 5;
+  Eigen::MatrixXd result(x.rows(), x.cols());
+  for_each_parallel(static_cast<std::size_t>(x.cols()), [&](std::size_t f) {
+    const auto from = x.col(static_cast<Index>(f));
+    auto to = result.col(static_cast<Index>(f));
+    for (Index k = 0; k < x.rows(); ++k) {
+      const Index begin = std::max<Index>(0, k - kReach);
+      const Index end = std::min(x.rows(), k + kReach + 1);
+      to(k) = from.segment(begin, end - begin).mean();
+    }
+  });
+  return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXd correlated_gram(const Eigen::MatrixXcd& x, double ratio) {
+  const Eigen::MatrixXd own = stack(x);
+  if (ratio <= 0.0) return 0.5 * own.transpose() * own;
+  return 0.5 * own.transpose() * stack(correlate(x, ratio));
+}
+
 Noise weighted_noise(const Curves& curves,
                      const ModalFit& fit,
                      NoiseFrom from) {
-  const Index lines = curves.lines();
-  Eigen::MatrixXd power(lines, curves.count());
-  const Eigen::MatrixXd left = (curves.H - fit.H).cwiseAbs2();
-  for (Index k = 0; k < lines; ++k) {
-    const Index begin = std::max<Index>(0, k - 5);
-    const Index n = std::min(lines, k + 6) - begin;
-    power.row(k) = left.middleRows(begin, n).colwise().mean().cwiseMax(
-        curves.variance.middleRows(begin, n).colwise().mean());
-  }
+  const Eigen::MatrixXcd H = fitted_accelerance(curves, fit);
+  const Eigen::MatrixXd left = (curves.H - H).cwiseAbs2();
+  Eigen::MatrixXd power =
+      mean_over_lines(left).cwiseMax(mean_over_lines(curves.variance));
   if (from == NoiseFrom::AllLines) {
-    const Eigen::MatrixXd fitted = fit.H.cwiseAbs2();
+    const Eigen::MatrixXd fitted = H.cwiseAbs2();
     const double shared =
         std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
-    power =
-        power.cwiseMax(common_proportion(fit, left, fitted, shared) * fitted);
+    power = power.cwiseMax(
+        common_proportion(leverage(curves, fit), left, fitted, shared) *
+        fitted);
   }
-  power = fit.line_weight.cwiseAbs2().asDiagonal() * power *
-          fit.frf_weight.cwiseAbs2().asDiagonal();
+  const auto& [v, u] = curves.weights;
+  power = v.cwiseAbs2().asDiagonal() * power * u.cwiseAbs2().asDiagonal();
   Noise noise;
   noise.per_line = power.rowwise().mean().cwiseSqrt();
   noise.share =

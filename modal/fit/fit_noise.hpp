@@ -36,12 +36,13 @@ struct Noise {
 [[nodiscard]] Eigen::MatrixXd noise_at_modes(const Noise& noise,
                                              const Eigen::MatrixXcd& X);
 
-/// x with every line's neighbours added as they are correlated by the window:
+/// Re x' C x / 2 with the correlation C that the window gives lines d apart,
 /// rho(d) = 1 / (1 + j d spacing / (2 sigma)).
 ///
 /// @param x n_lines x m
 /// @param ratio sigma / spacing; 0: not correlated
-[[nodiscard]] Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x,
-                                         double ratio);
+/// @return m square
+[[nodiscard]] Eigen::MatrixXd correlated_gram(const Eigen::MatrixXcd& x,
+                                              double ratio);
 
 }  // namespace tapfit::modal

@@ -13,14 +13,14 @@
 //
 // The last terms stand for the modes below the band (a mass line and its first
 // correction) and above it (a compliance and its first correction).
-// Lines are weighted alike in all FRFs, w_f(k) = u_f v(k), so that one QR
-// factorisation serves all of them.
+// Lines are weighted alike in all FRFs, w_f(k) = u_f v(k), so that one matrix
+// of products of the columns serves all of them; a step's cost hardly depends
+// on the number of lines (column_products.hpp).
 //
 // Source: G. Golub, V. Pereyra, "Separable nonlinear least squares", Inverse
 // Problems 19, 2003, R1-R26, with Kaufman's simplified Jacobian.
 #pragma once
 
-#include "modal/fit/fit_noise.hpp"
 #include "modal/fit/modal_model.hpp"
 #include "modal/poles/curves.hpp"
 
@@ -45,16 +45,5 @@ namespace tapfit::modal {
 /// @param H n_lines x n_frfs
 [[nodiscard]] double relative_misfit(const Curves& curves,
                                      const Eigen::MatrixXcd& H);
-
-/// Covariance of the poles of a refined fit, from the FRFs' variance or from
-/// what the fit leaves, whichever is larger. Neighbouring lines of an
-/// exponentially windowed block are correlated; that is accounted for.
-///
-/// @return 2 n_modes square, (Re lambda_1, Im lambda_1, Re lambda_2, ...)
-///   [(rad/s)^2]
-[[nodiscard]] Eigen::MatrixXd pole_covariance(
-    const Curves& curves,
-    const ModalFit& fit,
-    NoiseFrom from = NoiseFrom::NearLines);
 
 }  // namespace tapfit::modal

@@ -1,6 +1,9 @@
 #include "modal/fit/shape_uncertainty.hpp"
 
-#include "modal/fit/fit_columns.hpp"
+#include "acquisition/foundation/parallel.hpp"
+#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/shape_equations.hpp"
+#include "modal/poles/fit_columns.hpp"
 
 #include <Eigen/Dense>
 
@@ -38,33 +41,32 @@ Complex turn_of(const ShapeGraph& graph,
   return std::abs(sum) > 0.0 ? sum / std::abs(sum) : Complex(1.0);
 }
 
-/// Least squares over all FRFs of a mode: J weighted by the residues' sd.
+/// Least squares over all FRFs of a mode, weighted by the residues' sd.
 Eigen::VectorXd scaled_deviations(const ShapeGraph& graph,
                                   const Eigen::VectorXcd& P,
                                   const Eigen::VectorXd& sd,
                                   const Eigen::VectorXcd& phi) {
   const std::vector<Index> rows = rows_of(graph);
-  Eigen::MatrixXcd J = Eigen::MatrixXcd::Zero(P.size(), phi.size());
-  Eigen::VectorXcd left = Eigen::VectorXcd::Zero(P.size());
   const Complex turn = turn_of(graph, rows, P, phi);
+  Edges edges;
+  Eigen::VectorXd weight = Eigen::VectorXd::Zero(P.size());
+  double left = 0.0;
   Index used = 0;
   for (Index f = 0; f < P.size(); ++f) {
     const auto [first, second] = graph.edges[static_cast<std::size_t>(f)];
     const Index a = rows[static_cast<std::size_t>(first)];
     const Index b = rows[static_cast<std::size_t>(second)];
+    edges.emplace_back(a, b);
     if (a < 0 || b < 0 || !(sd(f) > 0.0)) continue;
-    J(f, a) += phi(b) / sd(f);
-    J(f, b) += phi(a) / sd(f);
-    left(f) = (turn * P(f) - phi(a) * phi(b)) / sd(f);
+    weight(f) = 1.0 / sd(f);
+    left += std::norm((turn * P(f) - phi(a) * phi(b)) / sd(f));
     ++used;
   }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> solver(J);
-  const Index spare = used - solver.rank();
+  const ShapeEquations equations(std::move(edges), phi, weight);
+  const Index spare = used - equations.known();
   const double scale =
-      spare > 0 ? std::max(1.0, left.squaredNorm() / static_cast<double>(spare))
-                : 1.0;
-  const Eigen::MatrixXcd inverse = solver.pseudoInverse();
-  return std::sqrt(scale) * inverse.rowwise().norm();
+      spare > 0 ? std::max(1.0, left / static_cast<double>(spare)) : 1.0;
+  return std::sqrt(scale) * equations.deviations();
 }
 
 /// From the best FRF of each point alone.
@@ -89,36 +91,25 @@ Eigen::VectorXd unscaled_deviations(const ShapeGraph& graph,
 Eigen::MatrixXd residue_variance(const Curves& curves,
                                  const ModalFit& fit,
                                  NoiseFrom from) {
+  return residue_variance(curves, fit, weighted_noise(curves, fit, from));
+}
+
+Eigen::MatrixXd residue_variance(const Curves& curves,
+                                 const ModalFit& fit,
+                                 const Noise& noise) {
   const Index modes = fit.poles.size();
   Eigen::MatrixXd variance(curves.count(), modes);
   if (modes == 0) return variance;
-  const Eigen::MatrixXcd terms =
-      term_columns(residual_basis(curves.s, curves.s));
-  Eigen::MatrixXcd columns(curves.lines(), 2 * modes + terms.cols());
-  columns << pole_columns(curves.s, fit.poles, 1), terms;
-  Eigen::MatrixXd phi = stack(fit.line_weight.asDiagonal() * columns);
-  const Eigen::VectorXd scale =
-      phi.colwise().norm().transpose().cwiseMax(1e-300);
-  phi = phi * scale.cwiseInverse().asDiagonal();
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(phi);
-  const Index n = phi.cols();
-  const Eigen::MatrixXd Q =
-      qr.householderQ() * Eigen::MatrixXd::Identity(phi.rows(), n);
-  Eigen::MatrixXd R = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  // A diagonal of zero would be two equal columns.
-  R.diagonal() = (R.diagonal().array().abs() < 1e-12)
-                     .select(Eigen::VectorXd::Constant(n, 1e-12), R.diagonal());
-  const Eigen::MatrixXd R_inverse =
-      R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(n, n));
-  const Eigen::MatrixXd inverse = Q * R_inverse.topRows(2 * modes).transpose();
-  const Noise noise = weighted_noise(curves, fit, from);
-  const Eigen::MatrixXcd X = noise.per_line.asDiagonal() * unstack(inverse);
-  const Eigen::MatrixXd V =
-      0.5 * (X.adjoint() * correlate(X, curves.sigma / curves.spacing)).real();
+  const LinearFit linear = fit_linear(curves, fit.poles);
+  const Index n = linear.scale.size();
+  const Eigen::MatrixXcd X =
+      noise.per_line.asDiagonal() *
+      unstack(model_columns(curves, fit.poles, 0, curves.lines()) *
+              normal_solve(linear, Eigen::MatrixXd::Identity(n, 2 * modes)));
+  const Eigen::MatrixXd V = correlated_gram(X, curves.sigma / curves.spacing);
   const Eigen::MatrixXd at_modes = noise_at_modes(noise, X);
   for (Index r = 0; r < modes; ++r) {
-    const double unit = V(2 * r, 2 * r) / std::pow(scale(2 * r), 2) +
-                        V(2 * r + 1, 2 * r + 1) / std::pow(scale(2 * r + 1), 2);
+    const double unit = V(2 * r, 2 * r) + V(2 * r + 1, 2 * r + 1);
     variance.col(r) =
         unit * at_modes.col(r).cwiseQuotient(fit.frf_weight).cwiseAbs2();
   }
@@ -131,14 +122,15 @@ Eigen::MatrixXd shape_deviations(const ShapeGraph& graph,
                                  const Eigen::VectorXcd& poles,
                                  const Eigen::MatrixXcd& shapes) {
   Eigen::MatrixXd sd(shapes.rows(), shapes.cols());
-  for (Index r = 0; r < poles.size(); ++r) {
+  for_each_parallel(static_cast<std::size_t>(poles.size()), [&](std::size_t k) {
+    const auto r = static_cast<Index>(k);
     const Complex factor(0.0, 2.0 * poles(r).imag());
     const Eigen::VectorXcd P = factor * residues.col(r);
     const Eigen::VectorXd sd_P = std::abs(factor) * variance.col(r).cwiseSqrt();
     const auto deviations =
         graph.scaled ? scaled_deviations : unscaled_deviations;
     sd.col(r) = deviations(graph, P, sd_P, shapes.col(r));
-  }
+  });
   return sd;
 }
 

@@ -22,6 +22,11 @@ namespace tapfit::modal {
     const ModalFit& fit,
     NoiseFrom from = NoiseFrom::NearLines);
 
+/// The same for noise that is known.
+[[nodiscard]] Eigen::MatrixXd residue_variance(const Curves& curves,
+                                               const ModalFit& fit,
+                                               const Noise& noise);
+
 /// Standard deviation sqrt(E|dphi|^2) of each value of the shapes.
 ///
 /// Unscaled shapes: of each value as a share of the largest, from the FRF that

@@ -1,5 +1,7 @@
 #include "modal/fit/shapes.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
+#include "modal/fit/shape_equations.hpp"
 #include "modal/mode_set/complexity.hpp"
 
 #include <Eigen/Dense>
@@ -158,12 +160,9 @@ void polish(const ShapeGraph& graph,
             const Eigen::VectorXd& weight,
             Eigen::VectorXcd& phi) {
   Eigen::VectorXcd r(P.size());
-  Eigen::MatrixXcd J = Eigen::MatrixXcd::Zero(P.size(), phi.size());
   for (Index f = 0; f < P.size(); ++f) {
     const auto [a, b] = graph.edges[static_cast<std::size_t>(f)];
     r(f) = P(f) - phi(a) * phi(b);
-    J(f, a) += phi(b);
-    J(f, b) += phi(a);
   }
   Eigen::VectorXd size = r.cwiseAbs().cwiseProduct(weight);
   std::vector<double> sorted(size.begin(), size.end());
@@ -173,10 +172,8 @@ void polish(const ShapeGraph& graph,
   for (Index f = 0; f < P.size(); ++f) {
     w(f) = weight(f) / (1.0 + size(f) / scale);
   }
-  const Eigen::MatrixXcd A = w.asDiagonal() * J;
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> solver(A);
-  const Eigen::VectorXcd weighted = w.cwiseProduct(r);
-  Eigen::VectorXcd step = solver.solve(weighted);
+  Eigen::VectorXcd step =
+      ShapeEquations({graph.edges.begin(), graph.edges.end()}, phi, w).solve(r);
   const double limit = 0.5 * phi.norm();
   if (step.norm() > limit) step *= limit / step.norm();
   if (step.allFinite()) phi += step;
@@ -234,7 +231,8 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
                              const Eigen::VectorXd& frf_weight) {
   const auto n = static_cast<Index>(graph.kept.size());
   Eigen::MatrixXcd shapes(n, poles.size());
-  for (Index r = 0; r < poles.size(); ++r) {
+  for_each_parallel(static_cast<std::size_t>(poles.size()), [&](std::size_t k) {
+    const auto r = static_cast<Index>(k);
     const Eigen::VectorXcd P =
         Complex(0.0, 2.0 * poles(r).imag()) * residues.col(r);
     Eigen::VectorXcd phi = propagate(graph, P, frf_weight);
@@ -249,7 +247,7 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
       shape /= std::abs(shape(largest));
     }
     shapes.col(r) = shape;
-  }
+  });
   return shapes;
 }
 

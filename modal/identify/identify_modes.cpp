@@ -1,7 +1,9 @@
 #include "modal/identify/identify_modes.hpp"
 
 #include "acquisition/foundation/constants.hpp"
+#include "modal/fit/linear_fit.hpp"
 #include "modal/fit/modal_fit.hpp"
+#include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/fit/shapes.hpp"
 #include "modal/identify/mode_warnings.hpp"
@@ -80,6 +82,7 @@ std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
 /// What was found, by poles common to all FRFs or of each set-up's own.
 struct Identified {
   ModalFit fit;
+  Eigen::MatrixXcd H;          ///< fitted, n_lines x n_frfs
   Eigen::MatrixXd covariance;  ///< of the poles, 2 n_modes square
   Eigen::MatrixXd residue_variance;
   std::vector<SetUpPoles> set_ups;  ///< none where poles are common
@@ -134,7 +137,7 @@ bool is_better(const Curves& curves,
   };
   const bool found = common.poles.size() > 0;
   const double together =
-      found ? left(common.H) : curves.weight.cwiseProduct(curves.H).norm();
+      found ? left(fitted_accelerance(curves, common)) : curves.weight.cwiseProduct(curves.H).norm();
   const double apart = left(own.H);
   const bool fewer = own.poles.size() < common.poles.size();
   return apart <= 0.5 * together || (fewer && apart < 2.0 * together);
@@ -144,7 +147,7 @@ Identified of_set_ups(const RunModes& runs) {
   Identified found;
   found.fit.poles = runs.poles;
   found.fit.residues = runs.residues;
-  found.fit.H = runs.H;
+  found.H = runs.H;
   found.fit.frf_weight = runs.frf_weight;
   found.residue_variance = runs.residue_variance;
   found.set_ups = runs.set_ups;
@@ -210,7 +213,8 @@ void take_apart(const Curves& curves,
         0.5 * part.variance * Eigen::Matrix2d::Identity();
   }
   if (count > found.fit.poles.size()) {
-    result.fit.H = fit_residues(curves, distinct(result.fit.poles)).H;
+    result.H = fitted_accelerance(
+        curves, fit_residues(curves, distinct(result.fit.poles)));
   }
   found = std::move(result);
 }
@@ -241,6 +245,7 @@ Identified identify(const Curves& curves,
   found.covariance = pole_covariance(curves, found.fit, NoiseFrom::AllLines);
   found.residue_variance =
       residue_variance(curves, found.fit, NoiseFrom::AllLines);
+  found.H = fitted_accelerance(curves, found.fit);
   take_apart(curves, set.scaled, options, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
   warn_about_shifting(selection.shifting, set.warnings);
@@ -291,8 +296,8 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
       identify(curves, runs, std::move(selection), options, set);
   if (found.fit.poles.size() > 0) {
     add_modes(curves, graph, found, set);
-    set.fitted = fitted_frfs(frfs, curves, found.fit.H);
-    set.synthesis_error = relative_misfit(curves, found.fit.H);
+    set.fitted = fitted_frfs(frfs, curves, found.H);
+    set.synthesis_error = relative_misfit(curves, found.H);
     warn_about_misfit(set.synthesis_error, set.warnings);
     add_clusters(stabilisation.tracks, set);
     set.unrefined_error = relative_misfit(

@@ -1,5 +1,7 @@
 #include "modal/mass_loading/run_modes.hpp"
 
+#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/poles/plscf.hpp"
@@ -314,7 +316,8 @@ RunModes empty_modes(const Curves& curves,
   result.frf_weight.resize(curves.count());
   for (const SetUpFit& fit : fits) {
     result.frf_weight(fit.frfs) = fit.fit.frf_weight;
-    result.H(Eigen::all, fit.frfs) = fit.fit.H;
+    result.H(Eigen::all, fit.frfs) =
+        fitted_accelerance(fit.curves, fit.fit);
     result.unrefined_H(Eigen::all, fit.frfs) =
         unrefined_fit(fit.curves, fit.tracks, fit.fit.poles);
     result.set_ups.push_back({fit.set_up,

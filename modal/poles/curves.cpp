@@ -1,6 +1,7 @@
 #include "modal/poles/curves.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/parallel.hpp"
 #include "signal/frf_set/set_ups.hpp"
 
 #include <fmt/format.h>
@@ -221,6 +222,12 @@ Dof positive(Dof dof) {
   return dof;
 }
 
+void sum_up(Curves& curves) {
+  curves.power = curves.H.colwise().squaredNorm().transpose();
+  curves.weights = separate_weights(curves.weight);
+  curves.sums = fit_sums(curves.s, curves.H, curves.weights);
+}
+
 }  // namespace
 
 Curves prepare_curves(const signal::FrfSet& frfs,
@@ -259,7 +266,8 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   curves.H.resize(lines, count);
   curves.variance.resize(lines, count);
   curves.weight.resize(lines, count);
-  for (Eigen::Index f = 0; f < count; ++f) {
+  for_each_parallel(static_cast<std::size_t>(count), [&](std::size_t k) {
+    const auto f = static_cast<Eigen::Index>(k);
     const signal::Frf& frf =
         frfs.frfs[curves.source[static_cast<std::size_t>(f)]];
     const int sign = frf.response.sign * frf.reference.sign;
@@ -272,21 +280,20 @@ Curves prepare_curves(const signal::FrfSet& frfs,
           roughness(curves.H.col(f), 4, curves.sigma / curves.spacing));
     }
     curves.weight.col(f) = weights(curves.H.col(f), expected);
-  }
+  });
+  sum_up(curves);
   return curves;
 }
 
 Curves select_curves(const Curves& curves,
                      const std::vector<Eigen::Index>& indices) {
-  Curves part = curves;
+  Curves part;
+  part.s = curves.s;
+  part.sigma = curves.sigma;
+  part.spacing = curves.spacing;
   part.H = curves.H(Eigen::all, indices);
   part.variance = curves.variance(Eigen::all, indices);
   part.weight = curves.weight(Eigen::all, indices);
-  part.response.clear();
-  part.reference.clear();
-  part.run.clear();
-  part.set_up.clear();
-  part.source.clear();
   for (const Eigen::Index index : indices) {
     const auto f = static_cast<std::size_t>(index);
     part.response.push_back(curves.response[f]);
@@ -295,6 +302,7 @@ Curves select_curves(const Curves& curves,
     part.set_up.push_back(curves.set_up[f]);
     part.source.push_back(curves.source[f]);
   }
+  sum_up(part);
   return part;
 }
 

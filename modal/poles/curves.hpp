@@ -7,6 +7,7 @@
 // ready FRFs or single hits may come without a variance.
 #pragma once
 
+#include "modal/poles/fit_sums.hpp"
 #include "signal/frf_set/frf_set.hpp"
 
 #include <Eigen/Core>
@@ -25,6 +26,9 @@ struct Curves {
   /// a single hit, which has no scatter to tell of.
   Eigen::MatrixXd variance;
   Eigen::MatrixXd weight;      ///< w, n_lines x n_frfs
+  Eigen::VectorXd power;       ///< sum |H|^2 of each FRF
+  SeparableWeights weights;    ///< nearest to w
+  FitSums sums;                ///< of H with those weights
   std::vector<Dof> response;   ///< per FRF, sign +1
   std::vector<Dof> reference;  ///< per FRF, sign +1
   std::vector<std::size_t> run;

@@ -44,7 +44,7 @@ std::vector<Dof> by_frequency(const Rows& rows, const Curves& curves) {
     for (const auto& [dof, f] : row) {
       auto& [count, strength] = seen[dof];
       ++count;
-      strength += curves.H.col(f).squaredNorm();
+      strength += curves.power(f);
     }
   }
   std::vector<Dof> order;

@@ -1,5 +1,7 @@
 #include "modal/select/close_modes.hpp"
 
+#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/double_poles.hpp"
@@ -131,15 +133,13 @@ LeftOver left_over_near(const Curves& curves,
                         const Complex& pole) {
   const double reach =
       std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
-  LeftOver left;
-  for (Index k = 0; k < curves.lines(); ++k) {
-    if (std::abs(curves.s(k).imag() - pole.imag()) > reach) continue;
-    const Eigen::VectorXcd miss = (curves.H.row(k) - fit.H.row(k)).transpose();
-    left.sum += fit.line_weight(k) * fit.line_weight(k) *
-                fit.frf_weight.cwiseProduct(miss.cwiseAbs()).squaredNorm();
-    left.values += 2.0 * static_cast<double>(curves.count());
-  }
-  return left;
+  const auto [begin, count] = lines_within(curves, pole, reach);
+  const Eigen::MatrixXcd miss = curves.H.middleRows(begin, count) -
+                                fitted_accelerance(curves, fit, begin, count);
+  const auto& [v, u] = curves.weights;
+  return {(v.segment(begin, count).asDiagonal() * miss * u.asDiagonal())
+              .squaredNorm(),
+          2.0 * static_cast<double>(count * curves.count())};
 }
 
 /// Whether other poles have moved to do what one of two did.

@@ -40,10 +40,9 @@ PoleExpansion expand_pole(const Curves& curves,
   const Eigen::VectorXcd second = both.residues.col(fit.poles.size());
   const Eigen::MatrixXcd D = arranged(matrix, step * (second - first));
   // What the second term can explain is no noise.
-  ModalFit explained = fit;
-  explained.H = both.H;
+  const Noise noise = weighted_noise(curves, both, NoiseFrom::NearLines);
   result.residues = residue_rank(
-      matrix, first + second, residue_variance(curves, explained).col(r));
+      matrix, first + second, residue_variance(curves, fit, noise).col(r));
   const Index n = result.residues.rank;
   if (n < 2) return result;
   const auto& svd = result.residues.svd;
@@ -57,7 +56,8 @@ PoleExpansion expand_pole(const Curves& curves,
   // but a little.
   const double variance_of_D =
       4.0 * step * step *
-      arranged(matrix, residue_variance(curves, both).col(r).cast<Complex>())
+      arranged(matrix,
+               residue_variance(curves, both, noise).col(r).cast<Complex>())
           .real()
           .mean();
   result.deviation =

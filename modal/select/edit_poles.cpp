@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "modal/fit/pole_covariance.hpp"
 #include "modal/select/close_modes.hpp"
 #include "modal/select/neighbour_modes.hpp"
 

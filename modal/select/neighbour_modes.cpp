@@ -34,18 +34,12 @@ bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
   // Two parameters per FRF on 2 n_lines values fall by 1 / n_lines by chance.
   const double chance = 1.0 / static_cast<double>(curves.lines());
   const double least = 1.0 - 0.01 - 4.0 * chance;
-  if (misfit(curves, trial) > least * misfit(curves, fit)) return false;
+  if (trial.misfit > least * fit.misfit) return false;
   fit = std::move(trial);
   return true;
 }
 
 }  // namespace
-
-double misfit(const Curves& curves, const ModalFit& fit) {
-  return (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
-          fit.frf_weight.asDiagonal())
-      .squaredNorm();
-}
 
 bool in_band(const Curves& curves, const Complex& pole) {
   const double omega = std::abs(pole);
@@ -59,6 +53,20 @@ bool far_outside(const Curves& curves, const Complex& pole) {
   const double margin = 0.05 * (high - low);
   const double omega = std::abs(pole);
   return omega < low - margin || omega > high + margin;
+}
+
+std::pair<Index, Index> lines_within(const Curves& curves,
+                                     const Complex& pole,
+                                     double reach) {
+  const Eigen::ArrayXd off =
+      (curves.s.imag().array() - pole.imag()).abs();
+  const Index count = (off <= reach).count();
+  Index nearest = 0;
+  if (count == 0) return {0, 0};
+  off.minCoeff(&nearest);
+  Index begin = nearest;
+  while (begin > 0 && off(begin - 1) <= reach) --begin;
+  return {begin, count};
 }
 
 Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {

@@ -5,6 +5,7 @@
 #include "modal/fit/modal_fit.hpp"
 
 #include <complex>
+#include <utility>
 
 namespace tapfit::modal {
 
@@ -15,11 +16,13 @@ namespace tapfit::modal {
 [[nodiscard]] bool far_outside(const Curves& curves,
                                const std::complex<double>& pole);
 
+/// Lines not further from a pole's frequency than reach [rad/s]: the first and
+/// how many.
+[[nodiscard]] std::pair<Eigen::Index, Eigen::Index> lines_within(
+    const Curves& curves, const std::complex<double>& pole, double reach);
+
 [[nodiscard]] Eigen::VectorXcd without(const Eigen::VectorXcd& poles,
                                        Eigen::Index leave_out);
-
-/// Weighted squares of what a fit leaves.
-[[nodiscard]] double misfit(const Curves& curves, const ModalFit& fit);
 
 /// The same poles in the order of their frequencies.
 [[nodiscard]] ModalFit by_frequency(const Curves& curves, const ModalFit& fit);

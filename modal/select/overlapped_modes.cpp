@@ -1,5 +1,6 @@
 #include "modal/select/overlapped_modes.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "modal/select/needed_modes.hpp"
 #include "modal/select/neighbour_modes.hpp"
 
@@ -20,6 +21,7 @@ constexpr int kMostMissed = 4;
 constexpr double kReach = 3.0;   // half bandwidths from one mode to the next
 constexpr double kHeavy = 0.05;  // damping ratio that hides modes anywhere
 constexpr int kMostPlaces = 4;   // between two poles
+constexpr double kSamePlace = 0.1;  // half bandwidths
 
 std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
   std::vector<Complex> poles;
@@ -68,19 +70,50 @@ double least_significance(const Curves& curves, const ModalFit& fit) {
   return least;
 }
 
+/// The fit with a mode more at a place, where the FRFs need it.
+std::optional<ModalFit> with_mode_at(const Curves& curves,
+                                     const ModalFit& fit,
+                                     const Complex& place,
+                                     const IdentifyOptions& options) {
+  Eigen::VectorXcd poles(fit.poles.size() + 1);
+  poles << fit.poles, place;
+  ModalFit trial = refine_in_reach(curves, std::move(poles), 20);
+  if (trial.poles.size() <= fit.poles.size()) return {};
+  if (!are_needed(curves, trial, options)) return {};
+  if (least_significance(curves, trial) < least_significance(curves, fit)) {
+    return {};
+  }
+  return trial;
+}
+
+/// Whether a place was in vain before: modes far from it do not change that.
+bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
+  return std::ranges::any_of(in_vain, [&place](const Complex& other) {
+    return std::abs(other - place) < -kSamePlace * place.real();
+  });
+}
+
+/// The best of all fits with one mode more; none where no place has one.
+///
+/// @param in_vain places that need not be tried again; grows
 std::optional<ModalFit> with_one_more(const Curves& curves,
                                       const ModalFit& fit,
-                                      const IdentifyOptions& options) {
-  const double least = least_significance(curves, fit);
+                                      const IdentifyOptions& options,
+                                      std::vector<Complex>& in_vain) {
+  std::vector<Complex> places = hiding_places(curves, fit);
+  std::erase_if(places, [&in_vain](const Complex& place) {
+    return is_known(in_vain, place);
+  });
+  std::vector<std::optional<ModalFit>> trials(places.size());
+  for_each_parallel(places.size(), [&](std::size_t k) {
+    trials[k] = with_mode_at(curves, fit, places[k], options);
+  });
   std::optional<ModalFit> best;
-  for (const Complex& place : hiding_places(curves, fit)) {
-    Eigen::VectorXcd poles(fit.poles.size() + 1);
-    poles << fit.poles, place;
-    ModalFit trial = refine_in_reach(curves, std::move(poles), 20);
-    if (!are_needed(curves, trial, options)) continue;
-    if (least_significance(curves, trial) < least) continue;
-    if (!best || misfit(curves, trial) < misfit(curves, *best)) {
-      best = std::move(trial);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!trials[k]) {
+      in_vain.push_back(places[k]);
+    } else if (!best || trials[k]->misfit < best->misfit) {
+      best = std::move(trials[k]);
     }
   }
   return best;
@@ -92,8 +125,9 @@ ModalFit add_overlapped(const Curves& curves,
                         ModalFit fit,
                         const IdentifyOptions& options) {
   bool found = false;
+  std::vector<Complex> in_vain;
   for (int k = 0; k < kMostMissed; ++k) {
-    std::optional<ModalFit> next = with_one_more(curves, fit, options);
+    std::optional<ModalFit> next = with_one_more(curves, fit, options, in_vain);
     if (!next) break;
     fit = std::move(*next);
     found = true;

@@ -1,5 +1,6 @@
 #include "modal/select/repeated_poles.hpp"
 
+#include "modal/fit/linear_fit.hpp"
 #include "modal/fit/residue_rank.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/mode_set/complexity.hpp"
@@ -181,16 +182,12 @@ double misfit_at(const Curves& curves,
                  const Complex& pole) {
   const double reach =
       std::max(curves.sigma - pole.real(), 2.0 * curves.spacing);
-  const Eigen::RowVectorXd weight = fit.frf_weight.cwiseAbs2().transpose();
-  double left = 0.0;
-  double all = 0.0;
-  for (Index k = 0; k < curves.lines(); ++k) {
-    if (std::abs(curves.s(k).imag() - pole.imag()) > reach) continue;
-    const Eigen::RowVectorXcd H = curves.H.row(k);
-    left += (H - fit.H.row(k)).cwiseAbs2().dot(weight);
-    all += H.cwiseAbs2().dot(weight);
-  }
-  return std::sqrt(left / std::max(all, 1e-300));
+  const auto [begin, count] = lines_within(curves, pole, reach);
+  const Eigen::MatrixXcd H = curves.H.middleRows(begin, count);
+  const auto u = curves.weights.frf.asDiagonal();
+  const double left =
+      ((H - fitted_accelerance(curves, fit, begin, count)) * u).norm();
+  return left / std::max((H * u).norm(), 1e-150);
 }
 
 /// Modes that the residues hold beside what the fit leaves: unlike noise that

@@ -31,12 +31,10 @@ bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
 
 /// Whether a fit leaves so much less than another that this one must have lost
 /// a mode: noise that is not white can be followed a good way by some poles.
-bool explains_more(const Curves& curves,
-                   const ModalFit& fit,
-                   const ModalFit& other) {
+bool explains_more(const ModalFit& fit, const ModalFit& other) {
   if (fit.poles.size() == 0) return false;
   return other.poles.size() == 0 ||
-         misfit(curves, fit) < kClearlyLess * misfit(curves, other);
+         fit.misfit < kClearlyLess * other.misfit;
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ Selection select_from_orders(const Curves& curves,
     });
     if (!any_new) continue;
     Selection trial = select_modes(curves, lasting, options, quiet);
-    if (explains_more(curves, trial.fit, best.fit)) best = std::move(trial);
+    if (explains_more(trial.fit, best.fit)) best = std::move(trial);
   }
   best.fit = add_overlapped(curves, std::move(best.fit), options);
   edit_poles(curves, tracks, options, best.fit);

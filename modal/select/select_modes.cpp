@@ -1,5 +1,7 @@
 #include "modal/select/select_modes.hpp"
 
+#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shapes.hpp"
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
@@ -78,8 +80,9 @@ namespace {
 /// bandwidth that a line's neighbours share.
 Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
   const Eigen::VectorXd power =
-      (fit.line_weight.asDiagonal() * (curves.H - fit.H) *
-       fit.frf_weight.asDiagonal())
+      (curves.weights.line.asDiagonal() *
+       (curves.H - fitted_accelerance(curves, fit)) *
+       curves.weights.frf.asDiagonal())
           .rowwise()
           .squaredNorm();
   Eigen::VectorXd smooth(power.size());

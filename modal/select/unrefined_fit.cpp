@@ -1,5 +1,6 @@
 #include "modal/select/unrefined_fit.hpp"
 
+#include "modal/fit/linear_fit.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/poles/pole_clusters.hpp"
 
@@ -21,11 +22,10 @@ Eigen::MatrixXcd unrefined_fit(const Curves& curves,
     taken.push_back(*track);
     found.push_back(tracks[*track].pole);
   }
-  return fit_residues(
-             curves,
-             Eigen::Map<Eigen::VectorXcd>(
-                 found.data(), static_cast<Eigen::Index>(found.size())))
-      .H;
+  const auto count = static_cast<Eigen::Index>(found.size());
+  return fitted_accelerance(
+      curves,
+      fit_residues(curves, Eigen::Map<Eigen::VectorXcd>(found.data(), count)));
 }
 
 }  // namespace tapfit::modal

@@ -1,4 +1,4 @@
-#include "modal/fit/fit_columns.hpp"
+#include "modal/poles/fit_columns.hpp"
 
 #include <complex>
 
@@ -7,7 +7,7 @@ namespace {
 
 using Complex = std::complex<double>;
 using Eigen::Index;
-constexpr Complex j{0.0, 1.0};
+constexpr Complex imaginary{0.0, 1.0};
 
 }  // namespace
 
@@ -37,7 +37,7 @@ Eigen::MatrixXcd pole_columns(const Eigen::VectorXcd& s,
       const Complex g = s(k) * s(k) * (power == 1 ? up : up * up);
       const Complex h = s(k) * s(k) * (power == 1 ? down : down * down);
       columns(k, 2 * r) = g + h;
-      columns(k, 2 * r + 1) = j * (g - h);
+      columns(k, 2 * r + 1) = imaginary * (g - h);
     }
   }
   return columns;
@@ -47,7 +47,7 @@ Eigen::MatrixXcd term_columns(const Eigen::MatrixXcd& basis) {
   Eigen::MatrixXcd columns(basis.rows(), 2 * basis.cols());
   for (Index t = 0; t < basis.cols(); ++t) {
     columns.col(2 * t) = basis.col(t);
-    columns.col(2 * t + 1) = j * basis.col(t);
+    columns.col(2 * t + 1) = imaginary * basis.col(t);
   }
   return columns;
 }

@@ -1,0 +1,97 @@
+#include "modal/fit/mode_significance.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <utility>
+
+namespace tapfit::modal {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+
+/// Lines within a few half bandwidths of a pole: begin, end.
+std::pair<Index, Index> around(const Curves& curves, const Complex& pole) {
+  const double half =
+      std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
+  const double first = curves.s(0).imag();
+  const auto index = [&](double omega) {
+    const double k = std::round((omega - first) / curves.spacing);
+    return static_cast<Index>(
+        std::clamp(k, 0.0, static_cast<double>(curves.lines() - 1)));
+  };
+  const Index last = curves.lines() - 1;
+  Index begin = index(pole.imag() - half);
+  Index end = index(pole.imag() + half);
+  begin = std::min(begin, std::max<Index>(0, last - 6));
+  end = std::max(end, std::min<Index>(last, 6));
+  return {begin, end + 1};
+}
+
+/// Weighted squares that are left on a line, over its real values.
+double mean_square(const Curves& curves,
+                   const ModalFit& fit,
+                   Index begin,
+                   Index count) {
+  const auto& [v, u] = curves.weights;
+  const Eigen::MatrixXcd left =
+      curves.H.middleRows(begin, count) -
+      fitted_accelerance(curves, fit, begin, count);
+  return (v.segment(begin, count).asDiagonal() * left * u.asDiagonal())
+             .squaredNorm() /
+         static_cast<double>(2 * count * curves.count());
+}
+
+/// The drop in misfit that the residues of mode r earn.
+double earned(const LinearFit& linear, const Eigen::MatrixXd& inverse, Index r) {
+  const Eigen::Matrix2d own = inverse.block<2, 2>(2 * r, 2 * r).inverse();
+  const Eigen::MatrixXd c = linear.scale.segment<2>(2 * r).asDiagonal() *
+                            linear.coefficients.middleRows(2 * r, 2);
+  return c.cwiseProduct(own * c).sum();
+}
+
+/// Of all of H at the line in the middle.
+double contribution(const Curves& curves,
+                    const ModalFit& fit,
+                    Index r,
+                    Index line) {
+  const Complex s(curves.sigma, fit.poles(r).imag());
+  const Eigen::VectorXd peak = fit.residues.col(r).cwiseAbs() *
+                               (std::norm(s) / std::abs(s - fit.poles(r)));
+  const Eigen::VectorXd level = curves.H.row(line).cwiseAbs().transpose();
+  return peak.cwiseProduct(fit.frf_weight).norm() /
+         std::max(level.cwiseProduct(fit.frf_weight).norm(), 1e-300);
+}
+
+}  // namespace
+
+void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit) {
+  const Index modes = fit.poles.size();
+  const Index n = linear.scale.size();
+  const Eigen::MatrixXd inverse =
+      linear.factor.solve(Eigen::MatrixXd::Identity(n, n));
+  fit.significance.resize(modes);
+  fit.contribution.resize(modes);
+  // An exponential window spreads noise over about sigma T lines, in the very
+  // form of a resonance.
+  const double shared =
+      std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
+  for_each_parallel(static_cast<std::size_t>(modes), [&](std::size_t k) {
+    const auto r = static_cast<Index>(k);
+    const auto [begin, end] = around(curves, fit.poles(r));
+    const double noise = mean_square(curves, fit, begin, end - begin);
+    fit.significance(r) = earned(linear, inverse, r) /
+                          static_cast<double>(2 * curves.count()) /
+                          std::max(shared * noise, 1e-300);
+    const Index line = std::clamp((begin + end - 1) / 2, begin, end - 1);
+    fit.contribution(r) = contribution(curves, fit, r, line);
+  });
+}
+
+}  // namespace tapfit::modal

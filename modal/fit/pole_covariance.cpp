@@ -1,0 +1,52 @@
+#include "modal/fit/pole_covariance.hpp"
+
+#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/pole_step.hpp"
+#include "modal/poles/fit_columns.hpp"
+
+#include <Eigen/Dense>
+
+namespace tapfit::modal {
+namespace {
+
+using Eigen::Index;
+
+/// e of pole_step.hpp on all lines, 2 n_lines x 2 n_modes.
+Eigen::MatrixXd projected_derivatives(const Curves& curves,
+                                      const Eigen::VectorXcd& poles,
+                                      const LinearFit& linear) {
+  const Eigen::MatrixXd followed = normal_solve(
+      linear, derivative_products(curves, poles, linear.sums).columns);
+  return stack(curves.weights.line.asDiagonal() *
+               pole_columns(curves.s, poles, 2)) -
+         model_columns(curves, poles, 0, curves.lines()) * followed;
+}
+
+}  // namespace
+
+Eigen::MatrixXd pole_covariance(const Curves& curves,
+                                const ModalFit& fit,
+                                NoiseFrom from) {
+  const Index modes = fit.poles.size();
+  if (modes == 0) return {};
+  const LinearFit linear = fit_linear(curves, fit.poles);
+  const PoleStep step = pole_step(curves, fit.poles, linear);
+  const Noise noise = weighted_noise(curves, fit, from);
+  const Eigen::MatrixXcd X =
+      noise.per_line.asDiagonal() *
+      unstack(projected_derivatives(curves, fit.poles, linear));
+  const Eigen::MatrixXd V = correlated_gram(X, curves.sigma / curves.spacing);
+  const Eigen::MatrixXd middle =
+      with_residues(V, linear, noise_at_modes(noise, X));
+  const Eigen::VectorXd d =
+      step.normal.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  Eigen::MatrixXd N = d.asDiagonal() * step.normal * d.asDiagonal();
+  N.diagonal().array() += 1e-14;
+  const Eigen::MatrixXd inverse =
+      d.asDiagonal() *
+      N.ldlt().solve(Eigen::MatrixXd::Identity(2 * modes, 2 * modes)) *
+      d.asDiagonal();
+  return inverse * middle * inverse.transpose();
+}
+
+}  // namespace tapfit::modal

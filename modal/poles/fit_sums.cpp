@@ -1,0 +1,40 @@
+#include "modal/poles/fit_sums.hpp"
+
+#include "modal/poles/fit_columns.hpp"
+
+#include <utility>
+
+namespace tapfit::modal {
+
+SeparableWeights separate_weights(const Eigen::MatrixXd& weight) {
+  const Eigen::MatrixXd logs = weight.array().log();
+  const Eigen::VectorXd per_frf = logs.colwise().mean().transpose();
+  const double mean = per_frf.mean();
+  return {(logs.rowwise().mean().array() - mean).exp(), per_frf.array().exp()};
+}
+
+FitSums fit_sums(const Eigen::VectorXcd& s,
+                 const Eigen::MatrixXcd& H,
+                 const SeparableWeights& weights) {
+  const Eigen::MatrixXcd basis = residual_basis(s, s);
+  const Eigen::VectorXd power = weights.line.cwiseAbs2();
+  FitSums sums;
+  const Eigen::MatrixXcd terms = term_columns(basis);
+  sums.term_term = (terms.adjoint() * power.asDiagonal() * terms).real();
+  sums.term_frf = (terms.adjoint() * power.asDiagonal() * H).real() *
+                  weights.frf.asDiagonal();
+  sums.power = (power.transpose() * H.cwiseAbs2() *
+                weights.frf.cwiseAbs2().asDiagonal())
+                   .sum();
+  // One column of memory per line: all FRFs of a line are needed together.
+  Eigen::MatrixXcd x(H.cols() + basis.cols() + 1, s.size());
+  x.topRows(H.cols()) = weights.frf.asDiagonal() * H.transpose();
+  x.middleRows(H.cols(), basis.cols()) = basis.transpose();
+  x.bottomRows(1) = s.cwiseProduct(s).transpose();
+  const Eigen::VectorXcd s2 = s.cwiseProduct(s).conjugate();
+  x = x * power.cwiseProduct(s2).asDiagonal();
+  sums.lines = CauchySums(std::move(x));
+  return sums;
+}
+
+}  // namespace tapfit::modal
