@@ -119,13 +119,12 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
 }
 
 /// Share of each line's noise that the residues and terms follow: the mean of
-/// its two rows' squares in Phi L^-T, whose columns are orthonormal.
+/// its two rows' squares in Q.
 Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
   const LinearFit linear = fit_linear(curves, fit.poles);
-  Eigen::MatrixXd Q = model_columns(curves, fit.poles, 0, curves.lines()) *
-                      linear.scale.cwiseInverse().asDiagonal();
-  linear.factor.matrixU().solveInPlace<Eigen::OnTheRight>(Q);
-  return 0.5 * unstack(Q).rowwise().squaredNorm();
+  return 0.5 * unstack(orthonormal_columns(curves, fit.poles, linear))
+                   .rowwise()
+                   .squaredNorm();
 }
 
 /// Mean over a line and five on each side, fewer at the ends, per column.

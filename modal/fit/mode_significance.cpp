@@ -49,8 +49,11 @@ double mean_square(const Curves& curves,
 }
 
 /// The drop in misfit that the residues of mode r earn.
-double earned(const LinearFit& linear, const Eigen::MatrixXd& inverse, Index r) {
-  const Eigen::Matrix2d own = inverse.block<2, 2>(2 * r, 2 * r).inverse();
+double earned(const LinearFit& linear,
+              const Eigen::MatrixXd& R_inverse,
+              Index r) {
+  const auto rows = R_inverse.middleRows(2 * r, 2);
+  const Eigen::Matrix2d own = (rows * rows.transpose()).inverse();
   const Eigen::MatrixXd c = linear.scale.segment<2>(2 * r).asDiagonal() *
                             linear.coefficients.middleRows(2 * r, 2);
   return c.cwiseProduct(own * c).sum();
@@ -74,8 +77,9 @@ double contribution(const Curves& curves,
 void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit) {
   const Index modes = fit.poles.size();
   const Index n = linear.scale.size();
-  const Eigen::MatrixXd inverse =
-      linear.factor.solve(Eigen::MatrixXd::Identity(n, n));
+  const Eigen::MatrixXd R_inverse =
+      linear.R.triangularView<Eigen::Upper>().solve(
+          Eigen::MatrixXd::Identity(n, n));
   fit.significance.resize(modes);
   fit.contribution.resize(modes);
   // An exponential window spreads noise over about sigma T lines, in the very
@@ -86,7 +90,7 @@ void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit) {
     const auto r = static_cast<Index>(k);
     const auto [begin, end] = around(curves, fit.poles(r));
     const double noise = mean_square(curves, fit, begin, end - begin);
-    fit.significance(r) = earned(linear, inverse, r) /
+    fit.significance(r) = earned(linear, R_inverse, r) /
                           static_cast<double>(2 * curves.count()) /
                           std::max(shared * noise, 1e-300);
     const Index line = std::clamp((begin + end - 1) / 2, begin, end - 1);

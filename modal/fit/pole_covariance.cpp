@@ -7,27 +7,10 @@
 #include <Eigen/Dense>
 
 namespace tapfit::modal {
-namespace {
-
-using Eigen::Index;
-
-/// e of pole_step.hpp on all lines, 2 n_lines x 2 n_modes.
-Eigen::MatrixXd projected_derivatives(const Curves& curves,
-                                      const Eigen::VectorXcd& poles,
-                                      const LinearFit& linear) {
-  const Eigen::MatrixXd followed = normal_solve(
-      linear, derivative_products(curves, poles, linear.sums).columns);
-  return stack(curves.weights.line.asDiagonal() *
-               pole_columns(curves.s, poles, 2)) -
-         model_columns(curves, poles, 0, curves.lines()) * followed;
-}
-
-}  // namespace
-
 Eigen::MatrixXd pole_covariance(const Curves& curves,
                                 const ModalFit& fit,
                                 NoiseFrom from) {
-  const Index modes = fit.poles.size();
+  const Eigen::Index modes = fit.poles.size();
   if (modes == 0) return {};
   const LinearFit linear = fit_linear(curves, fit.poles);
   const PoleStep step = pole_step(curves, fit.poles, linear);

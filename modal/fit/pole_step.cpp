@@ -1,5 +1,7 @@
 #include "modal/fit/pole_step.hpp"
 
+#include "modal/poles/fit_columns.hpp"
+
 #include <Eigen/Dense>
 
 #include <complex>
@@ -60,12 +62,27 @@ Eigen::VectorXd along_residues(const Eigen::MatrixXd& x,
 PoleStep pole_step(const Curves& curves,
                    const Eigen::VectorXcd& poles,
                    const LinearFit& linear) {
+  if (curves.sums.are_few()) {
+    const Eigen::MatrixXd e = projected_derivatives(curves, poles, linear);
+    return {summed(e.transpose() * e, residues_of(linear, poles.size())),
+            along_residues(e.transpose() * linear.left, linear)};
+  }
+  // e' e = E' E - K' K and e' y = E' y - K' Q' y with K = Q' E.
   const DerivativeProducts E = derivative_products(curves, poles, linear.sums);
-  const Eigen::MatrixXd K = whitened(linear, E.columns);
+  const Eigen::MatrixXd K = explained_by(linear, E.columns);
   const Eigen::MatrixXd G = E.gram - K.transpose() * K;
-  const Eigen::MatrixXd left = E.frfs - K.transpose() * linear.whitened;
+  const Eigen::MatrixXd left = E.frfs - K.transpose() * linear.explained;
   return {summed(G, residues_of(linear, poles.size())),
           along_residues(left, linear)};
+}
+
+Eigen::MatrixXd projected_derivatives(const Curves& curves,
+                                      const Eigen::VectorXcd& poles,
+                                      const LinearFit& linear) {
+  const Eigen::MatrixXd Q = orthonormal_columns(curves, poles, linear);
+  const Eigen::MatrixXd E = stack(curves.weights.line.asDiagonal() *
+                                  pole_columns(curves.s, poles, 2));
+  return E - Q * (Q.transpose() * E);
 }
 
 Eigen::VectorXd damped_solve(const PoleStep& step, double mu) {

@@ -27,6 +27,12 @@ struct PoleStep {
                                  const Eigen::VectorXcd& poles,
                                  const LinearFit& linear);
 
+/// e on all lines, 2 n_lines x 2 n_modes.
+[[nodiscard]] Eigen::MatrixXd projected_derivatives(
+    const Curves& curves,
+    const Eigen::VectorXcd& poles,
+    const LinearFit& linear);
+
 /// Solves (N + mu diag N) x = g in units of the diagonal.
 [[nodiscard]] Eigen::VectorXd damped_solve(const PoleStep& step, double mu);
 

@@ -104,8 +104,10 @@ Eigen::MatrixXd residue_variance(const Curves& curves,
   const Index n = linear.scale.size();
   const Eigen::MatrixXcd X =
       noise.per_line.asDiagonal() *
-      unstack(model_columns(curves, fit.poles, 0, curves.lines()) *
-              normal_solve(linear, Eigen::MatrixXd::Identity(n, 2 * modes)));
+      unstack(orthonormal_columns(curves, fit.poles, linear) *
+              coefficients_for(linear, Eigen::MatrixXd::Identity(n, n))
+                  .topRows(2 * modes)
+                  .transpose());
   const Eigen::MatrixXd V = correlated_gram(X, curves.sigma / curves.spacing);
   const Eigen::MatrixXd at_modes = noise_at_modes(noise, X);
   for (Index r = 0; r < modes; ++r) {

@@ -5,6 +5,14 @@
 #include <utility>
 
 namespace tapfit::modal {
+namespace {
+
+// Values of FRFs and columns up to which a pass over them costs less than the
+// sums do.
+constexpr Eigen::Index kFew = 100'000;
+constexpr Eigen::Index kColumns = 40;  // of a model of some 15 modes
+
+}  // namespace
 
 SeparableWeights separate_weights(const Eigen::MatrixXd& weight) {
   const Eigen::MatrixXd logs = weight.array().log();
@@ -16,6 +24,13 @@ SeparableWeights separate_weights(const Eigen::MatrixXd& weight) {
 FitSums fit_sums(const Eigen::VectorXcd& s,
                  const Eigen::MatrixXcd& H,
                  const SeparableWeights& weights) {
+  if (s.size() * (H.cols() + kColumns) < kFew) {
+    return {stack(weights.line.asDiagonal() * H * weights.frf.asDiagonal()),
+            {},
+            {},
+            {},
+            0.0};
+  }
   const Eigen::MatrixXcd basis = residual_basis(s, s);
   const Eigen::VectorXd power = weights.line.cwiseAbs2();
   FitSums sums;
