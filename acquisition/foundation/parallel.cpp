@@ -65,4 +65,15 @@ void for_each_parallel(std::size_t count,
   failure.throw_on();
 }
 
+void for_each_parallel(std::size_t count,
+                       double operations,
+                       const std::function<void(std::size_t)>& work) {
+  constexpr double a_thread = 1e6;  // a few hundred microseconds
+  if (operations > a_thread) {
+    for_each_parallel(count, work);
+  } else {
+    for (std::size_t k = 0; k < count; ++k) work(k);
+  }
+}
+
 }  // namespace tapfit

@@ -18,4 +18,12 @@ namespace tapfit {
 void for_each_parallel(std::size_t count,
                        const std::function<void(std::size_t)>& work);
 
+/// The same, but on this thread alone where all pieces together are less work
+/// than starting another.
+///
+/// @param operations about how many, of all pieces
+void for_each_parallel(std::size_t count,
+                       double operations,
+                       const std::function<void(std::size_t)>& work);
+
 }  // namespace tapfit

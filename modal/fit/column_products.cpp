@@ -10,7 +10,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 constexpr Complex j{0.0, 1.0};
-constexpr Index kWorthAThread = 2000;  // sums: a millisecond or so
 
 /// sum v^2 conj(g_p) x for p = 1, 2.
 void sums_of(const Curves& curves,
@@ -138,13 +137,10 @@ PoleSums pole_sums(const Curves& curves, const Eigen::VectorXcd& poles) {
             sums.conjugate[0].col(r),
             sums.conjugate[1].col(r));
   };
-  if (rows * poles.size() < kWorthAThread) {
-    for (Index r = 0; r < poles.size(); ++r) sum_up(r);
-  } else {
-    for_each_parallel(
-        static_cast<std::size_t>(poles.size()),
-        [&](std::size_t r) { sum_up(static_cast<Index>(r)); });
-  }
+  constexpr double of_a_sum = 3000.0;  // rows of moments and what they take
+  for_each_parallel(static_cast<std::size_t>(poles.size()),
+                    of_a_sum * static_cast<double>(rows * poles.size()),
+                    [&](std::size_t r) { sum_up(static_cast<Index>(r)); });
   return sums;
 }
 

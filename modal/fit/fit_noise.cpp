@@ -1,6 +1,7 @@
 #include "modal/fit/fit_noise.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/linear_fit.hpp"
 #include "modal/poles/fit_columns.hpp"
 
@@ -9,6 +10,7 @@
 #include <complex>
 #include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace tapfit::modal {
@@ -92,7 +94,8 @@ double common_proportion(const Eigen::VectorXd& followed,
                          const Eigen::MatrixXd& power,
                          double lines_correlated) {
   std::vector<double> shares(static_cast<std::size_t>(left.cols()));
-  for_each_parallel(shares.size(), [&](std::size_t k) {
+  const auto operations = 30.0 * static_cast<double>(left.size());
+  for_each_parallel(shares.size(), operations, [&](std::size_t k) {
     const auto f = static_cast<Index>(k);
     shares[k] = proportional_noise(
         levels_of(followed, left.col(f), power.col(f)), lines_correlated);
@@ -127,20 +130,29 @@ Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
                    .squaredNorm();
 }
 
-/// Mean over a line and five on each side, fewer at the ends, per column.
-Eigen::MatrixXd mean_over_lines(const Eigen::MatrixXd& x) {
+/// Mean over a line and five on each side, fewer at the ends.
+Eigen::VectorXd mean_over_lines(const Eigen::VectorXd& x) {
   constexpr Index kReach = 5;
-  Eigen::MatrixXd result(x.rows(), x.cols());
-  for_each_parallel(static_cast<std::size_t>(x.cols()), [&](std::size_t f) {
-    const auto from = x.col(static_cast<Index>(f));
-    auto to = result.col(static_cast<Index>(f));
-    for (Index k = 0; k < x.rows(); ++k) {
-      const Index begin = std::max<Index>(0, k - kReach);
-      const Index end = std::min(x.rows(), k + kReach + 1);
-      to(k) = from.segment(begin, end - begin).mean();
-    }
-  });
+  Eigen::VectorXd result(x.size());
+  for (Index k = 0; k < x.size(); ++k) {
+    const Index begin = std::max<Index>(0, k - kReach);
+    const Index end = std::min(x.size(), k + kReach + 1);
+    result(k) = x.segment(begin, end - begin).mean();
+  }
   return result;
+}
+
+/// E|e|^2 of each value as the few lines around it tell: n_lines x n_frfs.
+Eigen::MatrixXd power_near(const Curves& curves, const Eigen::MatrixXd& left) {
+  Eigen::MatrixXd power(left.rows(), left.cols());
+  const auto operations = 30.0 * static_cast<double>(left.size());
+  for_each_parallel(
+      static_cast<std::size_t>(left.cols()), operations, [&](std::size_t k) {
+        const auto f = static_cast<Index>(k);
+        power.col(f) = mean_over_lines(left.col(f))
+                           .cwiseMax(mean_over_lines(curves.variance.col(f)));
+      });
+  return power;
 }
 
 }  // namespace
@@ -156,8 +168,7 @@ Noise weighted_noise(const Curves& curves,
                      NoiseFrom from) {
   const Eigen::MatrixXcd H = fitted_accelerance(curves, fit);
   const Eigen::MatrixXd left = (curves.H - H).cwiseAbs2();
-  Eigen::MatrixXd power =
-      mean_over_lines(left).cwiseMax(mean_over_lines(curves.variance));
+  Eigen::MatrixXd power = power_near(curves, left);
   if (from == NoiseFrom::AllLines) {
     const Eigen::MatrixXd fitted = H.cwiseAbs2();
     const double shared =
@@ -167,12 +178,11 @@ Noise weighted_noise(const Curves& curves,
         fitted);
   }
   const auto& [v, u] = curves.weights;
-  power = v.cwiseAbs2().asDiagonal() * power * u.cwiseAbs2().asDiagonal();
+  power.array().colwise() *= v.array().square();
+  power.array().rowwise() *= u.array().square().transpose();
   Noise noise;
   noise.per_line = power.rowwise().mean().cwiseSqrt();
-  noise.share =
-      noise.per_line.cwiseAbs2().cwiseMax(1e-300).cwiseInverse().asDiagonal() *
-      power;
+  noise.power = std::move(power);
   return noise;
 }
 
@@ -183,7 +193,9 @@ Eigen::MatrixXd noise_at_modes(const Noise& noise, const Eigen::MatrixXcd& X) {
     told.col(r) = X.middleCols(2 * r, 2).rowwise().squaredNorm();
     told.col(r) /= std::max(told.col(r).sum(), 1e-300);
   }
-  return (noise.share.transpose() * told).cwiseSqrt();
+  told = noise.per_line.cwiseAbs2().cwiseMax(1e-300).cwiseInverse().asDiagonal() *
+         told;
+  return (noise.power.transpose() * told).cwiseSqrt();
 }
 
 }  // namespace tapfit::modal

@@ -16,7 +16,7 @@ enum class NoiseFrom { NearLines, AllLines };
 /// Of the weighted residual u v e.
 struct Noise {
   Eigen::VectorXd per_line;  ///< standard deviation, rms over the FRFs
-  Eigen::MatrixXd share;  ///< each FRF's variance over that, n_lines x n_frfs
+  Eigen::MatrixXd power;     ///< each FRF's variance, n_lines x n_frfs
 };
 
 /// From the FRFs' variance or what the fit leaves, whichever is larger, both

@@ -1,6 +1,5 @@
 #include "modal/fit/linear_fit.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
 #include "modal/poles/fit_columns.hpp"
 
 #include <Eigen/Cholesky>
@@ -14,8 +13,6 @@ namespace tapfit::modal {
 namespace {
 
 using Eigen::Index;
-
-constexpr Index kLinesAtOnce = 128;  // of a chunk: stays in the cache
 
 /// Q R = phi, by Cholesky's factor of phi' phi, twice for orthogonality to
 /// rounding (Y. Yamamoto, Y. Nakatsukasa, Y. Yanagisawa, T. Fukaya, ETNA 44,
@@ -59,29 +56,13 @@ Eigen::MatrixXd factor_of(const Eigen::MatrixXd& gram) {
   return factor.matrixU();
 }
 
-Eigen::MatrixXcd unweighted_columns(const Curves& curves,
-                                    const Eigen::VectorXcd& poles,
-                                    Index begin,
-                                    Index count) {
-  const Eigen::VectorXcd s = curves.s.segment(begin, count);
-  const Eigen::MatrixXcd modes = pole_columns(s, poles, 1);
-  const Eigen::MatrixXcd terms = term_columns(residual_basis(s, curves.s));
-  Eigen::MatrixXcd columns(count, modes.cols() + terms.cols());
-  columns << modes, terms;
+/// Phi on all lines, weighted by v.
+Eigen::MatrixXd weighted_columns(const Curves& curves,
+                                 const Eigen::VectorXcd& poles) {
+  const Eigen::VectorXd& v = curves.weights.line;
+  Eigen::MatrixXd columns = model_columns(curves, poles, 0, curves.lines());
+  columns = v.replicate<2, 1>().asDiagonal() * columns;
   return columns;
-}
-
-/// Rows of Re and Im of each residue, then of each term: n_columns x n_frfs.
-Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
-  Eigen::MatrixXcd all(fit.residues.rows(),
-                       fit.residues.cols() + fit.terms.cols());
-  all << fit.residues, fit.terms;
-  Eigen::MatrixXd result(2 * all.cols(), all.rows());
-  for (Index c = 0; c < all.cols(); ++c) {
-    result.row(2 * c) = all.col(c).real().transpose();
-    result.row(2 * c + 1) = all.col(c).imag().transpose();
-  }
-  return result;
 }
 
 }  // namespace
@@ -101,7 +82,7 @@ Eigen::MatrixXd coefficients_for(const LinearFit& linear,
 LinearFit fit_by_columns(const Curves& curves, const Eigen::VectorXcd& poles) {
   LinearFit linear;
   const Eigen::MatrixXd& y = curves.sums.frfs;
-  Eigen::MatrixXd phi = model_columns(curves, poles, 0, curves.lines());
+  Eigen::MatrixXd phi = weighted_columns(curves, poles);
   linear.scale = phi.colwise().norm().transpose().cwiseMax(1e-300);
   phi = phi * linear.scale.cwiseInverse().asDiagonal();
   orthogonalise(std::move(phi), linear);
@@ -139,7 +120,7 @@ Eigen::MatrixXd orthonormal_columns(const Curves& curves,
                                     const Eigen::VectorXcd& poles,
                                     const LinearFit& linear) {
   if (curves.sums.are_few()) return linear.Q;
-  Eigen::MatrixXd Q = model_columns(curves, poles, 0, curves.lines()) *
+  Eigen::MatrixXd Q = weighted_columns(curves, poles) *
                       linear.scale.cwiseInverse().asDiagonal();
   linear.R.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(Q);
   return Q;
@@ -149,32 +130,12 @@ Eigen::MatrixXd model_columns(const Curves& curves,
                               const Eigen::VectorXcd& poles,
                               Index begin,
                               Index count) {
-  return stack(curves.weights.line.segment(begin, count).asDiagonal() *
-               unweighted_columns(curves, poles, begin, count));
-}
-
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
-                                    const ModalFit& fit,
-                                    Index begin,
-                                    Index count) {
-  return unstack(
-      stack(unweighted_columns(curves, fit.poles, begin, count)) *
-      coefficients_of(fit));
-}
-
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
-                                    const ModalFit& fit) {
-  Eigen::MatrixXcd H(curves.lines(), curves.count());
-  const Eigen::MatrixXd coefficients = coefficients_of(fit);
-  const Index chunks = (curves.lines() + kLinesAtOnce - 1) / kLinesAtOnce;
-  for_each_parallel(static_cast<std::size_t>(chunks), [&](std::size_t k) {
-    const Index begin = static_cast<Index>(k) * kLinesAtOnce;
-    const Index count = std::min(kLinesAtOnce, curves.lines() - begin);
-    H.middleRows(begin, count) =
-        unstack(stack(unweighted_columns(curves, fit.poles, begin, count)) *
-                coefficients);
-  });
-  return H;
+  const Eigen::VectorXcd s = curves.s.segment(begin, count);
+  const Eigen::MatrixXcd modes = pole_columns(s, poles, 1);
+  const Eigen::MatrixXcd terms = term_columns(residual_basis(s, curves.s));
+  Eigen::MatrixXd columns(2 * count, modes.cols() + terms.cols());
+  columns << stack(modes), stack(terms);
+  return columns;
 }
 
 }  // namespace tapfit::modal

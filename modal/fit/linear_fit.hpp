@@ -10,7 +10,6 @@
 #pragma once
 
 #include "modal/fit/column_products.hpp"
-#include "modal/fit/modal_model.hpp"
 #include "modal/poles/curves.hpp"
 
 #include <Eigen/Core>
@@ -51,21 +50,11 @@ struct LinearFit {
                                                   const Eigen::VectorXcd& poles,
                                                   const LinearFit& linear);
 
-/// Phi on some lines, weighted by v: real over imaginary parts,
+/// Phi on some lines, not weighted: real over imaginary parts,
 /// 2 count x n_columns.
 [[nodiscard]] Eigen::MatrixXd model_columns(const Curves& curves,
                                             const Eigen::VectorXcd& poles,
                                             Eigen::Index begin,
                                             Eigen::Index count);
-
-/// The fitted accelerances, n_lines x n_frfs.
-[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
-                                                  const ModalFit& fit);
-
-/// On some lines only: count x n_frfs.
-[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
-                                                  const ModalFit& fit,
-                                                  Eigen::Index begin,
-                                                  Eigen::Index count);
 
 }  // namespace tapfit::modal

@@ -1,6 +1,6 @@
 #include "modal/fit/mode_significance.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
+#include "modal/fit/fit_residual.hpp"
 
 #include <Eigen/Dense>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <utility>
+#include <vector>
 
 namespace tapfit::modal {
 namespace {
@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// Lines within a few half bandwidths of a pole: begin, end.
-std::pair<Index, Index> around(const Curves& curves, const Complex& pole) {
+LineRange around(const Curves& curves, const Complex& pole) {
   const double half =
       std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
   const double first = curves.s(0).imag();
@@ -32,20 +32,6 @@ std::pair<Index, Index> around(const Curves& curves, const Complex& pole) {
   begin = std::min(begin, std::max<Index>(0, last - 6));
   end = std::max(end, std::min<Index>(last, 6));
   return {begin, end + 1};
-}
-
-/// Weighted squares that are left on a line, over its real values.
-double mean_square(const Curves& curves,
-                   const ModalFit& fit,
-                   Index begin,
-                   Index count) {
-  const auto& [v, u] = curves.weights;
-  const Eigen::MatrixXcd left =
-      curves.H.middleRows(begin, count) -
-      fitted_accelerance(curves, fit, begin, count);
-  return (v.segment(begin, count).asDiagonal() * left * u.asDiagonal())
-             .squaredNorm() /
-         static_cast<double>(2 * count * curves.count());
 }
 
 /// The drop in misfit that the residues of mode r earn.
@@ -86,16 +72,19 @@ void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit) {
   // form of a resonance.
   const double shared =
       std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
-  for_each_parallel(static_cast<std::size_t>(modes), [&](std::size_t k) {
-    const auto r = static_cast<Index>(k);
-    const auto [begin, end] = around(curves, fit.poles(r));
-    const double noise = mean_square(curves, fit, begin, end - begin);
-    fit.significance(r) = earned(linear, R_inverse, r) /
-                          static_cast<double>(2 * curves.count()) /
-                          std::max(shared * noise, 1e-300);
+  std::vector<LineRange> ranges;
+  for (const Complex& pole : fit.poles) ranges.push_back(around(curves, pole));
+  const Eigen::VectorXd left = left_per_line(curves, fit, ranges);
+  for (Index r = 0; r < modes; ++r) {
+    const auto [begin, end] = ranges[static_cast<std::size_t>(r)];
+    // Mean squares, of real values.
+    const double noise = left.segment(begin, end - begin).sum() /
+                         static_cast<double>(end - begin);
+    fit.significance(r) =
+        earned(linear, R_inverse, r) / std::max(shared * noise, 1e-300);
     const Index line = std::clamp((begin + end - 1) / 2, begin, end - 1);
     fit.contribution(r) = contribution(curves, fit, r, line);
-  });
+  }
 }
 
 }  // namespace tapfit::modal

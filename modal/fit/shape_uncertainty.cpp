@@ -124,7 +124,10 @@ Eigen::MatrixXd shape_deviations(const ShapeGraph& graph,
                                  const Eigen::VectorXcd& poles,
                                  const Eigen::MatrixXcd& shapes) {
   Eigen::MatrixXd sd(shapes.rows(), shapes.cols());
-  for_each_parallel(static_cast<std::size_t>(poles.size()), [&](std::size_t k) {
+  const auto operations =
+      20.0 * static_cast<double>(residues.size() * residues.rows());
+  const auto count = static_cast<std::size_t>(poles.size());
+  for_each_parallel(count, operations, [&](std::size_t k) {
     const auto r = static_cast<Index>(k);
     const Complex factor(0.0, 2.0 * poles(r).imag());
     const Eigen::VectorXcd P = factor * residues.col(r);

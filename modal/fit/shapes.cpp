@@ -231,7 +231,9 @@ Eigen::MatrixXcd mode_shapes(const ShapeGraph& graph,
                              const Eigen::VectorXd& frf_weight) {
   const auto n = static_cast<Index>(graph.kept.size());
   Eigen::MatrixXcd shapes(n, poles.size());
-  for_each_parallel(static_cast<std::size_t>(poles.size()), [&](std::size_t k) {
+  const auto operations = 2000.0 * static_cast<double>(residues.size());
+  const auto count = static_cast<std::size_t>(poles.size());
+  for_each_parallel(count, operations, [&](std::size_t k) {
     const auto r = static_cast<Index>(k);
     const Eigen::VectorXcd P =
         Complex(0.0, 2.0 * poles(r).imag()) * residues.col(r);

@@ -1,7 +1,7 @@
 #include "modal/identify/identify_modes.hpp"
 
 #include "acquisition/foundation/constants.hpp"
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"

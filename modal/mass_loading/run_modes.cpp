@@ -1,6 +1,6 @@
 #include "modal/mass_loading/run_modes.hpp"
 
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"

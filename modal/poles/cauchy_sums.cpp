@@ -79,6 +79,34 @@ Eigen::MatrixX4d as_factors(const Eigen::VectorXcd& first,
   return result;
 }
 
+/// sum += x c, reading x once: rows n, a few columns, and four of the sum.
+void add_product(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                 const Eigen::MatrixX4d& c,
+                 Eigen::MatrixX4d& sum) {
+  constexpr int kRows = 8;
+  using Rows = Eigen::Array<double, kRows, 1>;
+  Index i = 0;
+  for (; i + kRows <= x.rows(); i += kRows) {
+    Rows a = sum.col(0).segment<kRows>(i);
+    Rows b = sum.col(1).segment<kRows>(i);
+    Rows d = sum.col(2).segment<kRows>(i);
+    Rows e = sum.col(3).segment<kRows>(i);
+    for (Index k = 0; k < x.cols(); ++k) {
+      const Rows value = x.col(k).segment<kRows>(i);
+      a += c(k, 0) * value;
+      b += c(k, 1) * value;
+      d += c(k, 2) * value;
+      e += c(k, 3) * value;
+    }
+    sum.col(0).segment<kRows>(i) = a;
+    sum.col(1).segment<kRows>(i) = b;
+    sum.col(2).segment<kRows>(i) = d;
+    sum.col(3).segment<kRows>(i) = e;
+  }
+  const Index rest = x.rows() - i;
+  sum.bottomRows(rest) += x.bottomRows(rest).lazyProduct(c);
+}
+
 }  // namespace
 
 CauchySums::CauchySums(Eigen::MatrixXcd x) : x_(std::move(x)) {
@@ -89,7 +117,9 @@ CauchySums::CauchySums(Eigen::MatrixXcd x) : x_(std::move(x)) {
   }
   const Eigen::MatrixXd T = chebyshev(u).transpose();
   Eigen::MatrixXcd moments(x_.rows(), blocks * kTerms);
-  for_each_parallel(static_cast<std::size_t>(blocks), [&](std::size_t k) {
+  const auto operations = 50.0 * static_cast<double>(x_.size());
+  const auto pieces = static_cast<std::size_t>(blocks);
+  for_each_parallel(pieces, operations, [&](std::size_t k) {
     const auto b = static_cast<Index>(k);
     const Index lines = std::min(kBlock, x_.cols() - b * kBlock);
     as_real(moments).middleCols(b * kTerms, kTerms).noalias() =
@@ -111,8 +141,9 @@ void CauchySums::add_lines(Index block,
   for (Index k = 0; k < lines; ++k) {
     once(k) = 1.0 / (static_cast<double>(begin + k) - a);
   }
-  sum.noalias() += as_real(x_).middleCols(begin, lines) *
-                   as_factors(once, once.cwiseProduct(once));
+  add_product(as_real(x_).middleCols(begin, lines),
+              as_factors(once, once.cwiseProduct(once)),
+              sum);
 }
 
 void CauchySums::add(const Block& block,
@@ -145,8 +176,9 @@ void CauchySums::add(const Block& block,
     second(j) = -first(j) * (static_cast<double>(j) + p / q) / (half * q);
     power *= w;
   }
-  sum.noalias() += as_real(moments_[level]).middleCols(b * kTerms, kTerms) *
-                   as_factors(first, second);
+  add_product(as_real(moments_[level]).middleCols(b * kTerms, kTerms),
+              as_factors(first, second),
+              sum);
 }
 
 CauchySums::Pair CauchySums::at(const Complex& a) const {

@@ -266,7 +266,9 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   curves.H.resize(lines, count);
   curves.variance.resize(lines, count);
   curves.weight.resize(lines, count);
-  for_each_parallel(static_cast<std::size_t>(count), [&](std::size_t k) {
+  const auto operations = 300.0 * static_cast<double>(curves.H.size());
+  const auto pieces = static_cast<std::size_t>(count);
+  for_each_parallel(pieces, operations, [&](std::size_t k) {
     const auto f = static_cast<Eigen::Index>(k);
     const signal::Frf& frf =
         frfs.frfs[curves.source[static_cast<std::size_t>(f)]];

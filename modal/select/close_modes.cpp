@@ -1,6 +1,6 @@
 #include "modal/select/close_modes.hpp"
 
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"
@@ -134,11 +134,9 @@ LeftOver left_over_near(const Curves& curves,
   const double reach =
       std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
   const auto [begin, count] = lines_within(curves, pole, reach);
-  const Eigen::MatrixXcd miss = curves.H.middleRows(begin, count) -
-                                fitted_accelerance(curves, fit, begin, count);
-  const auto& [v, u] = curves.weights;
-  return {(v.segment(begin, count).asDiagonal() * miss * u.asDiagonal())
-              .squaredNorm(),
+  const Eigen::VectorXd power =
+      left_per_line(curves, fit, {{begin, begin + count}});
+  return {power.segment(begin, count).sum(),
           2.0 * static_cast<double>(count * curves.count())};
 }
 

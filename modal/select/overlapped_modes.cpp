@@ -123,10 +123,12 @@ std::optional<ModalFit> with_one_more(const Curves& curves,
 
 ModalFit add_overlapped(const Curves& curves,
                         ModalFit fit,
-                        const IdentifyOptions& options) {
+                        const IdentifyOptions& options,
+                        const Progress& progress) {
   bool found = false;
   std::vector<Complex> in_vain;
   for (int k = 0; k < kMostMissed; ++k) {
+    progress("hidden modes", static_cast<double>(k) / kMostMissed);
     std::optional<ModalFit> next = with_one_more(curves, fit, options, in_vain);
     if (!next) break;
     fit = std::move(*next);

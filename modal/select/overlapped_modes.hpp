@@ -3,6 +3,7 @@
 // the fit leaves has no peak. One between two poles is tried everywhere.
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/poles/identify_options.hpp"
 
@@ -14,6 +15,7 @@ namespace tapfit::modal {
 /// @return the fit as it was where none is missing
 [[nodiscard]] ModalFit add_overlapped(const Curves& curves,
                                       ModalFit fit,
-                                      const IdentifyOptions& options);
+                                      const IdentifyOptions& options,
+                                      const Progress& progress);
 
 }  // namespace tapfit::modal

@@ -1,6 +1,6 @@
 #include "modal/select/repeated_poles.hpp"
 
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/residue_rank.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/mode_set/complexity.hpp"

@@ -66,7 +66,7 @@ Selection select_from_orders(const Curves& curves,
     Selection trial = select_modes(curves, lasting, options, quiet);
     if (explains_more(trial.fit, best.fit)) best = std::move(trial);
   }
-  best.fit = add_overlapped(curves, std::move(best.fit), options);
+  best.fit = add_overlapped(curves, std::move(best.fit), options, progress);
   edit_poles(curves, tracks, options, best.fit);
   return best;
 }

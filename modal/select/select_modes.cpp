@@ -1,6 +1,6 @@
 #include "modal/select/select_modes.hpp"
 
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shapes.hpp"
 #include "modal/mode_set/complexity.hpp"
@@ -80,11 +80,7 @@ namespace {
 /// bandwidth that a line's neighbours share.
 Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
   const Eigen::VectorXd power =
-      (curves.weights.line.asDiagonal() *
-       (curves.H - fitted_accelerance(curves, fit)) *
-       curves.weights.frf.asDiagonal())
-          .rowwise()
-          .squaredNorm();
+      left_per_line(curves, fit, {{0, curves.lines()}});
   Eigen::VectorXd smooth(power.size());
   for (Index k = 0; k < power.size(); ++k) {
     const Index begin = std::max<Index>(0, k - 2);

@@ -1,6 +1,6 @@
 #include "modal/select/unrefined_fit.hpp"
 
-#include "modal/fit/linear_fit.hpp"
+#include "modal/fit/fit_residual.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/poles/pole_clusters.hpp"
 
