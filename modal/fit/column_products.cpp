@@ -18,8 +18,7 @@ void sums_of(const Curves& curves,
              Eigen::Ref<Eigen::VectorXcd> second) {
   const Complex mu = 2.0 * curves.sigma - std::conj(pole);
   const Complex step = j * curves.spacing;
-  const CauchySums::Pair sums =
-      curves.sums.lines.at((mu - curves.s(0)) / step);
+  const CauchySums::Pair sums = curves.sums.lines.at((mu - curves.s(0)) / step);
   first = -sums.first / step;
   second = sums.second / (step * step);
 }

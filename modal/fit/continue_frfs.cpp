@@ -1,8 +1,8 @@
 #include "modal/fit/continue_frfs.hpp"
 
 #include "modal/fit/fit_residual.hpp"
-#include "modal/poles/fit_columns.hpp"
 #include "modal/fit/modal_fit.hpp"
+#include "modal/poles/fit_columns.hpp"
 
 #include <algorithm>
 #include <cmath>

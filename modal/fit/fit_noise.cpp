@@ -113,7 +113,8 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
   Eigen::MatrixXcd result = x;
   for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
     const Complex rho =
-        1.0 / (1.0 + Complex(0.0, 1.0) * static_cast<double>(d) / (2.0 * ratio));
+        1.0 /
+        (1.0 + Complex(0.0, 1.0) * static_cast<double>(d) / (2.0 * ratio));
     const Index n = x.rows() - d;
     result.bottomRows(n) += rho * x.topRows(n);
     result.topRows(n) += std::conj(rho) * x.bottomRows(n);
@@ -193,8 +194,9 @@ Eigen::MatrixXd noise_at_modes(const Noise& noise, const Eigen::MatrixXcd& X) {
     told.col(r) = X.middleCols(2 * r, 2).rowwise().squaredNorm();
     told.col(r) /= std::max(told.col(r).sum(), 1e-300);
   }
-  told = noise.per_line.cwiseAbs2().cwiseMax(1e-300).cwiseInverse().asDiagonal() *
-         told;
+  told =
+      noise.per_line.cwiseAbs2().cwiseMax(1e-300).cwiseInverse().asDiagonal() *
+      told;
   return (noise.power.transpose() * told).cwiseSqrt();
 }
 

@@ -30,8 +30,9 @@ Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
 template <typename Work>
 void for_lines(const Curves& curves, const ModalFit& fit, const Work& work) {
   const Index chunks = (curves.lines() + kLinesAtOnce - 1) / kLinesAtOnce;
-  const double operations = 8.0 * static_cast<double>(
-      curves.lines() * curves.count() * (fit.poles.size() + fit.terms.cols()));
+  const double operations =
+      8.0 * static_cast<double>(curves.lines() * curves.count() *
+                                (fit.poles.size() + fit.terms.cols()));
   for_each_parallel(
       static_cast<std::size_t>(chunks), operations, [&](std::size_t k) {
         const Index begin = static_cast<Index>(k) * kLinesAtOnce;
@@ -55,8 +56,7 @@ Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
                  coefficients_of(fit));
 }
 
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
-                                    const ModalFit& fit) {
+Eigen::MatrixXcd fitted_accelerance(const Curves& curves, const ModalFit& fit) {
   Eigen::MatrixXcd H(curves.lines(), curves.count());
   const Eigen::MatrixXd coefficients = coefficients_of(fit);
   for_lines(curves, fit, [&](Index begin, Index count) {

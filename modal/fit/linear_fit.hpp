@@ -4,8 +4,8 @@
 //   Phi S^-1 = Q R,   R (S c) = Q' y
 //
 // On few lines Q and R come from the columns. On many R is Cholesky's factor of
-// the products Phi' Phi and Q' y = R^-T S^-1 Phi' y, which need no pass over the
-// lines (column_products.hpp); that is exact to the square of the columns'
+// the products Phi' Phi and Q' y = R^-T S^-1 Phi' y, which need no pass over
+// the lines (column_products.hpp); that is exact to the square of the columns'
 // condition, far below the noise of any measurement.
 #pragma once
 

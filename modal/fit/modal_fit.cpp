@@ -48,8 +48,7 @@ ModalFit finish(const Curves& curves,
     Eigen::VectorXcd value(curves.count());
     value.real() = linear.coefficients.row(2 * c).transpose();
     value.imag() = linear.coefficients.row(2 * c + 1).transpose();
-    value = value.cwiseQuotient(
-        fit.frf_weight.cast<std::complex<double>>());
+    value = value.cwiseQuotient(fit.frf_weight.cast<std::complex<double>>());
     if (c < modes) {
       fit.residues.col(c) = value;
     } else {

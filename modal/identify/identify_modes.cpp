@@ -33,7 +33,6 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-
 /// Standard deviations of |lambda| and of damping from the covariance of
 /// (Re, Im) lambda.
 void fill_uncertainty(const Eigen::Matrix2d& covariance, Mode& mode) {
@@ -136,8 +135,8 @@ bool is_better(const Curves& curves,
     return curves.weight.cwiseProduct(curves.H - H).norm();
   };
   const bool found = common.poles.size() > 0;
-  const double together =
-      found ? left(fitted_accelerance(curves, common)) : curves.weight.cwiseProduct(curves.H).norm();
+  const double together = found ? left(fitted_accelerance(curves, common))
+                                : curves.weight.cwiseProduct(curves.H).norm();
   const double apart = left(own.H);
   const bool fewer = own.poles.size() < common.poles.size();
   return apart <= 0.5 * together || (fewer && apart < 2.0 * together);

@@ -316,8 +316,7 @@ RunModes empty_modes(const Curves& curves,
   result.frf_weight.resize(curves.count());
   for (const SetUpFit& fit : fits) {
     result.frf_weight(fit.frfs) = fit.fit.frf_weight;
-    result.H(Eigen::all, fit.frfs) =
-        fitted_accelerance(fit.curves, fit.fit);
+    result.H(Eigen::all, fit.frfs) = fitted_accelerance(fit.curves, fit.fit);
     result.unrefined_H(Eigen::all, fit.frfs) =
         unrefined_fit(fit.curves, fit.tracks, fit.fit.poles);
     result.set_ups.push_back({fit.set_up,

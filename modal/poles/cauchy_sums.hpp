@@ -1,6 +1,7 @@
 // Sums over evenly spaced lines that a pole enters, for many columns at once:
 //
-//   S1(a) = sum_k x_k / (k - a),  S2(a) = sum_k x_k / (k - a)^2,  k = 0 .. n - 1
+//   S1(a) = sum_k x_k / (k - a),  S2(a) = sum_k x_k / (k - a)^2,  k = 0 .. n -
+//   1
 //
 // Lines near the pole are summed one by one. What is far away enters through
 // moments of its block of lines, which are worked out once:

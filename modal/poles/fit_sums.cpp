@@ -38,9 +38,9 @@ FitSums fit_sums(const Eigen::VectorXcd& s,
   sums.term_term = (terms.adjoint() * power.asDiagonal() * terms).real();
   sums.term_frf = (terms.adjoint() * power.asDiagonal() * H).real() *
                   weights.frf.asDiagonal();
-  sums.power = (power.transpose() * H.cwiseAbs2() *
-                weights.frf.cwiseAbs2().asDiagonal())
-                   .sum();
+  sums.power =
+      (power.transpose() * H.cwiseAbs2() * weights.frf.cwiseAbs2().asDiagonal())
+          .sum();
   // One column of memory per line: all FRFs of a line are needed together.
   Eigen::MatrixXcd x(H.cols() + basis.cols() + 1, s.size());
   x.topRows(H.cols()) = weights.frf.asDiagonal() * H.transpose();

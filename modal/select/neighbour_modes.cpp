@@ -58,8 +58,7 @@ bool far_outside(const Curves& curves, const Complex& pole) {
 std::pair<Index, Index> lines_within(const Curves& curves,
                                      const Complex& pole,
                                      double reach) {
-  const Eigen::ArrayXd off =
-      (curves.s.imag().array() - pole.imag()).abs();
+  const Eigen::ArrayXd off = (curves.s.imag().array() - pole.imag()).abs();
   const Index count = (off <= reach).count();
   Index nearest = 0;
   if (count == 0) return {0, 0};

@@ -18,9 +18,9 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr int kMostMissed = 4;
-constexpr double kReach = 3.0;   // half bandwidths from one mode to the next
-constexpr double kHeavy = 0.05;  // damping ratio that hides modes anywhere
-constexpr int kMostPlaces = 4;   // between two poles
+constexpr double kReach = 3.0;      // half bandwidths from one mode to the next
+constexpr double kHeavy = 0.05;     // damping ratio that hides modes anywhere
+constexpr int kMostPlaces = 4;      // between two poles
 constexpr double kSamePlace = 0.1;  // half bandwidths
 
 std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {

@@ -33,8 +33,7 @@ bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
 /// a mode: noise that is not white can be followed a good way by some poles.
 bool explains_more(const ModalFit& fit, const ModalFit& other) {
   if (fit.poles.size() == 0) return false;
-  return other.poles.size() == 0 ||
-         fit.misfit < kClearlyLess * other.misfit;
+  return other.poles.size() == 0 || fit.misfit < kClearlyLess * other.misfit;
 }
 
 }  // namespace
