@@ -1,5 +1,6 @@
 #include "modal/mass_loading/run_modes.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shape_uncertainty.hpp"
@@ -12,9 +13,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <mutex>
 #include <numeric>
 #include <set>
+#include <string_view>
+#include <utility>
 
 namespace tapfit::modal {
 namespace {
@@ -78,10 +83,25 @@ std::vector<SetUpFit> fit_set_ups(const Curves& curves,
   for (std::size_t f = 0; f < curves.set_up.size(); ++f) {
     frfs[curves.set_up[f]].push_back(static_cast<Index>(f));
   }
-  std::vector<SetUpFit> fits;
-  for (const auto& [set_up, own] : frfs) {
-    fits.push_back(fit_set_up(curves, set_up, own, options, progress));
-  }
+  const std::vector<std::pair<std::size_t, std::vector<Index>>> set_ups(
+      frfs.begin(), frfs.end());
+  std::vector<SetUpFit> fits(set_ups.size());
+  // The stages of set-ups that are at work together are told as set-ups done.
+  std::mutex reporting;
+  std::size_t done = 0;
+  const Progress together{[&](std::string_view, double) {
+                            const std::lock_guard lock(reporting);
+                            progress("set-ups",
+                                     static_cast<double>(done) /
+                                         static_cast<double>(set_ups.size()));
+                          },
+                          progress.stop};
+  for_each_parallel(set_ups.size(), [&](std::size_t k) {
+    const auto& [set_up, own] = set_ups[k];
+    fits[k] = fit_set_up(curves, set_up, own, options, together);
+    const std::lock_guard lock(reporting);
+    ++done;
+  });
   return fits;
 }
 
@@ -228,15 +248,22 @@ bool find_there(const Complex& pole,
 void find_missing(const IdentifyOptions& options,
                   std::vector<SetUpFit>& fits,
                   std::vector<Group>& groups) {
-  for (Group& group : groups) {
-    if (group.members.size() < 2) continue;
-    const Complex pole = mean_pole(fits, group);
-    for (std::size_t k = 0; k < fits.size(); ++k) {
+  std::vector<Complex> poles;
+  for (const Group& group : groups) poles.push_back(mean_pole(fits, group));
+  std::vector<std::vector<std::size_t>> found(fits.size());  // groups, in order
+  for_each_parallel(fits.size(), [&](std::size_t k) {
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::vector<Member>& members = groups[g].members;
       const bool there = std::ranges::any_of(
-          group.members, [k](const Member& member) { return member.fit == k; });
-      if (there || !find_there(pole, options, fits[k])) continue;
-      group.members.push_back({k, fits[k].fit.poles.size() - 1});
+          members, [k](const Member& member) { return member.fit == k; });
+      if (there || members.size() < 2) continue;
+      if (find_there(poles[g], options, fits[k])) found[k].push_back(g);
     }
+  });
+  for (std::size_t k = 0; k < fits.size(); ++k) {
+    Index mode = fits[k].fit.poles.size() - std::ssize(found[k]);
+    for (const std::size_t g : found[k])
+      groups[g].members.push_back({k, mode++});
   }
 }
 

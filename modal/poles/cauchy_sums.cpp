@@ -79,32 +79,29 @@ Eigen::MatrixX4d as_factors(const Eigen::VectorXcd& first,
   return result;
 }
 
-/// sum += x c, reading x once: rows n, a few columns, and four of the sum.
+/// sum += x c for some rows from one on, four columns of c, reading x once.
+template <int rows>
+void add_rows(const Eigen::Ref<const Eigen::MatrixXd>& x,
+              const Eigen::MatrixX4d& c,
+              Index from,
+              Eigen::MatrixX4d& sum) {
+  using Rows = Eigen::Array<double, rows, 1>;
+  Rows total[4];
+  for (Index i = 0; i < 4; ++i) total[i] = sum.col(i).segment<rows>(from);
+  for (Index k = 0; k < x.cols(); ++k) {
+    const Rows value = x.col(k).template segment<rows>(from);
+    for (Index i = 0; i < 4; ++i) total[i] += c(k, i) * value;
+  }
+  for (Index i = 0; i < 4; ++i) sum.col(i).segment<rows>(from) = total[i];
+}
+
+/// The same for all rows, of which there are an even number.
 void add_product(const Eigen::Ref<const Eigen::MatrixXd>& x,
                  const Eigen::MatrixX4d& c,
                  Eigen::MatrixX4d& sum) {
-  constexpr int kRows = 8;
-  using Rows = Eigen::Array<double, kRows, 1>;
-  Index i = 0;
-  for (; i + kRows <= x.rows(); i += kRows) {
-    Rows a = sum.col(0).segment<kRows>(i);
-    Rows b = sum.col(1).segment<kRows>(i);
-    Rows d = sum.col(2).segment<kRows>(i);
-    Rows e = sum.col(3).segment<kRows>(i);
-    for (Index k = 0; k < x.cols(); ++k) {
-      const Rows value = x.col(k).segment<kRows>(i);
-      a += c(k, 0) * value;
-      b += c(k, 1) * value;
-      d += c(k, 2) * value;
-      e += c(k, 3) * value;
-    }
-    sum.col(0).segment<kRows>(i) = a;
-    sum.col(1).segment<kRows>(i) = b;
-    sum.col(2).segment<kRows>(i) = d;
-    sum.col(3).segment<kRows>(i) = e;
-  }
-  const Index rest = x.rows() - i;
-  sum.bottomRows(rest) += x.bottomRows(rest).lazyProduct(c);
+  Index from = 0;
+  for (; from + 8 <= x.rows(); from += 8) add_rows<8>(x, c, from, sum);
+  for (; from < x.rows(); from += 2) add_rows<2>(x, c, from, sum);
 }
 
 }  // namespace
@@ -154,9 +151,9 @@ void CauchySums::add(const Block& block,
   // p and w; of the two roots the one with |w| < 1.
   const Complex p = a / half - static_cast<double>(2 * b + 1);
   Complex q = std::sqrt(p * p - 1.0);
-  if (std::abs(p - q) > std::abs(p + q)) q = -q;
+  if (std::norm(p - q) > std::norm(p + q)) q = -q;
   const Complex w = 1.0 / (p + q);
-  if (std::abs(w) > kFar) {
+  if (std::norm(w) > kFar * kFar) {
     if (level == 0) {
       add_lines(b, a, sum);
       return;

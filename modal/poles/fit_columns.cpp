@@ -32,12 +32,19 @@ Eigen::MatrixXcd pole_columns(const Eigen::VectorXcd& s,
   Eigen::MatrixXcd columns(s.size(), 2 * poles.size());
   for (Index r = 0; r < poles.size(); ++r) {
     for (Index k = 0; k < s.size(); ++k) {
-      const Complex up = 1.0 / (s(k) - poles(r));
-      const Complex down = 1.0 / (s(k) - std::conj(poles(r)));
-      const Complex g = s(k) * s(k) * (power == 1 ? up : up * up);
-      const Complex h = s(k) * s(k) * (power == 1 ? down : down * down);
-      columns(k, 2 * r) = g + h;
-      columns(k, 2 * r + 1) = imaginary * (g - h);
+      // g and h over their common denominator.
+      const Complex t = s(k) - poles(r).real();
+      const double w = poles(r).imag();
+      const Complex d = 1.0 / (t * t + w * w);
+      if (power == 1) {
+        const Complex c = 2.0 * s(k) * s(k) * d;
+        columns(k, 2 * r) = t * c;
+        columns(k, 2 * r + 1) = -w * c;
+      } else {
+        const Complex c = 2.0 * s(k) * s(k) * d * d;
+        columns(k, 2 * r) = (t * t - w * w) * c;
+        columns(k, 2 * r + 1) = -2.0 * w * t * c;
+      }
     }
   }
   return columns;

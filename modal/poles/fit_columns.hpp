@@ -11,8 +11,12 @@ namespace tapfit::modal {
 /// The inverse of stack.
 [[nodiscard]] Eigen::MatrixXcd unstack(const Eigen::MatrixXd& x);
 
-/// Columns that multiply Re R and Im R of each mode in accelerance, or their
-/// derivatives to the pole (power 2).
+/// Columns that multiply Re R and Im R of each mode in accelerance, g + h and
+/// j (g - h) with
+///
+///   g = s^2 / (s - lambda)^p,  h = s^2 / (s - conj(lambda))^p
+///
+/// for p = 1, or their derivatives to the pole, p = 2.
 ///
 /// @param s lines [rad/s]
 /// @param poles [rad/s]
