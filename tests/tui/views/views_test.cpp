@@ -325,9 +325,11 @@ TEST(ReportView, ShowsBeforeAndAfter) {
   const updating::Comparison after = testing::fake_comparison(0.01);
   const std::vector<updating::Rung> ladder{
       {"base", {}, 0.388, {}},
-      {"added-mass", {}, 0.038, {{"mass_kg", 0.0785, 0.0006, 0.077, 0.08}}}};
+      {"added-mass", {}, 0.038, {}}};
+  const std::vector<updating::Estimate> found{
+      {"mass_kg", 0.0785, 0.0006, 0.077, 0.08}};
   const ReportInput input{
-      before, after, ladder, {}, {}, {"the mesh is coarse"}};
+      before, after, ladder, found, {}, {"the mesh is coarse"}};
   for (const int width : {80, 120}) {
     const Screen s = report_sheet(input, width, false);
     EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg")) << s.to_text();

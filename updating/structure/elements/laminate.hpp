@@ -13,7 +13,8 @@
 // Nastran Quick Reference Guide, PCOMP.
 #pragma once
 
-#include "updating/structure/elements/shell_section.hpp"
+#include "updating/structure/deck/deck.hpp"
+#include "updating/structure/elements/section_matrices.hpp"
 
 namespace tapfit::structure {
 

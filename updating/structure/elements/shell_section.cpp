@@ -8,12 +8,6 @@
 #include <numbers>
 
 namespace tapfit::structure {
-Eigen::Matrix3d ShellSection::least_bending() const {
-  if (!is_coupled()) return bending;
-  const Eigen::Matrix3d least =
-      bending - coupling * membrane.ldlt().solve(coupling);
-  return 0.5 * (least + least.transpose());
-}
 
 ShellSection shell_section(const Deck& deck, const Shell& shell) {
   const double angle = shell.theta_deg * std::numbers::pi / 180.0;
