@@ -123,7 +123,7 @@ TEST_F(Bundle, WarnsOfUnknownFields) {
   document["runs"][0]["sensors"][0]["glue"] = "wax";
   const TestBundle bundle = read(document);
   ASSERT_EQ(bundle.warnings.size(), 2U);
-  EXPECT_NE(bundle.warnings[1].find("runs[0].sensors[0].glue"),
+  EXPECT_NE(bundle.warnings[0].find("runs[0].sensors[0].glue"),
             std::string::npos);
 }
 
