@@ -134,13 +134,13 @@ TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
   EXPECT_EQ(read_file(bundle_ / "measured.uff"), measured);
   EXPECT_TRUE(holds(read_file(bundle_ / "measured-2.uff"), "    58"));
 
-  write_file(bundle_ / "report.md", "older");
-  EXPECT_TRUE(holds(keys("7\nwait\nw\n"), "report.md is there: y replaces it"));
+  write_file(bundle_ / "report.html", "older");
+  EXPECT_TRUE(holds(keys("7\nwait\nw\n"), "report.html is there: y replaces it"));
   EXPECT_TRUE(holds(keys("7\nwait\nw\n<Esc>\n"), "nothing written"));
-  EXPECT_TRUE(holds(keys("7\nwait\nw\nn\nwait\n"), "report-2.md"));
-  EXPECT_EQ(read_file(bundle_ / "report.md"), "older");
+  EXPECT_TRUE(holds(keys("7\nwait\nw\nn\nwait\n"), "report-2.html"));
+  EXPECT_EQ(read_file(bundle_ / "report.html"), "older");
   EXPECT_TRUE(holds(keys("7\nwait\nw\ny\nwait\n"), "written: "));
-  EXPECT_TRUE(holds(read_file(bundle_ / "report.md"), "## FRFs"));
+  EXPECT_TRUE(holds(read_file(bundle_ / "report.html"), "</html>"));
 }
 
 TEST_F(OutputsOfATest, OfSimulateNeverReplaceAMeasuredTest) {
