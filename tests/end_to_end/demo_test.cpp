@@ -148,6 +148,57 @@ TEST_F(Demo, TheReadmeShowsItsErrorLadder) {
   }
 }
 
+/// The demonstration's bundle with another deck in it.
+fs::path with_deck(const fs::path& folder, const std::string& deck) {
+  fs::create_directories(folder);
+  for (const auto& entry : fs::directory_iterator(demo)) {
+    if (entry.path().filename() == "session.json") continue;
+    fs::copy_file(entry.path(), folder / entry.path().filename());
+  }
+  write_file(folder / "model.bdf", deck);
+  return folder;
+}
+
+json three_effects(const fs::path& bundle) {
+  const auto result = run_tapfit(fmt::format(
+      "update '{}' --effect sensor-mass --effect soft-support --effect "
+      "sensor-cable --json",
+      bundle.string()));
+  EXPECT_EQ(result.exit_status, 0) << result.err;
+  return json::parse(result.out);
+}
+
+// Another processor rounds otherwise; so does a modulus that differs in its
+// fifteenth digit. What is identified stays within 0.1 standard deviations.
+TEST_F(Demo, RoundingDoesNotChangeWhatIsIdentified) {
+  const std::string deck = read_file(demo / "model.bdf");
+  const std::string modulus = "7.0000e+10";
+  const std::size_t at = deck.find(modulus);
+  ASSERT_NE(at, std::string::npos);
+  std::string other = deck;
+  other.replace(at, modulus.size(), "70000000000.007");
+  const fs::path folder = fresh_folder();
+  const json one = three_effects(with_deck(folder / "plain", deck));
+  const json two = three_effects(with_deck(folder / "rounded", other));
+  const auto left = [](const json& update) {
+    return update.at("error").at("best").get<double>();
+  };
+  // As in the README's ladder.
+  EXPECT_NEAR(left(one), left(two), 0.05 * left(one));
+  ASSERT_EQ(one.at("candidates").size(), 3U);
+  ASSERT_EQ(two.at("candidates").size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const json& parameters = one.at("candidates")[k].at("parameters");
+    for (const auto& [name, estimate] : parameters.items()) {
+      const json& again = two.at("candidates")[k].at("parameters").at(name);
+      EXPECT_NEAR(estimate.at("value").get<double>(),
+                  again.at("value").get<double>(),
+                  0.1 * estimate.at("sd").get<double>())
+          << name;
+    }
+  }
+}
+
 TEST_F(Demo, TheLargeEffectsAreFoundAndNoneInvented) {
   const std::string verdict = run_.at("diagnose").at("verdict");
   const std::set<std::string> found = split(verdict, '+');
