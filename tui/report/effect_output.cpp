@@ -15,6 +15,7 @@ ordered_json where_json(const std::string& effect,
   }
   if (!where.channels.empty()) json["channels"] = where.channels;
   if (where.node != 0) json["node"] = where.node;
+  if (is_along_axis(where)) json["direction"] = "+" + where.variant;
   if (!where.nodes.empty()) json["nodes"] = where.nodes;
   if (!where.elements.empty()) json["elements"] = where.elements;
   return json;
@@ -24,7 +25,9 @@ ordered_json placed_json(const char* key,
                          const std::string& effect,
                          const updating::Where& where) {
   ordered_json json = {{key, effect}, {"where", where_json(effect, where)}};
-  if (!where.variant.empty()) json["variant"] = where.variant;
+  if (!where.variant.empty() && !is_along_axis(where)) {
+    json["variant"] = where.variant;
+  }
   return json;
 }
 

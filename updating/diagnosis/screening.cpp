@@ -11,6 +11,9 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
+#include <string>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -26,9 +29,12 @@ constexpr std::size_t grids_in_detail = 12;
 
 // What is looked at, and the rows that it is felt by.
 struct Places {
-  std::vector<int> nodes;  // of the grids scanned
-  std::vector<const effects::Effect*> point_kinds;
-  std::vector<const effects::Effect*> detailed_kinds;  // several parameters
+  std::vector<Where> points;  // grids, each along an axis
+  struct Kinds {
+    std::vector<const effects::Effect*> simple;
+    std::vector<const effects::Effect*> detailed;  // several parameters
+  };
+  std::vector<Kinds> kinds;  // what may sit at each of the points
   struct Wide {
     const effects::Effect* effect = nullptr;
     Where where;
@@ -36,6 +42,34 @@ struct Places {
   std::vector<Wide> wide;  // of the sums scanned
   ScannedPlaces scanned;
 };
+
+// Takes the point effects, each with the others that may sit where it may.
+void add_points(const FrfModel& model,
+                const PlaceRows& source,
+                Places& places) {
+  const effects::Setting& setting = model.setting();
+  std::map<std::pair<int, std::string>, std::size_t> known;
+  for (const auto& effect : effects::catalogue()) {
+    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
+    if (point == nullptr) continue;
+    for (const Where& where : point->places(setting)) {
+      MatrixXd row =
+          source.grid(where.node, effects::component_of(where, setting));
+      // A plane model does not move out of its plane.
+      if (!where.variant.empty() && row.isZero(0.0)) continue;
+      const auto [it, fresh] =
+          known.try_emplace({where.node, where.variant}, places.points.size());
+      if (fresh) {
+        places.points.push_back(where);
+        places.kinds.emplace_back();
+        places.scanned.grids.push_back(std::move(row));
+      }
+      const bool single = point->parameters(where, setting).size() == 1;
+      Places::Kinds& kinds = places.kinds[it->second];
+      (single ? kinds.simple : kinds.detailed).push_back(point);
+    }
+  }
+}
 
 void add_losses(const effects::Effect& effect,
                 const effects::Setting& setting,
@@ -58,20 +92,7 @@ Places all_places(const FrfModel& model) {
   const effects::Setting& setting = model.setting();
   const PlaceRows source(model);
   Places places;
-  for (const auto& effect : effects::catalogue()) {
-    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
-    if (point == nullptr) continue;
-    const std::vector<Where> at = point->places(setting);
-    if (places.nodes.empty()) {
-      for (const Where& where : at) {
-        places.nodes.push_back(where.node);
-        places.scanned.grids.push_back(source.grid(where.node));
-      }
-    }
-    if (at.empty()) continue;
-    const bool single = point->parameters(at.front(), setting).size() == 1;
-    (single ? places.point_kinds : places.detailed_kinds).push_back(point);
-  }
+  add_points(model, source, places);
   for (const auto& effect : effects::catalogue()) {
     const auto change = effect->changes_stiffness();
     if (change == ChangeKind::Elements) {
@@ -157,41 +178,24 @@ class Screening {
   }
 
   [[nodiscard]] std::vector<Screened> points() const {
-    const std::size_t kinds = places_.point_kinds.size();
-    std::vector<Screened> result(places_.nodes.size() * kinds);
-    for_each_parallel(places_.nodes.size(), [&](std::size_t b) {
-      const double any_law = place_scan_.any_law(b);
-      for (std::size_t k = 0; k < kinds; ++k) {
-        const effects::Effect& effect = *places_.point_kinds[k];
-        result[b * kinds + k] = scanned(
-            effect.parameters(where(b), setting_),
-            [&](const auto& tried) { return best_at_grid(b, effect, tried); });
-        result[b * kinds + k].any_law = any_law;
-      }
-    });
-    return result;
+    std::vector<std::size_t> all(places_.points.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return at_points(all, &Places::Kinds::simple);
   }
 
   // Effects of several parameters, at the most promising grids.
   [[nodiscard]] std::vector<Screened> detailed() const {
     std::vector<std::pair<double, std::size_t>> promise;
-    for (std::size_t b = 0; b < places_.nodes.size(); ++b) {
+    for (std::size_t b = 0; b < places_.points.size(); ++b) {
       promise.emplace_back(place_scan_.any_law(b), b);
     }
     const std::size_t count = std::min(grids_in_detail, promise.size());
     std::partial_sort(promise.begin(),
                       promise.begin() + static_cast<std::ptrdiff_t>(count),
                       promise.end());
-    const std::size_t kinds = places_.detailed_kinds.size();
-    std::vector<Screened> result(count * kinds);
-    for_each_parallel(count * kinds, [&](std::size_t at) {
-      const effects::Effect& effect = *places_.detailed_kinds[at % kinds];
-      const std::size_t b = promise[at / kinds].second;
-      result[at] = scanned(
-          effect.parameters(where(b), setting_),
-          [&](const auto& tried) { return best_at_grid(b, effect, tried); });
-    });
-    return result;
+    std::vector<std::size_t> best;
+    for (std::size_t k = 0; k < count; ++k) best.push_back(promise[k].second);
+    return at_points(best, &Places::Kinds::detailed);
   }
 
   [[nodiscard]] std::vector<Screened> wide() const {
@@ -235,9 +239,25 @@ class Screening {
   }
 
  private:
-  [[nodiscard]] Where where(std::size_t b) const {
-    Where result;
-    result.node = places_.nodes[b];
+  // What may sit at some of the points.
+  [[nodiscard]] std::vector<Screened> at_points(
+      const std::vector<std::size_t>& points,
+      std::vector<const effects::Effect*> Places::Kinds::*kinds) const {
+    std::vector<std::vector<Screened>> each(points.size());
+    for_each_parallel(points.size(), [&](std::size_t k) {
+      const std::size_t b = points[k];
+      const double any_law = place_scan_.any_law(b);
+      for (const effects::Effect* effect : places_.kinds[b].*kinds) {
+        each[k].push_back(scanned(
+            effect->parameters(places_.points[b], setting_),
+            [&](const auto& tried) { return best_at_grid(b, *effect, tried); }));
+        each[k].back().any_law = any_law;
+      }
+    });
+    std::vector<Screened> result;
+    for (const auto& found : each) {
+      result.insert(result.end(), found.begin(), found.end());
+    }
     return result;
   }
 
@@ -252,7 +272,8 @@ class Screening {
         z(l, static_cast<Index>(k)) = effect.law(target_->s(l), tried[k], 0);
       }
     }
-    return best_of({&effect, where(b), {}}, tried, place_scan_.errors(b, z));
+    return best_of(
+        {&effect, places_.points[b], {}}, tried, place_scan_.errors(b, z));
   }
 
   // The same for an effect that the model itself can respond to.

@@ -34,12 +34,6 @@ std::vector<ParameterSpec> Absorber::parameters(const Where&,
           {"damping_ratio", 0.02, 5e-4, 0.5}};
 }
 
-std::vector<ActedDof> Absorber::acts_on(const Where& where,
-                                        const Setting& setting,
-                                        std::size_t) const {
-  return {{where.node, setting.component, 1.0}};
-}
-
 std::complex<double> Absorber::law(std::complex<double> s,
                                    const std::vector<double>& p,
                                    std::size_t) const {
@@ -67,7 +61,7 @@ std::vector<std::string> Absorber::bulk_data(
   const double w = two_pi * p[1];
   return absorber_cards(*setting.deck,
                         where.node,
-                        setting.component,
+                        component_of(where, setting),
                         p[0],
                         p[0] * w * w,
                         2.0 * p[2] * w * p[0]);

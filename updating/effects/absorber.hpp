@@ -1,5 +1,5 @@
 // A mass on a spring and damper at one grid (a tuned absorber, a loose cover,
-// a battery on rubber), in the measured direction:
+// a battery on rubber), along one axis:
 //
 //   Delta Z = m s^2 (2 zeta w s + w^2) / (s^2 + 2 zeta w s + w^2)
 //
@@ -11,7 +11,7 @@
 
 namespace tapfit::effects {
 
-class Absorber final : public PointEffect {
+class Absorber final : public DirectedEffect {
  public:
   [[nodiscard]] std::string name() const override { return "absorber"; }
   [[nodiscard]] std::string physics() const override {
@@ -20,9 +20,6 @@ class Absorber final : public PointEffect {
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,
                                          std::size_t group) const override;

@@ -17,12 +17,6 @@ std::vector<ParameterSpec> Dashpot::parameters(const Where&,
   return {{"damping_ns_per_m", std::sqrt(lower * upper), lower, upper}};
 }
 
-std::vector<ActedDof> Dashpot::acts_on(const Where& where,
-                                       const Setting& setting,
-                                       std::size_t) const {
-  return {{where.node, setting.component, 1.0}};
-}
-
 std::complex<double> Dashpot::law(std::complex<double> s,
                                   const std::vector<double>& p,
                                   std::size_t) const {
@@ -41,7 +35,7 @@ std::vector<std::string> Dashpot::bulk_data(
     const Setting& setting,
     const std::vector<double>& p) const {
   return ground_damper_cards(
-      *setting.deck, 0, where.node, setting.component, p[0]);
+      *setting.deck, 0, where.node, component_of(where, setting), p[0]);
 }
 
 }  // namespace tapfit::effects

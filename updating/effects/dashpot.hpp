@@ -7,7 +7,7 @@
 
 namespace tapfit::effects {
 
-class Dashpot final : public PointEffect {
+class Dashpot final : public DirectedEffect {
  public:
   [[nodiscard]] std::string name() const override { return "dashpot"; }
   [[nodiscard]] std::string physics() const override {
@@ -17,9 +17,6 @@ class Dashpot final : public PointEffect {
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,
                                          std::size_t group) const override;

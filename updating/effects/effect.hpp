@@ -35,6 +35,8 @@ struct Setting {
   double low_hz = 1.0;                    ///< band
   double high_hz = 100.0;
   int component = 3;  ///< 1..3, the direction mostly measured
+  /// 1..3: every direction in which something was measured or hit.
+  std::vector<int> components = {};
 };
 
 /// A positive parameter, fitted in its logarithm.

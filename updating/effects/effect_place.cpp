@@ -167,7 +167,8 @@ std::string remedy(const effects::Effect& effect,
   if (sits_on_channels(effect)) {
     return "name a channel of the test, or two joined with \":\"";
   }
-  return "name a grid of the model that can move";
+  return "name a grid of the model that can move, and an axis that was measured "
+         "or hit where it is not the one mostly measured (17:X)";
 }
 
 [[noreturn]] void refuse(const EffectRef& ref,
@@ -264,7 +265,10 @@ EffectRef parse_effect(const std::string& text) {
 PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const effects::Effect& effect = effects::find(ref.effect);
   const auto kind = effect.changes_stiffness();
-  const Where& want = ref.where;
+  Where want = ref.where;
+  if (is_along_axis(want) && effects::component_of(want, s) == s.component) {
+    want.variant.clear();
+  }
   std::vector<Where> places = effect.places(s);
   for (const Where& form : forms_of(effect, places, s)) places.push_back(form);
   if (kind == ChangeKind::Elements && !want.elements.empty() &&

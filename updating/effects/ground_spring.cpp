@@ -17,12 +17,6 @@ std::vector<ParameterSpec> GroundSpring::parameters(
   return {{"stiffness_n_per_m", std::sqrt(lower * upper), lower, upper}};
 }
 
-std::vector<ActedDof> GroundSpring::acts_on(const Where& where,
-                                            const Setting& setting,
-                                            std::size_t) const {
-  return {{where.node, setting.component, 1.0}};
-}
-
 std::complex<double> GroundSpring::law(std::complex<double>,
                                        const std::vector<double>& p,
                                        std::size_t) const {
@@ -41,7 +35,7 @@ std::vector<std::string> GroundSpring::bulk_data(
     const Setting& setting,
     const std::vector<double>& p) const {
   return ground_spring_cards(
-      *setting.deck, 0, where.node, setting.component, p[0]);
+      *setting.deck, 0, where.node, component_of(where, setting), p[0]);
 }
 
 }  // namespace tapfit::effects

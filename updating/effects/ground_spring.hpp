@@ -1,4 +1,4 @@
-// A spring from one grid to ground: Delta Z = k in the measured direction.
+// A spring from one grid to ground: Delta Z = k along one axis.
 #pragma once
 
 #include "updating/effects/point_effect.hpp"
@@ -6,7 +6,7 @@
 
 namespace tapfit::effects {
 
-class GroundSpring final : public PointEffect {
+class GroundSpring final : public DirectedEffect {
  public:
   [[nodiscard]] std::string name() const override { return "ground-spring"; }
   [[nodiscard]] std::string physics() const override {
@@ -15,9 +15,6 @@ class GroundSpring final : public PointEffect {
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
   [[nodiscard]] bool is_lossless(std::size_t) const override { return true; }
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
                                          const std::vector<double>& p,

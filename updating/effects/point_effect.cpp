@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace tapfit::effects {
 
@@ -23,6 +25,36 @@ std::vector<Where> PointEffect::places(const Setting& setting) const {
     result.push_back(where);
   }
   return result;
+}
+
+namespace {
+
+const std::string axes = "XYZ";
+
+}  // namespace
+
+std::vector<Where> DirectedEffect::places(const Setting& setting) const {
+  const std::vector<Where> grids = PointEffect::places(setting);
+  std::vector<Where> result = grids;
+  for (const int component : setting.components) {
+    if (component == setting.component) continue;
+    for (Where where : grids) {
+      where.variant = axes.substr(static_cast<std::size_t>(component - 1), 1);
+      result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
+std::vector<ActedDof> DirectedEffect::acts_on(const Where& where,
+                                              const Setting& setting,
+                                              std::size_t) const {
+  return {{where.node, component_of(where, setting), 1.0}};
+}
+
+int component_of(const Where& where, const Setting& setting) {
+  if (where.variant.empty()) return setting.component;
+  return static_cast<int>(axes.find(where.variant)) + 1;
 }
 
 std::vector<ActedDof> translations(int node) {

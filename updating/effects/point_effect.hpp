@@ -14,6 +14,31 @@ class PointEffect : public Effect {
       const Setting& setting) const override;
 };
 
+/// Base of those that act along one axis: the direction mostly measured, or,
+/// where the test has others, one of these as well. Where::variant "X", "Y" or
+/// "Z" names it; empty for the direction mostly measured.
+class DirectedEffect : public PointEffect {
+ public:
+  /// Every grid along the direction mostly measured, then along the others.
+  [[nodiscard]] std::vector<Where> places(
+      const Setting& setting) const override;
+  [[nodiscard]] std::vector<std::string> forms() const override {
+    return {"X", "Y", "Z"};
+  }
+  /// Other axes are places of their own, not forms of what was found.
+  [[nodiscard]] bool takes(const std::string&,
+                           const Where&,
+                           const Setting&) const override {
+    return false;
+  }
+  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
+                                              const Setting& setting,
+                                              std::size_t run) const override;
+};
+
+/// 1..3: the axis that a directed effect acts along.
+[[nodiscard]] int component_of(const Where& where, const Setting& setting);
+
 /// The three translations of a grid.
 [[nodiscard]] std::vector<ActedDof> translations(int node);
 

@@ -16,6 +16,15 @@ std::size_t group_of(const Where& where, std::size_t position) {
   return where.variant == "each" ? position : 0;
 }
 
+// Index of the inertia that the sensors share.
+constexpr std::size_t inertia_group = 1;
+
+// How far a mass is from the axis that it turns about [m]: accelerometers with
+// their mounts are some 5 to 40 mm high.
+constexpr double usual_arm = 0.01;
+constexpr double least_arm = 0.001;
+constexpr double largest_arm = 0.1;
+
 }  // namespace
 
 std::vector<Where> SensorMass::places(const Setting& setting) const {
@@ -27,7 +36,17 @@ std::vector<ParameterSpec> SensorMass::parameters(
   const double start = std::min(0.02, 0.02 * setting.mass_kg);
   const double lower = 1e-5 * setting.mass_kg;
   const double upper = 0.5 * setting.mass_kg;
-  if (where.variant != "each") return {{"mass_kg", start, lower, upper}};
+  if (where.variant != "each") {
+    std::vector<ParameterSpec> shared{{"mass_kg", start, lower, upper}};
+    if (where.variant == "rotary") {
+      const auto inertia = [start](double arm) { return start * arm * arm; };
+      shared.push_back({"inertia_kg_m2",
+                        inertia(usual_arm),
+                        inertia(least_arm),
+                        inertia(largest_arm)});
+    }
+    return shared;
+  }
   std::vector<ParameterSpec> specs;
   for (const std::string& channel : where.channels) {
     specs.push_back({"mass_kg." + channel, start, lower, upper});
@@ -47,6 +66,10 @@ std::vector<ActedDof> SensorMass::acts_on(const Where& where,
     for (ActedDof dof : translations(sensor.dof.node)) {
       dof.group = group_of(where, sensor.position);
       result.push_back(dof);
+    }
+    if (where.variant != "rotary") continue;
+    for (int component = 4; component <= 6; ++component) {
+      result.push_back({sensor.dof.node, component, 1.0, inertia_group});
     }
   }
   return result;
@@ -75,9 +98,11 @@ std::vector<std::string> SensorMass::bulk_data(
   for (const ActedDof& dof : acts_on(where, setting, 0)) {
     if (dof.component == 1) mass_at[dof.node] += p[dof.group];
   }
+  const double inertia = where.variant == "rotary" ? p[inertia_group] : 0.0;
   int offset = 0;
   for (const auto& [node, mass] : mass_at) {
-    cards.push_back(point_mass_card(*setting.deck, offset++, node, mass));
+    cards.push_back(
+        point_mass_card(*setting.deck, offset++, node, mass, inertia));
   }
   return cards;
 }

@@ -1,5 +1,7 @@
 // The accelerometers' mass: Delta Z = s^2 m on the three translations of the
 // grid where a sensor sits in the run at hand. It moves with a roving sensor.
+// Form "rotary": s^2 J on the three rotations as well. A body whose middle is h
+// above the surface has J = m h^2 and more about the axes of the surface.
 #pragma once
 
 #include "updating/effects/effect.hpp"
@@ -15,12 +17,12 @@ class SensorMass final : public Effect {
            "sensor";
   }
   [[nodiscard]] std::vector<std::string> forms() const override {
-    return {"each"};
+    return {"each", "rotary"};
   }
-  [[nodiscard]] bool takes(const std::string&,
+  [[nodiscard]] bool takes(const std::string& form,
                            const Where& place,
                            const Setting&) const override {
-    return place.channels.size() > 1;
+    return form == "rotary" || place.channels.size() > 1;
   }
   /// All sensor channels sharing one mass, then each channel alone.
   [[nodiscard]] std::vector<Where> places(

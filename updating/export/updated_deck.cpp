@@ -34,6 +34,7 @@ effects::Setting setting_of(const acquisition::TestBundle& bundle,
     setting.high_hz = bundle.band_hz->back();
   }
   setting.component = measured_component(bundle);
+  setting.components = tested_components(bundle);
   return setting;
 }
 

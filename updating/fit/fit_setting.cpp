@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -41,6 +42,18 @@ int measured_component(const acquisition::TestBundle& bundle) {
   }
   return static_cast<int>(std::max_element(votes.begin() + 1, votes.end()) -
                           votes.begin());
+}
+
+std::vector<int> tested_components(const acquisition::TestBundle& bundle) {
+  std::set<int> found;
+  for (const acquisition::Run& run : bundle.runs) {
+    found.insert(run.hammer.dof.component);
+    for (const acquisition::Placement& p : run.sensors) {
+      found.insert(p.dof.component);
+    }
+  }
+  std::erase_if(found, [](int c) { return c < 1 || c > 3; });
+  return {found.begin(), found.end()};
 }
 
 std::vector<PropertyName> property_names(const acquisition::TestBundle& bundle,

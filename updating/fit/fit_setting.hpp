@@ -29,4 +29,8 @@ struct MeasuredTest {
 /// The direction, 1..3, that most sensors measure.
 [[nodiscard]] int measured_component(const acquisition::TestBundle& bundle);
 
+/// 1..3, ascending: every direction in which something was measured or hit.
+[[nodiscard]] std::vector<int> tested_components(
+    const acquisition::TestBundle& bundle);
+
 }  // namespace tapfit::updating

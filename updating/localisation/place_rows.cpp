@@ -65,8 +65,8 @@ PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
   }
 }
 
-MatrixXd PlaceRows::grid(int node) const {
-  return model_->row(node, model_->setting().component);
+MatrixXd PlaceRows::grid(int node, int component) const {
+  return model_->row(node, component);
 }
 
 const MatrixXd& PlaceRows::element(int id) const {

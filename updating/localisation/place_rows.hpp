@@ -19,8 +19,9 @@ class PlaceRows {
  public:
   explicit PlaceRows(const FrfModel& model);
 
-  /// 1 x r: displacement of a grid in the direction measured.
-  [[nodiscard]] Eigen::MatrixXd grid(int node) const;
+  /// 1 x r: displacement of a grid along an axis.
+  /// @param component 1..3
+  [[nodiscard]] Eigen::MatrixXd grid(int node, int component) const;
 
   /// k x r, G' G = the element's stiffness; k is its number of strain states.
   [[nodiscard]] const Eigen::MatrixXd& element(int id) const;

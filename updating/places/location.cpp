@@ -19,9 +19,15 @@ std::string named(const char* what, const std::vector<int>& ids) {
 
 }  // namespace
 
+bool is_along_axis(const Where& where) {
+  return where.variant == "X" || where.variant == "Y" || where.variant == "Z";
+}
+
 std::string describe(const Where& where) {
   const std::string variant =
-      where.variant.empty() ? "" : fmt::format(" ({})", where.variant);
+      where.variant.empty()  ? ""
+      : is_along_axis(where) ? fmt::format(" along {}", where.variant)
+                             : fmt::format(" ({})", where.variant);
   if (where.node != 0) return fmt::format("node {}", where.node) + variant;
   if (!where.channels.empty()) {
     return fmt::format("{}", fmt::join(where.channels, ", ")) + variant;

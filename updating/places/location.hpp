@@ -20,13 +20,17 @@ struct Where {
   std::vector<std::string> channels = {};
   /// Which form of the effect, where it has several: "rotation",
   /// "translation"; "each" for one mass per channel instead of a shared one;
-  /// "rotary" for a mass with an inertia.
+  /// "X", "Y" or "Z" for an axis that is not the one mostly measured;
+  /// "rotary" for a mass with an inertia, a sensor's or another.
   std::string variant = {};
 
   bool operator==(const Where&) const = default;
 };
 
-/// "node 201", "acc1, acc2", "19 nodes (1 ... 38)".
+/// Whether the variant is an axis that the effect acts along.
+[[nodiscard]] bool is_along_axis(const Where& where);
+
+/// "node 201", "node 201 along X", "acc1, acc2", "19 nodes (1 ... 38)".
 [[nodiscard]] std::string describe(const Where& where);
 
 }  // namespace tapfit::updating

@@ -108,6 +108,7 @@ bool within_reach(const Where& from,
                   const Where& to,
                   const structure::Deck& deck,
                   int neighbours) {
+  if (from.variant != to.variant) return false;
   if (from.node != 0) {
     const std::vector<int> around = nearest(deck, from.node, neighbours);
     return std::ranges::find(around, to.node) != around.end();

@@ -102,6 +102,7 @@ effects::Setting Session::Impl::setting() const {
   s.low_hz = test.band()[0];
   s.high_hz = test.band()[1];
   s.component = measured_component(test.bundle());
+  s.components = tested_components(test.bundle());
   return s;
 }
 

@@ -91,5 +91,22 @@ TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
             std::string::npos);
 }
 
+TEST_F(EffectPlace, ASpringActsAlongAnyAxisThatWasTested) {
+  setting_.component = 3;
+  setting_.components = {1, 3};
+  const auto axis = [&](const std::string& text) {
+    const PlacedEffect spring = place_effect(parse_effect(text), setting_);
+    return spring.effect->acts_on(spring.where, setting_, 0).at(0).component;
+  };
+  EXPECT_EQ(axis("ground-spring@30"), 3);
+  EXPECT_EQ(axis("ground-spring@30:Z"), 3);
+  EXPECT_EQ(axis("ground-spring@30:X"), 1);
+  EXPECT_EQ(axis("absorber@30:X"), 1);
+  EXPECT_EQ(
+      place_effect(parse_effect("dashpot@30:Z"), setting_).where.variant, "");
+  EXPECT_NE(refusal("ground-spring@30:Y").find("axis"), std::string::npos);
+  EXPECT_EQ(describe(parse_effect("dashpot@30:X").where), "node 30 along X");
+}
+
 }  // namespace
 }  // namespace tapfit::updating

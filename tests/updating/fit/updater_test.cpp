@@ -200,6 +200,24 @@ TEST(DiagnoseTest, FindsTheSensorsMass) {
   EXPECT_NEAR(d.candidates[0].parameters[0].value, 0.008, 0.0004);
 }
 
+// Two sensors of 30 g, 15 mm off the middle of the plate.
+TEST(DiagnoseTest, FindsTheInertiaOfSensorsThatStandOff) {
+  PlacedEffect sensors = both_sensors(0.03);
+  sensors.where.variant = "rotary";
+  sensors.p.push_back(6.75e-6);
+  const PlateExperiment test({sensors}, 0.01, 2);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "sensor-mass");
+  ASSERT_EQ(d.ladder.size(), 1U);
+  EXPECT_EQ(d.ladder[0].where, sensors.where);
+  ASSERT_EQ(d.ladder[0].parameters.size(), 2U);
+  EXPECT_NEAR(d.ladder[0].parameters[0].value, 0.03, 0.0015);
+  const Estimate& inertia = d.ladder[0].parameters[1];
+  EXPECT_EQ(inertia.name, "inertia_kg_m2");
+  EXPECT_LE(inertia.lo95, 6.75e-6);
+  EXPECT_GE(inertia.hi95, 6.75e-6);
+}
+
 TEST(DiagnoseTest, FindsSwappedChannels) {
   Where both;
   both.channels = {"acc1", "acc2"};
