@@ -129,6 +129,8 @@ class Climb {
     return ladder_of(current_, chosen_, already_, *fitter_, progress);
   }
   [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
+  /// Independent data in what is left, as the last round counted them.
+  [[nodiscard]] double data() const { return data_; }
   /// At the floor only for the mesh's share, which counts the whole difference
   /// to a finer mesh. The fit takes a good part of that: an effect may hide.
   [[nodiscard]] bool is_left_to_the_mesh() const {
@@ -160,6 +162,7 @@ class Climb {
   std::size_t already_;
   Fit current_;
   double held_out_;
+  double data_ = 1.0;
   std::vector<Chosen> chosen_;
   std::vector<Candidate> candidates_;
 };
@@ -208,6 +211,7 @@ bool Climb::try_to_add(bool first,
   const Round round =
       search_.look(current_, depth, part_of(progress, 0.0, 0.75));
   const Progress rest = part_of(progress, 0.75, 1.0);
+  data_ = round.data;
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (is_explained() || round.hypotheses.empty()) return false;
   auto [best, worth] = choose(round, first, rest);
@@ -228,6 +232,33 @@ bool Climb::try_to_add(bool first,
   }
   held_out_ = fitter_->held_out_error(current_, folds, rest);
   return true;
+}
+
+// More than this a careful deck's frequencies are not off by: what needs more
+// is no matter of form.
+constexpr double plausible_form = 0.02;
+
+// The form's share of what a fit leaves stands in the floor.
+void allow_for_form(const Fit& fit,
+                    double data,
+                    double floor_noise,
+                    Diagnosis& result) {
+  const FormEstimate form = estimate_form(fit.form, data, floor_noise);
+  const double error = fit.result.error;
+  result.form_sd = 0.5 * form.tau;
+  result.form_error =
+      std::sqrt(std::max(0.0, error * error - form.left * form.left));
+  const double plausible = std::min(1.0, plausible_form / result.form_sd);
+  result.floor = std::hypot(result.floor, plausible * result.form_error);
+  constexpr double much = 0.5;
+  if (result.form_error < much * error) return;
+  result.warnings.push_back(fmt::format(
+      "of the {:.3g} that is left {:.3g} is what a deck that is wrong in form "
+      "leaves: frequencies off by {:.2g} % (standard deviation), shapes "
+      "likewise",
+      error,
+      result.form_error,
+      100.0 * result.form_sd));
 }
 
 void warn_of_bounds(Diagnosis& result) {
@@ -271,6 +302,7 @@ Climbed climbed(const Fitter& fitter,
   }
   const Fit& found = climb.current();
   result.error_best = found.result.error;
+  allow_for_form(found, climb.data(), options.floor_noise, result);
   const Progress last = part_of(progress, 0.95, 1.0);
   last("error ladder", 0.0);
   result.ladder = climb.ladder(last);

@@ -49,6 +49,10 @@ struct Diagnosis {
   double error_fitted = 0.0;
   double error_best = 0.0;
   double floor = 0.0;
+  /// What the deck is wrong by in form, as far as it is estimated from what the
+  /// best fit leaves: standard deviation of a mode's frequency, relative.
+  double form_sd = 0.0;
+  double form_error = 0.0;  ///< what it explains of error_best
   std::string contour;
   std::vector<Candidate> candidates;       ///< most probable first
   std::vector<Rung> ladder;                ///< without the base

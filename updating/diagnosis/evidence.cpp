@@ -18,12 +18,13 @@ double evidence_data(const Target& target,
       residual_data(target, residual), std::min(4.0 * modes, most), most);
 }
 
-double log_evidence(double error,
+double log_evidence(const Fit& fit,
                     double parameters,
                     double places,
-                    double data) {
-  const double misfit = std::max(error * error, 1e-30);
-  return -0.5 * data * std::log(misfit) - 0.5 * parameters * std::log(data) -
+                    double data,
+                    double noise) {
+  return estimate_form(fit.form, data, noise).log_likelihood -
+         0.5 * fit.result.prior_cost - 0.5 * parameters * std::log(data) -
          std::log(std::max(places, 1.0));
 }
 

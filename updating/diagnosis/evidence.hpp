@@ -1,14 +1,17 @@
 // How strongly data speak for one explanation over another.
 //
-//   ln p(data | model) ~ -(N / 2) ln ||r||^2 - (k / 2) ln N - ln(places)
+//   ln p(data | model) ~ ln p(r) - (k / 2) ln N - ln(places)
+//                        - sum ((theta - mean) / sd)^2 / 2
 //
-// the Bayesian information criterion with the residual's variance unknown, and
-// the price of having searched many places.
+// the Bayesian information criterion, with p(r) of form_error.hpp: variance and
+// form error of the deck are unknown and integrated out; and the price of
+// having searched many places.
 // Source: G. Schwarz, "Estimating the dimension of a model", Annals of
 // Statistics 6, 1978; R. E. Kass, A. E. Raftery, "Bayes factors", JASA 90,
 // 1995.
 #pragma once
 
+#include "updating/fit/fitter.hpp"
 #include "updating/fit/residual.hpp"
 
 #include <vector>
@@ -27,14 +30,16 @@ namespace tapfit::updating {
                                    const Eigen::VectorXd& residual,
                                    int modes_in_band);
 
-/// @param error relative FRF error after fitting
+/// @param fit all there is to fit
 /// @param parameters the effect's own, beyond those every model has
 /// @param places places it was searched at
 /// @param data from evidence_data()
-[[nodiscard]] double log_evidence(double error,
+/// @param noise relative error that the scatter over hits alone would give
+[[nodiscard]] double log_evidence(const Fit& fit,
                                   double parameters,
                                   double places,
-                                  double data);
+                                  double data,
+                                  double noise);
 
 /// Probabilities from log evidences, which may be far apart; sum 1.
 [[nodiscard]] std::vector<double> probabilities(

@@ -1,7 +1,6 @@
 #include "updating/diagnosis/hypotheses.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
-#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/diagnosis/screening.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/effect_place.hpp"
@@ -25,6 +24,8 @@ constexpr int most_steps = 40;
 // Patches are looked at more closely where their best leaves at most this times
 // the error of the best of all: each costs a base of its own.
 constexpr double rival = 4.0;
+// Of the logarithm of a likelihood: twenty to one.
+constexpr double clearly = 3.0;
 
 bool has_form(const PlacedEffect& placed) {
   const std::vector<std::string> forms = placed.effect->forms();
@@ -81,6 +82,10 @@ bool less_error(const Hypothesis& a, const Hypothesis& b) {
   return a.fit.result.error < b.fit.result.error;
 }
 
+bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.log_likelihood > b.fit.log_likelihood;
+}
+
 /// The neighbours of a place.
 using Near = std::function<std::vector<Where>(const Where&)>;
 
@@ -94,9 +99,9 @@ void climb(std::vector<Hypothesis>& found,
   std::vector<Where> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < most_steps; ++round) {
-    const auto best = std::min_element(found.begin(), found.end(), less_error);
+    const auto best = std::min_element(found.begin(), found.end(), is_likelier);
     const PlacedEffect own = best->own();
-    const double before = best->fit.result.error;
+    const double before = best->fit.log_likelihood;
     std::vector<PlacedEffect> tries;
     for (const Where& where : near(own.where)) {
       if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
@@ -114,10 +119,10 @@ void climb(std::vector<Hypothesis>& found,
     }
     double after = before;
     for (Hypothesis& h : fit_each(current, tries, fitter, shared, progress)) {
-      after = std::min(after, h.fit.result.error);
+      after = std::max(after, h.fit.log_likelihood);
       found.push_back(std::move(h));
     }
-    if (after >= before) return;
+    if (after <= before) return;
   }
 }
 
@@ -211,6 +216,10 @@ struct Kind {
   [[nodiscard]] bool at_grids() const {
     return found.front().own().where.node != 0;
   }
+  [[nodiscard]] double log_likelihood() const {
+    return std::min_element(found.begin(), found.end(), is_likelier)
+        ->fit.log_likelihood;
+  }
   [[nodiscard]] double error() const {
     return std::min_element(found.begin(), found.end(), less_error)
         ->fit.result.error;
@@ -282,7 +291,6 @@ void try_forms(std::vector<Kind>& kinds,
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
     if (kind.error() > rival * least) continue;
-    const double error = kind.error();
     std::vector<PlacedEffect> tries;
     for (const Where& where :
          forms_of(*kind.effect, places_for_forms(kind), setting)) {
@@ -291,12 +299,13 @@ void try_forms(std::vector<Kind>& kinds,
         tries.push_back(std::move(next));
       }
     }
+    const double plain = kind.log_likelihood();
     for (Hypothesis& h : fit_each(current, tries, fitter, nullptr, progress)) {
       // Else it is the plain one under another name.
-      const bool better = h.fit.result.error < worth_it * error;
+      const bool better = h.fit.log_likelihood > plain + clearly;
       if (better) kind.found.push_back(std::move(h));
     }
-    if (kind.at_grids() && kind.error() < error) {
+    if (kind.at_grids() && kind.log_likelihood() > plain) {
       climb_places(kind.found, current, fitter, neighbours, progress);
     }
   }

@@ -155,10 +155,11 @@ Round RungSearch::look(const Fit& current,
   round.data =
       evidence_data(target, best->result.residual, options_.modes_in_band);
   for (Hypothesis& h : round.hypotheses) {
-    h.log_evidence = log_evidence(h.fit.result.error,
+    h.log_evidence = log_evidence(h.fit,
                                   static_cast<double>(h.own().p.size()),
                                   h.places,
-                                  round.data);
+                                  round.data,
+                                  options_.floor_noise);
   }
   std::stable_sort(round.hypotheses.begin(),
                    round.hypotheses.end(),
@@ -166,7 +167,7 @@ Round RungSearch::look(const Fit& current,
                      return a.log_evidence > b.log_evidence;
                    });
   round.none_evidence =
-      log_evidence(current.result.error, 0.0, 1.0, round.data);
+      log_evidence(current, 0.0, 1.0, round.data, options_.floor_noise);
   std::vector<double> evidence = {round.none_evidence};
   for (const Hypothesis& h : round.hypotheses) {
     evidence.push_back(h.log_evidence);
@@ -199,8 +200,11 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
     const auto own =
         static_cast<double>(h.own().p.size() + second.own().p.size());
     pair.first = k;
-    pair.gain = log_evidence(least, own, h.places * second.places, next.data) -
-                log_evidence(current.result.error, 0.0, 1.0, next.data);
+    const double noise = options_.floor_noise;
+    pair.gain =
+        log_evidence(
+            second.fit, own, h.places * second.places, next.data, noise) -
+        log_evidence(current, 0.0, 1.0, next.data, noise);
   }
   return pair;
 }
@@ -235,8 +239,9 @@ Fit RungSearch::prune(Fit fit,
        k < fit.effects.size() && fit.effects.size() > already + 1;) {
     Fit rest = refit(without(fit, k), progress);
     const double own = static_cast<double>(fit.effects[k].p.size());
-    const double gain = log_evidence(fit.result.error, own, 1.0, data) -
-                        log_evidence(rest.result.error, 0.0, 1.0, data);
+    const double noise = options_.floor_noise;
+    const double gain = log_evidence(fit, own, 1.0, data, noise) -
+                        log_evidence(rest, 0.0, 1.0, data, noise);
     // Once an effect has moved to its right place, it may explain alone what
     // another was added for. Far below a floor that is the mesh's both may be
     // there.

@@ -2,11 +2,13 @@
 
 #include "updating/fit/fit_watch.hpp"
 #include "updating/fit/mesh_error.hpp"
+#include "updating/fit/parameter_uncertainty.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 
 namespace tapfit::updating {
@@ -80,8 +82,9 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
     changes.push_back(
         {*kind, {e.effect->name(), e.where}, setting_.setting.component});
   }
-  auto model = std::make_shared<FrfModel>(
-      builder_->build(acted, changes, use), setting_.setting, setting_.measured);
+  auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
+                                          setting_.setting,
+                                          setting_.measured);
   model->set_reference(first_state(*model, effects));
   return model;
 }
@@ -251,6 +254,36 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   return ground;
 }
 
+namespace {
+
+Eigen::VectorXd residual_of(const FrfModel& model,
+                            const ModelState& state,
+                            const Target& target) {
+  return stack(target, model.respond(state, target.s, false).H - target.H);
+}
+
+// Rows of stack() x patterns, for a form that is off by as much as its modes.
+Eigen::MatrixXd form_bias(const FrfModel& model,
+                   const ModelState& state,
+                   const Target& target) {
+  const std::vector<Eigen::MatrixXcd> patterns = model.form_patterns(state, target.s);
+  Eigen::MatrixXd F(2 * target.H.size(), static_cast<Index>(patterns.size()));
+  for (std::size_t k = 0; k < patterns.size(); ++k) {
+    F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
+  }
+  return F;
+}
+
+// A residue of every mode in every FRF, and its pole.
+double data_of(const Target& target, const ModelState& state) {
+  const double frfs =
+      std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  const double modes = std::max(1.0, static_cast<double>(state.zeta.size()));
+  return std::min(effective_data(target), modes * (2.0 * frfs + 1.0));
+}
+
+}  // namespace
+
 // A fit on its way: where it is, on what, and how it came there.
 class Fitter::Course {
  public:
@@ -309,12 +342,29 @@ class Fitter::Course {
     fit.result.history = std::move(history_);
     fit.effects = fit.result.state.effects;
     fit.model = std::move(model_);
+    take_form(fit);
     return fit;
   }
 
  private:
   // Of a parameter's standard deviation.
   static constexpr double settled_step = 0.05;
+
+  // How likely what is left is from a deck that may be wrong in form, and how
+  // far that may have driven the parameters.
+  void take_form(Fit& fit) {
+    Target& target = targets_.back();
+    const ModelState& state = fit.result.state;
+    const Eigen::VectorXd& r = fit.result.residual;
+    Eigen::MatrixXd F = form_bias(*fit.model, state, target);
+    fit.form = view(form_error(F), r);
+    const FormEstimate form = estimate_form(
+        fit.form, data_of(target, state), noise_error(target));
+    fit.log_likelihood = form.log_likelihood;
+    target.form_bias = form.tau * F;
+    fit.result.covariance = parameter_covariance(
+        target, fit.result.jacobian, r, fit.result.prior.sd);
+  }
 
   void go_on(std::size_t stage, const UpdateOptions& options) {
     const ModelState state = result_.state;
@@ -342,14 +392,13 @@ class Fitter::Course {
     const std::size_t last = targets_.size() - 1;
     const ModelState from = result_.state;
     const Ground held{model_, targets_[last]};
-    const double known = relative_error(
-        held.target, model_->respond(from, held.target.s, false).H);
+    const double known = residual_of(*model_, from, held.target).norm();
     const std::size_t steps = history_.size();
     Ground ground = fitter_->with_mesh_at_state(from, held);
     model_ = std::move(ground.model);
     targets_[last] = std::move(ground.target);
     go_on(last, options);
-    if (result_.error <= known) return true;
+    if (result_.residual.norm() <= known) return true;
     model_ = held.model;
     targets_[last] = held.target;
     history_.resize(steps);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
+#include "updating/frf_model/form_error.hpp"
 #include "updating/fit/residual.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/acted_points.hpp"
@@ -40,6 +41,9 @@ struct Fit {
   UpdateResult result;
   std::shared_ptr<const FrfModel> model;
   int stopped_after = 0;  ///< steps, where it was ended by hand, else 0
+  FormView form = {};     ///< what it leaves, as the deck's form sees it
+  /// Of what it leaves, see FormEstimate.
+  double log_likelihood = 0.0;
 };
 
 /// The effect's parameters with the ranges and starts that the model's base

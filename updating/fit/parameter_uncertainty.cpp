@@ -29,6 +29,7 @@ MatrixXd mesh_covariance(const Target& target,
   const Index n = J.cols();
   MatrixXd covariance = MatrixXd::Zero(n, n);
   if (target.mesh_bias.size() != J.rows()) return covariance;
+  const VectorXd& mesh = target.mesh_bias;
   const Index lines = target.s.size();
   const Index parts = J.rows() / std::max<Index>(lines, 1);
   for (Index band = 0; band < bands; ++band) {
@@ -37,13 +38,23 @@ MatrixXd mesh_covariance(const Target& target,
     VectorXd drive = VectorXd::Zero(n);
     for (Index part = 0; part < parts; ++part) {
       const Index at = part * lines + first;
-      drive += J.middleRows(at, count).transpose() *
-               target.mesh_bias.segment(at, count);
+      drive += J.middleRows(at, count).transpose() * mesh.segment(at, count);
     }
     const VectorXd bias = left_over * gain * drive;
     covariance += bias * bias.transpose();
   }
   return covariance;
+}
+
+// Where the form's error would drive the parameters.
+MatrixXd form_covariance(const Target& target,
+                         const MatrixXd& J,
+                         const MatrixXd& gain) {
+  if (target.form_bias.rows() != J.rows()) {
+    return MatrixXd::Zero(J.cols(), J.cols());
+  }
+  const MatrixXd bias = gain * (J.transpose() * target.form_bias);
+  return bias * bias.transpose();
 }
 
 // A^-1, wide where A tells next to nothing: two effects that do the same have
@@ -98,9 +109,11 @@ MatrixXd parameter_covariance(const Target& target,
     if (!fresh) it->second += g;
   }
   const auto groups = static_cast<double>(score.size());
-  const MatrixXd of_mesh = mesh_covariance(target, J, bread / variance);
+  const MatrixXd gain = bread / variance;
+  const MatrixXd of_deck =
+      mesh_covariance(target, J, gain) + form_covariance(target, J, gain);
   // A handful of runs cannot carry a covariance of their own.
-  if (groups < 5.0) return within_prior(bread + of_mesh, prior_sd);
+  if (groups < 5.0) return within_prior(bread + of_deck, prior_sd);
   MatrixXd meat = MatrixXd::Zero(n, n);
   for (const auto& [run, g] : score) meat += g * g.transpose();
   const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
@@ -109,7 +122,7 @@ MatrixXd parameter_covariance(const Target& target,
     widen(k) =
         std::sqrt(std::max(1.0, robust(k, k) / std::max(bread(k, k), 1e-300)));
   }
-  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh,
+  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_deck,
                       prior_sd);
 }
 

@@ -22,7 +22,8 @@ struct Point {
   VectorXd theta;
   Eigen::MatrixXcd H;  // lines x FRFs
   VectorXd r;
-  MatrixXd J;
+  MatrixXd J;  // dr / d theta
+  double prior_cost = 0.0;
   double objective = 0.0;
 };
 
@@ -52,10 +53,11 @@ std::optional<Point> look(const FrfModel& model,
   }
   point.H = std::move(response.H);
   const double misfit = std::max(point.r.squaredNorm(), 1e-30);
-  point.objective =
-      effective_data(target) * std::log(misfit) +
+  point.prior_cost =
       ((theta - prior.mean).cwiseAbs2().array() * precision(prior).array())
           .sum();
+  point.objective =
+      effective_data(target) * std::log(misfit) + point.prior_cost;
   return point;
 }
 
@@ -161,6 +163,7 @@ UpdateResult update(const FrfModel& model,
   result.state = unpack(start, at->theta);
   result.error = at->r.norm();
   result.objective = at->objective;
+  result.prior_cost = at->prior_cost;
   result.covariance = parameter_covariance(target, at->J, at->r, prior.sd);
   result.jacobian = at->J;
   result.residual = at->r;

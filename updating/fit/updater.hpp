@@ -1,6 +1,6 @@
 // Identifies parameters from FRFs: Levenberg-Marquardt on
 //
-//   J(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
+//   J(theta) = N ln ||W r(theta)||^2 + sum ((theta - mean) / sd)^2
 //
 // whose Gauss-Newton step is eq. 27 of the paper with the Tikhonov matrix of
 // the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). The residual's variance
@@ -43,8 +43,9 @@ struct UpdateResult {
   double error = 0.0;          ///< ||r||
   double objective = 0.0;      ///< J
   Eigen::MatrixXd covariance;  ///< of theta
-  Eigen::MatrixXd jacobian;    ///< d r / d theta at the end
+  Eigen::MatrixXd jacobian;  ///< d r / d theta at the end
   Eigen::VectorXd residual;
+  double prior_cost = 0.0;  ///< sum ((theta - mean) / sd)^2
   /// The start, then each step; see update_history.hpp.
   std::vector<UpdateStep> history;
   bool converged = false;

@@ -374,6 +374,60 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
+std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
+                                               const VectorXcd& s) const {
+  constexpr Index neighbours = 2;
+  constexpr double beyond = 1.3;  // of the band: modes that still show in it
+  const ModalState shared = modal_state(state);
+  const VectorXd& w = shared.modes.omega;
+  const double top = 2.0 * M_PI * setting_.high_hz;
+  const Index modes = (w.array() < beyond * top).count();
+  const auto n = static_cast<Index>(pairs_.size());
+  struct Entry {
+    Index i;
+    Index j;
+  };
+  std::vector<Entry> entries;
+  for (Index i = 0; i < modes; ++i) {
+    for (Index j = i; j < std::min(modes, i + neighbours + 1); ++j) {
+      if (w(i) * w(j) > 0.0) entries.push_back({i, j});
+    }
+  }
+  const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
+  std::vector<MatrixXcd> patterns(entries.size() + 2, none);
+  ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
+  record(pairs_, shared, s, chain);
+  const MatrixXcd flexible = flexibility(shared, s);
+  for (const RunLines& lines : walks(shared)) {
+    for (Index l = 0; l < s.size(); ++l) {
+      const VectorXcd g = flexible.col(l);
+      MatrixXcd coupled;
+      if (lines.B.cols() > 0) {
+        coupled = lines.coupling(
+            s(l), lines.B.transpose() * (g.asDiagonal() * lines.B));
+      }
+      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
+      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
+      for (const WalkedPair& p : lines.pairs) {
+        const complex<double> scale = -s(l) * s(l) * chain.H(l, p.frf);
+        const auto o = Xo.col(p.response);
+        const auto r = Xi.col(p.reference);
+        for (std::size_t k = 0; k < entries.size(); ++k) {
+          const auto [i, j] = entries[k];
+          const complex<double> both =
+              i == j ? o(i) * r(i) : (o(i) * r(j) + o(j) * r(i)) / M_SQRT2;
+          const complex<double> change = scale * w(i) * w(j) * both;
+          patterns[k](l, p.frf) = change;
+          if (i != j) continue;
+          patterns[entries.size()](l, p.frf) += change;
+          patterns[entries.size() + 1](l, p.frf) += w(i) / top * change;
+        }
+      }
+    }
+  }
+  return patterns;
+}
+
 ModelResponse FrfModel::respond(const ModelState& state,
                                 const VectorXcd& s,
                                 bool derivatives) const {

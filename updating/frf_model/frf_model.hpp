@@ -60,6 +60,19 @@ class FrfModel {
   /// order: measured modes of several set-ups are means as well.
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
 
+  /// What a deck that is wrong in form does to the FRFs, to first order: its
+  /// modal stiffness off by omega_i omega_j e_ij, with e_ij symmetric and
+  /// random, of variance tau^2 on the diagonal and tau^2 / 2 beside it (the
+  /// nonparametric model of C. Soize, Probabilistic Engineering Mechanics 15,
+  /// 2000, p. 277). Two more patterns are what all modes have in common, evenly
+  /// and in proportion to their frequency: what a section without shear, an
+  /// edge held too well or a mass in the wrong plane does to all of them.
+  /// Modes are mixed with their two neighbours; rigid ones stay as they are.
+  ///
+  /// @return d H / d e_ij times its deviation over tau, lines x pairs each
+  [[nodiscard]] std::vector<Eigen::MatrixXcd> form_patterns(
+      const ModelState& state, const Eigen::VectorXcd& s) const;
+
   /// Receptance columns H* e of the runs on which the effects act alike, in
   /// the base's coordinates (rows of V give any degree of freedom).
   struct Walk {

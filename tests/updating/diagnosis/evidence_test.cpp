@@ -34,14 +34,31 @@ TEST(Evidence, IsWhatModesCanTellHoweverManyLines) {
   EXPECT_DOUBLE_EQ(data_of(6, 4), 52.0);
 }
 
+// A fit that leaves so much, and nothing that the form could explain.
+Fit leaves(double error) {
+  Fit fit;
+  fit.form.whole = error * error;
+  return fit;
+}
+
 TEST(Evidence, OneFrfTellsAMassThatExplainsIt) {
   // One mode, one FRF, 30 % brought to 2 % by one of two candidates.
   const double data = data_of(1, 1);
-  const double gained =
-      log_evidence(0.02, 1.0, 2.0, data) - log_evidence(0.3, 0.0, 1.0, data);
+  const double gained = log_evidence(leaves(0.02), 1.0, 2.0, data, 0.0) -
+                        log_evidence(leaves(0.3), 0.0, 1.0, data, 0.0);
   // 3 ln 15 less the price of a parameter and of two places: 3 x 2.71 - 0.55 -
-  // 0.69.
-  EXPECT_NEAR(gained, 6.88, 0.01);
+  // 0.69; the grid over which the variance is integrated out ends at what is
+  // left, for both alike.
+  EXPECT_NEAR(gained, 6.88, 0.05);
+}
+
+TEST(Evidence, APropertyFarFromItsPriorCosts) {
+  Fit far = leaves(0.02);
+  far.result.prior_cost = 9.0;  // three deviations
+  EXPECT_NEAR(log_evidence(leaves(0.02), 0.0, 1.0, 20.0, 0.0) -
+                  log_evidence(far, 0.0, 1.0, 20.0, 0.0),
+              4.5,
+              1e-9);
 }
 
 }  // namespace

@@ -134,7 +134,8 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   Where where;
   where.elements = {4, 5, 6, 14, 15, 16};
   const effects::Effect& effect = effects::find("stiffness-loss");
-  const auto model = fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
+  const auto model =
+      fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
   for (const double factor : {0.8, 0.3, 0.05}) {
     structure::Deck weak = deck_;
     weak.materials[2] = weak.materials[1];
@@ -273,6 +274,41 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
   state.zeta.setLinSpaced(0.004, 0.02);
   // Central differences of step 1e-5 are good to about 1e-8 here.
   EXPECT_LT(derivative_error(*model, state, s_), 1e-6);
+}
+
+// The first modes and those beside them, with springs and a faulty channel in
+// the model: central differences in the base's own stiffness.
+TEST_F(FrfModelTest, FormPatternsAgreeWithDifferences) {
+  Where channel;
+  channel.channels = {"acc1"};
+  const std::vector<PlacedEffect> effects = {
+      at_node("dashpot", 50, 3.0),
+      {&effects::find("channel-gain"), channel, {1.3}}};
+  const auto model = fitter_->model_for(effects);
+  const ModelState state = undamped(*fitter_, *model, effects);
+  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s_);
+  const BaseModes modes = model->base_modes(state);
+  // Entries in order: 11, 12, 13, 22, ...
+  const std::vector<std::pair<Index, Index>> entries = {{0, 0}, {0, 1}, {0, 2}};
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const auto [i, j] = entries[k];
+    const Eigen::VectorXd a = modes.omega(i) * modes.phi.col(i);
+    const Eigen::VectorXd b = modes.omega(j) * modes.phi.col(j);
+    const Eigen::MatrixXd one =
+        i == j ? Eigen::MatrixXd(a * a.transpose())
+               : Eigen::MatrixXd((a * b.transpose() + b * a.transpose()) /
+                                 std::sqrt(2.0));
+    // Smaller ones beside the diagonal count as rounding, see solve_modes().
+    const double h = 1e-3;
+    const auto changed = [&](double by) {
+      ReducedBase base = model->base();
+      base.K += by * one;
+      return FrfModel(base, setting_, pairs_).respond(state, s_, false).H;
+    };
+    const MatrixXcd numeric = (changed(h) - changed(-h)) / (2.0 * h);
+    // Central differences are off by h^2 over the square of the damping.
+    EXPECT_LT(difference(patterns[k], numeric), 1e-3) << i << ' ' << j;
+  }
 }
 
 // A law's damping turns with the modes as matrices do: no part is left out.

@@ -1,0 +1,91 @@
+#include "updating/frf_model/form_error.hpp"
+
+#include "acquisition/foundation/seeded_random.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit::updating {
+namespace {
+
+using acquisition::SeededRandom;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr Index rows = 400;
+constexpr Index patterns = 20;
+
+MatrixXd gaussian(SeededRandom& random, Index n, Index m) {
+  return MatrixXd::NullaryExpr(n, m, [&] { return random.normal(); });
+}
+
+TEST(FormError, LeavesAPatternThatIsAnotherOut) {
+  SeededRandom random(4, "form");
+  MatrixXd F = gaussian(random, rows, 3);
+  F.col(2) = 2.0 * F.col(0) - F.col(1);
+  EXPECT_EQ(form_error(F).lambda.size(), 2);
+}
+
+struct Drawn {
+  FormEstimate found;
+  double left = 0.0;
+};
+
+// Patterns of the strength that FRFs have: a percent of stiffness is some ten
+// percent of error on lines of 3 % damping.
+Drawn draw(unsigned seed, double tau, double sigma) {
+  SeededRandom random(seed, "form");
+  const MatrixXd F =
+      10.0 / std::sqrt(rows * 1.0) * gaussian(random, rows, patterns);
+  const VectorXd noise =
+      sigma / std::sqrt(rows * 1.0) * gaussian(random, rows, 1);
+  const VectorXd r = F * (tau * gaussian(random, patterns, 1)) + noise;
+  return {estimate_form(view(form_error(F), r), rows, 0.0), noise.norm()};
+}
+
+TEST(FormError, IsFoundWithWhatIsLeftBeside) {
+  double sum = 0.0;
+  int held = 0;
+  constexpr int tests = 40;
+  for (int k = 0; k < tests; ++k) {
+    const Drawn d = draw(static_cast<unsigned>(100 + k), 0.01, 0.02);
+    // Of 20 patterns a deviation is known to 1 / sqrt(2 x 20) = 16 %, and half
+    // a step of the grid comes on top.
+    const double off = std::log(d.found.tau / 0.01);
+    sum += off;
+    if (std::abs(off) < 2.0 * 0.19) ++held;
+    EXPECT_NEAR(d.found.sigma / 0.02, 1.0, 0.2);
+    // 20 of 400 data are spent on the patterns.
+    EXPECT_NEAR(d.found.left / d.left, 1.0, 0.1);
+  }
+  EXPECT_GE(held, 35);  // of 40 at 95 %; fewer than 35 in one of 300 such runs
+  EXPECT_NEAR(sum / tests, 0.0, 0.1);
+}
+
+TEST(FormError, IsNextToNothingWhereNoiseExplainsAll) {
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    // What noise of 2 % may hide: 0.02 / (10 sqrt(400)) of a pattern, and more.
+    EXPECT_LT(draw(seed, 0.0, 0.02).found.tau, 5e-4);
+  }
+}
+
+// One parameter that takes six patterns to nothing beats their free choice.
+TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
+  SeededRandom random(9, "form");
+  const MatrixXd F =
+      10.0 / std::sqrt(rows * 1.0) * gaussian(random, rows, patterns);
+  const VectorXd noise =
+      0.01 / std::sqrt(rows * 1.0) * gaussian(random, rows, 1);
+  const VectorXd shifts = 0.01 * VectorXd::Ones(patterns);
+  const FormError form = form_error(F);
+  const double with =
+      estimate_form(view(form, noise), rows, 0.0).log_likelihood;
+  const double without =
+      estimate_form(view(form, noise + F * shifts), rows, 0.0).log_likelihood;
+  EXPECT_GT(with - without, 20.0);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

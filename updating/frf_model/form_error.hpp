@@ -1,0 +1,57 @@
+// What a careful engineer's deck is wrong by in form, before anything is
+// missing from it: no shear in the section, a corner that is a line, a clamp
+// that is a row of grids. To first order the residual is
+//
+//   r = F e + n,   e ~ N(0, tau^2),   n ~ N(0, sigma^2 / N)
+//
+// with the patterns F of FrfModel::form_patterns(), so that it has the
+// covariance sigma^2 / N (I + F F' / kappa), kappa = sigma^2 / (N tau^2). sigma
+// is what else is left, as a relative error; both are estimated from the data,
+// tau under a prior. Fits go to the least residual all the same: weighed by this
+// covariance, properties that do to all modes what the form may do would be
+// told by the curvature alone, and four times as many steps be needed. The
+// covariance says how likely what they leave is, and how far it may have driven
+// them. Sources: M. C. Kennedy, A. O'Hagan, "Bayesian calibration
+// of computer models", J. Royal Statistical Society B 63, 2001; E. Simoen, G.
+// De Roeck, G. Lombaert, "Dealing with uncertainty in model updating for damage
+// assessment", MSSP 56-57, 2015.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace tapfit::updating {
+
+/// Patterns of stack() that the form may add.
+struct FormError {
+  Eigen::MatrixXd U;       ///< rows of stack() x k, orthonormal
+  Eigen::VectorXd lambda;  ///< F F' = U diag(lambda) U'
+};
+
+/// A residual seen in the patterns: all that its likelihood needs.
+struct FormView {
+  Eigen::VectorXd lambda;
+  Eigen::VectorXd along;  ///< squares of U' r
+  double whole = 0.0;     ///< r' r
+};
+
+/// @param F rows of stack() x patterns
+[[nodiscard]] FormError form_error(const Eigen::MatrixXd& F);
+
+[[nodiscard]] FormView view(const FormError& form, const Eigen::VectorXd& r);
+
+/// What the data say of tau and sigma.
+struct FormEstimate {
+  /// Log of the probability of the residual, both integrated out.
+  double log_likelihood = 0.0;
+  double tau = 0.0;    ///< relative, of a modal stiffness: twice a frequency's
+  double sigma = 0.0;  ///< relative FRF error beside the form's
+  double left = 0.0;  ///< relative error without what the form explains
+};
+
+/// @param data N, independent data in the residual
+/// @param noise relative error from the hits' scatter: sigma is no less
+[[nodiscard]] FormEstimate estimate_form(const FormView& view,
+                                         double data,
+                                         double noise);
+
+}  // namespace tapfit::updating
