@@ -89,9 +89,13 @@ bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
 /// The neighbours of a place.
 using Near = std::function<std::vector<Where>(const Where&)>;
 
+/// Whether one is better than another.
+using Better = bool (*)(const Hypothesis&, const Hypothesis&);
+
 // Around the best place of a kind, step to a better neighbour until there is
 // none. Each step fits all neighbours, grids in one base.
 void climb(std::vector<Hypothesis>& found,
+           Better better,
            const Fit& current,
            const Fitter& fitter,
            const Near& near,
@@ -99,9 +103,8 @@ void climb(std::vector<Hypothesis>& found,
   std::vector<Where> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < most_steps; ++round) {
-    const auto best = std::min_element(found.begin(), found.end(), is_likelier);
-    const PlacedEffect own = best->own();
-    const double before = best->fit.log_likelihood;
+    const Hypothesis best = *std::min_element(found.begin(), found.end(), better);
+    const PlacedEffect& own = best.own();
     std::vector<PlacedEffect> tries;
     for (const Where& where : near(own.where)) {
       if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
@@ -117,12 +120,12 @@ void climb(std::vector<Hypothesis>& found,
       all.insert(all.end(), tries.begin(), tries.end());
       shared = fitter.model_for(all);
     }
-    double after = before;
+    bool gained = false;
     for (Hypothesis& h : fit_each(current, tries, fitter, shared, progress)) {
-      after = std::max(after, h.fit.log_likelihood);
+      gained = gained || better(h, best);
       found.push_back(std::move(h));
     }
-    if (after <= before) return;
+    if (!gained) return;
   }
 }
 
@@ -138,10 +141,12 @@ void climb_places(std::vector<Hypothesis>& found,
   const auto near = [&](const Where& at) {
     return places_near(at, patches, *setting.deck, neighbours);
   };
-  climb(found, current, fitter, near, progress);
+  climb(found, is_likelier, current, fitter, near, progress);
 }
 
-// Patches are looked for as cubes; what is lost may be a long one.
+// Patches are looked for as cubes; what is lost may be a long one. What a patch
+// is short of looks like an error of form to the likelihood, which sees no way
+// on; the error falls with every layer that belongs to it.
 void climb_shapes(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
@@ -155,7 +160,7 @@ void climb_shapes(std::vector<Hypothesis>& found,
     }
     return places;
   };
-  climb(found, current, fitter, near, progress);
+  climb(found, less_error, current, fitter, near, progress);
 }
 
 // What is worth a full fit of one kind: its best screened places, apart from

@@ -45,6 +45,22 @@ bool is_rival(const Hypothesis& other, const Hypothesis& of) {
                                  predict_alike(other, of));
 }
 
+// Of the kind of one the one that leaves least, with as many parameters: what a
+// second effect would explain looks like an error of form to the evidence, which
+// then tells little between places.
+std::size_t least_of_kind(const Round& round, std::size_t of) {
+  const Hypothesis& first = round.hypotheses[of];
+  std::size_t least = of;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const bool alike = h.own().effect == first.own().effect &&
+                       h.own().p.size() == first.own().p.size();
+    const double error = round.hypotheses[least].fit.result.error;
+    if (alike && h.fit.result.error < error) least = k;
+  }
+  return least;
+}
+
 std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
   std::vector<PlacedEffect> rest = fit.effects;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
@@ -183,9 +199,10 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
   double least = 1e300;
   std::set<const effects::Effect*> kinds;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const Hypothesis& h = round.hypotheses[k];
     if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
-    if (!kinds.insert(h.own().effect).second) continue;
+    if (!kinds.insert(round.hypotheses[k].own().effect).second) continue;
+    const std::size_t first = least_of_kind(round, k);
+    const Hypothesis& h = round.hypotheses[first];
     const auto tried = static_cast<double>(kinds.size());
     const Round next = look(h.fit,
                             Depth::Quick,
@@ -199,7 +216,7 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
     least = second.fit.result.error;
     const auto own =
         static_cast<double>(h.own().p.size() + second.own().p.size());
-    pair.first = k;
+    pair.first = first;
     const double noise = options_.floor_noise;
     pair.gain =
         log_evidence(
