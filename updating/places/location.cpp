@@ -24,11 +24,14 @@ bool is_along_axis(const Where& where) {
 }
 
 std::string describe(const Where& where) {
-  const std::string variant =
-      where.variant.empty()  ? ""
-      : is_along_axis(where) ? fmt::format(" along {}", where.variant)
-                             : fmt::format(" ({})", where.variant);
-  if (where.node != 0) return fmt::format("node {}", where.node) + variant;
+  const std::string variant = where.variant.empty() ? ""
+                              : is_along_axis(where)
+                                  ? fmt::format(" along {}", where.variant)
+                                  : fmt::format(" ({})", where.variant);
+  if (where.node != 0) {
+    return fmt::format(
+        "{}node {}{}", where.at.empty() ? "" : "near ", where.node, variant);
+  }
   if (!where.channels.empty()) {
     return fmt::format("{}", fmt::join(where.channels, ", ")) + variant;
   }

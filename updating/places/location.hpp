@@ -21,11 +21,18 @@ struct Where {
   /// Which form of the effect, where it has several: "rotation",
   /// "translation"; "each" for one mass per channel instead of a shared one;
   /// "X", "Y" or "Z" for an axis that is not the one mostly measured;
-  /// "rotary" for a mass with an inertia, a sensor's or another.
+  /// "rotary" for a mass with an inertia, a sensor's or another; "pocket" for
+  /// elements that were thinned.
   std::string variant = {};
+  /// Between grids: coordinates in basic axes [m], three or none; node is then
+  /// the nearest grid of the element that holds them.
+  std::vector<double> at = {};
 
   bool operator==(const Where&) const = default;
 };
+
+/// Form of a loss of stiffness that takes the mass with it.
+inline const std::string pocket = "pocket";
 
 /// Whether the variant is an axis that the effect acts along.
 [[nodiscard]] bool is_along_axis(const Where& where);

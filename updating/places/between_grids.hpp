@@ -1,0 +1,54 @@
+// Places between grids: on a bar, or on a shell's surface. What moves there is
+// told by the element's shape functions, rotations of its grids included, so
+// that a bent bar or plate is followed to the third order along its sides.
+// Sources: J. S. Przemieniecki, "Theory of Matrix Structural Analysis", 1968,
+// ch. 5 (beam); A. Adini, R. W. Clough, 1961, and R. J. Melosh, 1963 (plate of
+// four corners); G. P. Bazeley et al., 1965 (of three).
+#pragma once
+
+#include "updating/places/location.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Part of a motion that is one of a grid's own.
+struct MotionShare {
+  int node = 0;
+  int component = 3;  ///< 1..6, basic axes
+  double weight = 0.0;
+
+  bool operator==(const MotionShare&) const = default;
+};
+
+/// The motion along a basic axis at a place between grids, as a sum of motions
+/// of the grids of the element that holds it.
+///
+/// @param where at and node, one of that element's grids
+/// @param component 1..3
+/// @return empty where no element at the node holds the place
+[[nodiscard]] std::vector<MotionShare> motion_between(
+    const structure::Deck& deck, const Where& where, int component);
+
+/// Places around one, a part of the way to each grid that an element joins to
+/// its node; none on solids.
+///
+/// @param step of the way, 0..1
+[[nodiscard]] std::vector<Where> places_around(const Where& where,
+                                               double step,
+                                               const structure::Deck& deck);
+
+/// The same effect at other coordinates: on the element that holds them; or
+/// empty where none at its node or beside it does.
+///
+/// @param at basic axes [m]
+[[nodiscard]] std::vector<Where> moved_to(const Where& where,
+                                          const Eigen::Vector3d& at,
+                                          const structure::Deck& deck);
+
+/// Its coordinates, a grid's or its own [m].
+[[nodiscard]] Eigen::Vector3d position_of(const Where& where,
+                                          const structure::Deck& deck);
+
+}  // namespace tapfit::updating
