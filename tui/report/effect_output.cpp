@@ -15,6 +15,7 @@ ordered_json where_json(const std::string& effect,
   }
   if (!where.channels.empty()) json["channels"] = where.channels;
   if (where.node != 0) json["node"] = where.node;
+  if (!where.at.empty()) json["at"] = where.at;
   if (is_along_axis(where)) json["direction"] = "+" + where.variant;
   if (!where.nodes.empty()) json["nodes"] = where.nodes;
   if (!where.elements.empty()) json["elements"] = where.elements;

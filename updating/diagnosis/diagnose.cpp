@@ -1,6 +1,8 @@
 #include "updating/diagnosis/diagnose.hpp"
 
 #include "updating/diagnosis/error_ladder.hpp"
+#include "updating/diagnosis/evidence.hpp"
+#include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/diagnosis/next_measurement.hpp"
 #include "updating/diagnosis/rung_search.hpp"
 #include "updating/diagnosis/set_verdict.hpp"
@@ -125,8 +127,10 @@ class Climb {
 
   [[nodiscard]] const Fit& current() const { return current_; }
   [[nodiscard]] double held_out_error() const { return held_out_; }
-  [[nodiscard]] std::vector<Rung> ladder(const Progress& progress) const {
-    return ladder_of(current_, chosen_, already_, *fitter_, progress);
+  /// @param likeliest what is in the model, with the parameters to be told
+  [[nodiscard]] std::vector<Rung> ladder(const Fit& likeliest,
+                                         const Progress& progress) const {
+    return ladder_of(likeliest, chosen_, already_, *fitter_, progress);
   }
   [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
   /// Independent data in what is left, as the last round counted them.
@@ -175,7 +179,9 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
   // What the mesh may explain must be left behind by far.
   worth.share = is_at_floor() ? 1.0 / clear_of_floor : worth_it;
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
-  const double left = round.hypotheses.front().fit.result.error;
+  const double left =
+      form_share(round.hypotheses.front().fit, round.data, options_.floor_noise)
+          .left;
   if (!first || left <= clear_of_floor * options_.floor) return {0, worth};
   // What it is worth shows on the next rung.
   const RungSearch::Pair pair = search_.best_pair(current_, round, progress);
@@ -198,7 +204,9 @@ bool Climb::step(bool first, const Progress& progress) {
   // unexplained. What changes with the force or from run to run is no linear
   // effect's.
   const double left = current_.result.error;
-  if (left <= clear_of_floor * options_.floor) return false;
+  const double without_form =
+      form_share(current_, data_, options_.floor_noise).left;
+  if (without_form <= clear_of_floor * options_.floor) return false;
   if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;
@@ -234,31 +242,24 @@ bool Climb::try_to_add(bool first,
   return true;
 }
 
-// More than this a careful deck's frequencies are not off by: what needs more
-// is no matter of form.
-constexpr double plausible_form = 0.02;
-
 // The form's share of what a fit leaves stands in the floor.
 void allow_for_form(const Fit& fit,
                     double data,
                     double floor_noise,
                     Diagnosis& result) {
-  const FormEstimate form = estimate_form(fit.form, data, floor_noise);
-  const double error = fit.result.error;
-  result.form_sd = 0.5 * form.tau;
-  result.form_error =
-      std::sqrt(std::max(0.0, error * error - form.left * form.left));
-  const double plausible = std::min(1.0, plausible_form / result.form_sd);
-  result.floor = std::hypot(result.floor, plausible * result.form_error);
+  const FormShare form = form_share(fit, data, floor_noise);
+  result.form_sd = form.sd;
+  result.form_error = form.error;
+  result.floor = std::hypot(result.floor, form.error);
   constexpr double much = 0.5;
-  if (result.form_error < much * error) return;
+  if (form.error < much * fit.result.error) return;
   result.warnings.push_back(fmt::format(
       "of the {:.3g} that is left {:.3g} is what a deck that is wrong in form "
       "leaves: frequencies off by {:.2g} % (standard deviation), shapes "
       "likewise",
-      error,
-      result.form_error,
-      100.0 * result.form_sd));
+      fit.result.error,
+      form.error,
+      100.0 * form.sd));
 }
 
 void warn_of_bounds(Diagnosis& result) {
@@ -305,14 +306,16 @@ Climbed climbed(const Fitter& fitter,
   allow_for_form(found, climb.data(), options.floor_noise, result);
   const Progress last = part_of(progress, 0.95, 1.0);
   last("error ladder", 0.0);
-  result.ladder = climb.ladder(last);
+  const Fit likeliest =
+      likeliest_fit(found, fitter, {climb.data(), options.floor_noise});
+  result.ladder = climb.ladder(likeliest, last);
   result.candidates = climb.candidates();
   result.next = next_measurements(found, result.ladder, fitter, last);
   lead_with_ladder(result.candidates,
                    result.ladder,
                    result.error_best,
                    climb.held_out_error());
-  result.model_parameters = property_estimates(found, options.properties);
+  result.model_parameters = property_estimates(likeliest, options.properties);
   warn_of_bounds(result);
   for (const Chosen& it : climb.chosen()) {
     if (it.extent) result.warnings.push_back(statement(*it.extent));

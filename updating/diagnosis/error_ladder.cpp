@@ -3,10 +3,30 @@
 #include "updating/fit/estimates.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 namespace tapfit::updating {
+
+namespace {
+
+// By what is not known of the place. Intervals are those of logarithms.
+void widen(const std::vector<double>& place_sd,
+           std::vector<Estimate>& parameters) {
+  constexpr double in_95 = 1.96;  // standard deviations
+  const std::size_t count = std::min(place_sd.size(), parameters.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    Estimate& e = parameters[k];
+    if (!(e.value > 0.0) || !(e.lo95 > 0.0)) continue;
+    const double own = in_95 * place_sd[k];
+    e.lo95 = e.value / std::exp(std::hypot(std::log(e.value / e.lo95), own));
+    e.hi95 = e.value * std::exp(std::hypot(std::log(e.hi95 / e.value), own));
+    e.sd = std::hypot(e.sd, e.value * place_sd[k]);
+  }
+}
+
+}  // namespace
 
 std::vector<Rung> ladder_of(const Fit& fit,
                             const std::vector<Chosen>& all,
@@ -46,6 +66,7 @@ std::vector<Rung> ladder_of(const Fit& fit,
     if (const auto& extent = all[next - already].extent) {
       widen(*extent, rung.parameters.front());
     }
+    widen(all[next - already].place_sd, rung.parameters);
     ladder.push_back(std::move(rung));
     so_far.push_back(fit.effects[next]);
     left.erase(std::find(left.begin(), left.end(), next));

@@ -41,6 +41,15 @@ namespace tapfit::updating {
                                   double data,
                                   double noise);
 
+/// What of a fit's error the deck's form explains.
+struct FormShare {
+  double sd = 0.0;     ///< of a mode's frequency, relative
+  double error = 0.0;  ///< what it explains
+  double left = 0.0;   ///< and what not: all, where it would have to be off by
+                       ///< more than a careful deck is, 2 % in frequency
+};
+[[nodiscard]] FormShare form_share(const Fit& fit, double data, double noise);
+
 /// Probabilities from log evidences, which may be far apart; sum 1.
 [[nodiscard]] std::vector<double> probabilities(
     const std::vector<double>& log_evidences);

@@ -24,12 +24,19 @@ constexpr int most_steps = 40;
 // Patches are looked at more closely where their best leaves at most this times
 // the error of the best of all: each costs a base of its own.
 constexpr double rival = 4.0;
-// Of the logarithm of a likelihood: twenty to one.
-constexpr double clearly = 3.0;
+// Of the logarithm of a likelihood, what is worth a name of its own. Whether it
+// is worth its parameters the evidence tells.
+constexpr double clearly = 1.0;
 
 bool has_form(const PlacedEffect& placed) {
   const std::vector<std::string> forms = placed.effect->forms();
   return std::ranges::find(forms, placed.where.variant) != forms.end();
+}
+
+// At the same grid, but for being between it and the next.
+bool is_beside(const Where& one, const Where& other) {
+  return one.node != 0 && one.node == other.node &&
+         one.variant == other.variant && one.at != other.at;
 }
 
 // The same again, another loss of the same elements, or a form of the same.
@@ -41,7 +48,8 @@ bool present(const Fit& current, const PlacedEffect& candidate) {
     return e.where == there || share(e.where.elements, there.elements) ||
            (formed && (share(e.where.nodes, there.nodes) ||
                        share(e.where.channels, there.channels) ||
-                       (e.where.node != 0 && e.where.node == there.node)));
+                       (e.where.node != 0 && e.where.node == there.node))) ||
+           is_beside(e.where, there);
   });
 }
 
@@ -52,7 +60,7 @@ bool acts(const PlacedEffect& placed, const FrfModel& model) {
       placed.effect->acts_on(placed.where, model.setting(), 0);
   std::map<std::size_t, double> moves;
   for (const effects::ActedDof& dof : dofs) {
-    moves[dof.group] += model.row(dof.node, dof.component).norm();
+    moves[dof.group] += model.row(dof).norm();
   }
   return std::ranges::none_of(moves,
                               [](const auto& g) { return g.second == 0.0; });
@@ -103,7 +111,8 @@ void climb(std::vector<Hypothesis>& found,
   std::vector<Where> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < most_steps; ++round) {
-    const Hypothesis best = *std::min_element(found.begin(), found.end(), better);
+    const Hypothesis best =
+        *std::min_element(found.begin(), found.end(), better);
     const PlacedEffect& own = best.own();
     std::vector<PlacedEffect> tries;
     for (const Where& where : near(own.where)) {
@@ -136,10 +145,16 @@ void climb_places(std::vector<Hypothesis>& found,
                   const Progress& progress) {
   const effects::Setting& setting = fitter.setting().setting;
   const PlacedEffect& any = found.front().own();
+  const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
   const std::vector<Where> patches =
       any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
   const auto near = [&](const Where& at) {
-    return places_near(at, patches, *setting.deck, neighbours);
+    std::vector<Where> places =
+        places_near(at, patches, *setting.deck, neighbours);
+    for (Where& where : places) {
+      if (is_loss) where.variant = at.variant;
+    }
+    return places;
   };
   climb(found, is_likelier, current, fitter, near, progress);
 }
@@ -221,6 +236,9 @@ struct Kind {
   [[nodiscard]] bool at_grids() const {
     return found.front().own().where.node != 0;
   }
+  [[nodiscard]] bool is_loss() const {
+    return effect->changes_stiffness() == ChangeKind::Elements;
+  }
   [[nodiscard]] double log_likelihood() const {
     return std::min_element(found.begin(), found.end(), is_likelier)
         ->fit.log_likelihood;
@@ -252,13 +270,25 @@ double least_error(const std::vector<Kind>& kinds) {
   return least;
 }
 
-// The screening is of first order, and a loss of stiffness or a joint is often
-// far from small: the right place may not be among those fitted.
-void climb_stiffness(std::vector<Kind>& kinds,
+// From the best place of a loss of stiffness or a joint to what is around it.
+void climb_stiffness(Kind& kind,
                      const Fit& current,
                      const Fitter& fitter,
                      const HypothesisOptions& options,
                      const Progress& progress) {
+  climb_places(kind.found, current, fitter, options.neighbours, progress);
+  if (kind.is_loss() && kind.error() > options.explained) {
+    climb_shapes(kind.found, current, fitter, progress);
+  }
+}
+
+// The screening is of first order, and a loss of stiffness or a joint is often
+// far from small: the right place may not be among those fitted.
+void climb_rivals(std::vector<Kind>& kinds,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const HypothesisOptions& options,
+                  const Progress& progress) {
   const double least = least_error(kinds);
   for (Kind& kind : kinds) {
     const auto changes = kind.effect->changes_stiffness();
@@ -266,39 +296,48 @@ void climb_stiffness(std::vector<Kind>& kinds,
       continue;
     }
     if (kind.error() > rival * least) continue;
-    climb_places(kind.found, current, fitter, options.neighbours, progress);
-    if (changes == ChangeKind::Elements && kind.error() > options.explained) {
-      climb_shapes(kind.found, current, fitter, progress);
-    }
+    climb_stiffness(kind, current, fitter, options, progress);
   }
 }
 
-// Where a kind may have another form: at the best of its grids, or wherever
-// supports and sensors, which are few, were looked at.
-std::vector<Where> places_for_forms(const Kind& kind) {
-  if (kind.at_grids()) {
-    return {std::ranges::min_element(kind.found, less_error)->own().where};
-  }
+// Where a kind may have another form: at the best of its grids, at a few
+// patches apart, or wherever supports and sensors, which are few, were looked
+// at.
+std::vector<Where> places_for_forms(const Kind& kind,
+                                    const structure::Deck& deck) {
+  constexpr std::size_t most_patches = 3;
+  std::vector<const Hypothesis*> order;
+  for (const Hypothesis& h : kind.found) order.push_back(&h);
+  std::ranges::stable_sort(
+      order, [](const auto* a, const auto* b) { return is_likelier(*a, *b); });
   std::vector<Where> places;
-  for (const Hypothesis& h : kind.found) places.push_back(h.own().where);
+  for (const Hypothesis* h : order) {
+    const Where& where = h->own().where;
+    const bool near = std::ranges::any_of(places, [&](const Where& other) {
+      return kind.is_loss() && within_reach(other, where, deck, 0);
+    });
+    if (!near) places.push_back(where);
+    if (kind.at_grids()) break;
+    if (kind.is_loss() && places.size() == most_patches) break;
+  }
   return places;
 }
 
 // What does well where it was found may do better in another form: a mass with
-// an inertia, a clamp that varies along its line. A form with an inertia may
-// then do better beside.
+// an inertia, a clamp that varies along its line, elements that were thinned.
+// It may then do better beside.
 void try_forms(std::vector<Kind>& kinds,
                const Fit& current,
                const Fitter& fitter,
-               int neighbours,
+               const HypothesisOptions& options,
                const Progress& progress) {
   const double least = least_error(kinds);
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
     if (kind.error() > rival * least) continue;
     std::vector<PlacedEffect> tries;
-    for (const Where& where :
-         forms_of(*kind.effect, places_for_forms(kind), setting)) {
+    for (const Where& where : forms_of(
+             *kind.effect, places_for_forms(kind, *setting.deck), setting)) {
       PlacedEffect next = placed(*kind.effect, where, setting);
       if (acts(next, *current.model) && !present(current, next)) {
         tries.push_back(std::move(next));
@@ -310,8 +349,12 @@ void try_forms(std::vector<Kind>& kinds,
       const bool better = h.fit.log_likelihood > plain + clearly;
       if (better) kind.found.push_back(std::move(h));
     }
-    if (kind.at_grids() && kind.log_likelihood() > plain) {
-      climb_places(kind.found, current, fitter, neighbours, progress);
+    if (kind.log_likelihood() <= plain) continue;
+    if (kind.at_grids()) {
+      climb_places(kind.found, current, fitter, options.neighbours, progress);
+    }
+    if (kind.is_loss()) {
+      climb_stiffness(kind, current, fitter, options, progress);
     }
   }
 }
@@ -349,9 +392,9 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   }
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.9, 1.0);
-    climb_stiffness(kinds, current, fitter, options, rest);
+    climb_rivals(kinds, current, fitter, options, rest);
     if (least_error(kinds) > options.explained) {
-      try_forms(kinds, current, fitter, options.neighbours, rest);
+      try_forms(kinds, current, fitter, options, rest);
     }
   }
   std::vector<Hypothesis> all;

@@ -38,6 +38,7 @@ std::optional<PatchExtent> patch_extent(
   std::size_t patches = 0;
   for (const Hypothesis& h : hypotheses) {
     if (h.own().effect != own.effect ||
+        h.own().where.variant != own.where.variant ||
         !share(h.own().where.elements, own.where.elements) ||
         h.fit.result.error > explained) {
       continue;

@@ -1,6 +1,7 @@
 #include "updating/diagnosis/rung_search.hpp"
 
 #include "updating/diagnosis/evidence.hpp"
+#include "updating/diagnosis/settle_place.hpp"
 #include "updating/fit/overall_progress.hpp"
 
 #include <algorithm>
@@ -46,8 +47,8 @@ bool is_rival(const Hypothesis& other, const Hypothesis& of) {
 }
 
 // Of the kind of one the one that leaves least, with as many parameters: what a
-// second effect would explain looks like an error of form to the evidence, which
-// then tells little between places.
+// second effect would explain looks like an error of form to the evidence,
+// which then tells little between places.
 std::size_t least_of_kind(const Round& round, std::size_t of) {
   const Hypothesis& first = round.hypotheses[of];
   std::size_t least = of;
@@ -118,6 +119,37 @@ std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
   return alike;
 }
 
+namespace {
+
+// What is not known of a place widens what is said of the size: around it, as
+// it was settled, and over all grids that were fitted, as probable as they are.
+std::vector<double> place_sd(const Round& round, std::size_t of) {
+  const Hypothesis& own = round.hypotheses[of];
+  std::vector<double> sd = own.place_sd;
+  if (own.own().where.node == 0) return sd;
+  sd.resize(own.own().p.size());
+  std::vector<double> square(sd.size());
+  double weight = 0.0;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const PlacedEffect& other = round.hypotheses[k].own();
+    if (other.effect != own.own().effect ||
+        other.where.variant != own.own().where.variant) {
+      continue;
+    }
+    const double w = round.probability[k + 1];
+    weight += w;
+    for (std::size_t j = 0; j < sd.size(); ++j) {
+      square[j] += w * std::pow(std::log(other.p[j] / own.own().p[j]), 2);
+    }
+  }
+  for (std::size_t j = 0; j < sd.size(); ++j) {
+    sd[j] = std::max(sd[j], std::sqrt(square[j] / std::max(weight, 1e-300)));
+  }
+  return sd;
+}
+
+}  // namespace
+
 RungSearch::RungSearch(const Fitter& fitter, const DiagnoseOptions& options)
     : fitter_(&fitter),
       options_(options),
@@ -130,7 +162,8 @@ Chosen RungSearch::as_chosen(const Round& round, std::size_t of) const {
           patch_extent(round.hypotheses,
                        round.hypotheses[of].own(),
                        options_.floor,
-                       fitter_->setting().setting)};
+                       fitter_->setting().setting),
+          place_sd(round, of)};
 }
 
 // How sure an effect is among all that was tried with it, none included; as
@@ -149,6 +182,49 @@ void RungSearch::judge_anew(const Round& round,
 Fit RungSearch::refit(const std::vector<PlacedEffect>& effects,
                       const Progress& progress) const {
   return fitter_->fit(effects, fitter_->model_for(effects), progress);
+}
+
+// The evidence of all, the strongest first.
+void RungSearch::judge(Round& round) const {
+  for (Hypothesis& h : round.hypotheses) {
+    h.log_evidence = log_evidence(h.fit,
+                                  static_cast<double>(h.own().p.size()),
+                                  h.places,
+                                  round.data,
+                                  options_.floor_noise);
+  }
+  std::stable_sort(round.hypotheses.begin(),
+                   round.hypotheses.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) {
+                     return a.log_evidence > b.log_evidence;
+                   });
+}
+
+// Between grids the likeliest of each kind goes on where it may be the answer.
+void RungSearch::settle_places(const Fit& current,
+                               Round& round,
+                               const Progress& progress) const {
+  // Of log evidence: what a place may gain that is half a spacing off.
+  constexpr double contender = 30.0;
+  std::vector<Hypothesis>& all = round.hypotheses;
+  if (all.empty()) return;
+  const double strongest = all.front().log_evidence;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0, count = all.size(); k < count; ++k) {
+    if (all[k].log_evidence < strongest - contender) break;
+    const bool first = kinds.insert(all[k].own().effect).second;
+    if (!first || all[k].own().where.node == 0) continue;
+    Hypothesis settled = settle_place(all[k],
+                                      current,
+                                      *fitter_,
+                                      {round.data, options_.floor_noise},
+                                      progress);
+    if (settled.own().where == all[k].own().where) {
+      all[k] = std::move(settled);
+    } else {
+      all.push_back(std::move(settled));
+    }
+  }
 }
 
 Round RungSearch::look(const Fit& current,
@@ -170,18 +246,11 @@ Round RungSearch::look(const Fit& current,
   }
   round.data =
       evidence_data(target, best->result.residual, options_.modes_in_band);
-  for (Hypothesis& h : round.hypotheses) {
-    h.log_evidence = log_evidence(h.fit,
-                                  static_cast<double>(h.own().p.size()),
-                                  h.places,
-                                  round.data,
-                                  options_.floor_noise);
+  judge(round);
+  if (options.neighbours > 0) {
+    settle_places(current, round, progress);
+    judge(round);
   }
-  std::stable_sort(round.hypotheses.begin(),
-                   round.hypotheses.end(),
-                   [](const Hypothesis& a, const Hypothesis& b) {
-                     return a.log_evidence > b.log_evidence;
-                   });
   round.none_evidence =
       log_evidence(current, 0.0, 1.0, round.data, options_.floor_noise);
   std::vector<double> evidence = {round.none_evidence};
@@ -235,7 +304,10 @@ Fit RungSearch::relocate(Fit fit,
         look(refit(without(fit, k), progress), Depth::Nearby, progress);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
-    if (best.fit.result.error >= better * fit.result.error) {
+    // Masses of their own, where one for all sensors does as well.
+    const bool simpler = best.own().effect == fit.effects[k].effect &&
+                         best.own().p.size() < fit.effects[k].p.size();
+    if (!simpler && best.fit.result.error >= better * fit.result.error) {
       // Now that the others are known, so is how sure this one is.
       judge_anew(round, fit.effects[k], chosen[k - already]);
       continue;

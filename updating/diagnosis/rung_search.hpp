@@ -26,8 +26,9 @@ struct Chosen {
   std::string name;  ///< its kind, or the group of kinds not told apart
   double probability = 0.0;
   std::vector<EffectRef> alike = {};  ///< what was not told apart from it
-  std::optional<PatchExtent> extent =
-      {};  ///< of a patch that is not the only one
+  /// Of a patch that is not the only one.
+  std::optional<PatchExtent> extent = {};
+  std::vector<double> place_sd = {};  ///< see Hypothesis
 };
 
 /// Explanations closer than this in log evidence are not told apart: 20 : 1,
@@ -97,6 +98,10 @@ class RungSearch {
                           const Progress& progress) const;
 
  private:
+  void judge(Round& round) const;
+  void settle_places(const Fit& current,
+                     Round& round,
+                     const Progress& progress) const;
   void judge_anew(const Round& round,
                   const PlacedEffect& effect,
                   Chosen& it) const;

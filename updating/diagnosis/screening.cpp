@@ -248,9 +248,11 @@ class Screening {
       const std::size_t b = points[k];
       const double any_law = place_scan_.any_law(b);
       for (const effects::Effect* effect : places_.kinds[b].*kinds) {
-        each[k].push_back(scanned(
-            effect->parameters(places_.points[b], setting_),
-            [&](const auto& tried) { return best_at_grid(b, *effect, tried); }));
+        each[k].push_back(
+            scanned(effect->parameters(places_.points[b], setting_),
+                    [&](const auto& tried) {
+                      return best_at_grid(b, *effect, tried);
+                    }));
         each[k].back().any_law = any_law;
       }
     });

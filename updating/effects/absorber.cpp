@@ -9,7 +9,6 @@
 namespace tapfit::effects {
 namespace {
 
-
 // 2 zeta w s + w^2: spring and damper per unit mass.
 std::complex<double> coupling(std::complex<double> s,
                               const std::vector<double>& p) {

@@ -34,9 +34,9 @@ std::vector<ParameterSpec> AddedMass::parameters(const Where& where,
 }
 
 std::vector<ActedDof> AddedMass::acts_on(const Where& where,
-                                         const Setting&,
+                                         const Setting& setting,
                                          std::size_t) const {
-  std::vector<ActedDof> dofs = translations(where.node);
+  std::vector<ActedDof> dofs = translations(where, setting);
   if (is_rotary(where)) {
     for (int component = 4; component <= 6; ++component) {
       dofs.push_back({where.node, component, 1.0, 1});

@@ -14,6 +14,7 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "updating/effects/change_kind.hpp"
+#include "updating/places/between_grids.hpp"
 #include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
 
@@ -54,6 +55,8 @@ struct ActedDof {
   int component = 3;      ///< 1..6
   double weight = 1.0;    ///< factor on the law, for example a length
   std::size_t group = 0;  ///< which law, where an effect has several
+  /// Between grids: what moves there; node and component are then the nearest.
+  std::vector<updating::MotionShare> between = {};
 
   bool operator==(const ActedDof&) const = default;
 };

@@ -167,8 +167,25 @@ std::string remedy(const effects::Effect& effect,
   if (sits_on_channels(effect)) {
     return "name a channel of the test, or two joined with \":\"";
   }
-  return "name a grid of the model that can move, and an axis that was measured "
+  return "name a grid of the model that can move, and an axis that was "
+         "measured "
          "or hit where it is not the one mostly measured (17:X)";
+}
+
+// Throws where no element at the nearest grid holds a place between grids.
+void check_holds(const effects::Effect& effect,
+                 const Where& where,
+                 const effects::Setting& s) {
+  if (where.at.empty() || !motion_between(*s.deck, where, 1).empty()) return;
+  throw InputError(
+      fmt::format("no bar or shell at grid {} holds the place {:.6g}, {:.6g}, "
+                  "{:.6g}",
+                  where.node,
+                  where.at[0],
+                  where.at[1],
+                  where.at[2]),
+      fmt::format("effect \"{}\"", effect.name()),
+      "add it at the grid, without \"at\"");
 }
 
 [[noreturn]] void refuse(const EffectRef& ref,
@@ -283,7 +300,11 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
   for (const Where& where : places) {
     if (local) break;
-    if (is_meant(want, where)) return placed(effect, where, s);
+    if (!is_meant(want, where)) continue;
+    Where there = where;
+    there.at = want.at;
+    check_holds(effect, there, s);
+    return placed(effect, there, s);
   }
   refuse(ref, kind, s);
 }

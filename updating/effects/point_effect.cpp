@@ -49,7 +49,7 @@ std::vector<Where> DirectedEffect::places(const Setting& setting) const {
 std::vector<ActedDof> DirectedEffect::acts_on(const Where& where,
                                               const Setting& setting,
                                               std::size_t) const {
-  return {{where.node, component_of(where, setting), 1.0}};
+  return {motion_of(where, component_of(where, setting), setting)};
 }
 
 int component_of(const Where& where, const Setting& setting) {
@@ -57,8 +57,18 @@ int component_of(const Where& where, const Setting& setting) {
   return static_cast<int>(axes.find(where.variant)) + 1;
 }
 
-std::vector<ActedDof> translations(int node) {
-  return {{node, 1, 1.0}, {node, 2, 1.0}, {node, 3, 1.0}};
+ActedDof motion_of(const Where& where, int component, const Setting& setting) {
+  ActedDof motion{where.node, component};
+  if (!where.at.empty()) {
+    motion.between = updating::motion_between(*setting.deck, where, component);
+  }
+  return motion;
+}
+
+std::vector<ActedDof> translations(const Where& where, const Setting& setting) {
+  return {motion_of(where, 1, setting),
+          motion_of(where, 2, setting),
+          motion_of(where, 3, setting)};
 }
 
 }  // namespace tapfit::effects

@@ -39,7 +39,13 @@ class DirectedEffect : public PointEffect {
 /// 1..3: the axis that a directed effect acts along.
 [[nodiscard]] int component_of(const Where& where, const Setting& setting);
 
-/// The three translations of a grid.
-[[nodiscard]] std::vector<ActedDof> translations(int node);
+/// The motion of a place, a grid or between grids, along an axis.
+[[nodiscard]] ActedDof motion_of(const Where& where,
+                                 int component,
+                                 const Setting& setting);
+
+/// Its three translations.
+[[nodiscard]] std::vector<ActedDof> translations(const Where& where,
+                                                 const Setting& setting);
 
 }  // namespace tapfit::effects

@@ -16,14 +16,11 @@ std::size_t group_of(const Where& where, std::size_t position) {
   return where.variant == "each" ? position : 0;
 }
 
-// Index of the inertia that the sensors share.
-constexpr std::size_t inertia_group = 1;
-
-// How far a mass is from the axis that it turns about [m]: accelerometers with
-// their mounts are some 5 to 40 mm high.
-constexpr double usual_arm = 0.01;
-constexpr double least_arm = 0.001;
-constexpr double largest_arm = 0.1;
+// Inertia of a kilogram about the axes of the surface [m^2]: the middle of an
+// accelerometer on its mount is some 10 mm above a plate's middle. Left free it
+// would stand for whatever a deck lacks in its high modes.
+constexpr double height = 0.01;
+constexpr double inertia = height * height;
 
 }  // namespace
 
@@ -37,15 +34,7 @@ std::vector<ParameterSpec> SensorMass::parameters(
   const double lower = 1e-5 * setting.mass_kg;
   const double upper = 0.5 * setting.mass_kg;
   if (where.variant != "each") {
-    std::vector<ParameterSpec> shared{{"mass_kg", start, lower, upper}};
-    if (where.variant == "rotary") {
-      const auto inertia = [start](double arm) { return start * arm * arm; };
-      shared.push_back({"inertia_kg_m2",
-                        inertia(usual_arm),
-                        inertia(least_arm),
-                        inertia(largest_arm)});
-    }
-    return shared;
+    return {{"mass_kg", start, lower, upper}};
   }
   std::vector<ParameterSpec> specs;
   for (const std::string& channel : where.channels) {
@@ -63,13 +52,13 @@ std::vector<ActedDof> SensorMass::acts_on(const Where& where,
   for (const PlacedSensor& sensor : placed_sensors(where, setting, run)) {
     // A triaxial sensor is one mass under three names.
     if (!done.insert(sensor.dof.node).second && shared) continue;
-    for (ActedDof dof : translations(sensor.dof.node)) {
+    for (ActedDof dof : translations({.node = sensor.dof.node}, setting)) {
       dof.group = group_of(where, sensor.position);
       result.push_back(dof);
     }
     if (where.variant != "rotary") continue;
     for (int component = 4; component <= 6; ++component) {
-      result.push_back({sensor.dof.node, component, 1.0, inertia_group});
+      result.push_back({sensor.dof.node, component, inertia});
     }
   }
   return result;
@@ -98,13 +87,19 @@ std::vector<std::string> SensorMass::bulk_data(
   for (const ActedDof& dof : acts_on(where, setting, 0)) {
     if (dof.component == 1) mass_at[dof.node] += p[dof.group];
   }
-  const double inertia = where.variant == "rotary" ? p[inertia_group] : 0.0;
+  const double of_unit = where.variant == "rotary" ? inertia : 0.0;
   int offset = 0;
   for (const auto& [node, mass] : mass_at) {
     cards.push_back(
-        point_mass_card(*setting.deck, offset++, node, mass, inertia));
+        point_mass_card(*setting.deck, offset++, node, mass, of_unit * mass));
   }
   return cards;
+}
+
+std::vector<Effect::Derived> SensorMass::derived(const Where& where,
+                                                 const Setting&) const {
+  if (where.variant != "rotary") return {};
+  return {{"inertia_kg_m2", {inertia}}};
 }
 
 }  // namespace tapfit::effects

@@ -1,7 +1,7 @@
 // The accelerometers' mass: Delta Z = s^2 m on the three translations of the
 // grid where a sensor sits in the run at hand. It moves with a roving sensor.
-// Form "rotary": s^2 J on the three rotations as well. A body whose middle is h
-// above the surface has J = m h^2 and more about the axes of the surface.
+// Form "rotary": s^2 m h^2 on the three rotations as well, for a body whose
+// middle is h above the plate's, 10 mm.
 #pragma once
 
 #include "updating/effects/effect.hpp"
@@ -41,6 +41,8 @@ class SensorMass final : public Effect {
       const std::vector<double>& p,
       std::size_t group,
       std::size_t k) const override;
+  [[nodiscard]] std::vector<Derived> derived(
+      const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<std::string> bulk_data(
       const Where& where,
       const Setting& setting,

@@ -1,12 +1,18 @@
 // Elements that have lost part of their stiffness (a crack, corrosion, a weld
 // heat zone, delamination): their stiffness times a factor, their mass as it
-// was.
+// was; or thinned (a pocket, wear): their mass times the cube root of it.
 #pragma once
 
 #include "updating/effects/stiffness_effect.hpp"
 #include "updating/places/location.hpp"
 
 namespace tapfit::effects {
+
+/// What is left of the mass of a plate or a bar that was thinned until p of its
+/// bending stiffness was left: t / t_0 = p^(1/3).
+[[nodiscard]] double mass_left(double p);
+/// d mass_left / d p.
+[[nodiscard]] double mass_left_slope(double p);
 
 class StiffnessLoss final : public StiffnessEffect {
  public:
@@ -18,6 +24,9 @@ class StiffnessLoss final : public StiffnessEffect {
   [[nodiscard]] std::optional<updating::ChangeKind> changes_stiffness()
       const override {
     return updating::ChangeKind::Elements;
+  }
+  [[nodiscard]] std::vector<std::string> forms() const override {
+    return {updating::pocket};
   }
   /// Each element, patches of growing size around it, whole properties.
   [[nodiscard]] std::vector<Where> places(

@@ -4,10 +4,12 @@
 #include "updating/diagnosis/named_diagnosis.hpp"
 #include "updating/effects/catalogue.hpp"
 #include "updating/effects/joint_cards.hpp"
+#include "updating/effects/stiffness_loss.hpp"
 #include "updating/fit/fit_setting.hpp"
 #include "updating/properties/property_cards.hpp"
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 #include "updating/structure/edit/move_elements.hpp"
 #include "updating/structure/edit/release_constraints.hpp"
 #include "updating/structure/edit/weaken_cards.hpp"
@@ -97,8 +99,11 @@ std::vector<structure::WeakElements> weak_elements(
   for (const auto& added : added_effects) {
     const auto kind = effects::find(added.effect).changes_stiffness();
     if (kind != ChangeKind::Elements) continue;
+    const double factor = added.parameters.at(0).value;
+    const bool thinned = added.where.variant == pocket;
     weak.push_back({{added.where.elements.begin(), added.where.elements.end()},
-                    added.parameters.at(0).value});
+                    factor,
+                    thinned ? effects::mass_left(factor) : 1.0});
   }
   return weak;
 }
@@ -133,6 +138,7 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
   EffectCards cards;
   for (const auto& added : added_effects) {
     const effects::Effect& effect = effects::find(added.effect);
+    Where where = added.where;
     cards.added.push_back(fmt::format("$ {}: {}",
                                       effect_text(added.effect, added.where),
                                       parameters_text(added.parameters)));
@@ -149,7 +155,18 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
         continue;
       }
     }
-    for (std::string& card : effect.bulk_data(added.where, setting, p)) {
+    if (!where.at.empty()) {
+      const Eigen::Vector3d at(where.at[0], where.at[1], where.at[2]);
+      for (std::string& card :
+           structure::grid_on_arm(with_ids, where.node, at)) {
+        take_id(card, with_ids);
+        cards.added.push_back(std::move(card));
+      }
+      with_ids.grids.back().position = at;
+      where.node = with_ids.grids.back().id;
+      where.at.clear();
+    }
+    for (std::string& card : effect.bulk_data(where, setting, p)) {
       take_id(card, with_ids);
       cards.added.push_back(std::move(card));
     }

@@ -262,18 +262,6 @@ Eigen::VectorXd residual_of(const FrfModel& model,
   return stack(target, model.respond(state, target.s, false).H - target.H);
 }
 
-// Rows of stack() x patterns, for a form that is off by as much as its modes.
-Eigen::MatrixXd form_bias(const FrfModel& model,
-                   const ModelState& state,
-                   const Target& target) {
-  const std::vector<Eigen::MatrixXcd> patterns = model.form_patterns(state, target.s);
-  Eigen::MatrixXd F(2 * target.H.size(), static_cast<Index>(patterns.size()));
-  for (std::size_t k = 0; k < patterns.size(); ++k) {
-    F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
-  }
-  return F;
-}
-
 // A residue of every mode in every FRF, and its pole.
 double data_of(const Target& target, const ModelState& state) {
   const double frfs =
@@ -283,6 +271,35 @@ double data_of(const Target& target, const ModelState& state) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd form_bias(const FrfModel& model,
+                          const ModelState& state,
+                          const Target& target) {
+  const std::vector<Eigen::MatrixXcd> patterns =
+      model.form_patterns(state, target.s);
+  Eigen::MatrixXd F(2 * target.H.size(), static_cast<Index>(patterns.size()));
+  for (std::size_t k = 0; k < patterns.size(); ++k) {
+    F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
+  }
+  return F;
+}
+
+Readjustment readjustment(const UpdateResult& result) {
+  const Prior& prior = result.prior;
+  const Eigen::VectorXd theta = pack(result.state);
+  Readjustment fit{result.jacobian, precision(prior), {}};
+  fit.pull.setZero(theta.size());
+  constexpr double touching = 1e-6;
+  for (Index k = 0; k < theta.size(); ++k) {
+    fit.pull(k) = fit.precision(k) * (theta(k) - prior.mean(k));
+    const bool bound = theta(k) < prior.lower(k) + touching ||
+                       theta(k) > prior.upper(k) - touching;
+    if (!bound) continue;
+    fit.J.col(k).setZero();
+    fit.pull(k) = 0.0;
+  }
+  return fit;
+}
 
 // A fit on its way: where it is, on what, and how it came there.
 class Fitter::Course {
@@ -357,11 +374,11 @@ class Fitter::Course {
     const ModelState& state = fit.result.state;
     const Eigen::VectorXd& r = fit.result.residual;
     Eigen::MatrixXd F = form_bias(*fit.model, state, target);
-    fit.form = view(form_error(F), r);
-    const FormEstimate form = estimate_form(
-        fit.form, data_of(target, state), noise_error(target));
+    fit.form = view(form_error(F), r, readjustment(fit.result));
+    const FormEstimate form =
+        estimate_form(fit.form, data_of(target, state), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
-    target.form_bias = form.tau * F;
+    target.form_bias = form.mean_tau * F;
     fit.result.covariance = parameter_covariance(
         target, fit.result.jacobian, r, fit.result.prior.sd);
   }

@@ -9,10 +9,10 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "updating/frf_model/form_error.hpp"
 #include "updating/fit/residual.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/acted_points.hpp"
+#include "updating/frf_model/form_error.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/reduced_base.hpp"
@@ -45,6 +45,15 @@ struct Fit {
   /// Of what it leaves, see FormEstimate.
   double log_likelihood = 0.0;
 };
+
+/// What a form that is wrong adds to what a model leaves.
+/// @return rows of stack() x patterns, see FrfModel::form_patterns()
+[[nodiscard]] Eigen::MatrixXd form_bias(const FrfModel& model,
+                                        const ModelState& state,
+                                        const Target& target);
+
+/// How the parameters of a result may still move; those at a bound may not.
+[[nodiscard]] Readjustment readjustment(const UpdateResult& result);
 
 /// The effect's parameters with the ranges and starts that the model's base
 /// gives those that change its stiffness.

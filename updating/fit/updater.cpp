@@ -27,16 +27,6 @@ struct Point {
   double objective = 0.0;
 };
 
-// 1 / sd^2, zero where there is no prior.
-VectorXd precision(const Prior& prior) {
-  VectorXd result(prior.sd.size());
-  for (Index k = 0; k < result.size(); ++k) {
-    result(k) =
-        std::isfinite(prior.sd(k)) ? 1.0 / (prior.sd(k) * prior.sd(k)) : 0.0;
-  }
-  return result;
-}
-
 std::optional<Point> look(const FrfModel& model,
                           const Target& target,
                           const ModelState& like,
@@ -90,6 +80,15 @@ VectorXd step(const Point& at,
 }
 
 }  // namespace
+
+VectorXd precision(const Prior& prior) {
+  VectorXd result(prior.sd.size());
+  for (Index k = 0; k < result.size(); ++k) {
+    result(k) =
+        std::isfinite(prior.sd(k)) ? 1.0 / (prior.sd(k) * prior.sd(k)) : 0.0;
+  }
+  return result;
+}
 
 UpdateResult update(const FrfModel& model,
                     const Target& target,

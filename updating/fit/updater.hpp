@@ -30,6 +30,9 @@ struct Prior {
   Eigen::VectorXd upper;
 };
 
+/// 1 / sd^2, zero where there is no prior.
+[[nodiscard]] Eigen::VectorXd precision(const Prior& prior);
+
 struct UpdateOptions {
   int max_iterations = 30;
   double tolerance = 1e-6;  ///< on the relative change of the parameters
@@ -43,7 +46,7 @@ struct UpdateResult {
   double error = 0.0;          ///< ||r||
   double objective = 0.0;      ///< J
   Eigen::MatrixXd covariance;  ///< of theta
-  Eigen::MatrixXd jacobian;  ///< d r / d theta at the end
+  Eigen::MatrixXd jacobian;    ///< d r / d theta at the end
   Eigen::VectorXd residual;
   double prior_cost = 0.0;  ///< sum ((theta - mean) / sd)^2
   /// The start, then each step; see update_history.hpp.

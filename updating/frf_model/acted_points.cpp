@@ -34,12 +34,17 @@ std::vector<int> acted_points(const effects::Setting& setting,
         // Residual vectors across the measured direction, or turning about
         // it, would only swell the base: the modes there are stiff and hardly
         // excited.
-        const bool across = dof.component > 3
-                                ? dof.component - 3 == setting.component
-                                : dof.component != setting.component;
+        const bool across =
+            dof.component > 3
+                ? dof.component - 3 == setting.component
+                : dof.component != setting.component && !is_along_axis(e.where);
         if (across && !arms.contains(dof.node)) continue;
-        points.insert(6 * static_cast<int>(setting.deck->grid_index(dof.node)) +
-                      dof.component - 1);
+        const auto insert = [&](int node) {
+          points.insert(6 * static_cast<int>(setting.deck->grid_index(node)) +
+                        dof.component - 1);
+        };
+        if (dof.between.empty()) insert(dof.node);
+        for (const MotionShare& share : dof.between) insert(share.node);
       }
     }
   }

@@ -8,6 +8,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+Eigen::RowVectorXd acted_row(const effects::ActedDof& dof,
+                             const structure::Deck& deck,
+                             const ReducedBase& base) {
+  const auto of = [&](int node, int component) {
+    return base.rows.row(6 * static_cast<Index>(deck.grid_index(node)) +
+                         component - 1);
+  };
+  if (dof.between.empty()) return of(dof.node, dof.component);
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(base.size());
+  for (const MotionShare& share : dof.between) {
+    sum += share.weight * of(share.node, share.component);
+  }
+  return sum;
+}
+
 namespace {
 
 // What a unit of the change's parameter adds: law = sum of p (k + s^2 m).
@@ -18,8 +33,7 @@ void add_unit(const PlacedEffect& placed,
               ConstantChange& change) {
   for (const effects::ActedDof& dof :
        placed.effect->acts_on(placed.where, setting, run)) {
-    const auto grid = static_cast<Index>(setting.deck->grid_index(dof.node));
-    const VectorXd b = base.rows.row(6 * grid + dof.component - 1).transpose();
+    const VectorXd b = acted_row(dof, *setting.deck, base).transpose();
     const auto law_of_unit = [&](double s) {
       return dof.weight *
              placed.effect

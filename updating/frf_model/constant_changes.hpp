@@ -14,6 +14,11 @@
 
 namespace tapfit::updating {
 
+/// A row of the base: what it moves of a degree of freedom that is acted on.
+[[nodiscard]] Eigen::RowVectorXd acted_row(const effects::ActedDof& dof,
+                                           const structure::Deck& deck,
+                                           const ReducedBase& base);
+
 /// What a unit of a parameter adds to the base's matrices, r x r; 0 x 0: none.
 struct ConstantChange {
   std::size_t effect = 0;     ///< of the state

@@ -1,5 +1,6 @@
 #include "updating/frf_model/form_error.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -16,25 +17,84 @@ using Eigen::VectorXd;
 // A careful deck's modal stiffness is off by 0.6 % in the middle (frequencies
 // by 0.3 %), and in two cases of three by 0.2 to 1.8 %.
 constexpr double middle_tau = 6e-3;
-constexpr double spread = 1.1;  // of ln tau
-// Steps of ln tau and ln sigma: a tenth of the width of what they are known to.
-constexpr double grid_step = 0.2;
+constexpr double spread = 1.1;     // of ln tau
+constexpr double grid_step = 0.3;  // of ln tau
 constexpr double least_tau = 1e-5;
 constexpr double most_tau = 0.2;
+// How far the first order reaches, in the parameters' logarithms: a factor.
+constexpr double first_order = 0.5;
 
-// Of the residual without what the form explains, weighed by the form's prior.
-double weighed_square(const FormView& v, double kappa) {
-  const auto taken = v.lambda.array() / (kappa + v.lambda.array());
-  return std::max(v.whole - (taken * v.along.array()).sum(), 1e-30);
+// r' W r + prior at its least over the parameters, with W = I - U D U',
+// D = lambda / (kappa + lambda):
+//
+//   A d = -b,   A = g J' W J + P,   b = g J' W r + P (theta - mean)
+//
+// g = N / sigma^2 [1 / residual^2]; without the prior's cost at theta.
+struct Weighed {
+  double square = 0.0;
+  VectorXd step;
+};
+
+Weighed weigh(const FormView& v, double kappa, double g) {
+  const VectorXd taken = v.lambda.array() / (kappa + v.lambda.array());
+  const double own = v.whole - taken.dot(v.along.cwiseAbs2());
+  Weighed result{g * std::max(own, 1e-30), {}};
+  if (v.slope.size() == 0) return result;
+  const MatrixXd weighed = taken.asDiagonal() * v.moved;
+  MatrixXd A = g * (v.gram - v.moved.transpose() * weighed);
+  A.diagonal() += v.precision;
+  A.diagonal().array() += 1.0 / (first_order * first_order);
+  const VectorXd b = g * (v.slope - weighed.transpose() * v.along) + v.pull;
+  result.step = -A.ldlt().solve(b);
+  result.square += b.dot(result.step);
+  return result;
 }
 
-// ln p(r | sigma, tau) + ln p(tau), but for constants.
+struct Density {
+  double log = 0.0;  // ln p(r | sigma, tau) + ln p(tau), but for constants
+  double sigma = 0.0;
+};
+
 double log_density(const FormView& v, double data, double sigma, double tau) {
   const double kappa = sigma * sigma / (data * tau * tau);
   const double volume = (v.lambda.array() / kappa).log1p().sum();
   const double off = std::log(tau / middle_tau) / spread;
+  const double g = data / (sigma * sigma);
   return -0.5 * (2.0 * data * std::log(sigma) + volume +
-                 data * weighed_square(v, kappa) / (sigma * sigma) + off * off);
+                 weigh(v, kappa, g).square + off * off);
+}
+
+// The sigma that is likeliest with tau, by golden section of its logarithm. Its
+// width, 1 / sqrt(2 N), is the same for all that are compared.
+Density best_sigma(
+    const FormView& v, double data, double tau, double bottom, double top) {
+  constexpr double golden = 0.618033988749895;
+  constexpr double close = 0.02;
+  double low = std::log(bottom);
+  double high = std::log(top);
+  const auto at = [&](double x) {
+    return log_density(v, data, std::exp(x), tau);
+  };
+  double a = high - golden * (high - low);
+  double b = low + golden * (high - low);
+  double fa = at(a);
+  double fb = at(b);
+  while (high - low > close) {
+    if (fa > fb) {
+      high = b;
+      b = a;
+      fb = fa;
+      a = high - golden * (high - low);
+      fa = at(a);
+    } else {
+      low = a;
+      a = b;
+      fa = fb;
+      b = low + golden * (high - low);
+      fb = at(b);
+    }
+  }
+  return fa > fb ? Density{fa, std::exp(a)} : Density{fb, std::exp(b)};
 }
 
 }  // namespace
@@ -53,33 +113,60 @@ FormError form_error(const MatrixXd& F) {
   return form;
 }
 
-FormView view(const FormError& form, const VectorXd& r) {
-  return {form.lambda, (form.U.transpose() * r).cwiseAbs2(), r.squaredNorm()};
+FormView view(const FormError& form,
+              const VectorXd& r,
+              const Readjustment& fit) {
+  if (fit.J.size() == 0) {
+    return {form.lambda, form.U.transpose() * r, r.squaredNorm()};
+  }
+  return {form.lambda,
+          form.U.transpose() * r,
+          r.squaredNorm(),
+          form.U.transpose() * fit.J,
+          fit.J.transpose() * fit.J,
+          fit.J.transpose() * r,
+          fit.precision,
+          fit.pull};
 }
 
 FormEstimate estimate_form(const FormView& v, double data, double noise) {
   const double top = std::sqrt(std::max(v.whole, 1e-30));
   const double bottom = std::max(std::min(noise, 0.99 * top), 1e-3 * top);
   std::vector<double> density;
+  std::vector<double> tried;
   FormEstimate best;
   double most = -1e300;
   for (double tau = least_tau; tau < most_tau; tau *= std::exp(grid_step)) {
-    for (double sigma = bottom; sigma < 1.01 * top; sigma *= std::exp(grid_step)) {
-      density.push_back(log_density(v, data, sigma, tau));
-      if (density.back() <= most) continue;
-      most = density.back();
-      best.tau = tau;
-      best.sigma = sigma;
-    }
+    const Density at = best_sigma(v, data, tau, bottom, top);
+    density.push_back(at.log);
+    tried.push_back(tau);
+    if (at.log <= most) continue;
+    most = at.log;
+    best.tau = tau;
+    best.sigma = at.sigma;
   }
   double sum = 0.0;
-  for (const double d : density) sum += std::exp(d - most);
-  best.log_likelihood = most + std::log(sum * grid_step * grid_step);
-  const double kappa = best.sigma * best.sigma / (data * best.tau * best.tau);
-  const auto kept = kappa / (kappa + v.lambda.array());
-  const double along = v.along.sum();
-  best.left = std::sqrt(
-      std::max(0.0, v.whole - along + (kept.square() * v.along.array()).sum()));
+  double squares = 0.0;
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const double p = std::exp(density[k] - most);
+    sum += p;
+    squares += p * tried[k] * tried[k];
+  }
+  best.mean_tau = std::sqrt(squares / sum);
+  best.log_likelihood = most + std::log(sum * grid_step);
+  const double g = data / (best.sigma * best.sigma);
+  const double kappa = 1.0 / (g * best.tau * best.tau);
+  best.step = weigh(v, kappa, g).step;
+  VectorXd along = v.along;
+  double whole = v.whole;
+  if (best.step.size() > 0) {
+    along += v.moved * best.step;
+    whole += best.step.dot(2.0 * v.slope + v.gram * best.step);
+  }
+  const VectorXd kept = kappa / (kappa + v.lambda.array());
+  best.left = std::sqrt(std::max(
+      0.0,
+      whole - along.squaredNorm() + kept.cwiseProduct(along).squaredNorm()));
   return best;
 }
 

@@ -7,9 +7,9 @@
 // with the patterns F of FrfModel::form_patterns(), so that it has the
 // covariance sigma^2 / N (I + F F' / kappa), kappa = sigma^2 / (N tau^2). sigma
 // is what else is left, as a relative error; both are estimated from the data,
-// tau under a prior. Fits go to the least residual all the same: weighed by this
-// covariance, properties that do to all modes what the form may do would be
-// told by the curvature alone, and four times as many steps be needed. The
+// tau under a prior. Fits go to the least residual all the same: weighed by
+// this covariance, properties that do to all modes what the form may do would
+// be told by the curvature alone, and four times as many steps be needed. The
 // covariance says how likely what they leave is, and how far it may have driven
 // them. Sources: M. C. Kennedy, A. O'Hagan, "Bayesian calibration
 // of computer models", J. Royal Statistical Society B 63, 2001; E. Simoen, G.
@@ -27,24 +27,43 @@ struct FormError {
   Eigen::VectorXd lambda;  ///< F F' = U diag(lambda) U'
 };
 
+/// How a fit's parameters may still move the residual, to first order: a fit to
+/// the least residual is not where the likelihood is largest.
+struct Readjustment {
+  Eigen::MatrixXd J;          ///< d r / d theta; zero where theta may not move
+  Eigen::VectorXd precision;  ///< of the prior, 1 / sd^2
+  Eigen::VectorXd pull;       ///< precision times (theta - mean)
+};
+
 /// A residual seen in the patterns: all that its likelihood needs.
 struct FormView {
   Eigen::VectorXd lambda;
-  Eigen::VectorXd along;  ///< squares of U' r
+  Eigen::VectorXd along;  ///< U' r
   double whole = 0.0;     ///< r' r
+  Eigen::MatrixXd moved;  ///< U' J
+  Eigen::MatrixXd gram;   ///< J' J
+  Eigen::VectorXd slope;  ///< J' r
+  Eigen::VectorXd precision = {};
+  Eigen::VectorXd pull = {};
 };
 
 /// @param F rows of stack() x patterns
 [[nodiscard]] FormError form_error(const Eigen::MatrixXd& F);
 
-[[nodiscard]] FormView view(const FormError& form, const Eigen::VectorXd& r);
+[[nodiscard]] FormView view(const FormError& form,
+                            const Eigen::VectorXd& r,
+                            const Readjustment& fit);
 
 /// What the data say of tau and sigma.
 struct FormEstimate {
   /// Log of the probability of the residual, both integrated out.
   double log_likelihood = 0.0;
   double tau = 0.0;    ///< relative, of a modal stiffness: twice a frequency's
+  /// Root of the mean of tau^2: more where the data leave it open.
+  double mean_tau = 0.0;
   double sigma = 0.0;  ///< relative FRF error beside the form's
+  /// d theta, from the least residual to the largest likelihood.
+  Eigen::VectorXd step = {};
   double left = 0.0;  ///< relative error without what the form explains
 };
 

@@ -1,5 +1,6 @@
 #include "updating/frf_model/frf_model.hpp"
 
+#include "updating/effects/stiffness_loss.hpp"
 #include "updating/frf_model/modal_sums.hpp"
 #include "updating/frf_model/recording_chain.hpp"
 #include "updating/frf_model/run_lines.hpp"
@@ -41,13 +42,22 @@ bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
 
 namespace {
 
-// p - included.
-double change_of(const StiffnessTerm& term, const ModelState& state) {
+double value_of(const StiffnessTerm& term, const ModelState& state) {
   double p = term.absent;
   for (const PlacedEffect& e : state.effects) {
     if (is_of(term, e)) p = e.p[term.parameter];
   }
-  return p - term.included;
+  return p;
+}
+
+// p - included: what S is multiplied by; and the same for N.
+double change_of(const StiffnessTerm& term, const ModelState& state) {
+  return value_of(term, state) - term.included;
+}
+
+double mass_change_of(const StiffnessTerm& term, const ModelState& state) {
+  return effects::mass_left(value_of(term, state)) -
+         effects::mass_left(term.included);
 }
 
 }  // namespace
@@ -93,6 +103,10 @@ Eigen::RowVectorXd FrfModel::row(int node, int component) const {
   return base_.rows.row(6 * grid + component - 1);
 }
 
+Eigen::RowVectorXd FrfModel::row(const effects::ActedDof& dof) const {
+  return acted_row(dof, *setting_.deck, base_);
+}
+
 BaseModes FrfModel::base_modes(const ModelState& state) const {
   MatrixXd K = base_.K;
   MatrixXd M = MatrixXd::Identity(base_.size(), base_.size());
@@ -103,6 +117,8 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
   }
   for (const StiffnessTerm& term : base_.terms) {
     K += change_of(term, state) * term.at(state.factor);
+    if (term.N.size() == 0) continue;
+    M += mass_change_of(term, state) * term.mass_at(state.factor);
   }
   return solve_modes(K, M);
 }
@@ -123,8 +139,7 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
     for (const std::size_t run : runs_) {
       for (const effects::ActedDof& dof :
            e.effect->acts_on(e.where, setting_, run)) {
-        const VectorXd b =
-            base.phi.transpose() * row(dof.node, dof.component).transpose();
+        const VectorXd b = base.phi.transpose() * row(dof).transpose();
         const double share = dof.weight / static_cast<double>(runs_.size());
         const double z =
             e.effect->law({0.0, omega}, e.p, dof.group).real() * share;
@@ -244,6 +259,8 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     for (const StiffnessTerm& term : base_.terms) {
       const MatrixXd slope = term.slope(state.factor, j);
       if (slope.size() > 0) add(change_of(term, state), slope, dK);
+      const MatrixXd of_mass = term.mass_slope(state.factor, j);
+      if (of_mass.size() > 0) add(mass_change_of(term, state), of_mass, dM);
     }
     shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
   }
@@ -251,9 +268,12 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     const PlacedEffect& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed)) continue;
-      shared.turning.push_back({turn(term.at(state.factor), {}),
+      const double p = placed.p[term.parameter];
+      MatrixXd dM = term.mass_at(state.factor);
+      if (dM.size() > 0) dM *= effects::mass_left_slope(p);
+      shared.turning.push_back({turn(term.at(state.factor), dM),
                                 shared.first[e] + term.parameter,
-                                placed.p[term.parameter]});
+                                p});
     }
   }
   for (const ConstantChange& c : shared.changes) {
@@ -277,8 +297,7 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
     if (!acts_beside(placed)) continue;
     for (const effects::ActedDof& dof :
          placed.effect->acts_on(placed.where, setting_, run)) {
-      const VectorXd b =
-          phi.transpose() * row(dof.node, dof.component).transpose();
+      const VectorXd b = phi.transpose() * row(dof).transpose();
       if (b.squaredNorm() < 1e-18) continue;  // held, or out of the base
       lines.actors.push_back({e, dof.group, dof.weight});
       rows.push_back(b);
@@ -374,27 +393,59 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
+namespace {
+
+// Modes that the form mixes.
+struct FormEntry {
+  Index i;
+  Index j;
+};
+
+// Each of the first modes with itself and with the next two that show at the
+// points: those across the direction measured are none of its neighbours.
+std::vector<FormEntry> form_entries(const VectorXd& omega,
+                                    const MatrixXd& at_points,
+                                    Index modes) {
+  constexpr std::size_t neighbours = 2;
+  constexpr double hidden = 1e-3;  // of what shows most
+  const VectorXd shown = at_points.colwise().norm().transpose();
+  const double most =
+      shown.head(modes).size() > 0 ? shown.head(modes).maxCoeff() : 0.0;
+  std::vector<Index> visible;
+  for (Index i = 0; i < omega.size(); ++i) {
+    if (omega(i) > 0.0 && shown(i) > hidden * most) visible.push_back(i);
+  }
+  std::vector<FormEntry> entries;
+  for (std::size_t a = 0; a < visible.size() && visible[a] < modes; ++a) {
+    const std::size_t last = std::min(visible.size(), a + neighbours + 1);
+    for (std::size_t b = a; b < last; ++b) {
+      entries.push_back({visible[a], visible[b]});
+    }
+  }
+  return entries;
+}
+
+}  // namespace
+
 std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
                                                const VectorXcd& s) const {
-  constexpr Index neighbours = 2;
   constexpr double beyond = 1.3;  // of the band: modes that still show in it
+  constexpr double reach = 4.0;   // of the band: those that are modes, not
+                                  // responses of still higher ones
   const ModalState shared = modal_state(state);
   const VectorXd& w = shared.modes.omega;
   const double top = 2.0 * M_PI * setting_.high_hz;
   const Index modes = (w.array() < beyond * top).count();
   const auto n = static_cast<Index>(pairs_.size());
-  struct Entry {
-    Index i;
-    Index j;
-  };
-  std::vector<Entry> entries;
-  for (Index i = 0; i < modes; ++i) {
-    for (Index j = i; j < std::min(modes, i + neighbours + 1); ++j) {
-      if (w(i) * w(j) > 0.0) entries.push_back({i, j});
-    }
-  }
+  const std::vector<FormEntry> entries =
+      form_entries(w, points_.transpose() * shared.modes.phi, modes);
   const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
-  std::vector<MatrixXcd> patterns(entries.size() + 2, none);
+  std::vector<MatrixXcd> patterns(entries.size() + 3, none);
+  MatrixXcd& even = patterns[entries.size()];
+  MatrixXcd& linear = patterns[entries.size() + 1];
+  MatrixXcd& higher = patterns[entries.size() + 2];
+  const VectorXd w2 = w.cwiseAbs2();
+  const VectorXd order = (w / top).cwiseMin(reach);
   ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
   record(pairs_, shared, s, chain);
   const MatrixXcd flexible = flexibility(shared, s);
@@ -418,10 +469,13 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
               i == j ? o(i) * r(i) : (o(i) * r(j) + o(j) * r(i)) / M_SQRT2;
           const complex<double> change = scale * w(i) * w(j) * both;
           patterns[k](l, p.frf) = change;
-          if (i != j) continue;
-          patterns[entries.size()](l, p.frf) += change;
-          patterns[entries.size() + 1](l, p.frf) += w(i) / top * change;
         }
+        const VectorXcd of =
+            scale * w2.cwiseProduct(VectorXcd(o.cwiseProduct(r)));
+        even(l, p.frf) = of.sum();
+        linear(l, p.frf) = order.cwiseProduct(of).sum();
+        const Index rest = w.size() - modes;
+        higher(l, p.frf) = order.tail(rest).cwiseProduct(of.tail(rest)).sum();
       }
     }
   }

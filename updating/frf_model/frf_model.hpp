@@ -91,6 +91,7 @@ class FrfModel {
   [[nodiscard]] const effects::Setting& setting() const { return setting_; }
   /// Row of V for a degree of freedom of the deck.
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
+  [[nodiscard]] Eigen::RowVectorXd row(const effects::ActedDof& dof) const;
 
   /// Keeps the order of the damping ratios when modes change places: modes at
   /// later states are matched to those at this one.

@@ -97,22 +97,41 @@ MatrixXd constraint_modes(const HeldBase& base,
   return join({psi, inertia});
 }
 
-// u = V a + (1 - p) (A - (1 - p) S)^-1 S V a: patterns of the elements' own
-// forces are few, and between its two ends the answer to one runs smoothly.
-MatrixXd loss_modes(const HeldBase& base, const SparseMatrix& S, double least) {
-  // Of the energy in the elements.
-  constexpr double little = 3e-2;
-  const MatrixXd U = base.V * shares(base).asDiagonal();
-  const MatrixXd SU = S * U;
-  const MatrixXd forces = leading(SU, U.transpose() * SU, little);
+MatrixXd answers_to(const HeldBase& base,
+                    const SparseMatrix& soft,
+                    const MatrixXd& forces) {
   if (forces.cols() == 0) return forces;
-  const structure::Factor soft(base.motions.reduce(
-      base.system.K - (1.0 - least) * S + base.shift * base.system.M));
+  const structure::Factor factor(
+      base.motions.reduce(soft + base.shift * base.system.M));
   return orthonormalise(
       base.system.M,
       join({base.answers.to(forces),
-            base.motions.expand(soft.solve(base.motions.project(forces)))}),
+            base.motions.expand(factor.solve(base.motions.project(forces)))}),
       1e-10);
+}
+
+// Of the energy in the elements.
+constexpr double little = 3e-2;
+
+// u = V a + (1 - p) (A - (1 - p) S)^-1 S V a: patterns of the elements' own
+// forces are few, and between its two ends the answer to one runs smoothly.
+MatrixXd loss_modes(const HeldBase& base, const SparseMatrix& S, double least) {
+  const MatrixXd U = base.V * shares(base).asDiagonal();
+  const MatrixXd SU = S * U;
+  return answers_to(base,
+                    base.system.K - (1.0 - least) * S,
+                    leading(SU, U.transpose() * SU, little));
+}
+
+MatrixXd thinned_modes(const HeldBase& base,
+                       const SparseMatrix& S,
+                       const SparseMatrix& N,
+                       double least) {
+  const MatrixXd U = base.V * shares(base).asDiagonal();
+  const MatrixXd NU = N * U;
+  return answers_to(base,
+                    base.system.K - (1.0 - least) * S,
+                    leading(NU, U.transpose() * NU, little));
 }
 
 }  // namespace tapfit::updating

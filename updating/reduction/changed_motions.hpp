@@ -53,4 +53,11 @@ struct HeldBase {
                                          const structure::SparseMatrix& S,
                                          double least);
 
+/// What the mass of elements that are thinned drives besides.
+/// @param N n x n, mass of the elements
+[[nodiscard]] Eigen::MatrixXd thinned_modes(const HeldBase& base,
+                                            const structure::SparseMatrix& S,
+                                            const structure::SparseMatrix& N,
+                                            double least);
+
 }  // namespace tapfit::updating

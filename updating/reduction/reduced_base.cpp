@@ -55,6 +55,11 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
     for (MatrixXd& part : term.S_part) {
       part = (Q.transpose() * part * Q).eval();
     }
+    if (term.N.size() == 0) continue;
+    term.N = (Q.transpose() * term.N * Q).eval();
+    for (MatrixXd& part : term.N_part) {
+      part = (Q.transpose() * part * Q).eval();
+    }
   }
 }
 
@@ -210,8 +215,7 @@ void BaseBuilder::Impl::make_lean() {
   for (const double s : sd) {
     lean_options.spread.push_back(std::clamp(2.0 * s, 0.1, 1.0));
   }
-  const MatrixXd driven =
-      wide.V(options.driven, Eigen::all).transpose();
+  const MatrixXd driven = wide.V(options.driven, Eigen::all).transpose();
   const MatrixXd Q = lean_span(wide.base, driven, lean_options);
   lean.points = options.driven;
   lean.V = wide.V * Q;
@@ -365,9 +369,12 @@ ReducedBase BaseBuilder::Impl::extend(const Span& span,
     StiffnessTerm& term = base.terms.emplace_back();
     term.parameter = scaled.parameter;
     term.S = through(scaled.S);
+    const bool loses_mass = scaled.N.size() > 0;
+    if (loses_mass) term.N = through(scaled.N);
     for (const UncertainPart& part : scaled.parts) {
       term.part_power.push_back(part.power);
       term.S_part.push_back(through(part.K));
+      if (loses_mass) term.N_part.push_back(through(part.M));
     }
   }
   turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
@@ -393,14 +400,16 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
     if (changes[scaled.change].kind != ChangeKind::Elements) continue;
     const SparseMatrix S = scaled.S.topLeftCorner(n, n);
     blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
+    if (scaled.N.size() == 0) continue;
+    const SparseMatrix N = scaled.N.topLeftCorner(n, n);
+    blocks.push_back(padded(thinned_modes(held, S, N, loss_range.lower)));
   }
   return join(blocks);
 }
 
-ReducedBase BaseBuilder::build(
-    const std::vector<int>& points,
-    const std::vector<StiffnessChange>& changes,
-    BaseUse use) const {
+ReducedBase BaseBuilder::build(const std::vector<int>& points,
+                               const std::vector<StiffnessChange>& changes,
+                               BaseUse use) const {
   const Impl& m = *impl_;
   const Impl::Span& span = use == BaseUse::Fit ? m.lean : m.wide;
   std::vector<int> fresh;

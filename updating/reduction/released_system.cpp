@@ -151,7 +151,8 @@ void let_go(const std::vector<Triplets>& springs,
   }
 }
 
-// The stiffness of a change's elements, as it is and as properties change it.
+// The stiffness of a change's elements, as it is and as properties change it;
+// and their mass where that is lost with it.
 ScaledStiffness stiffness_of(const RefinedDeck& mesh,
                              const std::vector<UncertainProperty>& uncertain,
                              const StiffnessChange& change,
@@ -162,9 +163,16 @@ ScaledStiffness stiffness_of(const RefinedDeck& mesh,
   ScaledStiffness scaled;
   scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
   scaled.S.conservativeResize(dofs, dofs);
+  const bool thinned = change.of.where.variant == pocket;
+  if (thinned) {
+    scaled.N = structure::assemble_mass(mesh.deck, wanted);
+    scaled.N.conservativeResize(dofs, dofs);
+  }
   for (UncertainPart& part : uncertain_parts(mesh.deck, uncertain, wanted)) {
-    if (part.K.nonZeros() == 0) continue;
+    const bool has_mass = thinned && part.M.nonZeros() > 0;
+    if (part.K.nonZeros() == 0 && !has_mass) continue;
     part.K.conservativeResize(dofs, dofs);
+    part.M.conservativeResize(dofs, dofs);
     scaled.parts.push_back(std::move(part));
   }
   return scaled;
@@ -202,7 +210,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
     for (std::size_t p = 0; p < springs[k].size(); ++p) {
       SparseMatrix S(released.dofs(), released.dofs());
       S.setFromTriplets(springs[k][p].begin(), springs[k][p].end());
-      released.scaled.push_back({k, p, std::move(S), {}});
+      released.scaled.push_back({k, p, std::move(S), {}, {}});
     }
   }
   return released;

@@ -25,7 +25,9 @@ struct ScaledStiffness {
   std::size_t change = 0;     ///< position among the changes
   std::size_t parameter = 0;  ///< position among its effect's parameters
   structure::SparseMatrix S;  ///< d K / d p
-  std::vector<UncertainPart> parts = {};  ///< what S takes from properties
+  /// What S, and N where there is one, take from properties.
+  std::vector<UncertainPart> parts = {};
+  structure::SparseMatrix N = {};  ///< mass that goes with it; 0 x 0: none
 };
 
 struct ReleasedSystem {

@@ -3,25 +3,54 @@
 #include "updating/properties/uncertain_parts.hpp"
 
 namespace tapfit::updating {
+namespace {
 
-Eigen::MatrixXd StiffnessTerm::at(const std::vector<double>& factor) const {
-  Eigen::MatrixXd sum = S;
-  for (std::size_t t = 0; t < S_part.size(); ++t) {
-    sum += part_coefficient(part_power[t], factor) * S_part[t];
+using Eigen::MatrixXd;
+using Powers = std::vector<std::vector<int>>;
+
+MatrixXd sum_at(const MatrixXd& nominal,
+                const std::vector<MatrixXd>& parts,
+                const Powers& power,
+                const std::vector<double>& factor) {
+  MatrixXd sum = nominal;
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    sum += part_coefficient(power[t], factor) * parts[t];
   }
   return sum;
 }
 
-Eigen::MatrixXd StiffnessTerm::slope(const std::vector<double>& factor,
-                                     std::size_t j) const {
-  Eigen::MatrixXd sum;
-  for (std::size_t t = 0; t < S_part.size(); ++t) {
-    const double c = part_slope(part_power[t], factor, j);
+MatrixXd slope_of(const std::vector<MatrixXd>& parts,
+                  const Powers& power,
+                  const std::vector<double>& factor,
+                  std::size_t j) {
+  MatrixXd sum;
+  for (std::size_t t = 0; t < parts.size(); ++t) {
+    const double c = part_slope(power[t], factor, j);
     if (c == 0.0) continue;
-    if (sum.size() == 0) sum.setZero(S.rows(), S.cols());
-    sum += c * S_part[t];
+    if (sum.size() == 0) sum.setZero(parts[t].rows(), parts[t].cols());
+    sum += c * parts[t];
   }
   return sum;
+}
+
+}  // namespace
+
+MatrixXd StiffnessTerm::at(const std::vector<double>& factor) const {
+  return sum_at(S, S_part, part_power, factor);
+}
+
+MatrixXd StiffnessTerm::mass_at(const std::vector<double>& factor) const {
+  return sum_at(N, N_part, part_power, factor);
+}
+
+MatrixXd StiffnessTerm::slope(const std::vector<double>& factor,
+                              std::size_t j) const {
+  return slope_of(S_part, part_power, factor, j);
+}
+
+MatrixXd StiffnessTerm::mass_slope(const std::vector<double>& factor,
+                                   std::size_t j) const {
+  return slope_of(N_part, part_power, factor, j);
 }
 
 }  // namespace tapfit::updating

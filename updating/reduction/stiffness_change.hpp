@@ -39,12 +39,23 @@ struct StiffnessTerm : ChangeRange {
   Eigen::MatrixXd S = {};     ///< r x r, d K / d p at nominal properties
   std::vector<std::vector<int>> part_power = {};
   std::vector<Eigen::MatrixXd> S_part = {};  ///< one per power, r x r
+  /// Of elements that lose mass with their stiffness, N(f): as S and S_part;
+  /// 0 x 0 where they keep it:
+  /// M(p) = M + (mass_left(p) - 1) N, see stiffness_loss.hpp.
+  Eigen::MatrixXd N = {};
+  std::vector<Eigen::MatrixXd> N_part = {};
 
   /// S(f).
   [[nodiscard]] Eigen::MatrixXd at(const std::vector<double>& factor) const;
+  /// N(f); 0 x 0 where mass is kept.
+  [[nodiscard]] Eigen::MatrixXd mass_at(
+      const std::vector<double>& factor) const;
   /// d S / d f_j; 0 x 0 where it does not depend on it.
   [[nodiscard]] Eigen::MatrixXd slope(const std::vector<double>& factor,
                                       std::size_t j) const;
+  /// d N / d f_j; 0 x 0 where it does not depend on it.
+  [[nodiscard]] Eigen::MatrixXd mass_slope(const std::vector<double>& factor,
+                                           std::size_t j) const;
 };
 
 }  // namespace tapfit::updating

@@ -77,6 +77,8 @@ void add(const EffectRef& effect, ContentDigest& digest) {
   digest.add(static_cast<double>(effect.where.channels.size()));
   for (const std::string& channel : effect.where.channels) digest.add(channel);
   digest.add(effect.where.variant);
+  digest.add(static_cast<double>(effect.where.at.size()));
+  for (const double x : effect.where.at) digest.add(x);
 }
 
 void add(const EffectHistory& history,

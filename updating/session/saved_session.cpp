@@ -59,6 +59,7 @@ json to_json(const Where& where) {
   if (!where.elements.empty()) result["elements"] = where.elements;
   if (!where.channels.empty()) result["channels"] = where.channels;
   if (!where.variant.empty()) result["variant"] = where.variant;
+  if (!where.at.empty()) result["at"] = where.at;
   return result;
 }
 
@@ -69,12 +70,17 @@ Where where_in(const json& value) {
   where.elements = value.value("elements", std::vector<int>{});
   where.channels = value.value("channels", std::vector<std::string>{});
   where.variant = value.value("variant", "");
+  where.at = value.value("at", std::vector<double>{});
+  if (!where.at.empty() && where.at.size() != 3) {
+    throw std::out_of_range("\"at\" takes three coordinates");
+  }
   return where;
 }
 
 Where where_from(const json& value) {
-  check_fields(
-      value, "\"where\"", {"node", "nodes", "elements", "channels", "variant"});
+  check_fields(value,
+               "\"where\"",
+               {"node", "nodes", "elements", "channels", "variant", "at"});
   return where_in(value);
 }
 
@@ -93,9 +99,10 @@ json to_json(const EffectChange& change) {
 }
 
 EffectRef ref_from(const json& value) {
-  check_fields(value,
-               "an effect of a change",
-               {"effect", "node", "nodes", "elements", "channels", "variant"});
+  check_fields(
+      value,
+      "an effect of a change",
+      {"effect", "node", "nodes", "elements", "channels", "variant", "at"});
   return {value.at("effect"), where_in(value)};
 }
 
@@ -109,7 +116,8 @@ EffectChange change_from(const json& value) {
                 "nodes",
                 "elements",
                 "channels",
-                "variant"});
+                "variant",
+                "at"});
   if (!value.contains("switched")) {
     EffectChange change;
     for (const json& one : list_in(value, "together")) {

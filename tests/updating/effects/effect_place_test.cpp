@@ -102,10 +102,27 @@ TEST_F(EffectPlace, ASpringActsAlongAnyAxisThatWasTested) {
   EXPECT_EQ(axis("ground-spring@30:Z"), 3);
   EXPECT_EQ(axis("ground-spring@30:X"), 1);
   EXPECT_EQ(axis("absorber@30:X"), 1);
-  EXPECT_EQ(
-      place_effect(parse_effect("dashpot@30:Z"), setting_).where.variant, "");
+  EXPECT_EQ(place_effect(parse_effect("dashpot@30:Z"), setting_).where.variant,
+            "");
   EXPECT_NE(refusal("ground-spring@30:Y").find("axis"), std::string::npos);
   EXPECT_EQ(describe(parse_effect("dashpot@30:X").where), "node 30 along X");
+}
+
+TEST_F(EffectPlace, APlaceBetweenGridsLiesOnAnElementThere) {
+  EffectRef ref = parse_effect("added-mass@30");
+  const Eigen::Vector3d x = position_of(ref.where, deck_);
+  ref.where.at = {x.x() + 0.01, x.y() + 0.005, x.z()};
+  const PlacedEffect placed = place_effect(ref, setting_);
+  EXPECT_EQ(placed.where, ref.where);
+  EXPECT_EQ(describe(placed.where), "near node 30");
+  double whole = 0.0;
+  for (const MotionShare& share :
+       placed.effect->acts_on(placed.where, setting_, 0).at(2).between) {
+    if (share.component == 3) whole += share.weight;
+  }
+  EXPECT_NEAR(whole, 1.0, 1e-12);  // a rigid motion moves it along
+  ref.where.at[2] += 0.1;
+  EXPECT_THROW(static_cast<void>(place_effect(ref, setting_)), InputError);
 }
 
 }  // namespace

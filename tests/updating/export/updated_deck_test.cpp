@@ -42,5 +42,26 @@ TEST(UpdatedDeck, AbsorbersShareNoIds) {
   EXPECT_EQ(elements.size(), 6U);
 }
 
+// Half way between grids 1 and 2 a mass sits on a grid of its own, which
+// follows grid 1 by a rigid arm.
+TEST(UpdatedDeck, WhatSitsBetweenGridsStandsOnAnArm) {
+  structure::Deck deck;
+  deck.grids = {{1, {0, 0, 0}}, {2, {0.2, 0, 0}}};
+  acquisition::TestBundle bundle;
+  acquisition::Run run;
+  run.sensors = {{0, {2, 3, 1}}};
+  bundle.runs = {run};
+  Candidate mass;
+  mass.effect = "added-mass";
+  mass.where.node = 1;
+  mass.where.at = {0.1, 0.0, 0.0};
+  mass.parameters = {{"mass_kg", 0.02, 0.001, 0.018, 0.022}};
+  const std::vector<std::string> cards = effect_cards({mass}, bundle, deck);
+  ASSERT_EQ(cards.size(), 4U);
+  EXPECT_TRUE(cards[1].starts_with("GRID,3,0,0.1")) << cards[1];
+  EXPECT_EQ(cards[2], "RBE2,1,1,123456,3");
+  EXPECT_TRUE(cards[3].starts_with("CONM2,2,3,")) << cards[3];
+}
+
 }  // namespace
 }  // namespace tapfit::updating

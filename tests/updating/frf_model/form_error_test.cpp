@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index rows = 400;
-constexpr Index patterns = 20;
+constexpr Index samples = 400;
+constexpr Index pattern_count = 20;
 
 MatrixXd gaussian(SeededRandom& random, Index n, Index m) {
   return MatrixXd::NullaryExpr(n, m, [&] { return random.normal(); });
@@ -23,7 +23,7 @@ MatrixXd gaussian(SeededRandom& random, Index n, Index m) {
 
 TEST(FormError, LeavesAPatternThatIsAnotherOut) {
   SeededRandom random(4, "form");
-  MatrixXd F = gaussian(random, rows, 3);
+  MatrixXd F = gaussian(random, samples, 3);
   F.col(2) = 2.0 * F.col(0) - F.col(1);
   EXPECT_EQ(form_error(F).lambda.size(), 2);
 }
@@ -37,12 +37,13 @@ struct Drawn {
 // percent of error on lines of 3 % damping.
 Drawn draw(unsigned seed, double tau, double sigma) {
   SeededRandom random(seed, "form");
-  const MatrixXd F =
-      10.0 / std::sqrt(rows * 1.0) * gaussian(random, rows, patterns);
+  const MatrixXd F = 10.0 / std::sqrt(samples * 1.0) *
+                     gaussian(random, samples, pattern_count);
   const VectorXd noise =
-      sigma / std::sqrt(rows * 1.0) * gaussian(random, rows, 1);
-  const VectorXd r = F * (tau * gaussian(random, patterns, 1)) + noise;
-  return {estimate_form(view(form_error(F), r), rows, 0.0), noise.norm()};
+      sigma / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
+  const VectorXd r = F * (tau * gaussian(random, pattern_count, 1)) + noise;
+  return {estimate_form(view(form_error(F), r, {}), samples, 0.0),
+          noise.norm()};
 }
 
 TEST(FormError, IsFoundWithWhatIsLeftBeside) {
@@ -71,19 +72,50 @@ TEST(FormError, IsNextToNothingWhereNoiseExplainsAll) {
   }
 }
 
+// A fit to the least residual moves its parameter wherever that takes most of
+// the form's error; the likelihood takes it back.
+TEST(FormError, SaysWhereAParameterIsLikeliest) {
+  double least = 0.0;
+  double likeliest = 0.0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SeededRandom random(200 + seed, "form");
+    const double scale = 1.0 / std::sqrt(samples * 1.0);
+    const MatrixXd F = 10.0 * scale * gaussian(random, samples, pattern_count);
+    // What it does is much like two of the patterns, and something of its own.
+    const MatrixXd J =
+        F.col(0) + F.col(1) + 5.0 * scale * gaussian(random, samples, 1);
+    const VectorXd data = F * (0.01 * gaussian(random, pattern_count, 1)) +
+                          0.02 * scale * gaussian(random, samples, 1);
+    const double theta =
+        -J.col(0).dot(data) / J.col(0).squaredNorm();  // 0 is true
+    const VectorXd r = data + J * theta;
+    const VectorXd free = VectorXd::Zero(1);
+    const FormEstimate found =
+        estimate_form(view(form_error(F), r, {J, free, free}), samples, 0.0);
+    ASSERT_EQ(found.step.size(), 1);
+    least += theta * theta;
+    likeliest += std::pow(theta + found.step(0), 2);
+  }
+  // To be known by its own part alone it is off by 0.02 / (5 sqrt(400)) = 2e-4,
+  // by the least residual by some 0.01 x sqrt(2) x 10 / 15 = 6e-3.
+  EXPECT_LT(std::sqrt(likeliest / 20.0), 1e-3);
+  EXPECT_GT(std::sqrt(least / 20.0), 3e-3);
+}
+
 // One parameter that takes six patterns to nothing beats their free choice.
 TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
   SeededRandom random(9, "form");
-  const MatrixXd F =
-      10.0 / std::sqrt(rows * 1.0) * gaussian(random, rows, patterns);
+  const MatrixXd F = 10.0 / std::sqrt(samples * 1.0) *
+                     gaussian(random, samples, pattern_count);
   const VectorXd noise =
-      0.01 / std::sqrt(rows * 1.0) * gaussian(random, rows, 1);
-  const VectorXd shifts = 0.01 * VectorXd::Ones(patterns);
+      0.01 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
+  const VectorXd shifts = 0.01 * VectorXd::Ones(pattern_count);
   const FormError form = form_error(F);
   const double with =
-      estimate_form(view(form, noise), rows, 0.0).log_likelihood;
+      estimate_form(view(form, noise, {}), samples, 0.0).log_likelihood;
   const double without =
-      estimate_form(view(form, noise + F * shifts), rows, 0.0).log_likelihood;
+      estimate_form(view(form, noise + F * shifts, {}), samples, 0.0)
+          .log_likelihood;
   EXPECT_GT(with - without, 20.0);
 }
 

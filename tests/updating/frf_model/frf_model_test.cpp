@@ -90,6 +90,28 @@ ModelState undamped(const Fitter& fitter,
   return state;
 }
 
+// Largest relative difference between analytic and central differences.
+double derivative_error(const FrfModel& model,
+                        const ModelState& state,
+                        const VectorXcd& s) {
+  const Eigen::VectorXd theta = pack(state);
+  const ModelResponse response = model.respond(state, s, true);
+  double worst = 0.0;
+  for (Index k = 0; k < theta.size(); ++k) {
+    const double h = 1e-4;
+    Eigen::VectorXd up = theta;
+    Eigen::VectorXd down = theta;
+    up(k) += h;
+    down(k) -= h;
+    const MatrixXcd numeric = (model.respond(unpack(state, up), s, false).H -
+                               model.respond(unpack(state, down), s, false).H) /
+                              (2.0 * h);
+    worst = std::max(
+        worst, difference(response.dH[static_cast<std::size_t>(k)], numeric));
+  }
+  return worst;
+}
+
 using FrfModelTest = PlateModel;
 
 TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
@@ -161,6 +183,62 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   }
 }
 
+// Thinned to t / t_0 = factor^(1/3). The sensors look across the plate, which
+// bends only: that its membrane keeps more than the factor shows nowhere.
+TEST_F(FrfModelTest, PocketAgreesWithDirectSolve) {
+  Where where;
+  where.elements = {4, 5, 6, 14, 15, 16};
+  where.variant = pocket;
+  const effects::Effect& effect = effects::find("stiffness-loss");
+  const auto model =
+      fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
+  for (const double factor : {0.8, 0.3, 0.05}) {
+    structure::Deck thin = deck_;
+    thin.shell_properties[2] = thin.shell_properties[1];
+    thin.shell_properties[2].id = 2;
+    thin.shell_properties[2].thickness *= std::cbrt(factor);
+    for (structure::Shell& shell : thin.shells) {
+      const auto& ids = where.elements;
+      if (std::find(ids.begin(), ids.end(), shell.id) != ids.end()) {
+        shell.property = 2;
+      }
+    }
+    const ModelState state =
+        undamped(*fitter_, *model, {{&effect, where, {factor}}});
+    const MatrixXcd H = model->respond(state, s_, false).H;
+    // See changed_motions.hpp; and the shear of a thin plate goes with t, which
+    // is 1e-3 of its bending here.
+    EXPECT_LT(difference(H, direct(thin, pairs_, {}, s_)), 3e-3)
+        << "factor " << factor;
+  }
+}
+
+TEST_F(FrfModelTest, DerivativesOfAPocketAgreeWithDifferences) {
+  Where where;
+  where.elements = {4, 5, 6, 14, 15, 16};
+  where.variant = pocket;
+  const PlacedEffect thinned{&effects::find("stiffness-loss"), where, {0.4}};
+  const auto model = fitter_->model_for({thinned});
+  const ModelState state = fitter_->first_state(*model, {thinned});
+  EXPECT_LT(derivative_error(*model, state, s_), 1e-5);
+}
+
+// A spring between grids is a spring at a grid where the place is the grid's,
+// and half way between two it acts on a plate that bends there, not on the mean
+// of the two.
+TEST_F(FrfModelTest, SpringBetweenGridsAgreesWithAGridThere) {
+  PlacedEffect spring = at_node("ground-spring", 50, 3e4);
+  const auto at_grid = fitter_->model_for({spring}, BaseUse::Scan);
+  const MatrixXcd H =
+      at_grid->respond(undamped(*fitter_, *at_grid, {spring}), s_, false).H;
+  const Eigen::Vector3d x = position_of(spring.where, deck_);
+  spring.where.at = {x.x(), x.y(), x.z()};
+  const auto between = fitter_->model_for({spring}, BaseUse::Scan);
+  const MatrixXcd same =
+      between->respond(undamped(*fitter_, *between, {spring}), s_, false).H;
+  EXPECT_LT(difference(H, same), 1e-9);
+}
+
 // Elements between held grids alone: no mode strains them.
 TEST_F(FrfModelTest, LossThatNothingFeelsLeavesTheFrfsAlone) {
   structure::Deck pad = deck_;
@@ -224,28 +302,6 @@ TEST_F(FrfModelTest, JointAgreesWithDirectSolveFromStiffToSoft) {
     const MatrixXcd exact = direct(jointed_plate(deck_, k), pairs_, {}, s_);
     EXPECT_LT(difference(H, exact), 1e-4) << "k = " << k;
   }
-}
-
-// Largest relative difference between analytic and central differences.
-double derivative_error(const FrfModel& model,
-                        const ModelState& state,
-                        const VectorXcd& s) {
-  const Eigen::VectorXd theta = pack(state);
-  const ModelResponse response = model.respond(state, s, true);
-  double worst = 0.0;
-  for (Index k = 0; k < theta.size(); ++k) {
-    const double h = 1e-4;
-    Eigen::VectorXd up = theta;
-    Eigen::VectorXd down = theta;
-    up(k) += h;
-    down(k) -= h;
-    const MatrixXcd numeric = (model.respond(unpack(state, up), s, false).H -
-                               model.respond(unpack(state, down), s, false).H) /
-                              (2.0 * h);
-    worst = std::max(
-        worst, difference(response.dH[static_cast<std::size_t>(k)], numeric));
-  }
-  return worst;
 }
 
 TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {

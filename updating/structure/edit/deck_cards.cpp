@@ -15,6 +15,26 @@ double cosine(const Deck& deck, int node, int own, int basic) {
   return deck.grids[deck.grid_index(node)].axes((basic - 1) % 3, own % 3);
 }
 
+std::string grid_card_at(const Deck& deck,
+                         int id,
+                         const Eigen::Vector3d& position,
+                         const std::string& held,
+                         int axes) {
+  const Eigen::Vector3d at = position / deck.file_length_m;
+  return fmt::format("GRID,{},0,{},{},{},{},{}",
+                     id,
+                     card_real(at.x()),
+                     card_real(at.y()),
+                     card_real(at.z()),
+                     axes,
+                     held.empty() ? "0" : held);
+}
+
+std::string arm_card(const Deck& deck, int offset, int node, int grid) {
+  return fmt::format(
+      "RBE2,{},{},123456,{}", free_element(deck, offset), node, grid);
+}
+
 // Where a card takes hold, after the cards that this needs.
 struct Hold {
   int node = 0;
@@ -35,9 +55,7 @@ Hold hold_of(
   return {
       grid,
       component,
-      {grid_card(deck, grid, node, ""),
-       fmt::format(
-           "RBE2,{},{},123456,{}", free_element(deck, offset), node, grid)}};
+      {grid_card(deck, grid, node, ""), arm_card(deck, offset, node, grid)}};
 }
 
 std::vector<std::string> ground_cards(const char* card,
@@ -92,15 +110,15 @@ int free_grid(const Deck& deck, int offset) {
 
 std::string grid_card(
     const Deck& deck, int id, int like, const std::string& held, int axes) {
-  const Eigen::Vector3d at =
-      deck.grids[deck.grid_index(like)].position / deck.file_length_m;
-  return fmt::format("GRID,{},0,{},{},{},{},{}",
-                     id,
-                     card_real(at.x()),
-                     card_real(at.y()),
-                     card_real(at.z()),
-                     axes,
-                     held.empty() ? "0" : held);
+  return grid_card_at(
+      deck, id, deck.grids[deck.grid_index(like)].position, held, axes);
+}
+
+std::vector<std::string> grid_on_arm(const Deck& deck,
+                                     int node,
+                                     const Eigen::Vector3d& at) {
+  const int grid = free_grid(deck, 0);
+  return {grid_card_at(deck, grid, at, "", 0), arm_card(deck, 0, node, grid)};
 }
 
 std::optional<int> card_component(const Deck& deck, int node, int component) {

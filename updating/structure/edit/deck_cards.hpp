@@ -31,6 +31,13 @@ namespace tapfit::structure {
 [[nodiscard]] std::string grid_card(
     const Deck& deck, int id, int like, const std::string& held, int axes = 0);
 
+/// A grid with basic axes at any place, and the rigid arm by which it follows
+/// another: what lies between grids is moved and turned by the nearest.
+/// @param at basic axes [m]
+[[nodiscard]] std::vector<std::string> grid_on_arm(const Deck& deck,
+                                                   int node,
+                                                   const Eigen::Vector3d& at);
+
 /// CONM2 with the `offset`-th free element id of the deck (0, 1, ...).
 /// @param inertia_kg_m2 about each axis; a second line where there is one
 [[nodiscard]] std::string point_mass_card(const Deck& deck,

@@ -27,6 +27,8 @@ const std::map<std::string, std::vector<std::size_t>> modulus_fields = {
     {"MAT9", {2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
               13, 14, 15, 16, 17, 18, 19, 20, 21, 22}},
     {"MAT11", {2, 3, 4, 8, 9, 10}}};
+const std::map<std::string, std::size_t> density_field = {
+    {"MAT1", 5}, {"MAT2", 8}, {"MAT8", 8}, {"MAT9", 23}, {"MAT11", 11}};
 const std::set<std::string> element_names = {"CQUAD4",
                                              "CQUADR",
                                              "CQUAD8",
@@ -126,19 +128,18 @@ void WeakenCards::place(const Deck& deck, const WeakElements& weak) {
   for (const auto& [property, elements] : by_property) {
     Copy copy;
     copy.id = next_property_++;
-    copy.materials =
-        copied_materials(materials_of(deck, property), weak.factor);
+    copy.materials = copied_materials(materials_of(deck, property), weak);
     for (const int e : elements) property_of_[e] = copy.id;
     properties_[property].push_back(std::move(copy));
   }
 }
 
 std::map<int, int> WeakenCards::copied_materials(const std::set<int>& ids,
-                                                 double factor) {
+                                                 const WeakElements& weak) {
   std::map<int, int> copied;
   for (const int id : ids) {
     copied[id] = next_material_++;
-    materials_[id].push_back({copied[id], factor, {}});
+    materials_[id].push_back({copied[id], weak.factor, weak.mass, {}});
   }
   return copied;
 }
@@ -176,11 +177,12 @@ std::vector<Card> WeakenCards::copies(const Card& card) const {
     for (const Copy& copy : found->second) {
       Card other = card;
       field(other, 1) = fmt::format("{}", copy.id);
-      for (const std::size_t at : moduli->second) {
-        const auto modulus = parse_real(field(other, at));
-        if (!modulus) continue;
-        field(other, at) = fmt::format("{:.8E}", *modulus * copy.factor);
-      }
+      const auto multiply = [&other](std::size_t at, double by) {
+        const auto value = parse_real(field(other, at));
+        if (value) field(other, at) = fmt::format("{:.8E}", *value * by);
+      };
+      for (const std::size_t at : moduli->second) multiply(at, copy.factor);
+      multiply(density_field.at(card.name()), copy.mass);
       result.push_back(std::move(other));
     }
   }

@@ -1,6 +1,7 @@
 // Elements of a deck on properties and materials of their own, softer than the
 // rest by a factor: copies of the property's card and of the MAT card behind
-// it, with every modulus multiplied; the elements' cards name the copy.
+// it, with every modulus, and the density where mass is lost, multiplied; the
+// elements' cards name the copy.
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"
@@ -16,6 +17,7 @@ namespace tapfit::structure {
 struct WeakElements {
   std::set<int> elements;
   double factor = 1.0;  ///< of their stiffness
+  double mass = 1.0;    ///< factor of their density
 };
 
 class WeakenCards {
@@ -35,12 +37,13 @@ class WeakenCards {
   struct Copy {
     int id = 0;
     double factor = 1.0;
+    double mass = 1.0;
     std::map<int, int> materials;  ///< of a property: old to new
   };
   void place(const Deck& deck, const WeakElements& weak);
   [[nodiscard]] std::vector<Card> copies(const Card& card) const;
   [[nodiscard]] std::map<int, int> copied_materials(const std::set<int>& ids,
-                                                    double factor);
+                                                    const WeakElements& weak);
 
   std::map<int, int> property_of_;  ///< element to its new property
   std::map<int, std::vector<Copy>> properties_;

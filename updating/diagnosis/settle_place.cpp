@@ -1,0 +1,186 @@
+#include "updating/diagnosis/settle_place.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/places/between_grids.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// What was fitted at one place.
+struct Tried {
+  Where where;
+  double log_likelihood = 0.0;
+  VectorXd log_p;
+};
+
+Tried tried_at(const Hypothesis& h, const Judgement& judgement) {
+  const std::vector<double>& p = h.own().p;
+  const auto n = static_cast<Index>(p.size());
+  return {
+      h.own().where,
+      estimate_form(h.fit.form, judgement.data, judgement.noise).log_likelihood,
+      Eigen::Map<const VectorXd>(p.data(), n).array().log()};
+}
+
+// Fits the effect at several places, in one base.
+std::vector<Hypothesis> fit_at(const std::vector<Where>& places,
+                               const Hypothesis& like,
+                               const Fit& current,
+                               const Fitter& fitter,
+                               const Progress& progress) {
+  std::vector<PlacedEffect> all = current.effects;
+  for (const Where& where : places) {
+    all.push_back(like.own());
+    all.back().where = where;
+  }
+  const auto model = fitter.model_for(all);
+  std::vector<Hypothesis> result(places.size());
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(places.size(), [&](std::size_t k) {
+    std::vector<PlacedEffect> effects = current.effects;
+    effects.push_back(like.own());
+    effects.back().where = places[k];
+    result[k].fit = fitter.fit(effects, model, quiet);
+    result[k].places = like.places;
+  });
+  return result;
+}
+
+// Directions, in space, that the places tried lie along; columns of the length
+// of a grid spacing.
+MatrixXd directions(const std::vector<Tried>& tried,
+                    const Vector3d& from,
+                    const structure::Deck& deck) {
+  constexpr double flat = 0.2;  // of the largest extent
+  MatrixXd off(3, static_cast<Index>(tried.size()));
+  for (std::size_t k = 0; k < tried.size(); ++k) {
+    off.col(static_cast<Index>(k)) = position_of(tried[k].where, deck) - from;
+  }
+  const double spacing = 2.0 * off.colwise().norm().maxCoeff();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      MatrixXd(off * off.transpose()));
+  const VectorXd& squares = solver.eigenvalues();
+  const double least = flat * flat * std::max(squares.maxCoeff(), 0.0);
+  const Index count = std::min<Index>(2, (squares.array() > least).count());
+  return spacing * solver.eigenvectors().rightCols(count);
+}
+
+// The likelihood around a place, and how the parameters go with it.
+struct Quadratic {
+  MatrixXd axes;        // 3 x d, see directions()
+  VectorXd top;         // d, where the likelihood is largest
+  MatrixXd covariance;  // d x d, of the place
+  MatrixXd slope;       // parameters x d, d ln p / d z
+};
+
+// 1, z, squares, and the product where there are places enough to tell.
+VectorXd terms(const VectorXd& z, bool product) {
+  const Index d = z.size();
+  VectorXd row(1 + 2 * d + (product ? 1 : 0));
+  row << 1.0, z, 0.5 * z.cwiseAbs2();
+  row.conservativeResize(1 + 2 * d + (product ? 1 : 0));
+  if (product) row(1 + 2 * d) = z(0) * z(1);
+  return row;
+}
+
+std::optional<Quadratic> quadratic(const std::vector<Tried>& tried,
+                                   const Tried& best,
+                                   const structure::Deck& deck) {
+  const Vector3d from = position_of(best.where, deck);
+  Quadratic q;
+  q.axes = directions(tried, from, deck);
+  const Index d = q.axes.cols();
+  const auto n = static_cast<Index>(tried.size());
+  const bool product = d == 2 && n >= 6;
+  if (d == 0 || n < 1 + 2 * d) return std::nullopt;
+  MatrixXd A(n, 1 + 2 * d + (product ? 1 : 0));
+  MatrixXd values(n, 1 + best.log_p.size());
+  VectorXd weight(n);
+  for (Index k = 0; k < n; ++k) {
+    const Tried& t = tried[static_cast<std::size_t>(k)];
+    const Vector3d off = position_of(t.where, deck) - from;
+    const VectorXd z = (q.axes.transpose() * off).array() /
+                       q.axes.colwise().squaredNorm().transpose().array();
+    A.row(k) = terms(z, product).transpose();
+    values(k, 0) = t.log_likelihood - best.log_likelihood;
+    values.row(k).tail(best.log_p.size()) = (t.log_p - best.log_p).transpose();
+    // Far down the likelihood is no parabola.
+    weight(k) = 1.0 / (1.0 - 0.1 * values(k, 0));
+  }
+  const MatrixXd fitted = (weight.asDiagonal() * A)
+                              .colPivHouseholderQr()
+                              .solve(MatrixXd(weight.asDiagonal() * values));
+  MatrixXd H = fitted.col(0).segment(1 + d, d).asDiagonal();
+  if (product) H(0, 1) = H(1, 0) = fitted(1 + 2 * d, 0);
+  // What tells next to nothing of the place: a spacing's deviation.
+  constexpr double least_curvature = -1.0;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(H);
+  const VectorXd curvature = solver.eigenvalues().cwiseMin(least_curvature);
+  const MatrixXd& turn = solver.eigenvectors();
+  q.covariance =
+      turn * (-curvature.cwiseInverse()).asDiagonal() * turn.transpose();
+  q.top = q.covariance * fitted.col(0).segment(1, d);
+  q.slope = fitted.block(1, 1, d, best.log_p.size()).transpose();
+  return q;
+}
+
+// Of the parameters' logarithms.
+std::vector<double> deviations(const Quadratic& q) {
+  std::vector<double> sd;
+  for (Index k = 0; k < q.slope.rows(); ++k) {
+    const VectorXd slope = q.slope.row(k).transpose();
+    sd.push_back(std::sqrt(slope.dot(q.covariance * slope)));
+  }
+  return sd;
+}
+
+}  // namespace
+
+Hypothesis settle_place(const Hypothesis& best,
+                        const Fit& current,
+                        const Fitter& fitter,
+                        const Judgement& judgement,
+                        const Progress& progress) {
+  constexpr std::array<double, 2> steps = {0.5, 0.25};
+  constexpr double furthest = 0.6;  // of a grid spacing, from what was tried
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  Hypothesis settled = best;
+  Tried top = tried_at(best, judgement);
+  std::vector<Tried> tried = {top};
+  const auto take = [&](const std::vector<Where>& places) {
+    for (Hypothesis& h : fit_at(places, settled, current, fitter, progress)) {
+      tried.push_back(tried_at(h, judgement));
+      if (tried.back().log_likelihood <= top.log_likelihood) continue;
+      top = tried.back();
+      settled = std::move(h);
+    }
+  };
+  for (const double step : steps) {
+    const std::vector<Where> places = places_around(top.where, step, deck);
+    if (!places.empty()) take(places);
+  }
+  const std::optional<Quadratic> q = quadratic(tried, top, deck);
+  if (!q) return settled;
+  const VectorXd z =
+      q->top * std::min(1.0, furthest / std::max(q->top.norm(), 1e-12));
+  const std::vector<Where> there =
+      moved_to(top.where, position_of(top.where, deck) + q->axes * z, deck);
+  if (!there.empty()) take(there);
+  settled.place_sd = deviations(*q);
+  return settled;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,24 @@
+// Where between grids an effect at a point sits. Around the grid where a kind
+// is likeliest its places are tried half and a quarter of the way to the next
+// grids; to second order the likelihood is then
+//
+//   ln p(z) = c + g' z + z' H z / 2,   z the place, in grid spacings
+//
+// with its top at -H^-1 g and the place's covariance -H^-1, which widens what
+// is said of the effect's size.
+#pragma once
+
+#include "updating/diagnosis/hypotheses.hpp"
+#include "updating/diagnosis/likeliest_fit.hpp"
+
+namespace tapfit::updating {
+
+/// @param best its effect is at a grid
+/// @return the same where it is likeliest: between grids, or as it was
+[[nodiscard]] Hypothesis settle_place(const Hypothesis& best,
+                                      const Fit& current,
+                                      const Fitter& fitter,
+                                      const Judgement& judgement,
+                                      const Progress& progress);
+
+}  // namespace tapfit::updating
