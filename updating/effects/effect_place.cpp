@@ -168,8 +168,7 @@ std::string remedy(const effects::Effect& effect,
     return "name a channel of the test, or two joined with \":\"";
   }
   return "name a grid of the model that can move, and an axis that was "
-         "measured "
-         "or hit where it is not the one mostly measured (17:X)";
+         "measured or hit where it is not the one mostly measured (17:X)";
 }
 
 // Throws where no element at the nearest grid holds a place between grids.

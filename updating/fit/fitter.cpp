@@ -256,12 +256,6 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
 
 namespace {
 
-Eigen::VectorXd residual_of(const FrfModel& model,
-                            const ModelState& state,
-                            const Target& target) {
-  return stack(target, model.respond(state, target.s, false).H - target.H);
-}
-
 // A residue of every mode in every FRF, and its pole.
 double data_of(const Target& target, const ModelState& state) {
   const double frfs =
@@ -409,13 +403,14 @@ class Fitter::Course {
     const std::size_t last = targets_.size() - 1;
     const ModelState from = result_.state;
     const Ground held{model_, targets_[last]};
-    const double known = residual_of(*model_, from, held.target).norm();
+    const double known = relative_error(
+        held.target, model_->respond(from, held.target.s, false).H);
     const std::size_t steps = history_.size();
     Ground ground = fitter_->with_mesh_at_state(from, held);
     model_ = std::move(ground.model);
     targets_[last] = std::move(ground.target);
     go_on(last, options);
-    if (result_.residual.norm() <= known) return true;
+    if (result_.error <= known) return true;
     model_ = held.model;
     targets_[last] = held.target;
     history_.resize(steps);

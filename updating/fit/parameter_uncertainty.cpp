@@ -29,7 +29,6 @@ MatrixXd mesh_covariance(const Target& target,
   const Index n = J.cols();
   MatrixXd covariance = MatrixXd::Zero(n, n);
   if (target.mesh_bias.size() != J.rows()) return covariance;
-  const VectorXd& mesh = target.mesh_bias;
   const Index lines = target.s.size();
   const Index parts = J.rows() / std::max<Index>(lines, 1);
   for (Index band = 0; band < bands; ++band) {
@@ -38,7 +37,8 @@ MatrixXd mesh_covariance(const Target& target,
     VectorXd drive = VectorXd::Zero(n);
     for (Index part = 0; part < parts; ++part) {
       const Index at = part * lines + first;
-      drive += J.middleRows(at, count).transpose() * mesh.segment(at, count);
+      drive += J.middleRows(at, count).transpose() *
+               target.mesh_bias.segment(at, count);
     }
     const VectorXd bias = left_over * gain * drive;
     covariance += bias * bias.transpose();

@@ -1,6 +1,6 @@
 // Identifies parameters from FRFs: Levenberg-Marquardt on
 //
-//   J(theta) = N ln ||W r(theta)||^2 + sum ((theta - mean) / sd)^2
+//   J(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
 //
 // whose Gauss-Newton step is eq. 27 of the paper with the Tikhonov matrix of
 // the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). The residual's variance

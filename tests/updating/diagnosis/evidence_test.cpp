@@ -47,8 +47,7 @@ TEST(Evidence, OneFrfTellsAMassThatExplainsIt) {
   const double gained = log_evidence(leaves(0.02), 1.0, 2.0, data, 0.0) -
                         log_evidence(leaves(0.3), 0.0, 1.0, data, 0.0);
   // 3 ln 15 less the price of a parameter and of two places: 3 x 2.71 - 0.55 -
-  // 0.69; the grid over which the variance is integrated out ends at what is
-  // left, for both alike.
+  // 0.69.
   EXPECT_NEAR(gained, 6.88, 0.05);
 }
 

@@ -218,6 +218,26 @@ TEST(DiagnoseTest, FindsTheInertiaOfSensorsThatStandOff) {
   EXPECT_NEAR(inertia.value, 1e-4 * mass.value, 1e-9);
 }
 
+// A spacing is 30 mm; the nearest grid is a third of it away.
+TEST(DiagnoseTest, FindsAMassBetweenGrids) {
+  PlacedEffect mass = at_node("added-mass", 30, 0.03);
+  const structure::Deck deck = support::plate_deck(true);
+  const Eigen::Vector3d grid = position_of(mass.where, deck);
+  const Eigen::Vector3d at = grid + Eigen::Vector3d(0.010, 0.006, 0.0);
+  mass.where.at = {at.x(), at.y(), at.z()};
+  const PlateExperiment test({mass}, 0.01, 2);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "added-mass");
+  ASSERT_EQ(d.ladder.size(), 1U);
+  ASSERT_EQ(d.ladder[0].where.at.size(), 3U);
+  EXPECT_LT((position_of(d.ladder[0].where, deck) - at).norm(), 0.006);
+  const Estimate& size = d.ladder[0].parameters.front();
+  // At 5 mm from where it is, a sixth of a spacing.
+  EXPECT_NEAR(size.value, 0.03, 0.003);
+  EXPECT_LT(size.lo95, 0.03);
+  EXPECT_GT(size.hi95, 0.03);
+}
+
 TEST(DiagnoseTest, FindsSwappedChannels) {
   Where both;
   both.channels = {"acc1", "acc2"};

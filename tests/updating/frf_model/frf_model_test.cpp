@@ -152,6 +152,18 @@ TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
   }
 }
 
+// Puts shells on a property of their own, 2, as 1 is.
+structure::ShellProperty& own_property(const std::vector<int>& elements,
+                                       structure::Deck& deck) {
+  structure::ShellProperty& own = deck.shell_properties[2];
+  own = deck.shell_properties[1];
+  own.id = 2;
+  for (structure::Shell& shell : deck.shells) {
+    if (std::ranges::count(elements, shell.id) > 0) shell.property = 2;
+  }
+  return own;
+}
+
 TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   Where where;
   where.elements = {4, 5, 6, 14, 15, 16};
@@ -164,16 +176,8 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
     weak.materials[2].id = 2;
     weak.materials[2].E *= factor;
     weak.materials[2].G *= factor;
-    weak.shell_properties[2] = weak.shell_properties[1];
-    structure::ShellProperty& property = weak.shell_properties[2];
-    property.id = 2;
+    structure::ShellProperty& property = own_property(where.elements, weak);
     property.membrane = property.bending = property.shear = 2;
-    for (structure::Shell& shell : weak.shells) {
-      const auto& ids = where.elements;
-      if (std::find(ids.begin(), ids.end(), shell.id) != ids.end()) {
-        shell.property = 2;
-      }
-    }
     const ModelState state =
         undamped(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
@@ -194,15 +198,7 @@ TEST_F(FrfModelTest, PocketAgreesWithDirectSolve) {
       fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
   for (const double factor : {0.8, 0.3, 0.05}) {
     structure::Deck thin = deck_;
-    thin.shell_properties[2] = thin.shell_properties[1];
-    thin.shell_properties[2].id = 2;
-    thin.shell_properties[2].thickness *= std::cbrt(factor);
-    for (structure::Shell& shell : thin.shells) {
-      const auto& ids = where.elements;
-      if (std::find(ids.begin(), ids.end(), shell.id) != ids.end()) {
-        shell.property = 2;
-      }
-    }
+    own_property(where.elements, thin).thickness *= std::cbrt(factor);
     const ModelState state =
         undamped(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
@@ -223,9 +219,8 @@ TEST_F(FrfModelTest, DerivativesOfAPocketAgreeWithDifferences) {
   EXPECT_LT(derivative_error(*model, state, s_), 1e-5);
 }
 
-// A spring between grids is a spring at a grid where the place is the grid's,
-// and half way between two it acts on a plate that bends there, not on the mean
-// of the two.
+// A spring between grids is a spring at a grid where the place is the grid's;
+// what moves elsewhere is tested in between_grids_test.
 TEST_F(FrfModelTest, SpringBetweenGridsAgreesWithAGridThere) {
   PlacedEffect spring = at_node("ground-spring", 50, 3e4);
   const auto at_grid = fitter_->model_for({spring}, BaseUse::Scan);
