@@ -1,7 +1,5 @@
 #include "tui/screen/escape_sequence.hpp"
 
-#include <string>
-
 namespace tapfit::tui {
 namespace {
 
@@ -22,14 +20,23 @@ std::u32string control_sequence(const Next& next) {
   return text;
 }
 
-/// Up to the string's end: BEL, or Esc and a backslash.
-void skip_string(const Next& next) {
+// As many keys as hands press within the time that a sequence takes.
+constexpr std::size_t most_keys = 16;
+
+/// Up to the string's end: BEL, or Esc and a backslash. What has no end and is
+/// short was typed.
+/// @return what was typed, empty for a string
+std::u32string skip_string(char32_t first, const Next& next) {
+  std::u32string text{first};
   bool escaped = false;
   for (int i = 0; i < longest; ++i) {
     const std::optional<char32_t> c = next();
-    if (!c || *c == 7 || (escaped && *c == U'\\')) return;
+    if (!c) return text.size() <= most_keys ? text : std::u32string();
+    if (*c == 7 || (escaped && *c == U'\\')) return {};
     escaped = *c == 27;
+    text += *c;
   }
+  return {};
 }
 
 /// Up to the sequence that ends a paste.
@@ -88,11 +95,12 @@ EscapeSequence read_escape_sequence(const Next& next) {
     case U'P':
     case U'X':
     case U'^':
-    case U'_':
-      skip_string(next);
-      return {true, {}, {}};
+    case U'_': {
+      const std::u32string typed = skip_string(*first, next);
+      return {typed.empty(), {}, typed};
+    }
     default:
-      return {false, {}, first};
+      return {false, {}, {*first}};
   }
 }
 

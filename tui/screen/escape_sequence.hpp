@@ -6,13 +6,14 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
 namespace tapfit::tui {
 
 struct EscapeSequence {
-  bool is_one = false;             ///< else it was the key Esc
-  std::optional<Key> key;          ///< that it stands for, where it is known
-  std::optional<char32_t> unread;  ///< belongs to what comes next
+  bool is_one = false;     ///< else it was the key Esc
+  std::optional<Key> key;  ///< that it stands for, where it is known
+  std::u32string unread;   ///< belongs to what comes next
 };
 
 /// Takes a sequence whole, so that no part of it counts as typed.

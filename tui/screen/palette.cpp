@@ -12,7 +12,32 @@ constexpr Palette light_256{-1, 20, 130, 28, 160, 90, 24, 58, 242};
 constexpr Palette light_16{-1, 4, 1, -1, 1, 5, 12, 5, -1};
 constexpr Palette light_8{-1, 4, 1, -1, 1, 5, 4, 5, -1};
 
+using HeatPalette = std::array<HeatColour, heat_levels + 1>;
+
+constexpr short black = 16;
+constexpr short white = 255;
+
+// Dark blue to yellow, and pale yellow to dark blue.
+constexpr HeatPalette heat_on_dark{{{-1, -1},
+                                    {17, white},
+                                    {18, white},
+                                    {25, white},
+                                    {30, black},
+                                    {142, black},
+                                    {220, black}}};
+constexpr HeatPalette heat_on_light{{{-1, -1},
+                                     {230, black},
+                                     {193, black},
+                                     {115, black},
+                                     {73, black},
+                                     {25, white},
+                                     {18, white}}};
+
 }  // namespace
+
+const HeatPalette& heat_palette(bool light) {
+  return light ? heat_on_light : heat_on_dark;
+}
 
 const Palette& palette(int colours, bool light) {
   if (colours >= 256) return light ? light_256 : dark_256;

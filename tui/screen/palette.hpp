@@ -18,4 +18,15 @@ using Palette = std::array<short, colour_count>;
 /// @param light whether its background is
 [[nodiscard]] const Palette& palette(int colours, bool light);
 
+/// Paper and ink of a heat map's cell.
+struct HeatColour {
+  short paper = -1;
+  short ink = -1;
+};
+
+/// From no heat, the terminal's own, to the most, where there are 256 colours.
+/// It stands out from the background the more, the hotter it is.
+[[nodiscard]] const std::array<HeatColour, heat_levels + 1>& heat_palette(
+    bool light);
+
 }  // namespace tapfit::tui

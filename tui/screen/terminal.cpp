@@ -59,10 +59,6 @@ bool wants_no_colour(const TerminalOptions& options) {
   return options.no_colour || (variable != nullptr && *variable != '\0');
 }
 
-// Dark blue to yellow, light text stays readable up to the fourth.
-constexpr std::array<short, heat_levels + 1> heat_256{
-    -1, 17, 18, 25, 30, 142, 220};
-
 enum class Colours { None, Eight, Sixteen, Many };
 
 Colours start_colours(const TerminalOptions& options) {
@@ -90,11 +86,9 @@ void make_pairs(Colours colours, bool light) {
     init_pair(pair_number(colour, 0), ink, -1);
     if (colours != Colours::Many) continue;
     for (int heat = 1; heat <= heat_levels; ++heat) {
-      const bool bright = heat >= 5;
-      const short on_heat = bright ? short{16} : short{255};
-      init_pair(pair_number(colour, heat),
-                on_heat,
-                heat_256[static_cast<std::size_t>(heat)]);
+      const HeatColour& cell =
+          heat_palette(light)[static_cast<std::size_t>(heat)];
+      init_pair(pair_number(colour, heat), cell.ink, cell.paper);
     }
   }
 }
@@ -190,7 +184,9 @@ std::optional<Key> key_from_escape() {
         if (kind == KEY_CODE_YES) ungetch(static_cast<int>(code));
         return std::nullopt;
       });
-  if (read.unread) unget_wch(static_cast<wchar_t>(*read.unread));
+  for (std::size_t i = read.unread.size(); i-- > 0;) {
+    unget_wch(static_cast<wchar_t>(read.unread[i]));
+  }
   return read.is_one ? read.key : Key(keys::escape);
 }
 

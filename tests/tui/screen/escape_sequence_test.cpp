@@ -28,7 +28,7 @@ TEST(EscapeSequence, EscByItselfIsTheKey) {
   // As scripts send it with the next key at once.
   const Read with_key = read(U"q7");
   EXPECT_FALSE(with_key.sequence.is_one);
-  EXPECT_EQ(with_key.sequence.unread, U'q');
+  EXPECT_EQ(with_key.sequence.unread, U"q");
   EXPECT_EQ(with_key.rest, U"7");
 }
 
@@ -63,7 +63,17 @@ TEST(EscapeSequence, TakesWhatIsUnknownWhole) {
   }
   // One that is cut off ends where nothing more comes.
   EXPECT_TRUE(read(U"[1;").sequence.is_one);
-  EXPECT_TRUE(read(U"]11;rgb").sequence.is_one);
+}
+
+// "Esc _" and "Esc ]" begin a string, but so do two keys pressed at once.
+TEST(EscapeSequence, LosesNoKeyThatFollowsTheEscAtOnce) {
+  for (const char32_t* keys : {U"_5", U"]", U"P", U"X1", U"^2"}) {
+    const Read typed = read(keys);
+    EXPECT_FALSE(typed.sequence.is_one);
+    EXPECT_EQ(typed.sequence.unread, keys);
+  }
+  // No hand is as fast.
+  EXPECT_TRUE(read(U"]11;" + std::u32string(40, U'f')).sequence.is_one);
 }
 
 }  // namespace

@@ -76,6 +76,21 @@ TEST(Palette, EveryInkCanBeReadOnItsBackground) {
   }
 }
 
+TEST(Palette, HeatStandsOutTheMoreTheHotterItIs) {
+  for (const bool light : {false, true}) {
+    const Rgb ground = shown(light ? 15 : 0);
+    double before = 1.0;
+    for (int heat = 1; heat <= heat_levels; ++heat) {
+      const HeatColour& cell =
+          heat_palette(light)[static_cast<std::size_t>(heat)];
+      const double stands_out = contrast(shown(cell.paper), ground);
+      EXPECT_GT(stands_out, before) << heat << (light ? " on light" : "");
+      before = stands_out;
+      EXPECT_GE(contrast(shown(cell.ink), shown(cell.paper)), 4.5) << heat;
+    }
+  }
+}
+
 TEST(Palette, InksDifferWhereThereAreEnough) {
   for (const bool light : {false, true}) {
     Palette inks = palette(256, light);
