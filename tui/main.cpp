@@ -6,6 +6,7 @@
 #include "tui/commands/command_line.hpp"
 #include "tui/commands/score_command.hpp"
 #include "tui/commands/simulate_command.hpp"
+#include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
 
@@ -21,24 +22,17 @@
 namespace {
 
 using tapfit::tui::CommandLineAnswer;
+using tapfit::tui::ExitStatus;
 using tapfit::tui::Invocation;
 using tapfit::tui::print;
 using tapfit::tui::say;
-
-enum ExitStatus {
-  Done = 0,
-  InputAtFault = 1,
-  CommandLineAtFault = 2,
-  StoppedByUser = 3,
-  OwnFault = 70,
-};
 
 int open_terminal(const Invocation& invocation) {
   const bool replay = invocation.app.keys_file.has_value();
   if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
     say(fmt::format("tapfit: this is no terminal; try 'tapfit run {}'\n",
                     invocation.options.input.string()));
-    return CommandLineAtFault;
+    return ExitStatus::CommandLineAtFault;
   }
   return tapfit::tui::run_app(invocation.options.input, invocation.app);
 }
@@ -49,7 +43,7 @@ int run_command(const Invocation& invocation) {
       invocation.command(invocation.options, line.progress());
   line.clear();
   print(output);
-  return Done;
+  return ExitStatus::Done;
 }
 
 // Commands that read their own command line.
@@ -69,7 +63,8 @@ int run_own(const Invocation& invocation) {
 int tapfit_main(int argc, const char* const* argv) {
   const auto parsed = tapfit::tui::parse_command_line(argc, argv);
   if (const auto* answer = std::get_if<CommandLineAnswer>(&parsed)) {
-    answer->exit_status == Done ? print(answer->text) : say(answer->text);
+    answer->exit_status == ExitStatus::Done ? print(answer->text)
+                                            : say(answer->text);
     return answer->exit_status;
   }
   const auto& invocation = std::get<Invocation>(parsed);
@@ -87,16 +82,16 @@ int main(int argc, char** argv) {
     return tapfit_main(argc, argv);
   } catch (const tapfit::InputError& error) {
     say(fmt::format("tapfit: {}\n", error.what()));
-    return InputAtFault;
+    return ExitStatus::InputAtFault;
   } catch (const tapfit::Stopped&) {
     say("tapfit: stopped\n");
-    return StoppedByUser;
+    return ExitStatus::StoppedByUser;
   } catch (const std::filesystem::filesystem_error& error) {
     say(fmt::format("tapfit: {}\n", error.what()));
-    return InputAtFault;
+    return ExitStatus::InputAtFault;
   } catch (const std::exception& error) {
     say(fmt::format("tapfit: our own fault, please report it: {}\n",
                     error.what()));
-    return OwnFault;
+    return ExitStatus::OwnFault;
   }
 }

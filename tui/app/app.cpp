@@ -4,6 +4,7 @@
 #include "tui/app/program.hpp"
 #include "tui/app/replay.hpp"
 #include "tui/app/session_workbench.hpp"
+#include "tui/options/exit_status.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/terminal.hpp"
@@ -57,9 +58,9 @@ bool let_go(Program& program) {
   return !program.busy();
 }
 
-void run_in_terminal(std::unique_ptr<Workbench> bench,
-                     const AppOptions& options,
-                     Glyphs glyphs) {
+int run_in_terminal(std::unique_ptr<Workbench> bench,
+                    const AppOptions& options,
+                    Glyphs glyphs) {
   const char* variable = std::getenv("COLORFGBG");
   const std::string said = variable != nullptr ? variable : "";
   auto terminal = std::make_unique<Terminal>(
@@ -72,10 +73,13 @@ void run_in_terminal(std::unique_ptr<Workbench> bench,
       {terminal->width(), terminal->height(), glyphs == Glyphs::Ascii});
   converse(*terminal, program);
   terminal.reset();  // the shell's again, whatever is still to be awaited
+  const int status =
+      Terminal::asked_to_end() ? ExitStatus::StoppedByUser : ExitStatus::Done;
   if (!let_go(program)) {
     std::fflush(nullptr);
-    std::_Exit(0);  // every step was saved when it was done
+    std::_Exit(status);  // every step was saved when it was done
   }
+  return status;
 }
 
 Glyphs wanted_glyphs(const AppOptions& options) {
@@ -94,8 +98,7 @@ int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
   const bool ascii = glyphs == Glyphs::Ascii;
   std::unique_ptr<Workbench> bench = open_session(bundle);
   if (!options.keys_file) {
-    run_in_terminal(std::move(bench), options, glyphs);
-    return 0;
+    return run_in_terminal(std::move(bench), options, glyphs);
   }
   const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
   Program program(std::move(bench), {options.width, options.height, ascii});

@@ -9,7 +9,7 @@ namespace tapfit::tui {
 
 /// Opens the bundle and runs until the user quits.
 ///
-/// @return the exit status: 0
+/// @return ExitStatus::Done, or StoppedByUser where a signal ended it
 /// @throws InputError for a bundle or key script that cannot be read; the
 ///   terminal is restored before it leaves
 int run_app(const std::filesystem::path& bundle, const AppOptions& options);
