@@ -5,8 +5,10 @@
 #include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace tapfit::tui {
@@ -43,8 +45,7 @@ std::string effects_changed(Workbench& bench,
     before = known.ladder->back().error;
   }
   known.change_effects(bench.effects());
-  const std::string told = told_of_change(bench, known, progress, done, before);
-  return keep_work(bench, known, progress, told);
+  return told_of_change(bench, known, progress, done, before);
 }
 
 std::string names_of(const std::vector<updating::EffectRef>& effects) {
@@ -55,12 +56,41 @@ std::string names_of(const std::vector<updating::EffectRef>& effects) {
   return names;
 }
 
+/// Said where an effect comes to a channel that has it already: each is a
+/// parameter of its own, and their sizes add up there.
+std::string shared_channels(const std::vector<updating::EffectRef>& there,
+                            const std::vector<updating::EffectRef>& added) {
+  std::set<std::string> shared;
+  std::string effect;
+  std::vector<updating::EffectRef> before = there;
+  for (const updating::EffectRef& ref : added) {
+    for (const updating::EffectRef& other : before) {
+      if (other.effect != ref.effect) continue;
+      for (const std::string& channel : ref.where.channels) {
+        if (std::ranges::find(other.where.channels, channel) ==
+            other.where.channels.end()) {
+          continue;
+        }
+        shared.insert(channel);
+        effect = ref.effect;
+      }
+    }
+    before.push_back(ref);
+  }
+  if (shared.empty()) return {};
+  return fmt::format("; {} now counts twice at {}: the sizes add up there",
+                     effect,
+                     fmt::join(shared, ", "));
+}
+
 std::string add_now(Workbench& bench,
                     Snapshot& known,
                     const Progress& progress,
                     const std::vector<updating::EffectRef>& effects) {
+  const std::string shared = shared_channels(known.effects_on(), effects);
   bench.add_together(effects, progress);
-  return effects_changed(bench, known, progress, "added " + names_of(effects));
+  return effects_changed(bench, known, progress, "added " + names_of(effects)) +
+         shared;
 }
 
 /// Overruling is its own inverse. False where it changes nothing: a truncated
@@ -95,90 +125,88 @@ std::string move_act(Workbench& bench,
       hits.size() == 1
           ? fmt::format("run {}, hit {}", hits[0].run + 1, hits[0].hit + 1)
           : fmt::format("{} hits", hits.size());
-  return keep_work(bench, known, progress, fmt::format("{}: {}", which, done));
+  return fmt::format("{}: {}", which, done);
 }
 
 }  // namespace
 
 Job overrule_hits(
     const std::vector<std::pair<std::size_t, std::size_t>>& hits) {
-  return {"overruling the hit",
-          [hits](Workbench& bench, Snapshot& known, const Progress& p) {
-            std::vector<OverruledHit> changed;
-            for (const auto& [run, hit] : hits) {
-              const OverruledHit which{run, hit};
-              if (toggle_hit(bench, known, p, which)) changed.push_back(which);
-            }
-            updating::add_act(known.hit_acts.done, changed);
-            if (!changed.empty()) known.hit_acts.undone.clear();
-            std::string told;
-            if (hits.size() > 1) {
-              told = fmt::format("{} hits overruled", changed.size());
-            }
-            if (changed.size() < hits.size()) {
-              told += fmt::format("{}a truncated hit stays rejected",
-                                  told.empty() ? "" : "; ");
-            }
-            return keep_work(bench, known, p, told);
-          },
-          std::nullopt};
+  return kept("overruling the hit",
+              [hits](Workbench& bench, Snapshot& known, const Progress& p) {
+                std::vector<OverruledHit> changed;
+                for (const auto& [run, hit] : hits) {
+                  const OverruledHit which{run, hit};
+                  if (toggle_hit(bench, known, p, which))
+                    changed.push_back(which);
+                }
+                updating::add_act(known.hit_acts.done, changed);
+                if (!changed.empty()) known.hit_acts.undone.clear();
+                std::string told;
+                if (hits.size() > 1) {
+                  told = fmt::format("{} hits overruled", changed.size());
+                }
+                if (changed.size() < hits.size()) {
+                  told += fmt::format("{}a truncated hit stays rejected",
+                                      told.empty() ? "" : "; ");
+                }
+                return told;
+              });
 }
 
 Job restore_hits() {
-  return {"taking the overruling back",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            auto& [done, undone] = known.hit_acts;
-            if (done.empty()) return std::string("no hit was overruled");
-            return move_act(bench, known, p, done, undone, "judged as before");
-          },
-          std::nullopt};
+  return kept("taking the overruling back",
+              [](Workbench& bench, Snapshot& known, const Progress& p) {
+                auto& [done, undone] = known.hit_acts;
+                if (done.empty()) return std::string("nothing to undo");
+                return move_act(
+                    bench, known, p, done, undone, "back to automatic");
+              });
 }
 
 Job overrule_again() {
-  return {"overruling the hit again",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            auto& [done, undone] = known.hit_acts;
-            if (undone.empty()) return std::string("nothing to redo");
-            return move_act(bench, known, p, undone, done, "overruled again");
-          },
-          std::nullopt};
+  return kept("overruling the hit again",
+              [](Workbench& bench, Snapshot& known, const Progress& p) {
+                auto& [done, undone] = known.hit_acts;
+                if (undone.empty()) return std::string("nothing to redo");
+                return move_act(
+                    bench, known, p, undone, done, "overruled again");
+              });
 }
 
 Job add_effects(const std::vector<updating::EffectRef>& effects) {
-  return {"adding " + names_of(effects),
-          [effects](Workbench& bench, Snapshot& known, const Progress& p) {
-            return add_now(bench, known, p, effects);
-          },
-          std::nullopt};
+  return kept("adding " + names_of(effects),
+              [effects](Workbench& bench, Snapshot& known, const Progress& p) {
+                return add_now(bench, known, p, effects);
+              });
 }
 
 Job add_effects(const std::string& typed) {
-  return {"adding " + typed,
-          [typed](Workbench& bench, Snapshot& known, const Progress& p) {
-            std::vector<updating::EffectRef> effects;
-            std::istringstream words(typed);
-            for (std::string word; words >> word;) {
-              effects.push_back(bench.parse_effect(word));
-            }
-            return add_now(bench, known, p, effects);
-          },
-          std::nullopt};
+  return kept("adding " + typed,
+              [typed](Workbench& bench, Snapshot& known, const Progress& p) {
+                std::vector<updating::EffectRef> effects;
+                std::istringstream words(typed);
+                for (std::string word; words >> word;) {
+                  effects.push_back(bench.parse_effect(word));
+                }
+                return add_now(bench, known, p, effects);
+              });
 }
 
 Job toggle_effect(std::size_t effect) {
-  return {"switching an effect",
-          [effect](Workbench& bench, Snapshot& known, const Progress& p) {
-            bench.toggle(effect, p);
-            const updating::AddedEffect switched = bench.effects().at(effect);
-            return effects_changed(
-                bench,
-                known,
-                p,
-                fmt::format("{} {}",
-                            switched.ref.effect,
-                            switched.on ? "switched on" : "switched off"));
-          },
-          std::nullopt};
+  return kept("switching an effect",
+              [effect](Workbench& bench, Snapshot& known, const Progress& p) {
+                bench.toggle(effect, p);
+                const updating::AddedEffect switched =
+                    bench.effects().at(effect);
+                return effects_changed(
+                    bench,
+                    known,
+                    p,
+                    fmt::format("{} {}",
+                                switched.ref.effect,
+                                switched.on ? "switched on" : "switched off"));
+              });
 }
 
 Job write_output(Output what,
@@ -193,21 +221,17 @@ Job write_output(Output what,
 }
 
 Job undo() {
-  return {"undo",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.undo(p)) return std::string("nothing to undo");
-            return effects_changed(bench, known, p, "undone");
-          },
-          std::nullopt};
+  return kept("undo", [](Workbench& bench, Snapshot& known, const Progress& p) {
+    if (!bench.undo(p)) return std::string("nothing to undo");
+    return effects_changed(bench, known, p, "undone");
+  });
 }
 
 Job redo() {
-  return {"redo",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.redo(p)) return std::string("nothing to redo");
-            return effects_changed(bench, known, p, "redone");
-          },
-          std::nullopt};
+  return kept("redo", [](Workbench& bench, Snapshot& known, const Progress& p) {
+    if (!bench.redo(p)) return std::string("nothing to redo");
+    return effects_changed(bench, known, p, "redone");
+  });
 }
 
 }  // namespace tapfit::tui

@@ -1,18 +1,23 @@
-// Writes down what was done after every action, so that nothing is lost.
+// Writes down what was done after every action, so that nothing is lost: not of
+// this window, and not of another that has the same test open.
 #pragma once
 
 #include "tui/work/snapshot.hpp"
 #include "tui/work/workbench.hpp"
+#include "tui/work/worker.hpp"
 
+#include <functional>
 #include <string>
 
 namespace tapfit::tui {
 
-/// Saves the work; notes in the snapshot whether that failed.
-/// @return what was done, and what went wrong behind it
-[[nodiscard]] std::string keep_work(Workbench& bench,
-                                    Snapshot& known,
-                                    const Progress& progress,
-                                    const std::string& done);
+/// A change of what is saved; returns what was done, in words.
+using Change =
+    std::function<std::string(Workbench&, Snapshot&, const Progress&)>;
+
+/// A job that changes the test as the last of all windows left it, and saves.
+/// Where another one saves meanwhile, it is done anew on top of that. What went
+/// wrong stands behind what was done.
+[[nodiscard]] Job kept(const std::string& title, Change change);
 
 }  // namespace tapfit::tui

@@ -19,32 +19,28 @@ namespace {
 
 using updating::ModeChoices;
 
-/// Hands over what the workbench now holds, keeps it, and tells how many modes
-/// there are.
+/// Hands over what the workbench now holds and tells how many modes there are.
 std::string changed(Workbench& bench,
                     Snapshot& known,
                     const Progress& progress,
                     const std::string& done) {
   known.forget_from_modes();
   known.modes = std::make_shared<const modal::ModeSet>(bench.modes(progress));
-  const std::string told =
-      fmt::format("{}: {} modes", done, known.modes->modes.size());
-  return keep_work(bench, known, progress, told);
+  return fmt::format("{}: {} modes", done, known.modes->modes.size());
 }
 
 /// A job that changes the choices.
 Job choose(const std::string& title,
            std::string done,
            std::function<void(ModeChoices&)> change) {
-  return {title,
-          [done = std::move(done), change = std::move(change)](
-              Workbench& bench, Snapshot& known, const Progress& p) {
-            ModeChoices choices = bench.mode_choices();
-            change(choices);
-            bench.choose_modes(choices, p);
-            return changed(bench, known, p, done);
-          },
-          std::nullopt};
+  return kept(title,
+              [done = std::move(done), change = std::move(change)](
+                  Workbench& bench, Snapshot& known, const Progress& p) {
+                ModeChoices choices = bench.mode_choices();
+                change(choices);
+                bench.choose_modes(choices, p);
+                return changed(bench, known, p, done);
+              });
 }
 
 [[noreturn]] void refuse_choice(const std::string& word) {
@@ -95,7 +91,7 @@ Job mode_band(const std::optional<std::array<double, 2>>& band) {
 }
 
 Job pair_mode(std::size_t measured, int model) {
-  return {
+  return kept(
       "pairing modes",
       [measured, model](Workbench& bench, Snapshot& known, const Progress& p) {
         const auto& modes = bench.modes(p).modes;
@@ -118,31 +114,22 @@ Job pair_mode(std::size_t measured, int model) {
                                      {modes[measured].frequency_hz, model}),
                            p);
         known.forget_pairs();
-        return keep_work(
-            bench,
-            known,
-            p,
-            fmt::format("mode {} is paired by hand", measured + 1));
-      },
-      std::nullopt};
+        return fmt::format("mode {} is paired by hand", measured + 1);
+      });
 }
 
 Job undo_modes() {
-  return {"undo",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.undo_modes(p)) return std::string("nothing to undo");
-            return changed(bench, known, p, "undone");
-          },
-          std::nullopt};
+  return kept("undo", [](Workbench& bench, Snapshot& known, const Progress& p) {
+    if (!bench.undo_modes(p)) return std::string("nothing to undo");
+    return changed(bench, known, p, "undone");
+  });
 }
 
 Job redo_modes() {
-  return {"redo",
-          [](Workbench& bench, Snapshot& known, const Progress& p) {
-            if (!bench.redo_modes(p)) return std::string("nothing to redo");
-            return changed(bench, known, p, "redone");
-          },
-          std::nullopt};
+  return kept("redo", [](Workbench& bench, Snapshot& known, const Progress& p) {
+    if (!bench.redo_modes(p)) return std::string("nothing to redo");
+    return changed(bench, known, p, "redone");
+  });
 }
 
 Job mode_action(const std::string& word, const std::string& argument) {

@@ -8,10 +8,8 @@
 #include "updating/export/updated_deck.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
-#include "updating/session/saved_session.hpp"
 #include "updating/session/session_file.hpp"
-
-#include <system_error>
+#include "updating/session/shared_session.hpp"
 
 namespace tapfit::tui {
 namespace {
@@ -21,12 +19,10 @@ class SessionWorkbench final : public Workbench {
   explicit SessionWorkbench(const std::filesystem::path& bundle)
       : bundle_(bundle),
         session_(bundle, acquisition::Unreadable::LeftOut),
-        file_(updating::session_file(session_.bundle())) {
-    std::error_code ignored;
-    if (std::filesystem::exists(file_, ignored)) {
-      const updating::SavedSession saved = updating::read_saved_session(file_);
-      session_.take_up(saved);
-      hit_acts_ = {saved.overruled, saved.restored};
+        shared_(updating::session_file(session_.bundle())) {
+    if (const auto saved = shared_.news()) {
+      session_.take_up(*saved);
+      hit_acts_ = {saved->overruled, saved->restored};
     }
   }
 
@@ -111,14 +107,15 @@ class SessionWorkbench final : public Workbench {
   void write(Output what,
              const std::filesystem::path& to,
              const Progress& p) override;
-  std::string save(const updating::HitActs& acts, const Progress& p) override;
+  std::optional<updating::HitActs> catch_up(const Progress& p) override;
+  Saving save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
   void write_report_to(const std::filesystem::path& path, const Progress& p);
 
   std::filesystem::path bundle_;
   updating::Session session_;
-  std::filesystem::path file_;
+  updating::SharedSession shared_;
   updating::HitActs hit_acts_;  ///< when it was opened
 };
 
@@ -149,22 +146,25 @@ void SessionWorkbench::write(Output what,
   }
 }
 
-std::string SessionWorkbench::save(const updating::HitActs& acts,
-                                   const Progress& p) {
+std::optional<updating::HitActs> SessionWorkbench::catch_up(const Progress& p) {
+  p("session of another window", 0.0);
+  const auto saved = shared_.news();
+  if (!saved) return std::nullopt;
+  session_ = updating::Session(bundle_, acquisition::Unreadable::LeftOut);
+  session_.take_up(*saved);
+  return updating::HitActs{saved->overruled, saved->restored};
+}
+
+Saving SessionWorkbench::save(const updating::HitActs& acts,
+                              const Progress& p) {
   try {
     updating::SavedSession saved = session_.saved(p);
     saved.overruled = acts.done;
     saved.restored = acts.undone;
-    std::error_code ignored;
-    if (!saved.empty()) {
-      updating::write_saved_session(file_, saved);
-    } else {
-      std::filesystem::remove(file_, ignored);
-    }
+    return {!shared_.write(saved), {}};
   } catch (const InputError& error) {
-    return error.what();
+    return {false, error.what()};
   }
-  return {};
 }
 
 }  // namespace

@@ -19,6 +19,12 @@ namespace tapfit::tui {
 /// What can be written for others to read.
 enum class Output { Report, Uff, Deck };
 
+/// What became of saving.
+struct Saving {
+  bool overtaken = false;  ///< another window saved first; nothing was written
+  std::string failure;     ///< what went wrong, if anything
+};
+
 /// As updating::Session; every call may take long and is made on the worker's
 /// thread only, but for those without Progress, which are quick.
 class Workbench {
@@ -71,9 +77,13 @@ class Workbench {
                      const Progress&) = 0;
   /// How hits had been judged by hand when it was opened.
   virtual updating::HitActs hit_acts() = 0;
-  /// Writes down what was done so far, with how hits were judged by hand;
-  /// returns what went wrong, if anything.
-  virtual std::string save(const updating::HitActs& acts, const Progress&) = 0;
+  /// Takes over what another window did to the test and saved, in place of
+  /// what was done here: that was in it. How hits are judged by hand then;
+  /// none where nothing is new.
+  /// @throws InputError for a saved session that cannot be read
+  virtual std::optional<updating::HitActs> catch_up(const Progress&) = 0;
+  /// Writes down what was done so far, with how hits were judged by hand.
+  virtual Saving save(const updating::HitActs& acts, const Progress&) = 0;
 };
 
 }  // namespace tapfit::tui

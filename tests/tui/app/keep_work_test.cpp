@@ -10,17 +10,33 @@
 namespace tapfit::tui {
 namespace {
 
+Job saying(const std::string& words) {
+  return kept(
+      "", [words](Workbench&, Snapshot&, const Progress&) { return words; });
+}
+
 TEST(KeepWork, NotesWhetherItFailed) {
   FakeOptions full;
   full.unsaved = "no space is left";
   Snapshot known;
-  EXPECT_EQ(keep_work(*testing::fake_workbench(full), known, {}, "added"),
+  EXPECT_EQ(saying("added").run(*testing::fake_workbench(full), known, {}),
             "added; no space is left");
   EXPECT_TRUE(known.unsaved);
-  EXPECT_EQ(keep_work(*testing::fake_workbench(full), known, {}, ""),
+  EXPECT_EQ(saying("").run(*testing::fake_workbench(full), known, {}),
             "no space is left");
-  EXPECT_EQ(keep_work(*testing::fake_workbench(), known, {}, "added"), "added");
+  EXPECT_EQ(saying("added").run(*testing::fake_workbench(), known, {}),
+            "added");
   EXPECT_FALSE(known.unsaved);
+}
+
+TEST(KeepWork, GoesOnFromWhatAnotherWindowDid) {
+  FakeOptions options;
+  options.other_window = {{{"sensor-mass", {}}, true}};
+  const std::string text = played("5\nwait\na\nwait", {120, 35}, options);
+  EXPECT_TRUE(holds(text, "what another window did is taken over; added"))
+      << text;
+  EXPECT_TRUE(holds(text, "2 effects added")) << text;
+  EXPECT_TRUE(holds(text, "sensor-mass")) << text;
 }
 
 TEST(KeepWork, LeavingAsksOnceWhereWorkWouldBeLost) {

@@ -11,6 +11,7 @@
 #include <complex>
 #include <numbers>
 #include <thread>
+#include <utility>
 
 namespace tapfit::tui::testing {
 namespace {
@@ -73,9 +74,14 @@ class FakeWorkbench final : public Workbench {
   }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
-    while (options_.endless_diagnosis && !added_.empty()) {
+    while (!added_.empty() &&
+           (options_.endless_diagnosis ||
+            (options_.diagnosis_held != nullptr && *options_.diagnosis_held))) {
       progress("hypotheses", 0.43);
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    if (options_.reversed_after_adding && !added_.empty()) {
+      std::ranges::reverse(diagnosis_.candidates);
     }
     return diagnosis_;
   }
@@ -166,12 +172,20 @@ class FakeWorkbench final : public Workbench {
   bool redo(const Progress&) override { return move(future_, past_); }
   std::vector<updating::AddedEffect> effects() override { return added_; }
   updating::HitActs hit_acts() override { return {}; }
-  std::string save(const updating::HitActs&, const Progress&) override {
-    return options_.unsaved;
+  std::optional<updating::HitActs> catch_up(const Progress&) override {
+    if (!std::exchange(news_, false)) return std::nullopt;
+    added_ = options_.other_window;
+    return updating::HitActs{};
+  }
+  Saving save(const updating::HitActs&, const Progress&) override {
+    news_ = !options_.other_window.empty() && !std::exchange(saved_, true);
+    return {news_, options_.unsaved};
   }
 
  private:
   FakeOptions options_;
+  bool news_ = false;
+  bool saved_ = false;  ///< once, or it was tried
   bool sought_hits_ = false;
   acquisition::TestBundle bundle_ = fake_bundle();
   structure::Deck deck_ = fake_deck();

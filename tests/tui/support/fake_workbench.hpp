@@ -16,16 +16,21 @@ namespace tapfit::tui::testing {
 struct FakeOptions {
   std::vector<updating::AddedEffect> left_with = {};  ///< effects from before
   bool model = true;
-  bool ready_frfs = false;            ///< no recordings
-  bool hits_fail = false;             ///< hits() throws InputError
-  bool unreadable = false;            ///< the second run
-  bool hitless = false;               ///< the second run
-  std::string unsaved = {};           ///< what save() answers
-  bool endless_modes = false;         ///< modes() runs until it is stopped
-  bool diagnosed_before = false;      ///< the base, by an earlier run
-  bool endless_diagnosis = false;     ///< the same once something was added
-  std::atomic<bool>* held = nullptr;  ///< add_together() waits while it is set
-  std::string add_fails = {};         ///< what add_together() throws
+  bool ready_frfs = false;  ///< no recordings
+  bool hits_fail = false;   ///< hits() throws InputError
+  bool unreadable = false;  ///< the second run
+  bool hitless = false;     ///< the second run
+  /// Effects that another window adds and saves before the first save here.
+  std::vector<updating::AddedEffect> other_window = {};
+  std::string unsaved = {};        ///< what save() answers
+  bool endless_modes = false;      ///< modes() runs until it is stopped
+  bool diagnosed_before = false;   ///< the base, by an earlier run
+  bool endless_diagnosis = false;  ///< the same once something was added
+  /// diagnosis() waits while it is set, once something was added.
+  std::atomic<bool>* diagnosis_held = nullptr;
+  bool reversed_after_adding = false;  ///< candidates, the last one first
+  std::atomic<bool>* held = nullptr;   ///< add_together() waits while it is set
+  std::string add_fails = {};          ///< what add_together() throws
 };
 
 [[nodiscard]] std::unique_ptr<Workbench> fake_workbench(
