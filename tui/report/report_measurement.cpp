@@ -7,6 +7,7 @@
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/widgets/element_grids.hpp"
 
 #include <fmt/format.h>
 
@@ -54,20 +55,9 @@ std::set<int> found_nodes(const ReportData& data) {
   for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
     if (rung.where.node != 0) nodes.insert(rung.where.node);
     nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
-    const std::set<int> elements(rung.where.elements.begin(),
-                                 rung.where.elements.end());
-    for (const structure::Shell& shell : data.model->deck.shells) {
-      if (!elements.contains(shell.id)) continue;
-      nodes.insert(shell.grids.begin(), shell.grids.end());
-    }
-    for (const structure::Bar& bar : data.model->deck.bars) {
-      if (!elements.contains(bar.id)) continue;
-      nodes.insert(bar.grids.begin(), bar.grids.end());
-    }
-    for (const structure::Rod& rod : data.model->deck.rods) {
-      if (!elements.contains(rod.id)) continue;
-      nodes.insert(rod.grids.begin(), rod.grids.end());
-    }
+    const std::vector<int> corners =
+        element_grids(data.model->deck, rung.where.elements);
+    nodes.insert(corners.begin(), corners.end());
   }
   return nodes;
 }

@@ -31,8 +31,8 @@ void draw_error_bar(Screen& screen,
                     double floor,
                     double scale) {
   if (line.empty() || !(scale > 0.0)) return;
-  const bool near_floor = error <= 1.3 * floor;
-  const Colour colour = near_floor ? Colour::Green : Colour::Orange;
+  const Colour colour =
+      error <= near_floor * floor ? Colour::Green : Colour::Orange;
   screen.text(line.x,
               line.y,
               bar(error / scale, line.width, screen.ascii()),

@@ -7,12 +7,15 @@
 
 namespace tapfit::tui {
 
+/// An error counts as at its floor up to so many times it.
+inline constexpr double near_floor = 1.3;
+
 /// A bar of `width` cells, in eighths of a cell; '#' in ASCII.
 ///
 /// @param share 0..1, clamped; what is not finite counts as 0
 [[nodiscard]] std::string bar(double share, int width, bool ascii);
 
-/// The error as a bar along 0..scale with a mark at the floor.
+/// The error as a bar along 0..scale with a mark at the floor; green near it.
 void draw_error_bar(
     Screen& screen, const Rect& line, double error, double floor, double scale);
 

@@ -57,6 +57,12 @@ int fitting_columns(const Rect& rect, const HeatMap& map) {
   return std::max(room / map.entry_width, 0);
 }
 
+void scroll_to_mark(HeatMap& map, const Rect& rect) {
+  const int columns = std::max(fitting_columns(rect, map), 1);
+  map.left = std::max({map.first, map.left, map.column - columns + 1});
+  map.top = std::max({0, map.top, map.selected - rect.height + 2});
+}
+
 void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
   if (rect.empty()) return;
   const int names = name_room(rect, map);
@@ -72,6 +78,7 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
                       {.colour = Colour::Grey},
                       entry_width - 1);
   }
+  if (map.left > map.first) screen.put(rect.x, rect.y, U'←');
   if (map.left + shown_columns < map.values.cols()) {
     screen.put(rect.x + rect.width - 1, rect.y, U'→');
   }
@@ -92,7 +99,8 @@ void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
       const int x = rect.x + names + 2 + static_cast<int>(c) * entry_width;
       Style style;
       style.heat = static_cast<std::uint8_t>(
-          heat_of(map.shortfall ? 1.0 - value : value, map.scale));
+          heat_of((map.shortfall ? 1.0 - value : value) - map.cold,
+                  map.scale - map.cold));
       style.bold = style.heat >= 5;
       style.reverse = marked && map.left + c == map.column;
       screen.fill({x, y, entry_width, 1}, U' ', style);

@@ -63,7 +63,11 @@ void draw_cells(Screen& screen,
                 const std::vector<std::string>& cells,
                 Style style) {
   int x = line.x;
+  const Style row = style;
   for (std::size_t c = 0; c < cells.size() && c < widths.size(); ++c) {
+    style = row;
+    // A full bar in reverse would look like an empty one.
+    if (table.columns[c].bars) style.reverse = false;
     if (table.columns[c].right) {
       screen.text_right(x + widths[c], line.y, cells[c], style, widths[c]);
     } else {

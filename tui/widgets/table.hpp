@@ -12,6 +12,7 @@ namespace tapfit::tui {
 struct Column {
   std::string title;
   bool right = false;  ///< numbers stand to the right
+  bool bars = false;   ///< drawn as in any other row where it is selected
 };
 
 struct Row {

@@ -20,6 +20,16 @@ TEST(Table, ShowsTheSelectedRowHoweverFarDown) {
   EXPECT_NE(screen.to_text().find("▸row 73"), std::string::npos);
 }
 
+// In reverse a full bar would look empty and an empty one full.
+TEST(Table, ABarIsTheSameInTheSelectedRow) {
+  const Table table{{{"a"}, {"", false, true}}, {{{"x", "██"}, {}}}};
+  Screen screen(12, 2);
+  draw_table(screen, screen.area(), table, {}, true);
+  EXPECT_TRUE(screen.at(1, 1).style.reverse);
+  EXPECT_EQ(screen.at(4, 1).glyph, U'█');
+  EXPECT_FALSE(screen.at(4, 1).style.reverse);
+}
+
 TEST(Table, RightColumnsEndTogether) {
   Screen screen(20, 4);
   Table table{{{"a"}, {"bbb", true}}, {{{"x", "1"}, {}}, {{"y", "22"}, {}}}};
