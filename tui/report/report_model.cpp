@@ -289,7 +289,7 @@ Law best_law(const updating::Signature& s) {
 
 /// Where one grid explains most of the misfit.
 bool means_something(const std::optional<updating::Signature>& signature) {
-  return signature && signature->explained >= 0.5 &&
+  return signature && updating::is_telling(*signature) &&
          signature->frequency_hz.size() > 1 &&
          signature->z.size() == signature->frequency_hz.size();
 }

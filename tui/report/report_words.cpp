@@ -164,10 +164,14 @@ std::string value_words(const updating::Estimate& like, double value) {
 }
 
 std::string next_words(const updating::NextMeasurement& next, double floor) {
-  const std::string one =
-      with_article(found_words(next.one.effect, next.one.where));
-  const std::string other =
-      with_article(found_words(next.other.effect, next.other.where));
+  // Of one effect at two places it is the places that are to be told apart.
+  const bool same = next.one.effect == next.other.effect;
+  const auto named = [same](const updating::EffectRef& ref) {
+    return same ? place(ref.where)
+                : with_article(found_words(ref.effect, ref.where));
+  };
+  const std::string one = named(next.one);
+  const std::string other = named(next.other);
   if (!is_telling(next, floor)) {
     return fmt::format(
         "No hit or sensor point would separate {} from {}: their "

@@ -114,14 +114,56 @@ std::string place(const updating::Where& where) {
   if (where.variant.empty()) return updating::describe(where);
   updating::Where plain = where;
   plain.variant.clear();
-  return where.variant + ", " + updating::describe(plain);
+  const std::string form =
+      where.variant == "both" ? "rotation and translation" : where.variant;
+  return form + ", " + updating::describe(plain);
+}
+
+std::string parameter_words(std::string_view name) {
+  const std::string plain = split_unit(name).name;
+  if (plain.starts_with("mesh ")) {
+    return fmt::format("mesh correction ({})", plain.substr(5));
+  }
+  const std::size_t colon = plain.find(':');
+  if (colon == std::string::npos) return plain;
+  const std::string property = plain.substr(0, colon);
+  using Pair = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Pair, 8> cards{{{"E", "MAT1"},
+                                              {"nu", "MAT1"},
+                                              {"E1", "MAT8"},
+                                              {"E2", "MAT8"},
+                                              {"G12", "MAT8"},
+                                              {"rho", "material"},
+                                              {"thickness", "PSHELL"},
+                                              {"T", "PSHELL"}}};
+  std::string_view card = "property";
+  for (const auto& [known, on] : cards) {
+    if (known == property) card = on;
+  }
+  return fmt::format("{} ({} {})", property, card, plain.substr(colon + 1));
+}
+
+bool is_open(const updating::Estimate& e) {
+  const bool lost = std::isfinite(e.sd) && e.sd > std::abs(e.value);
+  return (e.at_bound || lost) && e.lo95 < e.hi95;
+}
+
+std::string size_words(const updating::Estimate& e) {
+  const std::string own = e.unit.empty() ? split_unit(e.name).unit : e.unit;
+  const std::string unit = own.empty() ? "" : " " + own;
+  if (!is_open(e)) return with_sd(e.value, e.sd) + unit;
+  if (e.lo95 < 0.0 && e.hi95 > 0.0) {
+    return fmt::format(
+        "{} to {}{}", number(e.lo95, 2), number(e.hi95, 2), unit);
+  }
+  // The fit would go on past the nearer end.
+  const bool least = e.hi95 - e.value < e.value - e.lo95;
+  return least ? fmt::format("at least {}{}", number(e.lo95, 2), unit)
+               : fmt::format("at most {}{}", number(e.hi95, 2), unit);
 }
 
 std::string describe(const updating::Estimate& estimate) {
-  const NameAndUnit split = split_unit(estimate.name);
-  std::string text = split.name + " " + with_sd(estimate.value, estimate.sd);
-  if (!split.unit.empty()) text += " " + split.unit;
-  return text;
+  return parameter_words(estimate.name) + " " + size_words(estimate);
 }
 
 }  // namespace tapfit::tui

@@ -41,9 +41,20 @@ struct NameAndUnit {
 };
 [[nodiscard]] NameAndUnit split_unit(std::string_view name);
 
+/// "E:1" to "E (MAT1 1)", "mesh size" to "mesh correction (size)"; others by
+/// their name without its unit.
+[[nodiscard]] std::string parameter_words(std::string_view name);
+
 /// As updating::describe, the variant first, where a narrow column does not
 /// cut it off: "rotation, 19 nodes (1 ... 38)".
 [[nodiscard]] std::string place(const updating::Where& where);
+
+/// "0.0785 ± 0.0006 kg". What the data do not tell from nothing, or would have
+/// beyond its bound, is given by the end of its interval: "at most 0.75 kg".
+[[nodiscard]] std::string size_words(const updating::Estimate& estimate);
+
+/// Whether it is given by the ends of its interval alone.
+[[nodiscard]] bool is_open(const updating::Estimate& estimate);
 
 /// "mass 0.0785 ± 0.0006 kg".
 [[nodiscard]] std::string describe(const updating::Estimate& estimate);

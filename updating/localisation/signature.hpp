@@ -22,4 +22,11 @@ struct Signature {
   AbsorberLaw absorber = {};
 };
 
+/// Whether one place explains most of what is missing, so that its missing
+/// stiffness means something.
+[[nodiscard]] inline bool is_telling(const Signature& signature) {
+  constexpr double most = 0.5;
+  return signature.explained >= most;
+}
+
 }  // namespace tapfit::updating

@@ -81,6 +81,35 @@ TEST(Number, PutsThePlacesVariantFirst) {
   where.nodes = {1, 3, 4, 38};
   where.variant = "rotation";
   EXPECT_EQ(place(where), "rotation, 4 nodes (1 ... 38)");
+  where.variant = "both";
+  EXPECT_EQ(place(where), "rotation and translation, 4 nodes (1 ... 38)");
+}
+
+// "0.00002 ± 0.00033 kg" would say nothing of a mass up to 0.75 kg.
+TEST(Number, GivesTheEndOfAnIntervalThatHoldsNothing) {
+  EXPECT_EQ(describe({"mass_kg", 2e-5, 3.3e-4, 1.502e-5, 0.7509}),
+            "mass at most 0.75 kg");
+  EXPECT_EQ(describe({"delay_s", 1e-5, 3e-5, -5e-5, 7e-5}),
+            "delay -5e-05 to 7e-05 s");
+  EXPECT_EQ(describe({"mass_kg", 0.08, 0.001, 0.078, 0.082}),
+            "mass 0.0800 ± 0.0010 kg");
+}
+
+TEST(Number, SaysWhichBoundAFitEndedAt) {
+  updating::Estimate low{"factor", 0.05, 0.01, 0.05, 0.081};
+  low.at_bound = true;
+  EXPECT_EQ(describe(low), "factor at most 0.081");
+  updating::Estimate high{"factor", 0.95, 0.01, 0.92, 0.95};
+  high.at_bound = true;
+  EXPECT_EQ(describe(high), "factor at least 0.92");
+}
+
+TEST(Number, NamesParametersByTheirCards) {
+  EXPECT_EQ(parameter_words("E:1"), "E (MAT1 1)");
+  EXPECT_EQ(parameter_words("G12:3"), "G12 (MAT8 3)");
+  EXPECT_EQ(parameter_words("I1:7"), "I1 (property 7)");
+  EXPECT_EQ(parameter_words("mesh size"), "mesh correction (size)");
+  EXPECT_EQ(parameter_words("added-mass mass_kg"), "added-mass mass");
 }
 
 }  // namespace
