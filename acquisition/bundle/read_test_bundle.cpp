@@ -323,8 +323,8 @@ void refuse_foreign(const fs::path& file) {
   }
   if (!(in >> first) || first == '{') return;
   throw InputError(
-      "is no test bundle: neither a folder with a test.json, nor a test.json "
-      "(JSON), nor a universal file (a line of \"    -1\" first)",
+      "not a test bundle: expected a folder with test.json, a test.json, or a "
+      "universal file (.uff, a line of \"    -1\" first)",
       file.string(),
       "give the bundle's folder; `tapfit import` makes a bundle of CSV, MATLAB "
       "and SEP-005 files, and recordings are named in a test.json");

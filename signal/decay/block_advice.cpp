@@ -89,8 +89,9 @@ std::optional<BlockAdvice> advise_block(const DecayCheck& lasting,
 std::string statement(const BlockAdvice& advice, double sigma) {
   const DecayCheck& lasting = advice.lasting;
   std::string text = fmt::format(
-      "the response at {:.4g} Hz has {:.2g} time constants in the block where "
-      "6 let it decay. Before any window, take {}",
+      "the response at {:.4g} Hz has not decayed at the end of the block "
+      "({:.2g} "
+      "time constants, 6 are needed); before any window, take {}",
       lasting.hz,
       lasting.time_constants,
       proposal(advice));

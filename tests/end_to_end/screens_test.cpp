@@ -113,10 +113,10 @@ TEST(Screens, AKeptFitOutlivesTheProgram) {
 TEST(Screens, AHitTakenBackIsOverruledAgainAfterARestart) {
   const SmallTest test;
   const std::string back = test.replay("1\nwait\n \nwait\nu\nwait\n");
-  EXPECT_TRUE(holds(back, "judged as before")) << back;
+  EXPECT_TRUE(holds(back, "back to automatic")) << back;
   const std::string again = test.replay("1\nwait\n<C-r>\nwait\n");
   EXPECT_TRUE(holds(again, "run 1, hit 1: overruled again")) << again;
-  EXPECT_TRUE(holds(again, "by hand")) << again;
+  EXPECT_TRUE(holds(again, "manually")) << again;
 }
 
 TEST(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
@@ -124,7 +124,7 @@ TEST(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
   const std::string act = test.replay("1\nwait\ntt \nwait\n");
   EXPECT_TRUE(holds(act, "2 hits overruled")) << act;
   const std::string back = test.replay("1\nwait\nu\nwait\n");
-  EXPECT_TRUE(holds(back, "2 hits: judged as before")) << back;
+  EXPECT_TRUE(holds(back, "2 hits: back to automatic")) << back;
   const std::string again = test.replay("1\nwait\n<C-r>\nwait\n");
   EXPECT_TRUE(holds(again, "2 hits: overruled again")) << again;
 }

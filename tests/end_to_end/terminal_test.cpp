@@ -102,7 +102,7 @@ TEST(Terminal, CtrlCStopsWorkAndNothingElse) {
   terminal.type("5");
   ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
   terminal.type("\003");
-  EXPECT_TRUE(terminal.shows("r starts it again", seconds(5)));
+  EXPECT_TRUE(terminal.shows("r: run again", seconds(5)));
   terminal.type("\003\003");
   EXPECT_FALSE(terminal.ends(milliseconds(300)));
   EXPECT_TRUE(terminal.shows("q quits", seconds(2)));
@@ -151,7 +151,9 @@ TEST(Terminal, SignalsThatEndRestoreIt) {
     PseudoTerminal terminal({copy_of_bundle()});
     ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
     terminal.send(number);
-    ASSERT_TRUE(terminal.ends(seconds(5))) << number;
+    const auto status = terminal.ends(seconds(5));
+    ASSERT_TRUE(status) << number;
+    EXPECT_TRUE(WIFEXITED(*status) && WEXITSTATUS(*status) == 3) << number;
     EXPECT_TRUE(same_modes(terminal.modes(), terminal.modes_before()))
         << number;
     EXPECT_TRUE(terminal.wrote(main_screen, seconds(1))) << number;
@@ -175,7 +177,7 @@ TEST(Terminal, HangUpKeepsTheSession) {
     PseudoTerminal terminal({bundle});
     ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
     terminal.type(" ");
-    ASSERT_TRUE(terminal.shows("by hand", seconds(20)));
+    ASSERT_TRUE(terminal.shows("manually", seconds(20)));
     terminal.type("5");  // and work runs when the line breaks
     ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
     terminal.hang_up();
@@ -183,7 +185,26 @@ TEST(Terminal, HangUpKeepsTheSession) {
   }
   PseudoTerminal again({bundle});
   EXPECT_TRUE(again.shows("1 hit judged", seconds(10)) ||
-              again.shows("by hand", seconds(10)));
+              again.shows("manually", seconds(10)));
+}
+
+// The same test in two windows: what one did is in the other's next step.
+TEST(Terminal, TwoWindowsLoseNothingOfEachOther) {
+  const std::string bundle = copy_of_bundle();
+  PseudoTerminal first({bundle});
+  PseudoTerminal second({bundle});
+  ASSERT_TRUE(first.shows("3 accepted", seconds(20)));
+  ASSERT_TRUE(second.shows("3 accepted", seconds(20)));
+  first.type(":add added-mass@200\r");
+  ASSERT_TRUE(first.shows("1 effect added", seconds(120)));
+  second.type(" ");
+  ASSERT_TRUE(second.shows("what another window did", seconds(120)));
+  second.type("6");
+  EXPECT_TRUE(second.shows("1 effect added", seconds(120)));
+  std::ifstream file(std::filesystem::path(bundle) / "session.json");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("added-mass"), std::string::npos) << text;
+  EXPECT_NE(text.find("overruled"), std::string::npos) << text;
 }
 
 // Whatever ends it while work runs: a crash, a signal, the last resort.
@@ -193,7 +214,7 @@ TEST(Terminal, NoSignalCostsWhatWasDone) {
     PseudoTerminal terminal({bundle});
     ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
     terminal.type(" ");
-    ASSERT_TRUE(terminal.shows("by hand", seconds(20)));
+    ASSERT_TRUE(terminal.shows("manually", seconds(20)));
     terminal.type("5");
     ASSERT_TRUE(terminal.shows("diagnosis:", seconds(60)));
     terminal.send(number);
@@ -203,7 +224,7 @@ TEST(Terminal, NoSignalCostsWhatWasDone) {
           << number;
     }
     PseudoTerminal again({bundle});
-    EXPECT_TRUE(again.shows("#1 by hand", seconds(20))) << number;
+    EXPECT_TRUE(again.shows("#1 rejected manually", seconds(20))) << number;
   }
 }
 
@@ -281,6 +302,7 @@ KeyWaits waits_of_keys(std::chrono::seconds at_most) {
     timed("\x7f", "\n" + typed.substr(0, typed.size() - 1) + " ");
     terminal.type("\033");
     timed("?", "any key closes");
+    terminal.type("?");
     timed("5", "5 Diagnose");
   };
   const Clock::time_point first = Clock::now();

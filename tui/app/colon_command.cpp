@@ -92,9 +92,9 @@ ColonCommand parse_colon_command(std::string_view text) {
         "which effect?", ":add", "write for example :add added-mass@201");
   }
   if (takes_nothing(command.kind) && !rest.empty()) {
-    throw InputError(fmt::format("nothing goes with it, not \"{}\"", rest),
-                     fmt::format(":{}", word),
-                     "write it alone, again for more");
+    throw InputError("takes no argument",
+                     fmt::format(":{} {}", word, rest),
+                     fmt::format("write :{} alone", word));
   }
   if (command.kind == Kind::Screen) {
     if (rest.size() != 1 || rest[0] < '1' || rest[0] > '7') {

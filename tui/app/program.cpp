@@ -25,16 +25,6 @@ constexpr std::size_t frf_screen = 1;
 constexpr std::size_t modes_screen = 2;
 constexpr std::size_t update_screen = 5;
 
-/// Keys that people press to be rid of a box; the others also do their work.
-bool leads_elsewhere(Key key) {
-  return !key.ctrl && ((key.code >= U'1' && key.code <= U'7') || key == U':');
-}
-
-bool only_closes(Key key) {
-  return key == keys::escape || key == keys::enter || key == U' ' ||
-         key == U'q' || key == U'?' || key == keys::click;
-}
-
 }  // namespace
 
 Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
@@ -119,6 +109,7 @@ void Program::finish(Finished finished) {
   running_ = false;
   if (message_is_to_wait_) tell("");
   const bool opened = !known_.bundle;
+  for (const auto& one : pages_) one->follow(known_, finished.snapshot);
   known_ = std::move(finished.snapshot);
   // Ready FRFs have no recordings to begin with.
   if (opened && known_.bundle && known_.bundle->frfs) current_ = frf_screen;
@@ -129,7 +120,7 @@ void Program::finish(Finished finished) {
     if (finished.need) failed_[*finished.need] = finished.message;
     tell(finished.message, true);
   } else if (finished.how == How::Stopped && stopped_by_user_) {
-    if (finished.need) failed_[*finished.need] = "stopped; r starts it again";
+    if (finished.need) failed_[*finished.need] = "stopped";
     tell("stopped: " + finished.title);
   } else if (finished.how == How::Done && action && !finished.title.empty()) {
     failed_.clear();
@@ -237,16 +228,15 @@ void Program::press(Key key) {
   if (key == keys::resize) return;
   if (scroll_help(key)) return;
   const bool covered = help_open_ || boxed();
-  // The key that closes the help does nothing else, but for those that lead
-  // elsewhere.
-  const bool helped = help_open_ && !leads_elsewhere(key);
   help_open_ = false;
   tell("");  // what was told has been read
   quit_asked_before_ = std::exchange(quit_asked_, false);
   if (const auto asked = std::exchange(asked_to_replace_, std::nullopt)) {
     return answer_replacing(*asked, key);
   }
-  if (helped || (covered && only_closes(key))) return;
+  // The key that closes a box does nothing else, but that it may answer what
+  // the box asks.
+  if (covered && !quit_asked_before_) return;
   if (key.code == keys::click) return mouse(key);
   if (mode_ == Mode::Filter) return press_filter(key);
   if (mode_ == Mode::Colon) return press_colon(key);
@@ -326,6 +316,7 @@ void Program::escape() {
 
 void Program::carry_out(const Command& command) {
   if (!command.message.empty()) tell(command.message);
+  message_is_to_wait_ = command.until_done;
   switch (command.kind) {
     case Command::Kind::None:
       return;

@@ -61,16 +61,16 @@ std::vector<std::string> Program::help_lines() const {
   std::vector<std::string> lines = wrapped(page().help(), width);
   lines.emplace_back();
   std::vector<KeyHelp> all = page_keys();
-  const std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
-                                        {":", "command"},
-                                        {"u", "undo"},
-                                        {"Ctrl-R", "redo"},
-                                        {"r", "try again"},
-                                        {"Esc", "back, stop work"},
-                                        {"S", "end a fit, keep it"},
-                                        {"Ctrl-Z", "to the shell, fg back"},
-                                        {"/", "filter the list"},
-                                        {"q", "quit"}};
+  std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
+                                  {":", "command"},
+                                  {"u", "undo"},
+                                  {"Ctrl-R", "redo"},
+                                  {"r", "try again"},
+                                  {"Esc", "back, stop work"},
+                                  {"S", "end a fit, keep it"},
+                                  {"Ctrl-Z", "to the shell, fg back"},
+                                  {"q", "quit"}};
+  if (page().list() != nullptr) everywhere.push_back({"/", "filter the list"});
   for (const KeyHelp& key : everywhere) {
     const bool known =
         std::any_of(all.begin(), all.end(), [&](const KeyHelp& k) {

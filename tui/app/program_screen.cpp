@@ -8,6 +8,7 @@
 #include "tui/views/update_panels.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/text_box.hpp"
+#include "tui/work/next_step.hpp"
 
 #include <fmt/format.h>
 
@@ -158,7 +159,7 @@ void Program::draw_live(Screen& screen) const {
   const Rect rect{
       screen.width() - width, screen.height() - height, width, height};
   screen.fill(rect, U' ');
-  screen.box(rect, shown_.title, {.colour = Colour::Yellow});
+  screen.box(rect, shown_.title, {.colour = Colour::Sky});
   const auto [fit, line] = split_top(inside(rect), height - 3);
   draw_live_fit(screen, fit, shown_.errors, *shown_.live);
   screen.text(line.x + 1,
@@ -189,7 +190,7 @@ Screen Program::waiting(const Canvas& canvas) const {
     if (known_.has(need)) continue;
     const auto failed = failed_.find(need);
     if (failed != failed_.end()) {
-      say(name(need.stage), failed->second + "\n \nr tries again.");
+      say(name(need.stage), failed->second + " (r: run again)");
       return screen;
     }
     const int width = std::min(canvas.width - 8, 72);
@@ -273,6 +274,11 @@ void Program::draw_line(Screen& screen, int y) const {
   }
   if (shown_.busy) return draw_work(screen, y);
   const std::string words = filter_words() + (boxed() ? "" : message_);
+  if (words.empty() && ready()) {
+    screen.text(
+        1, y, step_words(current_, known_), {.colour = Colour::Grey}, width);
+    return;
+  }
   const Colour colour = message_is_error_ ? Colour::Red : Colour::Default;
   screen.text(1, y, words, {.colour = colour}, width);
 }
@@ -302,12 +308,12 @@ void Program::draw_work(Screen& screen, int y) const {
   x = screen.text(x,
                   y,
                   progress_text(shown_, room - 2) + "  ",
-                  {.colour = Colour::Yellow},
+                  {.colour = Colour::Sky},
                   room);
   screen.text(x,
               y,
               bar(shown_.fraction, bar_width, screen.ascii()),
-              {.colour = Colour::Yellow});
+              {.colour = Colour::Sky});
 }
 
 void Program::draw_keys(Screen& screen, int y) const {

@@ -216,7 +216,7 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
   app.add_option("--seed", words.seed, "same seed, same cases");
   app.add_option("--shard", words.shard, "K/M: only part K of M")
       ->check(CLI::Validator(shard_fault, "K/M"));
-  app.add_option("--kind", words.kinds, "hide only this (again for more)")
+  app.add_option("--kind", words.kinds, "hide only this (may be repeated)")
       ->check(CLI::IsMember(updating::hidden_kinds()))
       ->take_all();
   app.add_option("--merge", words.merge, "files printed with --json");

@@ -121,19 +121,19 @@ void add_mode_choices(CLI::App& command, HandChoices& by_hand) {
             }
             choices.band_hz = {band[0], band[1]};
           },
-          "LOW HIGH: modes are sought in the lines between only [Hz]")
+          "LOW HIGH: search this band only [Hz]")
       ->expected(2)
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
   add_edits(command,
             "--drop",
             PoleEdit::What::Drop,
-            "Take this mode out [Hz]; again for more",
+            "Take this mode out [Hz]; may be repeated",
             choices);
   add_edits(command,
             "--add",
             PoleEdit::What::Add,
-            "Put a pole in here [Hz], after those dropped; again for more",
+            "Put a pole in here [Hz], after those dropped; may be repeated",
             choices);
   command.add_flag("--session",
                    by_hand.session,

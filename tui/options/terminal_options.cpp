@@ -12,7 +12,7 @@ void add_terminal_options(CLI::App& app,
       "--no-colour,--no-color", options.no_colour, "No colours (as NO_COLOR)");
   app.add_flag("--light", options.light, "Colours for a light background");
   app.add_flag("--dark", options.dark, "Colours for a dark background");
-  app.add_flag("--no-mouse", options.no_mouse, "Leave the mouse alone");
+  app.add_flag("--no-mouse", options.no_mouse, "Disable the mouse");
   app.add_option(
       "--keys", options.keys_file, "Replay a key script without a terminal");
   app.add_option("--width", options.width, "Columns of the replay");

@@ -17,10 +17,9 @@ std::string first_size(const Candidate& candidate, bool named, int room) {
   if (candidate.parameters.empty()) return "–";
   const updating::Estimate& p = candidate.parameters[0];
   if (named && text_width(describe(p)) <= room) return describe(p);
-  const std::string unit = " " + split_unit(p.name).unit;
-  const std::string with_scatter = with_sd(p.value, p.sd) + unit;
-  return text_width(with_scatter) <= room ? with_scatter
-                                          : number(p.value, 3) + unit;
+  const std::string whole = size_words(p);
+  if (is_open(p) || text_width(whole) <= room) return whole;
+  return number(p.value, 3) + " " + split_unit(p.name).unit;
 }
 
 bool is_in(const std::vector<updating::EffectRef>& tagged, const Candidate& c) {
@@ -61,12 +60,12 @@ int room_for_size(const Table& table, int width, bool ascii) {
 
 Table wide_table(const updating::Diagnosis& d, bool ascii) {
   Table table{{{"rung", true},
-               {"prob", true},
-               {""},
+               {"probability", true},
+               {"", false, true},
                {"effect"},
                {"where"},
                {"error", true},
-               {"left out", true},
+               {"hold-out error", true},
                {"size"}},
               {}};
   for (const Candidate& c : d.candidates) {
@@ -84,8 +83,8 @@ Table wide_table(const updating::Diagnosis& d, bool ascii) {
 
 Table narrow_table(const updating::Diagnosis& d, bool ascii) {
   Table table{{{"#", true},
-               {"prob", true},
-               {""},
+               {"prob.", true},
+               {"", false, true},
                {"effect"},
                {"where"},
                {"error", true},

@@ -2,6 +2,7 @@
 #include "tui/views/compare_view.hpp"
 #include "tui/views/compared_modes.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/widgets/mac_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -109,7 +110,9 @@ void ComparePage::enter(const CompareInput& input, Command& command) {
   } else if (state_.focus == Focus::Mac) {
     command.kind = Command::Kind::ShowMode;
     command.mode = state_.mac_row;
-    command.model_mode = state_.mac_column;
+    command.model_mode =
+        std::max(state_.mac_column,
+                 static_cast<std::size_t>(rigid_modes(c.modes.frequency_hz)));
     return;
   } else if (state_.focus == Focus::Structure) {
     const auto points = worst_points(c);
@@ -138,9 +141,8 @@ bool ComparePage::move(const CompareInput& input, Key key) {
   }
   if (state_.focus == Focus::Mac) {
     const auto rows = static_cast<std::size_t>(c.mac.rows());
-    const auto columns = static_cast<std::size_t>(c.mac.cols());
     return step(state_.mac_row, rows, key, false) ||
-           step(state_.mac_column, columns, key, true);
+           step_column(state_.mac_column, c.modes.frequency_hz, key);
   }
   if (state_.focus == Focus::Structure) {
     return step(state_.point, c.point_error.size(), key, false);
@@ -190,7 +192,7 @@ std::vector<KeyHelp> ComparePage::keys() const {
                                                         : "FRF, cursor";
   return {{"Tab", "next pane"},
           {"j k h l", what},
-          {"Enter", "curves behind it"},
+          {"Enter", "open FRF"},
           {"x", "log/linear"},
           {"+ -", "zoom"},
           {"_", "whole band"},
@@ -204,7 +206,9 @@ std::string ComparePage::help() const {
          "FRFs and lines, each line divided by its mean measured magnitude, "
          "so that resonances and valleys count alike. The floor is what the "
          "scatter over hits and the mesh allow; a bar is green once it is "
-         "within 1.3 of its floor. Tab goes from the list of FRFs to the map "
+         "within 1.3 times its floor, and the map is cold there; its hottest "
+         "cells are ten times the floor. Tab goes from the list of FRFs to the "
+         "map "
          "(which FRF fails in which band), the modes, the MAC and the "
          "structure (which point). Enter shows the curves behind the number "
          "that is marked, once more the FRF by itself; Esc comes back.";

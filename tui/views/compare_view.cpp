@@ -1,5 +1,6 @@
 #include "tui/views/compare_view.hpp"
 
+#include "tui/report/report_words.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -9,6 +10,7 @@
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
 #include "tui/widgets/level_marks.hpp"
+#include "tui/widgets/mac_map.hpp"
 #include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
@@ -41,6 +43,22 @@ void name_bands(HeatMap& map,
   }
 }
 
+/// Cold where bars are green, hottest at ten times the floor. Without a
+/// floor the largest error is the hottest.
+void anchor(HeatMap& map, double floor) {
+  constexpr double hottest = 10.0;
+  if (std::isfinite(floor) && floor > 0.0) {
+    map.cold = near_floor * floor;
+    map.scale = hottest * floor;
+    return;
+  }
+  double largest = 1e-12;
+  for (const double v : map.values.reshaped()) {
+    if (std::isfinite(v)) largest = std::max(largest, v);
+  }
+  map.scale = largest;
+}
+
 void draw_error_map(Screen& screen,
                     const Rect& rect,
                     const CompareInput& input,
@@ -55,11 +73,7 @@ void draw_error_map(Screen& screen,
     map.row_names.push_back(signal::name(frf));
   }
   name_bands(map, rect, c.bands);
-  double largest = 0.0;
-  for (const double v : map.values.reshaped()) {
-    if (std::isfinite(v)) largest = std::max(largest, v);
-  }
-  map.scale = std::max(largest, 1e-12);
+  anchor(map, c.floor);
   const int rows = rect.height - 2;
   map.selected = static_cast<int>(selected);
   if (focused) map.column = static_cast<int>(band);
@@ -68,7 +82,7 @@ void draw_error_map(Screen& screen,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
   screen.text(rect.x + 1,
               rect.y,
-              "error in %, bands up to Hz",
+              "error [%] by band (upper edge, Hz)",
               heading(focused),
               rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);
@@ -120,8 +134,10 @@ void draw_points(Screen& screen,
               {.colour = Colour::Grey},
               lines.width - 1);
   int x = lines.x + 1;
-  for (const auto& [share, words_of] :
-       {std::pair{0.2, "to 1/4"}, {0.4, "1/2"}, {0.6, "3/4"}, {1.0, "worst"}}) {
+  for (const auto& [share, words_of] : {std::pair{0.2, "≤25"},
+                                        {0.4, "≤50"},
+                                        {0.6, "≤75"},
+                                        {1.0, ">75 % of max"}}) {
     const LevelMark& level = error_mark(share, 1.0);
     screen.put(x, lines.y + 1, level.glyph, {.colour = level.colour});
     x = screen.text(x + 2, lines.y + 1, words_of, {.colour = Colour::Grey}) + 2;
@@ -135,22 +151,20 @@ void draw_mac(Screen& screen,
   const updating::Comparison& c = input.comparison;
   screen.text(rect.x + 1,
               rect.y,
-              "MAC in %: measured (rows, Hz) with model",
+              fitting({"MAC in %: measured (rows, Hz) with model" +
+                           rigid_words(c.modes.frequency_hz),
+                       "MAC in %" + rigid_words(c.modes.frequency_hz)},
+                      rect.width - 1),
               heading(true),
               rect.width - 1);
-  HeatMap map;
-  map.values = c.mac;
+  HeatMap map = mac_map(c.mac, c.modes.frequency_hz);
   for (const double hz : measured_hz(input)) {
     map.row_names.push_back(fixed(hz, 2));
   }
-  for (const double hz : c.modes.frequency_hz) {
-    map.column_names.push_back(fitted(hz, map.entry_width - 1));
-  }
   map.selected = static_cast<int>(state.mac_row);
-  map.column = static_cast<int>(state.mac_column);
+  map.column = std::max(static_cast<int>(state.mac_column), map.first);
   const Rect body = split_top(rect, 1).second;
-  map.left = std::max(map.column - fitting_columns(body, map) + 1, 0);
-  map.top = std::max(map.selected - body.height + 2, 0);
+  scroll_to_mark(map, body);
   draw_heat_map(screen, body, map);
 }
 
@@ -189,10 +203,11 @@ void draw_overlay(Screen& screen,
                         input.comparison.model_frfs[selected],
                         {Colour::Orange, Pattern::Dashed, 'o'}));
   }
-  const std::vector<std::string> lines = wrapped(
-      plot.cursor ? read_out(plot, *plot.cursor) : input.comparison.contour,
-      rect.width - 2,
-      2);
+  const std::vector<std::string> lines =
+      wrapped(plot.cursor ? read_out(plot, *plot.cursor)
+                          : contour_words(input.comparison.contour),
+              rect.width - 2,
+              2);
   const int rows = static_cast<int>(lines.size());
   const auto [body, below] = split_top(rect, rect.height - rows);
   draw_plot(screen, body, plot);
@@ -200,7 +215,7 @@ void draw_overlay(Screen& screen,
     screen.text(below.x + 1,
                 below.y + i,
                 lines[static_cast<std::size_t>(i)],
-                {.colour = plot.cursor ? Colour::Yellow : Colour::Grey},
+                {.colour = plot.cursor ? Colour::Default : Colour::Grey},
                 below.width - 2);
   }
 }

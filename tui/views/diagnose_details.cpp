@@ -1,9 +1,11 @@
 #include "tui/views/diagnose_details.hpp"
 
+#include "tui/report/report_words.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/views/candidate_table.hpp"
+#include "tui/widgets/bars.hpp"
 
 #include <fmt/format.h>
 
@@ -11,9 +13,16 @@ namespace tapfit::tui {
 
 using updating::Candidate;
 
+std::string verdict_words(const updating::Diagnosis& d) {
+  if (d.verdict != "none") return "verdict: " + d.verdict;
+  return d.error_base <= near_floor * d.floor
+             ? "nothing significant is missing (error within the floor)"
+             : "nothing significant is missing";
+}
+
 std::string look_alikes(const Candidate& c) {
-  if (c.indistinguishable_from.empty()) return "told apart from all others";
-  std::string text = "can't be told from:";
+  if (c.indistinguishable_from.empty()) return "uniquely identified";
+  std::string text = "indistinguishable with these points from:";
   for (const updating::EffectRef& other : c.indistinguishable_from) {
     text += fmt::format(" {} {};", other.effect, place(other.where));
   }
@@ -24,8 +33,7 @@ std::string look_alikes(const Candidate& c) {
 std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
   for (const updating::NextMeasurement& next : d.next) {
     if (next.one.effect != c.effect || next.one.where != c.where) continue;
-    return fmt::format(
-        "{} or {}? {}; ", c.effect, next.other.effect, advice(next, d.floor));
+    return next_words(next, d.floor) + " ";
   }
   return {};
 }
@@ -33,14 +41,12 @@ std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
 std::string all_sizes(const Candidate& c) {
   std::string text;
   for (const updating::Estimate& p : c.parameters) {
-    const NameAndUnit split = split_unit(p.name);
-    text += fmt::format("{}{} {} {} (95 %: {} to {})",
-                        text.empty() ? "" : "; ",
-                        split.name,
-                        with_sd(p.value, p.sd),
-                        split.unit,
-                        number(p.lo95),
-                        number(p.hi95));
+    const std::string size = (text.empty() ? "" : "; ") + describe(p);
+    text +=
+        is_open(p)
+            ? fmt::format("{} (95 %)", size)
+            : fmt::format(
+                  "{} (95 %: {} to {})", size, number(p.lo95), number(p.hi95));
   }
   return text.empty() ? "no parameters" : text;
 }
@@ -48,13 +54,13 @@ std::string all_sizes(const Candidate& c) {
 std::vector<std::string> details_of(const updating::Diagnosis& d,
                                     const Candidate& c,
                                     int width) {
-  std::vector<std::string> paragraphs{"verdict: " + d.verdict,
-                                      "compared on " + d.contour};
+  std::vector<std::string> paragraphs{verdict_words(d),
+                                      contour_words(d.contour)};
   for (const std::string& warning : d.warnings) {
     paragraphs.push_back("! " + warning);
   }
   paragraphs.push_back(
-      fmt::format("{} at {}: probability {}, error {}, on data left out {}",
+      fmt::format("{} at {}: probability {}, error {}, hold-out error {}",
                   c.effect,
                   place(c.where),
                   probability(c.probability),

@@ -9,7 +9,11 @@
 
 namespace tapfit::tui {
 
-/// "can't be told from: joint at line 34:35", or that it can from all.
+/// "verdict: joint"; of a verdict that nothing is missing, that in words.
+[[nodiscard]] std::string verdict_words(const updating::Diagnosis& diagnosis);
+
+/// "indistinguishable with these points from: joint line 34:35", or that it is
+/// uniquely identified.
 [[nodiscard]] std::string look_alikes(const updating::Candidate& candidate);
 
 /// What to measure to know, where the candidate is in the verdict; else empty.

@@ -14,10 +14,31 @@ namespace {
 using updating::Candidate;
 using updating::EffectRef;
 
-/// @pre there is one, of the model as it is or before
-const updating::Diagnosis& shown(const Snapshot& known) {
-  return known.diagnosis ? *known.diagnosis : *known.last_diagnosis;
+/// Of the model as it is or before; none before there is any.
+const updating::Diagnosis* found(const Snapshot& known) {
+  return known.diagnosis ? known.diagnosis.get() : known.last_diagnosis.get();
 }
+
+/// @pre there is one
+const updating::Diagnosis& shown(const Snapshot& known) {
+  return *found(known);
+}
+
+/// All that the verdict is made of, in its order; of look-alikes the first.
+void add_verdict(const updating::Diagnosis& d, Command& command) {
+  for (const updating::Rung& rung : d.ladder) {
+    const std::string kind = updating::leading_kind(rung);
+    if (kind == updating::nonlinearity) continue;
+    command.effects.push_back({kind, rung.where});
+  }
+  if (command.effects.empty()) {
+    command.message = "the verdict adds nothing to the model";
+  } else {
+    command.kind = Command::Kind::Add;
+  }
+}
+
+EffectRef ref_of(const Candidate& c) { return {c.effect, c.where}; }
 
 /// A word of caution where one of these can't be told from the candidate.
 std::string look_alike_among(const std::vector<EffectRef>& tagged,
@@ -46,8 +67,9 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   if (d.candidates.empty()) return needs;
   const Table table = candidate_table(d, {}, 80, true);
   const Candidate& c = d.candidates[settled(table, state_.list)];
-  const std::vector<int> grids = grids_of(*known.bundle, c.where);
-  if (!grids.empty()) needs.push_back({Stage::Signature, grids[0]});
+  if (const auto grid = signature_grid(*known.bundle, c.where)) {
+    needs.push_back({Stage::Signature, *grid});
+  }
   if (state_.map) needs.push_back({Stage::SignatureMap});
   return needs;
 }
@@ -58,9 +80,24 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
                         known.signatures,
                         known.wire.get(),
                         known.signature_map.get(),
-                        known.diagnosis == nullptr},
+                        known.diagnosis == nullptr,
+                        known.deck.get()},
                        state_,
                        canvas);
+}
+
+void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
+  const updating::Diagnosis* old = found(before);
+  const updating::Diagnosis* fresh = found(now);
+  if (old == nullptr || fresh == nullptr || old == fresh) return;
+  if (old->candidates.empty()) return;
+  const Table table = candidate_table(*old, {}, 80, true);
+  const Candidate& chosen = old->candidates[settled(table, state_.list)];
+  const auto at = std::ranges::find(fresh->candidates, ref_of(chosen), ref_of);
+  state_.list.selected =
+      at == fresh->candidates.end()
+          ? 0
+          : static_cast<std::size_t>(at - fresh->candidates.begin());
 }
 
 bool DiagnosePage::leave_view() {
@@ -121,14 +158,16 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     return true;
   }
   if (press_details(d, table, key)) return true;
-  if (key == U'a' || key == keys::enter) {
+  const bool whole = key == U'A';
+  if (key == U'a' || key == keys::enter || whole) {
     if (!known.diagnosis) {
       command.message =
           "these were found before the last change: wait for what "
           "is found now";
+      command.until_done = true;
       return true;
     }
-    add_chosen(d, table, command);
+    whole ? add_verdict(d, command) : add_chosen(d, table, command);
     return true;
   }
   if (key == U't' || key == U' ') {
@@ -161,6 +200,7 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
 std::vector<KeyHelp> DiagnosePage::keys() const {
   return {{"j k", "candidate"},
           {"a", state_.tagged.empty() ? "add it" : "add tagged"},
+          {"A", "add verdict"},
           {"t", "tag"},
           {"i", "notes"},
           {"m", state_.map ? "place" : "map"},
@@ -186,7 +226,7 @@ std::string DiagnosePage::help() const {
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
          "all. m maps what each grid alone explains. a adds the candidate, or "
-         "all tagged (*) at once.";
+         "all tagged (*) at once, A all that the verdict is made of.";
 }
 
 }  // namespace tapfit::tui

@@ -1,11 +1,13 @@
 #include "tui/views/diagnose_view.hpp"
 
+#include "tui/report/report_words.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/views/diagnose_details.hpp"
 #include "tui/views/signature_plot.hpp"
+#include "tui/widgets/element_grids.hpp"
 #include "tui/widgets/level_marks.hpp"
 #include "tui/widgets/plot.hpp"
 #include "updating/localisation/signature.hpp"
@@ -24,30 +26,56 @@ using updating::Signature;
 
 std::string whole_percent(double share) { return fixed(100.0 * share, 0); }
 
-/// What each law leaves of z, with its size; in one line or two.
-std::vector<std::string> law_lines(const Signature& s, int width) {
-  const std::string first = fmt::format("mass {} kg {} %, spring {} N/m {} %,",
-                                        number(s.mass_kg, 3),
-                                        whole_percent(s.mass_unexplained),
-                                        number(s.spring_n_per_m, 3),
-                                        whole_percent(s.spring_unexplained));
-  std::string second = fmt::format("dashpot {} N s/m {} %",
-                                   number(s.dashpot_ns_per_m, 3),
-                                   whole_percent(s.dashpot_unexplained));
+struct LawWords {
+  std::string name;
+  std::string size;
+  double left = 1.0;  ///< of the misfit
+};
+
+/// What each law leaves of z, the one that leaves least first.
+std::vector<LawWords> laws_of(const Signature& s) {
+  const auto size = [](const char* name, double value) {
+    return value_words({name, value}, value);
+  };
+  std::vector<LawWords> laws{
+      {"a pure mass", size("mass_kg", s.mass_kg), s.mass_unexplained},
+      {"a spring",
+       size("stiffness_n_per_m", s.spring_n_per_m),
+       s.spring_unexplained},
+      {"a dashpot",
+       size("damping_ns_per_m", s.dashpot_ns_per_m),
+       s.dashpot_unexplained}};
   if (s.absorber.mass_kg > 0.0) {
-    const std::string left = whole_percent(s.absorber.unexplained);
-    const std::string hz = number(s.absorber.frequency_hz, 4);
-    second += fitting({fmt::format(", absorber {} kg at {} Hz {} %",
-                                   number(s.absorber.mass_kg, 3),
-                                   hz,
-                                   left),
-                       fmt::format(", absorber at {} Hz {} %", hz, left),
-                       fmt::format(", absorber {} %", left)},
-                      width - text_width(second));
+    laws.push_back({"an absorber",
+                    fmt::format("{} at {} Hz",
+                                size("mass_kg", s.absorber.mass_kg),
+                                number(s.absorber.frequency_hz, 4)),
+                    s.absorber.unexplained});
   }
-  const std::string whole = first + " " + second;
-  if (text_width(whole) <= width) return {whole};
-  return {first, second};
+  std::ranges::stable_sort(laws, {}, &LawWords::left);
+  return laws;
+}
+
+/// In two lines; where that is too narrow, only the best has its size.
+std::vector<std::string> law_lines(const Signature& s, int width) {
+  const auto told = [&s](std::size_t sizes) {
+    std::string words;
+    for (const LawWords& law : laws_of(s)) {
+      words += words.empty() ? "" : ", ";
+      words += law.name;
+      if (sizes > 0) words += fmt::format(" ({})", law.size);
+      sizes -= sizes > 0 ? 1 : 0;
+      words += words.find(" leaves ") == std::string::npos
+                   ? fmt::format(" leaves {} % of it", whole_percent(law.left))
+                   : fmt::format(" {} %", whole_percent(law.left));
+    }
+    return words;
+  };
+  for (const std::size_t sizes : {4U, 3U, 2U}) {
+    std::vector<std::string> lines = wrapped(told(sizes), width);
+    if (lines.size() <= 2) return lines;
+  }
+  return wrapped(told(1), width, 2);
 }
 
 /// In two lines: words go before numbers and their unit do.
@@ -65,22 +93,32 @@ void draw_signature(Screen& screen,
                     const Rect& rect,
                     const DiagnoseInput& input,
                     const DiagnoseState& state,
-                    const std::vector<int>& grids,
-                    bool resonant) {
-  if (grids.empty()) {
-    screen.text(rect.x + 1, rect.y + 1, "no single place: no signature");
-    return;
+                    const Candidate& chosen) {
+  const auto say = [&](const std::string& words, Colour colour) {
+    int y = rect.y + 1;
+    for (const std::string& one : wrapped(words, rect.width - 2)) {
+      screen.text(rect.x + 1, y++, one, {.colour = colour});
+    }
+  };
+  const std::optional<int> grid = signature_grid(input.bundle, chosen.where);
+  if (!grid) {
+    return say("distributed effect: no plot for a single grid",
+               Colour::Default);
   }
-  const auto found = input.signatures.find(grids[0]);
+  const auto found = input.signatures.find(*grid);
   if (found == input.signatures.end()) {
-    screen.text(rect.x + 1,
-                rect.y + 1,
-                fmt::format("signature of grid {} …", grids[0]),
-                {.colour = Colour::Grey});
-    return;
+    return say(fmt::format("signature of grid {} …", *grid), Colour::Grey);
   }
   const Signature& s = *found->second;
-  const Plot plot = signature_plot(s, state.range, state.all_laws, resonant);
+  if (!updating::is_telling(s)) {
+    return say(fmt::format("grid {} alone explains {} % of the misfit: no plot "
+                           "while most of it is elsewhere",
+                           s.node,
+                           whole_percent(s.explained)),
+               Colour::Default);
+  }
+  const Plot plot = signature_plot(
+      s, state.range, state.all_laws, chosen.effect == "absorber");
   const auto parts = split_top(rect, rect.height - 3);
   const Rect& body = parts.first;
   const Rect& text = parts.second;
@@ -89,9 +127,11 @@ void draw_signature(Screen& screen,
     screen.text(text.x + 1, text.y + row, words, {}, text.width - 1);
   };
   line(0,
-       fmt::format("grid {} alone explains {} %; left of z by law:",
-                   s.node,
-                   whole_percent(s.explained)));
+       fmt::format(
+           "grid {} alone explains {} % of the misfit{}",
+           s.node,
+           whole_percent(s.explained),
+           input.diagnosis.ladder.size() > 1 ? ", other effects along" : ""));
   std::vector<std::string> lines = law_lines(s, text.width - 1);
   if (plot.cursor) {
     lines = cursor_lines(plot, text.width - 1);
@@ -195,10 +235,14 @@ int write_chosen(Screen& screen,
   // The narrow table has no column for it.
   const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
   const std::string error =
-      tried ? fmt::format("error on data left out {}; ", left_out(chosen)) : "";
+      tried ? fmt::format("hold-out error {}; ", left_out(chosen)) : "";
   // A long list of look-alikes may be cut off, what to do about it not.
   const std::string words = next_step(d, chosen) + error + look_alikes(chosen);
-  return write(screen, y, wrapped(words, width, 3), Colour::Yellow);
+  const bool unsure = !chosen.indistinguishable_from.empty();
+  return write(screen,
+               y,
+               wrapped(words, width, 3),
+               unsure ? Colour::Yellow : Colour::Default);
 }
 
 /// The verdict and the errors, which get a line of their own beside a long
@@ -211,7 +255,7 @@ std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
                                    percent(d.error_best),
                                    percent(d.floor));
   if (tagged > 0) errors += fmt::format("   {} tagged", tagged);
-  const std::string verdict = "verdict: " + d.verdict;
+  const std::string verdict = verdict_words(d);
   const std::string both = verdict + "   " + errors;
   if (text_width(both) <= width) return {both};
   return {verdict, errors};
@@ -220,9 +264,9 @@ std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
 /// What stands in the way or, where nothing does, how it was compared. All of
 /// it is in the details.
 std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
-  if (outdated) return "as of before the last change; it is looked for anew …";
+  if (outdated) return "outdated, diagnosing again …";
   const bool warned = !d.warnings.empty();
-  std::string note = warned ? "! " + d.warnings[0] : d.contour;
+  std::string note = warned ? "! " + d.warnings[0] : contour_words(d.contour);
   const std::string more =
       d.warnings.size() > 1
           ? fmt::format("  (1 of {} notes, i: all)", d.warnings.size())
@@ -253,7 +297,8 @@ void draw_details(Screen& screen,
 }  // namespace
 
 std::vector<int> grids_of(const acquisition::TestBundle& bundle,
-                          const updating::Where& where) {
+                          const updating::Where& where,
+                          const structure::Deck* deck) {
   std::vector<int> once;
   const auto add = [&once](int grid) {
     if (std::find(once.begin(), once.end(), grid) == once.end()) {
@@ -274,7 +319,17 @@ std::vector<int> grids_of(const acquisition::TestBundle& bundle,
       if (is_meant(sensor)) add(sensor.dof.node);
     }
   }
+  if (deck == nullptr) return once;
+  for (const int node : element_grids(*deck, where.elements)) add(node);
   return once;
+}
+
+std::optional<int> signature_grid(const acquisition::TestBundle& bundle,
+                                  const updating::Where& where) {
+  if (!where.elements.empty()) return std::nullopt;
+  const std::vector<int> grids = grids_of(bundle, where);
+  if (grids.size() != 1) return std::nullopt;
+  return grids.front();
 }
 
 Screen diagnose_view(const DiagnoseInput& input,
@@ -325,10 +380,10 @@ Screen diagnose_view(const DiagnoseInput& input,
   const int below = write_chosen(screen, rest.y, d, chosen);
   if (input.outdated) return screen;
   const Rect lower{0, below, canvas.width, canvas.height - below};
-  const std::vector<int> grids = grids_of(input.bundle, chosen.where);
+  const std::vector<int> grids =
+      grids_of(input.bundle, chosen.where, input.deck);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
-  draw_signature(
-      screen, left, input, state, grids, chosen.effect == "absorber");
+  draw_signature(screen, left, input, state, chosen);
   if (state.map) {
     draw_map(screen, right, input, state);
   } else {

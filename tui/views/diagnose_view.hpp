@@ -19,6 +19,7 @@ struct DiagnoseInput {
   /// How well each grid alone explains what is missing, once it is known.
   const std::vector<updating::GridShare>* map = nullptr;
   bool outdated = false;  ///< the diagnosis is of the model before
+  const structure::Deck* deck = nullptr;  ///< for where elements are
 };
 
 struct DiagnoseState {
@@ -37,9 +38,16 @@ struct DiagnoseState {
                                    const DiagnoseState& state,
                                    const Canvas& canvas);
 
-/// Grids that the place means: its own, or those of its channels' sensors.
+/// Grids that the place means: its own, those of its channels' sensors, or its
+/// elements' corners where there is a deck.
 [[nodiscard]] std::vector<int> grids_of(const acquisition::TestBundle& bundle,
-                                        const updating::Where& where);
+                                        const updating::Where& where,
+                                        const structure::Deck* deck = nullptr);
+
+/// The grid that the place's missing stiffness is drawn of; none where it acts
+/// on several.
+[[nodiscard]] std::optional<int> signature_grid(
+    const acquisition::TestBundle& bundle, const updating::Where& where);
 
 class DiagnosePage final : public Page {
  public:
@@ -60,6 +68,9 @@ class DiagnosePage final : public Page {
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
+  /// The cursor stays on its candidate, or goes to the first where that is no
+  /// more.
+  void follow(const Snapshot& before, const Snapshot& now) override;
   /// What was tagged has been added.
   void untag() { state_.tagged.clear(); }
   bool leave_view() override;

@@ -85,27 +85,27 @@ std::string low_line(const DrivingPoint& point) {
 }
 
 std::string verdict(const DrivingPoint& point) {
-  if (point.turned()) return "polarity turned";
+  if (point.turned()) return "polarity inverted";
   if (point.wrong_peaks > 0) return "another point?";
-  return point.active() ? "not passive" : "fair";
+  return point.active() ? "not passive" : "OK";
 }
 
 Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
-  Table table{{{"FRF"}, {"held against"}, {"outcome"}, {"finding"}}, {}};
+  Table table{{{"FRF"}, {"checked against"}, {"outcome"}, {"finding"}}, {}};
   for (const DrivingPoint& p : checks.driving) {
-    const bool fair = verdict(p) == "fair";
+    const bool fair = verdict(p) == "OK";
     table.rows.push_back(
         {{signal::name(frfs.frfs[p.frf]),
           "driving point",
           verdict(p),
-          fmt::format("{} of {} peaks turned", p.wrong_peaks, p.peaks)},
+          fmt::format("{} of {} peaks inverted", p.wrong_peaks, p.peaks)},
          {.colour = fair ? Colour::Default : Colour::Red}});
   }
   for (const Reciprocal& p : checks.both_ways) {
     const bool fair = p.fair();
     table.rows.push_back({{signal::name(frfs.frfs[p.frf]),
                            signal::name(frfs.frfs[p.other]),
-                           fair ? "alike" : "differ",
+                           fair ? "match" : "differ",
                            fmt::format("difference {}", percent(p.difference))},
                           {.colour = fair ? Colour::Default : Colour::Orange}});
   }
@@ -114,9 +114,8 @@ Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
 
 std::string finding(const DrivingPoint& p) {
   std::string words = fmt::format(
-      "Where it is hit, a structure takes energy up: {} of {} peaks of Im H "
-      "point upwards, and it gives energy away on {} of the lines (up to 5 % "
-      "is fair)",
+      "A driving point absorbs energy: {} of {} peaks of Im H positive, "
+      "negative on {} of the lines (up to 5 % is acceptable)",
       p.peaks - p.wrong_peaks,
       p.peaks,
       percent(p.active_share));

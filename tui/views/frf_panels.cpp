@@ -183,10 +183,10 @@ void draw_nyquist(Screen& screen,
   draw_plane(screen, body, plot);
   screen.text(lines.x + 1,
               lines.y,
-              fmt::format("circle through {} to {} Hz{}",
+              fmt::format("circle fit, {} to {} Hz{}",
                           number(f[first], 5),
                           number(f[last], 5),
-                          fit ? ", off by " + percent(fit->deviation) : ""),
+                          fit ? ", residual " + percent(fit->deviation) : ""),
               {.colour = Colour::Grey},
               lines.width - 1);
   screen.text(lines.x + 1,

@@ -89,10 +89,10 @@ std::vector<std::size_t> shown_frfs(const FrfSet& frfs,
 }
 
 void draw_frf_side(Screen& screen,
-               const Rect& side,
-               const FrfSet& frfs,
-               const FrfState& state,
-               std::size_t selected) {
+                   const Rect& side,
+                   const FrfSet& frfs,
+                   const FrfState& state,
+                   std::size_t selected) {
   const Table peaks = peak_table(frfs, frfs.frfs[selected]);
   const int wanted = static_cast<int>(peaks.rows.size()) + 1;
   const int rows = side.height >= 16 ? std::min(wanted, side.height / 3) : 0;
@@ -165,7 +165,7 @@ Screen frf_view(const FrfSet& frfs,
   screen.text(1,
               canvas.height - 1,
               frf_read_out(choice, state, canvas.width - 2),
-              {.colour = Colour::Yellow},
+              {},
               canvas.width - 2);
   return screen;
 }
@@ -315,9 +315,9 @@ std::string FrfPage::help() const {
          "magnitude. Tagged FRFs are laid over the selected one, with o also "
          "the one measured the other way round. m sets one end of the band "
          "cursor, the cursor "
-         "is the other. d holds driving points and pairs measured both ways "
-         "against physics. The exponential window's sigma is in the FRF, but "
-         "not in the dampings.";
+         "is the other. d checks driving points and pairs measured both ways "
+         "against physics. Damping is corrected for the exponential window, "
+         "the FRF curve is not.";
 }
 
 }  // namespace tapfit::tui

@@ -3,6 +3,7 @@
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/modes_view.hpp"
+#include "tui/widgets/mac_map.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -83,6 +84,11 @@ Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
 bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
   if (key == U'm') {
     state_.mac = !state_.mac;
+  } else if (state_.mac && known.comparison &&
+             step_column(state_.mac_column,
+                         known.comparison->modes.frequency_hz,
+                         key)) {
+    return true;
   } else if (key == U'p') {
     pick_at_cursor(known, state_.range, command);
   } else if (key == U'x') {
@@ -115,6 +121,13 @@ bool ModesPage::animate(const Snapshot&) {
 }
 
 std::vector<KeyHelp> ModesPage::keys() const {
+  if (state_.mac) {
+    return {{"j k", "mode"},
+            {"h l", "model's mode"},
+            {"m", "shape"},
+            {"x", "drop mode"},
+            {"/", "filter"}};
+  }
   return {{"j k", "mode"},
           {"m", "MAC"},
           {"p", "pick pole"},

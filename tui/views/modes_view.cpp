@@ -9,6 +9,7 @@
 #include "tui/views/frf_curves.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
+#include "tui/widgets/mac_map.hpp"
 #include "tui/widgets/plot.hpp"
 
 #include <fmt/format.h>
@@ -178,19 +179,17 @@ void draw_shape(Screen& screen,
   draw_wireframe(screen, body, *input.wire, scene, state.pose);
 }
 
-void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
+void draw_mac(Screen& screen,
+              const Rect& rect,
+              const ModesInput& input,
+              const ModesState& state,
+              std::size_t selected) {
   HeatMap map;
   const auto count = static_cast<Eigen::Index>(input.modes.modes.size());
   const updating::Comparison* c = input.comparison;
   const bool with_model = c != nullptr && c->mac.rows() == count;
-  for (const modal::Mode& mode : input.modes.modes) {
-    map.row_names.push_back(fixed(mode.frequency_hz, 2));
-  }
   if (with_model) {
-    map.values = c->mac;
-    for (const double f : c->modes.frequency_hz) {
-      map.column_names.push_back(fitted(f, map.entry_width - 1));
-    }
+    map = mac_map(c->mac, c->modes.frequency_hz);
   } else {
     const auto dofs = static_cast<Eigen::Index>(input.modes.dofs.size());
     Eigen::MatrixXcd shapes(dofs, count);
@@ -206,13 +205,28 @@ void draw_mac(Screen& screen, const Rect& rect, const ModesInput& input) {
           fitted(mode.frequency_hz, map.entry_width - 1));
     }
   }
+  for (const modal::Mode& mode : input.modes.modes) {
+    map.row_names.push_back(fixed(mode.frequency_hz, 2));
+  }
+  const std::string rigid =
+      with_model ? rigid_words(c->modes.frequency_hz) : "";
   screen.text(rect.x,
               rect.y,
-              with_model ? "MAC in %: measured (rows, Hz) with model (columns)"
-                         : "AutoMAC in %: measured with measured",
+              with_model
+                  ? fitting({"MAC in %: measured (rows, Hz) with model" + rigid,
+                             "MAC in %" + rigid},
+                            rect.width)
+                  : "AutoMAC in %: measured with measured",
               {.bold = true},
               rect.width);
-  draw_heat_map(screen, split_top(rect, 1).second, map);
+  map.selected = static_cast<int>(selected);
+  map.column =
+      std::clamp(static_cast<int>(state.mac_column),
+                 map.first,
+                 std::max(static_cast<int>(map.values.cols()) - 1, map.first));
+  const Rect body = split_top(rect, 1).second;
+  scroll_to_mark(map, body);
+  draw_heat_map(screen, body, map);
 }
 
 std::string summary(const modal::ModeSet& modes) {
@@ -321,7 +335,7 @@ Screen modes_view(const ModesInput& input,
   if (state.mac) {
     const auto [side, rest] = split_left(body, canvas.width < 110 ? 24 : left);
     draw_table(screen, side, table, state.list, true);
-    draw_mac(screen, rest, input);
+    draw_mac(screen, rest, input, state, selected);
     return screen;
   }
   const auto [upper, lower] = split_top(body, (body.height - 1) / 2);

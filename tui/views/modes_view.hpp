@@ -23,8 +23,9 @@ struct ModesState {
   ListState list;
   PlotRange range;  ///< [Hz], of the diagram
   Pose pose;
-  bool mac = false;     ///< MAC instead of shape and diagram
-  bool moving = false;  ///< the shape swings
+  bool mac = false;            ///< MAC instead of shape and diagram
+  std::size_t mac_column = 0;  ///< the model's mode that is marked there
+  bool moving = false;         ///< the shape swings
   bool turning = false;
   bool model = true;  ///< the model's shape below the measured one
   /// The model's mode to compare with, where it was asked for.

@@ -43,8 +43,9 @@ struct Command {
   std::size_t model_mode = 0;  ///< ... and the model's beside it
   Output output = Output::Report;
   std::vector<updating::EffectRef> effects;  ///< of Add: in one step
-  std::size_t added = 0;  ///< of Toggle: which of those added
-  std::string message;    ///< for the message line, if not empty
+  std::size_t added = 0;    ///< of Toggle: which of those added
+  std::string message;      ///< for the message line, if not empty
+  bool until_done = false;  ///< the message goes when what runs is done
 };
 
 struct KeyHelp {
@@ -91,6 +92,9 @@ class Page {
   /// What a click means: a row is selected, the cursor is set.
   /// @return false when it means nothing here
   virtual bool click(const Snapshot& known, const Zone& zone, int x);
+  /// Results are about to change: what was selected is to stay so, wherever it
+  /// is listed then.
+  virtual void follow(const Snapshot&, const Snapshot&) {}
   /// Moves what is animated by one frame; true when the screen has changed.
   virtual bool animate(const Snapshot&) { return false; }
   /// Most useful first; the key bar shows as many as fit.

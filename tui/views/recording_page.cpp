@@ -1,6 +1,7 @@
 // What the keys of the Recording screen do.
 #include "tui/screen/layout.hpp"
 #include "tui/views/recording_view.hpp"
+#include "tui/work/second_blow.hpp"
 
 #include <fmt/format.h>
 
@@ -67,8 +68,6 @@ bool RecordingPage::press_run(const RecordingInput& input, Key key) {
     next_rejected(input);
   } else if (key == keys::tab || key == U'c') {
     ++state_.sensor;
-  } else if (key == U'i') {
-    state_.statements = !state_.statements;
   } else {
     return false;
   }
@@ -100,8 +99,15 @@ void RecordingPage::zoom_on_hit(const RecordingInput& input) {
   const Hit& hit = hits[settled(rows_of(hits), state_.list)];
   if (state_.zoom == 1) {
     const double width = std::max(hit.pulse_s, 1e-3);
-    state_.range = {
-        hit.time_s - 2.0 * width, hit.time_s + 6.0 * width, hit.time_s, true};
+    const double other =
+        second_blow(input.traces[state_.run],
+                    input.bundle.runs[state_.run].hammer.channel,
+                    input.hits,
+                    hit);
+    state_.range = {std::min(hit.time_s, other) - 2.0 * width,
+                    std::max(hit.time_s, other) + 6.0 * width,
+                    other,
+                    true};
   } else {
     const double rate = input.hits.sample_rate_hz;
     const double begin = static_cast<double>(hit.begin) / rate;
@@ -189,9 +195,13 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   const std::size_t runs = page_run_count(input);
   if (runs == 0) return false;
   state_.run = std::min(state_.run, runs - 1);
-  if (press_replay(key) || press_run(input, key)) return true;
+  if (key == U'i') {
+    state_.statements = !state_.statements;
+    return true;
+  }
   // What the other keys act on is covered.
   if (state_.statements) return false;
+  if (press_replay(key) || press_run(input, key)) return true;
   if (press_hit(input, key, command)) return true;
   const std::vector<Hit>& hits = input.hits.runs[state_.run];
   if (list_key(state_.list, rows_of(hits), key)) {
@@ -233,6 +243,7 @@ bool RecordingPage::animate(const Snapshot& known) {
 }
 
 std::vector<KeyHelp> RecordingPage::keys() const {
+  if (state_.statements) return {{"i", "back to the hits"}};
   if (state_.playing.on) {
     return {{"R", state_.playing.paused ? "go on" : "pause"},
             {"< >", "slower, faster"},
@@ -241,7 +252,7 @@ std::vector<KeyHelp> RecordingPage::keys() const {
             {"Tab", "sensor"}};
   }
   return {{"Space", "accept/reject"},
-          {"u", "undo that"},
+          {"u", "undo"},
           {"n p", "run"},
           {"Enter", "zoom on hit"},
           {"N", "next rejected"},
@@ -261,10 +272,11 @@ std::vector<KeyHelp> RecordingPage::keys() const {
 
 std::string RecordingPage::help() const {
   return "The hammer's force above, responses below. ▼ is an accepted hit, ✗ "
-         "one that was judged out; the list says why: double (the hammer "
+         "one that was rejected; the list says why: double (the hammer "
          "struck twice), overload (clipped samples, or a force that the "
-         "hammer's conditioner cuts off: i says which level), weak, soft (no "
-         "force at the band's end), truncated, outlier. Space overrules the "
+         "hammer's conditioner cuts off: i says which level), weak, soft (too "
+         "little force at the upper band edge), truncated, outlier. Space "
+         "overrules the "
          "judgement of the selected hit, or of all that are tagged; the "
          "average at the side, FRFs and all that follows are computed anew. A "
          "low row of the coherences is a bad sensor, a low column a bad hit. "

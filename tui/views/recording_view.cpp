@@ -23,19 +23,31 @@ std::size_t run_count(const RecordingInput& input) {
       {input.bundle.runs.size(), input.traces.size(), input.hits.runs.size()});
 }
 
+/// What speaks against it; of one judged by hand, "rejected manually" or
+/// "accepted manually (auto: double)".
 std::string reasons_of(const Hit& hit) {
-  std::vector<std::string> reasons;
+  std::vector<std::string> automatic;
+  bool by_hand = false;
   for (const acquisition::HitFault fault : hit.reasons) {
-    // The user's own word counts, and stands where it is not cut off.
-    const bool first = fault == acquisition::HitFault::ByHand;
-    reasons.insert(first ? reasons.begin() : reasons.end(),
-                   acquisition::name(fault));
+    const bool own = fault == acquisition::HitFault::ByHand;
+    by_hand = by_hand || own;
+    if (!own) automatic.push_back(acquisition::name(fault));
   }
-  return fmt::format("{}", fmt::join(reasons, ", "));
+  const std::string reasons = fmt::format("{}", fmt::join(automatic, ", "));
+  if (!by_hand) return reasons;
+  const std::string word =
+      hit.accepted ? "accepted manually" : "rejected manually";
+  return reasons.empty() ? word : fmt::format("{} (auto: {})", word, reasons);
 }
 
+/// For the table, which has no room for the automatic judgement beside it.
 std::string verdict(const Hit& hit) {
-  return fmt::format("{} {}", hit.accepted ? "✓" : "✗", reasons_of(hit));
+  const bool by_hand =
+      std::ranges::find(hit.reasons, acquisition::HitFault::ByHand) !=
+      hit.reasons.end();
+  return fmt::format("{} {}",
+                     hit.accepted ? "✓" : "✗",
+                     by_hand ? std::string("manual") : reasons_of(hit));
 }
 
 Table hit_table(const RecordingInput& input, const RecordingState& state) {
@@ -82,31 +94,37 @@ std::string run_line(const RecordingInput& input,
                 width);
 }
 
+/// What the table has no room for on small terminals goes before the block.
 std::string hits_line(const RecordingInput& input,
-                      const RecordingState& state) {
+                      const RecordingState& state,
+                      int width) {
   const std::vector<Hit>& hits = input.hits.runs[state.run];
   const auto accepted = std::count_if(
       hits.begin(), hits.end(), [](const Hit& h) { return h.accepted; });
-  std::string text =
-      fmt::format("{} hits, {} accepted   block {} s, trigger {} N",
-                  hits.size(),
-                  accepted,
+  const std::string counts =
+      fmt::format("{} hits, {} accepted", hits.size(), accepted);
+  const std::string block =
+      fmt::format("   block {} s",
                   number(static_cast<double>(input.hits.block) /
-                         std::max(input.hits.sample_rate_hz, 1e-9)),
-                  number(input.hits.trigger_n));
+                         std::max(input.hits.sample_rate_hz, 1e-9)));
+  const std::string trigger =
+      fmt::format(", trigger {} N", number(input.hits.trigger_n));
+  std::string notes;
   if (input.left_out != nullptr && !input.left_out->empty()) {
-    text += fmt::format(
+    notes += fmt::format(
         "   {} of {} runs left out", input.left_out->size(), run_count(input));
   }
   if (!state.tagged.empty()) {
-    text += fmt::format("   {} tagged", state.tagged.size());
+    notes += fmt::format("   {} tagged", state.tagged.size());
   }
-  // In full here; the table has no room for it on small terminals.
   const std::size_t at = state.list.selected;
   if (at < hits.size() && !hits[at].reasons.empty()) {
-    text += fmt::format("   #{} {}", at + 1, reasons_of(hits[at]));
+    notes += fmt::format("   #{} {}", at + 1, reasons_of(hits[at]));
   }
-  return text;
+  return fitting({counts + block + trigger + notes,
+                  counts + block + notes,
+                  counts + notes},
+                 width);
 }
 
 /// Why the run does not count; below it the channels, where they were read.
@@ -143,13 +161,13 @@ void draw_replay_line(Screen& screen,
                   fixed(length, 1),
                   number(state.playing.speed, 3),
                   hits_by(input, state.run, state.playing.time_s));
-  const int x = screen.text(1, 1, words, {.colour = Colour::Yellow});
+  const int x = screen.text(1, 1, words, {.colour = Colour::Sky});
   screen.text(x,
               1,
               bar(length > 0.0 ? state.playing.time_s / length : 0.0,
                   std::min(30, screen.width() - x - 1),
                   screen.ascii()),
-              {.colour = Colour::Yellow});
+              {.colour = Colour::Sky});
 }
 
 /// Rows: sensors; columns: accepted hits.
@@ -251,7 +269,8 @@ Screen recording_view(const RecordingInput& input,
   if (at.playing.on) {
     draw_replay_line(screen, input, at);
   } else {
-    screen.text(1, 1, hits_line(input, at), {}, canvas.width - 2);
+    screen.text(
+        1, 1, hits_line(input, at, canvas.width - 2), {}, canvas.width - 2);
   }
   const Rect body{0, 2, canvas.width, canvas.height - 2};
   if (at.statements) {

@@ -1,10 +1,14 @@
 #include "tui/views/report_view.hpp"
 
 #include "tui/report/effect_output.hpp"
+#include "tui/report/mode_remarks.hpp"
+#include "tui/report/report_words.hpp"
+#include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
+#include "tui/widgets/mac_map.hpp"
 #include "updating/fit/kept_fit.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +104,8 @@ void write_verdict(Sheet& sheet, const ReportInput& input) {
                   percent(input.current.floor_mesh)),
       {.bold = true});
   write_diagnoses(sheet, input);
-  sheet.paragraph(input.current.contour, {.colour = Colour::Grey});
+  sheet.paragraph(contour_words(input.current.contour),
+                  {.colour = Colour::Grey});
 }
 
 void write_ladder(Sheet& sheet, const ReportInput& input) {
@@ -145,10 +150,6 @@ const ModePair* pair_of(const Comparison& c, int measured) {
   return nullptr;
 }
 
-std::string signed_percent(double value) {
-  return fmt::format("{}{} %", value > 0.0 ? "+" : "", fixed(value, 2));
-}
-
 void write_frequencies(Sheet& sheet, const ReportInput& input) {
   sheet.heading("Frequencies and MAC, before and after");
   Table table{{{"measured Hz", true},
@@ -172,7 +173,8 @@ void write_frequencies(Sheet& sheet, const ReportInput& input) {
     for (const Comparison* c : {&input.base, &input.current}) {
       const ModePair* p = pair_of(*c, mode);
       cells.push_back(p != nullptr ? fixed(p->model_hz, 3) : "–");
-      cells.push_back(p != nullptr ? signed_percent(p->error_percent) : "–");
+      cells.push_back(p != nullptr ? signed_percent_words(p->error_percent)
+                                   : "–");
       cells.push_back(p != nullptr ? fixed(p->mac, 3) : "–");
     }
     table.rows.push_back({std::move(cells), {}});
@@ -191,33 +193,40 @@ void write_frequencies(Sheet& sheet, const ReportInput& input) {
       "mean frequency error {} % → {} %",
       fixed(before / static_cast<double>(input.base.pairs.size()), 2),
       fixed(after / static_cast<double>(input.current.pairs.size()), 2)));
+  for (const std::string& remark : mode_remarks(input.current)) {
+    sheet.paragraph(remark, {.colour = Colour::Grey});
+  }
 }
 
-HeatMap mac_map(const Comparison& c) {
-  HeatMap map;
-  map.values = c.mac;
-  map.row_names.resize(static_cast<std::size_t>(c.mac.rows()));
-  for (std::size_t i = 0; i < map.row_names.size(); ++i) {
-    map.row_names[i] = std::to_string(i + 1);
+HeatMap numbered_mac(const Comparison& c, int column) {
+  HeatMap map = mac_map(c.mac, c.modes.frequency_hz);
+  for (Eigen::Index i = 0; i < c.mac.rows(); ++i) {
+    map.row_names.push_back(std::to_string(i + 1));
   }
-  for (Eigen::Index i = 0; i < c.mac.cols(); ++i) {
-    map.column_names.push_back(std::to_string(i + 1));
-  }
+  const int last = static_cast<int>(c.mac.cols()) - 1;
+  map.left =
+      std::clamp(map.first + column, map.first, std::max(map.first, last));
   return map;
 }
 
-void write_macs(Sheet& sheet, const ReportInput& input) {
+void write_macs(Sheet& sheet, const ReportInput& input, int column) {
   if (input.base.mac.size() == 0 || input.current.mac.size() == 0) return;
-  sheet.heading("MAC in %, measured (rows) with model: before | after");
+  sheet.heading(
+      fitting({"MAC in %, measured (rows) with model (columns, Hz): before | "
+               "after" +
+                   rigid_words(input.base.modes.frequency_hz),
+               "MAC in %, measured (rows) with model: before | after"},
+              sheet.screen.width() - 2));
   const int half = sheet.screen.width() / 2;
   const int rows = static_cast<int>(std::max(input.base.mac.rows(),
                                              input.current.mac.rows())) +
                    1;
-  draw_heat_map(
-      sheet.screen, {1, sheet.y, half - 2, rows}, mac_map(input.base));
+  draw_heat_map(sheet.screen,
+                {1, sheet.y, half - 2, rows},
+                numbered_mac(input.base, column));
   draw_heat_map(sheet.screen,
                 {half + 1, sheet.y, half - 2, rows},
-                mac_map(input.current));
+                numbered_mac(input.current, column));
   sheet.y += rows;
 }
 
@@ -233,15 +242,12 @@ std::vector<std::string> all_warnings(const Snapshot& known) {
 }
 
 ReportInput input_of(const Snapshot& known) {
-  // On the way to this report's model, and no other.
   std::map<std::size_t, Snapshot::Shared<updating::Diagnosis>> diagnoses;
-  Snapshot::Effects effects = known.effects_on();
-  while (true) {
+  for (const Snapshot::Effects& effects :
+       {Snapshot::Effects{}, known.effects_on()}) {
     if (auto found = known.diagnosis_of(effects)) {
       diagnoses[effects.size()] = std::move(found);
     }
-    if (effects.empty()) break;
-    effects.pop_back();
   }
   return {*known.base_comparison,
           *known.comparison,
@@ -253,12 +259,15 @@ ReportInput input_of(const Snapshot& known) {
 
 }  // namespace
 
-Screen report_sheet(const ReportInput& input, int width, bool ascii) {
+Screen report_sheet(const ReportInput& input,
+                    int width,
+                    bool ascii,
+                    int mac_column) {
   Sheet sheet{Screen(width, tallest, ascii)};
   write_verdict(sheet, input);
   write_ladder(sheet, input);
   write_frequencies(sheet, input);
-  write_macs(sheet, input);
+  write_macs(sheet, input, mac_column);
   if (!input.warnings.empty()) {
     sheet.heading("Warnings");
     for (const std::string& warning : input.warnings) {
@@ -271,9 +280,11 @@ Screen report_sheet(const ReportInput& input, int width, bool ascii) {
 }
 
 Screen report_view(const ReportInput& input,
-                   int first_row,
+                   const ReportState& state,
                    const Canvas& canvas) {
-  const Screen sheet = report_sheet(input, canvas.width, canvas.ascii);
+  const Screen sheet =
+      report_sheet(input, canvas.width, canvas.ascii, state.mac_column);
+  const int first_row = state.first_row;
   Screen screen(canvas);
   const int last = std::max(sheet.height() - canvas.height, 0);
   screen.place(0, -std::clamp(first_row, 0, last), sheet);
@@ -283,7 +294,7 @@ Screen report_view(const ReportInput& input,
 }
 
 Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return report_view(input_of(known), first_row_, canvas);
+  return report_view(input_of(known), state_, canvas);
 }
 
 bool ReportPage::press_without_model(Key key, Command& command) {
@@ -296,36 +307,46 @@ bool ReportPage::press_without_model(Key key, Command& command) {
 bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
   const int rows = report_sheet(input_of(known), 80, false).height();
   if (key == keys::down || key == U'j' || key == keys::wheel_down) {
-    ++first_row_;
+    ++state_.first_row;
   } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
-    --first_row_;
+    --state_.first_row;
+  } else if (key == U'h' || key == keys::left) {
+    state_.mac_column = std::max(state_.mac_column - 1, 0);
+  } else if (key == U'l' || key == keys::right) {
+    const auto columns = static_cast<int>(std::max(
+        known.comparison->mac.cols(), known.base_comparison->mac.cols()));
+    const int own =
+        columns - rigid_modes(known.base_comparison->modes.frequency_hz);
+    state_.mac_column =
+        std::clamp(state_.mac_column + 1, 0, std::max(own - 1, 0));
   } else if (key == U'e') {
     command.kind = Command::Kind::Write;
     command.output = Output::Deck;
   } else if (press_without_model(key, command)) {
     return true;
   } else if (key == keys::page_down || key == U' ') {
-    first_row_ += 10;
+    state_.first_row += 10;
   } else if (key == keys::page_up) {
-    first_row_ -= 10;
+    state_.first_row -= 10;
   } else if (key == keys::home || key == U'g') {
-    first_row_ = 0;
+    state_.first_row = 0;
   } else if (key == keys::end || key == U'G') {
-    first_row_ = rows;
+    state_.first_row = rows;
   } else {
     return false;
   }
-  first_row_ = std::clamp(first_row_, 0, std::max(rows - 10, 0));
+  state_.first_row = std::clamp(state_.first_row, 0, std::max(rows - 10, 0));
   return true;
 }
 
 std::vector<KeyHelp> ReportPage::keys() const {
   return {{"j k", "scroll"},
-          {"PgUp PgDn", "page"},
-          {"g G", "top, end"},
           {"w", "write report"},
-          {"e", "write deck"},
-          {"f", "write UFF"},
+          {"e", "deck"},
+          {"f", "UFF"},
+          {"PgUp PgDn", "page"},
+          {"h l", "MAC columns"},
+          {"g G", "top, end"},
           {"u", "undo"},
           {"^R", "redo"}};
 }

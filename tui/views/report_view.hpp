@@ -10,19 +10,25 @@ struct ReportInput {
   const updating::Comparison& current;
   const std::vector<updating::Rung>& ladder;
   const std::vector<updating::Estimate>& parameters;
-  /// Those that were made, by how many effects were in the model then.
+  /// Of the base model and of the current one, by how many effects are in it.
   std::map<std::size_t, std::shared_ptr<const updating::Diagnosis>> diagnoses;
   std::vector<std::string> warnings;
+};
+
+struct ReportState {
+  int first_row = 0;
+  int mac_column = 0;  ///< of the model's modes the first in the MACs
 };
 
 /// The whole report as a screen as tall as it takes; the page scrolls it.
 [[nodiscard]] Screen report_sheet(const ReportInput& input,
                                   int width,
-                                  bool ascii);
+                                  bool ascii,
+                                  int mac_column = 0);
 
 /// `first_row` rows down, in the canvas.
 [[nodiscard]] Screen report_view(const ReportInput& input,
-                                 int first_row,
+                                 const ReportState& state,
                                  const Canvas& canvas);
 
 class ReportPage final : public Page {
@@ -40,7 +46,7 @@ class ReportPage final : public Page {
   std::string help() const override;
 
  private:
-  int first_row_ = 0;
+  ReportState state_;
 };
 
 }  // namespace tapfit::tui

@@ -19,7 +19,14 @@ namespace {
 using updating::RecordedStep;
 using updating::UpdateRecord;
 
-Plot error_plot(const std::vector<double>& errors) {
+int stage_of(const std::vector<int>& stages, Eigen::Index step) {
+  const auto at = static_cast<std::size_t>(step);
+  return at < stages.size() ? stages[at] : 0;
+}
+
+/// @param stages per step; each is on lines of its own, and so is its curve
+Plot error_plot(const std::vector<double>& errors,
+                const std::vector<int>& stages = {}) {
   const auto n = static_cast<Eigen::Index>(errors.size());
   Plot plot;
   plot.x = {"step",
@@ -27,19 +34,22 @@ Plot error_plot(const std::vector<double>& errors) {
             0.0,
             std::max<double>(static_cast<double>(n) - 1, 1.0),
             false};
-  plot.y = {"error of the fit", "", 0.0, 0.0, true};
-  Curve curve{"",
-              Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0),
-              {},
-              {},
-              {},
-              {Colour::Sky}};
-  curve.y = Eigen::Map<const Eigen::VectorXd>(errors.data(), n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    plot.spots.push_back(
-        {curve.x[i], curve.y[i], U'●', {.colour = Colour::Sky}});
+  plot.y = {"residual", "", 0.0, 0.0, true};
+  for (Eigen::Index begin = 0; begin < n;) {
+    Eigen::Index end = begin + 1;
+    while (end < n && stage_of(stages, end) == stage_of(stages, begin)) ++end;
+    const Eigen::Index count = end - begin;
+    const Eigen::VectorXd steps = Eigen::VectorXd::LinSpaced(
+        count, static_cast<double>(begin), static_cast<double>(end - 1));
+    const Eigen::VectorXd values =
+        Eigen::Map<const Eigen::VectorXd>(errors.data() + begin, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      plot.spots.push_back(
+          {steps[i], values[i], U'●', {.colour = Colour::Sky}});
+    }
+    plot.curves.push_back({"", steps, values, {}, {}, {Colour::Sky}});
+    begin = end;
   }
-  plot.curves.push_back(std::move(curve));
   return plot;
 }
 
@@ -75,7 +85,7 @@ Plot parameter_plot(const UpdateRecord& record, bool ascii) {
     const Pen pen = pen_of(p);
     const std::string letter = ascii ? "" : fmt::format("{} ", pen.mark);
     Curve curve{
-        letter + split_unit(record.parameters[p]).name, {}, {}, {}, {}, pen};
+        letter + parameter_words(record.parameters[p]), {}, {}, {}, {}, pen};
     curve.x = Eigen::VectorXd::LinSpaced(n, 0.0, static_cast<double>(n) - 1.0);
     curve.y.resize(n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -188,15 +198,19 @@ void draw_convergence(Screen& screen,
   }
   if (record.steps.empty()) return;
   std::vector<double> errors;
-  for (const RecordedStep& step : record.steps) errors.push_back(step.error);
+  std::vector<int> stages;
+  for (const RecordedStep& step : record.steps) {
+    errors.push_back(step.error);
+    stages.push_back(step.stage);
+  }
   const auto [upper, lower] = split_top(body, body.height / 2);
-  Plot plot = error_plot(errors);
+  Plot plot = error_plot(errors, stages);
   // Each stage of a fit is on other lines: its error starts anew.
   for (std::size_t i = 1; i < record.steps.size(); ++i) {
     if (record.steps[i].stage == record.steps[i - 1].stage) continue;
     plot.markers.push_back(
         {static_cast<double>(i), U'▼', {.colour = Colour::Yellow}});
-    plot.title = "▼ other lines";
+    plot.title = "▼ finer frequency set";
   }
   plot.x_labels = false;
   draw_plot(screen, upper, plot);
@@ -216,7 +230,7 @@ void draw_correlation(Screen& screen,
   map.values = record.correlation.cwiseAbs();
   for (std::size_t i = 0; i < record.parameters.size(); ++i) {
     map.row_names.push_back(
-        fmt::format("{} {}", i + 1, split_unit(record.parameters[i]).name));
+        fmt::format("{} {}", i + 1, parameter_words(record.parameters[i])));
     map.column_names.push_back(std::to_string(i + 1));
   }
   const int rows = static_cast<int>(map.values.rows()) + 1;
@@ -224,7 +238,7 @@ void draw_correlation(Screen& screen,
       split_top(rest, std::min(rows, std::max(rest.height - 2, 0)));
   draw_heat_map(screen, body, map);
   std::string words = record.confounded.empty()
-                          ? "The data tell all parameters apart."
+                          ? "All parameters are identifiable."
                           : "The data cannot tell apart:";
   for (const auto& group : record.confounded) {
     words += fmt::format(" {};", fmt::join(group, " and "));

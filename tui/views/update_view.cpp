@@ -48,7 +48,7 @@ std::string effect_of(const std::string& name, const UpdateInput& input) {
 std::string parameter_name(const std::string& name,
                            const UpdateInput& input,
                            int room) {
-  std::string plain = split_unit(name).name;
+  std::string plain = parameter_words(name);
   const std::string effect = effect_of(name, input);
   if (effect.empty()) return clipped(plain, room);
   plain.erase(0, effect.size() + 1);
@@ -58,21 +58,17 @@ std::string parameter_name(const std::string& name,
     if (plain.starts_with(whole)) plain.replace(0, whole.size(), brief);
   }
   if (input.ladder.size() <= 2) return clipped(plain, room);
-  const int left = std::max(room - text_width(plain) - 1, 4);
+  const int left = room - text_width(plain) - 1;
+  if (left < 4) return clipped(plain, room);
   return clipped(effect, left) + " " + plain;
 }
 
 Table parameter_table(const UpdateInput& input, int width) {
-  constexpr int least = 26;  // for a name
+  constexpr int least = 12;  // for a name: values are not cut
   Table table{{{"parameter"}, {"value"}}, {}};
   int widest = 0;
   for (const updating::Estimate& p : input.parameters) {
-    table.rows.push_back(
-        {{"",
-          fmt::format("{} {}",
-                      with_sd(p.value, p.sd),
-                      p.unit.empty() ? split_unit(p.name).unit : p.unit)},
-         {}});
+    table.rows.push_back({{"", size_words(p)}, {}});
     widest = std::max(widest, text_width(table.rows.back().cells[1]));
   }
   const int room = std::max(width - widest - 4, least);
@@ -302,11 +298,7 @@ Screen update_view(const UpdateInput& input,
   const auto [area, line] = split_top(lower, lower.height - 1);
   draw_plot(screen, area, plot);
   if (plot.cursor) {
-    screen.text(1,
-                line.y,
-                read_out(plot, *plot.cursor),
-                {.colour = Colour::Yellow},
-                canvas.width - 2);
+    screen.text(1, line.y, read_out(plot, *plot.cursor), {}, canvas.width - 2);
   } else {
     screen.text(
         1,
@@ -389,12 +381,12 @@ std::string UpdatePage::help() const {
          "updated model over the measurement, with the base model for "
          "comparison. u takes the last change back, Ctrl-R does it again. "
          "Space switches the marked effect off or on, n and p mark another. "
-         "Tab shows how its fit came about: its error and parameters step by "
-         "step, how "
-         "far their estimates hang together, and the L-curve (how far the "
-         "parameters had to move, |x|, for what is left, |S x - d|). E:1 is E "
-         "of material 1; mesh size and mesh edges take up what the mesh does "
-         "to the modes. While a fit runs, S ends it and keeps what it has "
+         "Tab shows how its fit came about: its residual and parameters step "
+         "by "
+         "step, the correlation of the estimates, and the L-curve (how far the "
+         "parameters had to move, |x|, for what is left, |S x - d|). A mesh "
+         "correction takes up what the mesh does to the modes. While a fit "
+         "runs, S ends it and keeps what it has "
          "reached, Esc discards it.";
 }
 

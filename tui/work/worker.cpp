@@ -99,18 +99,16 @@ void make_traces(Workbench& bench, Snapshot& known, const Progress& progress) {
   known.traces = shared(std::move(traces));
 }
 
-// Of the model as it is, and of those that it was on the way.
+// Of the model as it is, and of the base model.
 void take_known_diagnoses(Workbench& bench,
                           Snapshot& known,
                           const Progress& progress) {
-  Snapshot::Effects effects = known.effects_on();
-  const std::size_t all = effects.size();
-  for (std::size_t count = all + 1; count-- > 0;) {
-    effects.resize(count);
+  const Snapshot::Effects now = known.effects_on();
+  for (const Snapshot::Effects& effects : {now, Snapshot::Effects{}}) {
     if (known.diagnosis_of(effects)) continue;
-    auto found = bench.known_diagnosis(count, progress);
+    auto found = bench.known_diagnosis(effects.size(), progress);
     if (!found) continue;
-    if (count == all) {
+    if (effects == now) {
       known.diagnosis = shared(*std::move(found));
     } else {
       known.diagnoses.emplace_back(effects, shared(*std::move(found)));

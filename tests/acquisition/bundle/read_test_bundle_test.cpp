@@ -1,6 +1,6 @@
-#include "acquisition/bundle/test_bundle.hpp"
-
 #include "acquisition/bundle/read_test_bundle.hpp"
+
+#include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
@@ -168,7 +168,7 @@ TEST_F(Bundle, RefusesAForeignFileByWhatItIs) {
       ADD_FAILURE() << text;
     } catch (const InputError& error) {
       EXPECT_EQ(error.where(), file.string());
-      EXPECT_NE(std::string(error.what()).find("is no test bundle"),
+      EXPECT_NE(std::string(error.what()).find("not a test bundle"),
                 std::string::npos);
       EXPECT_NE(error.remedy().find("tapfit import"), std::string::npos);
     }

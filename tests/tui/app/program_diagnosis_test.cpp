@@ -16,7 +16,7 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   for (int i = 0; i < 20000 && !holds(seen(), "43 %"); ++i) program.tick();
   EXPECT_TRUE(holds(seen(), "hypotheses … 43 %")) << seen();
   EXPECT_TRUE(holds(seen(), "verdict: added-mass")) << seen();
-  EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
+  EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
   // It may be read, but what it proposes is not added.
   program.press(Key(U'j'));
   EXPECT_TRUE(holds(seen(), "▸    1.7 %")) << seen();
@@ -24,7 +24,7 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "found before the last change")) << seen();
   program.press(Key(keys::escape));
   wait_until_idle(program);
-  EXPECT_TRUE(holds(seen(), "as of before the last change")) << seen();
+  EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
 }
 
 TEST(Program, ReportsWhatAnEarlierRunFoundMissing) {
@@ -40,9 +40,43 @@ TEST(Program, ReportsWhatAnEarlierRunFoundMissing) {
   EXPECT_TRUE(holds(report(true), "added-mass")) << report(true);
 }
 
+// The message is of what ran then.
+TEST(Program, WhatWasToBeWaitedForIsNoLongerToldOnceItIsThere) {
+  std::atomic<bool> held = true;
+  FakeOptions options;
+  options.diagnosis_held = &held;
+  Program program(testing::fake_workbench(options), {});
+  (void)replay(program, parse_key_script("5\nwait\na\nwait\n"));
+  program.press(Key(U'5'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  for (int i = 0; i < 20000 && !holds(seen(), "43 %"); ++i) program.tick();
+  program.press(Key(U'a'));
+  EXPECT_TRUE(holds(seen(), "found before the last change")) << seen();
+  held = false;
+  wait_until_idle(program);
+  EXPECT_FALSE(holds(seen(), "found before the last change")) << seen();
+}
+
+// The candidate that one stands on may be in another row of the next list.
+TEST(Program, TheCursorStaysOnItsCandidate) {
+  FakeOptions options;
+  options.reversed_after_adding = true;
+  const auto row = [&options](const std::string& script) {
+    const std::string text = played(script, {120, 35}, options);
+    const std::size_t at = text.find("▸");
+    return text.substr(at, text.find('\n', at) - at);
+  };
+  const std::string second = "5\nwait\nj\nwait";
+  EXPECT_TRUE(holds(row(second), "sensor-mass")) << row(second);
+  const std::string anew = second + "\na\nwait\n5\nwait";
+  EXPECT_TRUE(holds(row(anew), "sensor-mass")) << row(anew);
+  const std::string first = "5\nwait\na\nwait\n5\nwait";
+  EXPECT_TRUE(holds(row(first), "added-mass")) << row(first);
+}
+
 TEST(Program, ShowsTheNewListOnceItIsThere) {
   const std::string text = played("5\nwait\na\nwait\n5\nwait");
-  EXPECT_FALSE(holds(text, "as of before")) << text;
+  EXPECT_FALSE(holds(text, "outdated")) << text;
 }
 
 TEST(Program, AddsWhatIsTaggedInOneStep) {
@@ -57,6 +91,12 @@ TEST(Program, AddsWhatIsTaggedInOneStep) {
   const std::string undone = played(add + "u\nwait");
   EXPECT_TRUE(holds(undone, "nothing added yet")) << undone;
   EXPECT_FALSE(holds(played(add + "5\nwait"), "tagged")) << both;
+}
+
+TEST(Program, AddsTheWholeVerdictAtOnce) {
+  const std::string text = played("5\nwait\njA\nwait");
+  EXPECT_TRUE(holds(text, "added added-mass: error")) << text;
+  EXPECT_TRUE(holds(text, "1 effect added")) << text;
 }
 
 TEST(Program, TagsGoByEscape) {

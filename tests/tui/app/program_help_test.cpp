@@ -7,7 +7,7 @@ namespace tapfit::tui {
 namespace {
 
 TEST(Program, HelpNamesTheKeysOfTheScreen) {
-  const std::string text = played("5\nwait\n?");
+  const std::string text = played("5\nwait\n?", {120, 40, false});
   EXPECT_TRUE(holds(text, "add it")) << text;
   EXPECT_TRUE(holds(text, ":add EFFECT")) << text;
   EXPECT_FALSE(holds(played("5\nwait\n?x"), ":add EFFECT"));
@@ -16,7 +16,7 @@ TEST(Program, HelpNamesTheKeysOfTheScreen) {
 // A long entry that does not fit gives its room to those behind it.
 TEST(Program, KeyBarIsFilled) {
   const std::string text = played("wait");
-  EXPECT_TRUE(holds(text, "n p run  j k hit")) << text;
+  EXPECT_TRUE(holds(text, "n p run  Tab sensor")) << text;
   EXPECT_TRUE(holds(played("2\nwait\nd"), "d back to FRFs  j k check"));
 }
 
@@ -24,7 +24,17 @@ TEST(Program, TheKeyThatClosesTheHelpDoesNothingElse) {
   const std::string text = played("3\nwait\n?x\nwait");
   EXPECT_FALSE(holds(text, "dropped")) << text;
   EXPECT_TRUE(holds(text, "3 modes")) << text;
-  EXPECT_TRUE(holds(played("3\nwait\n?6\nwait"), "ladder"));
+  // Nor do those that lead elsewhere.
+  for (const char* key : {"6", ":", "j", "n", "q"}) {
+    EXPECT_EQ(played(fmt::format("3\nwait\n?{}\nwait", key), {120, 40, false}),
+              played("3\nwait", {120, 40, false}))
+        << key;
+  }
+}
+
+TEST(Program, HelpOffersAFilterOnlyWhereThereIsAList) {
+  EXPECT_FALSE(holds(played("7\nwait\n?"), "filter the list"));
+  EXPECT_TRUE(holds(played("2\nwait\n?"), "filter")) << played("2\nwait\n?");
 }
 
 // On the smallest screen some helps are longer than the screen.

@@ -16,6 +16,12 @@ TEST(Program, TellsInABoxWhatIsTooLongForTheLine) {
   EXPECT_TRUE(holds(told, "or free some space")) << told;
   EXPECT_FALSE(holds(told, "…\n Space accept")) << told;
   EXPECT_FALSE(holds(played(script + "\n<Esc>", {}, full), "free some space"));
+  // The key that closes it does nothing else.
+  for (const char* key : {"x", "2", "j", ":", "u"}) {
+    EXPECT_EQ(played(script + "\n" + key + "\nwait", {}, full),
+              played(script + "\n<Esc>\nwait", {}, full))
+        << key;
+  }
   // Where it fits the line it covers nothing.
   EXPECT_FALSE(holds(played(script, {200, 50}, full), "any key closes"));
   // A filter in force takes some of the line.

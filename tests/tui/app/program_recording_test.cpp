@@ -21,25 +21,25 @@ TEST(ProgramRecording, TagsHitsAndActsOnThem) {
 TEST(ProgramRecording, UndoesAndRedoesAnActOnSeveralHitsAsOne) {
   const std::string act = "wait\ntt \nwait\n";
   const std::string undone = played(act + "u\nwait", {120, 35});
-  EXPECT_TRUE(holds(undone, "2 hits: judged as before")) << undone;
-  EXPECT_FALSE(holds(undone, "by hand")) << undone;
-  EXPECT_TRUE(holds(played(act + "u\nwait\nu\nwait", {120, 35}),
-                    "no hit was overruled"));
+  EXPECT_TRUE(holds(undone, "2 hits: back to automatic")) << undone;
+  EXPECT_FALSE(holds(undone, "manual")) << undone;
+  EXPECT_TRUE(
+      holds(played(act + "u\nwait\nu\nwait", {120, 35}), "nothing to undo"));
   const std::string redone = played(act + "u\nwait\n<C-r>\nwait", {120, 35});
   EXPECT_TRUE(holds(redone, "2 hits: overruled again")) << redone;
-  EXPECT_TRUE(holds(redone, "by hand")) << redone;
+  EXPECT_TRUE(holds(redone, "manual")) << redone;
   // And as one again.
   EXPECT_FALSE(holds(played(act + "u\nwait\n<C-r>\nwait\nu\nwait", {120, 35}),
-                     "by hand"));
+                     "manual"));
 }
 
 // Space twice is two acts: the second is taken back first.
 TEST(ProgramRecording, UndoesWhatTurnedAHitBack) {
   const std::string text = played("wait\n \nwait\n \nwait\nu\nwait");
-  EXPECT_TRUE(holds(text, "#1 by hand")) << text;
+  EXPECT_TRUE(holds(text, "#1 rejected manually")) << text;
   const std::string all = played("wait\n \nwait\n \nwait\nu\nwait\nu\nwait");
-  EXPECT_TRUE(holds(all, "run 1, hit 1: judged as before")) << all;
-  EXPECT_FALSE(holds(all, "by hand")) << all;
+  EXPECT_TRUE(holds(all, "run 1, hit 1: back to automatic")) << all;
+  EXPECT_FALSE(holds(all, "manually")) << all;
 }
 
 TEST(ProgramRecording, ActsOnNothingThatIsCovered) {
@@ -47,7 +47,7 @@ TEST(ProgramRecording, ActsOnNothingThatIsCovered) {
   EXPECT_EQ(played("wait\ni++]\ni", {120, 35}), plain);
   const std::string text = played("wait\ni \nwait", {120, 35});
   EXPECT_TRUE(holds(text, "does nothing here")) << text;
-  EXPECT_FALSE(holds(played("wait\ni \nwait\ni", {120, 35}), "by hand"));
+  EXPECT_FALSE(holds(played("wait\ni \nwait\ni", {120, 35}), "manually"));
 }
 
 TEST(ProgramRecording, ReadsOutWhatIsUnderTheCursor) {
@@ -135,6 +135,15 @@ TEST(Program, TakesEveryKeyOnARunThatIsLeftOut) {
   options.unreadable = false;
   options.hitless = true;
   take_every_key_on_the_second_run(options);
+}
+
+// What lies behind the statements is not acted on, and no key says it would be.
+TEST(Program, OffersNothingThatTheStatementsCover) {
+  const std::string open = played("wait\ni");
+  EXPECT_TRUE(holds(open, "i back to the hits")) << open;
+  EXPECT_FALSE(holds(open, "accept/reject")) << open;
+  EXPECT_EQ(played("wait\niR<Esc>\nwait"), played("wait\ni<Esc>\nwait"));
+  EXPECT_EQ(played("wait\niRi\nwait"), played("wait\nii\nwait"));
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(Program, RefusesWhatACommandDoesNotTake) {
   EXPECT_TRUE(holds(run, "there is no run 99, of 2")) << run;
   EXPECT_TRUE(holds(run, "run 1 of 2")) << run;
   const std::string undo = played("5\nwait\na\nwait\n:undo 5<Enter>\nwait");
-  EXPECT_TRUE(holds(undo, "nothing goes with it")) << undo;
+  EXPECT_TRUE(holds(undo, "takes no argument")) << undo;
   EXPECT_TRUE(holds(undo, "1 effect added")) << undo;
 }
 

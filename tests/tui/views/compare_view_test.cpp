@@ -1,9 +1,11 @@
 #include "tui/views/compare_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tui/widgets/mac_map.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tapfit::tui {
@@ -27,6 +29,53 @@ TEST(CompareView, ShowsErrorFloorPairsAndMap) {
     EXPECT_TRUE(holds(s, "measured"));
     EXPECT_TRUE(holds(s, "model"));
   }
+}
+
+// A cell within the floor is as good as it gets, whatever the others are.
+TEST(CompareView, AnchorsItsMapToTheFloor) {
+  updating::Comparison c = testing::fake_comparison(0.0);
+  c.frf_band_error = Eigen::MatrixXd::Constant(4, 3, 0.0036);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const auto hottest = [&] {
+    const Screen s = compare_view({c, frfs, nullptr}, {}, sizes[1]);
+    int heat = 0;
+    for (int y = 0; y < s.height(); ++y) {
+      for (int x = 0; x < s.width(); ++x) {
+        heat = std::max<int>(heat, s.at(x, y).style.heat);
+      }
+    }
+    return heat;
+  };
+  EXPECT_EQ(hottest(), 0);
+  c.frf_band_error(1, 1) = 10.0 * c.floor;
+  EXPECT_EQ(hottest(), heat_levels);
+  c.frf_band_error(1, 1) = 3.0 * c.floor;
+  EXPECT_GT(hottest(), 0);
+  EXPECT_LT(hottest(), 3);
+}
+
+// A free plate's six push its own modes off the screen.
+TEST(CompareView, LeavesRigidBodyModesOutOfTheMac) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  const Eigen::VectorXd own = c.modes.frequency_hz;
+  c.modes.frequency_hz.resize(9);
+  c.modes.frequency_hz << Eigen::VectorXd::Constant(6, 1e-4), own;
+  Eigen::MatrixXd mac = Eigen::MatrixXd::Zero(3, 9);
+  mac.rightCols(3) = c.mac;
+  c.mac = mac;
+  EXPECT_EQ(rigid_modes(c.modes.frequency_hz), 6);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  CompareState state;
+  state.focus = CompareState::Focus::Mac;
+  const Screen s = compare_view({c, frfs, nullptr}, state, sizes[0]);
+  EXPECT_TRUE(holds(s, "6 rigid-body modes left out")) << s.to_text();
+  EXPECT_TRUE(holds(s, "97    0    0")) << s.to_text();
+  std::size_t column = 0;
+  EXPECT_TRUE(step_column(column, c.modes.frequency_hz, Key(U'l')));
+  EXPECT_EQ(column, 7U);
+  EXPECT_TRUE(step_column(column, c.modes.frequency_hz, Key(U'h')));
+  EXPECT_TRUE(step_column(column, c.modes.frequency_hz, Key(U'h')));
+  EXPECT_EQ(column, 6U);
 }
 
 TEST(CompareView, ShowsEveryBand) {
@@ -64,8 +113,8 @@ TEST(CompareView, ShowsModesWithoutAPartner) {
     state.focus = CompareState::Focus::Mac;
     s = compare_view(input, state, canvas);
     EXPECT_TRUE(holds(s, "17.50 ")) << s.to_text();
-    // A frequency cut to "9.5…" would be a mode in the band.
-    EXPECT_TRUE(holds(s, "0.00 18.4")) << s.to_text();
+    EXPECT_TRUE(holds(s, "1 rigid-body mode left out")) << s.to_text();
+    EXPECT_TRUE(holds(s, "18.4 32.8")) << s.to_text();
   }
 }
 

@@ -27,7 +27,7 @@ TEST(DiagnoseDetails, LeaveNothingOut) {
   }
   const std::string text = joined(details_of(d, d.candidates[0], 78));
   for (const char* words : {"verdict: added-mass",
-                            "compared on s = 5 + jw",
+                            "s = 5 + jw",
                             "end of the first",
                             "! the second",
                             "95 %: 0.0773 to 0.0797",
@@ -57,7 +57,7 @@ TEST(DiagnoseDetails, StandBehindANoteThatIsCut) {
   // The table follows at once.
   EXPECT_TRUE(
       holds(diagnose_view({bundle, d, {}}, {}, {80, 21, false}).to_text(),
-            "(i: all)\n #    prob"));
+            "(i: all)\n #   prob."));
 }
 
 TEST(DiagnoseDetails, ALongVerdictHasALineToItself) {
@@ -84,7 +84,7 @@ TEST(DiagnoseDetails, AllNotesStandWhereThereIsNoCandidate) {
 
 TEST(DiagnoseDetails, AreShownByAKeyAndGoByEscape) {
   const std::string first = played("5\nwait\ni");
-  EXPECT_TRUE(holds(first, "compared on s = 5 + jw")) << first;
+  EXPECT_TRUE(holds(first, "s = 5 + jw")) << first;
   EXPECT_TRUE(holds(first, "added-mass at node 5")) << first;
   EXPECT_FALSE(holds(first, "missing z")) << first;
   // Other keys do what they always do.

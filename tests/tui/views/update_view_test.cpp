@@ -1,6 +1,7 @@
 #include "tui/views/update_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tui/views/update_panels.hpp"
 #include "updating/session/added_effect.hpp"
 
 #include <gtest/gtest.h>
@@ -67,6 +68,31 @@ TEST(UpdateView, MarksTheLatestEffectAndShowsItsFit) {
   EXPECT_TRUE(holds(update_view(input, state, {}), "fit with added-mass"));
 }
 
+// Names give way on the smallest screen, numbers and units do not.
+TEST(UpdateView, CutsNoValue) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const std::vector<updating::Rung> ladder{{updating::base_rung, {}, 0.8, {}},
+                                           {"sensor-mass", {}, 0.1, {}},
+                                           {"soft-support", {}, 0.004, {}}};
+  const std::vector<updating::Estimate> found{
+      {"E:1", 6.8686e10, 6.8e7, 6.855e10, 6.882e10},
+      {"sensor-mass mass_kg", 0.02005, 0.00016, 0.0197, 0.0204},
+      {"soft-support rotational_stiffness_nm_per_rad_per_m",
+       2997.0,
+       32.0,
+       2934.0,
+       3060.0}};
+  const std::vector<updating::AddedEffect> effects{
+      {{"sensor-mass", {}}, true}, {{"soft-support", {}}, true}};
+  const Screen s = update_view(
+      {frfs, ladder, found, effects, nullptr, nullptr, nullptr}, {}, sizes[0]);
+  for (const char* value : {"(6.8686 ± 0.0068)e10 Pa",
+                            "0.02005 ± 0.00016 kg",
+                            "2997 ± 32 N m/rad/m"}) {
+    EXPECT_TRUE(holds(s, value)) << value << s.to_text();
+  }
+}
+
 TEST(UpdateView, MarksAFitThatWasKeptEarly) {
   const signal::FrfSet frfs = testing::fake_frfs();
   std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
@@ -80,6 +106,31 @@ TEST(UpdateView, MarksAFitThatWasKeptEarly) {
     EXPECT_TRUE(holds(s, "3.8 %, kept early")) << s.to_text();
     EXPECT_TRUE(holds(s, " kept\n")) << s.to_text();
   }
+}
+
+// A stage is on lines of its own: no line leads up to its first error.
+TEST(UpdateView, DrawsTheConvergenceOfEachStageByItself) {
+  updating::UpdateRecord record;
+  record.added = "added-mass";
+  for (int k = 0; k < 6; ++k) {
+    record.steps.push_back(
+        {k < 3 ? 0 : 1, k % 3 == 0 ? 1.0 : 0.001, 0.0, 0.0, {}});
+  }
+  const auto dots_between = [&record] {
+    Screen s(80, 24);
+    draw_convergence(s, s.area(), record);
+    int count = 0;
+    for (int y = 2; y < 10; ++y) {
+      for (int x = 40; x < 50; ++x) {  // step 2 to 3
+        const char32_t glyph = s.at(x, y).glyph;
+        count += glyph > U'\u2800' && glyph <= U'\u28ff' ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_EQ(dots_between(), 0);
+  for (updating::RecordedStep& step : record.steps) step.stage = 0;
+  EXPECT_GT(dots_between(), 0);
 }
 
 }  // namespace
