@@ -102,6 +102,16 @@ Table narrow_table(const updating::Diagnosis& d, bool ascii) {
   return table;
 }
 
+/// The probability stands beside them in numbers, the sizes nowhere else.
+void drop_bars(Table& table) {
+  for (std::size_t c = table.columns.size(); c-- > 0;) {
+    if (!table.columns[c].bars) continue;
+    const auto at = static_cast<std::ptrdiff_t>(c);
+    table.columns.erase(table.columns.begin() + at);
+    for (Row& row : table.rows) row.cells.erase(row.cells.begin() + at);
+  }
+}
+
 }  // namespace
 
 std::string left_out(const Candidate& c) {
@@ -128,7 +138,16 @@ Table candidate_table(const updating::Diagnosis& d,
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
     if (is_in(tagged, d.candidates[i])) table.rows[i].cells[0].insert(0, "*");
   }
-  const int room = room_for_size(table, width, ascii);
+  int room = room_for_size(table, width, ascii);
+  const bool cramped =
+      !is_wide(width) && std::ranges::any_of(d.candidates, [&](const auto& c) {
+        return !c.parameters.empty() &&
+               text_width(size_words(c.parameters[0])) > room;
+      });
+  if (cramped) {
+    drop_bars(table);
+    room = room_for_size(table, width, ascii);
+  }
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
     table.rows[i].cells.push_back(
         first_size(d.candidates[i], is_wide(width), room));

@@ -48,6 +48,16 @@ void pick_at_cursor(const Snapshot& known,
       frequency_at(*known.modes, shown.cursor, 0.01 * (shown.hi - shown.lo));
 }
 
+/// Of the MAC: the model's modes, or without a model the measured ones again.
+Eigen::VectorXd columns_hz(const Snapshot& known) {
+  if (known.comparison) return known.comparison->modes.frequency_hz;
+  Eigen::VectorXd hz(static_cast<Eigen::Index>(known.modes->modes.size()));
+  for (Eigen::Index i = 0; i < hz.size(); ++i) {
+    hz[i] = known.modes->modes[static_cast<std::size_t>(i)].frequency_hz;
+  }
+  return hz;
+}
+
 void drop_selected(const Snapshot& known,
                    const ListState& list,
                    Command& command) {
@@ -84,10 +94,8 @@ Screen ModesPage::draw(const Snapshot& known, const Canvas& canvas) const {
 bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
   if (key == U'm') {
     state_.mac = !state_.mac;
-  } else if (state_.mac && known.comparison &&
-             step_column(state_.mac_column,
-                         known.comparison->modes.frequency_hz,
-                         key)) {
+  } else if (state_.mac &&
+             step_column(state_.mac_column, columns_hz(known), key)) {
     return true;
   } else if (key == U'p') {
     pick_at_cursor(known, state_.range, command);

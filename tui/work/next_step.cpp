@@ -38,6 +38,12 @@ std::string after_modes(const Snapshot& known) {
 std::string after_error(const Snapshot& known, const std::string& missing) {
   if (!known.comparison) return {};
   const updating::Comparison& c = *known.comparison;
+  constexpr double high = 0.3;  // hides more than it shows
+  if (c.floor > high) {
+    return fmt::format(
+        "a floor of {} hides what is missing: 7 has the warnings",
+        percent(c.floor));
+  }
   if (!(c.floor > 0.0) || c.error <= near_floor * c.floor) {
     return fmt::format("{} is within the floor: 7 reports it",
                        percent(c.error));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace tapfit::tui {
 namespace {
 
@@ -72,6 +74,47 @@ TEST(Program, TheCursorStaysOnItsCandidate) {
   EXPECT_TRUE(holds(row(anew), "sensor-mass")) << row(anew);
   const std::string first = "5\nwait\na\nwait\n5\nwait";
   EXPECT_TRUE(holds(row(first), "added-mass")) << row(first);
+}
+
+// Two effects that came in one step: a model with one of them never was.
+TEST(Program, ReportsNoDiagnosisOfAModelThatNeverWas) {
+  FakeOptions options;
+  options.diagnosed_before = true;
+  options.diagnosed_on_the_way = true;
+  options.left_with = {{{"added-mass", {}}, true}, {{"joint", {}}, true, true}};
+  const std::string text = played("7\nwait\n", {120, 50, false}, options);
+  EXPECT_TRUE(holds(text, "missing from the base model")) << text;
+  EXPECT_TRUE(holds(text, "the model with 2 effects")) << text;
+  EXPECT_FALSE(holds(text, "the model with 1 effect")) << text;
+}
+
+TEST(Program, SaysWhereSizesOfOneEffectAddUp) {
+  const std::string once = "5\nwait\nja\nwait\n";
+  EXPECT_FALSE(holds(played(once, {200, 50}), "counts twice"));
+  const std::string twice = played(once + "5\nwait\na\nwait", {200, 50});
+  EXPECT_TRUE(holds(twice, "sensor-mass now counts twice at acc1")) << twice;
+}
+
+// Yellow is for what one should beware of.
+TEST(Program, WarnsInYellowAlone) {
+  Program program(testing::fake_workbench(), {120, 35, false});
+  (void)replay(program, parse_key_script("5\nwait\n"));
+  const auto colour_of = [&program](const std::string& words) {
+    const Screen s = program.draw();
+    std::istringstream lines(s.to_text());
+    std::string line;
+    for (int y = 0; std::getline(lines, line); ++y) {
+      const std::size_t at = line.find(words);
+      if (at == std::string::npos) continue;
+      return s.at(text_width(line.substr(0, at)), y).style.colour;
+    }
+    ADD_FAILURE() << words << " in\n" << s.to_text();
+    return Colour::Red;
+  };
+  EXPECT_NE(colour_of("uniquely identified"), Colour::Yellow);
+  program.press(Key(U'j'));
+  wait_until_idle(program);
+  EXPECT_EQ(colour_of("indistinguishable"), Colour::Yellow);
 }
 
 TEST(Program, ShowsTheNewListOnceItIsThere) {

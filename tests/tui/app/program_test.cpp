@@ -173,6 +173,18 @@ TEST(Program, AddsByName) {
       holds(played("6\nwait\n:add what@5<Enter>\nwait"), "no such effect"));
 }
 
+TEST(Program, ScrollsTheMacs) {
+  const std::string report = played("7\nwait", {80, 50, false});
+  EXPECT_TRUE(holds(report, "   5.25 18.4 32.8")) << report;
+  const std::string beside = played("7\nwait\nl", {80, 50, false});
+  EXPECT_FALSE(holds(beside, "5.25 18.4")) << beside;
+  EXPECT_TRUE(holds(beside, "18.4 32.8")) << beside;
+  EXPECT_EQ(played("7\nwait\nlh", {80, 50, false}), report);
+  // Past the last one there is nothing.
+  EXPECT_EQ(played("7\nwait\nlllll", {80, 50, false}),
+            played("7\nwait\nll", {80, 50, false}));
+}
+
 TEST(Program, OverrulesAHit) {
   EXPECT_TRUE(holds(played("wait"), "3 hits, 2 accepted"));
   const std::string text = played("wait\nj \nwait");

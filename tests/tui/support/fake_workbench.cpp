@@ -69,7 +69,8 @@ class FakeWorkbench final : public Workbench {
   std::optional<updating::Diagnosis> known_diagnosis(
       std::size_t effects, const Progress& progress) override {
     progress("known diagnosis", 0.0);
-    if (!options_.diagnosed_before || effects > 0) return std::nullopt;
+    if (!options_.diagnosed_before) return std::nullopt;
+    if (effects > 0 && !options_.diagnosed_on_the_way) return std::nullopt;
     return diagnosis_;
   }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {

@@ -22,10 +22,11 @@ struct FakeOptions {
   bool hitless = false;     ///< the second run
   /// Effects that another window adds and saves before the first save here.
   std::vector<updating::AddedEffect> other_window = {};
-  std::string unsaved = {};        ///< what save() answers
-  bool endless_modes = false;      ///< modes() runs until it is stopped
-  bool diagnosed_before = false;   ///< the base, by an earlier run
-  bool endless_diagnosis = false;  ///< the same once something was added
+  std::string unsaved = {};           ///< what save() answers
+  bool endless_modes = false;         ///< modes() runs until it is stopped
+  bool diagnosed_before = false;      ///< the base, by an earlier run
+  bool diagnosed_on_the_way = false;  ///< and with any number of effects
+  bool endless_diagnosis = false;     ///< the same once something was added
   /// diagnosis() waits while it is set, once something was added.
   std::atomic<bool>* diagnosis_held = nullptr;
   bool reversed_after_adding = false;  ///< candidates, the last one first

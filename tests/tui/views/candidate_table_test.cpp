@@ -43,7 +43,12 @@ TEST(CandidateTable, GivesTheSizeTheRoomThatIsLeft) {
   updating::Diagnosis d = testing::fake_diagnosis();
   EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
             "0.07850 ± 0.00060 kg");
-  d.candidates[0].effect = "a-kind-with-a-rather-long-name";
+  // Bars give way first.
+  d.candidates[0].effect = "a-kind-with-a-long-name";
+  const Table cramped = candidate_table(d, {}, 80, false);
+  EXPECT_EQ(cramped.rows[0].cells.back(), "0.07850 ± 0.00060 kg");
+  EXPECT_EQ(cramped.columns.size(), cramped.rows[0].cells.size());
+  d.candidates[0].effect = "a-kind-with-a-name-that-is-rather-long";
   EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
             "0.0785 kg");
 }

@@ -40,6 +40,11 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
   known.comparison = shared(c);
   EXPECT_EQ(step_words(5, known),
             "next: 0.36 % is within the floor: 7 reports it");
+  c.floor = 1.6;
+  known.comparison = shared(c);
+  EXPECT_EQ(
+      step_words(3, known),
+      "next: a floor of 160.0 % hides what is missing: 7 has the warnings");
   known.diagnosis = shared(testing::fake_diagnosis());
   EXPECT_EQ(step_words(4, known),
             "next: A adds what the verdict names, a the marked candidate");
