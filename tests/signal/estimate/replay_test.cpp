@@ -212,7 +212,7 @@ TEST_F(Replay, ProposesALongerBlockBeforeAnyWindow) {
       estimate_frfs(test_.bundle, lasting.recordings, live.hits, {});
   ASSERT_FALSE(whole.statements.empty());
   EXPECT_EQ(live.frfs.statements[0], whole.statements[0]);
-  EXPECT_NE(whole.statements[0].find("Before any window"), std::string::npos);
+  EXPECT_NE(whole.statements[0].find("before any window"), std::string::npos);
 }
 
 TEST_F(Replay, KeepsPaceWithTheSpeed) {
