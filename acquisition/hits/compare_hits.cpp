@@ -123,12 +123,12 @@ void keep_best_rejected(const Run& run,
   const std::string file = run.file.filename().string();
   if (best == nullptr) {
     statements.push_back(
-        fmt::format("{}: every hit was judged out; the run is not used", file));
+        fmt::format("{}: every hit was rejected; the run is not used", file));
     return;
   }
   best->accepted = true;
   statements.push_back(fmt::format(
-      "{}: every hit was judged out; the hit at {:.3f} s ({}) is kept as the "
+      "{}: every hit was rejected; the hit at {:.3f} s ({}) is kept as the "
       "best there is",
       file,
       best->time_s,

@@ -138,7 +138,7 @@ void keep_best_rejected(const TestBundle& bundle,
           bundle.runs[r], work[r].hammer.noise, set.runs[r], set.statements);
     } else if (!any_accepted(set.runs[r])) {
       set.statements.push_back(
-          fmt::format("{}: every hit was judged out; the run is not used, "
+          fmt::format("{}: every hit was rejected; the run is not used, "
                       "others at the same points are",
                       bundle.runs[r].file.filename().string()));
     }

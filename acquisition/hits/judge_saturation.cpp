@@ -149,10 +149,10 @@ bool is_certain(const HammerSaturation& ceiling, const Cut& cut) {
 
 std::string fate(const Cut& cut) {
   const std::size_t kept = cut.all - cut.out - cut.known;
-  if (kept == 0) return "they are judged out";
-  if (cut.out == 0) return "none is judged out for that";
+  if (kept == 0) return "they are rejected";
+  if (cut.out == 0) return "none is rejected for that";
   return fmt::format(
-      "{} are judged out, {} kept for want of better ones at their points",
+      "{} are rejected, {} kept for want of better ones at their points",
       cut.out,
       kept);
 }

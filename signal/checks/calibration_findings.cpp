@@ -60,7 +60,7 @@ std::vector<QualityFinding> calibration_findings(
            "that of its suspension; gain and delay mean little till then"});
     }
     if (c.gain < 0.0) {
-      result.push_back({who + ": the polarity is turned",
+      result.push_back({who + ": the polarity is inverted",
                         "turn the sensor's direction in test.json"});
     }
     if (c.deviation > much_deviation) continue;

@@ -85,7 +85,7 @@ QualityFinding turned_finding(const std::string& who,
                               const std::string& sensor,
                               bool hammer) {
   return {fmt::format("{}: {} of {} peaks point down, the polarity of {} is "
-                      "turned",
+                      "inverted",
                       who,
                       point.wrong_peaks,
                       point.peaks,

@@ -197,7 +197,7 @@ std::string frf_checks_text(const Quality& q) {
   TextTable points({"<driving point",
                     "run",
                     "peaks",
-                    "turned",
+                    "inverted",
                     "active",
                     "<lowest lines",
                     "<verdict"});
@@ -281,7 +281,7 @@ std::string calibrate_command(const CommandOptions& options,
                      options.mass_kg) +
          table.text() +
          "  gain: the sensor's over the hammer's sensitivity, true over "
-         "assumed; below zero: polarity turned\n  deviation: how little the "
+         "assumed; below zero: polarity inverted\n  deviation: how little the "
          "body answers as a mass alone\n" +
          text_of(findings);
 }

@@ -192,7 +192,7 @@ std::vector<KeyHelp> ComparePage::keys() const {
                                                         : "FRF, cursor";
   return {{"Tab", "next pane"},
           {"j k h l", what},
-          {"Enter", "open FRF"},
+          {"Enter", state_.focus == Focus::Mac ? "open modes" : "open FRF"},
           {"x", "log/linear"},
           {"+ -", "zoom"},
           {"_", "whole band"},

@@ -209,7 +209,7 @@ TEST(CalibrationFindings, SayWhatToEnter) {
   const Findings all = found();
   EXPECT_TRUE(says(all, "times what it should")) << text(all);
   EXPECT_TRUE(says(all, "the sensitivity of acc1 is 0.0103")) << text(all);
-  EXPECT_TRUE(says(all, "polarity is turned")) << text(all);
+  EXPECT_TRUE(says(all, "polarity is inverted")) << text(all);
   EXPECT_TRUE(says(all, "behind the hammer")) << text(all);
   const FrfSet frfs =
       estimate_frfs(test.bundle, test.recordings, test.hits, {});
