@@ -10,6 +10,7 @@
 #include "updating/session/added_effect.hpp"
 #include "updating/session/saved_session.hpp"
 #include "updating/session/session_file.hpp"
+#include "updating/test_check/test_check.hpp"
 
 #include <system_error>
 
@@ -44,6 +45,9 @@ class SessionWorkbench final : public Workbench {
   }
   const acquisition::HitSet& hits(const Progress& p) override {
     return session_.hits(p);
+  }
+  std::vector<Finding> findings(const Progress& p) override {
+    return updating::check_test(session_, {}, p).findings;
   }
   const signal::FrfSet& frfs(const Progress& p) override {
     return session_.frfs(p);

@@ -1,0 +1,22 @@
+// The Recording screen's page of what is wrong with the test.
+#pragma once
+
+#include "acquisition/foundation/finding.hpp"
+#include "tui/screen/screen.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace tapfit::tui {
+
+/// As many findings as fit, from the one given: severity, where and what, then
+/// what it likely is and what to do. Says so while they are not known yet.
+///
+/// @param findings nullptr until the checks are through
+/// @param first the finding at the top; the last one where there are fewer
+void draw_findings(Screen& screen,
+                   const Rect& rect,
+                   const std::vector<Finding>* findings,
+                   std::size_t first);
+
+}  // namespace tapfit::tui
