@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 
@@ -42,7 +43,8 @@ VectorXd pole_column(const VectorXcd& s, complex p, complex q, int power) {
 MatrixXd columns_of(const VectorXcd& s, const VectorXcd& poles, bool shifts) {
   const Index modes = poles.size();
   const Index pairs = shifts ? 2 * modes : modes;
-  MatrixXd A(2 * s.size(), 2 * pairs + residual_terms);
+  const VectorXcd beside = poles_beside(s);
+  MatrixXd A(2 * s.size(), 2 * (pairs + beside.size()) + residual_terms);
   for (Index k = 0; k < modes; ++k) {
     const complex unit = 1.0 / complex(0.0, 2.0 * poles(k).imag());
     for (int power = 1; power <= (shifts ? 2 : 1); ++power) {
@@ -52,10 +54,16 @@ MatrixXd columns_of(const VectorXcd& s, const VectorXcd& poles, bool shifts) {
           pole_column(s, poles(k), complex(0.0, 1.0) * unit, power);
     }
   }
+  for (Index k = 0; k < beside.size(); ++k) {
+    const complex unit = 1.0 / complex(0.0, 2.0 * beside(k).imag());
+    const Index first = 2 * (pairs + k);
+    A.col(first) = pole_column(s, beside(k), unit, 1);
+    A.col(first + 1) = pole_column(s, beside(k), complex(0.0, 1.0) * unit, 1);
+  }
   const double scale = s.cwiseAbs().maxCoeff();
   VectorXcd term = VectorXcd::Ones(s.size());
   for (Index i = 0; i < residual_terms; ++i) {
-    A.col(2 * pairs + i) = stacked(term);
+    A.col(2 * (pairs + beside.size()) + i) = stacked(term);
     term = term.cwiseProduct(s).cwiseProduct(s) / (scale * scale);
   }
   return A;
@@ -139,6 +147,18 @@ ModalConstants constants_of(const signal::Frf& frf,
 }
 
 }  // namespace
+
+VectorXcd poles_beside(const VectorXcd& s) {
+  const double low = s.imag().minCoeff();
+  const double high = s.imag().maxCoeff();
+  const std::array<double, 6> at{
+      0.9 * low, 0.98 * low, 1.02 * high, 1.07 * high, 1.2 * high, 1.6 * high};
+  VectorXcd poles(static_cast<Index>(at.size()));
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    poles(static_cast<Index>(k)) = complex(-0.01 * at[k], at[k]);
+  }
+  return poles;
+}
 
 std::vector<ModalConstants> modal_constants(const signal::FrfSet& set,
                                             const VectorXcd& poles,

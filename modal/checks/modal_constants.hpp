@@ -37,6 +37,11 @@ struct ModalConstants {
   double left = 0.0;
 };
 
+/// Poles of 1 % damping just outside the lines, 2, 7, 20 and 60 % beside them
+/// (below: 2 and 10 %). With the residual terms their combinations stand for
+/// any mode out there: what they leave of one is below a per cent.
+[[nodiscard]] Eigen::VectorXcd poles_beside(const Eigen::VectorXcd& s);
+
 /// Weighted by the FRF's own variance and by 1 % of it line by line, so that
 /// no line counts for more than its scale is known.
 ///

@@ -1,5 +1,6 @@
 #include "modal/checks/motion_kind.hpp"
 
+#include "modal/checks/modal_constants.hpp"
 #include "modal/checks/run_poles.hpp"
 
 #include <Eigen/QR>
@@ -107,7 +108,10 @@ std::vector<Finding> motion_kind_findings(const acquisition::TestBundle& bundle,
                                           const MotionKindLimits& limits) {
   const VectorXcd poles = poles_of(modes);
   if (poles.size() == 0 || bundle.runs.empty()) return {};
-  const MatrixXcd terms = accelerance_terms(set.s, poles);
+  const VectorXcd beside = poles_beside(set.s);
+  VectorXcd all(poles.size() + beside.size());
+  all << poles, beside;
+  const MatrixXcd terms = accelerance_terms(set.s, all);
   std::vector<Finding> findings;
   std::set<std::size_t> told;
   for (const signal::Frf& frf : set.frfs) {

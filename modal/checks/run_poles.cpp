@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace tapfit::modal {
@@ -129,36 +132,73 @@ std::vector<Finding> foreign_findings(const acquisition::TestBundle& bundle,
 struct RunShift {
   std::size_t run = 0;
   double shift = 0.0;
-  double sd = 0.0;
 };
 
+// The lines thinned to what tells the scale of frequency.
+FrfSet thinned_lines(const FrfSet& set, Index most) {
+  const Index step = (set.lines() + most - 1) / most;
+  if (step <= 1) return set;
+  const Index count = (set.lines() + step - 1) / step;
+  const auto every = Eigen::seqN(0, count, step);
+  FrfSet thin;
+  thin.s = set.s(every);
+  for (const signal::Frf& frf : set.frfs) {
+    signal::Frf& one = thin.frfs.emplace_back();
+    one = frf;
+    one.H = VectorXcd(frf.H(every));
+    if (frf.variance.size() == frf.H.size()) {
+      one.variance = VectorXd(frf.variance(every));
+    }
+  }
+  return thin;
+}
+
+// One factor on all poles that leaves least of the run's FRFs.
+double best_scale(const FrfSet& run, const VectorXcd& poles) {
+  constexpr std::array<double, 9> steps{
+      0.0, 0.003, 0.006, 0.01, 0.015, 0.022, 0.032, 0.045, 0.06};
+  double best = 1.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double step : steps) {
+    for (const double scale : {1.0 + step, 1.0 - step}) {
+      double left = 0.0;
+      for (const ModalConstants& one :
+           modal_constants(run, scale * poles, false)) {
+        left += one.left * one.left;
+      }
+      if (left >= least) continue;
+      least = left;
+      best = scale;
+    }
+  }
+  return best;
+}
+
+// By steps first, as far as several bandwidths, then to the first order.
 std::vector<RunShift> run_shifts(const FrfSet& set,
                                  const Runs& runs,
-                                 const VectorXcd& poles) {
-  const std::vector<ModalConstants> all = modal_constants(set, poles, true);
+                                 const VectorXcd& poles,
+                                 const RunPoleLimits& limits) {
+  constexpr Index most_lines = 800;
   std::vector<RunShift> found;
   for (const auto& [run, frfs] : runs) {
-    double weight = 0.0;
-    double sum = 0.0;
-    double square = 0.0;
-    int count = 0;
-    for (const std::size_t f : frfs) {
+    const FrfSet part = thinned_lines(part_of(set, frfs), most_lines);
+    const double scale = best_scale(part, poles);
+    const std::vector<ModalConstants> of =
+        modal_constants(part, scale * poles, true);
+    std::vector<double> values;
+    for (std::size_t f = 0; f < of.size(); ++f) {
       for (Index k = 0; k < poles.size(); ++k) {
-        // Below 3 sd of its own the first order says nothing.
-        if (std::abs(all[f].z(k)) < 3.0 * all[f].sd(k)) continue;
-        const double w = 1.0 / std::pow(all[f].shift_sd(k) + 1e-9, 2);
-        weight += w;
-        sum += w * all[f].shift(k);
-        square += w * std::pow(all[f].shift(k), 2);
-        ++count;
+        // A peak that hardly shows says nothing of where it is.
+        if (of[f].peak(k) < limits.shown * rms(part.frfs[f].H) ||
+            std::abs(of[f].z(k)) < 10.0 * of[f].sd(k)) {
+          continue;
+        }
+        values.push_back(of[f].shift(k));
       }
     }
-    if (count < 2) continue;
-    const double mean = sum / weight;
-    // The scatter of modes and sensors where it is more than is stated.
-    const double chi2 =
-        std::max(square - weight * mean * mean, 0.0) / (count - 1);
-    found.push_back({run, mean, std::sqrt(std::max(chi2, 1.0) / weight)});
+    if (values.empty()) continue;
+    found.push_back({run, scale - 1.0 + median(mapped(values))});
   }
   return found;
 }
@@ -220,7 +260,7 @@ std::vector<Finding> shift_findings(const acquisition::TestBundle& bundle,
                                     const Runs& runs,
                                     const VectorXcd& poles,
                                     const RunPoleLimits& limits) {
-  const std::vector<RunShift> shifts = run_shifts(set, runs, poles);
+  const std::vector<RunShift> shifts = run_shifts(set, runs, poles, limits);
   if (shifts.size() < limits.fewest_runs) return {};
   const double worth = limits.worth_saying * usual_damping(poles);
   if (auto trend = trend_finding(shifts, worth, limits)) {
@@ -234,7 +274,7 @@ std::vector<Finding> shift_findings(const acquisition::TestBundle& bundle,
   for (const RunShift& s : shifts) {
     const double off = s.shift - middle;
     if (std::abs(off) < worth ||
-        std::abs(off) < limits.significance * std::max(scatter, s.sd)) {
+        std::abs(off) < limits.significance * scatter) {
       continue;
     }
     findings.push_back(
@@ -254,7 +294,32 @@ std::vector<Finding> shift_findings(const acquisition::TestBundle& bundle,
   return findings;
 }
 
+// One pole for each group, its mean.
+VectorXcd merged(const VectorXcd& poles) {
+  const auto groups = pole_groups(poles);
+  VectorXcd means(static_cast<Index>(groups.size()));
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    means(static_cast<Index>(g)) = VectorXcd(poles(groups[g])).mean();
+  }
+  return means;
+}
+
 }  // namespace
+
+std::vector<std::vector<Index>> pole_groups(const VectorXcd& poles) {
+  std::vector<Index> order(static_cast<std::size_t>(poles.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](Index k) { return poles(k).imag(); });
+  std::vector<std::vector<Index>> groups;
+  for (const Index k : order) {
+    const bool near = !groups.empty() &&
+                      poles(k).imag() - poles(groups.back().back()).imag() <
+                          -poles(k).real() - poles(groups.back().back()).real();
+    if (!near) groups.emplace_back();
+    groups.back().push_back(k);
+  }
+  return groups;
+}
 
 VectorXcd poles_of(const ModeSet& modes) {
   VectorXcd poles(static_cast<Index>(modes.modes.size()));
@@ -282,7 +347,7 @@ std::vector<Finding> run_pole_findings(const acquisition::TestBundle& bundle,
   const bool sensors_stay =
       std::ranges::all_of(set_up, [](std::size_t one) { return one == 0; });
   if (sensors_stay && findings.empty()) {
-    append(shift_findings(bundle, set, runs, poles, limits), findings);
+    append(shift_findings(bundle, set, runs, merged(poles), limits), findings);
   }
   return findings;
 }

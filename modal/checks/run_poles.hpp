@@ -15,7 +15,7 @@ struct RunPoleLimits {
   std::size_t fewest_runs = 4;  ///< for "the others" to mean something
   /// A pole is the structure's where so large a share of the other runs (and
   /// two at the least) show a peak of it, this high against the FRF's rms.
-  double shown_by = 0.2;
+  double shown_by = 0.4;
   double shown = 0.3;
   /// Of a run that is left by the others' poles (rms), and times their median:
   /// what is left of another structure is nearly all of it.
@@ -38,5 +38,10 @@ struct RunPoleLimits {
 
 /// The poles of a set's modes [rad/s], Im > 0.
 [[nodiscard]] Eigen::VectorXcd poles_of(const ModeSet& modes);
+
+/// Poles that lie within each other's half-power bandwidths, as indices: close
+/// modes, or one mode that runs disagree on. Single ones are groups, too.
+[[nodiscard]] std::vector<std::vector<Eigen::Index>> pole_groups(
+    const Eigen::VectorXcd& poles);
 
 }  // namespace tapfit::modal
