@@ -103,6 +103,10 @@ std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
   std::map<std::size_t, VectorXd> squares;
   std::map<std::size_t, int> frfs;
   for (std::size_t f = 0; f < of.size(); ++f) {
+    // Across the blows a structure may hardly move.
+    if (set.frfs[f].response.component != set.frfs[f].reference.component) {
+      continue;
+    }
     const std::size_t channel = set.frfs[f].channel;
     VectorXd& sum = squares[channel];
     if (sum.size() == 0) sum = VectorXd::Zero(count);

@@ -23,6 +23,7 @@ struct ChannelSize {
   double z_per_kg = 0.0;  ///< median over modes of the rms over FRFs of |z|
 };
 
+/// Of the channels that measure along the blows.
 [[nodiscard]] std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
                                                      const ModeSet& modes);
 
