@@ -4,9 +4,9 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
-#include "tui/views/recording_findings.hpp"
 #include "tui/views/recording_plots.hpp"
 #include "tui/widgets/bars.hpp"
+#include "tui/widgets/finding_list.hpp"
 #include "tui/widgets/heat_map.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "tui/views/recording_findings.hpp"
+#include "tui/widgets/finding_list.hpp"
 
 #include "tui/screen/layout.hpp"
 #include "tui/screen/text.hpp"

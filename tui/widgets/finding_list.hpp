@@ -1,4 +1,4 @@
-// The Recording screen's page of what is wrong with the test.
+// What is wrong with the test, as a list to read from top to bottom.
 #pragma once
 
 #include "acquisition/foundation/finding.hpp"
