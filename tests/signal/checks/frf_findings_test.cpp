@@ -51,13 +51,13 @@ GeneratedOptions noisy(unsigned seed) {
 
 bool says(const Findings& findings, const std::string& part) {
   return std::ranges::any_of(findings, [&](const Finding& f) {
-    return (f.what + " | " + f.remedy).find(part) != std::string::npos;
+    return in_full(f).find(part) != std::string::npos;
   });
 }
 
 std::string text(const Findings& findings) {
   std::string all;
-  for (const auto& f : findings) all += f.what + " | " + f.remedy + "\n";
+  for (const auto& f : findings) all += in_full(f) + "\n";
   return all;
 }
 
