@@ -150,10 +150,12 @@ std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
     return findings;
   }
   for (const ChannelSize& one : off) {
+    // A single one may sit where the structure hardly moves.
+    if (one.z_per_kg * mass_kg < 1.0) continue;
     findings.push_back(
         against_mass(bundle, {one}, one.z_per_kg * mass_kg, mass_kg));
   }
-  if (!findings.empty() || sizes.size() < 2) return findings;
+  if (!findings.empty() || !off.empty() || sizes.size() < 2) return findings;
   for (const ChannelSize& one : sizes) {
     double log_sum = 0.0;
     for (const ChannelSize& other : sizes) {
