@@ -241,6 +241,16 @@ std::array<double, 2> read_band(const json& band, const Source& source) {
       "upper one");
 }
 
+Weighed read_weighed(const json& entry) {
+  Weighed weighed;
+  weighed.mass_kg = entry.at("mass_kg").get<double>();
+  weighed.sd_percent = entry.value("sd_percent", weighed.sd_percent);
+  if (entry.contains("centre_m")) {
+    weighed.centre_m = entry["centre_m"].get<std::array<double, 3>>();
+  }
+  return weighed;
+}
+
 UncertainProperty read_uncertain(const json& entry,
                                  const std::string& place,
                                  const Source& source) {
@@ -364,6 +374,9 @@ TestBundle read_test_bundle(const fs::path& folder) {
   }
   if (document.contains("band_hz")) {
     bundle.band_hz = read_band(document["band_hz"], source);
+  }
+  if (document.contains("weighed")) {
+    bundle.weighed = read_weighed(document["weighed"]);
   }
   if (document.contains("uncertain")) {
     const json& list = document["uncertain"];

@@ -56,6 +56,13 @@ struct MatrixModel {
   std::filesystem::path dofs;
 };
 
+/// The article as it was weighed, without sensors.
+struct Weighed {
+  double mass_kg = 0.0;
+  std::optional<std::array<double, 3>> centre_m;  ///< in the model's basic axes
+  double sd_percent = 1.0;                        ///< of the mass
+};
+
 /// How hits are triggered. What is empty is chosen, and stated.
 struct TriggerOptions {
   std::optional<double> range_percent;  ///< level, of the hammer's full scale
@@ -79,6 +86,7 @@ struct TestBundle {
   std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
   std::optional<std::filesystem::path> uff;   ///< the bundle is this file alone
   std::optional<std::array<double, 2>> band_hz;
+  std::optional<Weighed> weighed;
   std::vector<UncertainProperty> uncertain;
   std::optional<double> trigger_percent;  ///< of the hammer's largest peak
   TriggerOptions trigger;

@@ -74,6 +74,13 @@ void add_model(const TestBundle& bundle,
 
 void add_settings(const TestBundle& bundle, ordered_json& document) {
   if (bundle.band_hz) document["band_hz"] = *bundle.band_hz;
+  if (bundle.weighed) {
+    document["weighed"] = {{"mass_kg", bundle.weighed->mass_kg},
+                           {"sd_percent", bundle.weighed->sd_percent}};
+    if (bundle.weighed->centre_m) {
+      document["weighed"]["centre_m"] = *bundle.weighed->centre_m;
+    }
+  }
   if (bundle.trigger_percent) {
     document["trigger_percent"] = *bundle.trigger_percent;
   }
@@ -101,8 +108,7 @@ void add_settings(const TestBundle& bundle, ordered_json& document) {
 
 }  // namespace
 
-std::string test_bundle_text(const TestBundle& bundle,
-                             const fs::path& folder) {
+std::string test_bundle_text(const TestBundle& bundle, const fs::path& folder) {
   ordered_json document = {{"tapfit", 1}};
   if (!bundle.title.empty()) document["title"] = bundle.title;
   if (bundle.units != "SI") document["units"] = bundle.units;

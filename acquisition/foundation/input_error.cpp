@@ -14,6 +14,7 @@ InputError::InputError(const std::string& what,
                        std::string remedy)
     : std::runtime_error(acquisition::printable(
           fmt::format("{}: {} ({})", where, what, remedy))),
+      fault_(acquisition::printable(what)),
       where_(std::move(where)),
       remedy_(std::move(remedy)) {}
 

@@ -21,10 +21,13 @@ class InputError : public std::runtime_error {
   /// @param remedy what the user can try, in one sentence
   InputError(const std::string& what, std::string where, std::string remedy);
 
+  /// The fault alone; what() names place and remedy, too.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] const std::string& where() const { return where_; }
   [[nodiscard]] const std::string& remedy() const { return remedy_; }
 
  private:
+  std::string fault_;
   std::string where_;
   std::string remedy_;
 };

@@ -90,9 +90,9 @@ void state_choices(const TestBundle& bundle,
   state_trigger(bundle, runs, options, set);
   state_block(options, set);
   state_reach(bundle, set);
-  for (std::string& warning : hit_warnings(bundle, runs, options, set)) {
-    set.statements.push_back(warning);
-    set.warnings.push_back(std::move(warning));
+  for (Finding& warning : hit_warnings(bundle, runs, options, set)) {
+    set.statements.push_back(in_full(warning));
+    set.findings.push_back(std::move(warning));
   }
 }
 

@@ -2,9 +2,9 @@
 // falsifies hits and the FRFs made of them.
 #pragma once
 
+#include "acquisition/foundation/finding.hpp"
 #include "acquisition/hits/hit_steps.hpp"
 
-#include <string>
 #include <vector>
 
 namespace tapfit::acquisition {
@@ -16,7 +16,7 @@ namespace tapfit::acquisition {
 /// @param runs with their pulses
 /// @param options as completed by the bundle's
 /// @param set with rate, block and pre-trigger
-[[nodiscard]] std::vector<std::string> hit_warnings(
+[[nodiscard]] std::vector<Finding> hit_warnings(
     const TestBundle& bundle,
     const std::vector<HammerRun>& runs,
     const HitOptions& options,

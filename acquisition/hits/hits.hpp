@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "acquisition/hits/hammer_saturation.hpp"
 
 #include <optional>
@@ -49,7 +50,7 @@ struct HitSet {
   std::vector<std::string> statements;  ///< what was chosen, and why
   /// Those of the statements that whoever sees FRFs or modes only must know,
   /// too: something in the recording or in test.json wants to be set right.
-  std::vector<std::string> warnings;
+  std::vector<Finding> findings;
 };
 
 struct HitOptions {

@@ -177,7 +177,9 @@ std::string statement(const HammerSaturation& ceiling,
 }
 
 // All runs of one hammer channel.
-void judge_channel(const std::vector<RunGroup>& groups,
+void judge_channel(const TestBundle& bundle,
+                   std::size_t channel,
+                   const std::vector<RunGroup>& groups,
                    const std::vector<std::vector<Topped>>& of_runs,
                    HitSet& set) {
   std::optional<HammerSaturation> ceiling = ceiling_of(groups, of_runs);
@@ -192,7 +194,10 @@ void judge_channel(const std::vector<RunGroup>& groups,
   std::size_t hits = 0;
   for (const RunGroup& group : groups) hits += tops_of(group, of_runs).size();
   set.statements.push_back(statement(*ceiling, cut, hits));
-  set.warnings.push_back(set.statements.back());
+  Subject where;
+  where.channel = bundle.channels[channel].name;
+  set.findings.push_back(
+      {Severity::Warning, std::move(where), set.statements.back(), {}, {}});
 }
 
 }  // namespace
@@ -214,7 +219,7 @@ void judge_saturation(const TestBundle& bundle,
     of_channels[channel].push_back(std::move(group));
   }
   for (const auto& [channel, groups] : of_channels) {
-    judge_channel(groups, of_runs, set);
+    judge_channel(bundle, channel, groups, of_runs, set);
   }
 }
 

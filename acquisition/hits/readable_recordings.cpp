@@ -57,7 +57,7 @@ class Usable {
   [[nodiscard]] bool leave_out(const NoHits& hitless) {
     if (hitless.runs().size() == runs_.size()) return false;
     for (const HitlessRun& one : hitless.runs()) {
-      all_.left_out.push_back({runs_[one.run], one.why.what()});
+      all_.left_out.push_back({runs_[one.run], one.why});
     }
     std::ranges::sort(all_.left_out, {}, &LeftOut::run);
     return true;
@@ -73,7 +73,8 @@ class Usable {
 }  // namespace
 
 std::string statement(const LeftOut& left_out) {
-  return fmt::format("run {} is left out: {}", left_out.run + 1, left_out.why);
+  return fmt::format(
+      "run {} is left out: {}", left_out.run + 1, left_out.why.what());
 }
 
 void check_run_files(const TestBundle& bundle, Unreadable missing) {
@@ -118,12 +119,13 @@ ReadableRecordings read_readable(const TestBundle& bundle) {
     result.left_out.push_back(
         {r,
          refused[r]
-             ? refused[r]->what()
-             : fmt::format("{}: is sampled at {} Hz, runs before it at {} Hz "
-                           "(resample the file)",
-                           bundle.runs[r].file.string(),
-                           recording.sample_rate_hz,
-                           rate)});
+             ? *refused[r]
+             : InputError(fmt::format("is sampled at {} Hz, runs before it at "
+                                      "{} Hz",
+                                      recording.sample_rate_hz,
+                                      rate),
+                          bundle.runs[r].file.string(),
+                          "resample the file")});
     recording.samples.resize(0, 0);
   }
   for (Recording& recording : result.recordings) {

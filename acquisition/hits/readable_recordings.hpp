@@ -3,6 +3,7 @@
 #pragma once
 
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "acquisition/hits/hits.hpp"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ enum class Unreadable { Refused, LeftOut };
 /// A run that cannot be used.
 struct LeftOut {
   std::size_t run = 0;  ///< counted from 0
-  std::string why;      ///< the file, what is wrong with it, what to try
+  InputError why;       ///< the file, what is wrong with it, what to try
 };
 
 /// "run 3 is left out: FILE: ...".

@@ -1,6 +1,7 @@
 #include "signal/estimate/estimate_frfs.hpp"
 
 #include "acquisition/bundle/runs_alike.hpp"
+#include "acquisition/checks/rejected_hits.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
 #include "signal/decay/block_advice.hpp"
@@ -95,7 +96,7 @@ struct GroupResult {
   std::vector<Frf> frfs;
   LinearityCheck levels;
   bool scatter_known = true;
-  std::string difference;  ///< between the runs, in words; empty: none
+  std::optional<Finding> difference;  ///< between the runs
 };
 
 // Takes the runs' spectra, which are large.
@@ -122,7 +123,7 @@ GroupResult estimate_group(const TestBundle& bundle,
   result.scatter_known = quiet || average.hits() > 1;
   const Spectra all = side_by_side(std::move(spectra));
   if (const auto difference = run_inconsistency(runs)) {
-    result.difference = statement(*difference, bundle, group);
+    result.difference = finding_of(*difference, bundle, group);
   }
   const Eigen::MatrixXcd change = result.levels.add(all);
   result.frfs = average_frfs(average, bundle, group.front(), plan.estimator);
@@ -161,17 +162,16 @@ FrfSet joined(const TestBundle& bundle,
     if (groups[g].front() != r) continue;
     GroupResult& result = results[g];
     if (!result.scatter_known) set.statements.push_back(no_quiet(r));
-    if (!result.difference.empty()) set.statements.push_back(result.difference);
+    if (result.difference) {
+      set.statements.push_back(in_full(*result.difference));
+      set.findings.push_back(std::move(*result.difference));
+    }
     for (Frf& frf : result.frfs) {
       state_noise(frf, set.statements);
       set.frfs.push_back(std::move(frf));
     }
     levels.add(std::move(result.levels));
   }
-  if (set.frfs.empty())
-    throw InputError("no run has an accepted hit",
-                     bundle.folder.string(),
-                     "accept at least one hit by hand");
   set.level = levels.finding(level_seed);
   const std::string dependence = statement(set.level);
   if (!dependence.empty()) set.statements.push_back(dependence);
@@ -213,6 +213,9 @@ FrfSet estimate_all(const TestBundle& bundle,
   });
   progress("FRFs", 1.0);
   FrfSet set = joined(bundle, parts, groups, results, plan);
+  if (set.frfs.empty()) {
+    throw acquisition::no_accepted_hit(bundle, recordings, hits);
+  }
   const std::string followed =
       tail_statement(plan.blocks.lasting_poles, ringing_time(hits));
   if (!followed.empty()) set.statements.push_back(followed);

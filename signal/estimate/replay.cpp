@@ -384,7 +384,7 @@ Replayed replay(const TestBundle& bundle,
   for (const LiveGroup& group : groups) {
     if (const auto difference = run_inconsistency(group.heard)) {
       result.frfs.statements.push_back(
-          statement(*difference, bundle, group.runs));
+          in_full(finding_of(*difference, bundle, group.runs)));
     }
   }
   return result;

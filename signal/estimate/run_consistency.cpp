@@ -202,9 +202,9 @@ std::optional<RunInconsistency> run_inconsistency(
   return found;
 }
 
-std::string statement(const RunInconsistency& difference,
-                      const acquisition::TestBundle& bundle,
-                      const acquisition::RunGroup& group) {
+Finding finding_of(const RunInconsistency& difference,
+                   const acquisition::TestBundle& bundle,
+                   const acquisition::RunGroup& group) {
   using Kind = RunInconsistency::Kind;
   const std::size_t worst = group.at(difference.run);
   const std::string channel =
@@ -215,36 +215,41 @@ std::string statement(const RunInconsistency& difference,
   const std::string who = fmt::format(
       "run {} ({})", worst + 1, bundle.runs[worst].file.filename().string());
   const std::string size = fmt::format("{:.2g} %", 100.0 * difference.change);
-  std::string text =
+  Finding finding;
+  finding.what =
       fmt::format("runs {} measured the same and are averaged together, but ",
                   numbers(group));
   if (difference.kind == Kind::Trend) {
-    return text + fmt::format(
-                      "their FRFs change evenly by about {} from the first to "
-                      "the last: look for warmth, a sensor or a clamp that "
-                      "works loose",
-                      size);
+    finding.where.runs = group;
+    finding.what += fmt::format(
+        "their FRFs change evenly by about {} from the first to the last",
+        size);
+    finding.likely = "warmth, a sensor or a clamp that works loose";
+    finding.remedy = "let the structure settle and measure again";
+    return finding;
   }
-  text += difference.kind == Kind::OneApart
-              ? fmt::format("{} differs from the others by about {}", who, size)
-              : fmt::format(
-                    "differ by about {}, more than hits of one run do; "
-                    "{} the most",
-                    size,
-                    who);
+  finding.where = {{worst}, channel, {}, {}};
+  finding.what +=
+      difference.kind == Kind::OneApart
+          ? fmt::format("{} differs from the others by about {}", who, size)
+          : fmt::format(
+                "differ by about {}, more than hits of one run do; "
+                "{} the most",
+                size,
+                who);
   if (difference.factor) {
-    return text + fmt::format(
-                      ", {} by a factor of {:.4g} and nothing else: was "
-                      "a range or a sensitivity changed? Leave out the "
-                      "runs at fault",
-                      channel,
-                      *difference.factor);
+    finding.what += fmt::format(", {} by a factor of {:.4g} and nothing else",
+                                channel,
+                                *difference.factor);
+    finding.likely = "a range or a sensitivity was changed";
+  } else {
+    finding.what += fmt::format(", {} above all", channel);
+    finding.likely =
+        "warmth, a sensor or a clamp that works loose or a blow at another "
+        "point";
   }
-  return text + fmt::format(
-                    ", {} above all: look for warmth, a sensor or a "
-                    "clamp that works loose or a blow at another point, "
-                    "and leave out the runs at fault",
-                    channel);
+  finding.remedy = "leave out the runs at fault";
+  return finding;
 }
 
 }  // namespace tapfit::signal

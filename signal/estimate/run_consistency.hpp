@@ -21,11 +21,11 @@
 #pragma once
 
 #include "acquisition/bundle/runs_alike.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "signal/estimate/estimator.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace tapfit::signal {
@@ -53,8 +53,9 @@ struct RunPowers {
 [[nodiscard]] std::optional<RunInconsistency> run_inconsistency(
     const std::vector<RunPowers>& runs);
 
-[[nodiscard]] std::string statement(const RunInconsistency& difference,
-                                    const acquisition::TestBundle& bundle,
-                                    const acquisition::RunGroup& group);
+/// @param group the runs that were compared
+[[nodiscard]] Finding finding_of(const RunInconsistency& difference,
+                                 const acquisition::TestBundle& bundle,
+                                 const acquisition::RunGroup& group);
 
 }  // namespace tapfit::signal

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "acquisition/foundation/dof.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "signal/frf_set/linearity_finding.hpp"
 
 #include <Eigen/Core>
@@ -42,6 +43,7 @@ struct FrfSet {
   std::vector<Frf> frfs;
   std::vector<std::string> statements;  ///< runs left out, poor FRFs
   LinearityFinding level = {};          ///< whether they follow the hits' force
+  std::vector<Finding> findings = {};   ///< runs that disagree
 
   [[nodiscard]] Eigen::Index lines() const { return s.size(); }
   [[nodiscard]] Eigen::VectorXd frequency_hz() const;

@@ -9,7 +9,13 @@
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/session_file.hpp"
+<<<<<<< HEAD
 #include "updating/session/shared_session.hpp"
+=======
+#include "updating/test_check/test_check.hpp"
+
+#include <system_error>
+>>>>>>> check
 
 namespace tapfit::tui {
 namespace {
@@ -40,6 +46,9 @@ class SessionWorkbench final : public Workbench {
   }
   const acquisition::HitSet& hits(const Progress& p) override {
     return session_.hits(p);
+  }
+  std::vector<Finding> findings(const Progress& p) override {
+    return updating::check_test(session_, {}, p).findings;
   }
   const signal::FrfSet& frfs(const Progress& p) override {
     return session_.frfs(p);

@@ -2,6 +2,8 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "signal/mass_removal/named_masses.hpp"
+#include "tui/commands/calibrate_command.hpp"
+#include "tui/commands/check_command.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/commands/export_command.hpp"
@@ -12,7 +14,6 @@
 #include "tui/commands/mac_command.hpp"
 #include "tui/commands/model_command.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/commands/quality_command.hpp"
 #include "tui/commands/replay_command.hpp"
 #include "tui/commands/report_command.hpp"
 #include "tui/commands/run_command.hpp"
@@ -69,6 +70,7 @@ struct Entry {
   Command command;
   unsigned extras;
   const char* input = "BUNDLE";
+  const char* alias = nullptr;  ///< an older name
 };
 
 constexpr std::array<Entry, 17> entries{{
@@ -81,7 +83,16 @@ constexpr std::array<Entry, 17> entries{{
      "Frequency response functions and their quality",
      frf_command,
      Uff | Free | Estimate},
+<<<<<<< HEAD
     {"quality", "Check measurement quality", quality_command, BodyMass},
+=======
+    {"check",
+     "What is wrong with a test, before any model",
+     check_command,
+     BodyMass,
+     "BUNDLE",
+     "quality"},
+>>>>>>> check
     {"calibrate",
      "Sensors against the hammer, on a known mass",
      calibrate_command,
@@ -199,6 +210,7 @@ void add_force(CLI::App& command, CommandOptions& options) {
 
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
+  if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
   command->add_option(entry.input, options.input)->required();
   if ((entry.extras & TextOnly) == 0) {

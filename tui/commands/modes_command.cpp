@@ -86,8 +86,11 @@ std::string modes_command(const CommandOptions& options,
                              ? session.modes(progress)
                              : modal::identify_modes(frfs, identify, progress);
   if (!session.bundle().frfs) {
-    const std::vector<std::string>& hits = session.hits(progress).warnings;
-    modes.warnings.insert(modes.warnings.begin(), hits.begin(), hits.end());
+    std::vector<std::string> said;
+    for (const Finding& finding : session.hits(progress).findings) {
+      said.push_back(in_full(finding));
+    }
+    modes.warnings.insert(modes.warnings.begin(), said.begin(), said.end());
   }
   const std::string& title = session.bundle().title;
   if (options.uff) {

@@ -89,7 +89,11 @@ void take(std::vector<std::string>& into,
 std::vector<std::string> all_warnings(const ReportData& data) {
   std::vector<std::string> found = data.bundle.warnings;
   if (data.model) take(found, data.model->deck.warnings);
-  if (data.hits) take(found, data.hits->warnings);
+  if (data.hits) {
+    for (const Finding& finding : data.hits->findings) {
+      found.push_back(in_full(finding));
+    }
+  }
   take(found, data.modes.warnings);
   if (data.model && data.model->diagnosis) {
     take(found, data.model->diagnosis->warnings);

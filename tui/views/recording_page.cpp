@@ -29,7 +29,12 @@ Table rows_of(const std::vector<Hit>& hits) {
 }
 
 RecordingInput input_of(const Snapshot& known) {
-  return {*known.bundle, *known.traces, *known.hits, nullptr, &known.left_out};
+  return {*known.bundle,
+          *known.traces,
+          *known.hits,
+          nullptr,
+          &known.left_out,
+          known.findings.get()};
 }
 
 }  // namespace
@@ -39,6 +44,7 @@ std::vector<Need> RecordingPage::essential() const {
 }
 
 std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
+  if (state_.findings) return {{Stage::Findings}};
   if (state_.run >= known.hits->runs.size()) return {};
   if (input_of(known).not_used(state_.run) != nullptr) return {};
   return {{Stage::RunLook, static_cast<int>(state_.run)}};
@@ -183,11 +189,27 @@ bool RecordingPage::press_replay(Key key) {
 }
 
 bool RecordingPage::leave_view() {
-  const bool main = !state_.statements && state_.zoom == 0;
+  const bool main = !state_.statements && !state_.findings && state_.zoom == 0;
   if (state_.zoom != 0) state_.range = {};
   state_.zoom = 0;
   state_.statements = false;
+  state_.findings = false;
   return !main || !std::exchange(state_.tagged, {}).empty();
+}
+
+// Walks along the list of findings.
+bool RecordingPage::press_findings(const RecordingInput& input, Key key) {
+  const std::size_t count =
+      input.findings != nullptr ? input.findings->size() : 0;
+  if (key == U'j' || key == keys::down) {
+    if (state_.finding + 1 < count) ++state_.finding;
+    return true;
+  }
+  if (key == U'k' || key == keys::up) {
+    if (state_.finding > 0) --state_.finding;
+    return true;
+  }
+  return false;
 }
 
 bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
@@ -197,9 +219,17 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   state_.run = std::min(state_.run, runs - 1);
   if (key == U'i') {
     state_.statements = !state_.statements;
+    state_.findings = false;
+    return true;
+  }
+  if (key == U'f') {
+    state_.findings = !state_.findings;
+    state_.statements = false;
+    state_.finding = 0;
     return true;
   }
   // What the other keys act on is covered.
+  if (state_.findings) return press_findings(input, key);
   if (state_.statements) return false;
   if (press_replay(key) || press_run(input, key)) return true;
   if (press_hit(input, key, command)) return true;
@@ -263,6 +293,7 @@ std::vector<KeyHelp> RecordingPage::keys() const {
           {"*", "tag all listed"},
           {"T", "tags off"},
           {"i", "what was chosen"},
+          {"f", "faults found"},
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"_", "whole run"},
@@ -281,7 +312,9 @@ std::string RecordingPage::help() const {
          "average at the side, FRFs and all that follows are computed anew. A "
          "low row of the coherences is a bad sensor, a low column a bad hit. "
          "Enter zooms on the pulse with its force window, once more on the "
-         "block with the exponential window. R replays the run as if it were "
+         "block with the exponential window. f lists what is wrong with the "
+         "whole test, worst first: what was seen, what it likely is, what to "
+         "do in test.json. R replays the run as if it were "
          "measured.";
 }
 

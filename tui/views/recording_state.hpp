@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "acquisition/hits/readable_recordings.hpp"
 #include "tui/widgets/plot_range.hpp"
@@ -22,6 +23,9 @@ struct RecordingInput {
   const acquisition::HitSet& hits;
   const RunLook* look = nullptr;  ///< of the run on show, once it is there
   const std::vector<acquisition::LeftOut>* left_out = nullptr;
+
+  /// What is wrong with the test, once it is known.
+  const std::vector<Finding>* findings = nullptr;
 
   /// Why that run is left out, if it is.
   [[nodiscard]] const acquisition::LeftOut* not_used(std::size_t run) const;
@@ -45,6 +49,8 @@ struct RecordingState {
   int zoom = 0;  ///< 0 as the range says, 1 the hit's pulse, 2 its block
   std::set<HitAt> tagged;
   bool statements = false;  ///< what was chosen, instead of the plots
+  bool findings = false;    ///< what is wrong with the test, likewise
+  std::size_t finding = 0;  ///< the one at the top
   Playing playing;
 };
 

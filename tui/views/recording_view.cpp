@@ -6,6 +6,7 @@
 #include "tui/screen/text.hpp"
 #include "tui/views/recording_plots.hpp"
 #include "tui/widgets/bars.hpp"
+#include "tui/widgets/finding_list.hpp"
 #include "tui/widgets/heat_map.hpp"
 
 #include <fmt/format.h>
@@ -262,6 +263,13 @@ Screen recording_view(const RecordingInput& input,
     at.list.selected = table.rows.empty() ? 0 : table.rows.size() - 1;
   }
   screen.text(1, 0, run_line(input, at, canvas.width - 2), {.bold = true});
+  if (at.findings) {
+    draw_findings(screen,
+                  {0, 1, canvas.width, canvas.height - 1},
+                  input.findings,
+                  at.finding);
+    return screen;
+  }
   if (const acquisition::LeftOut* run = input.not_used(at.run)) {
     draw_left_out(screen, input, at, *run);
     return screen;

@@ -32,6 +32,7 @@ class RecordingPage final : public Page {
   std::string help() const override;
 
  private:
+  bool press_findings(const RecordingInput& input, Key key);
   bool press_run(const RecordingInput& input, Key key);
   bool press_hit(const RecordingInput& input, Key key, Command& command);
   bool press_replay(Key key);

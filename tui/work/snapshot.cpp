@@ -16,6 +16,8 @@ std::string name(Stage stage) {
       return "recordings";
     case Stage::Hits:
       return "hits";
+    case Stage::Findings:
+      return "checks of the test";
     case Stage::RunLook:
       return "windows and averages of the run";
     case Stage::Frfs:
@@ -52,6 +54,8 @@ bool Snapshot::has(const Need& need) const {
       return traces != nullptr;
     case Stage::Hits:
       return hits != nullptr;
+    case Stage::Findings:
+      return findings != nullptr;
     case Stage::RunLook:
       return run_looks.contains(need.node);
     case Stage::Frfs:
@@ -125,6 +129,7 @@ void Snapshot::forget_from_modes() {
   diagnoses.clear();
   last_diagnosis.reset();
   modes.reset();
+  findings.reset();
   base_comparison.reset();
   previous.reset();  // on other lines, perhaps
 }

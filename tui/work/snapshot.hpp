@@ -28,7 +28,8 @@ enum class Stage {
   Model,  ///< the deck and its wireframe
   Traces,
   Hits,
-  RunLook,  ///< of one run
+  Findings,  ///< what is wrong with the test
+  RunLook,   ///< of one run
   Frfs,
   FrfChecks,
   Modes,
@@ -66,6 +67,7 @@ struct Snapshot {
   std::vector<acquisition::LeftOut> left_out;  ///< runs that cannot be used
   Shared<acquisition::HitSet> hits;
   updating::HitActs hit_acts;  ///< judgements overruled by hand
+  Shared<std::vector<Finding>> findings;
   std::map<int, Shared<RunLook>> run_looks;
   Shared<signal::FrfSet> frfs;
   Shared<signal::FrfChecks> frf_checks;

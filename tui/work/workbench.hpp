@@ -2,6 +2,7 @@
 // session over a test bundle, and a made-up one that tests drive.
 #pragma once
 
+#include "acquisition/foundation/finding.hpp"
 #include "acquisition/foundation/progress.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "updating/localisation/signature.hpp"
@@ -42,6 +43,8 @@ class Workbench {
   /// Runs that cannot be used, as far as recordings() and hits() have shown.
   virtual std::vector<acquisition::LeftOut> left_out() = 0;
   virtual const acquisition::HitSet& hits(const Progress&) = 0;
+  /// What is wrong with the test, told before any model; errors first.
+  virtual std::vector<Finding> findings(const Progress&) = 0;
   virtual const signal::FrfSet& frfs(const Progress&) = 0;
   virtual const modal::ModeSet& modes(const Progress&) = 0;
   virtual const updating::Comparison& comparison(const Progress&) = 0;

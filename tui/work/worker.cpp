@@ -128,6 +128,9 @@ void make_result(Workbench& bench,
     case Stage::Hits:
       known.hits = shared(bench.hits(progress));
       return;
+    case Stage::Findings:
+      known.findings = shared(bench.findings(progress));
+      return;
     case Stage::RunLook:
       known.run_looks[need.node] =
           shared(look_at_run(bench.bundle(),

@@ -42,24 +42,10 @@ void warn_of(const std::vector<acquisition::LeftOut>& left_out,
 // Whoever sees the FRFs only is told as well.
 signal::FrfSet with_warnings(const acquisition::HitSet& hits,
                              signal::FrfSet set) {
-  set.statements.insert(
-      set.statements.begin(), hits.warnings.begin(), hits.warnings.end());
+  std::vector<std::string> said;
+  for (const Finding& finding : hits.findings) said.push_back(in_full(finding));
+  set.statements.insert(set.statements.begin(), said.begin(), said.end());
   return set;
-}
-
-// Why there is none is often a setting that is warned of.
-void check_accepted(const acquisition::TestBundle& bundle,
-                    const acquisition::HitSet& hits) {
-  const bool any = std::ranges::any_of(hits.runs, [](const auto& run) {
-    return std::ranges::any_of(run, &acquisition::Hit::accepted);
-  });
-  if (any) return;
-  throw InputError("no run has an accepted hit",
-                   bundle.folder.string(),
-                   hits.warnings.empty()
-                       ? "look at the reasons with tapfit hits, and accept at "
-                         "least one hit by hand"
-                       : fmt::format("{}", fmt::join(hits.warnings, "; ")));
 }
 
 }  // namespace
@@ -126,7 +112,6 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
-    check_accepted(bundle_, found);
     LastingFrfs found_frfs =
         estimate_lasting_frfs(bundle_, all, found, progress);
     lasting_poles_ = std::move(found_frfs.poles);

@@ -82,8 +82,9 @@ TEST(HammerSaturation, IsFoundBehindTheFilter) {
         EXPECT_TRUE(blamed(hit) || record.errors[k] < 0.03);
         EXPECT_TRUE(hit.accepted || record.errors[k] > 0.0);
       }
-      ASSERT_EQ(hits.warnings.size(), 1);
-      EXPECT_NE(hits.warnings[0].find("saturates ahead"), std::string::npos);
+      ASSERT_EQ(hits.findings.size(), 1);
+      EXPECT_NE(in_full(hits.findings[0]).find("saturates ahead"),
+                std::string::npos);
       ASSERT_TRUE(hits.ceilings[0]);
       // Ripple lifts the level of some: by half a per cent.
       EXPECT_NEAR(hits.ceilings[0]->level_n, 1.0, 0.005);
@@ -105,10 +106,10 @@ TEST(HammerSaturation, LeavesAPlacementItsHits) {
       {saturated(strong, random).recording, saturated(weak, random).recording},
       {});
   for (const Hit& hit : hits.runs[0]) EXPECT_TRUE(hit.accepted);
-  ASSERT_EQ(hits.warnings.size(), 1);
-  EXPECT_NE(hits.warnings[0].find("4 of 8 hits end flat at 1 N"),
+  ASSERT_EQ(hits.findings.size(), 1);
+  EXPECT_NE(in_full(hits.findings[0]).find("4 of 8 hits end flat at 1 N"),
             std::string::npos)
-      << hits.warnings[0];
+      << in_full(hits.findings[0]);
 }
 
 TEST(HammerSaturation, IsSuspectedWhereAllBlowsAreCut) {
@@ -120,8 +121,8 @@ TEST(HammerSaturation, IsSuspectedWhereAllBlowsAreCut) {
   for (const Hit& hit : hits.runs[0]) {
     EXPECT_TRUE(hit.accepted) << name(hit.reasons.front());
   }
-  ASSERT_EQ(hits.warnings.size(), 1);
-  EXPECT_NE(hits.warnings[0].find("may saturate"), std::string::npos);
+  ASSERT_EQ(hits.findings.size(), 1);
+  EXPECT_NE(in_full(hits.findings[0]).find("may saturate"), std::string::npos);
 }
 
 // One blow more than the others stands too high: only a suspicion.
@@ -132,9 +133,10 @@ TEST(HammerSaturation, IsSuspectedFromOneBlow) {
   const HitSet hits =
       find_hits(hammer_bundle(), {saturated(blows, random).recording}, {});
   for (const Hit& hit : hits.runs[0]) EXPECT_TRUE(hit.accepted);
-  ASSERT_EQ(hits.warnings.size(), 1);
-  EXPECT_NE(hits.warnings[0].find("1 of 5 hits ends flat"), std::string::npos)
-      << hits.warnings[0];
+  ASSERT_EQ(hits.findings.size(), 1);
+  EXPECT_NE(in_full(hits.findings[0]).find("1 of 5 hits ends flat"),
+            std::string::npos)
+      << in_full(hits.findings[0]);
 }
 
 // A flat tip is flat at every level.
@@ -147,7 +149,7 @@ TEST(HammerSaturation, IsNoneOfAFlatTip) {
   const HitSet hits =
       find_hits(hammer_bundle(), {saturated(blows, random).recording}, {});
   for (const Hit& hit : hits.runs[0]) EXPECT_FALSE(blamed(hit));
-  EXPECT_TRUE(hits.warnings.empty());
+  EXPECT_TRUE(hits.findings.empty());
 }
 
 // An automatic hammer, and one place of nine that gives way: flat tops there,
@@ -175,7 +177,7 @@ TEST(HammerSaturation, IsNoneWhereAPlaceHasItsShape) {
   }
   const HitSet hits = find_hits(bundle, recordings, {});
   for (const Hit& hit : hits.runs[4]) EXPECT_FALSE(blamed(hit));
-  EXPECT_TRUE(hits.warnings.empty());
+  EXPECT_TRUE(hits.findings.empty());
 }
 
 // A hard tip's blows are cut off at three of five places, at one of them all;
@@ -207,9 +209,9 @@ TEST(HammerSaturation, IsFoundBesideAFlatterTip) {
       EXPECT_EQ(blamed(hits.runs[place][k]), cut && place > 0) << place << k;
     }
   }
-  ASSERT_EQ(hits.warnings.size(), 1);
-  EXPECT_NE(hits.warnings[0].find("9 of 25 hits"), std::string::npos)
-      << hits.warnings[0];
+  ASSERT_EQ(hits.findings.size(), 1);
+  EXPECT_NE(in_full(hits.findings[0]).find("9 of 25 hits"), std::string::npos)
+      << in_full(hits.findings[0]);
 }
 
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and

@@ -40,20 +40,21 @@ HitSet find(const HitOptions& options, double sign = 1.0) {
 
 // One warning that begins so, among the statements too.
 void expect_warning(const HitSet& hits, const std::string& begins) {
-  ASSERT_EQ(hits.warnings.size(), 1U) << begins;
-  EXPECT_TRUE(hits.warnings[0].starts_with(begins)) << hits.warnings[0];
-  EXPECT_EQ(std::ranges::count(hits.statements, hits.warnings[0]), 1);
+  ASSERT_EQ(hits.findings.size(), 1U) << begins;
+  EXPECT_TRUE(in_full(hits.findings[0]).starts_with(begins))
+      << in_full(hits.findings[0]);
+  EXPECT_EQ(std::ranges::count(hits.statements, in_full(hits.findings[0])), 1);
 }
 
 TEST(HitWarnings, OrdinaryHitsHaveNone) {
-  EXPECT_TRUE(find({}).warnings.empty());
+  EXPECT_TRUE(find({}).findings.empty());
   HitOptions options;
   options.block_s = 3.5;
   options.pre_trigger_s = 0.05;
   options.trigger.slope = 1;
-  EXPECT_TRUE(find(options).warnings.empty());
+  EXPECT_TRUE(find(options).findings.empty());
   options.trigger.slope = -1;
-  EXPECT_TRUE(find(options, -1.0).warnings.empty());
+  EXPECT_TRUE(find(options, -1.0).findings.empty());
 }
 
 TEST(HitWarnings, BlowsThatAreNegative) {
@@ -74,7 +75,7 @@ TEST(HitWarnings, APreTriggerWithinTheRise) {
   options.pre_trigger_s = 0.0;
   expect_warning(find(options), "pre_trigger_s of 0 s is shorter than a pulse");
   options.pre_trigger_s = 0.01;
-  EXPECT_TRUE(find(options).warnings.empty());
+  EXPECT_TRUE(find(options).findings.empty());
 }
 
 TEST(HitWarnings, ABlockThatHoldsTheNextBlow) {
@@ -82,9 +83,9 @@ TEST(HitWarnings, ABlockThatHoldsTheNextBlow) {
   options.block_s = 6.0;
   const HitSet hits = find(options);
   expect_warning(hits, "block_s of 6 s is longer than the time to the next");
-  EXPECT_NE(hits.warnings[0].find("3 of 4 hits (4 s at the least)"),
+  EXPECT_NE(in_full(hits.findings[0]).find("3 of 4 hits (4 s at the least)"),
             std::string::npos)
-      << hits.warnings[0];
+      << in_full(hits.findings[0]);
 }
 
 }  // namespace

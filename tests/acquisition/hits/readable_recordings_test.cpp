@@ -89,7 +89,8 @@ TEST_F(ReadableRecordingsTest, LeaveOutWhatIsNotThere) {
   const ReadableRecordings all = read_readable(bundle_);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 1U);
-  EXPECT_NE(all.left_out[0].why.find("run1"), std::string::npos);
+  EXPECT_NE(std::string(all.left_out[0].why.what()).find("run1"),
+            std::string::npos);
   for (const std::size_t r : {0U, 2U}) {
     std::filesystem::remove(bundle_.runs[r].file);
   }
@@ -102,7 +103,8 @@ TEST_F(ReadableRecordingsTest, LeaveOutAnotherSamplingRate) {
   const ReadableRecordings all = read_readable(bundle_);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 2U);
-  EXPECT_NE(all.left_out[0].why.find("2048 Hz"), std::string::npos);
+  EXPECT_NE(std::string(all.left_out[0].why.what()).find("2048 Hz"),
+            std::string::npos);
 }
 
 TEST_F(ReadableRecordingsTest, AreRefusedWhereNoneIsLeft) {
@@ -120,8 +122,10 @@ TEST_F(ReadableRecordingsTest, LeaveOutRunsWithoutAHit) {
   ASSERT_EQ(all.left_out.size(), 2U);
   EXPECT_EQ(all.left_out[0].run, 0U);
   EXPECT_EQ(all.left_out[1].run, 2U);
-  EXPECT_NE(all.left_out[1].why.find("no hit was found"), std::string::npos);
-  EXPECT_NE(all.left_out[1].why.find("run2"), std::string::npos);
+  EXPECT_NE(std::string(all.left_out[1].why.what()).find("no hit was found"),
+            std::string::npos);
+  EXPECT_NE(std::string(all.left_out[1].why.what()).find("run2"),
+            std::string::npos);
   ASSERT_EQ(hits.runs.size(), 3U);
   EXPECT_TRUE(hits.runs[0].empty());
   EXPECT_EQ(hits.runs[1].size(), 2U);
@@ -165,7 +169,8 @@ TEST_F(ReadableRecordingsTest, LeaveOutOneRunOfAUniversalFile) {
   ReadableRecordings all = read_readable(bundle);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 3U);
-  EXPECT_NE(all.left_out[0].why.find("is dead"), std::string::npos);
+  EXPECT_NE(std::string(all.left_out[0].why.what()).find("is dead"),
+            std::string::npos);
   const HitSet hits = find_readable_hits(bundle, all, {});
   EXPECT_EQ(hits.runs[2].size(), 2U);
   EXPECT_TRUE(hits.runs[3].empty());

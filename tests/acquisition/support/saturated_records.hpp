@@ -170,8 +170,9 @@ inline Saturated saturated(const Blows& blows, SeededRandom& random) {
 
 /// Whether a warning speaks of a conditioner's ceiling.
 inline bool tells_of_ceiling(const acquisition::HitSet& hits) {
-  return std::ranges::any_of(hits.warnings, [](const std::string& warning) {
-    return warning.find("ahead of the recorder's filter") != std::string::npos;
+  return std::ranges::any_of(hits.findings, [](const Finding& finding) {
+    return in_full(finding).find("ahead of the recorder's filter") !=
+           std::string::npos;
   });
 }
 

@@ -169,11 +169,14 @@ TEST(RunInconsistency, IsSaidInWords) {
   found.change = 0.5;
   found.run = 1;
   found.factor = 1.5;
-  EXPECT_EQ(statement(found, bundle, {0, 2}),
+  const Finding said = finding_of(found, bundle, {0, 2});
+  EXPECT_EQ(in_full(said),
             "runs 1 and 3 measured the same and are averaged together, but run "
             "3 (third.wav) differs from the others by about 50 %, acc1 by a "
-            "factor of 1.5 and nothing else: was a range or a sensitivity "
-            "changed? Leave out the runs at fault");
+            "factor of 1.5 and nothing else: a range or a sensitivity was "
+            "changed; leave out the runs at fault");
+  EXPECT_EQ(said.where.runs, std::vector<std::size_t>{2});
+  EXPECT_EQ(said.where.channel, "acc1");
 }
 
 }  // namespace

@@ -34,10 +34,13 @@ class FakeWorkbench final : public Workbench {
   }
   std::vector<acquisition::LeftOut> left_out() override {
     if (options_.hitless && sought_hits_) {
-      return {{1, "run-02.wav: no hit was found (lower the trigger)"}};
+      return {
+          {1,
+           InputError("no hit was found", "run-02.wav", "lower the trigger")}};
     }
     if (!options_.unreadable) return {};
-    return {{1, "run-02.wav: is no sound file (record it again)"}};
+    return {
+        {1, InputError("is no sound file", "run-02.wav", "record it again")}};
   }
   const acquisition::HitSet& hits(const Progress&) override {
     if (options_.hits_fail) {
@@ -46,6 +49,21 @@ class FakeWorkbench final : public Workbench {
     }
     sought_hits_ = true;
     return hits_;
+  }
+  std::vector<Finding> findings(const Progress&) override {
+    return {
+        {Severity::Error,
+         {{1}, "acc1", {}, {}},
+         "acc1 against acc2 is 3.16 times what it is in the other runs, in "
+         "every mode",
+         "the range or amplifier of acc1 or acc2 was changed for these runs",
+         "take the run out"},
+        {Severity::Note,
+         {{}, "hammer", {}, {}},
+         "only 0.5 % of the range "
+         "is used",
+         "",
+         ""}};
   }
   const signal::FrfSet& frfs(const Progress& progress) override {
     progress("averaging", 0.5);

@@ -1,5 +1,5 @@
 // Recordings with a known fault, from the samples to what is said of them.
-#include "signal/checks/quality_findings.hpp"
+#include "signal/checks/frf_findings.hpp"
 
 #include "signal/checks/calibration_findings.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
@@ -10,7 +10,7 @@
 namespace tapfit::signal {
 namespace {
 
-using Findings = std::vector<QualityFinding>;
+using Findings = std::vector<Finding>;
 
 struct Looked {
   FrfSet frfs;
@@ -50,18 +50,18 @@ GeneratedOptions noisy(unsigned seed) {
 }
 
 bool says(const Findings& findings, const std::string& part) {
-  return std::ranges::any_of(findings, [&](const QualityFinding& f) {
-    return (f.what + " | " + f.remedy).find(part) != std::string::npos;
+  return std::ranges::any_of(findings, [&](const Finding& f) {
+    return in_full(f).find(part) != std::string::npos;
   });
 }
 
 std::string text(const Findings& findings) {
   std::string all;
-  for (const auto& f : findings) all += f.what + " | " + f.remedy + "\n";
+  for (const auto& f : findings) all += in_full(f) + "\n";
   return all;
 }
 
-TEST(QualityFindings, AFairTestHasNone) {
+TEST(FrfFindings, AFairTestHasNone) {
   for (unsigned seed = 10; seed < 200; seed += 10) {
     const Looked all = look(generate_structure(hung_beam(), noisy(seed)));
     ASSERT_EQ(all.points.size(), 2U);
@@ -73,7 +73,7 @@ TEST(QualityFindings, AFairTestHasNone) {
   }
 }
 
-TEST(QualityFindings, AWrongSensitivityShowsByItsFactor) {
+TEST(FrfFindings, AWrongSensitivityShowsByItsFactor) {
   const GeneratedTest fair = generate_structure(hung_beam(), noisy(3));
   GeneratedTest test = fair;
   for (auto& recording : test.recordings) recording.samples.col(1) *= 0.8;
@@ -100,7 +100,7 @@ TEST(QualityFindings, AWrongSensitivityShowsByItsFactor) {
   EXPECT_TRUE(says(heavy, "1Z+ / 1Z+ (acc1)")) << text(heavy);
 }
 
-TEST(QualityFindings, SwappedChannelsShowAtTheDrivingPoints) {
+TEST(FrfFindings, SwappedChannelsShowAtTheDrivingPoints) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(4));
   for (auto& recording : test.recordings) {
     const Eigen::VectorXd first = recording.samples.col(1);
@@ -118,7 +118,7 @@ TEST(QualityFindings, SwappedChannelsShowAtTheDrivingPoints) {
       << text(all.driving);
 }
 
-TEST(QualityFindings, ATurnedSensorAndATurnedHammerAreToldApart) {
+TEST(FrfFindings, ATurnedSensorAndATurnedHammerAreToldApart) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(5));
   for (auto& recording : test.recordings) recording.samples.col(2) *= -1.0;
   const Looked sensor = look(test);
@@ -135,7 +135,7 @@ TEST(QualityFindings, ATurnedSensorAndATurnedHammerAreToldApart) {
 }
 
 // Node 2 written down, point 3 hit: neither a driving point nor the way back.
-TEST(QualityFindings, AHitElsewhereIsNoDrivingPointAndNotReciprocal) {
+TEST(FrfFindings, AHitElsewhereIsNoDrivingPointAndNotReciprocal) {
   HungStructure structure = hung_beam();
   structure.hits[1] = 2;
   GeneratedTest test = generate_structure(structure, noisy(6));
@@ -147,7 +147,7 @@ TEST(QualityFindings, AHitElsewhereIsNoDrivingPointAndNotReciprocal) {
       << text(all.both_ways);
 }
 
-TEST(QualityFindings, ALooseSensorIsARowOfTheCoherenceMatrix) {
+TEST(FrfFindings, ALooseSensorIsARowOfTheCoherenceMatrix) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(7));
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal(0.0, 0.5);
@@ -159,7 +159,7 @@ TEST(QualityFindings, ALooseSensorIsARowOfTheCoherenceMatrix) {
   EXPECT_TRUE(says(all.coherence, "run-2.wav: acc2"));
 }
 
-TEST(QualityFindings, ABadHitIsAColumnOfTheCoherenceMatrix) {
+TEST(FrfFindings, ABadHitIsAColumnOfTheCoherenceMatrix) {
   const GeneratedOptions o = noisy(8);
   GeneratedTest test = generate_structure(hung_beam(), o);
   HungStructure other = hung_beam();
@@ -173,7 +173,7 @@ TEST(QualityFindings, ABadHitIsAColumnOfTheCoherenceMatrix) {
   EXPECT_TRUE(says(all.coherence, "run-1.wav: hit 3 stands apart"));
 }
 
-TEST(QualityFindings, NoiseAtThePeaksSpreadsH1AndH2) {
+TEST(FrfFindings, NoiseAtThePeaksSpreadsH1AndH2) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(9));
   std::mt19937_64 engine(2);
   std::normal_distribution<double> normal(0.0, 4.0);

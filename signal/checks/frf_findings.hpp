@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "signal/checks/frf_checks.hpp"
 #include "signal/checks/hit_coherence.hpp"
 
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace tapfit::signal {
-
-struct QualityFinding {
-  std::string what;
-  std::string remedy;
-};
 
 /// The channel's name; of ready FRFs, which have none, where the sensor was.
 [[nodiscard]] std::string channel_of(const acquisition::TestBundle& bundle,
@@ -23,29 +19,33 @@ struct QualityFinding {
 [[nodiscard]] std::string titled(const acquisition::TestBundle& bundle,
                                  const Frf& frf);
 
+/// The FRF's run, channel and points.
+[[nodiscard]] Subject subject_of(const acquisition::TestBundle& bundle,
+                                 const Frf& frf);
+
 /// A hit or a sensor that agrees with the rest of its placement far less than
 /// the others do among themselves: a column or a row of the coherence matrix.
 ///
 /// @param of the runs of `group`
-[[nodiscard]] std::vector<QualityFinding> coherence_findings(
+[[nodiscard]] std::vector<Finding> coherence_findings(
     const acquisition::TestBundle& bundle,
     const HitCoherence& of,
     const acquisition::RunGroup& group);
 
 /// Driving points that no passive structure has: turned polarity, swapped
 /// channels, another point.
-[[nodiscard]] std::vector<QualityFinding> driving_point_findings(
+[[nodiscard]] std::vector<Finding> driving_point_findings(
     const acquisition::TestBundle& bundle,
     const FrfSet& set,
     const std::vector<DrivingPoint>& points);
 
 /// Pairs that differ: by sign, by a factor alone, or in shape.
-[[nodiscard]] std::vector<QualityFinding> reciprocity_findings(
+[[nodiscard]] std::vector<Finding> reciprocity_findings(
     const acquisition::TestBundle& bundle,
     const FrfSet& set,
     const std::vector<Reciprocal>& pairs);
 
 /// FRFs whose H2 lies more than 10 % over H1 at a peak; the worst is named.
-[[nodiscard]] std::vector<QualityFinding> spread_findings(const FrfSet& set);
+[[nodiscard]] std::vector<Finding> spread_findings(const FrfSet& set);
 
 }  // namespace tapfit::signal

@@ -1,0 +1,37 @@
+// Whether the hammer's channel holds the blows, and whether they are as short
+// as blows are. A blow is over in milliseconds; a response rings on.
+#pragma once
+
+#include "acquisition/bundle/recording.hpp"
+#include "acquisition/foundation/finding.hpp"
+#include "acquisition/hits/hits.hpp"
+
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// Samples that hold a channel's energy: (sum x^2)^2 / sum x^4 of what stands
+/// 6 times out of the noise, from the median; 0 where nothing does.
+///
+/// Pulses of one shape count as often as there are, each by its own width.
+[[nodiscard]] double effective_samples(
+    const Eigen::Ref<const Eigen::VectorXd>& channel);
+
+struct ForceChannelLimits {
+  /// Another channel's energy must be this much shorter than the hammer's: it
+  /// cannot be where the hammer's blows made it.
+  double shorter = 1.0 / 3.0;
+  /// Contact of hammer and structure takes 0.1 to 20 ms (ISO 7626-5), of a
+  /// pendulum with a rubber pad 50 ms.
+  double longest_blow_s = 0.1;
+};
+
+/// Runs in which another channel holds the blows (with its name), and blows
+/// that last as long as no blow does, as where times in ms were read as s.
+[[nodiscard]] std::vector<Finding> force_channel_findings(
+    const TestBundle& bundle,
+    const std::vector<Recording>& recordings,
+    const HitSet& hits,
+    const ForceChannelLimits& limits = {});
+
+}  // namespace tapfit::acquisition

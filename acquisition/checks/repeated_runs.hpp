@@ -1,0 +1,18 @@
+// Runs that hold the same samples: a file that was listed or copied twice.
+#pragma once
+
+#include "acquisition/bundle/recording.hpp"
+#include "acquisition/foundation/finding.hpp"
+
+#include <vector>
+
+namespace tapfit::acquisition {
+
+/// Noise makes no two recordings alike, so all samples being equal is proof.
+/// At one placement hits count twice; at two, one of the points is wrong.
+///
+/// @param recordings of all runs; those without samples are passed over
+[[nodiscard]] std::vector<Finding> repeated_run_findings(
+    const TestBundle& bundle, const std::vector<Recording>& recordings);
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,47 @@
+// The size of the modal constants against the mass of the structure. A mode of
+// unit modal mass has a mean square of 1 / m over the structure's mass,
+//
+//   integral phi^2 dm = 1,
+//
+// so that z m = phi_o phi_i m is of the order of 1: at most some 16 at the
+// corners of plates, less near supports and nodal lines. A mean over many
+// points and modes that is far from it shows a sensitivity in the wrong unit.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/finding.hpp"
+#include "modal/mode_set/mode_set.hpp"
+#include "signal/frf_set/frf_set.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace tapfit::modal {
+
+struct ChannelSize {
+  std::size_t channel = 0;
+  double z_per_kg = 0.0;  ///< median over modes of the rms over FRFs of |z|
+};
+
+/// Of the channels that measure along the blows.
+[[nodiscard]] std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
+                                                     const ModeSet& modes);
+
+struct ModalMassLimits {
+  double far = 20.0;       ///< factor of z m from 1 that no structure explains
+  double between = 100.0;  ///< factor between two sensors of one test
+};
+
+/// @param mass_kg of the structure; 0 where it is not known
+[[nodiscard]] std::vector<Finding> modal_mass_findings(
+    const acquisition::TestBundle& bundle,
+    const signal::FrfSet& set,
+    const ModeSet& modes,
+    double mass_kg,
+    const ModalMassLimits& limits = {});
+
+/// "1000 (k for none, or mV for V)": what the nearest factors between units are
+/// called; empty where none lies within a factor of `within`.
+[[nodiscard]] std::string unit_factor(double factor, double within);
+
+}  // namespace tapfit::modal

@@ -1,0 +1,66 @@
+// One mistake at a time in tests that are otherwise clean, and clean ones.
+#include "updating/test_check/test_check.hpp"
+
+#include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/updating/support/check_score.hpp"
+#include "tests/updating/support/faulty_test.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+namespace tapfit::updating {
+namespace {
+
+using testing::Mistake;
+using testing::PlainOptions;
+using testing::SheetAndRecords;
+
+PlainOptions structure(unsigned seed) {
+  PlainOptions options;
+  options.seed = seed;
+  options.held = seed % 2 == 0;
+  options.sensors = 2 + static_cast<int>(seed % 2);
+  return options;
+}
+
+TEST(TestCheck, CleanTestsHaveNoFault) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const TestCheck found = testing::check_of(plain_test(structure(seed)));
+    EXPECT_EQ(testing::serious(found.findings), "") << seed;
+    EXPECT_TRUE(found.may_go_on()) << seed;
+    EXPECT_FALSE(found.records.empty());
+    EXPECT_FALSE(found.points.empty());
+  }
+}
+
+class AMistake : public ::testing::TestWithParam<Mistake> {};
+
+TEST_P(AMistake, IsNamed) {
+  const Mistake& mistake = GetParam();
+  for (const unsigned seed : {3U, 4U}) {
+    const PlainOptions options = structure(seed);
+    SheetAndRecords test = plain_test(options);
+    mistake.make(test, options, 0.7);
+    const TestCheck found = testing::check_of(test);
+    EXPECT_TRUE(testing::is_named(mistake, found.findings))
+        << "structure " << seed << ":\n"
+        << testing::serious(found.findings);
+  }
+}
+
+std::string test_name(const ::testing::TestParamInfo<Mistake>& info) {
+  std::string name;
+  for (const char c : info.param.name) {
+    name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  }
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(One,
+                         AMistake,
+                         ::testing::ValuesIn(testing::mistakes()),
+                         test_name);
+
+}  // namespace
+}  // namespace tapfit::updating

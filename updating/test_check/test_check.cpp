@@ -1,0 +1,234 @@
+#include "updating/test_check/test_check.hpp"
+
+#include "acquisition/bundle/runs_alike.hpp"
+#include "acquisition/checks/blow_response.hpp"
+#include "acquisition/checks/force_channel.hpp"
+#include "acquisition/checks/record_findings.hpp"
+#include "acquisition/checks/rejected_hits.hpp"
+#include "acquisition/checks/repeated_runs.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/checks/channel_phase.hpp"
+#include "modal/checks/modal_mass.hpp"
+#include "modal/checks/motion_kind.hpp"
+#include "modal/checks/run_poles.hpp"
+#include "modal/checks/run_residues.hpp"
+#include "signal/checks/calibration_findings.hpp"
+#include "signal/checks/frf_findings.hpp"
+#include "updating/structure/assembly/assemble.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+using acquisition::TestBundle;
+
+// The deck is what is doubted: it may lack a mass, or a part.
+constexpr double deck_mass_share = 0.5;
+
+Finding as_finding(const InputError& error, Subject where) {
+  return {Severity::Error,
+          std::move(where),
+          error.fault(),
+          error.where(),
+          error.remedy()};
+}
+
+/// One check after the other; what one stage cannot be had for, later ones
+/// cannot either.
+class Checker {
+ public:
+  Checker(Session& session,
+          std::optional<double> body_kg,
+          const Progress& progress)
+      : session_(session), body_kg_(body_kg), progress_(progress) {}
+
+  TestCheck check() {
+    input();
+    if (session_.bundle().frfs || records()) frfs();
+    sort_by_severity(found_.findings);
+    return std::move(found_);
+  }
+
+ private:
+  void add(std::vector<Finding> more) {
+    append(std::move(more), found_.findings);
+  }
+
+  void input() {
+    for (const std::string& warning : session_.bundle().warnings) {
+      add({{Severity::Note, {}, warning, {}, {}}});
+    }
+  }
+
+  // Adds what is thrown as a finding.
+  bool reached(const std::function<void()>& stage) {
+    try {
+      stage();
+      return true;
+    } catch (const InputError& error) {
+      add({as_finding(error, {})});
+      return false;
+    }
+  }
+
+  // False where FRFs cannot follow.
+  bool records() {
+    const TestBundle& bundle = session_.bundle();
+    if (!reached([&] { (void)session_.recordings(progress_); })) return false;
+    acquisition::HitSet none;
+    none.runs.resize(bundle.runs.size());
+    const bool hit = reached([&] { (void)session_.hits(progress_); });
+    const acquisition::HitSet& hits = hit ? session_.hits() : none;
+    const auto& recordings = session_.recordings();
+    progress_("checks of the records", 0.0);
+    for (const acquisition::LeftOut& run : session_.left_out()) {
+      add({as_finding(run.why, {{run.run}, {}, {}, {}})});
+    }
+    add(acquisition::repeated_run_findings(bundle, recordings));
+    add(acquisition::force_channel_findings(bundle, recordings, hits));
+    found_.records = channel_records(bundle, recordings, hits);
+    add(record_findings(bundle, found_.records));
+    if (!hit) return false;
+    add(hits.findings);
+    add(acquisition::trigger_findings(bundle, recordings, hits));
+    add(acquisition::rejected_hit_findings(bundle, recordings, hits));
+    add(acquisition::clipping_findings(bundle, recordings, hits));
+    add(blow_response_findings(bundle,
+                               blow_responses(bundle, recordings, hits)));
+    coherence();
+    return std::ranges::any_of(hits.runs, [](const auto& run) {
+      return std::ranges::any_of(run, &acquisition::Hit::accepted);
+    });
+  }
+
+  void coherence() {
+    const TestBundle& bundle = session_.bundle();
+    found_.coherence.resize(bundle.runs.size());
+    found_.apart.resize(bundle.runs.size());
+    for (const acquisition::RunGroup& group : acquisition::runs_alike(bundle)) {
+      progress_("coherence of hits",
+                static_cast<double>(group.front()) /
+                    static_cast<double>(bundle.runs.size()));
+      const signal::HitCoherence of = signal::group_coherence(
+          bundle, session_.recordings(), session_.hits(), group);
+      for (const std::size_t r : group) {
+        found_.coherence[r] = part_of(of, bundle, r);
+      }
+      for (const auto& [run, hit] : hits_apart(of)) {
+        found_.apart[run].push_back(hit);
+      }
+      add(coherence_findings(bundle, of, group));
+    }
+  }
+
+  void frfs() {
+    if (!reached([&] { (void)session_.frfs(progress_); })) return;
+    const TestBundle& bundle = session_.bundle();
+    const signal::FrfSet& set = session_.frfs();
+    found_.points = signal::driving_points(set);
+    found_.pairs = signal::reciprocals(set);
+    const std::vector<Finding> kinds = modes();
+    std::set<std::string> other_kind;
+    for (const Finding& kind : kinds) other_kind.insert(kind.where.channel);
+    // A channel of another kind has no fair driving point either.
+    for (Finding& finding :
+         driving_point_findings(bundle, set, found_.points)) {
+      if (other_kind.contains(finding.where.channel)) continue;
+      add({std::move(finding)});
+    }
+    add(reciprocity_findings(bundle, set, found_.pairs));
+    add(set.findings);
+    if (set.level.is_nonlinear()) {
+      add({{Severity::Warning, {}, statement(set.level), {}, {}}});
+    }
+    add(signal::spread_findings(set));
+    masses();
+  }
+
+  // Returns those that say that a channel measures no acceleration.
+  std::vector<Finding> modes() {
+    const TestBundle& bundle = session_.bundle();
+    const signal::FrfSet& set = session_.frfs();
+    if (!reached([&] { (void)session_.modes(progress_); })) return {};
+    const modal::ModeSet& modes = session_.modes();
+    progress_("checks of the modes", 0.0);
+    add(run_pole_findings(bundle, set, modes));
+    add(run_residue_findings(bundle, set, modes));
+    add(modal_mass_findings(bundle, set, modes, mass().value_or(0.0)));
+    std::vector<Finding> kinds = motion_kind_findings(bundle, set, modes);
+    std::set<std::string> told;
+    for (const Finding& kind : kinds) told.insert(kind.where.channel);
+    for (Finding& finding : channel_phase_findings(bundle, set, modes)) {
+      if (told.contains(finding.where.channel)) continue;
+      if (finding.severity == Severity::Error) {
+        kinds.push_back(finding);
+      } else {
+        add({std::move(finding)});
+      }
+    }
+    add(kinds);
+    return kinds;
+  }
+
+  // As said, as weighed with the sensors, or as the deck has it [kg].
+  std::optional<double> mass() {
+    if (body_kg_) return body_kg_;
+    if (const auto weighed = weighed_with_sensors()) return weighed;
+    if (!deck_kg_ && session_.bundle().deck) {
+      try {
+        const structure::Deck& deck = session_.deck(progress_);
+        deck_kg_ = total_mass(deck, structure::assemble(deck));
+      } catch (const InputError&) {
+        deck_kg_ = 0.0;  // what is wrong with the deck is said elsewhere
+      }
+    }
+    return deck_kg_;
+  }
+
+  std::optional<double> weighed_with_sensors() const {
+    const TestBundle& bundle = session_.bundle();
+    if (!bundle.weighed) return {};
+    double sum = bundle.weighed->mass_kg;
+    for (const acquisition::Channel& channel : bundle.channels) {
+      sum += channel.mass_kg.value_or(0.0);
+    }
+    return sum;
+  }
+
+  void masses() {
+    const std::optional<double> kg = mass();
+    if (!kg || !(*kg > 0.0)) return;
+    const bool known = body_kg_ || session_.bundle().weighed;
+    add(mass_line_findings(session_.bundle(),
+                           session_.frfs(),
+                           found_.points,
+                           *kg,
+                           known ? 0.02 : deck_mass_share));
+  }
+
+  Session& session_;
+  std::optional<double> body_kg_;
+  const Progress& progress_;
+  std::optional<double> deck_kg_;
+  TestCheck found_;
+};
+
+}  // namespace
+
+bool TestCheck::may_go_on() const {
+  return std::ranges::none_of(findings, [](const Finding& finding) {
+    return finding.severity == Severity::Error;
+  });
+}
+
+TestCheck check_test(Session& session,
+                     std::optional<double> body_kg,
+                     const Progress& progress) {
+  return Checker(session, body_kg, progress).check();
+}
+
+}  // namespace tapfit::updating
