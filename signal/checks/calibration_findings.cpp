@@ -66,14 +66,10 @@ std::vector<Finding> calibration_findings(
            "that of its suspension; gain and delay mean little till then"});
     }
     if (c.gain < 0.0) {
-<<<<<<< HEAD
-      result.push_back({who + ": the polarity is inverted",
-=======
       result.push_back({Severity::Warning,
                         subject_of(bundle, frf),
                         who + ": the answer points against the blow",
-                        "the polarity is turned",
->>>>>>> check
+                        "the polarity is inverted",
                         "turn the sensor's direction in test.json"});
     }
     if (c.deviation > much_deviation) continue;

@@ -9,13 +9,8 @@
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/session_file.hpp"
-<<<<<<< HEAD
 #include "updating/session/shared_session.hpp"
-=======
 #include "updating/test_check/test_check.hpp"
-
-#include <system_error>
->>>>>>> check
 
 namespace tapfit::tui {
 namespace {

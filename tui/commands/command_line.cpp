@@ -83,16 +83,12 @@ constexpr std::array<Entry, 17> entries{{
      "Frequency response functions and their quality",
      frf_command,
      Uff | Free | Estimate},
-<<<<<<< HEAD
-    {"quality", "Check measurement quality", quality_command, BodyMass},
-=======
     {"check",
-     "What is wrong with a test, before any model",
+     "Check a test before any model",
      check_command,
      BodyMass,
      "BUNDLE",
      "quality"},
->>>>>>> check
     {"calibrate",
      "Sensors against the hammer, on a known mass",
      calibrate_command,
