@@ -109,8 +109,8 @@ void iterate(benchmark::State& state,
                               Eigen::VectorXd::Constant(count, 1e6),
                               Eigen::VectorXd::Constant(count, -1e3),
                               Eigen::VectorXd::Constant(count, 1e3)};
-  updating::UpdateOptions options;
-  options.max_iterations = 1;
+  updating::MinimiseOptions options;
+  options.most_steps = 1;
   for (auto _ : state) {
     benchmark::DoNotOptimize(
         updating::update(model, target, start, prior, options));

@@ -69,19 +69,23 @@ bool acts(const PlacedEffect& placed, const FrfModel& model) {
 // Fits the present effects and one more, for each of several.
 //
 // @param shared one base for all of them; empty: each gets its own
+// @param beside a fit of the same at a place beside, from which they go on
 std::vector<Hypothesis> fit_each(const Fit& current,
                                  const std::vector<PlacedEffect>& extras,
                                  const Fitter& fitter,
                                  const std::shared_ptr<const FrfModel>& shared,
-                                 const Progress& progress) {
+                                 const Progress& progress,
+                                 const Fit* beside = nullptr) {
   std::vector<Hypothesis> result(extras.size());
   // Only this thread reports; the others only listen for the stop.
   const Progress quiet{{}, progress.stop};
   for_each_parallel(extras.size(), [&](std::size_t k) {
     std::vector<PlacedEffect> effects = current.effects;
     effects.push_back(extras[k]);
-    result[k].fit =
-        fitter.fit(effects, shared ? shared : fitter.model_for(effects), quiet);
+    const auto model = shared ? shared : fitter.model_for(effects);
+    result[k].fit = beside != nullptr
+                        ? fitter.fit_beside(*beside, effects, model, quiet)
+                        : fitter.fit(effects, model, quiet);
   });
   return result;
 }
@@ -130,7 +134,8 @@ void climb(std::vector<Hypothesis>& found,
       shared = fitter.model_for(all);
     }
     bool gained = false;
-    for (Hypothesis& h : fit_each(current, tries, fitter, shared, progress)) {
+    for (Hypothesis& h :
+         fit_each(current, tries, fitter, shared, progress, &best.fit)) {
       gained = gained || better(h, best);
       found.push_back(std::move(h));
     }

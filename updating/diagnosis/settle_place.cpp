@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace tapfit::updating {
@@ -53,7 +54,7 @@ std::vector<Hypothesis> fit_at(const std::vector<Where>& places,
     std::vector<PlacedEffect> effects = current.effects;
     effects.push_back(like.own());
     effects.back().where = places[k];
-    result[k].fit = fitter.fit(effects, model, quiet);
+    result[k].fit = fitter.fit_beside(like.fit, effects, model, quiet);
     result[k].places = like.places;
   });
   return result;
@@ -77,6 +78,9 @@ MatrixXd directions(const std::vector<Tried>& tried,
   const Index count = std::min<Index>(2, (squares.array() > least).count());
   return spacing * solver.eigenvectors().rightCols(count);
 }
+
+// Of log likelihood: as far below the top it is like a parabola.
+constexpr double parabolic = 4.0;
 
 // The likelihood around a place, and how the parameters go with it.
 struct Quadratic {
@@ -109,6 +113,7 @@ std::optional<Quadratic> quadratic(const std::vector<Tried>& tried,
   MatrixXd A(n, 1 + 2 * d + (product ? 1 : 0));
   MatrixXd values(n, 1 + best.log_p.size());
   VectorXd weight(n);
+  double flattest = -1e300;  // curvature towards any of them
   for (Index k = 0; k < n; ++k) {
     const Tried& t = tried[static_cast<std::size_t>(k)];
     const Vector3d off = position_of(t.where, deck) - from;
@@ -118,17 +123,22 @@ std::optional<Quadratic> quadratic(const std::vector<Tried>& tried,
     values(k, 0) = t.log_likelihood - best.log_likelihood;
     values.row(k).tail(best.log_p.size()) = (t.log_p - best.log_p).transpose();
     // Far down the likelihood is no parabola.
-    weight(k) = 1.0 / (1.0 - 0.1 * values(k, 0));
+    weight(k) = std::exp(0.5 * values(k, 0) / parabolic);
+    if (z.norm() > 0.0) {
+      flattest = std::max(flattest, 2.0 * values(k, 0) / z.squaredNorm());
+    }
   }
   const MatrixXd fitted = (weight.asDiagonal() * A)
                               .colPivHouseholderQr()
                               .solve(MatrixXd(weight.asDiagonal() * values));
   MatrixXd H = fitted.col(0).segment(1 + d, d).asDiagonal();
   if (product) H(0, 1) = H(1, 0) = fitted(1 + 2 * d, 0);
-  // What tells next to nothing of the place: a spacing's deviation.
+  // A ridge where the parabola misses the top, and what tells next to nothing
+  // of the place: a spacing's deviation.
   constexpr double least_curvature = -1.0;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(H);
-  const VectorXd curvature = solver.eigenvalues().cwiseMin(least_curvature);
+  const VectorXd curvature =
+      solver.eigenvalues().cwiseMin(std::min(flattest, least_curvature));
   const MatrixXd& turn = solver.eigenvectors();
   q.covariance =
       turn * (-curvature.cwiseInverse()).asDiagonal() * turn.transpose();
@@ -147,6 +157,44 @@ std::vector<double> deviations(const Quadratic& q) {
   return sd;
 }
 
+// Places where the quadratic has its top and where it is about one below.
+struct Ring {
+  std::vector<Where> places;
+  double reach = 0.0;  // the longest way from its middle, in grid spacings
+};
+
+Ring ring_around(const Quadratic& q,
+                 const Tried& top,
+                 const structure::Deck& deck) {
+  constexpr double furthest = 0.6;  // from what was tried, in grid spacings
+  constexpr double least = 1.0 / 64.0;
+  constexpr double most = 0.25;
+  const VectorXd middle =
+      q.top * std::min(1.0, furthest / std::max(q.top.norm(), 1e-12));
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(q.covariance);
+  const VectorXd way =
+      (1.4 * solver.eigenvalues().cwiseSqrt()).cwiseMax(least).cwiseMin(most);
+  const MatrixXd along = solver.eigenvectors() * way.asDiagonal();
+  std::vector<VectorXd> off = {VectorXd::Zero(q.top.size())};
+  for (Index k = 0; k < along.cols(); ++k) {
+    off.emplace_back(along.col(k));
+    off.emplace_back(-along.col(k));
+  }
+  if (along.cols() == 2) {
+    off.emplace_back(M_SQRT1_2 * along.rowwise().sum());
+    off.emplace_back(-off.back());
+  }
+  Ring ring;
+  ring.reach = way.maxCoeff();
+  const Vector3d from = position_of(top.where, deck);
+  for (const VectorXd& z : off) {
+    std::vector<Where> there =
+        moved_to(top.where, from + q.axes * (middle + z), deck);
+    std::move(there.begin(), there.end(), std::back_inserter(ring.places));
+  }
+  return ring;
+}
+
 }  // namespace
 
 Hypothesis settle_place(const Hypothesis& best,
@@ -155,7 +203,8 @@ Hypothesis settle_place(const Hypothesis& best,
                         const Judgement& judgement,
                         const Progress& progress) {
   constexpr std::array<double, 2> steps = {0.5, 0.25};
-  constexpr double furthest = 0.6;  // of a grid spacing, from what was tried
+  // Each looks at least twice as closely as the last.
+  constexpr int most_turns = 3;
   const structure::Deck& deck = *fitter.setting().setting.deck;
   Hypothesis settled = best;
   Tried top = tried_at(best, judgement);
@@ -172,14 +221,20 @@ Hypothesis settle_place(const Hypothesis& best,
     const std::vector<Where> places = places_around(top.where, step, deck);
     if (!places.empty()) take(places);
   }
-  const std::optional<Quadratic> q = quadratic(tried, top, deck);
-  if (!q) return settled;
-  const VectorXd z =
-      q->top * std::min(1.0, furthest / std::max(q->top.norm(), 1e-12));
-  const std::vector<Where> there =
-      moved_to(top.where, position_of(top.where, deck) + q->axes * z, deck);
-  if (!there.empty()) take(there);
-  settled.place_sd = deviations(*q);
+  double reach = steps.back();
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const std::optional<Quadratic> q = quadratic(tried, top, deck);
+    if (!q) break;
+    settled.place_sd = deviations(*q);
+    const Ring ring = ring_around(*q, top, deck);
+    const bool told = turn > 0 && ring.reach > 0.5 * reach;
+    if (told) break;
+    reach = ring.reach;
+    take(ring.places);
+  }
+  if (const auto q = quadratic(tried, top, deck)) {
+    settled.place_sd = deviations(*q);
+  }
   return settled;
 }
 

@@ -191,6 +191,21 @@ ModelState Fitter::start_state(const FrfModel& model,
   return state;
 }
 
+// Properties and damping of a state, with other effects. It may have held
+// another number of modes in the band at its start, or give way to a law for
+// the damping.
+ModelState Fitter::going_on(const FrfModel& model,
+                            const std::vector<PlacedEffect>& effects,
+                            const ModelState& from) const {
+  ModelState whole = first_state(model, effects);
+  whole.factor = from.factor;
+  whole.zeta_other = from.zeta_other;
+  whole.zeta.setConstant(from.zeta_other);
+  const Index known = std::min(whole.zeta.size(), from.zeta.size());
+  whole.zeta.head(known) = from.zeta.head(known);
+  return whole;
+}
+
 std::optional<ModelState> Fitter::continued(
     const FrfModel& model,
     const std::vector<PlacedEffect>& effects,
@@ -206,14 +221,7 @@ std::optional<ModelState> Fitter::continued(
       std::equal(
           fewer.effects.begin(), fewer.effects.end(), effects.begin(), same);
   if (!contains) return std::nullopt;
-  // It may have held another number of modes in the band at its start, or give
-  // way to a law for the damping.
-  ModelState whole = first_state(model, effects);
-  whole.factor = fewer.factor;
-  whole.zeta_other = fewer.zeta_other;
-  whole.zeta.setConstant(fewer.zeta_other);
-  const Index known = std::min(whole.zeta.size(), fewer.zeta.size());
-  whole.zeta.head(known) = fewer.zeta.head(known);
+  ModelState whole = going_on(model, effects, fewer);
   std::copy(fewer.effects.begin(), fewer.effects.end(), whole.effects.begin());
   const auto with = [&](double effects::ParameterSpec::*bound) {
     ModelState result = whole;
@@ -310,7 +318,7 @@ class Fitter::Course {
   }
 
   /// The lines before those that count, widest first.
-  void approach(const UpdateOptions& options) {
+  void approach(const MinimiseOptions& options) {
     for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
       go_on(k, options);
       take_damping();
@@ -319,7 +327,7 @@ class Fitter::Course {
 
   /// The lines that count, with the mesh's error and the damping of higher
   /// modes as they are there: again until nothing moves any more.
-  void arrive(const UpdateOptions& options, int rounds) {
+  void arrive(const MinimiseOptions& options, int rounds) {
     const std::size_t last = targets_.size() - 1;
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
@@ -337,7 +345,7 @@ class Fitter::Course {
 
   /// The lines that count once more from another state, kept where it is
   /// better.
-  void try_from(ModelState state, const UpdateOptions& options) {
+  void try_from(ModelState state, const MinimiseOptions& options) {
     const UpdateResult found = result_;
     result_.state = std::move(state);
     go_on(targets_.size() - 1, options);
@@ -362,22 +370,20 @@ class Fitter::Course {
   static constexpr double settled_step = 0.05;
 
   // How likely what is left is from a deck that may be wrong in form, and how
-  // far that may have driven the parameters.
+  // well the parameters are known then.
   void take_form(Fit& fit) {
-    Target& target = targets_.back();
-    const ModelState& state = fit.result.state;
-    const Eigen::VectorXd& r = fit.result.residual;
-    Eigen::MatrixXd F = form_bias(*fit.model, state, target);
-    fit.form = view(form_error(F), r, readjustment(fit.result));
-    const FormEstimate form =
-        estimate_form(fit.form, data_of(target, state), noise_error(target));
+    const Target& target = targets_.back();
+    UpdateResult& result = fit.result;
+    const Eigen::MatrixXd F = form_bias(*fit.model, result.state, target);
+    fit.form = view(form_error(F), result.residual, readjustment(result));
+    const FormEstimate form = estimate_form(
+        fit.form, data_of(target, result.state), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
-    target.form_bias = form.mean_tau * F;
-    fit.result.covariance = parameter_covariance(
-        target, fit.result.jacobian, r, fit.result.prior.sd);
+    result.covariance =
+        widened_by_form(result.covariance, form.information, result.prior.sd);
   }
 
-  void go_on(std::size_t stage, const UpdateOptions& options) {
+  void go_on(std::size_t stage, const MinimiseOptions& options) {
     const ModelState state = result_.state;
     // How often the last lines are gone over is not known.
     const double from = done_;
@@ -399,7 +405,7 @@ class Fitter::Course {
 
   // With the mesh's error as it is at this state; false where that ends above
   // what it began from: then it ends as it was.
-  bool with_mesh(const UpdateOptions& options) {
+  bool with_mesh(const MinimiseOptions& options) {
     const std::size_t last = targets_.size() - 1;
     const ModelState from = result_.state;
     const Ground held{model_, targets_[last]};
@@ -447,14 +453,19 @@ class Fitter::Course {
   std::vector<UpdateStep> history_;
 };
 
+namespace {
+
+// Within a few hundredths of a standard error of the best.
+constexpr MinimiseOptions exact{30, 1e-6, 1e-3};
+constexpr int rounds = 2;  // the second moves little as it is
+
+}  // namespace
+
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress,
                 const Fit* before) const {
-  constexpr UpdateOptions wide{10, 1e-3, 1e-1};
-  // Within a few hundredths of a standard error of the best.
-  constexpr UpdateOptions exact{30, 1e-6, 1e-3};
-  constexpr int rounds = 2;  // the second moves little as it is
+  constexpr MinimiseOptions wide{10, 1e-3, 1e-1};
   ModelState first = start_state(*model, start);
   Course course(*this, std::move(model), std::move(first), progress);
   course.approach(wide);
@@ -466,6 +477,19 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
       course.try_from(std::move(*known), exact);
     }
   }
+  return std::move(course).finished();
+}
+
+Fit Fitter::fit_beside(const Fit& fit,
+                       const std::vector<PlacedEffect>& effects,
+                       std::shared_ptr<const FrfModel> model,
+                       const Progress& progress) const {
+  ModelState first = going_on(*model, effects, fit.result.state);
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    first.effects[k].p = fit.result.state.effects[k].p;
+  }
+  Course course(*this, std::move(model), std::move(first), progress);
+  course.arrive(exact, rounds);
   return std::move(course).finished();
 }
 
@@ -491,8 +515,8 @@ double Fitter::held_out_error(const Fit& fit,
         test.use[f] = out ? 1.0 : 0.0;
       }
     }
-    UpdateOptions options;
-    options.max_iterations = 6;
+    MinimiseOptions options;
+    options.most_steps = 6;
     options.tolerance = 1e-4;
     const UpdateResult refit = update(
         *fit.model, training, fit.result.state, prior, options, progress);

@@ -82,6 +82,14 @@ class Fitter {
                         const Progress& progress = {},
                         const Fit* before = nullptr) const;
 
+  /// Goes on from where a fit of the same effects ended, at places beside
+  /// theirs: only on the lines that count.
+  /// @param model as from model_for(), for the effects at these places
+  [[nodiscard]] Fit fit_beside(const Fit& fit,
+                               const std::vector<PlacedEffect>& effects,
+                               std::shared_ptr<const FrfModel> model,
+                               const Progress& progress = {}) const;
+
   /// Goes on from a fit with some runs left out of the last target; returns
   /// the error on those runs.
   [[nodiscard]] double held_out_error(const Fit& fit,
@@ -122,6 +130,9 @@ class Fitter {
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 
  private:
+  [[nodiscard]] ModelState going_on(const FrfModel& model,
+                                    const std::vector<PlacedEffect>& effects,
+                                    const ModelState& from) const;
   void scan_start(const FrfModel& model, ModelState& state) const;
 
   /// What a fit works on: the model, and the lines that count.

@@ -11,7 +11,8 @@ namespace tapfit::updating {
 struct UpdateStep {
   double error = 0.0;   ///< after the step, on the lines it was taken on
   double length = 0.0;  ///< largest change of a parameter, relative
-  /// Regularisation: Levenberg's of update(), Tikhonov's of plain_update().
+  /// Regularisation, Tikhonov's: what the prior of update() amounts to, or that
+  /// chosen by plain_update().
   double lambda = 0.0;
   Eigen::VectorXd theta;  ///< after the step, as pack() orders them
   int stage = 0;          ///< 0: widest lines; each fit starts from the last

@@ -1,11 +1,11 @@
-// Identifies parameters from FRFs: Levenberg-Marquardt on
+// Identifies parameters from FRFs: the minimum
+// (updating/minimiser/minimise.hpp) of
 //
 //   J(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
 //
 // whose Gauss-Newton step is eq. 27 of the paper with the Tikhonov matrix of
-// the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). The residual's variance
-// is unknown (real data never reach the noise floor) and integrated out, hence
-// the logarithm. theta are logarithms, so that masses stay positive.
+// the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). theta are logarithms, so
+// that masses stay positive.
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
@@ -13,6 +13,7 @@
 #include "updating/fit/residual.hpp"
 #include "updating/fit/update_history.hpp"
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/minimiser/minimise.hpp"
 
 #include <Eigen/Core>
 
@@ -21,25 +22,6 @@
 #include <vector>
 
 namespace tapfit::updating {
-
-/// What is known of theta beforehand; sd infinite where nothing is.
-struct Prior {
-  Eigen::VectorXd mean;
-  Eigen::VectorXd sd;
-  Eigen::VectorXd lower;  ///< hard bounds
-  Eigen::VectorXd upper;
-};
-
-/// 1 / sd^2, zero where there is no prior.
-[[nodiscard]] Eigen::VectorXd precision(const Prior& prior);
-
-struct UpdateOptions {
-  int max_iterations = 30;
-  double tolerance = 1e-6;  ///< on the relative change of the parameters
-  /// On the decrease of J in one step; d standard errors away from its minimum
-  /// J is d^2 above it.
-  double objective_tolerance = 0.0;
-};
 
 struct UpdateResult {
   ModelState state;
@@ -63,7 +45,7 @@ struct UpdateResult {
                                   const Target& target,
                                   const ModelState& start,
                                   const Prior& prior,
-                                  const UpdateOptions& options,
+                                  const MinimiseOptions& options,
                                   const Progress& progress = {});
 
 }  // namespace tapfit::updating

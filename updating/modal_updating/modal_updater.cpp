@@ -1,7 +1,7 @@
 #include "updating/modal_updating/modal_updater.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/modal_updating/bounded_step.hpp"
+#include "updating/minimiser/bounded_step.hpp"
 #include "updating/modal_updating/modal_uncertainty.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "updating/modal_updating/bounded_step.hpp"
+#include "updating/minimiser/bounded_step.hpp"
 
 #include <gtest/gtest.h>
 
