@@ -370,17 +370,19 @@ class Fitter::Course {
   static constexpr double settled_step = 0.05;
 
   // How likely what is left is from a deck that may be wrong in form, and how
-  // well the parameters are known then.
+  // far that may have driven the parameters.
   void take_form(Fit& fit) {
-    const Target& target = targets_.back();
-    UpdateResult& result = fit.result;
-    const Eigen::MatrixXd F = form_bias(*fit.model, result.state, target);
-    fit.form = view(form_error(F), result.residual, readjustment(result));
-    const FormEstimate form = estimate_form(
-        fit.form, data_of(target, result.state), noise_error(target));
+    Target& target = targets_.back();
+    const ModelState& state = fit.result.state;
+    const Eigen::VectorXd& r = fit.result.residual;
+    const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
+    fit.form = view(form_error(F), r, readjustment(fit.result));
+    const FormEstimate form =
+        estimate_form(fit.form, data_of(target, state), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
-    result.covariance =
-        widened_by_form(result.covariance, form.information, result.prior.sd);
+    target.form_bias = form.mean_tau * F;
+    fit.result.covariance = parameter_covariance(
+        target, fit.result.jacobian, r, fit.result.prior.sd);
   }
 
   void go_on(std::size_t stage, const MinimiseOptions& options) {

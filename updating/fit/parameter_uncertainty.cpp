@@ -46,6 +46,17 @@ MatrixXd mesh_covariance(const Target& target,
   return covariance;
 }
 
+// Where the form's error would drive the parameters.
+MatrixXd form_covariance(const Target& target,
+                         const MatrixXd& J,
+                         const MatrixXd& gain) {
+  if (target.form_bias.rows() != J.rows()) {
+    return MatrixXd::Zero(J.cols(), J.cols());
+  }
+  const MatrixXd bias = gain * (J.transpose() * target.form_bias);
+  return bias * bias.transpose();
+}
+
 // A^-1, wide where A tells next to nothing: two effects that do the same have
 // large variances and a correlation near -1, not whatever rounding makes them.
 MatrixXd wide_inverse(const MatrixXd& A) {
@@ -99,9 +110,10 @@ MatrixXd parameter_covariance(const Target& target,
   }
   const auto groups = static_cast<double>(score.size());
   const MatrixXd gain = bread / variance;
-  const MatrixXd of_mesh = mesh_covariance(target, J, gain);
+  const MatrixXd of_deck =
+      mesh_covariance(target, J, gain) + form_covariance(target, J, gain);
   // A handful of runs cannot carry a covariance of their own.
-  if (groups < 5.0) return within_prior(bread + of_mesh, prior_sd);
+  if (groups < 5.0) return within_prior(bread + of_deck, prior_sd);
   MatrixXd meat = MatrixXd::Zero(n, n);
   for (const auto& [run, g] : score) meat += g * g.transpose();
   const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
@@ -110,28 +122,7 @@ MatrixXd parameter_covariance(const Target& target,
     widen(k) =
         std::sqrt(std::max(1.0, robust(k, k) / std::max(bread(k, k), 1e-300)));
   }
-  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_mesh,
-                      prior_sd);
-}
-
-MatrixXd widened_by_form(const MatrixXd& covariance,
-                         const MatrixXd& information,
-                         const VectorXd& prior_sd) {
-  const Index n = covariance.rows();
-  if (information.rows() != n || n == 0) return covariance;
-  MatrixXd A = information;
-  // One that stands at a bound, or that nothing tells of, has no information.
-  A.diagonal() = A.diagonal().cwiseMax(1e-12);
-  const MatrixXd with_form = wide_inverse(A);
-  VectorXd widen(n);
-  for (Index k = 0; k < n; ++k) {
-    const bool told = information(k, k) > 1e-12;
-    widen(k) =
-        told ? std::sqrt(std::max(
-                   1.0, with_form(k, k) / std::max(covariance(k, k), 1e-300)))
-             : 1.0;
-  }
-  return within_prior(widen.asDiagonal() * covariance * widen.asDiagonal(),
+  return within_prior(widen.asDiagonal() * bread * widen.asDiagonal() + of_deck,
                       prior_sd);
 }
 

@@ -26,6 +26,8 @@ struct Target {
   std::vector<double> use;       ///< 1, or 0 for an FRF that is left out
   /// What the mesh may be off by, as a residual of stack(); empty: not known.
   Eigen::VectorXd mesh_bias = {};
+  /// What the deck's form may add to stack(), a column for each deviation.
+  Eigen::MatrixXd form_bias = {};
 
   [[nodiscard]] double count() const;
 };

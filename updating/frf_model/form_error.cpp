@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace tapfit::updating {
@@ -34,18 +33,16 @@ constexpr double first_order = 0.5;
 struct Weighed {
   double square = 0.0;
   VectorXd step;
-  MatrixXd information;  // A
 };
 
 Weighed weigh(const FormView& v, double kappa, double g) {
   const VectorXd taken = v.lambda.array() / (kappa + v.lambda.array());
   const double own = v.whole - taken.dot(v.along.cwiseAbs2());
-  Weighed result{g * std::max(own, 1e-30), {}, {}};
+  Weighed result{g * std::max(own, 1e-30), {}};
   if (v.slope.size() == 0) return result;
   const MatrixXd weighed = taken.asDiagonal() * v.moved;
   MatrixXd A = g * (v.gram - v.moved.transpose() * weighed);
   A.diagonal() += v.precision;
-  result.information = A;
   A.diagonal().array() += 1.0 / (first_order * first_order);
   const VectorXd b = g * (v.slope - weighed.transpose() * v.along) + v.pull;
   result.step = -A.ldlt().solve(b);
@@ -136,24 +133,30 @@ FormEstimate estimate_form(const FormView& v, double data, double noise) {
   const double top = std::sqrt(std::max(v.whole, 1e-30));
   const double bottom = std::max(std::min(noise, 0.99 * top), 1e-3 * top);
   std::vector<double> density;
+  std::vector<double> tried;
   FormEstimate best;
   double most = -1e300;
   for (double tau = least_tau; tau < most_tau; tau *= std::exp(grid_step)) {
     const Density at = best_sigma(v, data, tau, bottom, top);
     density.push_back(at.log);
+    tried.push_back(tau);
     if (at.log <= most) continue;
     most = at.log;
     best.tau = tau;
     best.sigma = at.sigma;
   }
   double sum = 0.0;
-  for (const double log : density) sum += std::exp(log - most);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < density.size(); ++k) {
+    const double p = std::exp(density[k] - most);
+    sum += p;
+    squares += p * tried[k] * tried[k];
+  }
+  best.mean_tau = std::sqrt(squares / sum);
   best.log_likelihood = most + std::log(sum * grid_step);
   const double g = data / (best.sigma * best.sigma);
   const double kappa = 1.0 / (g * best.tau * best.tau);
-  Weighed weighed = weigh(v, kappa, g);
-  best.step = std::move(weighed.step);
-  best.information = std::move(weighed.information);
+  best.step = weigh(v, kappa, g).step;
   VectorXd along = v.along;
   double whole = v.whole;
   if (best.step.size() > 0) {

@@ -10,11 +10,11 @@
 // tau under a prior. Fits go to the least residual all the same: weighed by
 // this covariance, properties that do to all modes what the form may do would
 // be told by the curvature alone, and four times as many steps be needed. The
-// covariance says how likely what they leave is, and how well the parameters
-// are known that it is likeliest with. Sources: M. C. Kennedy, A. O'Hagan,
-// "Bayesian calibration of computer models", J. Royal Statistical Society B 63,
-// 2001; E. Simoen, G. De Roeck, G. Lombaert, "Dealing with uncertainty in model
-// updating for damage assessment", MSSP 56-57, 2015.
+// covariance says how likely what they leave is, and how far it may have driven
+// them. Sources: M. C. Kennedy, A. O'Hagan, "Bayesian calibration
+// of computer models", J. Royal Statistical Society B 63, 2001; E. Simoen, G.
+// De Roeck, G. Lombaert, "Dealing with uncertainty in model updating for damage
+// assessment", MSSP 56-57, 2015.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,12 +59,11 @@ struct FormEstimate {
   /// Log of the probability of the residual, both integrated out.
   double log_likelihood = 0.0;
   double tau = 0.0;    ///< relative, of a modal stiffness: twice a frequency's
+  /// Root of the mean of tau^2: more where the data leave it open.
+  double mean_tau = 0.0;
   double sigma = 0.0;  ///< relative FRF error beside the form's
   /// d theta, from the least residual to the largest likelihood.
   Eigen::VectorXd step = {};
-  /// Of the parameters, g J' W J + 1 / sd^2: their covariance where the
-  /// likelihood is largest is its inverse.
-  Eigen::MatrixXd information = {};
   double left = 0.0;  ///< relative error without what the form explains
 };
 

@@ -403,8 +403,11 @@ struct FormEntry {
 
 // Each of the first modes with itself and with the next two that show at the
 // points: those across the direction measured are none of its neighbours.
+//
+// @param lowest omega of a mode of which more than its mass shows
 std::vector<FormEntry> form_entries(const VectorXd& omega,
                                     const MatrixXd& at_points,
+                                    double lowest,
                                     Index modes) {
   constexpr std::size_t neighbours = 2;
   constexpr double hidden = 1e-3;  // of what shows most
@@ -413,7 +416,7 @@ std::vector<FormEntry> form_entries(const VectorXd& omega,
       shown.head(modes).size() > 0 ? shown.head(modes).maxCoeff() : 0.0;
   std::vector<Index> visible;
   for (Index i = 0; i < omega.size(); ++i) {
-    if (omega(i) > 0.0 && shown(i) > hidden * most) visible.push_back(i);
+    if (omega(i) > lowest && shown(i) > hidden * most) visible.push_back(i);
   }
   std::vector<FormEntry> entries;
   for (std::size_t a = 0; a < visible.size() && visible[a] < modes; ++a) {
@@ -429,6 +432,9 @@ std::vector<FormEntry> form_entries(const VectorXd& omega,
 
 std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
                                                const VectorXcd& s) const {
+  // Of the lowest line: a mode below is as good as rigid, its stiffness takes
+  // less than a third of what its mass does.
+  constexpr double below = 0.5;
   constexpr double beyond = 1.3;  // of the band: modes that still show in it
   constexpr double reach = 4.0;   // of the band: those that are modes, not
                                   // responses of still higher ones
@@ -438,7 +444,10 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
   const Index modes = (w.array() < beyond * top).count();
   const auto n = static_cast<Index>(pairs_.size());
   const std::vector<FormEntry> entries =
-      form_entries(w, points_.transpose() * shared.modes.phi, modes);
+      form_entries(w,
+                   points_.transpose() * shared.modes.phi,
+                   below * s.imag().minCoeff(),
+                   modes);
   const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
   std::vector<MatrixXcd> patterns(entries.size() + 3, none);
   MatrixXcd& even = patterns[entries.size()];

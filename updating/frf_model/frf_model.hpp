@@ -67,7 +67,8 @@ class FrfModel {
   /// 2000, p. 277). Two more patterns are what all modes have in common, evenly
   /// and in proportion to their frequency: what a section without shear, an
   /// edge held too well or a mass in the wrong plane does to all of them.
-  /// Modes are mixed with their two neighbours; rigid ones stay as they are.
+  /// Modes are mixed with their two neighbours; rigid ones, and those below the
+  /// lines that answer by their mass, stay as they are.
   ///
   /// @return d H / d e_ij times its deviation over tau, lines x pairs each
   [[nodiscard]] std::vector<Eigen::MatrixXcd> form_patterns(

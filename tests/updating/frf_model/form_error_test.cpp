@@ -102,30 +102,6 @@ TEST(FormError, SaysWhereAParameterIsLikeliest) {
   EXPECT_GT(std::sqrt(least / 20.0), 3e-3);
 }
 
-// With the information's deviation, 95 % of intervals hold the truth.
-TEST(FormError, KnowsHowWellAParameterIsKnown) {
-  constexpr int tests = 200;
-  int held = 0;
-  for (unsigned seed = 0; seed < tests; ++seed) {
-    SeededRandom random(1000 + seed, "form");
-    const double scale = 1.0 / std::sqrt(samples * 1.0);
-    const MatrixXd F = 10.0 * scale * gaussian(random, samples, pattern_count);
-    const MatrixXd J =
-        F.col(0) + F.col(1) + 5.0 * scale * gaussian(random, samples, 1);
-    const VectorXd data = F * (0.01 * gaussian(random, pattern_count, 1)) +
-                          0.02 * scale * gaussian(random, samples, 1);
-    const double theta = -J.col(0).dot(data) / J.col(0).squaredNorm();
-    const VectorXd free = VectorXd::Zero(1);
-    const FormEstimate found = estimate_form(
-        view(form_error(F), data + J * theta, {J, free, free}), samples, 0.0);
-    const double sd = 1.0 / std::sqrt(found.information(0, 0));
-    if (std::abs(theta + found.step(0)) < 1.96 * sd) ++held;
-  }
-  // 190 are expected, with a deviation of 3.
-  EXPECT_GE(held, 181);
-  EXPECT_LE(held, 199);
-}
-
 // One parameter that takes six patterns to nothing beats their free choice.
 TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
   SeededRandom random(9, "form");
