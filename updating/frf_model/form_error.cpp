@@ -117,7 +117,7 @@ FormView view(const FormError& form,
               const VectorXd& r,
               const Readjustment& fit) {
   if (fit.J.size() == 0) {
-    return {form.lambda, form.U.transpose() * r, r.squaredNorm()};
+    return {form.lambda, form.U.transpose() * r, r.squaredNorm(), {}, {}, {}};
   }
   return {form.lambda,
           form.U.transpose() * r,
