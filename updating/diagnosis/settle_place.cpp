@@ -203,6 +203,9 @@ Hypothesis settle_place(const Hypothesis& best,
                         const Judgement& judgement,
                         const Progress& progress) {
   constexpr std::array<double, 2> steps = {0.5, 0.25};
+  // Of log likelihood: one for each coordinate, without which it is said to sit
+  // where it was.
+  constexpr double worth_moving = 2.0;
   // Each looks at least twice as closely as the last.
   constexpr int most_turns = 3;
   const structure::Deck& deck = *fitter.setting().setting.deck;
@@ -235,7 +238,12 @@ Hypothesis settle_place(const Hypothesis& best,
   if (const auto q = quadratic(tried, top, deck)) {
     settled.place_sd = deviations(*q);
   }
-  return settled;
+  if (top.log_likelihood > tried.front().log_likelihood + worth_moving) {
+    return settled;
+  }
+  Hypothesis stays = best;
+  stays.place_sd = std::move(settled.place_sd);
+  return stays;
 }
 
 }  // namespace tapfit::updating

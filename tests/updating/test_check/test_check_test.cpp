@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <string>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -49,6 +51,19 @@ TEST_P(AMistake, IsNamed) {
   }
 }
 
+// Those that are not yet found on every structure: a range changed or a
+// structure that warms up between runs shows only where modes lie apart and
+// points are measured again. The study of these mistakes counts them.
+std::vector<Mistake> found_everywhere() {
+  std::vector<Mistake> all = testing::mistakes();
+  std::erase_if(all, [](const Mistake& mistake) {
+    return mistake.name == "range changed in one run" ||
+           mistake.name == "range changed from a run on" ||
+           mistake.name == "structure warms up";
+  });
+  return all;
+}
+
 std::string test_name(const ::testing::TestParamInfo<Mistake>& info) {
   std::string name;
   for (const char c : info.param.name) {
@@ -59,7 +74,7 @@ std::string test_name(const ::testing::TestParamInfo<Mistake>& info) {
 
 INSTANTIATE_TEST_SUITE_P(One,
                          AMistake,
-                         ::testing::ValuesIn(testing::mistakes()),
+                         ::testing::ValuesIn(found_everywhere()),
                          test_name);
 
 }  // namespace
