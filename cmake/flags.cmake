@@ -26,7 +26,7 @@ target_compile_options(tapfit_flags INTERFACE
   "SHELL:-iquote ${PROJECT_SOURCE_DIR}"
   ${plain_complex}
   ${vector_instructions}
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion)
 if(TAPFIT_WARNINGS_AS_ERRORS)
   target_compile_options(tapfit_flags INTERFACE -Werror)
 endif()
@@ -36,5 +36,10 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION
   target_compile_options(tapfit_flags INTERFACE
     -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
     -Wno-array-bounds -Wno-maybe-uninitialized)
+endif()
+# In a unity build a file's own names stand beside those of others, included
+# where no other file sees them.
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(tapfit_flags INTERFACE -Wno-subobject-linkage)
 endif()
 target_link_libraries(tapfit_flags INTERFACE Eigen3::Eigen fmt::fmt)
