@@ -228,7 +228,6 @@ Hypothesis settle_place(const Hypothesis& best,
   for (int turn = 0; turn < most_turns; ++turn) {
     const std::optional<Quadratic> q = quadratic(tried, top, deck);
     if (!q) break;
-    settled.place_sd = deviations(*q);
     const Ring ring = ring_around(*q, top, deck);
     const bool told = turn > 0 && ring.reach > 0.5 * reach;
     if (told) break;

@@ -1,11 +1,13 @@
 // Where between grids an effect at a point sits. Around the grid where a kind
 // is likeliest its places are tried half and a quarter of the way to the next
-// grids; to second order the likelihood is then
+// grids, then about a standard deviation around the top that these foretell. To
+// second order the likelihood there is
 //
 //   ln p(z) = c + g' z + z' H z / 2,   z the place, in grid spacings
 //
 // with its top at -H^-1 g and the place's covariance -H^-1, which widens what
-// is said of the effect's size.
+// is said of the effect's size. It stays on its grid unless two coordinates
+// more are worth it.
 #pragma once
 
 #include "updating/diagnosis/hypotheses.hpp"
