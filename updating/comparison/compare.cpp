@@ -50,9 +50,9 @@ ModelModes model_modes(const Fit& fit,
   modes.at_dofs = at_dofs.leftCols(count);
   const auto grids = static_cast<Index>(model.setting().deck->grids.size());
   modes.at_grids.resize(3 * grids, count);
+  const MatrixXd motion = model.base().rows * phi;
   for (Index g = 0; g < grids; ++g) {
-    modes.at_grids.middleRows(3 * g, 3) =
-        model.base().rows.middleRows(6 * g, 3) * phi;
+    modes.at_grids.middleRows(3 * g, 3) = motion.middleRows(6 * g, 3);
   }
   return modes;
 }

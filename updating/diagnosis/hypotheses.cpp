@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t few_places = 8;
 // A climb goes on while it gains: across a structure if need be.
 constexpr int most_steps = 40;
-// Patches are looked at more closely where their best leaves at most this times
-// the error of the best of all: each costs a base of its own.
+// Places around the best of a kind are looked at where it leaves at most this
+// times the error of the best of all.
 constexpr double rival = 4.0;
 // Of the logarithm of a likelihood, what is worth a name of its own. Whether it
 // is worth its parameters the evidence tells.
@@ -241,6 +241,12 @@ struct Kind {
   [[nodiscard]] bool at_grids() const {
     return found.front().own().where.node != 0;
   }
+  // Supports, sensors and channels are few: all were looked at.
+  [[nodiscard]] bool has_neighbours() const {
+    const auto changes = effect->changes_stiffness();
+    return at_grids() || changes == ChangeKind::Elements ||
+           changes == ChangeKind::Joint;
+  }
   [[nodiscard]] bool is_loss() const {
     return effect->changes_stiffness() == ChangeKind::Elements;
   }
@@ -275,12 +281,13 @@ double least_error(const std::vector<Kind>& kinds) {
   return least;
 }
 
-// From the best place of a loss of stiffness or a joint to what is around it.
-void climb_stiffness(Kind& kind,
+// From the best place of a kind to what is around it.
+void climb_from_best(Kind& kind,
                      const Fit& current,
                      const Fitter& fitter,
                      const HypothesisOptions& options,
                      const Progress& progress) {
+  if (!kind.has_neighbours()) return;
   climb_places(kind.found, current, fitter, options.neighbours, progress);
   if (kind.is_loss() && kind.error() > options.explained) {
     climb_shapes(kind.found, current, fitter, progress);
@@ -288,20 +295,19 @@ void climb_stiffness(Kind& kind,
 }
 
 // The screening is of first order, and a loss of stiffness or a joint is often
-// far from small: the right place may not be among those fitted.
+// far from small: the right place may not be among those fitted. Grids first:
+// they share a base, and what they leave is the measure for the others.
 void climb_rivals(std::vector<Kind>& kinds,
                   const Fit& current,
                   const Fitter& fitter,
                   const HypothesisOptions& options,
                   const Progress& progress) {
-  const double least = least_error(kinds);
-  for (Kind& kind : kinds) {
-    const auto changes = kind.effect->changes_stiffness();
-    if (changes != ChangeKind::Elements && changes != ChangeKind::Joint) {
-      continue;
+  for (const bool grids : {true, false}) {
+    const double least = least_error(kinds);
+    for (Kind& kind : kinds) {
+      if (kind.at_grids() != grids || kind.error() > rival * least) continue;
+      climb_from_best(kind, current, fitter, options, progress);
     }
-    if (kind.error() > rival * least) continue;
-    climb_stiffness(kind, current, fitter, options, progress);
   }
 }
 
@@ -355,12 +361,7 @@ void try_forms(std::vector<Kind>& kinds,
       if (better) kind.found.push_back(std::move(h));
     }
     if (kind.log_likelihood() <= plain) continue;
-    if (kind.at_grids()) {
-      climb_places(kind.found, current, fitter, options.neighbours, progress);
-    }
-    if (kind.is_loss()) {
-      climb_stiffness(kind, current, fitter, options, progress);
-    }
+    climb_from_best(kind, current, fitter, options, progress);
   }
 }
 
@@ -384,16 +385,22 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     part("fitting " + effect->name(), 0.0);
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
-    const std::vector<PlacedEffect> tries =
+    std::vector<PlacedEffect> tries =
         worth_fitting(*effect, current, screened, setting, options);
-    if (tries.empty()) continue;
+    const auto tried = static_cast<double>(tries.size());
+    const Fit* known = options.known;
+    const bool is_known =
+        known != nullptr && known->effects.back().effect == effect.get();
+    if (is_known) {
+      std::erase_if(tries, [known](const PlacedEffect& e) {
+        return e.where == known->effects.back().where;
+      });
+    }
     Kind kind{effect.get(),
               fit_screened(*effect, tries, current, fitter, part),
-              static_cast<double>(tries.size())};
-    if (kind.at_grids() && options.neighbours > 0) {
-      climb_places(kind.found, current, fitter, options.neighbours, part);
-    }
-    kinds.push_back(std::move(kind));
+              tried};
+    if (is_known) kind.found.push_back({*known});
+    if (!kind.found.empty()) kinds.push_back(std::move(kind));
   }
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.9, 1.0);

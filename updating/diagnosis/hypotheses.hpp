@@ -28,6 +28,9 @@ struct HypothesisOptions {
   /// An error that leaves nothing for another form of an effect to explain.
   double explained = 0.0;
   int joints = 0;  ///< of the screened places, where more than places_per_kind
+  /// One of them that is fitted already, as its last effect: others are looked
+  /// at more closely only where they may do as well. None: null.
+  const Fit* known = nullptr;
 };
 
 /// @return fitted hypotheses, kind after kind; their evidence is not set

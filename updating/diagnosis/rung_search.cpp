@@ -184,6 +184,19 @@ Fit RungSearch::refit(const std::vector<PlacedEffect>& effects,
   return fitter_->fit(effects, fitter_->model_for(effects), progress);
 }
 
+// The same fit with one of its effects as the last.
+Fit RungSearch::with_last(const Fit& fit,
+                          std::size_t k,
+                          const Progress& progress) const {
+  Fit turned = fit;
+  std::vector<PlacedEffect>& effects = turned.result.state.effects;
+  const auto own = effects.begin() + static_cast<std::ptrdiff_t>(k);
+  std::rotate(own, own + 1, effects.end());
+  turned.effects = effects;
+  return fitter_->fit_beside(
+      turned, effects, fitter_->model_for(effects), progress);
+}
+
 // The evidence of all, the strongest first.
 void RungSearch::judge(Round& round) const {
   for (Hypothesis& h : round.hypotheses) {
@@ -229,7 +242,8 @@ void RungSearch::settle_places(const Fit& current,
 
 Round RungSearch::look(const Fit& current,
                        Depth depth,
-                       const Progress& progress) const {
+                       const Progress& progress,
+                       const Fit* known) const {
   const bool thorough = depth >= Depth::Thorough;
   HypothesisOptions options;
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
@@ -237,6 +251,7 @@ Round RungSearch::look(const Fit& current,
   options.promising = thorough ? 1e300 : promising;
   options.explained = at_floor * options_.floor;
   if (depth == Depth::LastResort) options.joints = many_joints;
+  options.known = known;
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
   const Target& target = fitter_->target();
@@ -300,8 +315,9 @@ Fit RungSearch::relocate(Fit fit,
                          std::vector<Chosen>& chosen,
                          const Progress& progress) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    const Fit known = with_last(fit, k, progress);
     const Round round =
-        look(refit(without(fit, k), progress), Depth::Nearby, progress);
+        look(refit(without(fit, k), progress), Depth::Nearby, progress, &known);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
     // Masses of their own, where one for all sensors does as well.

@@ -63,9 +63,11 @@ class RungSearch {
   };
 
   /// Everything that could be added to the model as it is.
+  /// @param known one of them that is fitted already, see HypothesisOptions
   [[nodiscard]] Round look(const Fit& current,
                            Depth depth,
-                           const Progress& progress) const;
+                           const Progress& progress,
+                           const Fit* known = nullptr) const;
 
   /// A hypothesis of the round as it is added to the model.
   ///
@@ -105,6 +107,9 @@ class RungSearch {
   void judge_anew(const Round& round,
                   const PlacedEffect& effect,
                   Chosen& it) const;
+  [[nodiscard]] Fit with_last(const Fit& fit,
+                              std::size_t k,
+                              const Progress& progress) const;
   [[nodiscard]] Fit refit(const std::vector<PlacedEffect>& effects,
                           const Progress& progress) const;
 

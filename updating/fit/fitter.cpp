@@ -242,22 +242,30 @@ std::optional<ModelState> Fitter::continued(
   return error(most) < error(least) ? most : least;
 }
 
+// The deck's own mesh with the same effects, as far as they change its modes.
+std::shared_ptr<const FrfModel> Fitter::coarser_for(
+    const std::vector<PlacedEffect>& effects) const {
+  const bool changed = std::ranges::any_of(effects, [](const PlacedEffect& e) {
+    return e.effect->changes_stiffness().has_value();
+  });
+  return changed ? Fitter(*coarser_, setting_).model_for(effects)
+                 : plain_coarser_;
+}
+
 // What the mesh does to the modes as they have become: all fits alike, so that
 // none is better for that alone.
 Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
+                                          const FrfModel& coarser,
                                           const Ground& before) const {
-  const bool changed = !before.model->base().terms.empty();
-  const auto coarser =
-      changed ? Fitter(*coarser_, setting_).model_for(state.effects)
-              : plain_coarser_;
   Ground ground{with_mesh_at(*before.model,
-                             *coarser,
+                             coarser,
                              state,
                              setting_.uncertain_sd.size() - mesh_factors_),
                 before.target};
+  const bool changed = !before.model->base().terms.empty();
   if (changed) {
     ground.target.mesh_bias =
-        mesh_error(*ground.model, *coarser, state, ground.target);
+        mesh_error(*ground.model, coarser, state, ground.target);
   }
   return ground;
 }
@@ -414,7 +422,8 @@ class Fitter::Course {
     const double known = relative_error(
         held.target, model_->respond(from, held.target.s, false).H);
     const std::size_t steps = history_.size();
-    Ground ground = fitter_->with_mesh_at_state(from, held);
+    if (!coarser_) coarser_ = fitter_->coarser_for(from.effects);
+    Ground ground = fitter_->with_mesh_at_state(from, *coarser_, held);
     model_ = std::move(ground.model);
     targets_[last] = std::move(ground.target);
     go_on(last, options);
@@ -449,6 +458,7 @@ class Fitter::Course {
   const Fitter* fitter_;
   std::vector<Target> targets_;
   std::shared_ptr<const FrfModel> model_;
+  std::shared_ptr<const FrfModel> coarser_;  // made when first needed
   const Progress* progress_;
   double done_ = 0.0;
   UpdateResult result_;

@@ -140,7 +140,10 @@ class Fitter {
     std::shared_ptr<const FrfModel> model;
     Target target;
   };
+  [[nodiscard]] std::shared_ptr<const FrfModel> coarser_for(
+      const std::vector<PlacedEffect>& effects) const;
   [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
+                                          const FrfModel& coarser,
                                           const Ground& before) const;
   class Course;
 

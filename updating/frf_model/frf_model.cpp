@@ -67,7 +67,10 @@ FrfModel::FrfModel(ReducedBase base,
                    const signal::FrfSet& measured)
     : base_(std::move(base)),
       setting_(setting),
-      dashpots_(structure::damping_factor(*setting.deck, base_.rows)) {
+      dashpots_(structure::damping_factor(
+          *setting.deck, base_.size(), [this](int dof) {
+            return base_.rows.row(dof);
+          })) {
   std::map<Dof, Index> column;
   std::set<std::size_t> runs;
   std::vector<VectorXd> points;

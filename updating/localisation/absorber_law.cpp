@@ -13,7 +13,6 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-
 class Search {
  public:
   Search(const VectorXcd& z, const VectorXd& weight, const VectorXcd& s)

@@ -101,7 +101,7 @@ class Elsewhere {
  public:
   Elsewhere(const Fit& fit, const Fitter& fitter, const Group& group)
       : fit_(&fit), fitter_(&fitter), group_(&group) {
-    const MatrixXd& rows = fit.model->base().rows;
+    const MatrixXd rows = fit.model->base().rows.all();
     misfit_ = MatrixXd::Zero(rows.rows(), 2);
     const Target& target = fitter.target();
     const auto walks = fit.model->walk_columns(
@@ -110,7 +110,7 @@ class Elsewhere {
       for (const WalkedPair& pair : walk.pairs) {
         const auto f = static_cast<std::size_t>(pair.frf);
         if (std::binary_search(group.frfs.begin(), group.frfs.end(), f)) {
-          add(walk, pair);
+          add(walk, pair, rows);
         }
       }
     }
@@ -149,9 +149,10 @@ class Elsewhere {
                      (lines * static_cast<double>(group_->frfs.size())));
   }
 
-  void add(const FrfModel::Walk& walk, const WalkedPair& pair) {
+  void add(const FrfModel::Walk& walk,
+           const WalkedPair& pair,
+           const MatrixXd& rows) {
     const Target& target = fitter_->target();
-    const MatrixXd& rows = fit_->model->base().rows;
     const bool hit = group_->point.channel.empty();
     MatrixXcd X(rows.cols(), target.s.size());
     for (Index l = 0; l < X.cols(); ++l) {

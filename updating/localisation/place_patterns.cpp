@@ -42,10 +42,10 @@ MatrixXd single_rows(const std::vector<MatrixXd>& places, Index columns) {
 
 // Sum over a place's rows of what response and reference feel there.
 std::complex<double> pair_patterns(const MatrixXcd& felt_o,
-                                  const MatrixXcd& felt_i,
-                                  const WalkedPair& pair,
-                                  Index first,
-                                  Index count) {
+                                   const MatrixXcd& felt_i,
+                                   const WalkedPair& pair,
+                                   Index first,
+                                   Index count) {
   return felt_o.col(pair.response)
       .segment(first, count)
       .cwiseProduct(felt_i.col(pair.reference).segment(first, count))

@@ -40,7 +40,7 @@ MatrixXd strain_rows(const MatrixXd& K, const MatrixXd& motion) {
 
 PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
   const structure::Deck& deck = *model.setting().deck;
-  const MatrixXd& rows = model.base().rows;
+  const MatrixXd rows = model.base().rows.all();
   const auto take = [&](int id, const structure::ElementMatrices& e) {
     ElementRows element{e.grids, e.K, {}, {}};
     element.motion.resize(6 * static_cast<Index>(e.grids.size()), rows.cols());

@@ -234,11 +234,12 @@ class Draw {
     const auto row = 6 * static_cast<Eigen::Index>(deck().grid_index(grid)) +
                      setup_.component - 1;
     const auto modes = static_cast<Eigen::Index>(setup_.model_hz.size());
+    const Eigen::RowVectorXd at = base_.rows.row(row);
     double stretch = 0.0;
     for (Eigen::Index k = 0; k < modes; ++k) {
       const double hz = setup_.model_hz[static_cast<std::size_t>(k)];
       if (hz <= 1e-3 * setup_.band_hz[1]) continue;
-      stretch += std::pow(base_.rows(row, k), 2) / (two_pi * hz);
+      stretch += std::pow(at(k), 2) / (two_pi * hz);
     }
     return impulse * stretch;
   }

@@ -1,6 +1,7 @@
 // A model seen through the vectors of a reduced base.
 #pragma once
 
+#include "updating/reduction/point_rows.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 
 #include <Eigen/Core>
@@ -10,8 +11,8 @@
 namespace tapfit::updating {
 
 struct ReducedBase {
-  Eigen::MatrixXd rows;  ///< 6 n_grids x r, rows of V for the deck's own grids
-  Eigen::MatrixXd K;     ///< r x r at nominal properties, see StiffnessTerm
+  PointRows rows;     ///< of V, for the deck's own grids
+  Eigen::MatrixXd K;  ///< r x r at nominal properties, see StiffnessTerm
   /// Of the uncertain properties, see uncertain_parts.hpp.
   std::vector<std::vector<int>> part_power;
   std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r

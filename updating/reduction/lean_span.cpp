@@ -80,8 +80,7 @@ MatrixXd changed_modes(const ReducedBase& base,
       (lambda.array() < looked_at_reach * looked_at_reach * top).count();
   const MatrixXd phi = kept.eigenvectors().leftCols(count);
   MatrixXd load = K.bottomLeftCorner(h, m) * phi;
-  load -= M.bottomLeftCorner(h, m) * phi *
-          lambda.head(count).asDiagonal();
+  load -= M.bottomLeftCorner(h, m) * phi * lambda.head(count).asDiagonal();
   for (Index k = 0; k < count; ++k) {
     load.col(k) /= std::sqrt(std::max(lambda(k), 1e-2 * top));
   }
@@ -120,8 +119,8 @@ MatrixXd lean_span(const ReducedBase& base,
       (gram.eigenvalues().array() > negligible * negligible).count();
   MatrixXd span = MatrixXd::Zero(base.size(), beyond.first + kept);
   span.topLeftCorner(beyond.first, beyond.first).setIdentity();
-  const MatrixXd directions = root.cwiseInverse().asDiagonal() *
-                              gram.eigenvectors().rightCols(kept);
+  const MatrixXd directions =
+      root.cwiseInverse().asDiagonal() * gram.eigenvectors().rightCols(kept);
   span.bottomRightCorner(h, kept) =
       Eigen::HouseholderQR<MatrixXd>(directions).householderQ() *
       MatrixXd::Identity(h, kept);

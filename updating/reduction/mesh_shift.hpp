@@ -13,9 +13,9 @@ struct MeshModes {
 };
 
 /// What has to be added to the modal stiffness and mass of the finer mesh,
-/// diag(l) with l = omega^2, and I, for its modes to change as they did when the
-/// mesh was split. Where the coarser mesh's modes are Phi B at the grids that
-/// both have, Phi the finer one's and A = B^-1,
+/// diag(l) with l = omega^2, and I, for its modes to change as they did when
+/// the mesh was split. Where the coarser mesh's modes are Phi B at the grids
+/// that both have, Phi the finer one's and A = B^-1,
 ///
 ///   K = diag(l) - A' diag(l_coarse) A,   M = I - A' A
 struct MeshShift {

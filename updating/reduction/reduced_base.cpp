@@ -9,6 +9,7 @@
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -46,7 +47,7 @@ constexpr std::size_t most_orders = 4;
 
 // Other coordinates of the same span: V Q.
 void turn(ReducedBase& base, const MatrixXd& Q) {
-  base.rows = (base.rows * Q).eval();
+  base.rows.turn(Q);
   base.K = (Q.transpose() * base.K * Q).eval();
   for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
   for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
@@ -167,7 +168,7 @@ BaseBuilder::BaseBuilder(
   ReducedBase& fixed = m.wide.base;
   m.wide.points = m.options.points;
   m.wide.V = std::move(solved.V);
-  fixed.rows = m.wide.V.topRows(6 * m.original_grids);
+  fixed.rows = PointRows(m.wide.V.topRows(6 * m.original_grids));
   fixed.K = std::move(solved.K);
   fixed.K_part = std::move(solved.K_part);
   fixed.M_part = std::move(solved.M_part);
@@ -225,6 +226,7 @@ void BaseBuilder::Impl::make_lean() {
       Eigen::SelfAdjointEigenSolver<MatrixXd>(lean.base.K).eigenvectors();
   lean.V = (lean.V * own).eval();
   turn(lean.base, own);
+  lean.base.rows = PointRows(lean.V.topRows(6 * original_grids));
 }
 
 bool BaseBuilder::is_free() const {
@@ -331,17 +333,14 @@ ReducedBase BaseBuilder::Impl::extend(const Span& span,
   const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
-    const MatrixXd AR = A * R;
     MatrixXd whole(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
-    whole.topRightCorner(a, b) = V.transpose() * AR.topRows(n);
+    whole.rightCols(b) = seen_through(V, R, A);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
-    whole.bottomRightCorner(b, b) = R.transpose() * AR;
     return whole;
   };
   ReducedBase base;
-  base.rows.resize(6 * original_grids, a + b);
-  base.rows << fixed.rows, R.topRows(6 * original_grids);
+  base.rows = fixed.rows.with(R.topRows(6 * original_grids));
   base.K = grow(fixed.K, released.K);
   base.part_power = fixed.part_power;
   for (std::size_t k = 0; k < released.parts.size(); ++k) {
@@ -362,8 +361,7 @@ ReducedBase BaseBuilder::Impl::extend(const Span& span,
     base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
   }
   const auto through = [&](const SparseMatrix& A) {
-    const SparseMatrix known = A.topLeftCorner(n, n);
-    return grow(V.transpose() * (known * V), A);
+    return grow(seen_through(V, A.topLeftCorner(n, n)), A);
   };
   for (const ScaledStiffness& scaled : released.scaled) {
     StiffnessTerm& term = base.terms.emplace_back();

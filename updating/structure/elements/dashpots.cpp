@@ -55,16 +55,19 @@ std::set<int> damped_dofs(const Deck& deck) {
   return dofs;
 }
 
-Eigen::MatrixXd damping_factor(const Deck& deck, const Eigen::MatrixXd& rows) {
-  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(rows.cols(), rows.cols());
+Eigen::MatrixXd damping_factor(
+    const Deck& deck,
+    Eigen::Index size,
+    const std::function<Eigen::RowVectorXd(int dof)>& row) {
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(size, size);
   for (const Dashpot& dashpot : dashpots(deck)) {
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(rows.cols());
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(size);
     for (const auto& [dof, part] : dashpot.direction) {
-      b += part * rows.row(dof).transpose();
+      b += part * row(dof).transpose();
     }
     C += dashpot.damping * b * b.transpose();
   }
-  if (C.isZero(0.0)) return Eigen::MatrixXd(rows.cols(), 0);
+  if (C.isZero(0.0)) return Eigen::MatrixXd(size, 0);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(C);
   const Eigen::VectorXd& c = solver.eigenvalues();
   const Eigen::Index rank = (c.array() > 1e-13 * c(c.size() - 1)).count();

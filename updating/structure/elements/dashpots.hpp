@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -27,9 +28,12 @@ struct Dashpot {
 
 /// F with V' C V = F F', as wide as the dashpots are independent in a base V,
 /// however many there are.
-/// @param rows of V for the deck's grids, 6 n_grids x r
+/// @param size r, of the base
+/// @param row of V for a degree of freedom, 6 grid_index + component - 1
 /// @return r x rank
-[[nodiscard]] Eigen::MatrixXd damping_factor(const Deck& deck,
-                                             const Eigen::MatrixXd& rows);
+[[nodiscard]] Eigen::MatrixXd damping_factor(
+    const Deck& deck,
+    Eigen::Index size,
+    const std::function<Eigen::RowVectorXd(int dof)>& row);
 
 }  // namespace tapfit::structure

@@ -1,0 +1,47 @@
+#include "updating/reduction/point_rows.hpp"
+
+#include <utility>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+PointRows::PointRows(MatrixXd columns)
+    : shared_(std::make_shared<MatrixXd>(std::move(columns))),
+      own_(shared_->rows(), 0),
+      Q_(MatrixXd::Identity(shared_->cols(), shared_->cols())) {}
+
+PointRows PointRows::with(MatrixXd columns) const {
+  PointRows wider = *this;
+  const Index n = columns.cols();
+  wider.own_.resize(rows(), own_.cols() + n);
+  wider.own_ << own_, columns;
+  wider.Q_ = MatrixXd::Zero(Q_.rows() + n, Q_.cols() + n);
+  wider.Q_.topLeftCorner(Q_.rows(), Q_.cols()) = Q_;
+  wider.Q_.bottomRightCorner(n, n).setIdentity();
+  return wider;
+}
+
+void PointRows::turn(const MatrixXd& Q) { Q_ = (Q_ * Q).eval(); }
+
+Index PointRows::rows() const { return own_.rows(); }
+
+Eigen::RowVectorXd PointRows::row(Index dof) const {
+  if (own_.cols() == 0) return shared_->row(dof) * Q_;
+  return shared_->row(dof) * Q_.topRows(shared_->cols()) +
+         own_.row(dof) * Q_.bottomRows(own_.cols());
+}
+
+MatrixXd PointRows::all() const {
+  return *this * MatrixXd::Identity(cols(), cols());
+}
+
+MatrixXd PointRows::operator*(const MatrixXd& X) const {
+  const MatrixXd QX = Q_ * X;
+  MatrixXd result = *shared_ * QX.topRows(shared_->cols());
+  if (own_.cols() > 0) result += own_ * QX.bottomRows(own_.cols());
+  return result;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,38 @@
+// The rows of a base for the deck's own grids, worked out where they are asked
+// for: a base is turned often, and few of its rows are ever looked at.
+//
+//   rows = [shared, own] Q
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace tapfit::updating {
+
+/// 6 n_grids x r: how a base's coordinates move each degree of freedom.
+class PointRows {
+ public:
+  PointRows() = default;
+  /// The columns themselves, which those made by with() share.
+  explicit PointRows(Eigen::MatrixXd columns);
+
+  /// The same with further columns behind.
+  [[nodiscard]] PointRows with(Eigen::MatrixXd columns) const;
+  /// In other coordinates of the same span: rows Q.
+  void turn(const Eigen::MatrixXd& Q);
+
+  [[nodiscard]] Eigen::Index rows() const;
+  [[nodiscard]] Eigen::Index cols() const { return Q_.cols(); }
+  [[nodiscard]] Eigen::RowVectorXd row(Eigen::Index dof) const;
+  [[nodiscard]] Eigen::MatrixXd all() const;
+  /// rows X, without working the rows out.
+  [[nodiscard]] Eigen::MatrixXd operator*(const Eigen::MatrixXd& X) const;
+
+ private:
+  std::shared_ptr<const Eigen::MatrixXd> shared_;
+  Eigen::MatrixXd own_;
+  Eigen::MatrixXd Q_;  // columns of both x r
+};
+
+}  // namespace tapfit::updating

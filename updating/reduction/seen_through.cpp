@@ -1,0 +1,84 @@
+#include "updating/reduction/seen_through.hpp"
+
+#include <utility>
+#include <vector>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using structure::SparseMatrix;
+
+namespace {
+
+// What a symmetric matrix acts on, and its part there.
+struct Acting {
+  std::vector<Index> dofs;
+  SparseMatrix A;
+
+  // Rows of X there, zero behind its last one.
+  [[nodiscard]] MatrixXd rows_of(const MatrixXd& X) const {
+    MatrixXd rows = MatrixXd::Zero(A.rows(), X.cols());
+    for (std::size_t k = 0; k < dofs.size(); ++k) {
+      if (dofs[k] >= X.rows()) break;
+      rows.row(static_cast<Index>(k)) = X.row(dofs[k]);
+    }
+    return rows;
+  }
+};
+
+std::vector<Index> acted_dofs(const SparseMatrix& A) {
+  std::vector<Index> dofs;
+  for (Index c = 0; c < A.outerSize(); ++c) {
+    if (SparseMatrix::InnerIterator(A, c)) dofs.push_back(c);
+  }
+  return dofs;
+}
+
+Acting acting(const SparseMatrix& A, std::vector<Index> dofs) {
+  Acting result;
+  result.dofs = std::move(dofs);
+  std::vector<int> at(static_cast<std::size_t>(A.cols()), -1);
+  for (std::size_t k = 0; k < result.dofs.size(); ++k) {
+    at[static_cast<std::size_t>(result.dofs[k])] = static_cast<int>(k);
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (const Index c : result.dofs) {
+    for (SparseMatrix::InnerIterator it(A, c); it; ++it) {
+      entries.emplace_back(at[static_cast<std::size_t>(it.row())],
+                           at[static_cast<std::size_t>(c)],
+                           it.value());
+    }
+  }
+  const auto size = static_cast<Index>(result.dofs.size());
+  result.A.resize(size, size);
+  result.A.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+}  // namespace
+
+MatrixXd seen_through(const MatrixXd& V, const SparseMatrix& A) {
+  const Acting few = acting(A, acted_dofs(A));
+  const MatrixXd rows = few.rows_of(V);
+  return rows.transpose() * (few.A * rows);
+}
+
+MatrixXd seen_through(const MatrixXd& V,
+                      const MatrixXd& R,
+                      const SparseMatrix& A) {
+  MatrixXd both(V.cols() + R.cols(), R.cols());
+  std::vector<Index> dofs = acted_dofs(A);
+  if (2 * static_cast<Index>(dofs.size()) > A.rows()) {
+    const MatrixXd AR = A * R;
+    both << V.transpose() * AR.topRows(V.rows()), R.transpose() * AR;
+  } else {
+    const Acting few = acting(A, std::move(dofs));
+    const MatrixXd rows = few.rows_of(R);
+    const MatrixXd AR = few.A * rows;
+    both << few.rows_of(V).transpose() * AR, rows.transpose() * AR;
+  }
+  return both;
+}
+
+}  // namespace tapfit::updating
