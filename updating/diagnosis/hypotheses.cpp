@@ -151,8 +151,9 @@ void climb_places(std::vector<Hypothesis>& found,
   const effects::Setting& setting = fitter.setting().setting;
   const PlacedEffect& any = found.front().own();
   const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
-  const std::vector<Where> patches =
-      any.where.node != 0 ? std::vector<Where>{} : any.effect->places(setting);
+  static const std::vector<Where> none;
+  const std::vector<Where>& patches =
+      any.where.node != 0 ? none : fitter.places(*any.effect);
   const auto near = [&](const Where& at) {
     std::vector<Where> places =
         places_near(at, patches, *setting.deck, neighbours);
@@ -188,11 +189,14 @@ void climb_shapes(std::vector<Hypothesis>& found,
 std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
                                         const Fit& current,
                                         const std::vector<Screened>& screened,
-                                        const effects::Setting& setting,
+                                        const Fitter& fitter,
                                         const HypothesisOptions& options) {
+  const effects::Setting& setting = fitter.setting().setting;
   std::vector<PlacedEffect> tries;
-  // Sensors and channels are few and each differs from the others.
-  const bool few = effect.places(setting).size() <= few_places;
+  // Sensors and channels are few and each differs from the others. Their
+  // screening is exact but for what the rest may give way.
+  const bool few =
+      options.places_per_kind > 1 && fitter.places(effect).size() <= few_places;
   const int most_places =
       effect.changes_stiffness() == ChangeKind::Joint
           ? std::max(options.places_per_kind, options.joints)
@@ -225,7 +229,7 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     tries.push_back(likely->placed);
   }
   if (likely != nullptr) return tries;
-  for (const Where& where : effect.places(setting)) {
+  for (const Where& where : fitter.places(effect)) {
     const PlacedEffect p = placed(effect, where, setting);
     if (!present(current, p)) tries.push_back(p);
   }
@@ -386,7 +390,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
     std::vector<PlacedEffect> tries =
-        worth_fitting(*effect, current, screened, setting, options);
+        worth_fitting(*effect, current, screened, fitter, options);
     const auto tried = static_cast<double>(tries.size());
     const Fit* known = options.known;
     const bool is_known =

@@ -44,15 +44,13 @@ struct Places {
 };
 
 // Takes the point effects, each with the others that may sit where it may.
-void add_points(const FrfModel& model,
-                const PlaceRows& source,
-                Places& places) {
-  const effects::Setting& setting = model.setting();
+void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
+  const effects::Setting& setting = fitter.setting().setting;
   std::map<std::pair<int, std::string>, std::size_t> known;
   for (const auto& effect : effects::catalogue()) {
     const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
     if (point == nullptr) continue;
-    for (const Where& where : point->places(setting)) {
+    for (const Where& where : fitter.places(*point)) {
       MatrixXd row =
           source.grid(where.node, effects::component_of(where, setting));
       // A plane model does not move out of its plane.
@@ -72,11 +70,11 @@ void add_points(const FrfModel& model,
 }
 
 void add_losses(const effects::Effect& effect,
-                const effects::Setting& setting,
+                const Fitter& fitter,
                 const PlaceRows& source,
                 Places& places) {
   std::map<int, std::size_t> at;  // element -> its rows
-  for (const Where& where : effect.places(setting)) {
+  for (const Where& where : fitter.places(effect)) {
     std::vector<std::size_t> sum;
     for (const int id : where.elements) {
       const auto [it, fresh] = at.try_emplace(id, places.scanned.parts.size());
@@ -88,18 +86,17 @@ void add_losses(const effects::Effect& effect,
   }
 }
 
-Places all_places(const FrfModel& model) {
-  const effects::Setting& setting = model.setting();
+Places all_places(const FrfModel& model, const Fitter& fitter) {
   const PlaceRows source(model);
   Places places;
-  add_points(model, source, places);
+  add_points(fitter, source, places);
   for (const auto& effect : effects::catalogue()) {
     const auto change = effect->changes_stiffness();
     if (change == ChangeKind::Elements) {
-      add_losses(*effect, setting, source, places);
+      add_losses(*effect, fitter, source, places);
     }
     if (change != ChangeKind::Joint) continue;
-    for (const Where& where : effect->places(setting)) {
+    for (const Where& where : fitter.places(*effect)) {
       MatrixXd rows = source.joint(where);
       if (rows.rows() == 0) continue;
       places.wide.push_back({effect.get(), where});
@@ -167,10 +164,11 @@ class Screening {
   /// @param current its model may be asked about any grid
   Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
       : setting_(fitter.setting().setting),
+        fitter_(&fitter),
         current_(&current),
         // The widest line: the most forgiving about shifts.
         target_(&fitter.setting().targets.front()),
-        places_(all_places(*current.model)),
+        places_(all_places(*current.model, fitter)),
         scan_(current, *target_),
         place_scan_(current, *target_, scan_, places_.scanned, progress),
         now_(
@@ -224,7 +222,7 @@ class Screening {
           dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
         continue;
       }
-      for (const Where& place : effect->places(setting_)) {
+      for (const Where& place : fitter_->places(*effect)) {
         candidates.push_back({effect.get(), place, {}});
       }
     }
@@ -285,10 +283,9 @@ class Screening {
     ModelState state = current_->result.state;
     state.effects.push_back(candidate);
     MatrixXd changes(2 * target_->H.size(), static_cast<Index>(tried.size()));
+    const auto H = current_->model->respond_at_sizes(state, tried, target_->s);
     for (std::size_t k = 0; k < tried.size(); ++k) {
-      state.effects.back().p = tried[k];
-      const MatrixXcd H = current_->model->respond(state, target_->s, false).H;
-      changes.col(static_cast<Index>(k)) = scan_.change(H - now_);
+      changes.col(static_cast<Index>(k)) = scan_.change(H[k] - now_);
     }
     return best_of(candidate, tried, scan_.errors(changes));
   }
@@ -303,6 +300,7 @@ class Screening {
   }
 
   const effects::Setting& setting_;
+  const Fitter* fitter_;
   const Fit* current_;
   const Target* target_;
   Places places_;

@@ -72,6 +72,13 @@ Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
   return result;
 }
 
+const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
+  const std::scoped_lock lock(places_->mutex);
+  const auto [it, fresh] = places_->of.try_emplace(&effect);
+  if (fresh) it->second = effect.places(setting_.setting);
+  return it->second;
+}
+
 std::shared_ptr<const FrfModel> Fitter::model_for(
     const std::vector<PlacedEffect>& effects, BaseUse use) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);
@@ -86,6 +93,9 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
                                           setting_.setting,
                                           setting_.measured);
   model->set_reference(first_state(*model, effects));
+  if (coarser_ != nullptr && use == BaseUse::Fit) {
+    model->set_coarser(coarser_for(effects));
+  }
   return model;
 }
 
@@ -143,24 +153,23 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   std::vector<double>& p = state.effects.back().p;
   const Prior prior = prior_for(model, state);
   const Target& wide = setting_.targets.front();
-  const auto error = [&] {
-    return relative_error(wide, model.respond(state, wide.s, false).H);
-  };
   const Index first = prior.lower.size() - static_cast<Index>(p.size());
-  double least = error();
+  double least = relative_error(wide, model.respond(state, wide.s, false).H);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const double low = prior.lower(first + static_cast<Index>(k));
     const double high = prior.upper(first + static_cast<Index>(k));
-    double best = p[k];
+    std::vector<std::vector<double>> sizes(start_scan, p);
     for (int step = 0; step < start_scan; ++step) {
-      p[k] = std::exp(low + (high - low) * (step + 0.5) / start_scan);
-      const double tried = error();
-      if (tried < least) {
-        least = tried;
-        best = p[k];
-      }
+      sizes[static_cast<std::size_t>(step)][k] =
+          std::exp(low + (high - low) * (step + 0.5) / start_scan);
     }
-    p[k] = best;
+    const auto tried = model.respond_at_sizes(state, sizes, wide.s);
+    for (std::size_t t = 0; t < tried.size(); ++t) {
+      const double left = relative_error(wide, tried[t]);
+      if (left >= least) continue;
+      least = left;
+      p[k] = sizes[t][k];
+    }
   }
 }
 
@@ -255,8 +264,8 @@ std::shared_ptr<const FrfModel> Fitter::coarser_for(
 // What the mesh does to the modes as they have become: all fits alike, so that
 // none is better for that alone.
 Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
-                                          const FrfModel& coarser,
                                           const Ground& before) const {
+  const FrfModel& coarser = *before.model->coarser();
   Ground ground{with_mesh_at(*before.model,
                              coarser,
                              state,
@@ -341,7 +350,7 @@ class Fitter::Course {
     for (int round = 0; round < rounds; ++round) {
       if (round > 0 && !take_damping() && there) break;
       const Eigen::VectorXd from = pack(result_.state);
-      if (fitter_->coarser_ == nullptr) {
+      if (model_->coarser() == nullptr) {
         go_on(last, options);
       } else if (!with_mesh(options)) {
         break;
@@ -422,8 +431,7 @@ class Fitter::Course {
     const double known = relative_error(
         held.target, model_->respond(from, held.target.s, false).H);
     const std::size_t steps = history_.size();
-    if (!coarser_) coarser_ = fitter_->coarser_for(from.effects);
-    Ground ground = fitter_->with_mesh_at_state(from, *coarser_, held);
+    Ground ground = fitter_->with_mesh_at_state(from, held);
     model_ = std::move(ground.model);
     targets_[last] = std::move(ground.target);
     go_on(last, options);
@@ -458,7 +466,6 @@ class Fitter::Course {
   const Fitter* fitter_;
   std::vector<Target> targets_;
   std::shared_ptr<const FrfModel> model_;
-  std::shared_ptr<const FrfModel> coarser_;  // made when first needed
   const Progress* progress_;
   double done_ = 0.0;
   UpdateResult result_;

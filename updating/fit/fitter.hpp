@@ -18,7 +18,9 @@
 #include "updating/reduction/reduced_base.hpp"
 
 #include <limits>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -126,6 +128,10 @@ class Fitter {
   /// The same with some FRFs of the set left out.
   [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
 
+  /// Where an effect may be in this setting, worked out when first asked for.
+  [[nodiscard]] const std::vector<Where>& places(
+      const effects::Effect& effect) const;
+
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 
@@ -143,7 +149,6 @@ class Fitter {
   [[nodiscard]] std::shared_ptr<const FrfModel> coarser_for(
       const std::vector<PlacedEffect>& effects) const;
   [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
-                                          const FrfModel& coarser,
                                           const Ground& before) const;
   class Course;
 
@@ -152,6 +157,12 @@ class Fitter {
   std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
   std::size_t mesh_factors_ = 0;
   FitSetting setting_;
+
+  struct KnownPlaces {
+    std::mutex mutex;
+    std::map<const effects::Effect*, std::vector<Where>> of;
+  };
+  std::shared_ptr<KnownPlaces> places_ = std::make_shared<KnownPlaces>();
 };
 
 }  // namespace tapfit::updating

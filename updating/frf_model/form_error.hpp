@@ -58,7 +58,7 @@ struct FormView {
 struct FormEstimate {
   /// Log of the probability of the residual, both integrated out.
   double log_likelihood = 0.0;
-  double tau = 0.0;    ///< relative, of a modal stiffness: twice a frequency's
+  double tau = 0.0;  ///< relative, of a modal stiffness: twice a frequency's
   /// Root of the mean of tau^2: more where the data leave it open.
   double mean_tau = 0.0;
   double sigma = 0.0;  ///< relative FRF error beside the form's

@@ -216,10 +216,11 @@ void FrfModel::set_damping(ModalState& shared) const {
   }
 }
 
-ModalState FrfModel::modal_state(const ModelState& state) const {
+ModalState FrfModel::modal_state(const ModelState& state,
+                                 BaseModes bare) const {
   ModalState shared;
   shared.state = &state;
-  shared.modes = base_modes(state);
+  shared.modes = std::move(bare);
   shared.owner = damping_owners(state, shared.modes);
   shared.changes = changes_of(state);
   shared.beside = beside_modes(state, setting_, runs_);
@@ -357,162 +358,6 @@ std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
     result[k].references = gather(reference);
   }
   return result;
-}
-
-std::vector<FrfModel::Walk> FrfModel::walk_columns(
-    const ModelState& state,
-    const VectorXcd& s,
-    const MatrixXd& candidates) const {
-  const ModalState shared = modal_state(state);
-  const MatrixXd& phi = shared.modes.phi;
-  const bool same = phi.isIdentity(0.0);
-  const MatrixXd of = phi.transpose() * candidates;
-  const MatrixXd squares = of.cwiseAbs2().transpose();
-  const MatrixXcd flexible = flexibility(shared, s);
-  std::vector<Walk> result;
-  for (const RunLines& lines : walks(shared)) {
-    Walk walk;
-    walk.pairs = lines.pairs;
-    walk.own.resize(s.size(), candidates.cols());
-    for (Index line = 0; line < s.size(); ++line) {
-      const VectorXcd g = flexible.col(line);
-      VectorXcd own = squares * g;
-      MatrixXcd coupled;
-      if (lines.B.cols() > 0) {
-        // diag(of' H* of) = diag(of' H of) - what the effects take away
-        coupled = lines.coupling(
-            s(line), lines.B.transpose() * (g.asDiagonal() * lines.B));
-        const MatrixXcd GBc = of.transpose() * (g.asDiagonal() * lines.B);
-        own -= (GBc * coupled).cwiseProduct(GBc).rowwise().sum();
-      }
-      walk.own.row(line) = own.transpose();
-      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
-      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
-      walk.Xo.push_back(same ? Xo : phi * Xo);
-      walk.Xi.push_back(same ? Xi : phi * Xi);
-    }
-    result.push_back(std::move(walk));
-  }
-  return result;
-}
-
-namespace {
-
-// Modes that the form mixes.
-struct FormEntry {
-  Index i;
-  Index j;
-};
-
-// Each of the first modes with itself and with the next two that show at the
-// points: those across the direction measured are none of its neighbours.
-//
-// @param lowest omega of a mode of which more than its mass shows
-std::vector<FormEntry> form_entries(const VectorXd& omega,
-                                    const MatrixXd& at_points,
-                                    double lowest,
-                                    Index modes) {
-  constexpr std::size_t neighbours = 2;
-  constexpr double hidden = 1e-3;  // of what shows most
-  const VectorXd shown = at_points.colwise().norm().transpose();
-  const double most =
-      shown.head(modes).size() > 0 ? shown.head(modes).maxCoeff() : 0.0;
-  std::vector<Index> visible;
-  for (Index i = 0; i < omega.size(); ++i) {
-    if (omega(i) > lowest && shown(i) > hidden * most) visible.push_back(i);
-  }
-  std::vector<FormEntry> entries;
-  for (std::size_t a = 0; a < visible.size() && visible[a] < modes; ++a) {
-    const std::size_t last = std::min(visible.size(), a + neighbours + 1);
-    for (std::size_t b = a; b < last; ++b) {
-      entries.push_back({visible[a], visible[b]});
-    }
-  }
-  return entries;
-}
-
-}  // namespace
-
-std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
-                                               const VectorXcd& s) const {
-  // Of the lowest line: a mode below is as good as rigid, its stiffness takes
-  // less than a third of what its mass does.
-  constexpr double below = 0.5;
-  constexpr double beyond = 1.3;  // of the band: modes that still show in it
-  constexpr double reach = 4.0;   // of the band: those that are modes, not
-                                  // responses of still higher ones
-  const ModalState shared = modal_state(state);
-  const VectorXd& w = shared.modes.omega;
-  const double top = 2.0 * M_PI * setting_.high_hz;
-  const Index modes = (w.array() < beyond * top).count();
-  const auto n = static_cast<Index>(pairs_.size());
-  const std::vector<FormEntry> entries =
-      form_entries(w,
-                   points_.transpose() * shared.modes.phi,
-                   below * s.imag().minCoeff(),
-                   modes);
-  const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
-  std::vector<MatrixXcd> patterns(entries.size() + 3, none);
-  MatrixXcd& even = patterns[entries.size()];
-  MatrixXcd& linear = patterns[entries.size() + 1];
-  MatrixXcd& higher = patterns[entries.size() + 2];
-  const VectorXd w2 = w.cwiseAbs2();
-  const VectorXd order = (w / top).cwiseMin(reach);
-  ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
-  record(pairs_, shared, s, chain);
-  const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : walks(shared)) {
-    for (Index l = 0; l < s.size(); ++l) {
-      const VectorXcd g = flexible.col(l);
-      MatrixXcd coupled;
-      if (lines.B.cols() > 0) {
-        coupled = lines.coupling(
-            s(l), lines.B.transpose() * (g.asDiagonal() * lines.B));
-      }
-      const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
-      const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
-      for (const WalkedPair& p : lines.pairs) {
-        const complex<double> scale = -s(l) * s(l) * chain.H(l, p.frf);
-        const auto o = Xo.col(p.response);
-        const auto r = Xi.col(p.reference);
-        for (std::size_t k = 0; k < entries.size(); ++k) {
-          const auto [i, j] = entries[k];
-          const complex<double> both =
-              i == j ? o(i) * r(i) : (o(i) * r(j) + o(j) * r(i)) / M_SQRT2;
-          const complex<double> change = scale * w(i) * w(j) * both;
-          patterns[k](l, p.frf) = change;
-        }
-        const VectorXcd of =
-            scale * w2.cwiseProduct(VectorXcd(o.cwiseProduct(r)));
-        even(l, p.frf) = of.sum();
-        linear(l, p.frf) = order.cwiseProduct(of).sum();
-        const Index rest = w.size() - modes;
-        higher(l, p.frf) = order.tail(rest).cwiseProduct(of.tail(rest)).sum();
-      }
-    }
-  }
-  return patterns;
-}
-
-ModelResponse FrfModel::respond(const ModelState& state,
-                                const VectorXcd& s,
-                                bool derivatives) const {
-  ModalState shared = modal_state(state);
-  if (derivatives) find_turning(shared, s.cwiseAbs().maxCoeff());
-  ModelResponse out;
-  const auto n = static_cast<Index>(pairs_.size());
-  out.H.resize(s.size(), n);
-  if (derivatives) {
-    out.dH.assign(static_cast<std::size_t>(state.parameters()),
-                  MatrixXcd::Zero(s.size(), n));
-  }
-  const std::vector<RunLines> all = walks(shared);
-  const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : all) {
-    sum_modes(lines, s, flexible, out);
-  }
-  record(pairs_, shared, s, out);
-  return out;
 }
 
 }  // namespace tapfit::updating

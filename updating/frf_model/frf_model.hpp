@@ -26,7 +26,9 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::updating {
@@ -51,6 +53,14 @@ class FrfModel {
   [[nodiscard]] ModelResponse respond(const ModelState& state,
                                       const Eigen::VectorXcd& s,
                                       bool derivatives) const;
+
+  /// The same at several sizes of the last effect, without derivatives: what
+  /// the others make of the modes is worked out once.
+  /// @param sizes the last effect's parameters, each
+  [[nodiscard]] std::vector<Eigen::MatrixXcd> respond_at_sizes(
+      const ModelState& state,
+      const std::vector<std::vector<double>>& sizes,
+      const Eigen::VectorXcd& s) const;
 
   /// Modes of the base with its factors and supports, without the rest.
   /// Damping ratios are theirs, by order, once springs and masses are on.
@@ -94,6 +104,13 @@ class FrfModel {
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
   [[nodiscard]] Eigen::RowVectorXd row(const effects::ActedDof& dof) const;
 
+  /// The same model on the deck's own mesh, where this one's is split; else
+  /// null.
+  [[nodiscard]] const FrfModel* coarser() const { return coarser_.get(); }
+  void set_coarser(std::shared_ptr<const FrfModel> coarser) {
+    coarser_ = std::move(coarser);
+  }
+
   /// Keeps the order of the damping ratios when modes change places: modes at
   /// later states are matched to those at this one.
   void set_reference(const ModelState& state);
@@ -103,7 +120,16 @@ class FrfModel {
   void set_part(std::size_t factor, Eigen::MatrixXd K, Eigen::MatrixXd M);
 
  private:
-  [[nodiscard]] ModalState modal_state(const ModelState& state) const;
+  /// @param bare base_modes() of the state
+  [[nodiscard]] ModalState modal_state(const ModelState& state,
+                                       BaseModes bare) const;
+  [[nodiscard]] ModelResponse respond(ModalState& shared,
+                                      const Eigen::VectorXcd& s,
+                                      bool derivatives) const;
+  [[nodiscard]] std::vector<Eigen::MatrixXcd> recorded_at_sizes(
+      const ModelState& state,
+      const std::vector<std::vector<double>>& sizes,
+      const Eigen::VectorXcd& s) const;
   [[nodiscard]] std::vector<ConstantChange> changes_of(
       const ModelState& state) const;
   // By which parameters the modes turn, and how.
@@ -122,6 +148,7 @@ class FrfModel {
   Eigen::MatrixXd dashpots_;  // r x rank, C = dashpots_ dashpots_' of the deck
   std::vector<std::size_t> runs_;
   Eigen::MatrixXd reference_phi_;
+  std::shared_ptr<const FrfModel> coarser_;
 };
 
 }  // namespace tapfit::updating

@@ -13,7 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-
 // Beyond this many times the band the vectors of a base are no modes.
 constexpr double reach = 2.5;
 

@@ -63,6 +63,36 @@ std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
   return result;
 }
 
+bool is_passed_on(const std::vector<MeasuredPair>& pairs,
+                  const PlacedEffect& placed) {
+  return is_fault(placed) &&
+         std::ranges::all_of(pairs, [&placed](const MeasuredPair& pair) {
+           return placed.effect->recorded_as(pair.channel, placed.where) ==
+                  pair.channel;
+         });
+}
+
+void record_through(const std::vector<MeasuredPair>& pairs,
+                    const PlacedEffect& placed,
+                    std::size_t first,
+                    const Eigen::VectorXcd& s,
+                    ModelResponse& out) {
+  const std::vector<std::string>& channels = placed.where.channels;
+  const auto faulty = [&channels](const std::string& name) {
+    return std::find(channels.begin(), channels.end(), name) != channels.end();
+  };
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const bool response = faulty(pairs[k].channel);
+    if (!response && !faulty(pairs[k].hammer)) continue;
+    pass(placed,
+         first,
+         placed.effect->passed_as(placed.where, !response),
+         static_cast<Index>(k),
+         s,
+         out);
+  }
+}
+
 void record(const std::vector<MeasuredPair>& pairs,
             const ModalState& shared,
             const Eigen::VectorXcd& s,
@@ -71,21 +101,7 @@ void record(const std::vector<MeasuredPair>& pairs,
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     if (!is_fault(placed)) continue;
-    const std::vector<std::string>& channels = placed.where.channels;
-    const auto faulty = [&channels](const std::string& name) {
-      return std::find(channels.begin(), channels.end(), name) !=
-             channels.end();
-    };
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      const bool response = faulty(pairs[k].channel);
-      if (!response && !faulty(pairs[k].hammer)) continue;
-      pass(placed,
-           shared.first[e],
-           placed.effect->passed_as(placed.where, !response),
-           static_cast<Index>(k),
-           s,
-           out);
-    }
+    record_through(pairs, placed, shared.first[e], s, out);
   }
 }
 

@@ -15,7 +15,19 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<Eigen::Index> felt_responses(
     const std::vector<MeasuredPair>& pairs, const ModelState& state);
 
-/// Multiplies the FRFs of channels at fault, and their derivatives.
+/// Whether an effect acts in channels alone, and each records its own sensor.
+[[nodiscard]] bool is_passed_on(const std::vector<MeasuredPair>& pairs,
+                                const PlacedEffect& placed);
+
+/// Multiplies the FRFs of an effect's channels, and their derivatives.
+/// @param first column of the effect's parameters in dH
+void record_through(const std::vector<MeasuredPair>& pairs,
+                    const PlacedEffect& placed,
+                    std::size_t first,
+                    const Eigen::VectorXcd& s,
+                    ModelResponse& out);
+
+/// The same for all channels at fault.
 void record(const std::vector<MeasuredPair>& pairs,
             const ModalState& shared,
             const Eigen::VectorXcd& s,
