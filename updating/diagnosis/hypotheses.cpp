@@ -9,11 +9,14 @@
 #include "updating/places/stretched_patches.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <thread>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -66,7 +69,25 @@ bool acts(const PlacedEffect& placed, const FrfModel& model) {
                               [](const auto& g) { return g.second == 0.0; });
 }
 
-// Fits the present effects and one more, for each of several.
+// Fits the present effects and one more.
+//
+// @param shared its base; null: it gets its own
+// @param beside a fit of the same at a place beside, from which it goes on
+Fit fit_one(const Fit& current,
+            const PlacedEffect& more,
+            const Fitter& fitter,
+            const std::shared_ptr<const FrfModel>& shared,
+            const Progress& progress,
+            const Fit* beside = nullptr) {
+  std::vector<PlacedEffect> effects = current.effects;
+  effects.push_back(more);
+  const auto model = shared ? shared : fitter.model_for(effects);
+  return beside != nullptr
+             ? fitter.fit_beside(*beside, effects, model, progress)
+             : fitter.fit(effects, model, progress);
+}
+
+// The same for each of several.
 //
 // @param shared one base for all of them; empty: each gets its own
 // @param beside a fit of the same at a place beside, from which they go on
@@ -80,12 +101,7 @@ std::vector<Hypothesis> fit_each(const Fit& current,
   // Only this thread reports; the others only listen for the stop.
   const Progress quiet{{}, progress.stop};
   for_each_parallel(extras.size(), [&](std::size_t k) {
-    std::vector<PlacedEffect> effects = current.effects;
-    effects.push_back(extras[k]);
-    const auto model = shared ? shared : fitter.model_for(effects);
-    result[k].fit = beside != nullptr
-                        ? fitter.fit_beside(*beside, effects, model, quiet)
-                        : fitter.fit(effects, model, quiet);
+    result[k].fit = fit_one(current, extras[k], fitter, shared, quiet, beside);
   });
   return result;
 }
@@ -264,19 +280,78 @@ struct Kind {
   }
 };
 
-std::vector<Hypothesis> fit_screened(const effects::Effect& effect,
-                                     const std::vector<PlacedEffect>& tries,
-                                     const Fit& current,
-                                     const Fitter& fitter,
-                                     const Progress& progress) {
-  // A change of the stiffness needs a base of its own; others share one.
+// What is worth a full fit of one kind.
+struct Planned {
+  const effects::Effect* effect = nullptr;
+  std::vector<PlacedEffect> tries;
+  const Fit* known = nullptr;  // one of them, fitted already
+  // One base for all; a change of the stiffness needs one of its own.
   std::shared_ptr<const FrfModel> shared;
-  if (!effect.changes_stiffness()) {
-    std::vector<PlacedEffect> together = current.effects;
-    together.insert(together.end(), tries.begin(), tries.end());
-    shared = fitter.model_for(together);
+};
+
+std::vector<Planned> plans(const Fit& current,
+                           const std::vector<Screened>& screened,
+                           const Fitter& fitter,
+                           const HypothesisOptions& options) {
+  std::vector<Planned> result;
+  for (const auto& effect : effects::catalogue()) {
+    // A ratio for each mode is fitted along: a law explains no more.
+    if (effect->entry() == effects::Entry::Damping) continue;
+    Planned plan{effect.get(),
+                 worth_fitting(*effect, current, screened, fitter, options)};
+    const Fit* known = options.known;
+    if (known != nullptr && known->effects.back().effect == effect.get()) {
+      plan.known = known;
+      std::erase_if(plan.tries, [known](const PlacedEffect& e) {
+        return e.where == known->effects.back().where;
+      });
+    }
+    const bool any = !plan.tries.empty() || plan.known != nullptr;
+    if (any) result.push_back(std::move(plan));
   }
-  return fit_each(current, tries, fitter, shared, progress);
+  return result;
+}
+
+// Fits all that is planned, on all cores whatever kind it is of.
+std::vector<Kind> fit_planned(std::vector<Planned> plans,
+                              const Fit& current,
+                              const Fitter& fitter,
+                              const Progress& progress) {
+  for_each_parallel(plans.size(), [&](std::size_t k) {
+    if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
+    std::vector<PlacedEffect> together = current.effects;
+    together.insert(
+        together.end(), plans[k].tries.begin(), plans[k].tries.end());
+    plans[k].shared = fitter.model_for(together);
+  });
+  std::vector<Kind> kinds;
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // kind, hypothesis
+  for (const Planned& plan : plans) {
+    const std::size_t count = plan.tries.size();
+    for (std::size_t t = 0; t < count; ++t) all.emplace_back(kinds.size(), t);
+    kinds.push_back({plan.effect,
+                     std::vector<Hypothesis>(count),
+                     static_cast<double>(count)});
+  }
+  const auto caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done = 0;
+  for_each_parallel(all.size(), [&](std::size_t n) {
+    const auto [k, t] = all[n];
+    kinds[k].found[t].fit = fit_one(current,
+                                    plans[k].tries[t],
+                                    fitter,
+                                    plans[k].shared,
+                                    {{}, progress.stop});
+    ++done;
+    // The other threads only listen for the stop.
+    if (std::this_thread::get_id() != caller) return;
+    progress("fitting effects",
+             static_cast<double>(done) / static_cast<double>(all.size()));
+  });
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (plans[k].known != nullptr) kinds[k].found.push_back({*plans[k].known});
+  }
+  return kinds;
 }
 
 double least_error(const std::vector<Kind>& kinds) {
@@ -380,34 +455,13 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
       screen(current, fitter, part_of(progress, 0.0, 0.1));
   std::map<const effects::Effect*, double> places;
   for (const Screened& s : screened) places[s.placed.effect] += 1.0;
-  std::vector<Kind> kinds;
-  double done = 0.1;
-  for (const auto& effect : effects::catalogue()) {
-    const double from = done;
-    done += 0.8 / static_cast<double>(effects::catalogue().size());
-    const Progress part = part_of(progress, from, done);
-    part("fitting " + effect->name(), 0.0);
-    // A ratio for each mode is fitted along: a law explains no more.
-    if (effect->entry() == effects::Entry::Damping) continue;
-    std::vector<PlacedEffect> tries =
-        worth_fitting(*effect, current, screened, fitter, options);
-    const auto tried = static_cast<double>(tries.size());
-    const Fit* known = options.known;
-    const bool is_known =
-        known != nullptr && known->effects.back().effect == effect.get();
-    if (is_known) {
-      std::erase_if(tries, [known](const PlacedEffect& e) {
-        return e.where == known->effects.back().where;
-      });
-    }
-    Kind kind{effect.get(),
-              fit_screened(*effect, tries, current, fitter, part),
-              tried};
-    if (is_known) kind.found.push_back({*known});
-    if (!kind.found.empty()) kinds.push_back(std::move(kind));
-  }
+  std::vector<Kind> kinds =
+      fit_planned(plans(current, screened, fitter, options),
+                  current,
+                  fitter,
+                  part_of(progress, 0.1, 0.7));
   if (options.neighbours > 0) {
-    const Progress rest = part_of(progress, 0.9, 1.0);
+    const Progress rest = part_of(progress, 0.7, 1.0);
     climb_rivals(kinds, current, fitter, options, rest);
     if (least_error(kinds) > options.explained) {
       try_forms(kinds, current, fitter, options, rest);
