@@ -54,6 +54,12 @@ ModelModes model_modes(const Fit& fit,
     modes.at_grids.middleRows(3 * g, 3) =
         model.base().rows.middleRows(6 * g, 3) * phi;
   }
+  const structure::Deck& deck = *model.setting().deck;
+  for (const structure::MeasuringPoint& point : deck.measuring) {
+    const auto g = static_cast<Index>(deck.grid_index(point.grid));
+    modes.at_grids.middleRows(3 * g, 3) =
+        (point.axes * modes.at_grids.middleRows(3 * g, 3)).eval();
+  }
   return modes;
 }
 
