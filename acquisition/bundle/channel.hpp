@@ -18,6 +18,7 @@ struct Channel {
   double sensitivity = 1.0;       ///< volts per `unit`
   double full_scale_volts = 1.0;  ///< volts at a sample of 1.0
   std::optional<double> mass_kg;  ///< maker's sheet; not in the base model
+  double height_m = 0.0;          ///< of the sensing element above the surface
 
   /// SI value of digital full scale (a sample of 1.0).
   [[nodiscard]] double full_scale_si() const {

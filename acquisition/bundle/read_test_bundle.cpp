@@ -2,7 +2,10 @@
 // and what a schema cannot say (names that refer to each other, units, files).
 #include "acquisition/bundle/read_test_bundle.hpp"
 
+#include "acquisition/bundle/json_source.hpp"
 #include "acquisition/bundle/lossy_files.hpp"
+#include "acquisition/bundle/read_placement.hpp"
+#include "acquisition/bundle/read_test_geometry.hpp"
 #include "acquisition/bundle/test_schema.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
@@ -22,15 +25,7 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// What every check needs: the folder, the name of the file in error texts.
-struct Source {
-  fs::path folder;
-  std::string name;
-
-  [[nodiscard]] std::string at(const std::string& place) const {
-    return name + ": " + place;
-  }
-};
+using Source = JsonSource;
 
 std::string read_text(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -108,6 +103,7 @@ Channel read_channel(const json& entry,
   if (entry.contains("mass_kg")) {
     channel.mass_kg = entry["mass_kg"].get<double>();
   }
+  channel.height_m = entry.value("height_m", 0.0);
   return channel;
 }
 
@@ -127,56 +123,6 @@ std::vector<Channel> read_channels(const json& list, const Source& source) {
   return channels;
 }
 
-std::size_t find_channel(const std::vector<Channel>& channels,
-                         const std::string& name,
-                         const std::string& where) {
-  std::string known;
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (channels[i].name == name) return i;
-    known += (i == 0 ? "" : ", ") + channels[i].name;
-  }
-  throw InputError(fmt::format("no channel is called \"{}\"", name),
-                   where,
-                   "use one of " + known);
-}
-
-Dof read_point(const json& entry,
-               const std::string& place,
-               const Source& source) {
-  if (entry.contains("point")) {
-    const std::string text = entry["point"].get<std::string>();
-    const std::optional<Dof> dof = parse_dof(text);
-    if (dof && dof->component <= 3) return *dof;
-    throw InputError(fmt::format("\"{}\" is no point", text),
-                     source.at(place + ".point"),
-                     "write grid and direction as in \"3:+Z\"");
-  }
-  if (!entry.contains("node") || !entry.contains("direction")) {
-    throw InputError("says no place on the structure",
-                     source.at(place),
-                     "give node and direction, or point as in \"3:+Z\"");
-  }
-  const std::string text = entry["direction"].get<std::string>();
-  const std::optional<Dof> dof =
-      parse_direction(entry["node"].get<int>(), text);
-  if (dof && dof->component <= 3) return *dof;
-  throw InputError(fmt::format("\"{}\" is no direction", text),
-                   source.at(place + ".direction"),
-                   "use +X, -X, +Y, -Y, +Z or -Z");
-}
-
-Placement read_placement(const json& entry,
-                         const std::string& place,
-                         const std::vector<Channel>& channels,
-                         const Source& source) {
-  Placement placement;
-  placement.channel = find_channel(channels,
-                                   entry.at("channel").get<std::string>(),
-                                   source.at(place + ".channel"));
-  placement.dof = read_point(entry, place, source);
-  return placement;
-}
-
 fs::path existing_file(const json& entry,
                        const std::string& place,
                        const Source& source) {
@@ -193,11 +139,11 @@ fs::path existing_file(const json& entry,
 Run read_run(const json& entry,
              const std::string& place,
              const std::vector<Channel>& channels,
-             const Source& source) {
+             const Source& source,
+             PlacementReader& placements) {
   Run run;
   run.file = source.folder / entry.at("file").get<std::string>();
-  run.hammer =
-      read_placement(entry.at("hammer"), place + ".hammer", channels, source);
+  run.hammer = placements.read(entry.at("hammer"), place + ".hammer");
   if (channels[run.hammer.channel].quantity != Quantity::Force) {
     throw InputError("the hammer's channel does not measure force",
                      source.at(place + ".hammer.channel"),
@@ -207,7 +153,7 @@ Run read_run(const json& entry,
   const json& sensors = entry.at("sensors");
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const std::string here = fmt::format("{}.sensors[{}]", place, i);
-    run.sensors.push_back(read_placement(sensors[i], here, channels, source));
+    run.sensors.push_back(placements.read(sensors[i], here));
     if (!used.insert(run.sensors.back().channel).second) {
       throw InputError("this channel has a place in this run already",
                        source.at(here + ".channel"),
@@ -278,10 +224,15 @@ void read_runs(const json& document, const Source& source, TestBundle& bundle) {
                      "list the channels of the recordings, in their order");
   }
   const json& runs = document["runs"];
+  PlacementReader placements(bundle, source);
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    bundle.runs.push_back(
-        read_run(runs[i], fmt::format("runs[{}]", i), bundle.channels, source));
+    bundle.runs.push_back(read_run(runs[i],
+                                   fmt::format("runs[{}]", i),
+                                   bundle.channels,
+                                   source,
+                                   placements));
   }
+  bundle.points = placements.points();
 }
 
 void read_options(const json& document, TestBundle& bundle) {
@@ -365,10 +316,14 @@ TestBundle read_test_bundle(const fs::path& folder) {
   if (document.contains("channels")) {
     bundle.channels = read_channels(document["channels"], source);
   }
-  if (document.contains("runs")) read_runs(document, source, bundle);
   if (document.contains("frfs")) {
     bundle.frfs = existing_file(document["frfs"], "frfs", source);
   }
+  if (document.contains("geometry")) {
+    bundle.geometry = read_test_geometry(document["geometry"], bundle, source);
+  }
+  if (document.contains("runs")) read_runs(document, source, bundle);
+  if (bundle.frfs) bundle.points = points_of_frfs(bundle);
   if (document.contains("model")) {
     read_model(document["model"], source, bundle);
   }

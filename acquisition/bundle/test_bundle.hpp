@@ -10,6 +10,8 @@
 #pragma once
 
 #include "acquisition/bundle/channel.hpp"
+#include "acquisition/bundle/test_geometry.hpp"
+#include "acquisition/bundle/test_point.hpp"
 #include "acquisition/foundation/dof.hpp"
 
 #include <array>
@@ -83,6 +85,10 @@ struct TestBundle {
   std::optional<MatrixModel> matrices;
   std::vector<Channel> channels;
   std::vector<Run> runs;
+  /// Of the test's own: what degrees of freedom below node 0 mean.
+  std::vector<TestPoint> points;
+  /// The test's mesh, where nodes have numbers of its own.
+  std::optional<TestGeometry> geometry;
   std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
   std::optional<std::filesystem::path> uff;   ///< the bundle is this file alone
   std::optional<std::array<double, 2>> band_hz;

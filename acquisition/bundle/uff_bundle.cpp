@@ -1,10 +1,12 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 
+#include "acquisition/bundle/uff_points.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "acquisition/uff/uff_function.hpp"
+#include "acquisition/uff/uff_systems.hpp"
 #include "acquisition/uff/uff_units.hpp"
 #include "acquisition/uff/uff_values.hpp"
 
@@ -13,7 +15,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <set>
 
@@ -60,6 +61,7 @@ std::optional<Quantity> quantity_of(const UffAxis& axis,
 
 // The record, or why it is none that can be used; of a lost force both.
 std::optional<Record> record_of(const UffHeader& header,
+                                const UffMesh& mesh,
                                 const UffUnits& units,
                                 std::string& reason) {
   const std::optional<Unit> unit = find_unit(header.numerator.unit);
@@ -86,7 +88,7 @@ std::optional<Record> record_of(const UffHeader& header,
     record.lost = record.force();
     if (!record.lost) return std::nullopt;
   }
-  record.dof = *header.response;
+  record.dof = turned(mesh.geometry, *header.response);
   record.unit = unit ? header.numerator.unit : "";
   record.unit_to_si = to_si.value_or(1.0);
   record.step = header.step;
@@ -109,10 +111,13 @@ struct Contents {
   std::optional<std::array<double, 2>> band_hz;  ///< of an ID line
   bool frfs = false;
   std::vector<std::string> skipped;
+  std::vector<TestPoint> points;
 };
 
 Contents contents_of(const UffFile& file) {
   Contents found;
+  const UffMesh mesh = read_uff_mesh(file.datasets);
+  found.points = own_points(mesh, file.name);
   UffUnits units;
   for (std::size_t k = 0; k < file.datasets.size(); ++k) {
     const UffDataset& dataset = file.datasets[k];
@@ -127,7 +132,7 @@ Contents contents_of(const UffFile& file) {
     std::string reason;
     const UffHeader header = read_header(dataset);
     if (!found.band_hz) found.band_hz = band_in(header);
-    if (auto record = record_of(header, units, reason)) {
+    if (auto record = record_of(header, mesh, units, reason)) {
       record->dataset = k;
       found.records.push_back(*record);
     }
@@ -231,25 +236,6 @@ void refuse_empty(const TestBundle& bundle, const UffFile& file) {
 
 }  // namespace
 
-UffFile open_uff(const std::filesystem::path& file) {
-  UffFile result{MappedFile(file), file.filename().string(), {}};
-  const MappedFile& bytes = result.bytes;
-  result.datasets = bytes.reading([&] {
-    return split_uff(bytes.text(), result.name, [&](std::string_view part) {
-      bytes.forget(part);
-    });
-  });
-  return result;
-}
-
-bool is_uff(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) return false;
-  std::ifstream in(file, std::ios::binary);
-  std::string line;
-  return static_cast<bool>(in >> line) && line == "-1";
-}
-
 TestBundle read_uff_bundle(const std::filesystem::path& path) {
   const UffFile file = open_uff(path);
   const Contents found =
@@ -261,6 +247,7 @@ TestBundle read_uff_bundle(const std::filesystem::path& path) {
   bundle.uff = path;
   bundle.band_hz = found.band_hz;
   bundle.warnings = found.skipped;
+  bundle.points = found.points;
   for (const Group& group : groups_of(found.records)) {
     if (is_run(group)) {
       add_run(group, bundle);

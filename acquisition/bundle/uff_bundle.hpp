@@ -9,27 +9,12 @@
 
 #include "acquisition/bundle/recording.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
-#include "acquisition/readers/mapped_file.hpp"
-#include "acquisition/uff/uff_datasets.hpp"
+#include "acquisition/bundle/uff_file.hpp"
 #include "acquisition/uff/uff_function.hpp"
 
 #include <filesystem>
 
 namespace tapfit::acquisition {
-
-/// A universal file taken apart; views point into the mapped bytes.
-struct UffFile {
-  MappedFile bytes;
-  std::string name;
-  std::vector<UffDataset> datasets;
-};
-
-/// @throws InputError as MappedFile and split_uff. What is read of it later is
-///   read within MappedFile::reading()
-[[nodiscard]] UffFile open_uff(const std::filesystem::path& file);
-
-/// Whether a file begins as universal files do, with a line of "-1".
-[[nodiscard]] bool is_uff(const std::filesystem::path& file);
 
 /// The bundle in a universal file. With a force and motions in it, it is a
 /// bundle of recordings (full scales are infinite unless an ID line declares

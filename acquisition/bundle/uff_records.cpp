@@ -3,6 +3,7 @@
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_header.hpp"
+#include "acquisition/uff/uff_systems.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ostream.h>
@@ -125,7 +126,7 @@ void write_record(const TestBundle& bundle,
              0,
              0,
              "NONE",
-             at.dof.node,
+             uff_label(at.dof.node),
              at.dof.sign * at.dof.component,
              "NONE",
              0,

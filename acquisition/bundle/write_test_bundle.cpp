@@ -1,5 +1,6 @@
 #include "acquisition/bundle/write_test_bundle.hpp"
 
+#include "acquisition/foundation/model_units.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
@@ -34,11 +35,42 @@ ordered_json channel_json(const Channel& channel) {
       {"full_scale_volts", channel.full_scale_volts},
   };
   if (channel.mass_kg) entry["mass_kg"] = *channel.mass_kg;
+  if (channel.height_m != 0.0) entry["height_m"] = channel.height_m;
   return entry;
+}
+
+// A component of a point of the test's own.
+ordered_json point_json(const Dof& dof, const TestBundle& bundle) {
+  const TestPoint* point = find_point(bundle.points, -dof.node);
+  if (point == nullptr) return name(dof);
+  const Eigen::Vector3d along = dof.sign * point->axes.col(dof.component - 1);
+  ordered_json said = ordered_json::object();
+  if (point->in_test_axes) {
+    said["node"] = point->label;
+  } else if (point->node != 0) {
+    said["node"] = point->node;
+  } else {
+    const Eigen::Vector3d at = point->at / model_units(bundle.units)->length;
+    said["at"] = {at.x(), at.y(), at.z()};
+  }
+  if (point->system != 0) {
+    said["direction"] = {
+        {"system", point->system},
+        {"axis",
+         std::string(dof.sign < 0 ? "-" : "+") + "XYZ"[dof.component - 1]}};
+  } else {
+    said["direction"] = {along.x(), along.y(), along.z()};
+  }
+  said["height_m"] = point->height_m;
+  return said;
 }
 
 ordered_json placement_json(const Placement& placement,
                             const TestBundle& bundle) {
+  if (placement.dof.node < 0) {
+    return {{"channel", bundle.channels.at(placement.channel).name},
+            {"point", point_json(placement.dof, bundle)}};
+  }
   const std::string direction =
       std::string(placement.dof.sign < 0 ? "-" : "+") +
       "XYZ"[(placement.dof.component - 1) % 3];
@@ -70,6 +102,21 @@ void add_model(const TestBundle& bundle,
       {"stiffness", path_text(bundle.matrices->stiffness, folder)},
       {"mass", path_text(bundle.matrices->mass, folder)},
       {"dofs", path_text(bundle.matrices->dofs, folder)}};
+}
+
+void add_geometry(const TestBundle& bundle,
+                  const fs::path& folder,
+                  ordered_json& document) {
+  if (!bundle.geometry) return;
+  const double length = model_units(bundle.units)->length;
+  ordered_json& geometry = document["geometry"];
+  geometry["file"] = path_text(bundle.geometry->file, folder);
+  for (const NamedPair& pair : bundle.geometry->pairs) {
+    const Eigen::Vector3d at = pair.at / length;
+    geometry["pairs"].push_back(
+        pair.grid != 0 ? ordered_json{pair.label, pair.grid}
+                       : ordered_json{pair.label, {at.x(), at.y(), at.z()}});
+  }
 }
 
 void add_settings(const TestBundle& bundle, ordered_json& document) {
@@ -116,6 +163,7 @@ std::string test_bundle_text(const TestBundle& bundle, const fs::path& folder) {
     document["ignore_cards"] = bundle.ignored_cards;
   }
   add_model(bundle, folder, document);
+  add_geometry(bundle, folder, document);
   for (const Channel& channel : bundle.channels) {
     document["channels"].push_back(channel_json(channel));
   }

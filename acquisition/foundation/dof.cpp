@@ -20,11 +20,15 @@ std::string_view trim(std::string_view text) {
 
 }  // namespace
 
+std::string node_name(int node) {
+  return node < 0 ? fmt::format("P{}", -node) : fmt::format("{}", node);
+}
+
 std::string name(const Dof& dof) {
   const bool rotation = dof.component > 3;
   const auto letter = static_cast<std::size_t>((dof.component - 1) % 3);
   return fmt::format("{}{}{}{}",
-                     dof.node,
+                     node_name(dof.node),
                      rotation ? "R" : "",
                      letters[letter],
                      dof.sign < 0 ? '-' : '+');
@@ -56,13 +60,16 @@ std::optional<Dof> parse_direction(int node, std::string_view text) {
 
 std::optional<Dof> parse_dof(std::string_view text) {
   text = trim(text);
+  const bool own =
+      !text.empty() && (text.front() == 'P' || text.front() == 'p');
+  if (own) text.remove_prefix(1);
   int node = 0;
   const char* end = text.data() + text.size();
   const auto [rest, fault] = std::from_chars(text.data(), end, node);
   if (fault != std::errc{} || node <= 0) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(rest - text.data()));
   if (!text.empty() && text.front() == ':') text.remove_prefix(1);
-  return parse_direction(node, text);
+  return parse_direction(own ? -node : node, text);
 }
 
 }  // namespace tapfit

@@ -1,30 +1,42 @@
 #include "acquisition/uff/uff_geometry.hpp"
 
-#include "acquisition/uff/uff_header.hpp"
 #include "acquisition/uff/uff_lines.hpp"
-
-#include <fmt/format.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <array>
-#include <ostream>
 
 namespace tapfit::acquisition {
 namespace {
 
-void add_nodes_15(UffLines lines, UffGeometry& geometry) {
+void take_systems(int node,
+                  const UffNodeSystems& systems,
+                  UffGeometry& geometry) {
+  geometry.node_systems.erase(node);
+  if (systems.definition == 0 && systems.displacement == 0) return;
+  geometry.node_systems[node] = systems;
+}
+
+void add_nodes_15(UffLines lines,
+                  const std::string& place,
+                  UffGeometry& geometry) {
   while (!lines.only_blanks_left()) {
     const std::vector<double> v = lines.mixed(4, 13, 3);
-    geometry.nodes[as_integer(v[0])] = {v[4], v[5], v[6]};
+    const int node = as_integer(v[0]);
+    geometry.nodes[node] = {v[4], v[5], v[6]};
+    take_systems(node, {as_integer(v[1]), as_integer(v[2]), place}, geometry);
   }
 }
 
-void add_nodes_2411(UffLines lines, UffGeometry& geometry) {
+// The second number is the system that coordinates were shown in; they are
+// global all the same.
+void add_nodes_2411(UffLines lines,
+                    const std::string& place,
+                    UffGeometry& geometry) {
   while (!lines.only_blanks_left()) {
-    const int node = lines.integers(1)[0];
+    const std::vector<int> head = lines.integers(1);
     const std::vector<double> x = lines.numbers(25, 3);
-    geometry.nodes[node] = {x[0], x[1], x[2]};
+    geometry.nodes[head[0]] = {x[0], x[1], x[2]};
+    take_systems(head[0], {0, head.size() > 2 ? head[2] : 0, place}, geometry);
   }
 }
 
@@ -64,74 +76,12 @@ void add_elements(UffLines lines, UffGeometry& geometry) {
   }
 }
 
-// Global axes throughout (0). Six digits move a point by 5e-6 of its distance.
-void write_nodes_15(const UffGeometry& geometry, std::ostream& out) {
-  fmt::print(out, "{}{:6}\n", uff_fence, 15);
-  for (const auto& [label, x] : geometry.nodes) {
-    fmt::print(out,
-               "{:10}{:10}{:10}{:10}{:13.5E}{:13.5E}{:13.5E}\n",
-               label,
-               0,
-               0,
-               11,
-               x[0],
-               x[1],
-               x[2]);
-  }
-  out << uff_fence;
-}
-
-void write_nodes_2411(const UffGeometry& geometry, std::ostream& out) {
-  fmt::print(out, "{}{:6}\n", uff_fence, 2411);
-  for (const auto& [label, x] : geometry.nodes) {
-    fmt::print(out, "{:10}{:10}{:10}{:10}\n", label, 1, 1, 11);
-    std::string line =
-        fmt::format("{:25.16E}{:25.16E}{:25.16E}", x[0], x[1], x[2]);
-    std::replace(line.begin(), line.end(), 'E', 'D');
-    out << line << '\n';
-  }
-  out << uff_fence;
-}
-
-// All pieces as one line, the pen lifted between them.
-void write_trace_lines(const UffGeometry& geometry, std::ostream& out) {
-  std::vector<int> nodes;
-  for (const std::vector<int>& piece : geometry.trace_lines) {
-    if (!nodes.empty()) nodes.push_back(0);
-    nodes.insert(nodes.end(), piece.begin(), piece.end());
-  }
-  fmt::print(out,
-             "{}{:6}\n{:10}{:10}{:10}\nlines of the model\n",
-             uff_fence,
-             82,
-             1,
-             nodes.size(),
-             11);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    fmt::print(out, "{:10}", nodes[i]);
-    if (i % 8 == 7 || i + 1 == nodes.size()) out << '\n';
-  }
-  out << uff_fence;
-}
-
 }  // namespace
-
-void write_geometry(const UffGeometry& geometry,
-                    UffNodes as,
-                    std::ostream& out) {
-  if (geometry.nodes.empty()) return;
-  if (as == UffNodes::D15) {
-    write_nodes_15(geometry, out);
-  } else {
-    write_nodes_2411(geometry, out);
-  }
-  if (!geometry.trace_lines.empty()) write_trace_lines(geometry, out);
-}
 
 void add_geometry(const UffDataset& dataset, UffGeometry& geometry) {
   const UffLines lines(dataset);
-  if (dataset.type == 15) add_nodes_15(lines, geometry);
-  if (dataset.type == 2411) add_nodes_2411(lines, geometry);
+  if (dataset.type == 15) add_nodes_15(lines, dataset.place, geometry);
+  if (dataset.type == 2411) add_nodes_2411(lines, dataset.place, geometry);
   if (dataset.type == 82) add_trace_line(lines, geometry);
   if (dataset.type == 2412) add_elements(lines, geometry);
 }

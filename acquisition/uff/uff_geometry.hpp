@@ -9,11 +9,11 @@
 // Cincinnati.
 #pragma once
 
+#include "acquisition/foundation/coordinate_system.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 
 #include <Eigen/Core>
 
-#include <iosfwd>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,9 +27,28 @@ struct UffElement {
   std::vector<int> nodes;
 };
 
+/// A coordinate system by three points, see uff_systems.hpp.
+struct UffSystem {
+  CoordinateKind kind = CoordinateKind::Rectangular;
+  int reference = 0;  ///< system that the points count in
+  /// Columns: the origin, a point on +x, one on the +xz plane.
+  Eigen::Matrix3d points = Eigen::Matrix3d::Identity();
+  std::string place;  ///< dataset and line, for messages
+};
+
+/// Systems that a node's coordinates and its directions count in.
+struct UffNodeSystems {
+  int definition = 0;
+  int displacement = 0;
+  std::string place;  ///< of the dataset
+};
+
 /// In the file's own units and axes.
 struct UffGeometry {
-  std::map<int, Eigen::Vector3d> nodes;
+  std::map<int, Eigen::Vector3d> nodes;  ///< in their definition systems
+  /// Of nodes that have others than 0 and 0.
+  std::map<int, UffNodeSystems> node_systems;
+  std::map<int, UffSystem> systems;
   std::vector<std::vector<int>> trace_lines;  ///< nodes; pieces apart
   std::vector<UffElement> elements;
 };
@@ -39,15 +58,5 @@ struct UffGeometry {
 /// @throws InputError with the line for text that is no number and for a
 ///   dataset that ends within an entry
 void add_geometry(const UffDataset& dataset, UffGeometry& geometry);
-
-/// How nodes are written: 2411 has all digits, 15 has six and is what older
-/// programs read (those that know no 2411).
-enum class UffNodes { D15, D2411 };
-
-/// Writes the nodes and, as one dataset 82, the trace lines, the pen lifted
-/// between them. Elements are not written. Nothing is written for no nodes.
-void write_geometry(const UffGeometry& geometry,
-                    UffNodes as,
-                    std::ostream& out);
 
 }  // namespace tapfit::acquisition

@@ -4,6 +4,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_shapes.hpp"
+#include "acquisition/uff/uff_systems.hpp"
 #include "modal/mode_set/complexity.hpp"
 
 #include <fmt/format.h>
@@ -52,7 +53,7 @@ std::string fault(const UffShape& shape) {
   return {};
 }
 
-Raw raw_from(const UffShape& shape) {
+Raw raw_from(const UffShape& shape, const acquisition::UffGeometry& geometry) {
   Raw raw;
   const double omega = two_pi * shape.frequency_hz;
   const double zeta = shape.damping_ratio;
@@ -66,14 +67,19 @@ Raw raw_from(const UffShape& shape) {
   }
   for (const auto& [node, values] : shape.values) {
     for (Eigen::Index k = 0; k < values.size(); ++k) {
-      raw.shape[{node, static_cast<int>(k) + 1, 1}] = values(k);
+      Dof dof = turned(geometry, {node, static_cast<int>(k) + 1, 1});
+      const double sign = dof.sign;
+      dof.sign = 1;
+      raw.shape[dof] = sign * values(k);
     }
   }
   return raw;
 }
 
 /// The mode of a dataset, or why it holds none.
-std::optional<Raw> read_mode(const UffDataset& dataset, std::string& why) {
+std::optional<Raw> read_mode(const UffDataset& dataset,
+                             const acquisition::UffGeometry& geometry,
+                             std::string& why) {
   if (!acquisition::stands_at_nodes(dataset)) {
     why = "its data are not at nodes";
     return std::nullopt;
@@ -81,7 +87,7 @@ std::optional<Raw> read_mode(const UffDataset& dataset, std::string& why) {
   const UffShape shape = acquisition::read_shape(dataset);
   why = fault(shape);
   if (!why.empty()) return std::nullopt;
-  return raw_from(shape);
+  return raw_from(shape, geometry);
 }
 
 /// All modes on the degrees of freedom at which one of them moves.
@@ -130,10 +136,13 @@ ModeSet collect(std::vector<Raw>& raws) {
 UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
   UffModes result;
   std::vector<Raw> raws;
-  for (const UffDataset& dataset : acquisition::split_uff(text, name)) {
+  const std::vector<UffDataset> datasets = acquisition::split_uff(text, name);
+  const acquisition::UffGeometry geometry =
+      acquisition::read_geometry(datasets);
+  for (const UffDataset& dataset : datasets) {
     if (dataset.type != 55 && dataset.type != 2414) continue;
     std::string why;
-    std::optional<Raw> raw = read_mode(dataset, why);
+    std::optional<Raw> raw = read_mode(dataset, geometry, why);
     if (raw) {
       raws.push_back(std::move(*raw));
     } else {

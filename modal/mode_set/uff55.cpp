@@ -1,6 +1,8 @@
 #include "modal/mode_set/uff55.hpp"
 
 #include "acquisition/foundation/output_file.hpp"
+#include "acquisition/uff/uff_systems.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +49,8 @@ std::map<int, std::vector<Complex>> by_node(const ModeSet& modes,
                                             std::size_t components) {
   std::map<int, std::vector<Complex>> nodes;
   for (std::size_t k = 0; k < modes.dofs.size(); ++k) {
-    std::vector<Complex>& values = nodes[modes.dofs[k].node];
+    std::vector<Complex>& values =
+        nodes[acquisition::uff_label(modes.dofs[k].node)];
     values.resize(components);
     values[static_cast<std::size_t>(modes.dofs[k].component - 1)] =
         mode.shape(static_cast<Eigen::Index>(k));
@@ -159,8 +162,12 @@ std::string modes_as_uff(const ModeSet& modes,
 void write_modes_uff(const ModeSet& modes,
                      const std::string& title,
                      const std::filesystem::path& path,
-                     ModeDataset as) {
-  acquisition::write_file(path, modes_as_uff(modes, title, as));
+                     ModeDataset as,
+                     const acquisition::UffGeometry& points) {
+  acquisition::OutputFile file(path);
+  file.stream() << modes_as_uff(modes, title, as);
+  write_geometry(points, acquisition::UffNodes::D2411, file.stream());
+  file.commit();
 }
 
 }  // namespace tapfit::modal

@@ -6,6 +6,7 @@
 // Cincinnati.
 #pragma once
 
+#include "acquisition/uff/uff_geometry.hpp"
 #include "modal/mode_set/mode_set.hpp"
 
 #include <filesystem>
@@ -23,10 +24,12 @@ enum class ModeDataset { Uff55, Uff2414 };
                                        ModeDataset as = ModeDataset::Uff55);
 
 /// Writes modes_as_uff to a file.
+/// @param points with their systems, behind the modes
 /// @throws InputError when the file cannot be written
 void write_modes_uff(const ModeSet& modes,
                      const std::string& title,
                      const std::filesystem::path& path,
-                     ModeDataset as = ModeDataset::Uff55);
+                     ModeDataset as = ModeDataset::Uff55,
+                     const acquisition::UffGeometry& points = {});
 
 }  // namespace tapfit::modal

@@ -6,6 +6,7 @@
 #include "acquisition/readers/mapped_file.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_function.hpp"
+#include "acquisition/uff/uff_systems.hpp"
 #include "acquisition/uff/uff_units.hpp"
 #include "signal/files/finite_lines.hpp"
 #include "signal/frf_set/convert.hpp"
@@ -13,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -195,6 +197,10 @@ std::vector<double> window_dampings(const std::vector<UffDataset>& datasets) {
 
 class Reader {
  public:
+  /// @param geometry whose axes the file's directions count along; outlives it
+  explicit Reader(const acquisition::UffGeometry& geometry)
+      : geometry_(&geometry) {}
+
   /// @param sigma of the dataset's exponential window, where a 1858 says one
   void take(const UffDataset& dataset, double sigma) {
     sigma_ = sigma;
@@ -202,12 +208,13 @@ class Reader {
       factors_ = acquisition::read_uff_units(dataset);
       return;
     }
-    if (dataset.type == 151 || dataset.type == 1858) return;
+    constexpr std::array<int, 6> known = {151, 1858, 15, 2411, 18, 2420};
+    if (std::ranges::find(known, dataset.type) != known.end()) return;
     if (dataset.type != 58)
       return skip(dataset, fmt::format("dataset {}", dataset.type));
     const int type = function_type(dataset);
     if (type == 4) return take_frf(dataset);
-    if (type == 6) return coherences_.push_back(read_function(dataset));
+    if (type == 6) return coherences_.push_back(read_turned(dataset));
     skip(dataset, fmt::format("function type {}", type));
   }
 
@@ -232,8 +239,17 @@ class Reader {
               result_);
   }
 
+  // With directions along global axes, or at points with axes of their own.
+  [[nodiscard]] UffFunction read_turned(const UffDataset& dataset) const {
+    UffFunction function = read_function(dataset);
+    for (std::optional<Dof>* dof : {&function.response, &function.reference}) {
+      if (*dof) *dof = acquisition::turned(*geometry_, **dof);
+    }
+    return function;
+  }
+
   void take_frf(const UffDataset& dataset) {
-    const UffFunction function = read_function(dataset);
+    const UffFunction function = read_turned(dataset);
     std::string reason;
     const auto sense = meaning(function, factors_, reason);
     if (!sense) return leave_out_frf(dataset, reason);
@@ -273,6 +289,7 @@ class Reader {
         frf.coherence = function.y.real().cwiseMax(0.0).cwiseMin(1.0);
   }
 
+  const acquisition::UffGeometry* geometry_;
   UffFrfs result_;
   double sigma_ = 0.0;
   UffUnits factors_;
@@ -283,8 +300,10 @@ class Reader {
 }  // namespace
 
 UffFrfs read_frfs_uff_text(std::string_view text, const std::string& name) {
-  Reader reader;
   const std::vector<UffDataset> datasets = acquisition::split_uff(text, name);
+  const acquisition::UffGeometry geometry =
+      acquisition::read_geometry(datasets);
+  Reader reader(geometry);
   const std::vector<double> sigma = window_dampings(datasets);
   for (std::size_t k = 0; k < datasets.size(); ++k)
     reader.take(datasets[k], sigma[k]);

@@ -15,6 +15,7 @@
 // of Cincinnati (www.sdrl.uc.edu/sdrl/referenceinfo/universalfileformats).
 #pragma once
 
+#include "acquisition/uff/uff_geometry.hpp"
 #include "signal/frf_set/convert.hpp"
 #include "signal/frf_set/frf_set.hpp"
 
@@ -42,11 +43,13 @@ struct UffFrfs {
 /// window's decay rate, from write_frfs_uff's ID line or a dataset 1858, comes
 /// back in s; without one s = j omega. What a universal file does not hold is
 /// set: coherence 1, variance 0, hits 0, channel 0; run counts the reference
-/// points. Coherence functions (type 6) of the same degrees of freedom are
-/// taken in.
+/// points. Directions count along the displacement systems of their nodes (15
+/// or 2411, 18 or 2420): turned into global ones where they lie along these,
+/// else at points of the test's own (acquisition::turned). Coherence functions
+/// (type 6) of the same degrees of freedom are taken in.
 ///
 /// @throws InputError for a missing file, a broken record (with its line), a
-///   file without any FRF
+///   file without any FRF, a node in a coordinate system that is not there
 [[nodiscard]] UffFrfs read_frfs_uff(const std::filesystem::path& file);
 
 /// As above, from memory.
@@ -67,10 +70,13 @@ void write_frfs_uff(const FrfSet& set,
                     FrfForm form = FrfForm::Accelerance);
 
 /// As above, to a file.
+/// @param points with their systems, behind the FRFs: those of the test's own,
+///   whose directions no grid's axes say
 /// @throws InputError when the file cannot be written
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
                     const std::filesystem::path& file,
-                    FrfForm form = FrfForm::Accelerance);
+                    FrfForm form = FrfForm::Accelerance,
+                    const acquisition::UffGeometry& points = {});
 
 }  // namespace tapfit::signal

@@ -3,6 +3,8 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/uff/uff_header.hpp"
+#include "acquisition/uff/uff_systems.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "signal/files/uff58.hpp"
 
 #include <fmt/format.h>
@@ -104,10 +106,10 @@ void write_frf(const FrfSet& set,
              0,
              0,
              "NONE",
-             frf.response.node,
+             acquisition::uff_label(frf.response.node),
              direction(frf.response),
              "NONE",
-             frf.reference.node,
+             acquisition::uff_label(frf.reference.node),
              direction(frf.reference));
   fmt::print(out,
              "{:10}{:10}{:10}{:13.5E}{:13.5E}{:13.5E}\n",
@@ -168,9 +170,11 @@ void write_frfs_uff(const FrfSet& set,
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
                     const std::filesystem::path& file,
-                    FrfForm form) {
+                    FrfForm form,
+                    const acquisition::UffGeometry& points) {
   acquisition::OutputFile out(file);
   write_frfs_uff(set, title, out.stream(), form);
+  write_geometry(points, acquisition::UffNodes::D2411, out.stream());
   out.commit();
 }
 

@@ -29,7 +29,7 @@ void place(const Frf& frf,
         fmt::format("{} and {} sit at one grid with different masses",
                     first.name,
                     own->mass.name),
-        fmt::format("grid {}", frf.response.node),
+        fmt::format("grid {}", node_name(frf.response.node)),
         "channels at one grid are taken as one sensor: give them one mass");
   }
 }

@@ -13,7 +13,7 @@ using updating::ChangeKind;
 std::vector<std::string> grid_ids(const Setting& setting) {
   std::vector<std::string> ids;
   for (const auto& grid : setting.deck->grids) {
-    ids.push_back(std::to_string(grid.id));
+    if (grid.id > 0) ids.push_back(std::to_string(grid.id));
   }
   return ids;
 }

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "signal/checks/frf_quality.hpp"
 #include "tui/report/finding_text.hpp"
+#include "tui/report/point_places.hpp"
 #include "tui/report/text_table.hpp"
 #include "tui/views/frf_checks_view.hpp"
 #include "updating/session/session.hpp"
@@ -253,11 +254,16 @@ std::string check_command(const CommandOptions& options,
   const TestCheck found = check_test(session, body_kg, progress);
   const acquisition::TestBundle& bundle = session.bundle();
   const FrfSet frfs = frfs_of(session, progress);
-  if (options.json) return json_of(bundle, frfs, found).dump(2) + "\n";
+  if (options.json) {
+    ordered_json json = json_of(bundle, frfs, found);
+    if (found.placed > 0) add_point_places(session.deck(progress), json);
+    return json.dump(2) + "\n";
+  }
   std::string text = findings_text(found.findings);
   if (!found.records.empty()) text += channels_text(bundle, found);
   if (!found.coherence.empty()) text += hits_text_of(bundle, found);
   if (!frfs.frfs.empty()) text += frf_checks_text(frfs, found);
+  if (found.placed > 0) text += point_places_text(session.deck(progress));
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "tui/commands/compare_command.hpp"
 
 #include "tui/options/hand_choices.hpp"
+#include "tui/report/point_places.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/session.hpp"
 
@@ -155,7 +156,7 @@ ordered_json compare_json(const updating::Comparison& comparison,
   }
   ordered_json points = ordered_json::object();
   for (const auto& [node, error] : comparison.point_error) {
-    points[fmt::format("{}", node)] = error;
+    points[node_name(node)] = error;
   }
   return {{"error",
            {{"base", comparison.error},
@@ -215,13 +216,15 @@ std::string compare_command(const CommandOptions& options,
   if (options.json) {
     ordered_json json = compare_json(comparison, frfs, dofs);
     json["reduced_base_error"] = session.base_error(progress);
+    add_point_places(session.deck(progress), json);
     json["warnings"] = warnings;
     return json.dump(2) + "\n";
   }
   std::string text = compare_text(comparison, frfs, dofs);
   text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
                       std::max(session.base_error(progress), 1e-15));
-  return text + notes_text(warnings);
+  return text + point_places_text(session.deck(progress)) +
+         notes_text(warnings);
 }
 
 }  // namespace tapfit::tui

@@ -1,7 +1,7 @@
 #include "tui/commands/export_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/uff/uff_geometry.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "updating/export/measured_uff.hpp"
 #include "updating/export/updated_deck.hpp"

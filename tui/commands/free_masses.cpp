@@ -6,6 +6,7 @@
 #include "signal/mass_removal/named_masses.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/text_table.hpp"
+#include "updating/export/point_geometry.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ signal::FrfSet free_ones(const signal::FreedFrfs& freed) {
 }
 
 void write_free_ones(const signal::FreedFrfs& freed,
-                     const std::string& title,
+                     updating::Session& session,
                      const std::filesystem::path& file) {
   const signal::FrfSet set = free_ones(freed);
   if (set.frfs.empty()) {
@@ -52,7 +53,11 @@ void write_free_ones(const signal::FreedFrfs& freed,
         "--free",
         "hit the sensors' own places too");
   }
-  signal::write_frfs_uff(set, title + ", sensors' mass taken off", file);
+  signal::write_frfs_uff(set,
+                         session.bundle().title + ", sensors' mass taken off",
+                         file,
+                         signal::FrfForm::Accelerance,
+                         updating::point_geometry(session));
 }
 
 }  // namespace
@@ -126,7 +131,7 @@ std::string free_masses(updating::Session& session,
   const signal::FreedFrfs freed =
       signal::free_frfs(frfs, loaded, model, progress);
   if (options.uff) {
-    write_free_ones(freed, session.bundle().title, *options.uff);
+    write_free_ones(freed, session, *options.uff);
   }
   return options.json ? freed_json(frfs, freed, loaded.masses).dump(2) + "\n"
                       : freed_text(frfs, freed, loaded.masses);

@@ -6,6 +6,7 @@
 #include "tui/options/open_bundle.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
+#include "updating/export/point_geometry.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>
@@ -95,7 +96,11 @@ std::string frf_command(const CommandOptions& options,
   const signal::FrfSet frfs = frfs_as_asked(session, options.frf, progress);
   const signal::FrfForm form = form_of(options.frf.form);
   if (options.uff) {
-    signal::write_frfs_uff(frfs, session.bundle().title, *options.uff, form);
+    signal::write_frfs_uff(frfs,
+                           session.bundle().title,
+                           *options.uff,
+                           form,
+                           updating::point_geometry(session));
   }
   if (options.json) {
     return with_block(frf_json(frfs, form), session, progress).dump(2) + "\n";

@@ -69,7 +69,9 @@ ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
   const auto dof = at == std::string::npos
                        ? std::nullopt
                        : parse_dof(parts.front().substr(at + 1));
-  if (!dof) throw spec_error(text, "names no point of the structure");
+  if (!dof || dof->node < 1) {
+    throw spec_error(text, "names no point of the structure");
+  }
 
   ImportChannel channel;
   channel.column = parts.front().substr(0, at);
@@ -88,7 +90,8 @@ ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
 ImportFile parse_import_file(const std::string& text) {
   const std::size_t at = text.rfind('@');
   if (at != std::string::npos) {
-    if (const auto dof = parse_dof(text.substr(at + 1))) {
+    const auto dof = parse_dof(text.substr(at + 1));
+    if (dof && dof->node > 0) {
       return {.file = text.substr(0, at), .hammer = dof};
     }
   }

@@ -40,7 +40,7 @@ ModelSummary summarise(const structure::Deck& deck, int count) {
   const structure::System system = structure::assemble(deck);
   const structure::DeckModes solved =
       structure::deck_modes(deck, system, count);
-  ModelSummary summary{.grids = deck.grids.size(),
+  ModelSummary summary{.grids = deck.grids.size() - deck.measuring.size(),
                        .elements = deck.element_count(),
                        .dofs = system.free_dofs().size(),
                        .mass_kg = structure::total_mass(deck, system),

@@ -9,6 +9,7 @@
 #include "tui/options/hand_choices.hpp"
 #include "tui/report/diagram_text.hpp"
 #include "tui/report/modes_text.hpp"
+#include "updating/export/point_geometry.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>
@@ -98,10 +99,15 @@ std::string modes_command(const CommandOptions& options,
                            title,
                            *options.uff,
                            told.dataset == 2414 ? modal::ModeDataset::Uff2414
-                                                : modal::ModeDataset::Uff55);
+                                                : modal::ModeDataset::Uff55,
+                           updating::point_geometry(session));
   }
   if (told.fit) {
-    signal::write_frfs_uff(modal::fitted_set(frfs, modes), title, *told.fit);
+    signal::write_frfs_uff(modal::fitted_set(frfs, modes),
+                           title,
+                           *told.fit,
+                           signal::FrfForm::Accelerance,
+                           updating::point_geometry(session));
   }
   const std::vector<std::string> channels =
       acquisition::channel_names(session.bundle());

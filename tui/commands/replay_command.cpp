@@ -11,6 +11,7 @@
 #include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/hits_text.hpp"
+#include "updating/export/point_geometry.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -61,7 +62,12 @@ std::string replay_command(const CommandOptions& options,
       [&](const signal::LiveHit& now) { show(bundle, now); },
       progress);
   if (options.uff) {
-    signal::write_frfs_uff(result.frfs, bundle.title, *options.uff);
+    updating::Session session(options.input);
+    signal::write_frfs_uff(result.frfs,
+                           bundle.title,
+                           *options.uff,
+                           signal::FrfForm::Accelerance,
+                           updating::point_geometry(session));
   }
   if (!options.json) {
     return hits_text(bundle, result.hits) + "\n" + frf_text(result.frfs);

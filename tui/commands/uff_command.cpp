@@ -6,6 +6,7 @@
 #include "acquisition/uff/uff_function.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
 #include "acquisition/uff/uff_shapes.hpp"
+#include "acquisition/uff/uff_systems.hpp"
 #include "acquisition/uff/uff_units.hpp"
 #include "tui/report/text_table.hpp"
 
@@ -48,10 +49,13 @@ void take(const UffDataset& dataset,
       found.units = acquisition::read_uff_units(dataset);
       break;
     case 15:
+    case 18:
     case 82:
+    case 2420:
     case 2411:
     case 2412:
       add_geometry(dataset, found.geometry);
+      add_systems(dataset, found.geometry);
       break;
     case 55:
     case 2414:

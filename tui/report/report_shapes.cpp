@@ -69,7 +69,7 @@ Figure structure_figure(const ReportData& data,
   } else {
     caption += ", no mode of the model is paired with it";
   }
-  shape.points = moved_points(data.modes, phi, factor);
+  shape.points = along_basic(wire, moved_points(data.modes, phi, factor));
   return {fmt::format("mode-{}", k + 1), caption, svg_shape(wire, shape)};
 }
 

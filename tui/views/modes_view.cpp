@@ -171,7 +171,7 @@ void draw_shape(Screen& screen,
     return;
   }
   Scene scene;
-  scene.stems = stems(input.modes, selected);
+  scene.stems = along_basic(*input.wire, stems(input.modes, selected));
   if (model) {
     scene.shape = model_shape(input.modes, selected, *input.comparison, *model);
   }

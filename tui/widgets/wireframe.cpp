@@ -233,12 +233,24 @@ void draw_marks(Screen& screen,
 
 }  // namespace
 
+std::map<int, Eigen::Vector3d> along_basic(
+    const Wireframe& wire, std::map<int, Eigen::Vector3d> of_nodes) {
+  for (const auto& [node, axes] : wire.axes) {
+    const auto found = of_nodes.find(node);
+    if (found != of_nodes.end()) found->second = axes * found->second;
+  }
+  return of_nodes;
+}
+
 Wireframe wireframe(const structure::Deck& deck) {
   Wireframe wire;
   wire.points.resize(3, static_cast<Eigen::Index>(deck.grids.size()));
   for (std::size_t i = 0; i < deck.grids.size(); ++i) {
     wire.points.col(static_cast<Eigen::Index>(i)) = deck.grids[i].position;
     wire.index[deck.grids[i].id] = static_cast<int>(i);
+  }
+  for (const structure::MeasuringPoint& point : deck.measuring) {
+    wire.axes[point.grid] = point.axes;
   }
   EdgeCollector edges{wire, {}};
   for (const structure::Shell& shell : deck.shells) {

@@ -20,6 +20,9 @@ struct Wireframe {
   std::vector<MeshEdge>
       ranks;                 ///< per line: which of them a coarser picture has
   std::map<int, int> index;  ///< grid id to index
+  /// Axes of the test's own points, columns: displacements there count along
+  /// them.
+  std::map<int, Eigen::Matrix3d> axes;
 };
 
 /// Every edge once: of shells, bars, rods, plot lines. Of meshes with more
@@ -32,6 +35,10 @@ struct Pose {
   double elevation_deg = 35.0;
   double zoom = 1.0;
 };
+
+/// Displacements of single nodes along basic axes.
+[[nodiscard]] std::map<int, Eigen::Vector3d> along_basic(
+    const Wireframe& wire, std::map<int, Eigen::Vector3d> of_nodes);
 
 /// `<` `>` and `,` `.` turn, `(` `)` tilt, `{` `}` zoom.
 bool pose_key(Pose& pose, Key key);

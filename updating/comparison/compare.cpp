@@ -54,6 +54,12 @@ ModelModes model_modes(const Fit& fit,
   for (Index g = 0; g < grids; ++g) {
     modes.at_grids.middleRows(3 * g, 3) = motion.middleRows(6 * g, 3);
   }
+  const structure::Deck& deck = *model.setting().deck;
+  for (const structure::MeasuringPoint& point : deck.measuring) {
+    const auto g = static_cast<Index>(deck.grid_index(point.grid));
+    modes.at_grids.middleRows(3 * g, 3) =
+        (point.axes * modes.at_grids.middleRows(3 * g, 3)).eval();
+  }
   return modes;
 }
 

@@ -469,9 +469,12 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {
+    const structure::Deck& deck = *setting.deck;
     // A grid that the screening passed over was still a place to look at.
     const double grids =
-        kind.at_grids() ? static_cast<double>(setting.deck->grids.size()) : 1.0;
+        kind.at_grids()
+            ? static_cast<double>(deck.grids.size() - deck.measuring.size())
+            : 1.0;
     for (Hypothesis& h : kind.found) {
       h.places = std::max({places[kind.effect], kind.tries, grids});
     }

@@ -36,7 +36,8 @@ void expect(Plan& plan, std::size_t run, const Placement& sensor, bool moved) {
 std::vector<int> reachable(const Fit& fit, const effects::Setting& setting) {
   std::vector<int> grids;
   for (const structure::Grid& grid : setting.deck->grids) {
-    if (fit.model->row(grid.id, setting.component).norm() > 0.0) {
+    if (grid.id > 0 &&
+        fit.model->row(grid.id, setting.component).norm() > 0.0) {
       grids.push_back(grid.id);
     }
   }

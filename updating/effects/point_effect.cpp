@@ -19,7 +19,7 @@ std::vector<Where> PointEffect::places(const Setting& setting) const {
     if (all) held.insert(c.grid);
   }
   for (const structure::Grid& grid : setting.deck->grids) {
-    if (held.contains(grid.id)) continue;
+    if (grid.id < 0 || held.contains(grid.id)) continue;
     Where where;
     where.node = grid.id;
     result.push_back(where);

@@ -59,11 +59,12 @@ std::vector<std::string> SensorCable::bulk_data(
     cards.insert(cards.end(), more.begin(), more.end());
     offset += static_cast<int>(more.size());
   };
+  const structure::Deck& deck = *setting.deck;
   for (const ActedDof& dof : acts_on(where, setting, 0)) {
-    add(ground_spring_cards(
-        *setting.deck, offset, dof.node, dof.component, p[0]));
-    add(ground_damper_cards(
-        *setting.deck, offset, dof.node, dof.component, p[1]));
+    add(card_note(deck, dof.node));
+    const int grid = card_grid(deck, dof.node);
+    add(ground_spring_cards(deck, offset, grid, dof.component, p[0]));
+    add(ground_damper_cards(deck, offset, grid, dof.component, p[1]));
   }
   return cards;
 }

@@ -1,5 +1,7 @@
 #include "updating/effects/sensor_channels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <set>
 
@@ -25,6 +27,22 @@ std::vector<Where> sensor_places(const Setting& setting) {
     result.push_back(one);
   }
   return result;
+}
+
+int card_grid(const structure::Deck& deck, int node) {
+  const auto point =
+      std::ranges::find(deck.measuring, node, &structure::MeasuringPoint::grid);
+  return point == deck.measuring.end() ? node : point->nearest;
+}
+
+std::vector<std::string> card_note(const structure::Deck& deck, int node) {
+  const auto point =
+      std::ranges::find(deck.measuring, node, &structure::MeasuringPoint::grid);
+  if (point == deck.measuring.end()) return {};
+  return {fmt::format("$ {} is {:.3g} mm from grid {}, the nearest",
+                      node_name(node),
+                      1e3 * point->to_grid,
+                      point->nearest)};
 }
 
 std::vector<PlacedSensor> placed_sensors(const Where& where,

@@ -18,6 +18,14 @@ struct PlacedSensor {
   std::size_t position = 0;  ///< index into Where::channels
 };
 
+/// The grid that cards for a sensor go to: its own, or of a point of the test's
+/// own the nearest.
+[[nodiscard]] int card_grid(const structure::Deck& deck, int node);
+
+/// A line that says so, for a point of the test's own; else none.
+[[nodiscard]] std::vector<std::string> card_note(const structure::Deck& deck,
+                                                 int node);
+
 [[nodiscard]] std::vector<PlacedSensor> placed_sensors(const Where& where,
                                                        const Setting& setting,
                                                        std::size_t run);

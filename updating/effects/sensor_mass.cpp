@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace tapfit::effects {
 namespace {
@@ -89,9 +90,13 @@ std::vector<std::string> SensorMass::bulk_data(
   }
   const double of_unit = where.variant == "rotary" ? inertia : 0.0;
   int offset = 0;
+  const structure::Deck& deck = *setting.deck;
   for (const auto& [node, mass] : mass_at) {
-    cards.push_back(
-        point_mass_card(*setting.deck, offset++, node, mass, of_unit * mass));
+    for (std::string& note : card_note(deck, node)) {
+      cards.push_back(std::move(note));
+    }
+    cards.push_back(point_mass_card(
+        deck, offset++, card_grid(deck, node), mass, of_unit * mass));
   }
   return cards;
 }

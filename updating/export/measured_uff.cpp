@@ -4,6 +4,7 @@
 #include "acquisition/foundation/output_file.hpp"
 #include "modal/mode_set/uff55.hpp"
 #include "signal/files/uff58.hpp"
+#include "updating/export/point_geometry.hpp"
 #include "updating/structure/elements/solid_shapes.hpp"
 
 #include <vector>
@@ -19,13 +20,13 @@ void add_piece(const std::vector<int>& grids,
   if (closed) geometry.trace_lines.back().push_back(grids.front());
 }
 
-// Grids and element edges of the deck; nothing without one.
+// Grids and element edges of the deck, and the test's own points.
 acquisition::UffGeometry geometry_of(Session& session) {
-  acquisition::UffGeometry geometry;
+  acquisition::UffGeometry geometry = point_geometry(session);
   if (!session.bundle().deck) return geometry;
   const structure::Deck& deck = session.deck();
   for (const structure::Grid& grid : deck.grids) {
-    geometry.nodes[grid.id] = grid.position;
+    if (grid.id > 0) geometry.nodes[grid.id] = grid.position;
   }
   for (const auto& shell : deck.shells) add_piece(shell.grids, true, geometry);
   for (const auto& solid : deck.solids) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/uff_records.hpp"
-#include "acquisition/uff/uff_geometry.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "updating/session/session.hpp"
 
 #include <filesystem>

@@ -35,8 +35,8 @@ effects::Setting setting_of(const acquisition::TestBundle& bundle,
     setting.low_hz = bundle.band_hz->front();
     setting.high_hz = bundle.band_hz->back();
   }
-  setting.component = measured_component(bundle);
-  setting.components = tested_components(bundle);
+  setting.component = measured_component(bundle, deck);
+  setting.components = tested_components(bundle, deck);
   return setting;
 }
 

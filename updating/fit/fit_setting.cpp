@@ -1,6 +1,7 @@
 #include "updating/fit/fit_setting.hpp"
 
 #include "updating/measurement/damped_line.hpp"
+#include "updating/measurement/place_points.hpp"
 #include "updating/properties/uncertain_property.hpp"
 
 #include <fmt/format.h>
@@ -29,14 +30,22 @@ double typical_damping(const modal::ModeSet& modes) {
   return std::clamp(*middle, 1e-4, 0.2);
 }
 
+// The basic axis that a measured translation is mostly along, 1..3.
+int basic_component(const structure::Deck& deck, const Dof& dof) {
+  Eigen::Index axis = 0;
+  direction_of(deck, dof).cwiseAbs().maxCoeff(&axis);
+  return static_cast<int>(axis) + 1;
+}
+
 }  // namespace
 
-int measured_component(const acquisition::TestBundle& bundle) {
+int measured_component(const acquisition::TestBundle& bundle,
+                       const structure::Deck& deck) {
   std::array<int, 4> votes{};
   for (const acquisition::Run& run : bundle.runs) {
     for (const acquisition::Placement& p : run.sensors) {
       if (p.dof.component <= 3) {
-        ++votes.at(static_cast<std::size_t>(p.dof.component));
+        ++votes.at(static_cast<std::size_t>(basic_component(deck, p.dof)));
       }
     }
   }
@@ -44,15 +53,18 @@ int measured_component(const acquisition::TestBundle& bundle) {
                           votes.begin());
 }
 
-std::vector<int> tested_components(const acquisition::TestBundle& bundle) {
+std::vector<int> tested_components(const acquisition::TestBundle& bundle,
+                                   const structure::Deck& deck) {
   std::set<int> found;
-  for (const acquisition::Run& run : bundle.runs) {
-    found.insert(run.hammer.dof.component);
-    for (const acquisition::Placement& p : run.sensors) {
-      found.insert(p.dof.component);
+  const auto take = [&](const Dof& dof) {
+    if (dof.component >= 1 && dof.component <= 3) {
+      found.insert(basic_component(deck, dof));
     }
+  };
+  for (const acquisition::Run& run : bundle.runs) {
+    take(run.hammer.dof);
+    for (const acquisition::Placement& p : run.sensors) take(p.dof);
   }
-  std::erase_if(found, [](int c) { return c < 1 || c > 3; });
   return {found.begin(), found.end()};
 }
 

@@ -26,11 +26,12 @@ struct MeasuredTest {
 [[nodiscard]] std::vector<PropertyName> property_names(
     const acquisition::TestBundle& bundle, const structure::Deck& deck);
 
-/// The direction, 1..3, that most sensors measure.
-[[nodiscard]] int measured_component(const acquisition::TestBundle& bundle);
+/// The basic direction, 1..3, that most sensors measure, or nearly.
+[[nodiscard]] int measured_component(const acquisition::TestBundle& bundle,
+                                     const structure::Deck& deck);
 
 /// 1..3, ascending: every direction in which something was measured or hit.
 [[nodiscard]] std::vector<int> tested_components(
-    const acquisition::TestBundle& bundle);
+    const acquisition::TestBundle& bundle, const structure::Deck& deck);
 
 }  // namespace tapfit::updating

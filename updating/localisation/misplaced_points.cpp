@@ -129,6 +129,7 @@ class Elsewhere {
     Dof found = group_->point.written;
     double least = error(found);
     for (std::size_t k = 0; k < deck.grids.size(); ++k) {
+      if (deck.grids[k].id < 0) continue;
       for (int at = 0; at < 6; ++at) {
         const Dof dof{deck.grids[k].id, 1 + at / 2, at % 2 == 0 ? 1 : -1};
         const double tried =

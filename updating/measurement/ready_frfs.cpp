@@ -1,7 +1,7 @@
 #include "updating/measurement/ready_frfs.hpp"
 
 #include "modal/mass_loading/sensor_shifts.hpp"
-#include "signal/files/uff58.hpp"
+#include "updating/measurement/bundle_frfs.hpp"
 #include "updating/measurement/frf_runs.hpp"
 #include "updating/measurement/usual_modes.hpp"
 
@@ -90,7 +90,7 @@ std::optional<ReadyFrfs> moved_frfs(const signal::FrfSet& set,
 
 ReadyFrfs read_ready_frfs(acquisition::TestBundle& bundle,
                           const Progress& progress) {
-  const signal::FrfSet set = signal::read_frfs_uff(*bundle.frfs).set;
+  const signal::FrfSet set = read_bundle_frfs(bundle).set;
   ReadyFrfs stayed = laid_out(set, bundle, Sensors::Stayed, progress);
   acquisition::TestBundle moving = bundle;
   std::optional<ReadyFrfs> moved =

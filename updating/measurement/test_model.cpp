@@ -1,7 +1,8 @@
 #include "updating/measurement/test_model.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "signal/files/uff58.hpp"
+#include "updating/measurement/bundle_frfs.hpp"
+#include "updating/measurement/place_points.hpp"
 #include "updating/structure/assembly/rigid_motion.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
@@ -25,7 +26,7 @@ void check_grid(const structure::Deck& deck,
                 const std::string& place) {
   if (!deck.has_grid(dof.node)) {
     throw InputError(
-        fmt::format("the model has no grid {}", dof.node),
+        fmt::format("the model has no grid {}", node_name(dof.node)),
         place,
         fmt::format("use a grid id of {}", deck.path.filename().string()));
   }
@@ -48,7 +49,8 @@ class Held {
   [[nodiscard]] bool holds(const Dof& dof) const {
     const auto u = 6 * static_cast<Eigen::Index>(deck_->grid_index(dof.node)) +
                    dof.component - 1;
-    if (absent_.contains(u)) return true;
+    // The test's own points have no row of their own and follow others.
+    if (dof.node > 0 && absent_.contains(u)) return true;
     if (T_.size() == 0) return is_fixed(u);
     for (structure::SparseMatrix::InnerIterator it(T_, u); it; ++it) {
       if (std::abs(it.value()) > 1e-9 && !is_fixed(it.row())) return false;
@@ -81,8 +83,7 @@ std::vector<Point> points_of(const acquisition::TestBundle& bundle) {
   std::vector<Point> points;
   if (bundle.frfs) {
     const std::string file = bundle.frfs->filename().string();
-    for (const signal::Frf& frf :
-         signal::read_frfs_uff(*bundle.frfs).set.frfs) {
+    for (const signal::Frf& frf : read_bundle_frfs(bundle).set.frfs) {
       points.push_back({frf.response, file});
       points.push_back({frf.reference, file});
     }
@@ -100,12 +101,20 @@ std::vector<Point> points_of(const acquisition::TestBundle& bundle) {
   return points;
 }
 
+// Labels of the test's own points that something is measured at.
+std::set<int> own_labels(const std::vector<Point>& points) {
+  std::set<int> labels;
+  for (const Point& point : points) {
+    if (point.dof.node < 0) labels.insert(-point.dof.node);
+  }
+  return labels;
+}
+
 // Each degree of freedom is named where it is first.
-void check_points(const acquisition::TestBundle& bundle,
-                  structure::Deck& deck) {
+void check_points(const std::vector<Point>& points, structure::Deck& deck) {
   const Held held(deck);
   std::set<std::pair<int, int>> seen;
-  for (const auto& [dof, place] : points_of(bundle)) {
+  for (const auto& [dof, place] : points) {
     if (!seen.emplace(dof.node, dof.component).second) continue;
     check_grid(deck, dof, place);
     if (!held.holds(dof)) continue;
@@ -158,7 +167,9 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
         "solids and quadratic shells are not split: what the mesh does to the "
         "modes is not known, and the floor is the noise alone");
   }
-  check_points(bundle, deck);
+  const std::vector<Point> points = points_of(bundle);
+  place_points(bundle, own_labels(points), deck);
+  check_points(points, deck);
   warn_of_turned_supports(deck);
   return deck;
 }

@@ -1,11 +1,9 @@
 // Places between grids: on a bar, or on a shell's surface. What moves there is
-// told by the element's shape functions, rotations of its grids included, so
-// that a bent bar or plate is followed to the third order along its sides.
-// Sources: J. S. Przemieniecki, "Theory of Matrix Structural Analysis", 1968,
-// ch. 5 (beam); A. Adini, R. W. Clough, 1961, and R. J. Melosh, 1963 (plate of
-// four corners); G. P. Bazeley et al., 1965 (of three).
+// told by the element's shape functions (element_shapes.hpp), rotations of its
+// grids included.
 #pragma once
 
+#include "updating/places/element_shapes.hpp"
 #include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
 
@@ -21,6 +19,11 @@ struct MotionShare {
 
   bool operator==(const MotionShare&) const = default;
 };
+
+/// Adds what a grid's motion and turning have in a motion.
+void add_shares(int grid,
+                const CornerMotion& motion,
+                std::vector<MotionShare>& shares);
 
 /// The motion along a basic axis at a place between grids, as a sum of motions
 /// of the grids of the element that holds it.

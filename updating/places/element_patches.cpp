@@ -71,6 +71,7 @@ class Patches {
     for (const Middle& middle : middles_) take({middle.id});
     for (const Middle& middle : middles_) boxes_around(middle.position, limit);
     for (const structure::Grid& grid : deck.grids) {
+      if (grid.id < 0) continue;
       boxes_around(grid.position, limit);
     }
     for (const Vector3d& edge : edge_middles(deck)) {

@@ -14,6 +14,7 @@ std::vector<int> nearest(const structure::Deck& deck, int node, int count) {
   const Eigen::Vector3d at = deck.grids[deck.grid_index(node)].position;
   std::vector<std::pair<double, int>> distance;
   for (const structure::Grid& grid : deck.grids) {
+    if (grid.id < 0) continue;
     distance.emplace_back((grid.position - at).norm(), grid.id);
   }
   const auto n = std::min<std::size_t>(distance.size(),

@@ -34,6 +34,16 @@ void add(const acquisition::TestBundle& bundle, ContentDigest& digest) {
     digest.add(channel.mass_kg.value_or(-1.0));
   }
   for (const std::string& warning : bundle.warnings) digest.add(warning);
+  for (const acquisition::TestPoint& point : bundle.points) {
+    for (const double number : {static_cast<double>(point.label),
+                                static_cast<double>(point.node),
+                                static_cast<double>(point.system),
+                                point.height_m}) {
+      digest.add(number);
+    }
+    add_numbers(point.at, digest);
+    add_numbers(point.axes, digest);
+  }
 }
 
 void add(const structure::Deck& deck, ContentDigest& digest) {

@@ -101,8 +101,8 @@ effects::Setting Session::Impl::setting() const {
   s.mass_kg = model->builder.mass_kg();
   s.low_hz = test.band()[0];
   s.high_hz = test.band()[1];
-  s.component = measured_component(test.bundle());
-  s.components = tested_components(test.bundle());
+  s.component = measured_component(test.bundle(), *deck);
+  s.components = tested_components(test.bundle(), *deck);
   return s;
 }
 

@@ -48,6 +48,7 @@ class Checker {
 
   TestCheck check() {
     input();
+    points();
     if (session_.bundle().frfs || records()) frfs();
     sort_by_severity(found_.findings);
     return std::move(found_);
@@ -62,6 +63,12 @@ class Checker {
     for (const std::string& warning : session_.bundle().warnings) {
       add({{Severity::Note, {}, warning, {}, {}}});
     }
+  }
+
+  // Where the test's own points are on the model.
+  void points() {
+    if (session_.bundle().points.empty() || !session_.has_model()) return;
+    reached([&] { found_.placed = session_.deck(progress_).measuring.size(); });
   }
 
   // Adds what is thrown as a finding.

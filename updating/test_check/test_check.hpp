@@ -27,6 +27,7 @@ struct TestCheck {
   std::vector<std::vector<std::size_t>> apart;      ///< hits, per run
   std::vector<signal::DrivingPoint> points;
   std::vector<signal::Reciprocal> pairs;
+  std::size_t placed = 0;         ///< points of the test's own, on the model
   std::vector<Finding> findings;  ///< errors first
 
   /// Whether a diagnosis means anything.

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tapfit::acquisition {
 namespace {
 
@@ -66,6 +68,35 @@ TEST_F(UffBundle, TimeRecordsBecomeRuns) {
   EXPECT_DOUBLE_EQ(recordings[0].samples(2, 2), 2.0 * 9.80665);
   EXPECT_DOUBLE_EQ(recordings[1].samples(1, 0), 0.5 * 4.4482216152605);
   EXPECT_DOUBLE_EQ(recordings[1].samples(3, 2), 3.0 * 9.80665);
+}
+
+TEST_F(UffBundle, LocalSystemsAreHonoured) {
+  const std::string systems =
+      "    -1\n    18\n"
+      "         5         0         0         8         1\nCS\n"
+      "  0.00000E+00  0.00000E+00  0.00000E+00  8.66025E-01  0.00000E+00 "
+      "-5.00000E-01\n  5.00000E-01  0.00000E+00  8.66025E-01\n    -1\n";
+  const std::string nodes =
+      "    -1\n    15\n"
+      "        12         0         5         8  1.00000E+00  0.00000E+00  "
+      "0.00000E+00\n    -1\n";
+  const std::string text =
+      uff_ascii(force(3, {0, 1, 0})) +
+      uff_ascii({.node = 12, .values = {0, 5, -5}}) +
+      uff_ascii({.node = 12, .direction = -1, .values = {0, 1, 2}});
+  const TestBundle bundle =
+      read_test_bundle(folder_.write("test.uff", text + nodes + systems));
+  ASSERT_EQ(bundle.runs.size(), 1U);
+  EXPECT_EQ(name(bundle.runs[0].hammer.dof), "3Z+");
+  EXPECT_EQ(name(bundle.runs[0].sensors.at(0).dof), "P12Z+");
+  EXPECT_EQ(name(bundle.runs[0].sensors.at(1).dof), "P12X-");
+  ASSERT_EQ(bundle.points.size(), 1U);
+  EXPECT_EQ(bundle.points[0].node, 12);
+  EXPECT_TRUE(bundle.points[0].axes.col(2).isApprox(
+      Eigen::Vector3d(0.5, 0.0, std::sqrt(0.75)), 1e-5));
+  EXPECT_NE(
+      refusal(text + nodes).find("coordinate system 5 is not in the file"),
+      std::string::npos);
 }
 
 TEST_F(UffBundle, UnlabelledValuesAreInTheUnitsOf164) {

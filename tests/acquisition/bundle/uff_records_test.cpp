@@ -6,7 +6,7 @@
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/readers/audio_file.hpp"
-#include "acquisition/uff/uff_geometry.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "tests/acquisition/support/mutation.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 

@@ -1,14 +1,17 @@
 #include "modal/mode_set/read_modes_uff.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/uff55.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <sstream>
 
 namespace tapfit::modal {
 namespace {
@@ -55,6 +58,35 @@ TEST(ReadModesUff, GivesBackWhatWasWritten) {
         }
       }
     }
+  }
+}
+
+// What was shaped along a node's own axes is along global ones, or its own.
+TEST(ReadModesUff, ShapesCountAlongTheNodesSystems) {
+  const ModeSet written = two_modes(false, true);
+  ASSERT_FALSE(written.dofs.empty());
+  acquisition::UffGeometry geometry;
+  for (const Dof& dof : written.dofs) {
+    geometry.nodes[dof.node] = {0.1 * dof.node, 0.0, 0.0};
+    geometry.node_systems[dof.node] = {0, 4, {}};
+  }
+  // x, y, z are Y, Z, X.
+  geometry.systems[4].points << 0, 0, 1, 0, 1, 0, 0, 0, 0;
+  std::ostringstream out;
+  write_geometry(geometry, acquisition::UffNodes::D2411, out);
+  const ModeSet read =
+      read_modes_uff_text(modes_as_uff(written, "A plate") + out.str(),
+                          "memory")
+          .set;
+  ASSERT_EQ(read.dofs.size(), written.dofs.size());
+  for (std::size_t k = 0; k < written.dofs.size(); ++k) {
+    Dof turned = written.dofs[k];
+    turned.component = turned.component % 3 + 1;
+    const auto at = std::ranges::find(read.dofs, turned);
+    ASSERT_NE(at, read.dofs.end()) << name(turned);
+    EXPECT_LT(std::abs(read.modes[0].shape(at - read.dofs.begin()) -
+                       written.modes[0].shape(static_cast<Eigen::Index>(k))),
+              2e-5 * written.modes[0].shape.norm());
   }
 }
 

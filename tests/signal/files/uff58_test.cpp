@@ -237,14 +237,72 @@ TEST(Uff58, TakesCoherenceAndNamesTheRest) {
   const std::string text =
       dataset(4, 5, 2, 1, " 1. 2. 3. 4.\n") +
       dataset(6, 2, 2, 1, " 0.5 0.75\n") + dataset(1, 2, 2, 1, " 1. 2.\n") +
-      "    -1\n  2411\n         1\n    -1\n" + dataset(4, 5, 1, 1, " 1. 2.\n");
+      "    -1\n    82\n         1\n    -1\n" + dataset(4, 5, 1, 1, " 1. 2.\n");
   const UffFrfs result = read_frfs_uff_text(text, "x.uff");
   ASSERT_EQ(result.set.frfs.size(), 1u);
   EXPECT_EQ(result.set.frfs[0].coherence(1), 0.75);
   ASSERT_EQ(result.skipped.size(), 3u);
   EXPECT_NE(result.skipped[0].find("function type 1"), std::string::npos);
-  EXPECT_NE(result.skipped[1].find("2411"), std::string::npos);
+  EXPECT_NE(result.skipped[1].find("dataset 82"), std::string::npos);
   EXPECT_NE(result.skipped[2].find("lines differ"), std::string::npos);
+}
+
+// Response 12 and reference 3 along Z of a node's displacement system.
+std::string nodes_in(int of_response, int of_reference) {
+  return fmt::format(
+      "    -1\n    15\n"
+      "{:10}{:10}{:10}{:10}  0.00000E+00  0.00000E+00  0.00000E+00\n"
+      "{:10}{:10}{:10}{:10}  1.00000E+00  0.00000E+00  0.00000E+00\n    -1\n",
+      12,
+      0,
+      of_response,
+      8,
+      3,
+      0,
+      of_reference,
+      8);
+}
+
+// Origin, a point on +x, one on the +xz plane.
+std::string system_18(int label, const std::string& points) {
+  return fmt::format(
+      "    -1\n    18\n{:10}{:10}{:10}{:10}{:10}\nCS\n{}    -1\n",
+      label,
+      0,
+      0,
+      8,
+      1,
+      points);
+}
+
+TEST(Uff58, DirectionsCountAlongTheNodesSystems) {
+  const std::string frf = dataset(4, 5, 2, 1, " 1. 2. 3. 4.\n") +
+                          dataset(6, 2, 2, 1, " 0.5 0.75\n");
+  // Its x is +Y and its z is -X of the global axes.
+  const std::string along = system_18(
+      2,
+      "  0.00000E+00  0.00000E+00  0.00000E+00  0.00000E+00  1.00000E+00  "
+      "0.00000E+00\n -1.00000E+00  0.00000E+00  0.00000E+00\n");
+  const FrfSet turned =
+      read_frfs_uff_text(frf + nodes_in(2, 0) + along, "x.uff").set;
+  ASSERT_EQ(turned.frfs.size(), 1u);
+  EXPECT_EQ(name(turned.frfs[0].response), "12X-");
+  EXPECT_EQ(name(turned.frfs[0].reference), "3Z+");
+  // Coherence belongs to the same, wherever the systems stand in the file.
+  EXPECT_EQ(turned.frfs[0].coherence(1), 0.75);
+  // Its z leans from Z towards X by 30 degrees.
+  const std::string askew = system_18(
+      5,
+      "  0.00000E+00  0.00000E+00  0.00000E+00  8.66025E-01  0.00000E+00 "
+      "-5.00000E-01\n  5.00000E-01  0.00000E+00  8.66025E-01\n");
+  const FrfSet own =
+      read_frfs_uff_text(nodes_in(0, 5) + askew + frf, "x.uff").set;
+  EXPECT_EQ(name(own.frfs[0].response), "12Z+");
+  EXPECT_EQ(name(own.frfs[0].reference), "P3Z+");
+  // Never read as a global direction.
+  EXPECT_THROW(static_cast<void>(
+                   read_frfs_uff_text(nodes_in(0, 7) + askew + frf, "x.uff")),
+               InputError);
 }
 
 TEST(Uff58, DropsLinesThatAreNoNumbers) {

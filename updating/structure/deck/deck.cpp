@@ -133,7 +133,7 @@ void check_element(const Deck& deck,
 std::size_t Deck::element_count() const {
   return shells.size() + bars.size() + rods.size() + masses.size() +
          scalars.size() + bushes.size() + rigids.size() + solids.size() +
-         relations.size();
+         relations.size() - 6 * measuring.size();
 }
 
 std::vector<int> Shell::all_grids() const { return with_mids(grids, mids); }

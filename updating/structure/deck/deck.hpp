@@ -8,19 +8,22 @@
 // materials, constraints. Reading and writing are in read_deck and write_deck.
 #pragma once
 
+#include "acquisition/foundation/coordinate_system.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace tapfit::structure {
 
 struct Grid {
-  int id = 0;
+  int id = 0;  ///< below 0: a point of the test's own, see MeasuringPoint
   Eigen::Vector3d position;  ///< basic axes [m]
   /// Displacement axes (CD), columns in basic axes: the components of cards at
   /// this grid count along them.
@@ -258,9 +261,35 @@ struct Constraint {
 /// K and M from another program, see matrix_market.hpp.
 struct GivenMatrices;
 
+/// A point that a test measures at and the deck does not have: a grid without
+/// mass or stiffness whose six components, along axes of its own, follow the
+/// grids of the element that holds it (Deck::relations).
+struct MeasuringPoint {
+  int grid = 0;  ///< its id, below 0
+  Eigen::Matrix3d axes =
+      Eigen::Matrix3d::Identity();  ///< columns in basic axes
+  /// Where the element is that holds it [m]: from there it is on a rigid arm.
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();
+  std::string on;      ///< "shell 12", "grid 7"
+  int nearest = 0;     ///< grid of the deck
+  double to_grid = 0;  ///< its distance [m]
+  /// How far the test's coordinates are from the element [m].
+  double off = 0.0;
+};
+
+/// How the test's own mesh lies on the model: x_model = rotation x_test +
+/// translation.
+struct LaidOver {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< [m]
+  std::size_t pairs = 0;  ///< by which it was found; 0: by best fit
+  double rms_m = 0.0;     ///< what is left between them
+};
+
 struct Deck {
   std::filesystem::path path;
-  std::vector<Grid> grids;  ///< in the deck's order
+  std::vector<Grid> grids;  ///< the test's points, then in the deck's order
+  std::map<int, CoordinateSystem> systems;  ///< CORD cards, without basic
   std::vector<Shell> shells;
   std::vector<Bar> bars;
   std::vector<Rod> rods;
@@ -279,6 +308,8 @@ struct Deck {
   std::map<int, SolidProperty> solid_properties;
   std::vector<Constraint> constraints;
   std::vector<std::array<int, 2>> plot_lines;  ///< PLOTEL
+  std::vector<MeasuringPoint> measuring;
+  std::optional<LaidOver> laid_over;
   bool coupled_mass = false;        ///< PARAM,COUPMASS: consistent mass
   double weight_to_mass = 1.0;      ///< PARAM,WTMASS
   double structural_damping = 0.0;  ///< PARAM,G

@@ -28,22 +28,6 @@
 
 namespace tapfit::structure {
 
-enum class CoordinateKind { Rectangular, Cylindrical, Spherical };
-
-/// A coordinate system in basic axes. Coordinates of a cylindrical one are r,
-/// theta [degree], z; of a spherical one r, theta (from z), phi [degree].
-struct CoordinateSystem {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns x, y, z
-  CoordinateKind kind = CoordinateKind::Rectangular;
-
-  /// The place with these coordinates, in basic axes.
-  [[nodiscard]] Eigen::Vector3d place(const Eigen::Vector3d& coordinates) const;
-  /// Directions in which the coordinates grow at a place, columns in basic
-  /// axes. On the axis of a cylinder or sphere those of theta = 0.
-  [[nodiscard]] Eigen::Matrix3d directions(const Eigen::Vector3d& place) const;
-};
-
 /// PBUSH.
 struct BushProperty {
   std::array<double, 6> stiffness{};
@@ -59,7 +43,6 @@ struct DirectMatrix {
 
 struct DeckBuilder {
   Deck deck;
-  std::map<int, CoordinateSystem> systems;  ///< 0 is basic
   std::unordered_map<int, std::size_t> grid_index;
   std::map<int, std::array<double, 2>> spring_properties;  ///< PELAS: k, g
   std::map<int, double> damper_properties;                 ///< PDAMP: B

@@ -2,17 +2,11 @@
 // grids): z from A to B, the x-z plane holds C.
 #include "updating/structure/readers/deck_builder.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace tapfit::structure {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180.0;
 
 CoordinateKind kind_of(const CardReader& card) {
   switch (card.card().name().back()) {
@@ -29,18 +23,15 @@ CoordinateSystem system_through(const CardReader& card,
                                 const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b,
                                 const Eigen::Vector3d& c) {
-  const Eigen::Vector3d z = b - a;
-  const Eigen::Vector3d y = z.cross(c - a);
-  if (!(y.norm() > 1e-10 * z.norm() * (c - a).norm()) || y.norm() == 0.0) {
+  const auto axes = axes_through(2, b - a, c - a);
+  if (!axes) {
     card.fail("the three points of the coordinate system lie on a line",
               "Give a point C that is off the z axis A-B.");
   }
   CoordinateSystem system;
   system.kind = kind_of(card);
   system.origin = a;
-  system.axes.col(2) = z.normalized();
-  system.axes.col(1) = y.normalized();
-  system.axes.col(0) = system.axes.col(1).cross(system.axes.col(2));
+  system.axes = *axes;
   return system;
 }
 
@@ -49,10 +40,11 @@ void read_by_points(DeckBuilder& builder, const CardReader& card) {
   builder.define(card, "coordinate system", id);
   const CoordinateSystem& reference =
       builder.system(card, card.integer_or(2, 0, "RID"));
-  builder.systems[id] = system_through(card,
-                                       reference.place(card.vector(3, "A")),
-                                       reference.place(card.vector(6, "B")),
-                                       reference.place(card.vector(9, "C")));
+  builder.deck.systems[id] =
+      system_through(card,
+                     reference.place(card.vector(3, "A")),
+                     reference.place(card.vector(6, "B")),
+                     reference.place(card.vector(9, "C")));
 }
 
 // Two systems fit on a card.
@@ -64,52 +56,11 @@ void read_by_grids(DeckBuilder& builder, const CardReader& card) {
     };
     const int id = card.id(first, "CID");
     builder.define(card, "coordinate system", id);
-    builder.systems[id] = system_through(card, at(1), at(2), at(3));
+    builder.deck.systems[id] = system_through(card, at(1), at(2), at(3));
   }
-}
-
-// Directions r, theta, z at an angle about the third of the axes.
-Eigen::Matrix3d turned_about_z(const Eigen::Matrix3d& axes, double angle) {
-  return axes *
-         Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
-
-double angle_of(double y, double x) {
-  return x == 0.0 && y == 0.0 ? 0.0 : std::atan2(y, x);
 }
 
 }  // namespace
-
-Eigen::Vector3d CoordinateSystem::place(
-    const Eigen::Vector3d& coordinates) const {
-  Eigen::Vector3d local = coordinates;
-  const double r = coordinates(0);
-  const double theta = coordinates(1) * degree;
-  if (kind == CoordinateKind::Cylindrical) {
-    local << r * std::cos(theta), r * std::sin(theta), coordinates(2);
-  } else if (kind == CoordinateKind::Spherical) {
-    const double phi = coordinates(2) * degree;
-    local << r * std::sin(theta) * std::cos(phi),
-        r * std::sin(theta) * std::sin(phi), r * std::cos(theta);
-  }
-  return origin + axes * local;
-}
-
-Eigen::Matrix3d CoordinateSystem::directions(
-    const Eigen::Vector3d& place) const {
-  if (kind == CoordinateKind::Rectangular) return axes;
-  const Eigen::Vector3d local = axes.transpose() * (place - origin);
-  const Eigen::Matrix3d cylinder =
-      turned_about_z(axes, angle_of(local.y(), local.x()));
-  if (kind == CoordinateKind::Cylindrical) return cylinder;
-  const double theta = angle_of(local.head<2>().norm(), local.z());
-  const Eigen::Vector3d outward = cylinder.col(0);
-  const Eigen::Vector3d z = cylinder.col(2);
-  Eigen::Matrix3d sphere;
-  sphere << std::sin(theta) * outward + std::cos(theta) * z,
-      std::cos(theta) * outward - std::sin(theta) * z, cylinder.col(1);
-  return sphere;
-}
 
 CardTable coordinate_cards() {
   return {{"CORD2R", read_by_points},

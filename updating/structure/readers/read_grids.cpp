@@ -114,8 +114,8 @@ const CoordinateSystem& DeckBuilder::system(const CardReader& card,
                                             int id) const {
   static const CoordinateSystem kBasic;
   if (id == 0) return kBasic;
-  const auto found = systems.find(id);
-  if (found == systems.end()) {
+  const auto found = deck.systems.find(id);
+  if (found == deck.systems.end()) {
     card.fail(fmt::format("coordinate system {} does not exist", id),
               "Add a CORD2R, CORD2C, CORD2S or a CORD1R, CORD1C, CORD1S whose "
               "grids do not lie in it.");

@@ -12,7 +12,7 @@ bool known_system(const DeckBuilder& builder,
                   const CardReader& card,
                   std::size_t field) {
   const int id = card.integer_or(field, 0, "system");
-  return id == 0 || builder.systems.contains(id);
+  return id == 0 || builder.deck.systems.contains(id);
 }
 
 bool known_grids(const DeckBuilder& builder,

@@ -1,21 +1,18 @@
 #include "updating/structure/readers/scale_units.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/model_units.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
+#include <optional>
 
 namespace tapfit::structure {
 namespace {
 
-// SI units per unit of the deck; seconds stay seconds.
-struct Units {
-  double length;
-  double mass;
-
+struct Units : ModelUnits {
   [[nodiscard]] double area() const { return length * length; }
   [[nodiscard]] double area_moment() const { return area() * area(); }
   [[nodiscard]] double inertia() const { return mass * area(); }
@@ -23,17 +20,9 @@ struct Units {
   [[nodiscard]] double density() const { return mass / (area() * length); }
 };
 
-// A pound-force accelerates its mass by an inch per second squared.
-const std::map<std::string, Units>& systems() {
-  constexpr double inch = 0.0254;
-  constexpr double pound_force = 4.4482216152605;
-  static const std::map<std::string, Units> kSystems{
-      {"mm-t-s", {1e-3, 1e3}}, {"in-lbf-s", {inch, pound_force / inch}}};
-  return kSystems;
-}
-
 void scale_elements(Deck& deck, const Units& to) {
   for (Grid& grid : deck.grids) grid.position *= to.length;
+  for (auto& [id, system] : deck.systems) system.origin *= to.length;
   for (Bar& bar : deck.bars) {
     for (Eigen::Vector3d& offset : bar.offsets) offset *= to.length;
   }
@@ -134,13 +123,13 @@ SparseMatrix scaled(const SparseMatrix& A, const Units& to) {
 
 void scale_to_si(Deck& deck, const std::string& units) {
   if (units == "SI" || units.empty()) return;
-  const auto known = systems().find(units);
-  if (known == systems().end()) {
+  const std::optional<ModelUnits> known = model_units(units);
+  if (!known) {
     throw InputError(fmt::format("the units \"{}\" are not known", units),
                      "test.json: units",
                      "Use \"SI\", \"mm-t-s\" or \"in-lbf-s\".");
   }
-  const Units& to = known->second;
+  const Units to{*known};
   scale_elements(deck, to);
   if (!deck.given) {
     scale_properties(deck, to);

@@ -1,0 +1,27 @@
+#include "acquisition/bundle/uff_file.hpp"
+
+#include <fstream>
+#include <system_error>
+
+namespace tapfit::acquisition {
+
+UffFile open_uff(const std::filesystem::path& file) {
+  UffFile result{MappedFile(file), file.filename().string(), {}};
+  const MappedFile& bytes = result.bytes;
+  result.datasets = bytes.reading([&] {
+    return split_uff(bytes.text(), result.name, [&](std::string_view part) {
+      bytes.forget(part);
+    });
+  });
+  return result;
+}
+
+bool is_uff(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  return static_cast<bool>(in >> line) && line == "-1";
+}
+
+}  // namespace tapfit::acquisition

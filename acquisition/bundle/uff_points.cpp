@@ -1,0 +1,98 @@
+#include "acquisition/bundle/uff_points.hpp"
+
+#include "acquisition/bundle/uff_file.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/readers/csv_table.hpp"
+#include "acquisition/uff/uff_systems.hpp"
+#include "acquisition/uff/uff_units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace tapfit::acquisition {
+namespace {
+
+TestGeometry geometry_of_uff(const std::filesystem::path& path) {
+  const UffFile file = open_uff(path);
+  const UffMesh mesh =
+      file.bytes.reading([&] { return read_uff_mesh(file.datasets); });
+  TestGeometry result;
+  for (const auto& [label, unused] : mesh.geometry.nodes) {
+    result.nodes[label] = mesh.length_m * position_of(mesh.geometry, label);
+    const Eigen::Matrix3d axes = directions_at(mesh.geometry, label);
+    if (!axes.isIdentity(1e-12)) result.directions[label] = axes;
+  }
+  return result;
+}
+
+TestGeometry geometry_of_table(const std::filesystem::path& path,
+                               double length_m) {
+  const Eigen::MatrixXd table =
+      read_csv_columns(path, {"1", "2", "3", "4"}, CsvOptions{});
+  TestGeometry result;
+  for (Eigen::Index i = 0; i < table.rows(); ++i) {
+    const double label = table(i, 0);
+    const bool whole = label == std::round(label) && label >= 1.0 &&
+                       label <= std::numeric_limits<int>::max();
+    if (!whole || result.nodes.contains(static_cast<int>(label))) {
+      throw InputError(
+          whole ? fmt::format("point {} is there twice", label)
+                : fmt::format("\"{}\" is no label of a point", label),
+          path.filename().string(),
+          "give each point one line: label (a whole number from 1 on), x, y, "
+          "z");
+    }
+    result.nodes[static_cast<int>(label)] =
+        length_m * table.row(i).segment<3>(1).transpose();
+  }
+  return result;
+}
+
+}  // namespace
+
+UffMesh read_uff_mesh(const std::vector<UffDataset>& file) {
+  UffMesh mesh{read_geometry(file)};
+  for (const UffDataset& dataset : file) {
+    if (dataset.type != 164) continue;
+    mesh.length_m = 1.0 / read_uff_units(dataset).length;
+  }
+  return mesh;
+}
+
+std::vector<TestPoint> own_points(const UffMesh& mesh,
+                                  const std::string& name) {
+  std::vector<TestPoint> points;
+  for (const auto& [label, unused] : mesh.geometry.nodes) {
+    const int node = node_of_uff_label(label);
+    const auto axes = skew_axes(mesh.geometry, label);
+    if (node > 0 && !axes) continue;
+    TestPoint point;
+    point.label = node < 0 ? -node : node;
+    if (node > 0) {
+      point.node = node;
+    } else {
+      point.at = mesh.length_m * position_of(mesh.geometry, label);
+    }
+    if (axes) point.axes = *axes;
+    point.place = fmt::format("{}: node {}", name, label);
+    points.push_back(point);
+  }
+  return points;
+}
+
+TestGeometry read_geometry_file(const std::filesystem::path& file,
+                                double length_m) {
+  TestGeometry result =
+      is_uff(file) ? geometry_of_uff(file) : geometry_of_table(file, length_m);
+  result.file = file;
+  if (!result.nodes.empty()) return result;
+  throw InputError("it holds no points",
+                   file.filename().string(),
+                   "export the test's geometry (dataset 2411 or 15), or write "
+                   "a table of label, x, y, z");
+}
+
+}  // namespace tapfit::acquisition

@@ -1,0 +1,32 @@
+// Axes of a measuring point, named after the basic axes that they are closest
+// to: what is called Z points mostly along Z.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <optional>
+
+namespace tapfit {
+
+/// Right-handed axes with a direction among them, as the component that it is
+/// closest to: what is called Z points mostly along Z.
+struct NamedDirection {
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
+  int component = 3;  ///< 1..3
+  int sign = 1;
+};
+
+/// @param direction of unit length
+[[nodiscard]] NamedDirection axes_along(const Eigen::Vector3d& direction);
+
+/// The component and sign by which axes say a direction; empty where none of
+/// them is along it to 1e-6.
+/// @param direction of unit length
+[[nodiscard]] std::optional<NamedDirection> along_one_of(
+    const Eigen::Matrix3d& axes, const Eigen::Vector3d& direction);
+
+/// The same three axes in other order and sense, so that each is the component
+/// of the basic axis that it is closest to.
+[[nodiscard]] Eigen::Matrix3d named_like_basic(const Eigen::Matrix3d& axes);
+
+}  // namespace tapfit

@@ -1,0 +1,22 @@
+// The test's mesh laid over the model, by pairs that are named or by best fit.
+#pragma once
+
+#include "acquisition/bundle/test_geometry.hpp"
+#include "updating/places/point_on_mesh.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <set>
+
+namespace tapfit::updating {
+
+/// @param used labels of the points that are measured at
+/// @throws InputError for pairs of grids that the model does not have, on a
+///   line, that do not fit each other, or in another unit; for a mesh that fits
+///   in several ways
+[[nodiscard]] structure::LaidOver lay_over(
+    const acquisition::TestGeometry& geometry,
+    const std::set<int>& used,
+    const structure::Deck& deck,
+    const MeshSurface& surface);
+
+}  // namespace tapfit::updating
