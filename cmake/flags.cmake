@@ -1,3 +1,5 @@
+include(GNUInstallDirs)
+
 # Flags shared by every target. The repository root is given with -iquote and
 # never with -I: signal/ on an include path would shadow <signal.h>.
 add_library(tapfit_flags INTERFACE)
@@ -23,23 +25,26 @@ if(TAPFIT_AVX2)
   set(vector_instructions -march=x86-64-v3)
 endif()
 target_compile_options(tapfit_flags INTERFACE
-  "SHELL:-iquote ${PROJECT_SOURCE_DIR}"
+  "$<BUILD_INTERFACE:SHELL:-iquote ${PROJECT_SOURCE_DIR}>"
+  "$<INSTALL_INTERFACE:SHELL:-iquote $<INSTALL_PREFIX>/${CMAKE_INSTALL_INCLUDEDIR}/tapfit>"
   ${plain_complex}
-  ${vector_instructions}
-  -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion)
+  ${vector_instructions})
+# None of these is another project's business.
+set(warnings -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion)
 if(TAPFIT_WARNINGS_AS_ERRORS)
-  target_compile_options(tapfit_flags INTERFACE -Werror)
+  list(APPEND warnings -Werror)
 endif()
 # GCC 12 warns of copies inside std::string that cannot happen (bug 105329).
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION
                                             VERSION_LESS 13)
-  target_compile_options(tapfit_flags INTERFACE
+  list(APPEND warnings
     -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread
     -Wno-array-bounds -Wno-maybe-uninitialized)
 endif()
 # In a unity build a file's own names stand beside those of others, included
 # where no other file sees them.
 if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  target_compile_options(tapfit_flags INTERFACE -Wno-subobject-linkage)
+  list(APPEND warnings -Wno-subobject-linkage)
 endif()
+target_compile_options(tapfit_flags INTERFACE "$<BUILD_INTERFACE:${warnings}>")
 target_link_libraries(tapfit_flags INTERFACE Eigen3::Eigen fmt::fmt)

@@ -9,11 +9,13 @@
 #include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
+#include "updating/export/outside_files.hpp"
 
 #include <fmt/format.h>
 
 #include <exception>
 #include <filesystem>
+#include <new>
 #include <string>
 #include <unistd.h>
 #include <variant>
@@ -70,6 +72,9 @@ int tapfit_main(int argc, const char* const* argv) {
   const auto& invocation = std::get<Invocation>(parsed);
   const bool own = invocation.name == "simulate" || invocation.name == "score";
   if (own) return run_own(invocation);
+  if (invocation.options.inside) {
+    tapfit::updating::check_inside(invocation.options.input);
+  }
   return invocation.command != nullptr ? run_command(invocation)
                                        : open_terminal(invocation);
 }
@@ -86,6 +91,13 @@ int main(int argc, char** argv) {
   } catch (const tapfit::Stopped&) {
     say("tapfit: stopped\n");
     return ExitStatus::StoppedByUser;
+  } catch (const std::bad_alloc&) {
+    // Sizes that files announce are checked where they are read; what is left
+    // is a test that is larger than this machine.
+    say("tapfit: the test needs more memory than there is (leave runs, points "
+        "or modes out, take a coarser deck, or work through long recordings "
+        "with tapfit replay)\n");
+    return ExitStatus::InputAtFault;
   } catch (const std::filesystem::filesystem_error& error) {
     say(fmt::format("tapfit: {}\n", error.what()));
     return ExitStatus::InputAtFault;

@@ -9,6 +9,7 @@
 #include "acquisition/bundle/test_schema.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
 #include <fmt/format.h>
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 using Source = JsonSource;
 
 std::string read_text(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = open_input(file, most_text_bytes);
   if (!stream) {
     throw InputError(
         "cannot be opened",
@@ -272,9 +273,10 @@ void read_options(const json& document, TestBundle& bundle) {
   }
 }
 
-// A file that was named instead of a bundle and begins like no JSON object.
+// A file that was named or linked instead of a bundle's and begins like no JSON
+// object: nothing of it is quoted.
 void refuse_foreign(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in = open_input(file);
   char first = ' ';
   // A byte order mark may stand in front; an empty file is told of later.
   std::string mark(3, ' ');
@@ -299,7 +301,7 @@ TestBundle read_test_bundle(const fs::path& folder) {
   const bool is_folder = fs::is_directory(folder, ignored);
   const fs::path file = is_folder ? folder / "test.json" : folder;
   const Source source{file.parent_path(), file.filename().string()};
-  if (!is_folder) refuse_foreign(file);
+  refuse_foreign(file);
 
   const json document = parse_json(read_text(file), source.name);
   check_against_schema(document, source.name);

@@ -1,5 +1,7 @@
 #include "acquisition/bundle/test_notes.hpp"
 
+#include "acquisition/foundation/input_file.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -92,7 +94,8 @@ void add_facts(const ordered_json& object,
 TestNotes read_test_notes(const std::filesystem::path& bundle) {
   std::error_code ignored;
   const bool folder = std::filesystem::is_directory(bundle, ignored);
-  std::ifstream stream(folder ? bundle / "test.json" : bundle);
+  std::ifstream stream =
+      open_input(folder ? bundle / "test.json" : bundle, most_text_bytes);
   const ordered_json document =
       ordered_json::parse(stream, nullptr, false, false);
   TestNotes notes;

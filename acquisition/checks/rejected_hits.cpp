@@ -66,10 +66,13 @@ std::vector<std::string> clipped_channels(const TestBundle& bundle,
 std::pair<std::string, std::string> way_out(HitFault fault) {
   switch (fault) {
     case HitFault::Double:
-      return {"the hammer struck twice, or the next blow lies inside the block",
-              "give a block_s (and hold_off_s) shorter than the time between "
-              "blows; where the hammer bounces, accept the hits with the "
-              "smallest second blow by hand (Space on the Recording screen)"};
+      return {
+          "the hammer struck twice, or the next blow lies inside the block: "
+          "the block ends before the second response has decayed, or both "
+          "blows cancel at lines of the band",
+          "give a block_s (and hold_off_s) shorter than the time between "
+          "blows; where the hammer bounces, accept the hits with the "
+          "smallest second blow by hand (Space on the Recording screen)"};
     case HitFault::Overload:
       return {"the range was too small for these blows",
               "measure again with a wider range or lighter blows; where little "

@@ -104,7 +104,9 @@ Block block_for(const TestBundle& bundle,
   needs.sample_rate_hz = rate;
   std::vector<std::vector<PulseGroup>> groups;
   for (const HammerRun& run : work) groups.push_back(run.groups);
-  return choose_block(groups, needs, options);
+  Block block = choose_block(groups, needs, options);
+  block.decay = {needs.slowest ? needs.slowest->rate : 0.0, needs.lasting};
+  return block;
 }
 
 }  // namespace tapfit::acquisition

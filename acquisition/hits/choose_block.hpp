@@ -38,6 +38,7 @@ struct Block {
   Eigen::Index samples = 0;
   Eigen::Index pre_trigger = 0;
   std::string reason;  ///< what limited the length
+  ResponseDecay decay;
 };
 
 /// One block length for all hits.

@@ -3,6 +3,7 @@
 #include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,13 +17,22 @@ constexpr double usable_snr = 10.0;     // peak over noise, better than none
 constexpr double weak_share = 0.15;     // of the run's median peak
 constexpr double outlier_factor = 1.6;  // response per impulse, at least
 
+// Lines with little force are no reason to have none at all.
 bool usable(const Hit& hit, double noise) {
   return hit.peak_n > usable_snr * noise &&
-         std::all_of(
-             hit.reasons.begin(), hit.reasons.end(), [](HitFault fault) {
-               return fault == HitFault::Weak || fault == HitFault::Soft ||
-                      fault == HitFault::Outlier;
-             });
+         std::ranges::all_of(hit.reasons, [&hit](HitFault fault) {
+           if (fault == HitFault::Double) {
+             return hit.second && !hit.second->leaves_block;
+           }
+           return fault == HitFault::Weak || fault == HitFault::Soft ||
+                  fault == HitFault::Outlier;
+         });
+}
+
+std::string reasons(const Hit& hit) {
+  std::vector<std::string> names;
+  for (const HitFault fault : hit.reasons) names.push_back(name(fault));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -74,15 +84,22 @@ Eigen::VectorXd response_per_impulse(const Run& run,
   return level;
 }
 
+double second_share(const Hit& hit) {
+  return hit.second ? hit.second->share : 0.0;
+}
+
 bool is_outlier(const Eigen::RowVectorXd& level,
-                const Eigen::MatrixXd& levels) {
+                const Eigen::MatrixXd& levels,
+                double second) {
   if (levels.rows() < 3) return false;
+  constexpr double smallest = 1e-3;  // of what two equal blows may leave
+  const double unknown = -std::log(std::max(smallest, 1.0 - second));
   for (Index k = 0; k < levels.cols(); ++k) {
     const double middle = median(levels.col(k));
     const Eigen::VectorXd away = (levels.col(k).array() - middle).abs();
     const double limit =
         std::max(std::log(outlier_factor), 6.0 * 1.4826 * median(away));
-    if (std::abs(level[k] - middle) > limit) return true;
+    if (std::abs(level[k] - middle) > limit + unknown) return true;
   }
   return false;
 }
@@ -105,8 +122,9 @@ void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set) {
     levels.row(i) = levels_of[static_cast<std::size_t>(i)].transpose();
   }
   for (Index i = 0; i < count; ++i) {
-    if (!is_outlier(levels.row(i), levels)) continue;
-    reject(*good[static_cast<std::size_t>(i)], HitFault::Outlier);
+    Hit& hit = *good[static_cast<std::size_t>(i)];
+    if (!is_outlier(levels.row(i), levels, second_share(hit))) continue;
+    reject(hit, HitFault::Outlier);
   }
 }
 
@@ -132,7 +150,7 @@ void keep_best_rejected(const Run& run,
       "best there is",
       file,
       best->time_s,
-      name(best->reasons.front())));
+      reasons(*best)));
 }
 
 }  // namespace tapfit::acquisition

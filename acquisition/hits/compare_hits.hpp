@@ -27,10 +27,18 @@ namespace tapfit::acquisition {
 /// of 1.6 and 6 robust standard deviations on any sensor; never with fewer than
 /// three rows.
 ///
+/// A second blow of share p, which the levels know nothing of, makes them
+/// larger or smaller by factors of 1 - p to 1 + p at most.
+///
 /// @param level of the hit, per sensor
 /// @param levels all hits x sensors, the hit's own among them
+/// @param second share of the hit's second blow; 0: there is none
 [[nodiscard]] bool is_outlier(const Eigen::RowVectorXd& level,
-                              const Eigen::MatrixXd& levels);
+                              const Eigen::MatrixXd& levels,
+                              double second);
+
+/// Of the hit's second blow; 0: there is none.
+[[nodiscard]] double second_share(const Hit& hit);
 
 /// Judges hits out as weak that have less than 15 % of the median peak of the
 /// accepted ones; needs three of those.
@@ -53,8 +61,8 @@ struct ComparedRun {
 void judge_outliers(const std::vector<ComparedRun>& runs, const HitSet& set);
 
 /// In a run without any accepted hit, accepts the strongest that is merely
-/// weak (10 times the noise at least), soft or an outlier; says so, or that
-/// there is none.
+/// weak (10 times the noise at least), soft, an outlier or double within its
+/// block; says so, or that there is none.
 ///
 /// @param noise of the hammer channel [N]
 void keep_best_rejected(const Run& run,

@@ -8,6 +8,7 @@
 #include "acquisition/hits/block_for.hpp"
 #include "acquisition/hits/choose_block.hpp"
 #include "acquisition/hits/compare_hits.hpp"
+#include "acquisition/hits/double_hits.hpp"
 #include "acquisition/hits/hit_statements.hpp"
 #include "acquisition/hits/hit_steps.hpp"
 #include "acquisition/hits/judge_saturation.hpp"
@@ -179,6 +180,7 @@ HitSet find_hits(const TestBundle& bundle,
   set.block = block.samples;
   set.pre_trigger = block.pre_trigger;
   set.block_reason = block.reason;
+  set.decay = block.decay;
   set.hold_off = hold_off;
   set.usable_bandwidth_hz = usable_bandwidth(bundle, work, rate);
   state_choices(bundle, work, options, set);
@@ -193,6 +195,9 @@ HitSet find_hits(const TestBundle& bundle,
                        options.double_hit_percent);
     judge_weak(hits);
   });
+  for (std::string& said : double_statements(set)) {
+    set.statements.push_back(std::move(said));
+  }
   judge_saturation(bundle, work, set);
   const std::vector<RunGroup> groups = runs_alike(bundle);
   for_each_parallel(groups.size(), [&](std::size_t g) {

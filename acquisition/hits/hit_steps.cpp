@@ -1,8 +1,10 @@
 #include "acquisition/hits/hit_steps.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
+#include "acquisition/hits/double_hits.hpp"
 #include "acquisition/hits/judge_hits.hpp"
 #include "acquisition/hits/overload.hpp"
+#include "acquisition/hits/second_pulses.hpp"
 #include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
@@ -15,6 +17,8 @@ using Eigen::Index;
 
 constexpr double least_snr = 20.0;    // peak over noise of a good hit
 constexpr double softest_db = -20.0;  // at the band's end (ISO 7626-5)
+// Of the main pulse: a force sensor is linear to no less.
+constexpr double least_second = 0.005;
 // Widths of blows that one hand strikes with one tip scatter by 8 %, and where
 // nobody gave a band none of them is soft.
 constexpr double scatters = 0.9;
@@ -55,6 +59,33 @@ Hit hit_of(const PulseGroup& group, const HitSet& set, double rate) {
   hit.peak_n = group.largest.height;
   hit.pulse_s = group.largest.width / rate;
   return hit;
+}
+
+// All blows of the block belong to its force; whether that makes it a bad hit
+// depends on what it costs.
+void judge_double(const HammerSignal& hammer,
+                  const Pulse& main,
+                  const JudgedBlock& block,
+                  double double_percent,
+                  Hit& hit) {
+  std::vector<Pulse> pulses =
+      second_pulses(hammer, main, hit.begin, block.end, least_second);
+  hit.second = judge_second_pulses(hammer, main, pulses, block);
+  if (!hit.second) return;
+  pulses.push_back(main);
+  for (const Pulse& pulse : pulses) {
+    const auto reach = static_cast<Index>(std::ceil(pulse.width));
+    hit.blows_before =
+        std::max(hit.blows_before, hit.trigger - pulse.peak + reach);
+    hit.blows_after =
+        std::max(hit.blows_after, pulse.peak + reach - hit.trigger);
+  }
+  // The height of a pulse a few samples wide is known to a tenth.
+  if (hit.second->share < 0.009 * double_percent) return;
+  note(hit, HitFault::Double);
+  if (hit.second->thins_force || hit.second->leaves_block) {
+    reject(hit, HitFault::Double);
+  }
 }
 
 }  // namespace
@@ -116,6 +147,7 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
   const Eigen::VectorXd noise = channel_noise(recording);
   const double reach_hz = bundle.band_hz ? set.usable_bandwidth_hz
                                          : scatters * set.usable_bandwidth_hz;
+  const double low_hz = bundle.band_hz ? (*bundle.band_hz)[0] : 0.0;
   std::vector<Hit> hits(work.groups.size());
   for_each_parallel(hits.size(), [&](std::size_t k) {
     const PulseGroup& group = work.groups[k];
@@ -123,10 +155,11 @@ std::vector<Hit> judge_alone(const TestBundle& bundle,
     const Index wanted = group.first.first - set.pre_trigger;
     const Index stop = wanted + set.block;
     const Index end = std::min(stop, recording.samples.rows());
-    if (has_second_pulse(
-            work.hammer, group.largest, hit.begin, end, double_percent)) {
-      reject(hit, HitFault::Double);
-    }
+    judge_double(work.hammer,
+                 group.largest,
+                 {end, rate, {low_hz, reach_hz}, set.decay},
+                 double_percent,
+                 hit);
     if (overloaded(bundle, run, recording, noise, hit.begin, end - hit.begin)) {
       reject(hit, HitFault::Overload);
     }

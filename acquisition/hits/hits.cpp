@@ -4,11 +4,15 @@
 
 namespace tapfit::acquisition {
 
-void reject(Hit& hit, HitFault fault) {
-  hit.accepted = false;
+void note(Hit& hit, HitFault fault) {
   const bool known =
       std::count(hit.reasons.begin(), hit.reasons.end(), fault) > 0;
   if (!known) hit.reasons.push_back(fault);
+}
+
+void reject(Hit& hit, HitFault fault) {
+  hit.accepted = false;
+  note(hit, fault);
 }
 
 std::string name(HitFault fault) {

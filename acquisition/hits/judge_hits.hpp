@@ -7,21 +7,6 @@
 
 namespace tapfit::acquisition {
 
-/// Whether a second blow follows (or precedes) the main pulse in the block.
-///
-/// It must reach `percent` of the main pulse, stand 6.5 times out of the noise
-/// and clearly out of what swings below zero around it: the ringing of an
-/// anti-alias filter, hum and vibration are as large below zero as above, a
-/// blow is not.
-///
-/// @param force drift-free, blows positive [N]
-/// @param begin, end samples of the block
-[[nodiscard]] bool has_second_pulse(const HammerSignal& hammer,
-                                    const Pulse& main,
-                                    Eigen::Index begin,
-                                    Eigen::Index end,
-                                    double percent);
-
 /// Where the main pulse's force spectrum has first fallen below its low end by
 /// so many decibels [Hz], to 1 in 1000 of what a pulse as wide reaches. What
 /// lobes of the spectrum bring behind that does not count: lines before them,

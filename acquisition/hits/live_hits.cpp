@@ -59,7 +59,9 @@ void compare(const Run& run,
   if (!hit.accepted) return;
   known.levels.push_back(response_per_impulse(
       run, piece.recording, work.hammer, hit, settings.set));
-  if (is_outlier(known.levels.back().transpose(), rows_of(known.levels))) {
+  if (is_outlier(known.levels.back().transpose(),
+                 rows_of(known.levels),
+                 second_share(hit))) {
     reject(hit, HitFault::Outlier);
     known.levels.pop_back();
     return;

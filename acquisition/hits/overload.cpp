@@ -50,6 +50,17 @@ bool is_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
   return sign * x[left] < fallen && sign * x[right] < fallen;
 }
 
+// Whether the signal rests below a level at the block's beginning and end.
+// Where it rests it piles up, and is flat between two blows, without being
+// clipped.
+bool begins_and_ends_below(const Eigen::Ref<const Eigen::VectorXd>& x,
+                           double sign,
+                           double level) {
+  const Index few = std::min<Index>(16, x.size());
+  return sign * median(x.head(few)) < level &&
+         sign * median(x.tail(few)) < level;
+}
+
 // @param top the largest value of sign * x
 bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
                   const std::vector<Range>& pieces,
@@ -58,6 +69,7 @@ bool has_flat_top(const Eigen::Ref<const Eigen::VectorXd>& x,
                   double tolerance) {
   const double high = top - tolerance;
   const double fallen = top - least_fall * tolerance;
+  if (!begins_and_ends_below(x, sign, high)) return false;
   // Only between samples that have fallen can one lie.
   const auto falls = [&](const Range& piece) {
     return std::min(sign * piece.low, sign * piece.high) < fallen;
@@ -114,16 +126,7 @@ struct Below {
   }
 };
 
-// Whether the signal rests below a level at the block's beginning and end, and
-// most of the time: where it rests it piles up without being clipped.
-bool begins_and_ends_below(const Eigen::Ref<const Eigen::VectorXd>& x,
-                           double sign,
-                           double level) {
-  const Index few = std::min<Index>(16, x.size());
-  return sign * median(x.head(few)) < level &&
-         sign * median(x.tail(few)) < level;
-}
-
+// The same of most of the time.
 bool mostly_below(const Eigen::Ref<const Eigen::VectorXd>& x,
                   double sign,
                   double level) {

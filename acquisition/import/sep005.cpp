@@ -1,6 +1,7 @@
 #include "acquisition/import/sep005.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/import/rate_of_times.hpp"
 
 #include <fmt/format.h>
@@ -44,7 +45,7 @@ InputError refusal(const std::filesystem::path& file,
 }
 
 json parse(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in = open_input(file);
   if (!in) {
     throw InputError("cannot be opened", file.string(), "correct the path");
   }

@@ -1,6 +1,7 @@
 #include "acquisition/readers/audio_file.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/large_pages.hpp"
 #include "acquisition/readers/sample_bytes.hpp"
 
@@ -15,6 +16,7 @@
 #include <optional>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
@@ -142,6 +144,25 @@ bool keeps_samples(int subtype) {
   }
 }
 
+InputError unwritten(const std::filesystem::path& file) {
+  return {"cannot be written to its end",
+          file.string(),
+          "see whether the disk is full"};
+}
+
+// libsndfile does not tell of what it could not write when it closes a file.
+void check_end(const std::filesystem::path& file, Eigen::Index samples) {
+  SF_INFO info{};
+  const Handle handle(sf_open(file.c_str(), SFM_READ, &info));
+  if (!handle || info.frames != samples) throw unwritten(file);
+  if (samples == 0) return;
+  std::vector<double> last(static_cast<std::size_t>(info.channels));
+  if (sf_seek(handle.get(), samples - 1, SEEK_SET) != samples - 1 ||
+      sf_readf_double(handle.get(), last.data(), 1) != 1) {
+    throw unwritten(file);
+  }
+}
+
 }  // namespace
 
 struct AudioReader::State {
@@ -225,7 +246,10 @@ std::string lossy_encoding(const std::filesystem::path& file) {
 Eigen::MatrixXd room_for(Eigen::Index samples,
                          Eigen::Index channels,
                          const std::filesystem::path& file) {
+  const double bytes = sizeof(double) * static_cast<double>(samples) *
+                       static_cast<double>(channels);
   try {
+    if (bytes > most_matrix_bytes()) throw std::bad_alloc();
     Eigen::MatrixXd room(samples, channels);
     prefer_large_pages(room);
     return room;
@@ -261,7 +285,7 @@ void write_audio(const std::filesystem::path& file,
       format == AudioFormat::Flac24  ? SF_FORMAT_FLAC | SF_FORMAT_PCM_24
       : format == AudioFormat::Wav24 ? SF_FORMAT_WAV | SF_FORMAT_PCM_24
                                      : SF_FORMAT_WAV | SF_FORMAT_DOUBLE;
-  const Handle handle(sf_open(file.c_str(), SFM_WRITE, &info));
+  Handle handle(sf_open(file.c_str(), SFM_WRITE, &info));
   if (!handle) {
     throw InputError(
         fmt::format("cannot be written: {}", sf_strerror(nullptr)),
@@ -275,12 +299,12 @@ void write_audio(const std::filesystem::path& file,
         std::min<Eigen::Index>(frames_at_once, samples.rows() - done);
     const RowMajor chunk = samples.middleRows(done, count);
     if (sf_writef_double(handle.get(), chunk.data(), count) != count) {
-      throw InputError("cannot be written to its end",
-                       file.string(),
-                       "see whether the disk is full");
+      throw unwritten(file);
     }
     done += count;
   }
+  handle.reset();
+  check_end(file, samples.rows());
 }
 
 }  // namespace tapfit::acquisition

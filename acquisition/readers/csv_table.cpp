@@ -1,6 +1,7 @@
 #include "acquisition/readers/csv_table.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/utf8.hpp"
 
 #include <fmt/format.h>
@@ -98,7 +99,7 @@ void split_at_returns(std::vector<std::string>& lines) {
 }
 
 Text read_lines(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = open_input(file);
   if (!stream) {
     throw InputError("cannot be opened", file.string(), "correct the path");
   }

@@ -1,5 +1,7 @@
 #include "acquisition/readers/mat_elements.hpp"
 
+#include "acquisition/foundation/input_file.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,11 +70,11 @@ class Unpacking {
     }
     return true;
   }
-  // Whether the rest unpacks, up to a checksum that is right.
+  // Whether what is left, which is no more than padding, ends in a checksum
+  // that is right.
   bool ends_well() {
-    while (unpack(scratch_.data(), scratch_.size()) > 0) {
-    }
-    return good_ && ended_;
+    return unpack(scratch_.data(), scratch_.size()) < scratch_.size() &&
+           good_ && ended_;
   }
 
  private:
@@ -197,7 +199,7 @@ InputError no_mat_file(const std::filesystem::path& file) {
 }
 
 void check_mat_elements(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in = open_input(file);
   std::array<unsigned char, 128> header{};
   in.read(reinterpret_cast<char*>(header.data()), header.size());
   const bool whole = static_cast<bool>(in);

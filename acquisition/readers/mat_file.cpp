@@ -1,6 +1,7 @@
 #include "acquisition/readers/mat_file.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/readers/mat_elements.hpp"
 
 #include <fmt/format.h>
@@ -52,6 +53,16 @@ InputError damaged(const std::filesystem::path& path, const std::string& what) {
   return {what + " cannot be read",
           path.string(),
           "the file is damaged: copy it again, or save it anew"};
+}
+
+// A variable that takes more room than there is, however small its file.
+InputError too_large(const std::filesystem::path& path,
+                     const std::string& name,
+                     double values) {
+  return {fmt::format(
+              "\"{}\" has {:.3g} values, more than memory holds", name, values),
+          path.string(),
+          "save a part of it; if it is not that long, the file is damaged"};
 }
 
 InputError not_found(mat_t* file,
@@ -168,6 +179,9 @@ void refuse_tall_tale(mat_t* file,
   if (values > most_bytes(path)) {
     throw damaged(path, fmt::format("\"{}\"", name));
   }
+  if (sizeof(double) * values > most_matrix_bytes()) {
+    throw too_large(path, name, values);
+  }
 }
 
 Eigen::MatrixXd read_matrix(mat_t* file,
@@ -187,6 +201,11 @@ Eigen::MatrixXd read_matrix(mat_t* file,
                 : nullptr;
   }
   if (found == nullptr) throw not_found(file, path, text);
+  const double count = static_cast<double>(found->nbytes) /
+                       std::max(1.0, static_cast<double>(found->data_size));
+  if (sizeof(double) * count > most_matrix_bytes()) {
+    throw too_large(path, text, count);
+  }
   auto values = numbers_of(*found, most_bytes(path));
   if (values) return *std::move(values);
   throw InputError(fmt::format("\"{}\" is no matrix of real numbers", text),

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/uff/uff_datasets.hpp"
 #include "acquisition/uff/uff_shapes.hpp"
 #include "acquisition/uff/uff_systems.hpp"
@@ -162,7 +163,8 @@ UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
 }
 
 UffModes read_modes_uff(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in =
+      acquisition::open_input(file, acquisition::most_text_bytes);
   if (!in) {
     throw InputError("cannot be read", file.string(), "check its name");
   }

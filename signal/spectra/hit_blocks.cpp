@@ -25,6 +25,8 @@ constexpr Index taper = 16;
 struct Place {
   Index trigger = 0;
   Index pulse_samples = 0;
+  Index blows_before = 0;
+  Index blows_after = 0;
   Stretch before;      // quiet
   Stretch rings;       // where the earlier hit's ringing is fitted
   Stretch after;       // ringing, up to the next hit
@@ -49,8 +51,13 @@ std::vector<Place> places_of(const std::vector<acquisition::Hit>& hits,
     Place place;
     place.trigger = hits[k].trigger;
     place.pulse_samples = static_cast<Index>(std::ceil(hits[k].pulse_s * fs));
+    place.blows_before = hits[k].blows_before;
+    place.blows_after = hits[k].blows_after;
     const Index margin = taper + 4 * std::max<Index>(place.pulse_samples, 2);
-    const Index earlier = k == 0 ? 0 : hits[k - 1].trigger + margin;
+    const Index earlier =
+        k == 0 ? 0
+               : hits[k - 1].trigger +
+                     std::max(margin, taper + hits[k - 1].blows_after);
     const Index later =
         k + 1 < hits.size() ? hits[k + 1].trigger - margin : n_samples;
     // A short pre-trigger must not be lost to the margin altogether.
@@ -148,10 +155,15 @@ std::vector<PulseSpan> pulse_spans(const CutChannel& force,
                                    Index pre_trigger) {
   std::vector<PulseSpan> spans;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    spans.push_back(find_pulse(force.blocks.col(static_cast<Index>(k)),
-                               pre_trigger,
-                               places[k].pulse_samples,
-                               rms(force.quiet[k])));
+    PulseSpan span = find_pulse(force.blocks.col(static_cast<Index>(k)),
+                                pre_trigger,
+                                places[k].pulse_samples,
+                                rms(force.quiet[k]));
+    span.begin =
+        std::clamp<Index>(pre_trigger - places[k].blows_before, 0, span.begin);
+    span.end = std::clamp<Index>(
+        pre_trigger + places[k].blows_after, span.end, force.blocks.rows());
+    spans.push_back(span);
   }
   return spans;
 }

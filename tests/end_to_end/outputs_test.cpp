@@ -127,6 +127,34 @@ TEST_F(OutputsOfATest, LeaveTheOlderFileOnAFullDisk) {
   EXPECT_TRUE(parts_in(bundle_).empty());
 }
 
+// All that write a file, at sizes of the disk that stop them at different
+// places: the older file is there as it was, and nothing beside it.
+TEST_F(OutputsOfATest, OfEveryCommandAreWholeOrNotThere) {
+  for (const char* command : {"frf %b --uff %o",
+                              "frf %b --free acc1=0.01 --uff %o",
+                              "modes %b --uff %o",
+                              "modes %b --fit %o",
+                              "export %b --uff %o",
+                              "export %b --deck %o",
+                              "report %b -o %o"}) {
+    for (const int kilobytes : {0, 4}) {
+      const fs::path file = bundle_ / "out.uff";
+      write_file(file, "older");
+      std::string line = command;
+      line.replace(line.find("%b"), 2, in_bundle(""));
+      line.replace(line.find("%o"), 2, in_bundle("out.uff") + " --force");
+      const int status =
+          shell_status(fmt::format("trap '' XFSZ; ulimit -f {}; %tapfit {} "
+                                   ">/dev/null 2>/dev/null",
+                                   kilobytes,
+                                   line));
+      EXPECT_EQ(status, 1) << line;
+      EXPECT_EQ(read_file(file), "older") << line;
+      EXPECT_TRUE(parts_in(bundle_).empty()) << line;
+    }
+  }
+}
+
 TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
   const std::string measured = read_file(bundle_ / "measured.uff");
   const std::string seen = keys("7\nwait\nf\nwait\n");
@@ -135,7 +163,8 @@ TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
   EXPECT_TRUE(holds(read_file(bundle_ / "measured-2.uff"), "    58"));
 
   write_file(bundle_ / "report.html", "older");
-  EXPECT_TRUE(holds(keys("7\nwait\nw\n"), "report.html is there: y replaces it"));
+  EXPECT_TRUE(
+      holds(keys("7\nwait\nw\n"), "report.html is there: y replaces it"));
   EXPECT_TRUE(holds(keys("7\nwait\nw\n<Esc>\n"), "nothing written"));
   EXPECT_TRUE(holds(keys("7\nwait\nw\nn\nwait\n"), "report-2.html"));
   EXPECT_EQ(read_file(bundle_ / "report.html"), "older");
@@ -200,6 +229,74 @@ const fs::path& recorded() {
   return bundle;
 }
 
+// The recordings of a bundle, too: half a file is none.
+TEST(Outputs, OfSimulateAreAllThereOrNone) {
+  const fs::path bundle = fresh_folder() / "test";
+  for (const int kilobytes : {1, 8, 64}) {
+    const int status = shell_status(
+        fmt::format("trap '' XFSZ; ulimit -f {}; %tapfit simulate '{}' "
+                    "--structure ladder --runs 2 --hits 2 "
+                    ">/dev/null 2>/dev/null",
+                    kilobytes,
+                    bundle.string()));
+    EXPECT_EQ(status, 1) << kilobytes;
+    EXPECT_FALSE(fs::exists(bundle)) << kilobytes;
+    EXPECT_TRUE(parts_in(bundle.parent_path()).empty()) << kilobytes;
+  }
+}
+
+// Whenever a signal comes, of whichever kind.
+TEST(Outputs, OfExportAreWholeOrNotThereWhereItIsStopped) {
+  const fs::path folder = fresh_folder();
+  const fs::path file = folder / "out.uff";
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    for (const char* delay : {"0.02", "0.1", "0.3", "0.6"}) {
+      write_file(file, "older");
+      (void)shell_status(
+          fmt::format("timeout -s {} {} %tapfit export '{}' --records '{}' "
+                      "--text --force >/dev/null 2>/dev/null",
+                      signal,
+                      delay,
+                      recorded().string(),
+                      file.string()));
+      EXPECT_TRUE(parts_in(folder).empty()) << signal << delay;
+      const std::string now = read_file(file);
+      EXPECT_TRUE(now == "older" || now.ends_with("    -1\n"))
+          << signal << delay;
+    }
+  }
+}
+
+// What six commands keep at once is there, or they have said that it is not.
+TEST_F(OutputsOfATest, OfChoicesKeptAtOnceAreKeptOrTold) {
+  const fs::path folder = bundle_.parent_path();
+  const auto file = [&folder](const char* name, int k) {
+    return (folder / fmt::format("{}{}", name, k)).string();
+  };
+  std::string line;
+  for (int k = 1; k <= 6; ++k) {
+    line += fmt::format(
+        "( '{}' modes {} --add {} --session --keep >/dev/null 2>'{}'; "
+        "echo $? >'{}' ) & ",
+        TAPFIT_PROGRAM,
+        in_bundle(""),
+        10 * k + 0.125,
+        file("err", k),
+        file("status", k));
+  }
+  (void)std::system((line + "wait").c_str());
+  const std::string kept = read_file(bundle_ / "session.json");
+  int done = 0;
+  for (int k = 1; k <= 6; ++k) {
+    const bool well = read_file(file("status", k)) == "0\n";
+    done += well ? 1 : 0;
+    EXPECT_EQ(holds(kept, fmt::format("{}.125", 10 * k)), well)
+        << kept << read_file(file("err", k));
+    EXPECT_EQ(holds(read_file(file("err", k)), "meanwhile"), !well);
+  }
+  EXPECT_GT(done, 0);
+}
+
 TEST(StandardError, ThatIsFullEndsNoCommand) {
   for (const char* command : {"hits", "replay", "run", "modes"}) {
     EXPECT_EQ(shell_status(fmt::format("%tapfit {} '{}' >/dev/null 2>/dev/full",
@@ -223,6 +320,8 @@ TEST(StandardOutput, ThatIsFullIsTold) {
         fmt::format("simulate '{}' --structure ladder --runs 2 --hits 1",
                     (folder / "made").string()),
         std::string("--help"),
+        std::string("--version"),
+        std::string("score --help"),
         std::string("simulate --help")}) {
     EXPECT_EQ(shell_status(fmt::format(
                   "%tapfit {} >/dev/full 2>'{}'", command, said.string())),

@@ -198,6 +198,12 @@ void add_estimate(CLI::App& command, FrfArguments& frf) {
                    "Without hits that stand apart from the others");
 }
 
+void add_inside(CLI::App& command, CommandOptions& options) {
+  command.add_flag("--inside",
+                   options.inside,
+                   "Refuse a test that reads from outside its folder");
+}
+
 void add_force(CLI::App& command, CommandOptions& options) {
   command.add_flag("--force",
                    options.force,
@@ -209,6 +215,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
   command->add_option(entry.input, options.input)->required();
+  add_inside(*command, options);
   if ((entry.extras & TextOnly) == 0) {
     command->add_flag("--json", options.json, "Print one JSON object");
   }
@@ -382,6 +389,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   app.set_version_flag("--version", "tapfit " TAPFIT_VERSION);
   app.require_subcommand(0, 1);
   add_terminal_options(app, invocation.options.input, invocation.app);
+  add_inside(app, invocation.options);
   for (const Entry& entry : entries) add_command(app, entry, invocation);
   add_import(app, invocation);
   add_paper(app, invocation);

@@ -67,6 +67,7 @@ struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
   bool force = false;           ///< replace files that are there
+  bool inside = false;          ///< read nothing from outside the folder
   std::optional<std::filesystem::path> uff;      ///< universal file to write
   std::optional<std::filesystem::path> deck;     ///< bulk data to write
   std::optional<std::filesystem::path> output;   ///< file or folder to write

@@ -6,10 +6,9 @@
 #include "tui/work/pair_words.hpp"
 #include "updating/session/saved_session.hpp"
 #include "updating/session/session_file.hpp"
+#include "updating/session/shared_session.hpp"
 
 #include <fmt/format.h>
-
-#include <system_error>
 
 namespace tapfit::tui {
 namespace {
@@ -35,14 +34,6 @@ void add_edits(CLI::App& command,
 std::string pair_fault(const std::string& text) {
   return parse_pair(text) ? std::string{}
                           : "\"" + text + "\" is not I:K or I:none";
-}
-
-/// What is kept, if anything is.
-updating::SavedSession kept(const std::filesystem::path& file) {
-  std::error_code ignored;
-  return std::filesystem::exists(file, ignored)
-             ? updating::read_saved_session(file)
-             : updating::SavedSession{};
 }
 
 updating::ModeChoices together(updating::ModeChoices choices,
@@ -75,25 +66,26 @@ void choose_pairs(const std::vector<std::string>& texts,
   session.choose_modes(choices, progress);
 }
 
-void keep(const std::filesystem::path& file,
+/// Never over what another program has kept since.
+void keep(updating::SharedSession& file,
           updating::SavedSession then,
           const updating::Session& session) {
   then.title = session.bundle().title;
   // What came out with other modes is no longer true.
   if (then.modes != session.mode_choices()) then.ladder.clear();
   then.modes = session.mode_choices();
-  std::error_code ignored;
-  if (then.empty()) {
-    std::filesystem::remove(file, ignored);
-  } else {
-    write_saved_session(file, then);
-  }
+  if (file.write(then)) return;
+  throw InputError("another program has kept decisions there meanwhile",
+                   updating::session_file(session.bundle()).string(),
+                   "nothing of these was kept: give the command again");
 }
 
+/// @param file where `then` was read
 /// @param then what is kept
 /// @param now what of it is taken up
 updating::Session taken_up(updating::Session session,
                            const HandChoices& given,
+                           updating::SharedSession& file,
                            const updating::SavedSession& then,
                            updating::SavedSession now,
                            const Progress& progress) {
@@ -102,7 +94,7 @@ updating::Session taken_up(updating::Session session,
   if (!given.pairs.empty()) choose_pairs(given.pairs, session, progress);
   if (given.keep) {
     static_cast<void>(session.modes(progress));  // or they are refused
-    keep(updating::session_file(session.bundle()), then, session);
+    keep(file, then, session);
   }
   return session;
 }
@@ -160,7 +152,9 @@ updating::Session open_by_hand(const CommandOptions& options,
   const HandChoices& given = options.by_hand;
   updating::Session session = open_bundle(options);
   const std::filesystem::path file = updating::session_file(session.bundle());
-  const updating::SavedSession then = kept(file);
+  updating::SharedSession shared(file);
+  const updating::SavedSession then =
+      shared.news().value_or(updating::SavedSession{});
   updating::SavedSession now;
   if (given.session) {
     now.overruled = then.overruled;
@@ -170,15 +164,18 @@ updating::Session open_by_hand(const CommandOptions& options,
         "note: {} holds decisions by hand; --session takes them over\n",
         file.string()));
   }
-  return taken_up(std::move(session), given, then, std::move(now), progress);
+  return taken_up(
+      std::move(session), given, shared, then, std::move(now), progress);
 }
 
 updating::Session open_as_kept(const CommandOptions& options,
                                const Progress& progress) {
   updating::Session session = open_bundle(options);
+  updating::SharedSession file(updating::session_file(session.bundle()));
   const updating::SavedSession then =
-      kept(updating::session_file(session.bundle()));
-  return taken_up(std::move(session), options.by_hand, then, then, progress);
+      file.news().value_or(updating::SavedSession{});
+  return taken_up(
+      std::move(session), options.by_hand, file, then, then, progress);
 }
 
 }  // namespace tapfit::tui

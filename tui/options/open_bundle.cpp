@@ -2,8 +2,10 @@
 
 #include "tui/options/standard_streams.hpp"
 #include "updating/export/output_rule_of.hpp"
+#include "updating/export/outside_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace tapfit::tui {
 
@@ -27,6 +29,14 @@ updating::Session open_bundle(const std::filesystem::path& bundle) {
   updating::Session session(bundle);
   for (const std::string& warning : input_warnings(session)) {
     say(fmt::format("note: {}\n", warning));
+  }
+  std::vector<std::string> outside;
+  for (const auto& file : updating::outside_files(session.bundle())) {
+    outside.push_back(file.string());
+  }
+  if (!outside.empty()) {
+    say(fmt::format("note: the test reads from outside its folder: {}\n",
+                    fmt::join(outside, ", ")));
   }
   return session;
 }

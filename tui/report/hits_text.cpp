@@ -20,6 +20,13 @@ std::vector<std::string> reasons(const acquisition::Hit& hit) {
   return names;
 }
 
+ordered_json second_json(const acquisition::SecondPulse& second) {
+  return {{"percent", 100.0 * second.share},
+          {"after_s", second.after_s},
+          {"force_loss_db", second.loss_db},
+          {"response_outside_percent", 100.0 * second.outside}};
+}
+
 long accepted(const std::vector<acquisition::Hit>& hits) {
   return std::count_if(
       hits.begin(), hits.end(), [](const auto& hit) { return hit.accepted; });
@@ -67,10 +74,12 @@ ordered_json hits_json(const acquisition::TestBundle& bundle,
   for (std::size_t run = 0; run < hits.runs.size(); ++run) {
     ordered_json list = ordered_json::array();
     for (const auto& hit : hits.runs[run]) {
-      list.push_back({{"time_s", hit.time_s},
-                      {"peak_n", hit.peak_n},
-                      {"accepted", hit.accepted},
-                      {"reasons", reasons(hit)}});
+      ordered_json entry = {{"time_s", hit.time_s},
+                            {"peak_n", hit.peak_n},
+                            {"accepted", hit.accepted},
+                            {"reasons", reasons(hit)}};
+      if (hit.second) entry["second_blow"] = second_json(*hit.second);
+      list.push_back(std::move(entry));
     }
     runs.push_back({{"file", bundle.runs.at(run).file.filename().string()},
                     {"hits", std::move(list)}});

@@ -1,7 +1,6 @@
 // What the keys of the Recording screen do.
 #include "tui/screen/layout.hpp"
 #include "tui/views/recording_view.hpp"
-#include "tui/work/second_blow.hpp"
 
 #include <fmt/format.h>
 
@@ -105,11 +104,8 @@ void RecordingPage::zoom_on_hit(const RecordingInput& input) {
   const Hit& hit = hits[settled(rows_of(hits), state_.list)];
   if (state_.zoom == 1) {
     const double width = std::max(hit.pulse_s, 1e-3);
-    const double other =
-        second_blow(input.traces[state_.run],
-                    input.bundle.runs[state_.run].hammer.channel,
-                    input.hits,
-                    hit);
+    // Both blows of a double one.
+    const double other = hit.time_s + (hit.second ? hit.second->after_s : 0.0);
     state_.range = {std::min(hit.time_s, other) - 2.0 * width,
                     std::max(hit.time_s, other) + 6.0 * width,
                     other,

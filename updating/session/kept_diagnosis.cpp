@@ -1,5 +1,6 @@
 #include "updating/session/kept_diagnosis.hpp"
 
+#include "acquisition/foundation/input_file.hpp"
 #include "updating/cache/content_digest.hpp"
 #include "updating/cache/program_stamp.hpp"
 #include "updating/diagnosis/diagnosis_text.hpp"
@@ -7,8 +8,6 @@
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,8 +26,7 @@ void add_numbers(const Numbers& numbers, ContentDigest& digest) {
 }
 
 void add(const acquisition::TestBundle& bundle, ContentDigest& digest) {
-  std::ifstream file(bundle.folder / "test.json", std::ios::binary);
-  digest.add(std::string{std::istreambuf_iterator<char>(file), {}});
+  digest.add(acquisition::read_input(bundle.folder / "test.json"));
   for (const acquisition::Channel& channel : bundle.channels) {
     digest.add(channel.name);
     digest.add(channel.mass_kg.value_or(-1.0));

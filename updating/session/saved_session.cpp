@@ -4,6 +4,7 @@
 #include "updating/session/saved_session.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "updating/session/added_effect.hpp"
 
@@ -358,7 +359,8 @@ void write_saved_session(const fs::path& file, const SavedSession& session) {
 }
 
 SavedSession read_saved_session(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream =
+      acquisition::open_input(file, acquisition::most_text_bytes);
   if (!stream) {
     throw InputError("cannot be opened",
                      file.string(),

@@ -1,10 +1,9 @@
 #include "updating/session/shared_session.hpp"
 
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/output_file.hpp"
 
 #include <fcntl.h>
-#include <fstream>
-#include <iterator>
 #include <sys/file.h>
 #include <system_error>
 #include <unistd.h>
@@ -31,12 +30,6 @@ class FolderLock {
   int descriptor_;
 };
 
-/// Empty where there is none.
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 }  // namespace
 
 SharedSession::SharedSession(std::filesystem::path file)
@@ -44,7 +37,7 @@ SharedSession::SharedSession(std::filesystem::path file)
 
 // A file that was taken away tells nothing new.
 bool SharedSession::has_news() const {
-  const std::string text = text_of(file_);
+  const std::string text = acquisition::read_input(file_);
   return !text.empty() && text != seen_;
 }
 
@@ -52,7 +45,7 @@ std::optional<SavedSession> SharedSession::news() {
   if (!has_news()) return std::nullopt;
   const FolderLock lock(file_.parent_path());
   SavedSession session = read_saved_session(file_);
-  seen_ = text_of(file_);
+  seen_ = acquisition::read_input(file_);
   return session;
 }
 

@@ -6,6 +6,7 @@
 #include "acquisition/checks/record_findings.hpp"
 #include "acquisition/checks/rejected_hits.hpp"
 #include "acquisition/checks/repeated_runs.hpp"
+#include "acquisition/checks/value_jumps.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/checks/channel_phase.hpp"
 #include "modal/checks/modal_mass.hpp"
@@ -101,6 +102,7 @@ class Checker {
     add(record_findings(bundle, found_.records));
     if (!hit) return false;
     add(hits.findings);
+    add(acquisition::jump_findings(bundle, recordings, hits));
     add(acquisition::trigger_findings(bundle, recordings, hits));
     add(acquisition::rejected_hit_findings(bundle, recordings, hits));
     add(acquisition::clipping_findings(bundle, recordings, hits));

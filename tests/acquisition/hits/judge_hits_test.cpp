@@ -291,6 +291,19 @@ TEST(Overload, RestingOnEitherSideOfAStepIsNone) {
   EXPECT_FALSE(is_overloaded(-x, 1.0, 1e-4));
 }
 
+// A hammer at rest between two blows, a few samples long.
+TEST(Overload, ARestBetweenTwoBlowsIsNone) {
+  std::mt19937_64 random(12);
+  for (const double apart : {10.0, 12.0, 15.0, 20.0}) {
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(4000);
+    testing::add_pulse(x, 1.0, 400.0, 8.0, 0.5, false, 4.0);
+    testing::add_pulse(x, 1.0, 400.0 + apart, 8.0, 0.2, false, 4.0);
+    testing::add_noise(x, 5e-5, random);
+    EXPECT_FALSE(is_overloaded(x, 1.0, 5e-5)) << apart;
+    EXPECT_FALSE(is_overloaded(-x, 1.0, 5e-5)) << apart;
+  }
+}
+
 TEST(Overload, FindsFullScale) {
   Eigen::VectorXd x = decay16(40.0, 0.5, 1.0);
   EXPECT_FALSE(is_overloaded(x, 1.0, 1e-5));

@@ -4,6 +4,7 @@
 
 #include "acquisition/hits/judge_hits.hpp"
 #include "acquisition/hits/overload.hpp"
+#include "acquisition/hits/second_pulses.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
 
 namespace tapfit::testing {
@@ -48,12 +49,10 @@ inline bool judged_double(const Eigen::VectorXd& force, double rate) {
   const auto hammer = acquisition::prepare_hammer(force, rate);
   Index peak = 0;
   force.maxCoeff(&peak);
-  return acquisition::has_second_pulse(
-      hammer,
-      acquisition::measure_pulse(hammer.force, peak),
-      0,
-      hammer.force.size(),
-      5.0);
+  const acquisition::Pulse main =
+      acquisition::measure_pulse(hammer.force, peak);
+  return !acquisition::second_pulses(hammer, main, 0, hammer.force.size(), 0.05)
+              .empty();
 }
 
 struct Rate {

@@ -32,6 +32,8 @@ acquisition::HitSet sample_hits() {
   bad.accepted = false;
   bad.reasons = {acquisition::HitFault::Double,
                  acquisition::HitFault::Overload};
+  bad.second = acquisition::SecondPulse{
+      .share = 0.25, .after_s = 0.5, .loss_db = 2.5, .outside = 0.03125};
   acquisition::HitSet hits;
   hits.runs = {{good, bad}};
   hits.statements = {"block 4 s"};
@@ -47,6 +49,9 @@ TEST(HitsText, JsonHasThePromisedFields) {
             R"({"time_s":1.25,"peak_n":21.5,"accepted":true,"reasons":[]})");
   EXPECT_EQ(run.at("hits").at(1).at("reasons").dump(),
             R"(["double","overload"])");
+  EXPECT_EQ(
+      run.at("hits").at(1).at("second_blow").dump(),
+      R"({"percent":25.0,"after_s":0.5,"force_loss_db":2.5,"response_outside_percent":3.125})");
 }
 
 TEST(HitsText, TextCountsAndGivesReasons) {

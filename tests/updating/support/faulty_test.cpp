@@ -270,6 +270,14 @@ std::vector<Mistake> all_mistakes() {
          auto x = t.recordings[1].samples.middleRows(700, count);
          x.rowwise() = Eigen::RowVectorXd(x.row(0));
        }},
+      {"samples left out",
+       {"jump"},
+       [](Test& t, const Plain&, double size) {
+         const auto count = static_cast<Index>(between(3.0, 40.0, size));
+         auto& x = t.recordings[1].samples;
+         const Index rest = x.rows() - 900 - count;
+         x.middleRows(900, rest) = x.bottomRows(rest).eval();
+       }},
       {"response clipped",
        {"clipped"},
        [](Test& t, const Plain&, double size) {

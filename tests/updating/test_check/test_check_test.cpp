@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -48,6 +50,23 @@ TEST_P(AMistake, IsNamed) {
     EXPECT_TRUE(testing::is_named(mistake, found.findings))
         << "structure " << seed << ":\n"
         << testing::serious(found.findings);
+  }
+}
+
+// docs/faulty-tests.md promises these words.
+TEST(Mistakes, StandInTheDocumentsWithTheirWords) {
+  std::ifstream file(TAPFIT_SOURCE_DIR "/docs/faulty-tests.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  ASSERT_FALSE(testing::mistakes().empty());
+  for (const Mistake& mistake : testing::mistakes()) {
+    std::string words;
+    for (const std::string& all : mistake.words) {
+      words += words.empty() ? "" : ", ";
+      for (const char c : all) words += c == '|' ? " or " : std::string(1, c);
+    }
+    EXPECT_NE(page.find("| " + mistake.name + " | " + words + " |"),
+              std::string::npos)
+        << mistake.name;
   }
 }
 

@@ -1,13 +1,13 @@
 #include "updating/structure/cards/bulk_lines.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
+#include "updating/structure/cards/card_shapes.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <fstream>
 #include <utility>
 
@@ -15,23 +15,10 @@ namespace tapfit::structure {
 namespace {
 
 constexpr std::size_t kMaxDepth = 20;
-
-std::string expand_tabs(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '\t') {
-      result.append(8 - result.size() % 8, ' ');
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-// A quote may hold a $ only in file names, which INCLUDE reads beforehand.
-std::string without_comment(const std::string& text) {
-  return text.substr(0, text.find('$'));
-}
+// Of INCLUDE files read, each time one is asked for.
+constexpr std::size_t kMaxIncludes = 1000;
+// Of the deck as a whole: some five million cards.
+constexpr std::uintmax_t kMaxBytes = 512U << 20U;
 
 // Editors may begin a file with the mark of UTF-8.
 void drop_byte_order_mark(std::string& text) {
@@ -86,7 +73,37 @@ bool next_line(std::istream& file, std::string& text) {
 struct RawDeck {
   std::vector<std::filesystem::path> files;
   std::vector<RawLine> lines;
+  std::uintmax_t bytes = 0;
 };
+
+// Opens a file of the deck, as long as there is no end of them.
+std::ifstream open_part(const std::filesystem::path& path,
+                        const std::string& asked_by,
+                        RawDeck& deck) {
+  if (deck.files.size() > kMaxIncludes + 1) {
+    throw InputError(
+        fmt::format("more than {} INCLUDE files are asked for", kMaxIncludes),
+        asked_by,
+        "Name each file once; files that include the next one twice double "
+        "the deck at each step.");
+  }
+  std::ifstream file = acquisition::open_input(path, kMaxBytes);
+  if (!file) {
+    throw InputError(fmt::format("cannot open the model {}", path.string()),
+                     asked_by,
+                     "Check the file's name and that it may be read.");
+  }
+  std::error_code ignored;
+  deck.bytes += std::filesystem::file_size(path, ignored);
+  if (deck.bytes > kMaxBytes) {
+    throw InputError(
+        fmt::format("the deck with its INCLUDE files has more than {} MB",
+                    kMaxBytes >> 20U),
+        asked_by,
+        "Leave out what is no part of the model.");
+  }
+  return file;
+}
 
 void read_file(const std::filesystem::path& path,
                const std::filesystem::path& folder,
@@ -99,12 +116,8 @@ void read_file(const std::filesystem::path& path,
                      asked_by,
                      "Remove the INCLUDE that leads back.");
   }
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
-    throw InputError(fmt::format("cannot open the model {}", path.string()),
-                     asked_by,
-                     "Check the file's name and that it may be read.");
-  }
+  std::ifstream file = open_part(path, asked_by, deck);
+  CardShapes shapes;
   std::string text;
   for (int number = 1; next_line(file, text); ++number) {
     if (number == 1) drop_byte_order_mark(text);
@@ -126,40 +139,11 @@ void read_file(const std::filesystem::path& path,
       read_file(included(path, *name, folder), folder, where, depth + 1, deck);
     } else {
       deck.lines.push_back({text, where, number});
+      shapes.add(text);
     }
   }
-}
-
-bool is_begin_bulk(const std::string& text) {
-  const std::string line = upper(trimmed(text));
-  return line.starts_with("BEGIN") && line.find("BULK") != std::string::npos;
-}
-
-bool is_end(const std::string& text) {
-  return upper(trimmed(text)).starts_with("ENDDATA");
-}
-
-bool looks_like_control(const std::string& text) {
-  static constexpr std::array<const char*, 14> kWords{"SOL",
-                                                      "CEND",
-                                                      "ID",
-                                                      "TIME",
-                                                      "TITLE",
-                                                      "SUBTITLE",
-                                                      "LABEL",
-                                                      "ECHO",
-                                                      "SUBCASE",
-                                                      "NASTRAN",
-                                                      "ASSIGN",
-                                                      "DIAG",
-                                                      "INIT",
-                                                      "BEGIN"};
-  const std::string line = upper(trimmed(text));
-  const std::string word = line.substr(0, line.find_first_of(" ,=("));
-  const std::size_t equals = line.find('=');
-  const std::size_t comma = line.find(',');
-  return std::find(kWords.begin(), kWords.end(), word) != kWords.end() ||
-         (equals > 0 && equals < 24 && line.find_first_of(",=(") != comma);
+  // Before anything that it holds is looked at closer, and quoted.
+  shapes.check(path, asked_by);
 }
 
 // NAME = value, in capitals; empty for other lines.
@@ -266,19 +250,6 @@ std::vector<std::filesystem::path> deck_files(
     // Those read so far are known; who needs the deck says what is wrong.
   }
   return std::move(deck.files);
-}
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::toupper(c));
-  });
-  return text;
 }
 
 }  // namespace tapfit::structure

@@ -2,6 +2,8 @@
 // brought in at their place.
 #pragma once
 
+#include "updating/structure/cards/line_text.hpp"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,14 +33,12 @@ struct DeckLines {
   CaseControl control;
 };
 
-/// @throws InputError for a file that cannot be read, or includes itself
+/// @throws InputError for a file that cannot be read, is no bulk data, or
+///   includes itself, and for more than 1000 INCLUDE files or 512 MB
 [[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
 
 /// The deck and all that it includes, as far as that can be read.
 [[nodiscard]] std::vector<std::filesystem::path> deck_files(
     const std::filesystem::path& path);
-
-[[nodiscard]] std::string trimmed(const std::string& text);
-[[nodiscard]] std::string upper(std::string text);
 
 }  // namespace tapfit::structure

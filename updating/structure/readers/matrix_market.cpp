@@ -1,6 +1,7 @@
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/readers/output4.hpp"
@@ -18,9 +19,10 @@
 namespace tapfit::structure {
 namespace {
 
-std::ifstream open(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  if (!file || std::filesystem::is_directory(path)) {
+std::ifstream open(const std::filesystem::path& path,
+                   std::uintmax_t most_bytes = UINTMAX_MAX) {
+  std::ifstream file = acquisition::open_input(path, most_bytes);
+  if (!file) {
     throw InputError("cannot open the file",
                      path.string(),
                      "Check the file's name and that it may be read.");
@@ -51,7 +53,7 @@ class MarketReader {
       std::string word;
       while (words >> word) {
         const std::optional<double> value = parse_real(word);
-        if (!value) fail(fmt::format("\"{}\" is not a finite number", word));
+        if (!value) fail("here is no finite number");
         values.push_back(*value);
       }
       if (values.size() != count) {
@@ -74,9 +76,10 @@ class MarketReader {
   }
 
   std::string header() {
+    line_ = 1;
+    if (file_.peek() != '%') return {};  // a foreign file's line may not end
     std::string text;
     std::getline(file_, text);
-    line_ = 1;
     return upper(text);
   }
 
@@ -172,7 +175,10 @@ Row parse_row(const std::string& text, const std::string& where) {
   Row row;
   row.position = parse_position(cells, good);
   if (!good) {
-    throw InputError(fmt::format("\"{}\" is not a degree of freedom", text),
+    // Of a file that is no such table nothing is quoted.
+    const std::string what =
+        node ? fmt::format("\"{}\" is", text) : std::string("this line is");
+    throw InputError(what + " not a degree of freedom",
                      where,
                      "Write node,component or node,component,x,y,z with "
                      "components 1 to 6 or X, Y, Z, RX, RY, RZ.");
@@ -184,7 +190,7 @@ Row parse_row(const std::string& text, const std::string& where) {
 }
 
 std::vector<Row> read_rows(const std::filesystem::path& path) {
-  std::ifstream file = open(path);
+  std::ifstream file = open(path, acquisition::most_text_bytes);
   std::vector<Row> rows;
   std::set<std::array<int, 2>> seen;
   std::string text;

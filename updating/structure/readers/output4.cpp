@@ -1,6 +1,7 @@
 #include "updating/structure/readers/output4.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
 
@@ -145,7 +146,7 @@ class Op4Reader {
       const std::string word = trimmed(text_.substr(at, width));
       if (word.empty()) continue;
       const std::optional<double> value = parse_real(word);
-      if (!value) fail(fmt::format("\"{}\" is not a finite number", word));
+      if (!value) fail("here is no finite number");
       result.push_back(*value);
     }
     return result;
@@ -160,9 +161,14 @@ class Op4Reader {
 }  // namespace
 
 bool is_output4(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string line;
-  return std::getline(file, line) && parse_op4_head(line).has_value();
+  std::ifstream file = acquisition::open_input(path);
+  // A head fills 80 columns at most; a foreign file's first line may not end.
+  std::array<char, 128> line{};
+  file.read(line.data(), line.size());
+  const std::string_view begin(line.data(),
+                               static_cast<std::size_t>(file.gcount()));
+  return parse_op4_head(std::string(begin.substr(0, begin.find('\n'))))
+      .has_value();
 }
 
 SparseMatrix read_output4(const std::filesystem::path& path, char letter) {

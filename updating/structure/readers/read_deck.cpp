@@ -1,4 +1,5 @@
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "updating/structure/cards/bulk_cards.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/card_defaults.hpp"
@@ -96,10 +97,10 @@ void finish(const BulkData& bulk,
 
 // A matrix says nothing without the other one and the table of its rows.
 void refuse_matrix(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::string first;
-  std::getline(file, first);
-  if (!upper(first).starts_with("%%MATRIXMARKET")) return;
+  std::ifstream file = acquisition::open_input(path);
+  std::string first(14, ' ');
+  file.read(first.data(), static_cast<std::streamsize>(first.size()));
+  if (upper(first) != "%%MATRIXMARKET") return;
   throw InputError(
       "this is a matrix (Matrix Market), not a Nastran deck",
       path.string(),

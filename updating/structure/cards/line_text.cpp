@@ -1,0 +1,70 @@
+#include "updating/structure/cards/line_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace tapfit::structure {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return static_cast<char>(std::toupper(c));
+  });
+  return text;
+}
+
+std::string expand_tabs(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '\t') {
+      result.append(8 - result.size() % 8, ' ');
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+std::string without_comment(const std::string& text) {
+  return text.substr(0, text.find('$'));
+}
+
+bool is_begin_bulk(const std::string& text) {
+  const std::string line = upper(trimmed(text));
+  return line.starts_with("BEGIN") && line.find("BULK") != std::string::npos;
+}
+
+bool is_end(const std::string& text) {
+  return upper(trimmed(text)).starts_with("ENDDATA");
+}
+
+bool looks_like_control(const std::string& text) {
+  static constexpr std::array<const char*, 14> kWords{"SOL",
+                                                      "CEND",
+                                                      "ID",
+                                                      "TIME",
+                                                      "TITLE",
+                                                      "SUBTITLE",
+                                                      "LABEL",
+                                                      "ECHO",
+                                                      "SUBCASE",
+                                                      "NASTRAN",
+                                                      "ASSIGN",
+                                                      "DIAG",
+                                                      "INIT",
+                                                      "BEGIN"};
+  const std::string line = upper(trimmed(text));
+  const std::string word = line.substr(0, line.find_first_of(" ,=("));
+  const std::size_t equals = line.find('=');
+  const std::size_t comma = line.find(',');
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end() ||
+         (equals > 0 && equals < 24 && line.find_first_of(",=(") != comma);
+}
+
+}  // namespace tapfit::structure
