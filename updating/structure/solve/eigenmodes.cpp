@@ -22,10 +22,6 @@ namespace {
 
 constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
 
-// Of Lanczos before a larger basis is tried: modes that can be told apart take
-// a few, and those that cannot, being lost in rounding, take any number.
-constexpr Eigen::Index kMostRestarts = 60;
-
 // Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
 constexpr double least_mu = 1e-14;
 
@@ -143,7 +139,7 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
   Eigen::Index found = 0;
   try {
     found = solver.compute(Spectra::SortRule::LargestMagn,
-                           kMostRestarts,
+                           300,
                            1e-11,
                            Spectra::SortRule::SmallestAlge);
   } catch (const InputError&) {
