@@ -12,6 +12,10 @@ namespace {
 using Eigen::Index;
 using structure::SparseMatrix;
 
+bool is_nothing(const SparseMatrix& A) {
+  return A.size() == 0 || A.norm() == 0.0;
+}
+
 void check_matrix(const SparseMatrix& A, Index n, const std::string& name) {
   if (A.rows() != n || A.cols() != n) {
     throw InputError(
@@ -60,7 +64,7 @@ void check(const ScaledModel& model) {
   check_matrix(model.K0, n, "stiffness matrix");
   check_matrix(model.M0, n, "mass matrix");
   for (const ScaledPart& part : model.parts) {
-    if (part.K.norm() == 0.0 && part.M.norm() == 0.0) {
+    if (is_nothing(part.K) && is_nothing(part.M)) {
       throw InputError("the part has neither stiffness nor mass",
                        fmt::format("part \"{}\"", part.name),
                        "Give it a matrix, or leave it out.");

@@ -14,7 +14,7 @@ signal::FrfSet long_numbers() {
   signal::FrfSet frfs = testing::fake_frfs();
   frfs.s *= 31.7;
   for (signal::Frf& frf : frfs.frfs) {
-    frf.H *= std::polar(-1.234e-6, 0.1);
+    frf.H *= -std::polar(1.234e-6, 0.1);
     frf.variance *= 1e-12;
   }
   return frfs;

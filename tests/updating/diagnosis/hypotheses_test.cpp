@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace tapfit::updating {
 namespace {
@@ -143,6 +144,40 @@ TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
   ASSERT_NE(mass, all.end());
   EXPECT_EQ(mass->own().where.node, 31);
   EXPECT_NEAR(mass->own().p[0], 0.02, 2e-5);
+}
+
+// What is known already stands among the others as it is, and what leaves many
+// times its error is not looked at any closer.
+TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
+  Where where;
+  where.node = 31;
+  const PlacedEffect mass{&effects::find("added-mass"), where, {0.02}};
+  hide(mass);
+  const Fit known = fitter_->fit({mass}, fitter_->model_for({mass}));
+  HypothesisOptions options;
+  options.places_per_kind = 1;
+  const Fit base = fitter_->fit({}, fitter_->model_for({}));
+  const auto count = [](const std::vector<Hypothesis>& all,
+                        const std::string& kind) {
+    return std::ranges::count_if(all, [&kind](const Hypothesis& h) {
+      return h.own().effect->name() == kind;
+    });
+  };
+  const std::vector<Hypothesis> without =
+      fit_hypotheses(base, *fitter_, options, {});
+  options.known = &known;
+  const std::vector<Hypothesis> with =
+      fit_hypotheses(base, *fitter_, options, {});
+  const auto same = std::ranges::find_if(with, [&mass](const Hypothesis& h) {
+    return h.own().effect == mass.effect && h.own().where == mass.where;
+  });
+  ASSERT_NE(same, with.end());
+  EXPECT_EQ(same->fit.result.error, known.result.error);
+  EXPECT_EQ(same->fit.result.history.size(), known.result.history.size());
+  // The mass leaves next to nothing: no spring comes near it, and of springs
+  // only what the screening put first is tried.
+  EXPECT_LE(count(with, "ground-spring"), 2);
+  EXPECT_GE(count(without, "added-mass"), count(with, "added-mass"));
 }
 
 }  // namespace

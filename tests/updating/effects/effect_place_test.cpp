@@ -116,8 +116,8 @@ TEST_F(EffectPlace, APlaceBetweenGridsLiesOnAnElementThere) {
   EXPECT_EQ(placed.where, ref.where);
   EXPECT_EQ(describe(placed.where), "near node 30");
   double whole = 0.0;
-  for (const MotionShare& share :
-       placed.effect->acts_on(placed.where, setting_, 0).at(2).between) {
+  const auto dofs = placed.effect->acts_on(placed.where, setting_, 0);
+  for (const MotionShare& share : dofs.at(2).between) {
     if (share.component == 3) whole += share.weight;
   }
   EXPECT_NEAR(whole, 1.0, 1e-12);  // a rigid motion moves it along

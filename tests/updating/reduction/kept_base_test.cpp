@@ -49,7 +49,7 @@ class KeptBaseTest : public ::testing::Test {
 };
 
 void expect_same(const ReducedBase& one, const ReducedBase& other) {
-  EXPECT_EQ(one.rows, other.rows);
+  EXPECT_EQ(one.rows.all(), other.rows.all());
   EXPECT_EQ(one.K, other.K);
   EXPECT_EQ(one.part_power, other.part_power);
   EXPECT_EQ(one.K_part, other.K_part);

@@ -1,9 +1,9 @@
 #include "updating/reduction/lean_span.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/measurement/damped_line.hpp"
 #include "updating/frf_model/acted_points.hpp"
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,9 +31,8 @@ class LeanSpan : public ::testing::Test {
                               bundle_.uncertain,
                               support::plate_base(bundle_, deck_),
                               Progress{});
-    const FrfModel model(builder.build({}, {}, use),
-                         setting,
-                         support::plate_pairs(bundle_, s_));
+    const FrfModel model(
+        builder.build({}, {}, use), setting, support::plate_pairs(bundle_, s_));
     ModelState state;
     state.factor = factor;
     return model.respond(state, s_, false).H;
@@ -47,9 +46,8 @@ class LeanSpan : public ::testing::Test {
 // The whole base is exact to 1e-6 as the deck is; where properties differ it
 // is what the lean one is compared with.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
-  const std::vector<std::vector<double>> states = {{1.0, 1.0, 1.0, 1.0},
-                                                   {1.3, 0.8, 1.2, 0.95},
-                                                   {0.7, 1.4, 0.7, 1.1}};
+  const std::vector<std::vector<double>> states = {
+      {1.0, 1.0, 1.0, 1.0}, {1.3, 0.8, 1.2, 0.95}, {0.7, 1.4, 0.7, 1.1}};
   for (const std::vector<double>& factor : states) {
     const Eigen::MatrixXcd whole = respond(BaseUse::Scan, factor);
     const Eigen::MatrixXcd lean = respond(BaseUse::Fit, factor);

@@ -1,6 +1,6 @@
-#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/mesh_shift.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
@@ -18,7 +18,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
 
 // Two grids, modes that move one of them each; the coarser mesh has them in the
 // other order, at 0.9 of the frequency, and a third one it lacks.

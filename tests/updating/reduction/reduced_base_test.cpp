@@ -1,6 +1,6 @@
-#include "acquisition/foundation/constants.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -19,7 +19,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-
 
 // A strip clamped at x = 0, 8 by 3 elements.
 structure::Deck strip() {

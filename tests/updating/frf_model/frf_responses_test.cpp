@@ -1,0 +1,62 @@
+#include "tests/updating/support/plate_model.hpp"
+#include "updating/frf_model/frf_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+using FrfResponses = PlateModel;
+
+// With a mass in the modes, a gain in the chain, and each of these last.
+TEST_F(FrfResponses, AtSizesOfTheLastEffectAreThoseOfEachSize) {
+  const auto of_channel = [](const std::string& name, double p) {
+    Where where;
+    where.channels = {"acc1"};
+    return PlacedEffect{&effects::find(name), where, {p}};
+  };
+  const std::vector<PlacedEffect> lasts = {of_channel("channel-delay", 1e-4),
+                                           at_node("added-mass", 30, 0.05),
+                                           at_node("dashpot", 20, 7.0),
+                                           sensors(0.01, 0.02),
+                                           clamp(1e3)};
+  for (const PlacedEffect& last : lasts) {
+    std::vector<PlacedEffect> effects = {
+        at_node("added-mass", 50, 0.02), of_channel("channel-gain", 1.3), last};
+    const auto model = fitter_->model_for(effects);
+    ModelState state = fitter_->first_state(*model, effects);
+    std::vector<std::vector<double>> sizes;
+    for (const double factor : {0.3, 1.0, 4.0}) {
+      sizes.push_back(last.p);
+      for (double& p : sizes.back()) p *= factor;
+    }
+    const auto H = model->respond_at_sizes(state, sizes, s_);
+    ASSERT_EQ(H.size(), sizes.size());
+    for (std::size_t k = 0; k < sizes.size(); ++k) {
+      state.effects.back().p = sizes[k];
+      EXPECT_LT(difference(H[k], model->respond(state, s_, false).H), 1e-12)
+          << last.effect->name();
+    }
+  }
+}
+
+TEST_F(FrfResponses, OfSwappedChannelsAreNotScaledOnes) {
+  const effects::Effect& swap = effects::find("channel-swap");
+  const std::vector<Where> places = swap.places(setting_);
+  ASSERT_FALSE(places.empty());
+  const std::vector<PlacedEffect> effects = {{&swap, places.front(), {}}};
+  const auto model = fitter_->model_for(effects);
+  const ModelState state = fitter_->first_state(*model, effects);
+  const auto swapped = model->respond(state, s_, false).H;
+  const auto at = model->respond_at_sizes(state, {{}}, s_);
+  EXPECT_LT(difference(at.front(), swapped), 1e-12);
+  const auto plain =
+      model->respond(fitter_->first_state(*model, {}), s_, false).H;
+  EXPECT_GT(difference(plain, swapped), 1e-3);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

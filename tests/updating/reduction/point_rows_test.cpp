@@ -1,0 +1,33 @@
+#include "updating/reduction/point_rows.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::MatrixXd;
+
+TEST(PointRows, AreTheColumnsInOtherCoordinates) {
+  const MatrixXd shared = MatrixXd::Random(12, 3);
+  const MatrixXd own = MatrixXd::Random(12, 2);
+  const MatrixXd first = MatrixXd::Random(3, 3);
+  const MatrixXd second = MatrixXd::Random(5, 4);
+  PointRows rows(shared);
+  rows.turn(first);
+  PointRows wider = rows.with(own);
+  wider.turn(second);
+  MatrixXd both(12, 5);
+  both << shared * first, own;
+  const MatrixXd expected = both * second;
+  EXPECT_EQ(wider.rows(), 12);
+  EXPECT_EQ(wider.cols(), 4);
+  EXPECT_LT((wider.all() - expected).norm(), 1e-13);
+  EXPECT_LT((wider.row(7) - expected.row(7)).norm(), 1e-13);
+  const MatrixXd X = MatrixXd::Random(4, 6);
+  EXPECT_LT((wider * X - expected * X).norm(), 1e-13);
+  // What was made wider is as it was.
+  EXPECT_LT((rows.all() - shared * first).norm(), 1e-13);
+}
+
+}  // namespace
+}  // namespace tapfit::updating
