@@ -23,6 +23,7 @@ struct Screened {
   /// What the best law of frequency at its grid would leave, nothing
   /// readjusting; 0: not worked out.
   double any_law = 0.0;
+  double places = 1.0;  ///< how many it is the best of
 };
 
 /// Screens the effects of the catalogue that may sit at many places.

@@ -123,9 +123,6 @@ class Fitter {
                 std::size_t factors,
                 const Eigen::VectorXd& bias);
 
-  /// The same with some FRFs of the set left out.
-  [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
-
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 

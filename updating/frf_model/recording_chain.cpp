@@ -39,30 +39,6 @@ void pass(const PlacedEffect& placed,
 
 }  // namespace
 
-std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
-                                  const ModelState& state) {
-  std::vector<Index> result;
-  for (const MeasuredPair& pair : pairs) {
-    std::string channel = pair.channel;
-    for (const PlacedEffect& placed : state.effects) {
-      if (is_fault(placed)) {
-        channel = placed.effect->recorded_as(channel, placed.where);
-      }
-    }
-    if (channel == pair.channel) {
-      result.push_back(pair.response);
-      continue;
-    }
-    const auto felt =
-        std::find_if(pairs.begin(), pairs.end(), [&](const MeasuredPair& p) {
-          return p.run == pair.run && p.channel == channel;
-        });
-    // Its own where the other one's FRF of that run was left out.
-    result.push_back(felt == pairs.end() ? pair.response : felt->response);
-  }
-  return result;
-}
-
 void record(const std::vector<MeasuredPair>& pairs,
             const ModalState& shared,
             const Eigen::VectorXcd& s,
@@ -76,7 +52,10 @@ void record(const std::vector<MeasuredPair>& pairs,
       return std::find(channels.begin(), channels.end(), name) !=
              channels.end();
     };
+    const std::vector<int>& runs = placed.where.runs;
     for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const int run = static_cast<int>(pairs[k].run) + 1;
+      if (!runs.empty() && std::ranges::find(runs, run) == runs.end()) continue;
       const bool response = faulty(pairs[k].channel);
       if (!response && !faulty(pairs[k].hammer)) continue;
       pass(placed,

@@ -10,11 +10,6 @@
 
 namespace tapfit::updating {
 
-/// Column of the point that each pair's response channel really felt: its own,
-/// or another channel's of the same run where the two were swapped.
-[[nodiscard]] std::vector<Eigen::Index> felt_responses(
-    const std::vector<MeasuredPair>& pairs, const ModelState& state);
-
 /// Multiplies the FRFs of channels at fault, and their derivatives.
 void record(const std::vector<MeasuredPair>& pairs,
             const ModalState& shared,
