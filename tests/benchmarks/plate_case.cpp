@@ -1,6 +1,6 @@
 #include "tests/benchmarks/plate_case.hpp"
 
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 

@@ -2,8 +2,8 @@
 // lines. `hypotheses` are effects at places; each is scanned over its sizes
 // with everything that is fitted readjusting.
 #include "tests/benchmarks/plate_case.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/screening.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <benchmark/benchmark.h>

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/app/place_words.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "tui/app/place_words.hpp"
 
+#include "updating/set_up/sheet_place.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -34,6 +36,10 @@ std::vector<std::string> catalogue_places(const Effect& effect,
                                           const Setting& setting) {
   std::vector<std::string> words;
   for (const updating::Where& where : effect.places(setting)) {
+    if (effect.at_sheet_points()) {
+      words.push_back(effects::sheet_place_text(where));
+      continue;
+    }
     std::string word = where.node != 0
                            ? std::to_string(where.node)
                            : fmt::format("{}", fmt::join(where.channels, ":"));
@@ -51,7 +57,9 @@ std::vector<std::string> all_words(const Effect& effect,
                                    const Setting& setting) {
   const std::optional<ChangeKind> kind = effect.changes_stiffness();
   if (kind == ChangeKind::Support) {
-    std::vector<std::string> words = effect.forms();
+    std::vector<std::string> words = effect.variants();
+    if (!words.empty()) return words;
+    words = effect.forms();
     words.insert(words.begin(), {"rotation", "translation"});
     return words;
   }

@@ -26,7 +26,7 @@
 #include "tui/options/modes_options.hpp"
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/fit/line_rule.hpp"
 
 #include <CLI/CLI.hpp>

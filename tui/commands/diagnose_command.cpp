@@ -72,6 +72,18 @@ ordered_json next_json(const updating::Diagnosis& diagnosis) {
   return list;
 }
 
+ordered_json set_up_json(const updating::Diagnosis& diagnosis) {
+  ordered_json list = ordered_json::array();
+  for (const auto& found : diagnosis.set_up) {
+    ordered_json json = placed_json("mistake", found.mistake, found.where);
+    json["probability"] = found.probability;
+    json["error"] = found.error;
+    json["edit"] = found.edit;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 std::string next_text(const updating::Diagnosis& diagnosis) {
   std::string text;
   for (const auto& next : diagnosis.next) {
@@ -163,6 +175,7 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
       {"ladder", ladder_json(diagnosis.ladder)},
       {"model_parameters", model_parameters_json(diagnosis.model_parameters)},
       {"next_measurements", next_json(diagnosis)},
+      {"set_up", set_up_json(diagnosis)},
       {"warnings", diagnosis.warnings}};
 }
 

@@ -8,6 +8,7 @@
 #include "tui/report/effect_output.hpp"
 #include "tui/report/update_output.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"
+#include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/fit/fit_setting.hpp"
 #include "updating/fit/held_back.hpp"
 
@@ -71,6 +72,11 @@ std::string update_command(const CommandOptions& options,
   }
   updating::Diagnosis diagnosis = updating::diagnosis_of_named(
       session.ladder(progress), session.comparison(progress), parameters, held);
+  diagnosis.set_up =
+      updating::set_up_mistakes(diagnosis.ladder, session.bundle());
+  for (const auto& mistake : diagnosis.set_up) {
+    diagnosis.warnings.push_back(describe(mistake));
+  }
   const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());

@@ -14,9 +14,11 @@ ordered_json where_json(const std::string& effect,
     return json;
   }
   if (!where.channels.empty()) json["channels"] = where.channels;
+  if (!where.runs.empty()) json["runs"] = where.runs;
   if (where.node != 0) json["node"] = where.node;
   if (!where.at.empty()) json["at"] = where.at;
   if (is_along_axis(where)) json["direction"] = "+" + where.variant;
+  if (is_direction(where)) json["direction"] = where.variant;
   if (!where.nodes.empty()) json["nodes"] = where.nodes;
   if (!where.elements.empty()) json["elements"] = where.elements;
   return json;
@@ -26,7 +28,8 @@ ordered_json placed_json(const char* key,
                          const std::string& effect,
                          const updating::Where& where) {
   ordered_json json = {{key, effect}, {"where", where_json(effect, where)}};
-  if (!where.variant.empty() && !is_along_axis(where)) {
+  const bool axis = is_along_axis(where) || is_direction(where);
+  if (!where.variant.empty() && !axis) {
     json["variant"] = where.variant;
   }
   return json;

@@ -263,13 +263,11 @@ Section next_section(const ModelResults& model) {
     for (const updating::NextMeasurement& next : model.diagnosis->next) {
       list.items.push_back(next_words(next, model.diagnosis->floor));
     }
-    for (const updating::Misplaced& point : model.diagnosis->misplaced) {
-      list.items.push_back(fmt::format(
-          "Check the place of {}: its FRFs fit {} better than {}, where it was "
-          "written down.",
-          point.channel.empty() ? "the hits" : point.channel,
-          name(point.likely),
-          name(point.written)));
+    for (const updating::SetUpMistake& mistake : model.diagnosis->set_up) {
+      list.items.push_back(
+          fmt::format("Check the sheet, {} and correct test.json: {}.",
+                      found_words(mistake.mistake, mistake.where),
+                      mistake.edit));
     }
   }
   Section section{"What to measure next", {}};

@@ -16,7 +16,7 @@ namespace {
 
 using Name = std::pair<std::string_view, const char*>;
 
-constexpr std::array<Name, 16> effect_names{{
+constexpr std::array<Name, 20> effect_names{{
     {"sensor-mass", "mass of the sensors"},
     {"sensor-cable", "pull of the sensor cables"},
     {"soft-support", "support that gives"},
@@ -31,6 +31,10 @@ constexpr std::array<Name, 16> effect_names{{
     {"channel-delay", "delay of a channel"},
     {"channel-polarity", "wrong polarity of a channel"},
     {"channel-swap", "two channels swapped"},
+    {"point-mislabelled", "point that was elsewhere than written down"},
+    {"direction-wrong", "direction other than written down"},
+    {"unit-factor", "channel in another unit than written down"},
+    {"support-mismatch", "support that was not there"},
     {"nonlinearity", "nonlinear behaviour"},
     {"base", "model as delivered"},
 }};
@@ -114,6 +118,7 @@ std::string place_words(const updating::Where& where) {
   std::string variant = where.variant;
   if (variant == "each") variant = "one for each channel";
   if (variant == "rotary") variant = "with rotary inertia";
+  if (is_direction(where)) variant = "along " + variant;
   if (variant == "both") variant = "rotation and translation";
   if (variant.empty()) return text;
   return text + (text.empty() ? "" : "; ") + variant;

@@ -1,15 +1,15 @@
 #include "updating/diagnosis/diagnose.hpp"
 
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/diagnosis/next_measurement.hpp"
 #include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/diagnosis/set_verdict.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/fit/held_back.hpp"
 #include "updating/fit/overall_progress.hpp"
-#include "updating/localisation/misplaced_points.hpp"
 #include "updating/localisation/run_drift.hpp"
 
 #include <fmt/format.h>
@@ -23,8 +23,6 @@ namespace tapfit::updating {
 namespace {
 
 constexpr int folds = 4;
-// More points than this written down wrongly are not a slip of the pen.
-constexpr int most_misplaced = 3;
 
 Candidate candidate_of(const Hypothesis& h,
                        const effects::Setting& setting,
@@ -76,8 +74,13 @@ const EffectRef& rival_of(const Rung& rung) {
   return other == rung.alike.end() ? rung.alike.front() : *other;
 }
 
+bool is_of_sheet(const effects::Effect& effect) {
+  return effect.entry() == effects::Entry::Measurement;
+}
+
 // What would tell each rung from its strongest look-alike, everything else
-// being in the model.
+// being in the model. Two mistakes of the set-up foretell the same of a point
+// measured anew: the sheet, not another point, is to be looked at.
 std::vector<NextMeasurement> next_measurements(const Fit& fit,
                                                const std::vector<Rung>& ladder,
                                                const Fitter& fitter,
@@ -97,8 +100,12 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
       effects.back() = last;
       return fitter.fit(effects, fitter.model_for(effects), progress);
     };
-    const Fit one = fit_last(effects.back());
     const EffectRef& rival = rival_of(rung);
+    if (is_of_sheet(*effects.back().effect) &&
+        is_of_sheet(effects::find(rival.effect))) {
+      continue;
+    }
+    const Fit one = fit_last(effects.back());
     const Fit other = fit_last(placed(
         effects::find(rival.effect), rival.where, fitter.setting().setting));
     if (const auto next = next_measurement(one, other, fitter)) {
@@ -338,23 +345,6 @@ Climbed climbed(const Fitter& fitter,
   return {std::move(result), found};
 }
 
-// Leaves out the FRFs of points that were elsewhere than written down; false
-// where there are none.
-bool leave_misplaced(const Fit& fit,
-                     double floor,
-                     Looked looked,
-                     const Progress& progress,
-                     Fitter& fitter,
-                     std::vector<Misplaced>& misplaced) {
-  const std::vector<MisplacedPoint> found =
-      misplaced_points(fit, fitter, floor, looked, progress);
-  if (found.empty()) return false;
-  // The others may have looked misplaced because of the plainest.
-  misplaced.push_back(found.front().point);
-  fitter = fitter.without(found.front().frfs);
-  return true;
-}
-
 }  // namespace
 
 Diagnosis diagnose(const Fitter& fitter,
@@ -362,36 +352,18 @@ Diagnosis diagnose(const Fitter& fitter,
                    const DiagnoseOptions& options,
                    const Progress& progress) {
   const Progress whole = never_falling(progress);
-  const Progress before = part_of(whole, 0.0, 0.05);
-  double done = 0.05;
-  // Of what is left, should the whole climb be done again.
-  const auto climb = [&](const Fitter& with) {
-    const double from = done;
-    done += 0.9 * (1.0 - done);
-    return climbed(with, present, options, part_of(whole, from, done));
-  };
-  Fitter used = fitter;
-  std::vector<Misplaced> misplaced;
-  const auto leave = [&](const Fit& fit, Looked looked) {
-    return static_cast<int>(misplaced.size()) < most_misplaced &&
-           leave_misplaced(fit, options.floor, looked, before, used, misplaced);
-  };
-  while (leave(used.fit(present, used.model_for(present), before),
-               Looked::Roved)) {
-  }
-  Climbed ladder = climb(used);
-  // A point may stand out only once what else is missing is known.
-  while (leave(ladder.top, Looked::All)) ladder = climb(used);
+  Climbed ladder = climbed(fitter, present, options, whole);
   Diagnosis result = std::move(ladder.diagnosis);
-  if (const auto drift = run_drift(ladder.top, used.target());
+  if (const auto drift = run_drift(ladder.top, fitter.target());
       drift && is_telling(*drift)) {
     result.warnings.push_back(statement(*drift));
     if (result.verdict == "none") result.verdict = "unexplained";
   }
-  for (const Misplaced& point : misplaced) {
-    result.warnings.push_back(describe(point) + "; its FRFs are left out");
+  result.set_up =
+      set_up_mistakes(result.ladder, *fitter.setting().setting.bundle);
+  for (const SetUpMistake& mistake : result.set_up) {
+    result.warnings.push_back(describe(mistake));
   }
-  result.misplaced = std::move(misplaced);
   whole("error ladder", 1.0);
   return result;
 }

@@ -5,7 +5,6 @@
 #include "updating/effects/effect_ref.hpp"
 #include "updating/fit/estimate.hpp"
 #include "updating/fit/rung.hpp"
-#include "updating/localisation/misplaced.hpp"
 #include "updating/places/location.hpp"
 
 #include <string>
@@ -41,6 +40,15 @@ struct Candidate {
 /// little.
 inline constexpr double worth_it = 0.85;
 
+/// What the sheet says wrongly.
+struct SetUpMistake {
+  std::string mistake;  ///< catalogue name, for example "point-mislabelled"
+  Where where;
+  double probability = 0.0;
+  double error = 0.0;  ///< relative FRF error with it put right
+  std::string edit;    ///< what to correct, see sheet_edits()
+};
+
 struct Diagnosis {
   std::string verdict;  ///< "none", "unexplained", "added-mass", "a+b", "a|b"
   double error_base = 0.0;
@@ -59,7 +67,7 @@ struct Diagnosis {
   std::vector<Estimate> model_parameters;  ///< "E:1" and so on
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
-  std::vector<Misplaced> misplaced;  ///< their FRFs are left out
+  std::vector<SetUpMistake> set_up;  ///< of the ladder, put right there
   std::vector<std::string> warnings;
 };
 

@@ -9,7 +9,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dof, node, component, sign)
 namespace tapfit::updating {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Where, node, nodes, elements, channels, variant, at)
+    Where, node, nodes, elements, channels, variant, at, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Estimate, name, value, sd, lo95, hi95, unit, at_bound)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EffectRef, effect, where)
@@ -23,7 +23,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NextMeasurement,
                                    difference,
                                    difference_now)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Misplaced, channel, written, likely, error, error_there)
+    SetUpMistake, mistake, where, probability, error, edit)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate,
                                    effect,
                                    where,
@@ -47,7 +47,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    ladder,
                                    model_parameters,
                                    next,
-                                   misplaced,
+                                   set_up,
                                    warnings)
 
 std::optional<std::string> as_text(const Diagnosis& diagnosis) {

@@ -1,9 +1,9 @@
 #include "updating/diagnosis/hypotheses.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/diagnosis/screening.hpp"
-#include "updating/effects/catalogue.hpp"
-#include "updating/effects/effect_place.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
@@ -38,8 +38,17 @@ bool has_form(const PlacedEffect& placed) {
 
 // At the same grid, but for being between it and the next.
 bool is_beside(const Where& one, const Where& other) {
-  return one.node != 0 && one.node == other.node &&
+  return is_at_grid(one) && one.node == other.node &&
          one.variant == other.variant && one.at != other.at;
+}
+
+// A point of the sheet is put right once.
+bool is_same_point(const Where& one, const Where& other) {
+  return share(one.channels, other.channels) &&
+         (one.nodes.empty() || other.nodes.empty() ||
+          one.nodes == other.nodes) &&
+         (one.runs.empty() || other.runs.empty() ||
+          share(one.runs, other.runs));
 }
 
 // The same again, another loss of the same elements, or a form of the same.
@@ -48,6 +57,7 @@ bool present(const Fit& current, const PlacedEffect& candidate) {
   return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
     if (e.effect != candidate.effect) return false;
     const bool formed = has_form(e) || has_form(candidate);
+    if (e.effect->at_sheet_points()) return is_same_point(e.where, there);
     return e.where == there || share(e.where.elements, there.elements) ||
            (formed && (share(e.where.nodes, there.nodes) ||
                        share(e.where.channels, there.channels) ||
@@ -169,7 +179,7 @@ void climb_places(std::vector<Hypothesis>& found,
   const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
   static const std::vector<Where> none;
   const std::vector<Where>& patches =
-      any.where.node != 0 ? none : fitter.places(*any.effect);
+      is_at_grid(any.where) ? none : fitter.places(*any.effect);
   const auto near = [&](const Where& at) {
     std::vector<Where> places =
         places_near(at, patches, *setting.deck, neighbours);
@@ -219,7 +229,7 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
           : options.places_per_kind;
   const auto is_new = [&](const Screened& s) {
     const bool known =
-        !few && options.neighbours > 0 &&
+        !few && !effect.at_sheet_points() && options.neighbours > 0 &&
         std::ranges::any_of(tries, [&](const PlacedEffect& other) {
           return within_reach(
               other.where, s.placed.where, *setting.deck, options.neighbours);
@@ -244,7 +254,7 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
       is_new(*likely)) {
     tries.push_back(likely->placed);
   }
-  if (likely != nullptr) return tries;
+  if (likely != nullptr || effect.at_sheet_points()) return tries;
   for (const Where& where : fitter.places(effect)) {
     const PlacedEffect p = placed(effect, where, setting);
     if (!present(current, p)) tries.push_back(p);
@@ -259,7 +269,7 @@ struct Kind {
   double tries = 0.0;  // from the screening
 
   [[nodiscard]] bool at_grids() const {
-    return found.front().own().where.node != 0;
+    return is_at_grid(found.front().own().where);
   }
   // Supports, sensors and channels are few: all were looked at.
   [[nodiscard]] bool has_neighbours() const {
@@ -453,8 +463,11 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   const effects::Setting& setting = fitter.setting().setting;
   const std::vector<Screened> screened =
       screen(current, fitter, part_of(progress, 0.0, 0.1));
-  std::map<const effects::Effect*, double> places;
-  for (const Screened& s : screened) places[s.placed.effect] += 1.0;
+  // A mistake in some runs is looked for in many more ways than one in all.
+  std::map<std::pair<const effects::Effect*, bool>, double> places;
+  for (const Screened& s : screened) {
+    places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
+  }
   std::vector<Kind> kinds =
       fit_planned(plans(current, screened, fitter, options),
                   current,
@@ -476,7 +489,9 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
             ? static_cast<double>(deck.grids.size() - deck.measuring.size())
             : 1.0;
     for (Hypothesis& h : kind.found) {
-      h.places = std::max({places[kind.effect], kind.tries, grids});
+      h.places = std::max({places[{kind.effect, h.own().where.runs.empty()}],
+                           kind.tries,
+                           grids});
     }
     std::move(kind.found.begin(), kind.found.end(), std::back_inserter(all));
   }

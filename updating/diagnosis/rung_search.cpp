@@ -126,7 +126,7 @@ namespace {
 std::vector<double> place_sd(const Round& round, std::size_t of) {
   const Hypothesis& own = round.hypotheses[of];
   std::vector<double> sd = own.place_sd;
-  if (own.own().where.node == 0) return sd;
+  if (!is_at_grid(own.own().where)) return sd;
   sd.resize(own.own().p.size());
   std::vector<double> square(sd.size());
   double weight = 0.0;
@@ -226,7 +226,7 @@ void RungSearch::settle_places(const Fit& current,
   for (std::size_t k = 0, count = all.size(); k < count; ++k) {
     if (all[k].log_evidence < strongest - contender) break;
     const bool first = kinds.insert(all[k].own().effect).second;
-    if (!first || all[k].own().where.node == 0) continue;
+    if (!first || !is_at_grid(all[k].own().where)) continue;
     Hypothesis settled = settle_place(all[k],
                                       current,
                                       *fitter_,

@@ -1,7 +1,8 @@
 #include "updating/diagnosis/screening.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/diagnosis/screen_mistakes.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/localisation/misfit_scan.hpp"
 #include "updating/localisation/place_rows.hpp"
@@ -166,6 +167,7 @@ class Screening {
       : setting_(fitter.setting().setting),
         fitter_(&fitter),
         current_(&current),
+        measured_(&fitter.setting().measured),
         // The widest line: the most forgiving about shifts.
         target_(&fitter.setting().targets.front()),
         places_(all_places(*current.model, fitter)),
@@ -212,6 +214,10 @@ class Screening {
     return result;
   }
 
+  [[nodiscard]] std::vector<Screened> mistakes() const {
+    return screen_mistakes(*current_, *target_, scan_, *measured_);
+  }
+
   // Effects at few places, which the model as it is can respond to: those of
   // sensors and channels. Every size is worked out, none estimated.
   [[nodiscard]] std::vector<Screened> few() const {
@@ -219,7 +225,8 @@ class Screening {
     for (const auto& effect : effects::catalogue()) {
       if (effect->changes_stiffness() ||
           effect->entry() == effects::Entry::Damping ||
-          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr) {
+          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr ||
+          is_screened_mistake(*effect, setting_)) {
         continue;
       }
       for (const Where& place : fitter_->places(*effect)) {
@@ -302,6 +309,7 @@ class Screening {
   const effects::Setting& setting_;
   const Fitter* fitter_;
   const Fit* current_;
+  const signal::FrfSet* measured_;
   const Target* target_;
   Places places_;
   MisfitScan scan_;
@@ -319,8 +327,10 @@ std::vector<Screened> screen(const Fit& current,
   const Screening screening(anywhere, fitter, progress);
   progress("screening", 0.5);
   std::vector<Screened> result = screening.points();
-  for (const auto& more :
-       {screening.detailed(), screening.wide(), screening.few()}) {
+  for (const auto& more : {screening.detailed(),
+                           screening.wide(),
+                           screening.few(),
+                           screening.mistakes()}) {
     result.insert(result.end(), more.begin(), more.end());
   }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {

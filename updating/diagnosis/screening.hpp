@@ -10,20 +10,12 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
+#include "updating/diagnosis/screened.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <vector>
 
 namespace tapfit::updating {
-
-/// A hypothesis and what the screening thinks of it.
-struct Screened {
-  PlacedEffect placed;
-  double error = 0.0;  ///< relative FRF error it would leave
-  /// What the best law of frequency at its grid would leave, nothing
-  /// readjusting; 0: not worked out.
-  double any_law = 0.0;
-};
 
 /// Screens the effects of the catalogue that may sit at many places.
 ///

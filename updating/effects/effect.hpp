@@ -84,6 +84,12 @@ class Effect {
   [[nodiscard]] virtual std::string physics() const = 0;
   [[nodiscard]] virtual Entry entry() const { return Entry::LowRank; }
 
+  /// Whether it is a mistake of the set-up, sheet, channels or supports, not of
+  /// the structure.
+  [[nodiscard]] virtual bool is_mistake() const {
+    return entry() == Entry::Measurement;
+  }
+
   /// Which, for Entry::Stiffness; its parameters scale the parts of that
   /// change.
   [[nodiscard]] virtual std::optional<updating::ChangeKind> changes_stiffness()
@@ -111,12 +117,23 @@ class Effect {
   [[nodiscard]] virtual std::vector<ActedDof> acts_on(
       const Where& where, const Setting& setting, std::size_t run) const = 0;
 
-  /// For Entry::Measurement: the sensor channel whose signal was recorded under
-  /// a channel's name; another one where cables were swapped.
-  [[nodiscard]] virtual std::string recorded_as(const std::string& channel,
-                                                const Where&) const {
-    return channel;
-  }
+  /// For Entry::Measurement: turns the points and directions of a sheet into
+  /// those that were hit and measured. What other mistakes have changed in it
+  /// already stays as far as this one leaves it.
+  /// @param written the sheet as it was written
+  virtual void correct(const Where& /*where*/,
+                       const acquisition::TestBundle& /*written*/,
+                       acquisition::TestBundle& /*sheet*/) const {}
+
+  /// Whether its places are points of the sheet: channels, at a grid there, in
+  /// some runs or all.
+  [[nodiscard]] virtual bool at_sheet_points() const { return false; }
+  /// What Where::variant may be, where one is part of every place and none of
+  /// the forms.
+  [[nodiscard]] virtual std::vector<std::string> variants() const { return {}; }
+  /// Whether `places` leave Where::node open, which may then be any grid but
+  /// that of Where::nodes.
+  [[nodiscard]] virtual bool takes_any_grid() const { return false; }
 
   /// For Entry::Measurement: the group of the law that FRFs go through whose
   /// response (or hammer) is on the channel.
@@ -155,6 +172,15 @@ class Effect {
   };
   [[nodiscard]] virtual std::vector<Derived> derived(const Where&,
                                                      const Setting&) const {
+    return {};
+  }
+
+  /// What its place alone says of its size, to be reported with the parameters.
+  struct Fixed {
+    std::string name;
+    double value = 0.0;
+  };
+  [[nodiscard]] virtual std::vector<Fixed> fixed(const Where&) const {
     return {};
   }
 

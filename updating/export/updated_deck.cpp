@@ -1,8 +1,8 @@
 #include "updating/export/updated_deck.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/stiffness_loss.hpp"
 #include "updating/fit/fit_setting.hpp"

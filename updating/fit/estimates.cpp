@@ -97,6 +97,9 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
        placed.effect->derived(placed.where, setting)) {
     result.push_back(sum_of(derived, placed, specs, fit, at));
   }
+  for (const auto& [name, value] : placed.effect->fixed(placed.where)) {
+    result.push_back({name, value, 0.0, value, value});
+  }
   for (std::size_t k = 0; k < specs.size(); ++k) {
     result.push_back(
         from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));

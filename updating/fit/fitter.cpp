@@ -37,7 +37,7 @@ std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
   std::vector<effects::ParameterSpec> specs =
       effect.effect->parameters(effect.where, model.setting());
   for (const StiffnessTerm& term : model.base().terms) {
-    if (!is_of(term, effect)) continue;
+    if (!is_of(term, effect) || specs.empty()) continue;
     effects::ParameterSpec& spec = specs[term.parameter];
     spec.start = term.start;
     spec.lower = term.lower;
@@ -56,20 +56,6 @@ void Fitter::set_mesh(const BaseBuilder& coarser,
   plain_coarser_ = Fitter(coarser, setting_).model_for({});
   mesh_factors_ = factors;
   setting_.targets.back().mesh_bias = bias;
-}
-
-Fitter Fitter::without(const std::vector<std::size_t>& frfs) const {
-  Fitter result = *this;
-  FitSetting& rest = result.setting_;
-  std::vector<Index> kept;
-  rest.measured.frfs.clear();
-  for (std::size_t f = 0; f < setting_.measured.frfs.size(); ++f) {
-    if (std::find(frfs.begin(), frfs.end(), f) != frfs.end()) continue;
-    kept.push_back(static_cast<Index>(f));
-    rest.measured.frfs.push_back(setting_.measured.frfs[f]);
-  }
-  for (Target& part : rest.targets) part = part_of(part, kept);
-  return result;
 }
 
 const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {

@@ -125,9 +125,6 @@ class Fitter {
                 std::size_t factors,
                 const Eigen::VectorXd& bias);
 
-  /// The same with some FRFs of the set left out.
-  [[nodiscard]] Fitter without(const std::vector<std::size_t>& frfs) const;
-
   /// Where an effect may be in this setting, worked out when first asked for.
   [[nodiscard]] const std::vector<Where>& places(
       const effects::Effect& effect) const;

@@ -32,27 +32,6 @@ Target make_target(const signal::FrfSet& measured) {
   return target;
 }
 
-Target part_of(const Target& whole, const std::vector<Index>& frfs) {
-  Target part = whole;
-  part.H = whole.H(Eigen::all, frfs);
-  part.variance = whole.variance(Eigen::all, frfs);
-  part.run.clear();
-  part.use.clear();
-  for (const Index f : frfs) {
-    part.run.push_back(whole.run[static_cast<std::size_t>(f)]);
-    part.use.push_back(whole.use[static_cast<std::size_t>(f)]);
-  }
-  if (whole.mesh_bias.size() == 0) return part;
-  const Index block = 2 * whole.s.size();
-  part.mesh_bias.resize(block * static_cast<Index>(frfs.size()));
-  for (std::size_t k = 0; k < frfs.size(); ++k) {
-    part.mesh_bias.segment(block * static_cast<Index>(k), block) =
-        whole.mesh_bias.segment(block * frfs[k], block);
-  }
-  part.mesh_bias *= std::sqrt(whole.count() / std::max(part.count(), 1.0));
-  return part;
-}
-
 double block_error(const Target& target,
                    const Eigen::MatrixXcd& H,
                    Index first_line,

@@ -34,10 +34,6 @@ struct Target {
 
 [[nodiscard]] Target make_target(const signal::FrfSet& measured);
 
-/// Some FRFs of a target, with the weights of the whole.
-[[nodiscard]] Target part_of(const Target& whole,
-                             const std::vector<Eigen::Index>& frfs);
-
 /// Root mean square error of the FRFs in use.
 [[nodiscard]] double relative_error(const Target& target,
                                     const Eigen::MatrixXcd& H);

@@ -1,5 +1,7 @@
 #include "updating/frf_model/acted_points.hpp"
 
+#include "updating/frf_model/test_as_done.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -21,16 +23,46 @@ std::set<int> rigidly_joined(const structure::Deck& deck) {
   return grids;
 }
 
+int point_of(const structure::Deck& deck, const acquisition::Placement& p) {
+  return 6 * static_cast<int>(deck.grid_index(p.dof.node)) + p.dof.component -
+         1;
+}
+
+// Where something was hit or measured that the sheet has elsewhere.
+std::set<int> corrected_points(const effects::Setting& written,
+                               const TestAsDone& done) {
+  std::set<int> points;
+  if (!done.sheet) return points;
+  const auto take = [&](const acquisition::Placement& was,
+                        const acquisition::Placement& is) {
+    if (was.dof != is.dof) points.insert(point_of(*written.deck, is));
+  };
+  for (std::size_t r = 0; r < done.sheet->runs.size(); ++r) {
+    const acquisition::Run& was = written.bundle->runs[r];
+    const acquisition::Run& is = done.sheet->runs[r];
+    take(was.hammer, is.hammer);
+    for (std::size_t k = 0; k < is.sensors.size(); ++k) {
+      take(was.sensors[k], is.sensors[k]);
+    }
+  }
+  return points;
+}
+
 }  // namespace
 
 std::vector<int> acted_points(const effects::Setting& setting,
                               const std::vector<PlacedEffect>& effects) {
   const std::set<int> arms = rigidly_joined(*setting.deck);
-  std::set<int> points;
+  const TestAsDone done = test_as_done(setting, effects);
+  std::set<int> points = corrected_points(setting, done);
+  // They may be tried one by one and disagree about a point.
+  for (const PlacedEffect& e : effects) {
+    points.merge(corrected_points(setting, test_as_done(setting, {e})));
+  }
   for (const PlacedEffect& e : effects) {
     for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
       for (const effects::ActedDof& dof :
-           e.effect->acts_on(e.where, setting, run)) {
+           e.effect->acts_on(e.where, done.setting, run)) {
         // Residual vectors across the measured direction, or turning about
         // it, would only swell the base: the modes there are stiff and hardly
         // excited.
@@ -55,13 +87,11 @@ MeasuredPoints measured_points(const structure::Deck& deck,
                                const acquisition::TestBundle& bundle) {
   std::set<int> hit;
   std::set<int> sensed;
-  const auto dof = [&](const acquisition::Placement& p) {
-    return 6 * static_cast<int>(deck.grid_index(p.dof.node)) + p.dof.component -
-           1;
-  };
   for (const acquisition::Run& run : bundle.runs) {
-    hit.insert(dof(run.hammer));
-    for (const acquisition::Placement& p : run.sensors) sensed.insert(dof(p));
+    hit.insert(point_of(deck, run.hammer));
+    for (const acquisition::Placement& p : run.sensors) {
+      sensed.insert(point_of(deck, p));
+    }
   }
   const std::set<int>& fewer = hit.size() < sensed.size() ? hit : sensed;
   MeasuredPoints points;

@@ -12,7 +12,8 @@
 namespace tapfit::updating {
 
 /// @return degrees of freedom (6 grid_index + component - 1) that low-rank
-///   effects act on, for residual vectors
+///   effects act on, and those that were hit or measured where the sheet has
+///   others, for residual vectors
 [[nodiscard]] std::vector<int> acted_points(
     const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
 

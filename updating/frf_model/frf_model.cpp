@@ -45,7 +45,8 @@ namespace {
 double value_of(const StiffnessTerm& term, const ModelState& state) {
   double p = term.absent;
   for (const PlacedEffect& e : state.effects) {
-    if (is_of(term, e)) p = e.p[term.parameter];
+    // What has no size leaves nothing of it.
+    if (is_of(term, e)) p = e.p.empty() ? 0.0 : e.p[term.parameter];
   }
   return p;
 }
@@ -71,16 +72,12 @@ FrfModel::FrfModel(ReducedBase base,
           *setting.deck, base_.size(), [this](int dof) {
             return base_.rows.row(dof);
           })) {
-  std::map<Dof, Index> column;
   std::set<std::size_t> runs;
   std::vector<VectorXd> points;
-  const auto column_of = [&](const Dof& dof) {
-    const auto [it, fresh] =
-        column.try_emplace(dof, static_cast<Index>(points.size()));
-    if (fresh) {
-      points.emplace_back(dof.sign * row(dof.node, dof.component).transpose());
-    }
-    return it->second;
+  const auto take = [&](const Dof& dof) {
+    const bool fresh =
+        columns_.try_emplace(dof, static_cast<Index>(points.size())).second;
+    if (fresh) points.push_back(point(dof));
   };
   for (const signal::Frf& frf : measured.frfs) {
     MeasuredPair pair;
@@ -89,8 +86,9 @@ FrfModel::FrfModel(ReducedBase base,
     pair.hammer = setting.bundle->channels
                       .at(setting.bundle->runs.at(frf.run).hammer.channel)
                       .name;
-    pair.response = column_of(frf.response);
-    pair.reference = column_of(frf.reference);
+    pair.written = {frf.response, frf.reference};
+    take(frf.response);
+    take(frf.reference);
     runs.insert(frf.run);
     pairs_.push_back(std::move(pair));
   }
@@ -99,6 +97,10 @@ FrfModel::FrfModel(ReducedBase base,
   for (std::size_t k = 0; k < points.size(); ++k) {
     points_.col(static_cast<Index>(k)) = points[k];
   }
+}
+
+VectorXd FrfModel::point(const Dof& dof) const {
+  return dof.sign * row(dof.node, dof.component).transpose();
 }
 
 Eigen::RowVectorXd FrfModel::row(int node, int component) const {
@@ -126,22 +128,33 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
   return solve_modes(K, M);
 }
 
-std::vector<ConstantChange> FrfModel::changes_of(
-    const ModelState& state) const {
-  return constant_changes(state, setting_, runs_, base_);
+std::vector<PairEnds> FrfModel::ends(const TestAsDone& done) const {
+  std::vector<PairEnds> result;
+  for (const MeasuredPair& pair : pairs_) {
+    result.push_back(done.sheet
+                         ? ends_as_done(pair, *setting_.bundle, *done.sheet)
+                         : pair.written);
+  }
+  return result;
+}
+
+std::vector<PairEnds> FrfModel::ends(const ModelState& state) const {
+  return ends(test_as_done(setting_, state.effects));
 }
 
 BaseModes FrfModel::full_modes(const ModelState& state) const {
   const BaseModes base = base_modes(state);
-  auto [K, M] = with_changes(base, changes_of(state), state);
+  const TestAsDone done = test_as_done(setting_, state.effects);
+  auto [K, M] = with_changes(
+      base, constant_changes(state, done.setting, runs_, base_), state);
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
       2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
-  for (const PlacedEffect& e : beside_modes(state, setting_, runs_)) {
+  for (const PlacedEffect& e : beside_modes(state, done.setting, runs_)) {
     if (!acts_beside(e)) continue;
     for (const std::size_t run : runs_) {
       for (const effects::ActedDof& dof :
-           e.effect->acts_on(e.where, setting_, run)) {
+           e.effect->acts_on(e.where, done.setting, run)) {
         const VectorXd b = base.phi.transpose() * row(dof).transpose();
         const double share = dof.weight / static_cast<double>(runs_.size());
         const double z =
@@ -220,10 +233,12 @@ ModalState FrfModel::modal_state(const ModelState& state,
                                  BaseModes bare) const {
   ModalState shared;
   shared.state = &state;
+  shared.done = test_as_done(setting_, state.effects);
+  const effects::Setting& setting = shared.done.setting;
   shared.modes = std::move(bare);
   shared.owner = damping_owners(state, shared.modes);
-  shared.changes = changes_of(state);
-  shared.beside = beside_modes(state, setting_, runs_);
+  shared.changes = constant_changes(state, setting, runs_, base_);
+  shared.beside = beside_modes(state, setting, runs_);
   if (!shared.changes.empty()) {
     BaseModes loaded = modes_with(shared.modes, shared.changes, state);
     shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
@@ -271,7 +286,7 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
-      if (!is_of(term, placed)) continue;
+      if (!is_of(term, placed) || placed.p.empty()) continue;
       const double p = placed.p[term.parameter];
       MatrixXd dM = term.mass_at(state.factor);
       if (dM.size() > 0) dM *= effects::mass_left_slope(p);
@@ -300,7 +315,7 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
     const PlacedEffect& placed = shared.beside[e];
     if (!acts_beside(placed)) continue;
     for (const effects::ActedDof& dof :
-         placed.effect->acts_on(placed.where, setting_, run)) {
+         placed.effect->acts_on(placed.where, shared.done.setting, run)) {
       const VectorXd b = phi.transpose() * row(dof).transpose();
       if (b.squaredNorm() < 1e-18) continue;  // held, or out of the base
       lines.actors.push_back({e, dof.group, dof.weight});
@@ -332,11 +347,17 @@ std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
     }
     members[k].push_back(run);
   }
-  const MatrixXd points = shared.modes.phi.transpose() * points_;
-  const std::vector<Index> felt = felt_responses(pairs_, *shared.state);
+  const std::vector<PairEnds> all = ends(shared.done);
+  const MatrixXd& phi = shared.modes.phi;
+  const MatrixXd points = phi.transpose() * points_;
+  const auto row_at = [&](const Dof& dof) -> VectorXd {
+    const auto known = columns_.find(dof);
+    if (known != columns_.end()) return points.col(known->second);
+    return phi.transpose() * point(dof);  // not on the sheet
+  };
   for (std::size_t k = 0; k < result.size(); ++k) {
-    std::map<Index, Index> response;
-    std::map<Index, Index> reference;
+    std::map<Dof, Index> response;
+    std::map<Dof, Index> reference;
     for (std::size_t p = 0; p < pairs_.size(); ++p) {
       const MeasuredPair& pair = pairs_[p];
       if (std::find(members[k].begin(), members[k].end(), pair.run) ==
@@ -344,14 +365,14 @@ std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
         continue;
       }
       const Index o =
-          response.try_emplace(felt[p], response.size()).first->second;
-      const Index i =
-          reference.try_emplace(pair.reference, reference.size()).first->second;
+          response.try_emplace(all[p].response, response.size()).first->second;
+      const Index i = reference.try_emplace(all[p].reference, reference.size())
+                          .first->second;
       result[k].pairs.push_back({static_cast<Index>(p), o, i});
     }
-    const auto gather = [&points](const std::map<Index, Index>& columns) {
-      MatrixXd at(points.rows(), static_cast<Index>(columns.size()));
-      for (const auto& [from, to] : columns) at.col(to) = points.col(from);
+    const auto gather = [&](const std::map<Dof, Index>& columns) {
+      MatrixXd at(phi.cols(), static_cast<Index>(columns.size()));
+      for (const auto& [dof, to] : columns) at.col(to) = row_at(dof);
       return at;
     };
     result[k].responses = gather(response);

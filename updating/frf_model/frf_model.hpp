@@ -22,10 +22,12 @@
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
+#include "updating/frf_model/test_as_done.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
 #include <Eigen/Core>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -91,12 +93,18 @@ class FrfModel {
     std::vector<Eigen::MatrixXcd> Xo;  ///< per line: r x response points
     std::vector<Eigen::MatrixXcd> Xi;  ///< per line: r x reference points
     Eigen::MatrixXcd own;              ///< lines x candidates: b H* b'
+    /// What channels at fault multiply the FRFs of `pairs` by, lines x pairs.
+    Eigen::MatrixXcd recorded;
   };
   /// @param candidates r x c, rows b of V as columns
   [[nodiscard]] std::vector<Walk> walk_columns(
       const ModelState& state,
       const Eigen::VectorXcd& s,
       const Eigen::MatrixXd& candidates) const;
+
+  /// What each FRF of the set was measured between, without the mistakes that
+  /// are among the state's effects.
+  [[nodiscard]] std::vector<PairEnds> ends(const ModelState& state) const;
 
   [[nodiscard]] const ReducedBase& base() const { return base_; }
   [[nodiscard]] const effects::Setting& setting() const { return setting_; }
@@ -130,13 +138,13 @@ class FrfModel {
       const ModelState& state,
       const std::vector<std::vector<double>>& sizes,
       const Eigen::VectorXcd& s) const;
-  [[nodiscard]] std::vector<ConstantChange> changes_of(
-      const ModelState& state) const;
   // By which parameters the modes turn, and how.
   void find_turning(ModalState& shared, double largest) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
                                    std::size_t run) const;
   [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
+  [[nodiscard]] std::vector<PairEnds> ends(const TestAsDone& done) const;
+  [[nodiscard]] Eigen::VectorXd point(const Dof& dof) const;
   [[nodiscard]] std::vector<int> damping_owners(const ModelState& state,
                                                 const BaseModes& bare) const;
   void set_damping(ModalState& shared) const;
@@ -144,7 +152,8 @@ class FrfModel {
   ReducedBase base_;
   effects::Setting setting_;
   std::vector<MeasuredPair> pairs_;
-  Eigen::MatrixXd points_;    // r x points: signed rows of V, each once
+  Eigen::MatrixXd points_;  // r x points: signed rows of V, each once
+  std::map<Dof, Eigen::Index> columns_;  // of the points
   Eigen::MatrixXd dashpots_;  // r x rank, C = dashpots_ dashpots_' of the deck
   std::vector<std::size_t> runs_;
   Eigen::MatrixXd reference_phi_;

@@ -27,10 +27,18 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   const MatrixXd of = phi.transpose() * candidates;
   const MatrixXd squares = of.cwiseAbs2().transpose();
   const MatrixXcd flexible = flexibility(shared, s);
+  ModelResponse chain{
+      MatrixXcd::Ones(s.size(), static_cast<Index>(pairs_.size())), {}};
+  record(pairs_, shared, s, chain);
   std::vector<Walk> result;
   for (const RunLines& lines : walks(shared)) {
     Walk walk;
     walk.pairs = lines.pairs;
+    walk.recorded.resize(s.size(), static_cast<Index>(lines.pairs.size()));
+    for (std::size_t k = 0; k < lines.pairs.size(); ++k) {
+      walk.recorded.col(static_cast<Index>(k)) =
+          chain.H.col(lines.pairs[k].frf);
+    }
     walk.own.resize(s.size(), candidates.cols());
     for (Index line = 0; line < s.size(); ++line) {
       const VectorXcd g = flexible.col(line);
@@ -204,7 +212,9 @@ std::vector<MatrixXcd> FrfModel::respond_at_sizes(
     const std::vector<std::vector<double>>& sizes,
     const VectorXcd& s) const {
   const PlacedEffect& last = state.effects.back();
-  if (is_passed_on(pairs_, last)) return recorded_at_sizes(state, sizes, s);
+  if (is_passed_on(setting_, state.effects)) {
+    return recorded_at_sizes(state, sizes, s);
+  }
   const bool changes_base = last.effect->changes_stiffness().has_value();
   BaseModes bare;
   if (!changes_base) bare = base_modes(state);

@@ -14,6 +14,15 @@ bool is_fault(const PlacedEffect& placed) {
   return placed.effect->entry() == effects::Entry::Measurement;
 }
 
+bool same_points(const acquisition::Run& a, const acquisition::Run& b) {
+  return a.hammer.dof == b.hammer.dof &&
+         std::ranges::equal(a.sensors,
+                            b.sensors,
+                            {},
+                            &acquisition::Placement::dof,
+                            &acquisition::Placement::dof);
+}
+
 // One FRF through a channel at fault.
 //
 // @param first column of the effect's parameters in dH
@@ -39,37 +48,14 @@ void pass(const PlacedEffect& placed,
 
 }  // namespace
 
-std::vector<Index> felt_responses(const std::vector<MeasuredPair>& pairs,
-                                  const ModelState& state) {
-  std::vector<Index> result;
-  for (const MeasuredPair& pair : pairs) {
-    std::string channel = pair.channel;
-    for (const PlacedEffect& placed : state.effects) {
-      if (is_fault(placed)) {
-        channel = placed.effect->recorded_as(channel, placed.where);
-      }
-    }
-    if (channel == pair.channel) {
-      result.push_back(pair.response);
-      continue;
-    }
-    const auto felt =
-        std::find_if(pairs.begin(), pairs.end(), [&](const MeasuredPair& p) {
-          return p.run == pair.run && p.channel == channel;
-        });
-    // Its own where the other one's FRF of that run was left out.
-    result.push_back(felt == pairs.end() ? pair.response : felt->response);
-  }
-  return result;
-}
-
-bool is_passed_on(const std::vector<MeasuredPair>& pairs,
-                  const PlacedEffect& placed) {
-  return is_fault(placed) &&
-         std::ranges::all_of(pairs, [&placed](const MeasuredPair& pair) {
-           return placed.effect->recorded_as(pair.channel, placed.where) ==
-                  pair.channel;
-         });
+bool is_passed_on(const effects::Setting& setting,
+                  const std::vector<PlacedEffect>& effects) {
+  if (!is_fault(effects.back())) return false;
+  const TestAsDone with = test_as_done(setting, effects);
+  const TestAsDone without =
+      test_as_done(setting, {effects.begin(), effects.end() - 1});
+  return std::ranges::equal(
+      with.setting.bundle->runs, without.setting.bundle->runs, same_points);
 }
 
 void record_through(const std::vector<MeasuredPair>& pairs,
@@ -81,7 +67,10 @@ void record_through(const std::vector<MeasuredPair>& pairs,
   const auto faulty = [&channels](const std::string& name) {
     return std::find(channels.begin(), channels.end(), name) != channels.end();
   };
+  const std::vector<int>& runs = placed.where.runs;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const int run = static_cast<int>(pairs[k].run) + 1;
+    if (!runs.empty() && std::ranges::find(runs, run) == runs.end()) continue;
     const bool response = faulty(pairs[k].channel);
     if (!response && !faulty(pairs[k].hammer)) continue;
     pass(placed,

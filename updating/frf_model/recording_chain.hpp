@@ -10,16 +10,13 @@
 
 namespace tapfit::updating {
 
-/// Column of the point that each pair's response channel really felt: its own,
-/// or another channel's of the same run where the two were swapped.
-[[nodiscard]] std::vector<Eigen::Index> felt_responses(
-    const std::vector<MeasuredPair>& pairs, const ModelState& state);
+/// Whether the last effect acts in channels alone: it leaves the points of the
+/// sheet where the others have them.
+[[nodiscard]] bool is_passed_on(const effects::Setting& setting,
+                                const std::vector<PlacedEffect>& effects);
 
-/// Whether an effect acts in channels alone, and each records its own sensor.
-[[nodiscard]] bool is_passed_on(const std::vector<MeasuredPair>& pairs,
-                                const PlacedEffect& placed);
-
-/// Multiplies the FRFs of an effect's channels, and their derivatives.
+/// Multiplies the FRFs of an effect's channels in its runs, and their
+/// derivatives.
 /// @param first column of the effect's parameters in dH
 void record_through(const std::vector<MeasuredPair>& pairs,
                     const PlacedEffect& placed,

@@ -7,6 +7,7 @@
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
+#include "updating/frf_model/test_as_done.hpp"
 
 #include <Eigen/Core>
 
@@ -33,6 +34,7 @@ struct TurningParameter {
 /// What all runs of one evaluation share.
 struct ModalState {
   const ModelState* state = nullptr;
+  TestAsDone done;
   BaseModes modes;
   DampingOfModes damping;
   std::vector<int> owner;               ///< of state->zeta, of each mode; or -1

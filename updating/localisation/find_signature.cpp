@@ -1,6 +1,6 @@
 #include "updating/localisation/find_signature.hpp"
 
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/absorber_law.hpp"
 #include "updating/localisation/place_patterns.hpp"
 

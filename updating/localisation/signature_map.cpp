@@ -1,6 +1,6 @@
 #include "updating/localisation/signature_map.hpp"
 
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/place_scan.hpp"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "updating/places/location.hpp"
 
+#include "acquisition/foundation/dof.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,23 +19,56 @@ std::string named(const char* what, const std::vector<int>& ids) {
       "{} {}s ({} ... {})", ids.size(), what, ids.front(), ids.back());
 }
 
+// A row of them by its ends.
+std::string in_runs(const std::vector<int>& runs) {
+  if (runs.empty()) return "";
+  if (runs.size() == 1) return fmt::format(", in run {}", runs.front());
+  const auto length = static_cast<std::size_t>(runs.back() - runs.front()) + 1;
+  if (length == runs.size()) {
+    return fmt::format(", in runs {} to {}", runs.front(), runs.back());
+  }
+  return fmt::format(", in runs {}", fmt::join(runs, ", "));
+}
+
+// Channels of the sheet, and at which of its grids.
+std::string on_sheet(const Where& where) {
+  std::string text = fmt::format("{}", fmt::join(where.channels, ", "));
+  if (where.node != 0) text += " at node " + node_name(where.node);
+  if (where.node != 0 && !where.nodes.empty()) text += ", not";
+  if (where.node == 0 && !where.nodes.empty()) text += " at node";
+  for (const int grid : where.nodes) {
+    text += (grid == where.nodes.front() ? " " : ", ") + node_name(grid);
+  }
+  return text;
+}
+
 }  // namespace
+
+bool is_at_grid(const Where& where) {
+  return where.node != 0 && where.channels.empty();
+}
 
 bool is_along_axis(const Where& where) {
   return where.variant == "X" || where.variant == "Y" || where.variant == "Z";
 }
 
+bool is_direction(const Where& where) {
+  const std::string& v = where.variant;
+  return v.size() == 2 && (v[0] == '+' || v[0] == '-') && v[1] >= 'X' &&
+         v[1] <= 'Z';
+}
+
 std::string describe(const Where& where) {
   const std::string variant = where.variant.empty() ? ""
-                              : is_along_axis(where)
+                              : is_along_axis(where) || is_direction(where)
                                   ? fmt::format(" along {}", where.variant)
                                   : fmt::format(" ({})", where.variant);
+  if (!where.channels.empty()) {
+    return on_sheet(where) + variant + in_runs(where.runs);
+  }
   if (where.node != 0) {
     return fmt::format(
         "{}node {}{}", where.at.empty() ? "" : "near ", where.node, variant);
-  }
-  if (!where.channels.empty()) {
-    return fmt::format("{}", fmt::join(where.channels, ", ")) + variant;
   }
   if (!where.elements.empty())
     return named("element", where.elements) + variant;

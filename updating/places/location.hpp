@@ -27,6 +27,10 @@ struct Where {
   /// Between grids: coordinates in basic axes [m], three or none; node is then
   /// the nearest grid of the element that holds them.
   std::vector<double> at = {};
+  /// Of a mistake of the sheet: the runs in which it was made, counted from 1,
+  /// ascending; empty: all. Its `channels` are then where the sheet has them,
+  /// at the grid in `nodes`, and `node` is where they were.
+  std::vector<int> runs = {};
 
   bool operator==(const Where&) const = default;
 };
@@ -37,7 +41,14 @@ inline const std::string pocket = "pocket";
 /// Whether the variant is an axis that the effect acts along.
 [[nodiscard]] bool is_along_axis(const Where& where);
 
-/// "node 201", "node 201 along X", "acc1, acc2", "19 nodes (1 ... 38)".
+/// Whether something of the structure sits there, at a grid.
+[[nodiscard]] bool is_at_grid(const Where& where);
+
+/// Whether the variant is a direction with its sign, "+X".
+[[nodiscard]] bool is_direction(const Where& where);
+
+/// "node 201", "node 201 along X", "acc1, acc2", "19 nodes (1 ... 38)"; of a
+/// mistake "acc1 at node 6, not 8, in runs 4 to 6".
 [[nodiscard]] std::string describe(const Where& where);
 
 }  // namespace tapfit::updating

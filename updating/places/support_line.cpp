@@ -168,12 +168,53 @@ SupportPart towards(const SupportLine& line, bool rotation, bool last) {
   return part;
 }
 
+struct Freed {
+  std::string variant;
+  std::vector<int> components;
+};
+
+const std::vector<Freed>& all_freed() {
+  static const std::vector<Freed> all = {{"free", {1, 2, 3, 4, 5, 6}},
+                                         {"free-rotations", {4, 5, 6}},
+                                         {"free-X", {1}},
+                                         {"free-Y", {2}},
+                                         {"free-Z", {3}}};
+  return all;
+}
+
+// All that is held in some components, as one part; none where nothing is.
+std::vector<SupportPart> freed_part(const Deck& deck,
+                                    const std::vector<int>& nodes,
+                                    const std::vector<int>& components) {
+  const ConstraintAxes held = structure::constraint_axes(deck);
+  SupportPart part{components.front() > 3, 0, {}};
+  part.line.length = 1.0;
+  const double share = 1.0 / static_cast<double>(nodes.size());
+  for (const int node : nodes) {
+    for (const int c : components) {
+      if (holds(held, node, c)) part.line.dofs.push_back({node, c, share, 0.0});
+    }
+  }
+  if (part.line.dofs.empty()) return {};
+  return {part};
+}
+
 }  // namespace
+
+std::vector<std::string> freed_variants() {
+  std::vector<std::string> names;
+  for (const Freed& freed : all_freed()) names.push_back(freed.variant);
+  return names;
+}
 
 std::vector<SupportPart> support_parts(const Deck& deck,
                                        const std::vector<int>& nodes,
                                        const std::string& variant,
                                        int component) {
+  const auto freed = std::ranges::find(all_freed(), variant, &Freed::variant);
+  if (freed != all_freed().end()) {
+    return freed_part(deck, nodes, freed->components);
+  }
   std::vector<SupportPart> parts;
   for (const bool rotation : {true, false}) {
     const std::string kind = rotation ? "rotation" : "translation";

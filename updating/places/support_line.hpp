@@ -59,10 +59,17 @@ struct SupportPart {
 ///
 /// @return none where the support does not hold what the variant asks for, or
 ///   where there is no line to vary along
+///
+/// One of freed_variants() has one stiffness for all that is held in these
+/// components, whatever the line.
 [[nodiscard]] std::vector<SupportPart> support_parts(
     const structure::Deck& deck,
     const std::vector<int>& nodes,
     const std::string& variant,
     int component);
+
+/// What a support may not hold at all: "free", "free-rotations", "free-X",
+/// "free-Y", "free-Z".
+[[nodiscard]] std::vector<std::string> freed_variants();
 
 }  // namespace tapfit::updating

@@ -164,23 +164,23 @@ void judge_kind_only(const std::string& asked, Verdict& verdict) {
   if (asked == "unexplained") verdict.at_floor = true;
 }
 
-// The structure lacks nothing, and the point is named.
+// The point is named and nothing else.
 void judge_wrong_grid(const VirtualEffect& hidden,
                       const Diagnosis& diagnosis,
                       const Deck& deck,
                       Verdict& verdict) {
   const std::vector<int> grids = hidden.numbers();
-  const auto& found = diagnosis.misplaced;
-  verdict.right_kind = verdict.found == "none" && found.size() == 1 &&
-                       found[0].written.node == grids[1];
+  const auto& found = diagnosis.ladder;
+  verdict.right_kind = verdict.found == "point-mislabelled" &&
+                       found.size() == 1 &&
+                       found[0].where.nodes == std::vector{grids[1]};
   verdict.honest = verdict.right_kind || verdict.found == "unexplained";
   verdict.right_size = true;
-  if (found.empty()) return;
+  if (!verdict.right_kind) return;
   const double apart =
-      (middle_of(deck, {found[0].likely.node}) - middle_of(deck, {grids[0]}))
+      (middle_of(deck, {found[0].where.node}) - middle_of(deck, {grids[0]}))
           .norm();
-  verdict.right_place =
-      verdict.right_kind && apart <= 1.01 * longest_side(deck);
+  verdict.right_place = apart <= 1.01 * longest_side(deck);
 }
 
 }  // namespace
@@ -209,15 +209,12 @@ Verdict judge(const VirtualBundleSpec& hidden,
       hidden.effects.begin(), hidden.effects.end(), outside_catalogue);
   if (names.empty() || outside) {
     judge_kind_only(names.empty() ? "none" : "unexplained", verdict);
-    if (!diagnosis.misplaced.empty()) verdict.right_kind = false;
     return verdict;
   }
   const std::vector<std::string> found = parts_of(verdict.found, '+');
   verdict.right_kind = std::is_permutation(
       names.begin(), names.end(), found.begin(), found.end());
   verdict.honest = verdict.found == "unexplained" || holds_all(names, found);
-  // Every point was where it was written down.
-  if (!diagnosis.misplaced.empty()) verdict.right_kind = verdict.honest = false;
   if (!verdict.right_kind) return verdict;
   verdict.right_place = verdict.right_size = true;
   for (const Candidate& c : diagnosis.candidates) {

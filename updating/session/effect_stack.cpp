@@ -1,8 +1,8 @@
 #include "updating/session/effect_stack.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/effects/catalogue.hpp"
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"

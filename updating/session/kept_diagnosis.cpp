@@ -87,6 +87,7 @@ void add(const EffectRef& effect, ContentDigest& digest) {
   digest.add(effect.where.variant);
   digest.add(static_cast<double>(effect.where.at.size()));
   for (const double x : effect.where.at) digest.add(x);
+  digest.add(effect.where.runs);
 }
 
 void add(const EffectHistory& history,

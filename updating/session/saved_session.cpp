@@ -61,6 +61,7 @@ json to_json(const Where& where) {
   if (!where.channels.empty()) result["channels"] = where.channels;
   if (!where.variant.empty()) result["variant"] = where.variant;
   if (!where.at.empty()) result["at"] = where.at;
+  if (!where.runs.empty()) result["runs"] = where.runs;
   return result;
 }
 
@@ -72,6 +73,7 @@ Where where_in(const json& value) {
   where.channels = value.value("channels", std::vector<std::string>{});
   where.variant = value.value("variant", "");
   where.at = value.value("at", std::vector<double>{});
+  where.runs = value.value("runs", std::vector<int>{});
   if (!where.at.empty() && where.at.size() != 3) {
     throw std::out_of_range("\"at\" takes three coordinates");
   }
@@ -79,9 +81,10 @@ Where where_in(const json& value) {
 }
 
 Where where_from(const json& value) {
-  check_fields(value,
-               "\"where\"",
-               {"node", "nodes", "elements", "channels", "variant", "at"});
+  check_fields(
+      value,
+      "\"where\"",
+      {"node", "nodes", "elements", "channels", "variant", "at", "runs"});
   return where_in(value);
 }
 
@@ -100,10 +103,16 @@ json to_json(const EffectChange& change) {
 }
 
 EffectRef ref_from(const json& value) {
-  check_fields(
-      value,
-      "an effect of a change",
-      {"effect", "node", "nodes", "elements", "channels", "variant", "at"});
+  check_fields(value,
+               "an effect of a change",
+               {"effect",
+                "node",
+                "nodes",
+                "elements",
+                "channels",
+                "variant",
+                "at",
+                "runs"});
   return {value.at("effect"), where_in(value)};
 }
 

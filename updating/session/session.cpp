@@ -1,8 +1,8 @@
 #include "updating/session/session.hpp"
 
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/comparison/compare.hpp"
 #include "updating/diagnosis/test_diagnosis.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/fit_ground.hpp"
 #include "updating/fit/plain_fit.hpp"

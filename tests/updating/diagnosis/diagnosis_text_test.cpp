@@ -43,11 +43,16 @@ Diagnosis rich() {
                     .moves_sensor = true,
                     .difference = 0.4,
                     .difference_now = 0.1});
-  d.misplaced.push_back({.channel = "acc1",
-                         .written = {5, 3, 1},
-                         .likely = {6, 3, 1},
-                         .error = 0.3,
-                         .error_there = 0.02});
+  Where moved;
+  moved.node = 6;
+  moved.nodes = {5};
+  moved.channels = {"acc1"};
+  moved.runs = {2, 3};
+  d.set_up.push_back({.mistake = "point-mislabelled",
+                      .where = moved,
+                      .probability = 0.9,
+                      .error = 0.02,
+                      .edit = "runs[1-2].sensors[0].node: 5 -> 6"});
   d.warnings = {"one", "two \"quoted\""};
   return d;
 }
@@ -71,7 +76,8 @@ TEST(DiagnosisText, GivesEverythingBack) {
   EXPECT_TRUE(read->ladder[0].parameters[0].at_bound);
   EXPECT_EQ(read->next[0].hit, d.next[0].hit);
   EXPECT_TRUE(read->next[0].moves_sensor);
-  EXPECT_EQ(read->misplaced[0].error_there, 0.02);
+  EXPECT_EQ(read->set_up[0].where, d.set_up[0].where);
+  EXPECT_EQ(read->set_up[0].edit, d.set_up[0].edit);
   EXPECT_EQ(read->warnings, d.warnings);
 }
 

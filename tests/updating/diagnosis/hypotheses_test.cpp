@@ -1,9 +1,9 @@
 #include "updating/diagnosis/hypotheses.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/patch_extent.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/places/near_places.hpp"
 

@@ -1,7 +1,7 @@
 #include "updating/diagnosis/next_measurement.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "updating/diagnosis/rung_search.hpp"
 
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

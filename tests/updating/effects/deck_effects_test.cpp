@@ -2,7 +2,7 @@
 // rigid element, in turned axes, and with dashpots of the deck's own.
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/damped_line.hpp"

@@ -1,7 +1,7 @@
 #include "updating/fit/plain_fit.hpp"
 
 #include "tests/updating/support/plate_experiment.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/fit/plain_updater.hpp"
 
 #include <gtest/gtest.h>

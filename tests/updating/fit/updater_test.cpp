@@ -1,8 +1,8 @@
 #include "updating/fit/updater.hpp"
 
 #include "tests/updating/support/plate_experiment.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/diagnose.hpp"
-#include "updating/effects/catalogue.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/fit/live_fit.hpp"
 #include "updating/fit/prior_l_curve.hpp"

@@ -299,6 +299,28 @@ TEST_F(FrfModelTest, JointAgreesWithDirectSolveFromStiffToSoft) {
   }
 }
 
+// The plate on which nothing is held, or only the rotations are let go.
+TEST_F(FrfModelTest, SupportThatWasNotThereHoldsNothing) {
+  const effects::Effect& effect = effects::find("support-mismatch");
+  for (const std::string variant : {"free", "free-rotations"}) {
+    const std::vector<Where> places = effect.places(setting_);
+    const auto where = std::ranges::find(places, variant, &Where::variant);
+    ASSERT_NE(where, places.end()) << variant;
+    const PlacedEffect freed{&effect, *where, {}};
+    const auto model = fitter_->model_for({freed});
+    const ModelState state = undamped(*fitter_, *model, {freed});
+    structure::Deck deck = support::plate_deck(false);
+    for (int j = 0; variant != "free" && j < 5; ++j) {
+      deck.constraints.push_back({1 + 11 * j, "123"});
+    }
+    // Rotations are lent a mass, which is felt at 1e-5.
+    EXPECT_LT(difference(model->respond(state, s_, false).H,
+                         direct(deck, pairs_, {}, s_)),
+              1e-4)
+        << variant;
+  }
+}
+
 TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {
   Where both;
   both.channels = {"acc1", "acc2"};

@@ -43,19 +43,27 @@ TEST_F(FrfResponses, AtSizesOfTheLastEffectAreThoseOfEachSize) {
   }
 }
 
-TEST_F(FrfResponses, OfSwappedChannelsAreNotScaledOnes) {
-  const effects::Effect& swap = effects::find("channel-swap");
-  const std::vector<Where> places = swap.places(setting_);
-  ASSERT_FALSE(places.empty());
-  const std::vector<PlacedEffect> effects = {{&swap, places.front(), {}}};
-  const auto model = fitter_->model_for(effects);
-  const ModelState state = fitter_->first_state(*model, effects);
-  const auto swapped = model->respond(state, s_, false).H;
-  const auto at = model->respond_at_sizes(state, {{}}, s_);
-  EXPECT_LT(difference(at.front(), swapped), 1e-12);
-  const auto plain =
-      model->respond(fitter_->first_state(*model, {}), s_, false).H;
-  EXPECT_GT(difference(plain, swapped), 1e-3);
+TEST_F(FrfResponses, OfACorrectedSheetAreNotScaledOnes) {
+  for (const char* name : {"channel-swap", "point-mislabelled"}) {
+    const effects::Effect& mistake = effects::find(name);
+    const std::vector<Where> places = mistake.places(setting_);
+    ASSERT_FALSE(places.empty());
+    Where where = places.front();
+    if (mistake.takes_any_grid()) {
+      where.node = where.nodes.front() == 30 ? 20 : 30;
+    }
+    const std::vector<PlacedEffect> effects = {{&mistake, where, {}}};
+    const auto model = fitter_->model_for(effects);
+    const ModelState state = fitter_->first_state(*model, effects);
+    const auto corrected = model->respond(state, s_, false).H;
+    const auto at = model->respond_at_sizes(state, {{}}, s_);
+    ASSERT_EQ(at.size(), 1U) << name;
+    EXPECT_LT(difference(at.front(), corrected), 1e-12) << name;
+    EXPECT_TRUE(model->respond_at_sizes(state, {}, s_).empty()) << name;
+    const auto plain =
+        model->respond(fitter_->first_state(*model, {}), s_, false).H;
+    EXPECT_GT(difference(plain, corrected), 1e-3) << name;
+  }
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include "updating/frf_model/mesh_at_state.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 
 #include <gtest/gtest.h>

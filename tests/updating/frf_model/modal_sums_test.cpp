@@ -1,6 +1,6 @@
 #include "updating/frf_model/modal_sums.hpp"
 
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "updating/localisation/place_scan.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/place_patterns.hpp"
 #include "updating/localisation/place_rows.hpp"
 

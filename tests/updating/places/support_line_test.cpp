@@ -34,6 +34,22 @@ TEST(SupportLine, EachGridCarriesHalfTheGapsBesideIt) {
   EXPECT_EQ(line.dofs.front().component, 5);
 }
 
+TEST(SupportLine, WhatIsFreedIsAllThatIsHeldSo) {
+  const std::vector<int> nodes = {1, 12, 23, 34, 45};
+  const structure::Deck deck = held_at(nodes);
+  const auto count = [&](const std::string& variant) {
+    const std::vector<SupportPart> parts =
+        support_parts(deck, nodes, variant, 3);
+    return parts.size() == 1 ? parts.front().line.dofs.size() : 0U;
+  };
+  EXPECT_EQ(count("free"), 30U);
+  EXPECT_EQ(count("free-rotations"), 15U);
+  EXPECT_EQ(count("free-X"), 5U);
+  structure::Deck pinned = support::plate_deck(false);
+  pinned.constraints.push_back({1, "3"});
+  EXPECT_TRUE(support_parts(pinned, {1}, "free-X", 3).empty());
+}
+
 // Two clamps of 0.03 m with nothing held between them.
 TEST(SupportLine, TheGapBetweenTwoEdgesCarriesNothing) {
   const std::vector<int> nodes = {1, 12, 34, 45};

@@ -99,9 +99,15 @@ TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
   found.verdict = "none";
   found.error_best = found.floor = 0.01;
   EXPECT_FALSE(judge(hidden, found, deck).right_kind) << "not seen";
-  found.misplaced = {{"", {27, 3, 1}, {30, 3, 1}, 0.5, 0.01}};
+  found.verdict = "point-mislabelled";
+  Rung rung;
+  rung.added = found.verdict;
+  rung.where.channels = {"hammer"};
+  rung.where.nodes = {27};
+  rung.where.node = 30;
+  found.ladder = {rung};
   EXPECT_TRUE(judge(hidden, found, deck).right());
-  found.misplaced[0].likely.node = 28;
+  found.ladder[0].where.node = 28;
   EXPECT_FALSE(judge(hidden, found, deck).right()) << "two elements away";
   EXPECT_FALSE(judge({}, found, deck).right()) << "nobody erred";
 }

@@ -3,7 +3,7 @@
 #include "updating/reduction/stiffness_change.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <gtest/gtest.h>

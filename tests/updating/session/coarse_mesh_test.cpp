@@ -1,7 +1,7 @@
 // From recordings to findings on meshes as coarse as engineers make them, of
 // lumped mass: the truth is the same deck with every element split twice.
 #include "tests/acquisition/support/temporary_folder.hpp"
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/session/session.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/measurement/damped_line.hpp"
 

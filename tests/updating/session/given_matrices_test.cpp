@@ -2,7 +2,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/updating/support/matrix_text.hpp"
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/session/session.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"

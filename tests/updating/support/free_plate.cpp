@@ -1,7 +1,7 @@
 #include "tests/updating/support/free_plate.hpp"
 
 #include "tests/acquisition/support/temporary_folder.hpp"
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 #include "updating/session/session.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/damped_line.hpp"
 

@@ -1,10 +1,13 @@
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/places/near_places.hpp"
+#include "updating/set_up/sheet_place.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -107,11 +110,14 @@ std::optional<Where> line_through(const std::vector<Where>& places,
 // What a place may be told with.
 bool has_variant(const effects::Effect& effect, const std::string& word) {
   if (effect.changes_stiffness() == ChangeKind::Support &&
+      effect.variants().empty() &&
       (word == "rotation" || word == "translation")) {
     return true;
   }
   const std::vector<std::string> forms = effect.forms();
-  return std::ranges::find(forms, word) != forms.end();
+  const std::vector<std::string> variants = effect.variants();
+  return std::ranges::find(forms, word) != forms.end() ||
+         std::ranges::find(variants, word) != variants.end();
 }
 
 bool same_channels(const Where& want, const Where& where) {
@@ -123,8 +129,8 @@ bool same_channels(const Where& want, const Where& where) {
 
 // A place that is what was asked for, or that needs no asking. An effect that
 // may sit at many grids has to be told which.
-bool is_meant(const Where& want, const Where& where) {
-  if (want.node != where.node) return false;
+bool is_meant(const Where& want, const Where& where, bool any_grid) {
+  if (!any_grid && want.node != where.node) return false;
   if (!want.nodes.empty() && want.nodes != where.nodes) return false;
   if (!want.channels.empty() && !same_channels(want, where)) return false;
   return want.variant.empty() || want.variant == where.variant;
@@ -164,11 +170,47 @@ std::string remedy(const effects::Effect& effect,
            "line, joined with \":\"";
   }
   if (kind == ChangeKind::Support) return "name grids that the model holds";
+  if (effect.takes_any_grid()) {
+    return "name a channel, the grid that the sheet has it at and the one "
+           "where it was (acc1:8:6), and runs, if not all (acc1:8:6:run4-6)";
+  }
+  if (effect.at_sheet_points()) {
+    return fmt::format(
+        "name a channel, the grid that the sheet has it at, if not all, and "
+        "one of {} that the sheet does not have there (acc1:8:{})",
+        fmt::join(effect.variants(), ", "),
+        effect.variants().front());
+  }
   if (sits_on_channels(effect)) {
     return "name a channel of the test, or two joined with \":\"";
   }
   return "name a grid of the model that can move, and an axis that was "
          "measured or hit where it is not the one mostly measured (17:X)";
+}
+
+// Whether a mistake of the sheet is told in full: its channels, which it is,
+// and runs and a grid that there are.
+bool names_sheet_place(const effects::Effect& effect,
+                       const Where& want,
+                       const effects::Setting& s) {
+  if (want.channels.empty()) return false;
+  if (!effect.variants().empty() && want.variant.empty()) return false;
+  const bool grid =
+      s.deck != nullptr && want.node != 0 && s.deck->has_grid(want.node);
+  if (effect.takes_any_grid() && !grid) return false;
+  const auto runs = static_cast<int>(s.bundle->runs.size());
+  return std::ranges::all_of(
+      want.runs, [runs](int run) { return run >= 1 && run <= runs; });
+}
+
+// What is written behind the @, for example.
+std::string example_place(const effects::Effect& effect) {
+  const auto kind = effect.changes_stiffness();
+  if (kind == ChangeKind::Elements) return "60:61";
+  if (kind == ChangeKind::Joint) return "34:35";
+  if (effect.takes_any_grid()) return "acc1:8:6";
+  if (effect.at_sheet_points()) return "acc1:" + effect.variants().front();
+  return "201";
 }
 
 // Throws where no element at the nearest grid holds a place between grids.
@@ -195,9 +237,7 @@ void check_holds(const effects::Effect& effect,
                      fmt::format("effect \"{}\"", ref.effect),
                      fmt::format("write for example {}@{}",
                                  ref.effect,
-                                 kind == ChangeKind::Elements ? "60:61"
-                                 : kind == ChangeKind::Joint  ? "34:35"
-                                                              : "201"));
+                                 example_place(effects::find(ref.effect))));
   }
   const std::string missing = missing_part(ref.where, setting);
   throw InputError(
@@ -232,17 +272,21 @@ EffectRef parse_effect(const std::string& text) {
   const std::size_t at = text.find('@');
   EffectRef ref;
   ref.effect = text.substr(0, at);
-  const auto kind = effects::find(ref.effect).changes_stiffness();
+  const effects::Effect& effect = effects::find(ref.effect);
+  const auto kind = effect.changes_stiffness();
   if (at == std::string::npos) return ref;
   std::string place = text.substr(at + 1);
+  if (effect.at_sheet_points()) {
+    ref.where = effects::read_sheet_place(parts_of(place), effect);
+    return ref;
+  }
   const std::size_t end = place.rfind(':');
   const std::string last = place.substr(end == std::string::npos ? 0 : end + 1);
-  if (has_variant(effects::find(ref.effect), last)) {
+  if (has_variant(effect, last)) {
     ref.where.variant = last;
     if (end == std::string::npos) return ref;
     place.resize(end);
   }
-  const effects::Effect& effect = effects::find(ref.effect);
   check_grid(effect, place, text);
   const std::vector<int> numbers =
       sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
@@ -259,8 +303,12 @@ EffectRef parse_effect(const std::string& text) {
         fmt::format("{} has no form \"{}\"", ref.effect, place),
         fmt::format("effect \"{}\"", text),
         kind == ChangeKind::Support
-            ? "write rotation, translation, both, rotation-varying or "
-              "translation-varying"
+            ? effect.variants().empty()
+                  ? std::string(
+                        "write rotation, translation, both, rotation-varying "
+                        "or translation-varying")
+                  : fmt::format("write one of {}",
+                                fmt::join(effect.variants(), ", "))
         : kind ? "write the ids joined with \":\""
                : "write the grid alone, or added-mass@201:rotary");
   } else if (!place.empty()) {
@@ -297,11 +345,16 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
     }
   }
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
+  const bool any_grid = effect.takes_any_grid();
+  const bool at_sheet = effect.at_sheet_points();
   for (const Where& where : places) {
-    if (local) break;
-    if (!is_meant(want, where)) continue;
+    if (local || (at_sheet && !names_sheet_place(effect, want, s))) break;
+    if (!is_meant(want, where, any_grid)) continue;
+    if (any_grid && share({want.node}, where.nodes)) continue;
     Where there = where;
     there.at = want.at;
+    if (any_grid) there.node = want.node;
+    there.runs = want.runs;
     check_holds(effect, there, s);
     return placed(effect, there, s);
   }

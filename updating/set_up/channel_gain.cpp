@@ -1,4 +1,4 @@
-#include "updating/effects/channel_gain.hpp"
+#include "updating/set_up/channel_gain.hpp"
 
 #include <fmt/format.h>
 

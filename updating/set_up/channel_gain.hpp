@@ -2,8 +2,8 @@
 // every frequency, and no pole moves.
 #pragma once
 
-#include "updating/effects/channel_effect.hpp"
 #include "updating/places/location.hpp"
+#include "updating/set_up/channel_effect.hpp"
 
 namespace tapfit::effects {
 

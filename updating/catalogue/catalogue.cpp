@@ -1,12 +1,8 @@
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/effects/absorber.hpp"
 #include "updating/effects/added_mass.hpp"
-#include "updating/effects/channel_delay.hpp"
-#include "updating/effects/channel_gain.hpp"
-#include "updating/effects/channel_polarity.hpp"
-#include "updating/effects/channel_swap.hpp"
 #include "updating/effects/damping_law.hpp"
 #include "updating/effects/dashpot.hpp"
 #include "updating/effects/effect_ref.hpp"
@@ -16,6 +12,14 @@
 #include "updating/effects/sensor_mass.hpp"
 #include "updating/effects/soft_support.hpp"
 #include "updating/effects/stiffness_loss.hpp"
+#include "updating/set_up/channel_delay.hpp"
+#include "updating/set_up/channel_gain.hpp"
+#include "updating/set_up/channel_polarity.hpp"
+#include "updating/set_up/channel_swap.hpp"
+#include "updating/set_up/direction_wrong.hpp"
+#include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/support_mismatch.hpp"
+#include "updating/set_up/unit_factor.hpp"
 
 #include <fmt/format.h>
 
@@ -24,7 +28,7 @@
 namespace tapfit::effects {
 
 std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 14> effects = {
+  static const std::array<std::unique_ptr<const Effect>, 18> effects = {
       std::make_unique<const SensorMass>(),
       std::make_unique<const SoftSupport>(),
       std::make_unique<const AddedMass>(),
@@ -38,6 +42,10 @@ std::span<const std::unique_ptr<const Effect>> catalogue() {
       std::make_unique<const ChannelDelay>(),
       std::make_unique<const ChannelPolarity>(),
       std::make_unique<const ChannelSwap>(),
+      std::make_unique<const PointMislabelled>(),
+      std::make_unique<const DirectionWrong>(),
+      std::make_unique<const UnitFactor>(),
+      std::make_unique<const SupportMismatch>(),
       std::make_unique<const DampingLaw>(),
   };
   return effects;

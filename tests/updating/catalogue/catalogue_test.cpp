@@ -1,4 +1,4 @@
-#include "updating/effects/catalogue.hpp"
+#include "updating/catalogue/catalogue.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"

@@ -1,25 +1,19 @@
-// One channel late or early against the others (a filter, a multiplexed
-// converter, a wireless link): its FRFs turn by exp(-s tau), more at higher
-// frequency, and no pole moves. Early is a variant of the place, reported as a
-// negative delay.
+// A channel with its sign turned round (a sensor glued upside down, swapped
+// leads): its FRFs times -1.
 #pragma once
 
-#include "updating/effects/channel_effect.hpp"
 #include "updating/places/location.hpp"
+#include "updating/set_up/channel_effect.hpp"
 
 namespace tapfit::effects {
 
-class ChannelDelay final : public ChannelEffect {
+class ChannelPolarity final : public ChannelEffect {
  public:
-  [[nodiscard]] std::string name() const override { return "channel-delay"; }
+  [[nodiscard]] std::string name() const override { return "channel-polarity"; }
   [[nodiscard]] std::string physics() const override {
-    return "a channel that is late or early; the phase turns in proportion to "
-           "frequency, no frequency moves";
+    return "a channel with the wrong sign; half a turn of phase at every "
+           "frequency";
   }
-  [[nodiscard]] std::vector<Where> places(
-      const Setting& setting) const override;
-  [[nodiscard]] std::size_t passed_as(const Where& where,
-                                      bool hammer) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::complex<double> law(std::complex<double> s,
@@ -30,6 +24,10 @@ class ChannelDelay final : public ChannelEffect {
       const std::vector<double>& p,
       std::size_t group,
       std::size_t k) const override;
+  /// The sensitivity's sign.
+  void correct(const Where& where,
+               const acquisition::TestBundle& written,
+               acquisition::TestBundle& sheet) const override;
   [[nodiscard]] std::vector<std::string> bulk_data(
       const Where& where,
       const Setting& setting,

@@ -1,4 +1,4 @@
-#include "updating/effects/channel_effect.hpp"
+#include "updating/set_up/channel_effect.hpp"
 
 #include "updating/effects/sensor_channels.hpp"
 

@@ -1,4 +1,4 @@
-#include "updating/effects/channel_polarity.hpp"
+#include "updating/set_up/channel_polarity.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +20,15 @@ std::complex<double> ChannelPolarity::law_derivative(std::complex<double>,
                                                      std::size_t,
                                                      std::size_t) const {
   return 0.0;
+}
+
+void ChannelPolarity::correct(const Where& where,
+                              const acquisition::TestBundle&,
+                              acquisition::TestBundle& sheet) const {
+  for (acquisition::Channel& channel : sheet.channels) {
+    const bool own = channel.name == where.channels.front();
+    if (own) channel.sensitivity = -channel.sensitivity;
+  }
 }
 
 std::vector<std::string> ChannelPolarity::bulk_data(

@@ -1,4 +1,4 @@
-#include "updating/effects/channel_delay.hpp"
+#include "updating/set_up/channel_delay.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "updating/effects/effect_place.hpp"
+#include "updating/catalogue/effect_place.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/sample_plate.hpp"
@@ -106,6 +106,40 @@ TEST_F(EffectPlace, ASpringActsAlongAnyAxisThatWasTested) {
             "");
   EXPECT_NE(refusal("ground-spring@30:Y").find("axis"), std::string::npos);
   EXPECT_EQ(describe(parse_effect("dashpot@30:X").where), "node 30 along X");
+}
+
+TEST_F(EffectPlace, APointOfTheSheetMayBeAnyOtherGridOfTheModel) {
+  const PlacedEffect point = place_effect(
+      parse_effect("point-mislabelled@acc2:36:33:run4-6"), setting_);
+  EXPECT_EQ(describe(point.where), "acc2 at node 33, not 36, in runs 4 to 6");
+  // A sensor that stays has one point.
+  EXPECT_EQ(place_effect(parse_effect("point-mislabelled@acc2:33"), setting_)
+                .where.nodes,
+            std::vector{36});
+  EXPECT_NE(refusal("point-mislabelled@acc2:36:999").find("no grid 999"),
+            std::string::npos);
+  EXPECT_NE(refusal("point-mislabelled@acc2:36:36"), "taken");
+  EXPECT_NE(refusal("point-mislabelled@acc2:12:33"), "taken")
+      << "acc2 is not at 12 on the sheet";
+  EXPECT_NE(refusal("point-mislabelled@acc2:36:33:run7"), "taken")
+      << "there are six";
+  EXPECT_NE(refusal("point-mislabelled@acc2").find("acc1:8:6"),
+            std::string::npos);
+  EXPECT_NE(refusal("point-mislabelled").find("acc1:8:6"), std::string::npos);
+}
+
+TEST_F(EffectPlace, MistakesOfASheetHaveTheirVariants) {
+  EXPECT_EQ(refusal("direction-wrong@acc1:+X"), "taken");
+  EXPECT_EQ(refusal("direction-wrong@hammer:28:-Z"), "taken");
+  EXPECT_NE(refusal("direction-wrong@acc1:+Z"), "taken") << "as written";
+  EXPECT_EQ(refusal("unit-factor@acc1:1000"), "taken");
+  EXPECT_EQ(refusal("unit-factor@acc1:1/9.807:run4"), "taken");
+  EXPECT_EQ(refusal("unit-factor@acc1:integrated"), "taken");
+  EXPECT_NE(refusal("unit-factor@acc1:7").find("1000"), std::string::npos);
+  EXPECT_EQ(refusal("support-mismatch@free"), "taken");
+  EXPECT_EQ(refusal("support-mismatch@free-rotations"), "taken");
+  EXPECT_NE(refusal("support-mismatch@rotation").find("free-X"),
+            std::string::npos);
 }
 
 TEST_F(EffectPlace, APlaceBetweenGridsLiesOnAnElementThere) {

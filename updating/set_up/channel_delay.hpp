@@ -1,19 +1,25 @@
-// A channel with its sign turned round (a sensor glued upside down, swapped
-// leads): its FRFs times -1.
+// One channel late or early against the others (a filter, a multiplexed
+// converter, a wireless link): its FRFs turn by exp(-s tau), more at higher
+// frequency, and no pole moves. Early is a variant of the place, reported as a
+// negative delay.
 #pragma once
 
-#include "updating/effects/channel_effect.hpp"
 #include "updating/places/location.hpp"
+#include "updating/set_up/channel_effect.hpp"
 
 namespace tapfit::effects {
 
-class ChannelPolarity final : public ChannelEffect {
+class ChannelDelay final : public ChannelEffect {
  public:
-  [[nodiscard]] std::string name() const override { return "channel-polarity"; }
+  [[nodiscard]] std::string name() const override { return "channel-delay"; }
   [[nodiscard]] std::string physics() const override {
-    return "a channel with the wrong sign; half a turn of phase at every "
-           "frequency";
+    return "a channel that is late or early; the phase turns in proportion to "
+           "frequency, no frequency moves";
   }
+  [[nodiscard]] std::vector<Where> places(
+      const Setting& setting) const override;
+  [[nodiscard]] std::size_t passed_as(const Where& where,
+                                      bool hammer) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::complex<double> law(std::complex<double> s,

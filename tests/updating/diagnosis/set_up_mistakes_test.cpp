@@ -1,0 +1,139 @@
+// Mistakes of the sheet as part of a diagnosis.
+#include "updating/diagnosis/set_up_mistakes.hpp"
+
+#include "tests/updating/support/plate_experiment.hpp"
+#include "updating/catalogue/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::updating {
+namespace {
+
+PlacedEffect moved(const std::string& channel,
+                   int written,
+                   int real,
+                   const std::vector<int>& runs = {}) {
+  Where where;
+  where.channels = {channel};
+  where.nodes = {written};
+  where.node = real;
+  where.runs = runs;
+  return {&effects::find("point-mislabelled"), where, {}};
+}
+
+TEST(SetUpMistakes, HitElsewhereIsNamed) {
+  const PlacedEffect hidden = moved("hammer", 52, 49);
+  const Diagnosis d = PlateExperiment({hidden}, 0.02, 1).diagnose_it();
+  EXPECT_EQ(d.verdict, "point-mislabelled");
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, hidden.where);
+  EXPECT_EQ(d.set_up[0].edit, "runs[2].hammer.node: 52 -> 49");
+  EXPECT_LT(d.error_best, 1.1 * d.floor);
+}
+
+// Its FRFs are half of all.
+TEST(SetUpMistakes, SensorElsewhereIsNamed) {
+  const PlacedEffect hidden = moved("acc2", 36, 33);
+  const Diagnosis d = PlateExperiment({hidden}, 0.02, 2).diagnose_it();
+  EXPECT_EQ(d.verdict, "point-mislabelled");
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, hidden.where);
+}
+
+TEST(SetUpMistakes, SensorMovedOnTheWayIsNamedWithItsRuns) {
+  const PlacedEffect hidden = moved("acc2", 36, 33, {4, 5, 6});
+  const Diagnosis d = PlateExperiment({hidden}, 0.02, 3).diagnose_it();
+  EXPECT_EQ(d.verdict, "point-mislabelled");
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, hidden.where);
+  EXPECT_EQ(d.set_up[0].edit, "runs[3-5].sensors[1].node: 36 -> 33");
+}
+
+PlacedEffect of_channel(const std::string& name,
+                        const std::string& channel,
+                        const std::string& variant) {
+  Where where;
+  where.channels = {channel};
+  where.variant = variant;
+  return {&effects::find(name), where, {}};
+}
+
+TEST(SetUpMistakes, BlowFromTheOtherSideIsNamed) {
+  PlacedEffect hidden = of_channel("direction-wrong", "hammer", "-Z");
+  hidden.where.nodes = {28};
+  const Diagnosis d = PlateExperiment({hidden}, 0.02, 6).diagnose_it();
+  EXPECT_EQ(d.verdict, "direction-wrong");
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, hidden.where);
+  EXPECT_EQ(d.set_up[0].edit, "runs[3].hammer.direction: +Z -> -Z");
+}
+
+TEST(SetUpMistakes, UnitsAreNamedWithTheirFactor) {
+  for (const char* slip : {"1000", "9.807", "1/4.448", "25.4"}) {
+    const PlacedEffect hidden = of_channel("unit-factor", "acc2", slip);
+    const Diagnosis d = PlateExperiment({hidden}, 0.02, 7).diagnose_it();
+    // A gain that is fitted may come as close.
+    EXPECT_TRUE(d.verdict.starts_with("unit-factor")) << d.verdict;
+    ASSERT_EQ(d.set_up.size(), 1U) << slip;
+    EXPECT_EQ(d.set_up[0].where, hidden.where);
+    ASSERT_EQ(d.ladder[0].parameters.size(), 1U);
+    EXPECT_EQ(d.ladder[0].parameters[0].name, "factor");
+  }
+}
+
+TEST(SetUpMistakes, QuantityAndRangeOfOneRunAreNamed) {
+  PlacedEffect velocity = of_channel("unit-factor", "acc1", "integrated");
+  velocity.where.channels = {"acc1", "acc2"};
+  const Diagnosis d = PlateExperiment({velocity}, 0.02, 8).diagnose_it();
+  EXPECT_EQ(d.verdict, "unit-factor");
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, velocity.where);
+  PlacedEffect range = of_channel("unit-factor", "acc1", "3.162");
+  range.where.runs = {4};
+  const Diagnosis one = PlateExperiment({range}, 0.02, 9).diagnose_it();
+  EXPECT_TRUE(one.verdict.starts_with("unit-factor")) << one.verdict;
+  ASSERT_EQ(one.ladder.size(), 1U);
+  EXPECT_EQ(one.ladder[0].where, range.where);
+}
+
+TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
+  Where where;
+  where.nodes = {1, 12, 23, 34, 45};
+  where.variant = "free";
+  const PlateExperiment test(
+      {{&effects::find("support-mismatch"), where, {}}}, 0.02, 10);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_TRUE(d.verdict.starts_with("support-mismatch")) << d.verdict;
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, where);
+  EXPECT_EQ(d.set_up[0].edit,
+            "model: no constraint at 5 nodes (1 ... 45) (free)");
+}
+
+TEST(SetUpMistakes, AreFoundBesideAnEffect) {
+  Where grid;
+  grid.node = 30;
+  const PlateExperiment test(
+      {{&effects::find("added-mass"), grid, {0.03}}, moved("hammer", 6, 9)},
+      0.02,
+      4);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_TRUE(d.verdict == "point-mislabelled+added-mass" ||
+              d.verdict == "added-mass+point-mislabelled")
+      << d.verdict;
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, moved("hammer", 6, 9).where);
+}
+
+TEST(SetUpMistakes, AreNoneOnARightSheet) {
+  Where grid;
+  grid.node = 30;
+  const PlateExperiment test(
+      {{&effects::find("added-mass"), grid, {0.03}}}, 0.02, 5);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "added-mass");
+  EXPECT_TRUE(d.set_up.empty());
+}
+
+}  // namespace
+}  // namespace tapfit::updating

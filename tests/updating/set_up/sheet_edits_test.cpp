@@ -1,0 +1,74 @@
+#include "updating/set_up/sheet_edits.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/set_up/channel_gain.hpp"
+#include "updating/set_up/channel_polarity.hpp"
+#include "updating/set_up/channel_swap.hpp"
+#include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/unit_factor.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::effects {
+namespace {
+
+using Edits = std::vector<std::string>;
+
+TEST(SheetEdits, NameRunPlaceAndGrids) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.channels = {"hammer"};
+  where.nodes = {28};  // of the fourth run
+  where.node = 30;
+  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+            Edits{"runs[3].hammer.node: 28 -> 30"});
+}
+
+TEST(SheetEdits, AreOneForRunsAlike) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.channels = {"acc2"};
+  where.nodes = {36};
+  where.node = 33;
+  where.runs = {1, 4, 5, 6};
+  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+            Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
+}
+
+TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.channels = {"acc1", "acc2"};
+  EXPECT_EQ(sheet_edits(ChannelSwap(), where, bundle),
+            (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
+                   "runs[0-5].sensors[0].node: 11 -> 36",
+                   "runs[0-5].sensors[1].direction: -Z -> +Z",
+                   "runs[0-5].sensors[1].node: 36 -> 11"}));
+}
+
+TEST(SheetEdits, OfAChannelAreItsSensitivityAndQuantity) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.channels = {"acc1"};
+  EXPECT_EQ(sheet_edits(ChannelPolarity(), where, bundle),
+            Edits{"channels[1].sensitivity: 1 -> -1"});
+  where.variant = "1/1000";
+  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
+            Edits{"channels[1].sensitivity: 1 -> 0.001"});
+  where.variant = "integrated";
+  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
+            Edits{"channels[1].quantity: acceleration -> velocity"});
+}
+
+TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.channels = {"acc1"};
+  EXPECT_TRUE(sheet_edits(ChannelGain(), where, bundle).empty());
+  where.variant = "10";
+  where.runs = {4};
+  EXPECT_TRUE(sheet_edits(UnitFactor(), where, bundle).empty());
+}
+
+}  // namespace
+}  // namespace tapfit::effects

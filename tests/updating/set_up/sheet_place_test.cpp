@@ -1,0 +1,62 @@
+#include "updating/set_up/sheet_place.hpp"
+
+#include "updating/set_up/direction_wrong.hpp"
+#include "updating/set_up/point_mislabelled.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::effects {
+namespace {
+
+using Parts = std::vector<std::string>;
+
+const PointMislabelled point;
+
+TEST(SheetPlace, IsAChannelTwoGridsAndRuns) {
+  const Where where =
+      read_sheet_place({"acc1", "8", "6", "run2", "run4-6"}, point);
+  EXPECT_EQ(where.channels, Parts{"acc1"});
+  EXPECT_EQ(where.nodes, std::vector{8});
+  EXPECT_EQ(where.node, 6);
+  EXPECT_EQ(where.runs, (std::vector{2, 4, 5, 6}));
+}
+
+TEST(SheetPlace, LeavesOpenWhatIsNotSaid) {
+  const Where where = read_sheet_place({"x", "y", "6"}, point);
+  EXPECT_EQ(where.channels, (Parts{"x", "y"}));
+  EXPECT_EQ(where.node, 6);
+  EXPECT_TRUE(where.nodes.empty());
+  EXPECT_TRUE(where.runs.empty());
+}
+
+TEST(SheetPlace, TakesTheFirstNumberForAChannel) {
+  const Where where = read_sheet_place({"3", "8", "6"}, point);
+  EXPECT_EQ(where.channels, Parts{"3"});
+  EXPECT_EQ(where.nodes, std::vector{8});
+  EXPECT_EQ(where.node, 6);
+}
+
+TEST(SheetPlace, IsReadBackAsItIsWritten) {
+  Where where;
+  where.channels = {"acc1", "acc2"};
+  where.nodes = {8};
+  where.node = 6;
+  where.runs = {1, 2, 3, 5, 8, 9};
+  const std::string text = sheet_place_text(where);
+  EXPECT_EQ(text, "acc1:acc2:8:6:run1-3:run5:run8-9");
+  EXPECT_EQ(read_sheet_place(
+                {"acc1", "acc2", "8", "6", "run1-3", "run5", "run8-9"}, point),
+            where);
+}
+
+TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
+  const Where where =
+      read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());
+  EXPECT_EQ(where.nodes, std::vector{8});
+  EXPECT_EQ(where.node, 0);
+  EXPECT_EQ(where.variant, "-X");
+  EXPECT_EQ(sheet_place_text(where), "acc1:8:-X:run3");
+}
+
+}  // namespace
+}  // namespace tapfit::effects

@@ -1,0 +1,80 @@
+#include "updating/set_up/unit_factor.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace tapfit::effects {
+namespace {
+
+Where reading(const std::string& slip) {
+  Where where;
+  where.channels = {"acc1"};
+  where.variant = slip;
+  return where;
+}
+
+std::complex<double> read_by(const std::string& slip,
+                             bool hammer,
+                             std::complex<double> s) {
+  const UnitFactor effect;
+  return effect.law(s, {}, effect.passed_as(reading(slip), hammer));
+}
+
+TEST(UnitFactor, MultipliesASensorsFrfsAndDividesAHammers) {
+  const std::complex<double> s(1.0, 300.0);
+  EXPECT_NEAR(std::abs(read_by("9.807", false, s) - 9.80665), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(read_by("9.807", true, s) - 1.0 / 9.80665), 0.0, 1e-12);
+  EXPECT_NEAR(std::abs(read_by("1/1000", false, s) - 1e-3), 0.0, 1e-15);
+}
+
+TEST(UnitFactor, IntegratesOverS) {
+  const std::complex<double> s(1.0, 300.0);
+  EXPECT_NEAR(std::abs(read_by("integrated", false, s) * s - 1.0), 0.0, 1e-12);
+  EXPECT_NEAR(
+      std::abs(read_by("integrated-twice", false, s) * s * s - 1.0), 0.0, 1e-9);
+}
+
+TEST(UnitFactor, HasEachFactorOnce) {
+  const UnitFactor effect;
+  std::set<std::string> names;
+  std::vector<double> logs;
+  for (const std::string& slip : effect.variants()) {
+    EXPECT_TRUE(names.insert(slip).second) << slip;
+    for (const Effect::Fixed& fixed : effect.fixed(reading(slip))) {
+      EXPECT_EQ(fixed.name, "factor");
+      logs.push_back(std::log(fixed.value));
+    }
+  }
+  std::ranges::sort(logs);
+  for (std::size_t k = 1; k < logs.size(); ++k) {
+    EXPECT_GT(logs[k] - logs[k - 1], 1e-4) << std::exp(logs[k]);
+  }
+  EXPECT_TRUE(names.contains("2.205")) << "kgf for lbf";
+  EXPECT_TRUE(names.contains("39.37")) << "inches for metres";
+}
+
+TEST(UnitFactor, IsSoughtInAllRunsAndInEach) {
+  const structure::Deck deck = support::plate_deck(true);
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  const std::vector<Where> places =
+      UnitFactor().places(support::plate_setting(bundle, deck));
+  Where single = reading("10");
+  EXPECT_EQ(std::ranges::count(places, single), 1);
+  single.runs = {6};
+  EXPECT_EQ(std::ranges::count(places, single), 1);
+  // An accelerometer is no displacement sensor from one run to the next, and no
+  // sensor of what no one measures.
+  Where integrated = reading("integrated");
+  EXPECT_EQ(std::ranges::count(places, integrated), 1);
+  integrated.runs = {6};
+  EXPECT_EQ(std::ranges::count(places, integrated), 0);
+  EXPECT_EQ(std::ranges::count(places, reading("differentiated")), 0);
+}
+
+}  // namespace
+}  // namespace tapfit::effects

@@ -1,0 +1,20 @@
+// What a diagnosis finds the sheet to say wrongly, and how to put it right.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// Of the rungs those that are mistakes of the sheet or of the supports.
+[[nodiscard]] std::vector<SetUpMistake> set_up_mistakes(
+    const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet);
+
+/// "point-mislabelled at acc1 at node 6, not 8: correct
+/// runs[3].sensors[0].node: 8 -> 6".
+[[nodiscard]] std::string describe(const SetUpMistake& mistake);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,33 @@
+// The test as it was done: the sheet without the mistakes that are among a
+// state's effects. Where a point was written down wrongly, the model is to be
+// asked about the one that was hit or measured, and what moves with a sensor
+// (its mass, its cable) acts there.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "updating/effects/effect.hpp"
+#include "updating/effects/placed_effect.hpp"
+#include "updating/frf_model/model_response.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct TestAsDone {
+  effects::Setting setting;  ///< with the corrected sheet, where there is one
+  /// What `setting` then points to; empty: the sheet is right.
+  std::unique_ptr<const acquisition::TestBundle> sheet = {};
+};
+
+/// @param setting of the sheet as it was written
+[[nodiscard]] TestAsDone test_as_done(const effects::Setting& setting,
+                                      const std::vector<PlacedEffect>& effects);
+
+/// What a pair was measured between; as written where the sheet does not hold
+/// it.
+[[nodiscard]] PairEnds ends_as_done(const MeasuredPair& pair,
+                                    const acquisition::TestBundle& written,
+                                    const acquisition::TestBundle& done);
+
+}  // namespace tapfit::updating

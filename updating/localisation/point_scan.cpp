@@ -1,0 +1,275 @@
+#include "updating/localisation/point_scan.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using std::complex;
+
+bool in_runs(const Where& where, std::size_t run) {
+  return where.runs.empty() ||
+         std::ranges::find(where.runs, static_cast<int>(run) + 1) !=
+             where.runs.end();
+}
+
+bool on_channel(const Where& where,
+                std::size_t channel,
+                const acquisition::TestBundle& sheet) {
+  return std::ranges::find(where.channels, sheet.channels.at(channel).name) !=
+         where.channels.end();
+}
+
+// Of one point, the best first.
+std::vector<PointElsewhere> best_grids(const Where& point,
+                                       const VectorXd& errors,
+                                       const structure::Deck& deck,
+                                       std::size_t count) {
+  std::vector<Index> order(static_cast<std::size_t>(errors.size()));
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::stable_sort(
+      order, [&](Index a, Index b) { return errors(a) < errors(b); });
+  std::vector<PointElsewhere> result;
+  for (const Index g : order) {
+    if (result.size() == count || !std::isfinite(errors(g))) break;
+    const int node = deck.grids[static_cast<std::size_t>(g)].id;
+    // A point of the test's own has coordinates, not a number to mistake.
+    if (node < 0 || node == point.nodes.front()) continue;
+    result.push_back({point, errors(g)});
+    result.back().where.node = node;
+  }
+  return result;
+}
+
+}  // namespace
+
+PointScan::PointScan(const Fit& current,
+                     const Target& target,
+                     const MisfitScan& misfit,
+                     const signal::FrfSet& measured)
+    : model_(current.model.get()),
+      state_(&current.result.state),
+      target_(&target),
+      misfit_(&misfit),
+      measured_(&measured),
+      rows_(current.model->base().rows.all()),
+      ends_(current.model->ends(current.result.state)),
+      walks_(current.model->walk_columns(
+          current.result.state, target.s, MatrixXd(rows_.cols(), 0))),
+      now_(current.model->respond(current.result.state, target.s, false).H),
+      share_(VectorXd::Zero(target.H.cols())) {
+  for (Index f = 0; f < share_.size(); ++f) {
+    share_(f) = directions(static_cast<std::size_t>(f))
+                    .col(MisfitScan::misfit)
+                    .squaredNorm();
+  }
+  share_ /= std::max(share_.sum(), 1e-300);
+}
+
+// The FRFs that a point has part in, by the end that it is.
+std::vector<PointScan::MovedEnd> PointScan::ends_of(const Where& point) const {
+  const acquisition::TestBundle& sheet = *model_->setting().bundle;
+  std::vector<MovedEnd> result;
+  for (std::size_t f = 0; f < measured_->frfs.size(); ++f) {
+    const signal::Frf& frf = measured_->frfs[f];
+    if (!in_runs(point, frf.run)) continue;
+    const std::size_t hammer = sheet.runs.at(frf.run).hammer.channel;
+    const int grid = point.nodes.front();
+    if (on_channel(point, hammer, sheet)) {
+      if (frf.reference.node == grid) result.push_back({f, true});
+    } else if (on_channel(point, frf.channel, sheet)) {
+      if (frf.response.node == grid) result.push_back({f, false});
+    }
+  }
+  return result;
+}
+
+double PointScan::share(const std::vector<MovedEnd>& ends) const {
+  double sum = 0.0;
+  for (const MovedEnd& end : ends) sum += share_(static_cast<Index>(end.frf));
+  return sum;
+}
+
+double PointScan::share(const Where& where) const {
+  double sum = 0.0;
+  for (std::size_t f = 0; f < measured_->frfs.size(); ++f) {
+    if (passes(where, f)) sum += share_(static_cast<Index>(f));
+  }
+  return sum;
+}
+
+// Whether one of the place's channels has part in an FRF.
+bool PointScan::passes(const Where& where, std::size_t frf) const {
+  const acquisition::TestBundle& sheet = *model_->setting().bundle;
+  const signal::Frf& own = measured_->frfs[frf];
+  const std::size_t hammer = sheet.runs.at(own.run).hammer.channel;
+  return in_runs(where, own.run) && (on_channel(where, own.channel, sheet) ||
+                                     on_channel(where, hammer, sheet));
+}
+
+void PointScan::prepare(const std::vector<MovedEnd>& ends) {
+  std::vector<MovedEnd> fresh;
+  for (const MovedEnd& end : ends) {
+    if (changes_.try_emplace(end).second) fresh.push_back(end);
+  }
+  for_each_parallel(fresh.size(), [&](std::size_t k) {
+    changes_.at(fresh[k]) = change_of(fresh[k]);
+  });
+}
+
+// Error left with the point at each grid; infinite where nothing moves.
+VectorXd PointScan::errors(const std::vector<MovedEnd>& ends) const {
+  ChangeAtGrids sum = changes_.at(ends.front());
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    const ChangeAtGrids& more = changes_.at(ends[k]);
+    sum.power += more.power;
+    sum.shared += more.shared;
+  }
+  VectorXd result = misfit_->errors(sum.power, sum.shared);
+  for (const MovedEnd& end : ends) {
+    const MatrixXd at = rows_of(end_now(end));
+    for (Index g = 0; g < result.size(); ++g) {
+      if (at.row(g).isZero(0.0)) {
+        result(g) = std::numeric_limits<double>::infinity();
+      }
+    }
+  }
+  return result;
+}
+
+// An FRF's rows of what the misfit is compared with.
+MatrixXd PointScan::directions(std::size_t frf) const {
+  const Index each = 2 * target_->s.size();
+  return misfit_->directions().middleRows(each * static_cast<Index>(frf), each);
+}
+
+const Dof& PointScan::end_now(const MovedEnd& end) const {
+  const PairEnds& ends = ends_[end.frf];
+  return end.hammer ? ends.reference : ends.response;
+}
+
+// grids x r: what each moves in the direction of a degree of freedom.
+MatrixXd PointScan::rows_of(const Dof& dof) const {
+  const Index grids = rows_.rows() / 6;
+  MatrixXd result(grids, rows_.cols());
+  for (Index g = 0; g < grids; ++g) {
+    result.row(g) = dof.sign * rows_.row(6 * g + dof.component - 1);
+  }
+  return result;
+}
+
+// The FRF's column at its other end, as it is recorded, a line per column.
+MatrixXcd PointScan::column_of(const MovedEnd& end) const {
+  const VectorXcd& s = target_->s;
+  MatrixXcd X;
+  for (const FrfModel::Walk& walk : walks_) {
+    const auto own = std::ranges::find(
+        walk.pairs, static_cast<Index>(end.frf), &WalkedPair::frf);
+    if (own == walk.pairs.end()) continue;
+    const Index at = own - walk.pairs.begin();
+    X.resize(rows_.cols(), s.size());
+    for (Index l = 0; l < s.size(); ++l) {
+      const auto line = static_cast<std::size_t>(l);
+      X.col(l) = s(l) * s(l) * walk.recorded(l, at) *
+                 (end.hammer ? walk.Xo[line].col(own->response)
+                             : walk.Xi[line].col(own->reference));
+    }
+  }
+  return X;
+}
+
+PointScan::ChangeAtGrids PointScan::change_of(const MovedEnd& end) const {
+  return seen(end.frf,
+              rows_of(end_now(end)).cast<complex<double>>() * column_of(end));
+}
+
+// What the misfit sees of an FRF in another's place.
+// @param there others x lines
+PointScan::ChangeAtGrids PointScan::seen(std::size_t frf,
+                                         const MatrixXcd& there) const {
+  const auto f = static_cast<Index>(frf);
+  const Index lines = target_->s.size();
+  const double scale =
+      target_->use[frf] / std::sqrt(std::max(target_->count(), 1.0));
+  MatrixXd change(2 * lines, there.rows());
+  for (Index l = 0; l < lines; ++l) {
+    const VectorXcd moved = (scale / target_->weight(l)) *
+                            (there.col(l).array() - now_(l, f)).matrix();
+    change.row(l) = moved.real().transpose();
+    change.row(lines + l) = moved.imag().transpose();
+  }
+  return {change.colwise().squaredNorm().transpose(),
+          directions(frf).transpose() * change};
+}
+
+std::vector<PointElsewhere> PointScan::elsewhere(
+    const std::vector<Where>& points, const PointScanOptions& options) {
+  std::vector<PointElsewhere> result;
+  for (const Where& point : points) {
+    const std::vector<MovedEnd> ends = ends_of(point);
+    if (ends.empty() || share(ends) < options.least_share) continue;
+    prepare(ends);
+    for (PointElsewhere& there : best_grids(
+             point, errors(ends), *model_->setting().deck, options.grids)) {
+      result.push_back(std::move(there));
+    }
+  }
+  return result;
+}
+
+// An FRF without the mistake, line by line; empty where it is none of its own.
+VectorXcd PointScan::put_right(std::size_t frf,
+                               const PairEnds& real,
+                               const PlacedEffect& mistake) const {
+  const PairEnds& now = ends_[frf];
+  const bool recorded = passes(mistake.where, frf);
+  if (!recorded && real == now) return {};
+  VectorXcd H = now_.col(static_cast<Index>(frf));
+  if (real != now) {
+    const bool hit = real.reference != now.reference;
+    const Dof& dof = hit ? real.reference : real.response;
+    H = (dof.sign * model_->row(dof.node, dof.component) *
+         column_of({frf, hit}))
+            .transpose();
+  }
+  if (!recorded) return H;
+  const bool response = on_channel(
+      mistake.where, measured_->frfs[frf].channel, *model_->setting().bundle);
+  const std::size_t group = mistake.effect->passed_as(mistake.where, !response);
+  for (Index l = 0; l < H.size(); ++l) {
+    H(l) *= mistake.effect->law(target_->s(l), mistake.p, group);
+  }
+  return H;
+}
+
+double PointScan::error_without(const PlacedEffect& mistake) const {
+  ModelState state;
+  state.effects = state_->effects;
+  state.effects.push_back(mistake);
+  const std::vector<PairEnds> real = model_->ends(state);
+  VectorXd power = VectorXd::Zero(1);
+  MatrixXd shared = MatrixXd::Zero(misfit_->directions().cols(), 1);
+  for (std::size_t f = 0; f < real.size(); ++f) {
+    const VectorXcd H = put_right(f, real[f], mistake);
+    if (H.size() == 0) continue;
+    const ChangeAtGrids change = seen(f, H.transpose());
+    power += change.power;
+    shared += change.shared;
+  }
+  return misfit_->errors(power, shared)(0);
+}
+
+}  // namespace tapfit::updating

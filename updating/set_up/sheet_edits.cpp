@@ -1,0 +1,106 @@
+#include "updating/set_up/sheet_edits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace tapfit::effects {
+namespace {
+
+// The runs in which each edit is to be made.
+using RunsOfEdit = std::map<std::string, std::vector<std::size_t>>;
+
+// Of the channel table.
+void take_edits(std::size_t at,
+                const acquisition::Channel& written,
+                const acquisition::Channel& real,
+                std::vector<std::string>& edits) {
+  if (written.quantity != real.quantity) {
+    edits.push_back(fmt::format("channels[{}].quantity: {} -> {}",
+                                at,
+                                acquisition::name(written.quantity),
+                                acquisition::name(real.quantity)));
+  }
+  if (written.sensitivity != real.sensitivity) {
+    edits.push_back(fmt::format("channels[{}].sensitivity: {:.5g} -> {:.5g}",
+                                at,
+                                written.sensitivity,
+                                real.sensitivity));
+  }
+}
+
+std::string direction_text(const Dof& dof) {
+  return fmt::format(
+      "{}{}", dof.sign < 0 ? '-' : '+', "XYZ"[(dof.component - 1) % 3]);
+}
+
+void take_edits(const std::string& what,
+                std::size_t run,
+                const Dof& written,
+                const Dof& real,
+                RunsOfEdit& edits) {
+  if (written.node != real.node) {
+    edits[fmt::format("{}.node: {} -> {}",
+                      what,
+                      node_name(written.node),
+                      node_name(real.node))]
+        .push_back(run);
+  }
+  if (written.component != real.component || written.sign != real.sign) {
+    edits[fmt::format("{}.direction: {} -> {}",
+                      what,
+                      direction_text(written),
+                      direction_text(real))]
+        .push_back(run);
+  }
+}
+
+// "3", "3-5", "0,2,4".
+std::string ranges(const std::vector<std::size_t>& runs) {
+  std::string text;
+  for (std::size_t k = 0; k < runs.size();) {
+    std::size_t last = k;
+    while (last + 1 < runs.size() && runs[last + 1] == runs[last] + 1) ++last;
+    text += fmt::format("{}{}", text.empty() ? "" : ",", runs[k]);
+    if (last > k) text += fmt::format("-{}", runs[last]);
+    k = last + 1;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> sheet_edits(const Effect& effect,
+                                     const Where& where,
+                                     const acquisition::TestBundle& written) {
+  if (effect.changes_stiffness() == updating::ChangeKind::Support) {
+    return {fmt::format("model: no constraint at {}", describe(where))};
+  }
+  acquisition::TestBundle sheet = written;
+  effect.correct(where, written, sheet);
+  RunsOfEdit edits;
+  for (std::size_t r = 0; r < written.runs.size(); ++r) {
+    const acquisition::Run& was = written.runs[r];
+    const acquisition::Run& is = sheet.runs[r];
+    take_edits("hammer", r, was.hammer.dof, is.hammer.dof, edits);
+    for (std::size_t k = 0; k < was.sensors.size(); ++k) {
+      take_edits(fmt::format("sensors[{}]", k),
+                 r,
+                 was.sensors[k].dof,
+                 is.sensors[k].dof,
+                 edits);
+    }
+  }
+  std::vector<std::string> result;
+  for (std::size_t c = 0; c < written.channels.size(); ++c) {
+    take_edits(c, written.channels[c], sheet.channels[c], result);
+  }
+  for (const auto& [edit, runs] : edits) {
+    result.push_back(fmt::format("runs[{}].{}", ranges(runs), edit));
+  }
+  return result;
+}
+
+}  // namespace tapfit::effects

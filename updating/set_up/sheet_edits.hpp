@@ -1,0 +1,21 @@
+// A mistake of the set-up as what is to be changed in test.json or the model.
+#pragma once
+
+#include "acquisition/bundle/test_bundle.hpp"
+#include "updating/effects/effect.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::effects {
+
+/// "runs[3].sensors[0].node: 8 -> 6", places in the file counted from 0; the
+/// same edit in several runs as one, "runs[3-5]....", and
+/// "channels[1].sensitivity: 0.01 -> 9.8"; of a support "model: no constraint
+/// at nodes 1, 12 (free)". Empty where no number of the sheet is wrong.
+[[nodiscard]] std::vector<std::string> sheet_edits(
+    const Effect& effect,
+    const Where& where,
+    const acquisition::TestBundle& written);
+
+}  // namespace tapfit::effects

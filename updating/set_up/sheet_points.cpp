@@ -1,0 +1,123 @@
+#include "updating/set_up/sheet_points.hpp"
+
+#include "acquisition/bundle/runs_alike.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace tapfit::effects {
+namespace {
+
+using acquisition::Placement;
+using acquisition::Run;
+using acquisition::TestBundle;
+
+bool means_run(const Where& where, std::size_t run) {
+  return where.runs.empty() ||
+         std::ranges::find(where.runs, static_cast<int>(run) + 1) !=
+             where.runs.end();
+}
+
+bool means(const Where& where, const Placement& p, const TestBundle& sheet) {
+  const std::string& channel = sheet.channels[p.channel].name;
+  return std::ranges::find(where.channels, channel) != where.channels.end() &&
+         (where.nodes.empty() || where.nodes.front() == p.dof.node);
+}
+
+Where point_of(const std::set<std::size_t>& channels,
+               int grid,
+               const TestBundle& sheet) {
+  Where where;
+  for (const std::size_t channel : channels) {
+    where.channels.push_back(sheet.channels[channel].name);
+  }
+  where.nodes = {grid};
+  return where;
+}
+
+}  // namespace
+
+std::vector<Where> written_points(const Setting& setting) {
+  using Channels = std::set<std::size_t>;
+  const TestBundle& sheet = *setting.bundle;
+  std::set<std::pair<int, Channels>> hammers;
+  std::set<std::pair<int, Channels>> sensors;
+  for (const Run& run : sheet.runs) {
+    hammers.insert({run.hammer.dof.node, {run.hammer.channel}});
+    std::map<int, Channels> at;
+    for (const Placement& p : run.sensors) {
+      at[p.dof.node].insert(p.channel);
+      sensors.insert({p.dof.node, {p.channel}});
+    }
+    for (const auto& [grid, channels] : at) sensors.insert({grid, channels});
+  }
+  std::vector<Where> result;
+  for (const auto* points : {&hammers, &sensors}) {
+    for (const auto& [grid, channels] : *points) {
+      result.push_back(point_of(channels, grid, sheet));
+    }
+  }
+  return result;
+}
+
+std::vector<std::size_t> runs_meant(const Where& where,
+                                    const TestBundle& sheet) {
+  std::vector<std::size_t> result;
+  for (std::size_t r = 0; r < sheet.runs.size(); ++r) {
+    const Run& run = sheet.runs[r];
+    const bool there =
+        means(where, run.hammer, sheet) ||
+        std::ranges::any_of(run.sensors, [&](const Placement& p) {
+          return means(where, p, sheet);
+        });
+    if (there && means_run(where, r)) result.push_back(r);
+  }
+  return result;
+}
+
+bool is_hammer(const Where& where, const TestBundle& sheet) {
+  return std::ranges::any_of(sheet.runs, [&](const Run& run) {
+    return means(where, run.hammer, sheet);
+  });
+}
+
+std::vector<Where> parted_by_runs(const Where& point, const TestBundle& sheet) {
+  if (is_hammer(point, sheet)) return {};
+  const std::vector<std::size_t> runs = runs_meant(point, sheet);
+  // Runs of one placement are one measurement.
+  std::set<std::size_t> first;
+  for (const acquisition::RunGroup& group : acquisition::runs_alike(sheet)) {
+    first.insert(group.front());
+  }
+  std::vector<Where> result;
+  for (std::size_t cut = 1; cut < runs.size(); ++cut) {
+    if (!first.contains(runs[cut])) continue;
+    Where before = point;
+    Where after = point;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      (k < cut ? before : after).runs.push_back(static_cast<int>(runs[k]) + 1);
+    }
+    result.push_back(std::move(after));
+    result.push_back(std::move(before));
+  }
+  return result;
+}
+
+void for_each_meant(const Where& where,
+                    const TestBundle& written,
+                    TestBundle& sheet,
+                    const std::function<void(Placement&)>& change) {
+  for (std::size_t r = 0; r < written.runs.size(); ++r) {
+    if (!means_run(where, r)) continue;
+    const Run& run = written.runs[r];
+    Run& changed = sheet.runs[r];
+    if (means(where, run.hammer, written)) change(changed.hammer);
+    for (std::size_t k = 0; k < run.sensors.size(); ++k) {
+      if (means(where, run.sensors[k], written)) change(changed.sensors[k]);
+    }
+  }
+}
+
+}  // namespace tapfit::effects

@@ -1,0 +1,167 @@
+#include "updating/set_up/unit_factor.hpp"
+
+#include "updating/effects/sensor_channels.hpp"
+#include "updating/set_up/sheet_points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tapfit::effects {
+namespace {
+
+// What a channel reads, times what it should: factor s^power.
+struct UnitSlip {
+  std::string name;
+  double factor = 1.0;
+  int power = 0;
+};
+
+// Units that are taken for each other, and their quotients: pounds at grams,
+// g at inches. An amplifier's ranges are 10 dB or 20 dB apart.
+std::vector<UnitSlip> all_slips() {
+  const std::vector<std::pair<const char*, double>> units = {
+      {"1000", 1000.0},      // kN, milli
+      {"9.807", 9.80665},    // m/s^2 in a g, N in a kgf
+      {"4.448", 4.4482216},  // N in a lbf
+      {"386.1", 386.0886},   // in/s^2 in a g
+      {"25.4", 25.4}};       // mm in an inch
+  std::vector<UnitSlip> slips;
+  const auto add = [&slips](const std::string& name, double factor) {
+    // Some quotients are the same: 386.1 / 9.807 = 1000 / 25.4.
+    const bool known = std::ranges::any_of(slips, [&](const UnitSlip& other) {
+      return std::abs(other.factor / factor - 1.0) < 1e-4;
+    });
+    if (known) return;
+    slips.push_back({name, factor, 0});
+    slips.push_back({"1/" + name, 1.0 / factor, 0});
+  };
+  for (const auto& [name, factor] : units) add(name, factor);
+  add("10", 10.0);
+  add("100", 100.0);
+  add("3.162", std::sqrt(10.0));
+  for (std::size_t a = 0; a < units.size(); ++a) {
+    for (std::size_t b = a + 1; b < units.size(); ++b) {
+      const auto& [one, f] = units[a];
+      const auto& [other, g] = units[b];
+      add(fmt::format("{:.4g}", f * g), f * g);
+      const double ratio = std::max(f, g) / std::min(f, g);
+      add(fmt::format("{:.4g}", ratio), ratio);
+    }
+  }
+  slips.push_back({"integrated", 1.0, -1});
+  slips.push_back({"integrated-twice", 1.0, -2});
+  slips.push_back({"differentiated", 1.0, 1});
+  return slips;
+}
+
+const std::vector<UnitSlip>& slips() {
+  static const std::vector<UnitSlip> all = all_slips();
+  return all;
+}
+
+const UnitSlip& slip_of(const Where& where) {
+  const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
+  return found == slips().end() ? slips().front() : *found;
+}
+
+// An accelerometer's that is a velocity sensor's in truth, and so on.
+std::optional<acquisition::Quantity> quantity_behind(
+    acquisition::Quantity written, int power) {
+  using acquisition::Quantity;
+  const std::vector<Quantity> motions = {
+      Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement};
+  const auto at = std::ranges::find(motions, written);
+  if (at == motions.end()) return std::nullopt;
+  const auto real = (at - motions.begin()) - power;
+  if (real < 0 || real > 2) return std::nullopt;
+  return motions[static_cast<std::size_t>(real)];
+}
+
+acquisition::Quantity quantity_of(const std::string& channel,
+                                  const acquisition::TestBundle& sheet) {
+  const auto found =
+      std::ranges::find(sheet.channels, channel, &acquisition::Channel::name);
+  return found->quantity;
+}
+
+}  // namespace
+
+std::vector<std::string> UnitFactor::variants() const {
+  std::vector<std::string> names;
+  for (const UnitSlip& slip : slips()) names.push_back(slip.name);
+  return names;
+}
+
+std::vector<Where> UnitFactor::places(const Setting& setting) const {
+  const acquisition::TestBundle& sheet = *setting.bundle;
+  std::vector<Where> whole;
+  std::vector<Where> single;
+  std::vector<Where> channels = ChannelEffect::places(setting);
+  const std::vector<Where> sensors = sensor_places(setting);
+  if (sensors.size() > 1) channels.insert(channels.begin(), sensors.front());
+  for (const Where& channel : channels) {
+    const acquisition::Quantity written =
+        quantity_of(channel.channels.front(), sheet);
+    const std::vector<std::size_t> runs = runs_meant(channel, sheet);
+    for (const UnitSlip& slip : slips()) {
+      if (slip.power != 0 && !quantity_behind(written, slip.power)) continue;
+      whole.push_back(channel);
+      whole.back().variant = slip.name;
+      // What a sensor measures does not change from run to run.
+      const bool all = channel.channels.size() > 1;
+      if (slip.power != 0 || all || runs.size() < 2) continue;
+      for (const std::size_t run : runs) {
+        single.push_back(whole.back());
+        single.back().runs = {static_cast<int>(run) + 1};
+      }
+    }
+  }
+  whole.insert(whole.end(), single.begin(), single.end());
+  return whole;
+}
+
+std::vector<Effect::Fixed> UnitFactor::fixed(const Where& where) const {
+  const UnitSlip& slip = slip_of(where);
+  if (slip.power != 0) return {};
+  return {{"factor", slip.factor}};
+}
+
+std::size_t UnitFactor::passed_as(const Where& where, bool hammer) const {
+  const auto at = static_cast<std::size_t>(&slip_of(where) - slips().data());
+  return 2 * at + (hammer ? 1 : 0);
+}
+
+std::complex<double> UnitFactor::law(std::complex<double> s,
+                                     const std::vector<double>&,
+                                     std::size_t group) const {
+  const UnitSlip& slip = slips().at(group / 2);
+  const std::complex<double> read = slip.factor * std::pow(s, slip.power);
+  return group % 2 == 0 ? read : 1.0 / read;
+}
+
+void UnitFactor::correct(const Where& where,
+                         const acquisition::TestBundle&,
+                         acquisition::TestBundle& sheet) const {
+  if (!where.runs.empty()) return;
+  const UnitSlip& slip = slip_of(where);
+  for (acquisition::Channel& channel : sheet.channels) {
+    if (std::ranges::find(where.channels, channel.name) ==
+        where.channels.end()) {
+      continue;
+    }
+    channel.sensitivity *= slip.factor;
+    const auto real = quantity_behind(channel.quantity, slip.power);
+    if (slip.power != 0 && real) channel.quantity = *real;
+  }
+}
+
+std::vector<std::string> UnitFactor::bulk_data(
+    const Where& where, const Setting&, const std::vector<double>&) const {
+  return {fmt::format("$ The sheet is at fault, not the model: {}, {}",
+                      name(),
+                      describe(where))};
+}
+
+}  // namespace tapfit::effects
