@@ -285,6 +285,8 @@ void refuse_foreign(const fs::path& file) {
     in.seekg(0);
   }
   if (!(in >> first) || first == '{') return;
+  // Of a list in a .json the schema says what is wrong.
+  if (first == '[' && file.extension() == ".json") return;
   throw InputError(
       "not a test bundle: expected a folder with test.json, a test.json, or a "
       "universal file (.uff, a line of \"    -1\" first)",

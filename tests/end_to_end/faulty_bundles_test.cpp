@@ -189,11 +189,11 @@ std::vector<Fault> faults_of_the_sheet() {
 std::vector<Fault> faults_of_files() {
   return {
       {"recording missing",
-       "no such file",
+       "there is no file",
        "hits",
        [](const fs::path& b) { fs::remove(first_recording(b)); }},
       {"recording is a folder",
-       "no such file",
+       "there is no file",
        "hits",
        [](const fs::path& b) {
          const fs::path file = first_recording(b);

@@ -307,8 +307,9 @@ std::vector<Planned> plans(const Fit& current,
   for (const auto& effect : effects::catalogue()) {
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
-    Planned plan{effect.get(),
-                 worth_fitting(*effect, current, screened, fitter, options)};
+    Planned plan;
+    plan.effect = effect.get();
+    plan.tries = worth_fitting(*effect, current, screened, fitter, options);
     const Fit* known = options.known;
     if (known != nullptr && known->effects.back().effect == effect.get()) {
       plan.known = known;

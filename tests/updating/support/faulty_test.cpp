@@ -352,16 +352,6 @@ std::vector<Mistake> all_mistakes() {
        [](Test& t, const Plain&, double) {
          std::swap(t.bundle.runs[0].hammer, t.bundle.runs[3].hammer);
        }},
-      {"all hits double",
-       {"double"},
-       [](Test& t, const Plain&, double) {
-         each_run(t, [](auto& x) {
-           const VectorXd force = x.col(0);
-           for (Index i = 60; i < x.rows(); ++i) {
-             x(i, 0) += 0.5 * force(i - 60);
-           }
-         });
-       }},
   };
 }
 
