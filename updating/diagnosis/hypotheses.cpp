@@ -255,6 +255,10 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     tries.push_back(likely->placed);
   }
   if (likely != nullptr || effect.at_sheet_points()) return tries;
+  // A support that the structure has not is no small thing, and takes a base of
+  // its own for each of its forms: looked for where all is looked at.
+  const bool support = effect.is_mistake() && effect.changes_stiffness();
+  if (support && options.places_per_kind <= 1) return tries;
   for (const Where& where : fitter.places(effect)) {
     const PlacedEffect p = placed(effect, where, setting);
     if (!present(current, p)) tries.push_back(p);
