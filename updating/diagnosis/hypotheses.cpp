@@ -21,7 +21,6 @@
 namespace tapfit::updating {
 namespace {
 
-constexpr std::size_t few_places = 8;
 // A climb goes on while it gains: across a structure if need be.
 constexpr int most_steps = 40;
 // Places around the best of a kind are looked at where it leaves at most this
@@ -30,41 +29,6 @@ constexpr double rival = 4.0;
 // Of the logarithm of a likelihood, what is worth a name of its own. Whether it
 // is worth its parameters the evidence tells.
 constexpr double clearly = 1.0;
-
-bool has_form(const PlacedEffect& placed) {
-  const std::vector<std::string> forms = placed.effect->forms();
-  return std::ranges::find(forms, placed.where.variant) != forms.end();
-}
-
-// At the same grid, but for being between it and the next.
-bool is_beside(const Where& one, const Where& other) {
-  return is_at_grid(one) && one.node == other.node &&
-         one.variant == other.variant && one.at != other.at;
-}
-
-// A point of the sheet is put right once.
-bool is_same_point(const Where& one, const Where& other) {
-  return share(one.channels, other.channels) &&
-         (one.nodes.empty() || other.nodes.empty() ||
-          one.nodes == other.nodes) &&
-         (one.runs.empty() || other.runs.empty() ||
-          share(one.runs, other.runs));
-}
-
-// The same again, another loss of the same elements, or a form of the same.
-bool present(const Fit& current, const PlacedEffect& candidate) {
-  const Where& there = candidate.where;
-  return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
-    if (e.effect != candidate.effect) return false;
-    const bool formed = has_form(e) || has_form(candidate);
-    if (e.effect->at_sheet_points()) return is_same_point(e.where, there);
-    return e.where == there || share(e.where.elements, there.elements) ||
-           (formed && (share(e.where.nodes, there.nodes) ||
-                       share(e.where.channels, there.channels) ||
-                       (e.where.node != 0 && e.where.node == there.node))) ||
-           is_beside(e.where, there);
-  });
-}
 
 // Whether any of what it acts on can move: a model of bars in a plane does not
 // turn out of it.
@@ -150,7 +114,7 @@ void climb(std::vector<Hypothesis>& found,
       seen.push_back(where);
       PlacedEffect next = own;
       next.where = where;
-      if (!present(current, next)) tries.push_back(next);
+      if (!is_present(current, next)) tries.push_back(next);
     }
     if (tries.empty()) return;
     std::shared_ptr<const FrfModel> shared;
@@ -210,62 +174,6 @@ void climb_shapes(std::vector<Hypothesis>& found,
   climb(found, less_error, current, fitter, near, progress);
 }
 
-// What is worth a full fit of one kind: its best screened places, apart from
-// each other where a climb goes on from them, or all where it is not screened.
-std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
-                                        const Fit& current,
-                                        const std::vector<Screened>& screened,
-                                        const Fitter& fitter,
-                                        const HypothesisOptions& options) {
-  const effects::Setting& setting = fitter.setting().setting;
-  std::vector<PlacedEffect> tries;
-  // Sensors and channels are few and each differs from the others. Their
-  // screening is exact but for what the rest may give way.
-  const bool few =
-      options.places_per_kind > 1 && fitter.places(effect).size() <= few_places;
-  const int most_places =
-      effect.changes_stiffness() == ChangeKind::Joint
-          ? std::max(options.places_per_kind, options.joints)
-          : options.places_per_kind;
-  const auto is_new = [&](const Screened& s) {
-    const bool known =
-        !few && !effect.at_sheet_points() && options.neighbours > 0 &&
-        std::ranges::any_of(tries, [&](const PlacedEffect& other) {
-          return within_reach(
-              other.where, s.placed.where, *setting.deck, options.neighbours);
-        });
-    return !known && !present(current, s.placed);
-  };
-  const Screened* likely = nullptr;
-  for (const Screened& s : screened) {
-    if (s.placed.effect != &effect) continue;
-    if (likely == nullptr || s.any_law < likely->any_law) likely = &s;
-  }
-  for (const Screened& s : screened) {
-    if (s.placed.effect != &effect) continue;
-    const auto count = static_cast<int>(tries.size());
-    if (!few && count == most_places) break;
-    if (s.error > options.promising * screened.front().error) break;
-    if (is_new(s)) tries.push_back(s.placed);
-  }
-  // The grid that explains most whatever the law: sizes far from the model's
-  // are screened too coarsely to be told by them.
-  if (likely != nullptr && likely->any_law > 0.0 && options.neighbours > 0 &&
-      is_new(*likely)) {
-    tries.push_back(likely->placed);
-  }
-  if (likely != nullptr || effect.at_sheet_points()) return tries;
-  // A support that the structure has not is no small thing, and takes a base of
-  // its own for each of its forms: looked for where all is looked at.
-  const bool support = effect.is_mistake() && effect.changes_stiffness();
-  if (support && options.places_per_kind <= 1) return tries;
-  for (const Where& where : fitter.places(effect)) {
-    const PlacedEffect p = placed(effect, where, setting);
-    if (!present(current, p)) tries.push_back(p);
-  }
-  return tries;
-}
-
 // One kind and what was fitted of it.
 struct Kind {
   const effects::Effect* effect = nullptr;
@@ -293,39 +201,6 @@ struct Kind {
         ->fit.result.error;
   }
 };
-
-// What is worth a full fit of one kind.
-struct Planned {
-  const effects::Effect* effect = nullptr;
-  std::vector<PlacedEffect> tries;
-  const Fit* known = nullptr;  // one of them, fitted already
-  // One base for all; a change of the stiffness needs one of its own.
-  std::shared_ptr<const FrfModel> shared;
-};
-
-std::vector<Planned> plans(const Fit& current,
-                           const std::vector<Screened>& screened,
-                           const Fitter& fitter,
-                           const HypothesisOptions& options) {
-  std::vector<Planned> result;
-  for (const auto& effect : effects::catalogue()) {
-    // A ratio for each mode is fitted along: a law explains no more.
-    if (effect->entry() == effects::Entry::Damping) continue;
-    Planned plan;
-    plan.effect = effect.get();
-    plan.tries = worth_fitting(*effect, current, screened, fitter, options);
-    const Fit* known = options.known;
-    if (known != nullptr && known->effects.back().effect == effect.get()) {
-      plan.known = known;
-      std::erase_if(plan.tries, [known](const PlacedEffect& e) {
-        return e.where == known->effects.back().where;
-      });
-    }
-    const bool any = !plan.tries.empty() || plan.known != nullptr;
-    if (any) result.push_back(std::move(plan));
-  }
-  return result;
-}
 
 // Fits all that is planned, on all cores whatever kind it is of.
 std::vector<Kind> fit_planned(std::vector<Planned> plans,
@@ -444,7 +319,7 @@ void try_forms(std::vector<Kind>& kinds,
     for (const Where& where : forms_of(
              *kind.effect, places_for_forms(kind, *setting.deck), setting)) {
       PlacedEffect next = placed(*kind.effect, where, setting);
-      if (acts(next, *current.model) && !present(current, next)) {
+      if (acts(next, *current.model) && !is_present(current, next)) {
         tries.push_back(std::move(next));
       }
     }
@@ -474,7 +349,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
   }
   std::vector<Kind> kinds =
-      fit_planned(plans(current, screened, fitter, options),
+      fit_planned(planned_fits(current, screened, fitter, options),
                   current,
                   fitter,
                   part_of(progress, 0.1, 0.7));

@@ -2,6 +2,7 @@
 // found, their neighbours, and every place of the kinds with few places.
 #pragma once
 
+#include "updating/diagnosis/worth_fitting.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <vector>
@@ -18,19 +19,6 @@ struct Hypothesis {
   std::vector<double> place_sd = {};
 
   [[nodiscard]] const PlacedEffect& own() const { return fit.effects.back(); }
-};
-
-struct HypothesisOptions {
-  int places_per_kind = 3;
-  int neighbours = 8;
-  /// Only places whose screened error is within this factor of the least.
-  double promising = 1e300;
-  /// An error that leaves nothing for another form of an effect to explain.
-  double explained = 0.0;
-  int joints = 0;  ///< of the screened places, where more than places_per_kind
-  /// One of them that is fitted already, as its last effect: others are looked
-  /// at more closely only where they may do as well. None: null.
-  const Fit* known = nullptr;
 };
 
 /// @return fitted hypotheses, kind after kind; their evidence is not set
