@@ -23,9 +23,11 @@ std::string after_hits(const Snapshot& known) {
     return fmt::format("all {} hits are accepted: 2 shows the FRFs", all);
   }
   return fmt::format(
-      "{} of {} hits are rejected: N goes to them, 2 shows the FRFs",
+      "{} of {} hits {} rejected: N goes to {}, 2 shows the FRFs",
       rejected,
-      all);
+      all,
+      rejected == 1 ? "is" : "are",
+      rejected == 1 ? "it" : "them");
 }
 
 std::string after_modes(const Snapshot& known) {

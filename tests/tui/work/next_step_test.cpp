@@ -23,6 +23,14 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
   known.hits = shared(testing::fake_hits());
   EXPECT_EQ(step_words(0, known),
             "next: 2 of 6 hits are rejected: N goes to them, 2 shows the FRFs");
+  acquisition::HitSet one = testing::fake_hits();
+  for (auto& run : one.runs) {
+    for (acquisition::Hit& hit : run) hit.accepted = true;
+  }
+  one.runs.front().front().accepted = false;
+  known.hits = shared(one);
+  EXPECT_EQ(step_words(0, known),
+            "next: 1 of 6 hits is rejected: N goes to it, 2 shows the FRFs");
   known.frfs = shared(testing::fake_frfs());
   EXPECT_EQ(step_words(1, known), "next: 3 identifies the modes");
   known.modes = shared(testing::fake_modes());
