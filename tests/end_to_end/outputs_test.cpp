@@ -153,7 +153,9 @@ TEST_F(OutputsOfATest, OfEveryCommandAreWholeOrNotThere) {
                                    blocks,
                                    line));
       const bool may_fit = whole <= 1024 * static_cast<std::size_t>(blocks);
-      if (!may_fit) EXPECT_EQ(status, 1) << line;
+      if (!may_fit) {
+        EXPECT_EQ(status, 1) << line;
+      }
       if (status == 0) {
         EXPECT_EQ(read_file(file).size(), whole) << line;
       } else {
