@@ -16,6 +16,7 @@
 #include "modal/poles/plscf.hpp"
 #include "modal/poles/pole_clusters.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/select/edit_poles.hpp"
 #include "modal/select/neighbour_modes.hpp"
 #include "modal/select/repeated_poles.hpp"
 #include "modal/select/select_from_orders.hpp"
@@ -225,20 +226,23 @@ void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
   }
 }
 
-/// Common poles, or each set-up's own where the sensors move the modes.
-Identified identify(const Curves& curves,
-                    const std::optional<RunModes>& runs,
-                    Selection selection,
-                    const IdentifyOptions& options,
-                    ModeSet& set) {
-  if (runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit)) {
+/// Each set-up's own poles, which the sensors move.
+Identified identified_by_set_up(const RunModes& runs, ModeSet& set) {
+  if (runs.poles.size() > 0) {
     set.warnings.push_back(fmt::format(
         "frequencies move by up to {:.2g} % between set-ups of the sensors; "
         "each was fitted by itself, and the standard deviations are the "
         "scatter over them",
-        100.0 * runs->frequency_range.maxCoeff()));
-    return of_set_ups(*runs);
+        100.0 * runs.frequency_range.maxCoeff()));
   }
+  return of_set_ups(runs);
+}
+
+/// Poles that all FRFs have in common.
+Identified identified_in_common(const Curves& curves,
+                                Selection selection,
+                                const IdentifyOptions& options,
+                                ModeSet& set) {
   Identified found;
   found.fit = std::move(selection.fit);
   found.covariance = pole_covariance(curves, found.fit, NoiseFrom::AllLines);
@@ -288,11 +292,19 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   set.diagram = stabilisation.diagram;
   Selection selection = select_from_orders(
       curves, matrix, orders, stabilisation.tracks, options, progress);
-  const std::optional<RunModes> runs =
-      identify_per_set_up(curves, options, progress);
+  std::optional<RunModes> runs = identify_per_set_up(curves, options, progress);
+  const bool by_set_up =
+      runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit);
+  if (by_set_up) {
+    runs = edited(curves, options.edits, *runs);
+  } else {
+    edit_poles(curves, stabilisation.tracks, options.edits, selection.fit);
+  }
   if (runs) set.shifts = sensor_shifts(frfs, curves, graph, *runs);
   const Identified found =
-      identify(curves, runs, std::move(selection), options, set);
+      by_set_up
+          ? identified_by_set_up(*runs, set)
+          : identified_in_common(curves, std::move(selection), options, set);
   if (found.fit.poles.size() > 0) {
     add_modes(curves, graph, found, set);
     set.fitted = fitted_frfs(frfs, curves, found.H);
@@ -301,7 +313,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
     add_clusters(stabilisation.tracks, set);
     set.unrefined_error = relative_misfit(
         curves,
-        found.set_ups.empty()
+        !by_set_up
             ? unrefined_fit(curves, stabilisation.tracks, found.fit.poles)
             : runs->unrefined_H);
   } else {

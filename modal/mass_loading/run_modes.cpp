@@ -1,5 +1,6 @@
 #include "modal/mass_loading/run_modes.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
 #include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
@@ -7,6 +8,7 @@
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/poles/plscf.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/select/edit_poles.hpp"
 #include "modal/select/needed_modes.hpp"
 #include "modal/select/select_from_orders.hpp"
 #include "modal/select/unrefined_fit.hpp"
@@ -28,6 +30,8 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr double kFarthest = 0.12;  // ln f of a set-up from the mean of all
+
+}  // namespace
 
 struct SetUpFit {
   std::size_t set_up = 0;
@@ -52,6 +56,13 @@ struct Group {
 
   bool operator==(const Group&) const = default;
 };
+
+struct SetUpFits {
+  std::vector<SetUpFit> fits;
+  std::vector<Group> groups;  ///< of the modes that count, by frequency
+};
+
+namespace {
 
 SetUpFit fit_set_up(const Curves& curves,
                     std::size_t set_up,
@@ -323,6 +334,11 @@ void summarise(const std::vector<SetUpFit>& fits,
     re += off.real() * off.real() / (n - 1.0);
     im += off.imag() * off.imag() / (n - 1.0);
   }
+  if (const Member& only = group.members.front(); n == 1.0) {
+    const Eigen::MatrixXd& covariance = fits[only.fit].pole_covariance;
+    re = covariance(2 * only.mode, 2 * only.mode);
+    im = covariance(2 * only.mode + 1, 2 * only.mode + 1);
+  }
   result.poles(column) = mean;
   result.scatter(column) = {std::sqrt(re), std::sqrt(im)};
   result.frequency_range(column) = (high - low) / std::abs(mean);
@@ -353,6 +369,62 @@ RunModes empty_modes(const Curves& curves,
   return result;
 }
 
+/// All of the set-ups as one.
+RunModes joined(const Curves& curves, SetUpFits parts) {
+  for (SetUpFit& own : parts.fits) {
+    own.residue_variance =
+        residue_variance(own.curves, own.fit, NoiseFrom::AllLines);
+    own.pole_covariance =
+        pole_covariance(own.curves, own.fit, NoiseFrom::AllLines);
+  }
+  const auto count = static_cast<Index>(parts.groups.size());
+  RunModes result = empty_modes(curves, parts.fits, count);
+  for (Index c = 0; c < count; ++c) {
+    summarise(parts.fits, parts.groups[static_cast<std::size_t>(c)], c, result);
+  }
+  result.made_of = std::make_shared<const SetUpFits>(std::move(parts));
+  return result;
+}
+
+void drop_group(double hz, SetUpFits& parts) {
+  Eigen::ArrayXd omega(std::ssize(parts.groups));
+  for (Index g = 0; g < omega.size(); ++g) {
+    omega(g) = std::abs(
+        mean_pole(parts.fits, parts.groups[static_cast<std::size_t>(g)]));
+  }
+  const auto dropped = parts.groups.begin() + mode_to_drop(omega, hz);
+  const std::vector<Member> members = dropped->members;
+  parts.groups.erase(dropped);
+  for (const Member& out : members) {
+    SetUpFit& own = parts.fits[out.fit];
+    drop_pole(own.curves, out.mode, own.fit);
+    for (Group& group : parts.groups) {
+      for (Member& other : group.members) {
+        if (other.fit == out.fit && other.mode > out.mode) --other.mode;
+      }
+    }
+  }
+}
+
+void add_group(double hz, SetUpFits& parts) {
+  Group group;
+  std::optional<InputError> why_not;
+  for (std::size_t k = 0; k < parts.fits.size(); ++k) {
+    SetUpFit& own = parts.fits[k];
+    try {
+      add_pole(own.curves, own.tracks, hz, own.fit);
+      group.members.push_back({k, own.fit.poles.size() - 1});
+    } catch (const InputError& error) {
+      if (!why_not) why_not = error;
+    }
+  }
+  if (group.members.empty()) throw InputError(*why_not);
+  parts.groups.push_back(std::move(group));
+  std::ranges::sort(parts.groups, {}, [&parts](const Group& one) {
+    return mean_log(parts.fits, one);
+  });
+}
+
 }  // namespace
 
 bool sensors_rove(const Curves& curves) {
@@ -379,20 +451,24 @@ std::optional<RunModes> identify_per_set_up(const Curves& curves,
   }
   std::vector<Group> found = group_modes(fits);
   find_missing(options, fits, found);
-  for (SetUpFit& own : fits) {
-    own.residue_variance =
-        residue_variance(own.curves, own.fit, NoiseFrom::AllLines);
-    own.pole_covariance =
-        pole_covariance(own.curves, own.fit, NoiseFrom::AllLines);
-  }
-  const std::vector<Group> groups = common_modes(fits, std::move(found));
+  std::vector<Group> groups = common_modes(fits, std::move(found));
   if (groups.empty()) return std::nullopt;
-  const auto count = static_cast<Index>(groups.size());
-  RunModes result = empty_modes(curves, fits, count);
-  for (Index c = 0; c < count; ++c) {
-    summarise(fits, groups[static_cast<std::size_t>(c)], c, result);
+  return joined(curves, {std::move(fits), std::move(groups)});
+}
+
+RunModes edited(const Curves& curves,
+                const std::vector<PoleEdit>& edits,
+                const RunModes& modes) {
+  if (edits.empty()) return modes;
+  SetUpFits parts = *modes.made_of;
+  for (const PoleEdit& edit : edits) {
+    if (edit.what == PoleEdit::What::Drop) {
+      drop_group(edit.hz, parts);
+    } else {
+      add_group(edit.hz, parts);
+    }
   }
-  return result;
+  return joined(curves, std::move(parts));
 }
 
 }  // namespace tapfit::modal

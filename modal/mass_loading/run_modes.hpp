@@ -19,10 +19,14 @@
 #include "modal/mode_set/mode_set.hpp"
 #include "modal/poles/identify_options.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace tapfit::modal {
+
+/// The set-ups' fits, and which modes of them are one.
+struct SetUpFits;
 
 struct RunModes {
   Eigen::VectorXcd poles;    ///< mean over set-ups [rad/s]
@@ -34,6 +38,7 @@ struct RunModes {
   Eigen::MatrixXcd unrefined_H;      ///< by the diagrams' own poles
   Eigen::VectorXd frf_weight;        ///< as in ModalFit, n_frfs
   std::vector<SetUpPoles> set_ups;   ///< in order, of n_modes each
+  std::shared_ptr<const SetUpFits> made_of;
 };
 
 /// True when no sensor point is measured in more than half of the set-ups,
@@ -48,5 +53,15 @@ struct RunModes {
     const Curves& curves,
     const IdentifyOptions& options,
     const Progress& progress);
+
+/// Carries out edits in their order: takes the mode with the nearest mean
+/// frequency out of every set-up that has it, or puts a pole in near a
+/// frequency in every set-up where one can be fitted.
+///
+/// @throws InputError of mode_to_drop(); of add_pole() in the first set-up
+///   where no set-up takes the pole
+[[nodiscard]] RunModes edited(const Curves& curves,
+                              const std::vector<PoleEdit>& edits,
+                              const RunModes& modes);
 
 }  // namespace tapfit::modal

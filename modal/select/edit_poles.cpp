@@ -24,28 +24,6 @@ constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
 constexpr double kNear = 0.02;          // relative
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
 
-void drop(const Curves& curves, double hz, ModalFit& fit) {
-  const double omega = two_pi * hz;
-  Index nearest = 0;
-  const bool any = fit.poles.size() > 0;
-  if (any) (fit.poles.array().abs() - omega).abs().minCoeff(&nearest);
-  if (!any || std::abs(std::abs(fit.poles(nearest)) - omega) > kNear * omega) {
-    throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
-                     "modes",
-                     any ? fmt::format("the nearest is at {:.6g} Hz",
-                                       std::abs(fit.poles(nearest)) / two_pi)
-                         : std::string("no mode was found at all"));
-  }
-  Eigen::VectorXcd rest(fit.poles.size() - 1);
-  rest << fit.poles.head(nearest), fit.poles.tail(rest.size() - nearest);
-  fit = fit_residues(curves, rest);
-  if (rest.size() == 0) return;
-  ModalFit refined = refine_poles(curves, rest, 10);
-  // A pole that goes where one was taken out would bring it back.
-  const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
-  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
-}
-
 /// The pole of the steadiest track near a frequency that is no mode yet.
 Complex start_near(const std::vector<Track>& tracks,
                    const ModalFit& fit,
@@ -78,10 +56,38 @@ std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
   return {};
 }
 
-void add(const Curves& curves,
-         const std::vector<Track>& tracks,
-         double hz,
-         ModalFit& fit) {
+}  // namespace
+
+Index mode_to_drop(const Eigen::ArrayXd& omega, double hz) {
+  const double wanted = two_pi * hz;
+  Index nearest = 0;
+  const bool any = omega.size() > 0;
+  if (any) (omega - wanted).abs().minCoeff(&nearest);
+  if (!any || std::abs(omega(nearest) - wanted) > kNear * wanted) {
+    throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
+                     "modes",
+                     any ? fmt::format("the nearest is at {:.6g} Hz",
+                                       omega(nearest) / two_pi)
+                         : std::string("no mode was found at all"));
+  }
+  return nearest;
+}
+
+void drop_pole(const Curves& curves, Index pole, ModalFit& fit) {
+  Eigen::VectorXcd rest(fit.poles.size() - 1);
+  rest << fit.poles.head(pole), fit.poles.tail(rest.size() - pole);
+  fit = fit_residues(curves, rest);
+  if (rest.size() == 0) return;
+  ModalFit refined = refine_poles(curves, rest, 10);
+  // A pole that goes where one was taken out would bring it back.
+  const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
+  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
+}
+
+void add_pole(const Curves& curves,
+              const std::vector<Track>& tracks,
+              double hz,
+              ModalFit& fit) {
   const double omega = two_pi * hz;
   if (!in_band(curves, omega)) {
     throw InputError(fmt::format("no mode can be put in at {:.6g} Hz", hz),
@@ -126,17 +132,15 @@ void add(const Curves& curves,
   fit = std::move(trial);
 }
 
-}  // namespace
-
 void edit_poles(const Curves& curves,
                 const std::vector<Track>& tracks,
-                const IdentifyOptions& options,
+                const std::vector<PoleEdit>& edits,
                 ModalFit& fit) {
-  for (const PoleEdit& edit : options.edits) {
+  for (const PoleEdit& edit : edits) {
     if (edit.what == PoleEdit::What::Drop) {
-      drop(curves, edit.hz, fit);
+      drop_pole(curves, mode_to_drop(fit.poles.array().abs(), edit.hz), fit);
     } else {
-      add(curves, tracks, edit.hz, fit);
+      add_pole(curves, tracks, edit.hz, fit);
     }
   }
   if (fit.poles.size() > 0) fit = by_frequency(curves, fit);

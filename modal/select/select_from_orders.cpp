@@ -1,6 +1,5 @@
 #include "modal/select/select_from_orders.hpp"
 
-#include "modal/select/edit_poles.hpp"
 #include "modal/select/neighbour_modes.hpp"
 #include "modal/select/overlapped_modes.hpp"
 
@@ -66,7 +65,6 @@ Selection select_from_orders(const Curves& curves,
     if (explains_more(trial.fit, best.fit)) best = std::move(trial);
   }
   best.fit = add_overlapped(curves, std::move(best.fit), options, progress);
-  edit_poles(curves, tracks, options, best.fit);
   return best;
 }
 

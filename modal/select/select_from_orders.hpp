@@ -12,10 +12,9 @@ namespace tapfit::modal {
 
 /// Selects from the tracks over all orders, then from those of a model of half
 /// the order, and so on; a lower one counts where its modes explain clearly
-/// more. Then drops and adds what the options name.
+/// more.
 ///
 /// @param orders, tracks of the largest model
-/// @throws InputError when there is no pole to be dropped or added
 [[nodiscard]] Selection select_from_orders(
     const Curves& curves,
     const FrfMatrix& matrix,

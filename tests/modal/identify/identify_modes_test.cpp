@@ -231,26 +231,37 @@ TEST(IdentifyModes, WithoutDrivingPointKeepsTheHitPoints) {
 
 // A sensor's mass m moves mode r by about -m phi^2 / 2 of its frequency; here
 // each run has its own modes, within 2 % of the first's.
-TEST(IdentifyModes, FitsEachRunWhereSensorsMoveTheModes) {
+struct RovingSensors {
+  SyntheticSystem still;
+  signal::FrfSet frfs;
+};
+
+RovingSensors sensors_that_move_the_modes() {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> uniform;
-  SyntheticSystem system = random_system(4, 10, 0.004, 0.006, random);
-  system.phi.row(0).setOnes();  // the hammer is in no mode's node
-  const Eigen::VectorXd still = system.frequency_hz;
-  signal::FrfSet frfs;
-  frfs.s = test::line_points(5, 100, 900, 0.3);
+  RovingSensors test{random_system(4, 10, 0.004, 0.006, random), {}};
+  test.still.phi.row(0).setOnes();  // the hammer is in no mode's node
+  SyntheticSystem system = test.still;
+  test.frfs.s = test::line_points(5, 100, 900, 0.3);
   for (int run = 0; run < 4; ++run) {
     for (Index r = 0; r < 4; ++r) {
-      system.frequency_hz(r) = still(r) * (1.0 - 0.02 * uniform(random));
+      system.frequency_hz(r) =
+          test.still.frequency_hz(r) * (1.0 - 0.02 * uniform(random));
     }
     const signal::FrfSet all = test::roving_hammer(
-        system, {2 * run + 2, 2 * run + 3}, frfs.s, 0.005, random);
+        system, {2 * run + 2, 2 * run + 3}, test.frfs.s, 0.005, random);
     for (signal::Frf frf : all.frfs) {
       if (frf.reference.node != 1) continue;
       frf.run = static_cast<std::size_t>(run);
-      frfs.frfs.push_back(frf);
+      test.frfs.frfs.push_back(frf);
     }
   }
+  return test;
+}
+
+TEST(IdentifyModes, FitsEachRunWhereSensorsMoveTheModes) {
+  const auto [system, frfs] = sensors_that_move_the_modes();
+  const Eigen::VectorXd& still = system.frequency_hz;
   const modal::ModeSet found = modal::identify_modes(frfs, {});
   ASSERT_EQ(found.modes.size(), 4U);
   ASSERT_EQ(found.dofs.size(), 8U);
@@ -265,6 +276,29 @@ TEST(IdentifyModes, FitsEachRunWhereSensorsMoveTheModes) {
     EXPECT_GT(mode.frequency_sd_hz / mode.frequency_hz, 1e-3);
     EXPECT_GT(modal::mac(mode.shape, phi)(0, 0), 0.99);
   }
+}
+
+// The frequency by which a mode is known is the mean: no run need have it.
+TEST(IdentifyModes, DropsAndPutsBackWhatEachRunHasElsewhere) {
+  using What = modal::PoleEdit::What;
+  const auto [system, frfs] = sensors_that_move_the_modes();
+  const modal::ModeSet all = modal::identify_modes(frfs, {});
+  ASSERT_EQ(all.modes.size(), 4U);
+  const double hz = all.modes[2].frequency_hz;
+  modal::IdentifyOptions options;
+  options.edits = {{What::Drop, hz}};
+  const modal::ModeSet fewer = modal::identify_modes(frfs, options);
+  ASSERT_EQ(fewer.modes.size(), 3U);
+  EXPECT_NEAR(fewer.modes[1].frequency_hz, all.modes[1].frequency_hz, 0.1);
+  EXPECT_NEAR(fewer.modes[2].frequency_hz, all.modes[3].frequency_hz, 0.1);
+  options.edits.push_back({What::Add, hz});
+  const modal::ModeSet again = modal::identify_modes(frfs, options);
+  ASSERT_EQ(again.modes.size(), 4U);
+  EXPECT_NEAR(again.modes[2].frequency_hz, hz, 0.01);
+  EXPECT_NEAR(
+      again.modes[2].frequency_sd_hz, all.modes[2].frequency_sd_hz, 0.01);
+  options.edits = {{What::Drop, 1.1 * all.modes[3].frequency_hz}};
+  EXPECT_THROW((void)modal::identify_modes(frfs, options), InputError);
 }
 
 TEST(IdentifyModes, RefusesTooFewLines) {
