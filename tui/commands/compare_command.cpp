@@ -2,6 +2,7 @@
 
 #include "tui/options/hand_choices.hpp"
 #include "tui/report/point_places.hpp"
+#include "tui/report/report_words.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/session.hpp"
 
@@ -163,6 +164,7 @@ ordered_json compare_json(const updating::Comparison& comparison,
             {"floor", comparison.floor},
             {"floor_noise", comparison.floor_noise},
             {"floor_mesh", comparison.floor_mesh},
+            {"floor_form", comparison.floor_form},
             {"contour", comparison.contour}}},
           {"pairs", std::move(pairs)},
           {"pair_notes", comparison.pair_notes},
@@ -195,11 +197,10 @@ std::string compare_text(const updating::Comparison& comparison,
                          const std::vector<Dof>& dofs) {
   return fmt::format(
              "Model against measurement: error {}, floor {} "
-             "(noise {}, mesh {})\n  on {}\n",
+             "({})\n  on {}\n",
              percent(comparison.error),
              percent(comparison.floor),
-             percent(comparison.floor_noise),
-             percent(comparison.floor_mesh),
+             floor_words(comparison),
              comparison.contour) +
          pairs_text(comparison.pairs) + comac_text(comparison, dofs) +
          notes_text(comparison.pair_notes) + bands_text(comparison) +

@@ -141,10 +141,7 @@ Section ladder_section(const ModelResults& model) {
     table.rows.push_back({words, percent(rung.error)});
   }
   const updating::Comparison& now = model.after;
-  table.rows.push_back({fmt::format("floor: repeatability {}, mesh {}",
-                                    percent(now.floor_noise),
-                                    percent(now.floor_mesh)),
-                        percent(now.floor)});
+  table.rows.push_back({"floor: " + floor_words(now), percent(now.floor)});
   bars.push_back({"floor", now.floor, percent(now.floor), ink::yellow});
   return {"Error step by step",
           {TableBesideFigure{
@@ -152,7 +149,8 @@ Section ladder_section(const ModelResults& model) {
               {"error-ladder",
                "Relative error of the FRFs after each step. Each step "
                "identifies all parameters anew. The floor is what the "
-               "scatter over the hits and the mesh of the model allow.",
+               "scatter over the hits, the mesh and the form of the model "
+               "(what a careful model is wrong by) allow.",
                svg_bars(bars, "error ladder", "error [%]", 100.0)}}}};
 }
 

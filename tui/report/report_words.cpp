@@ -199,6 +199,13 @@ std::string next_words(const updating::NextMeasurement& next, double floor) {
       percent(next.difference_now));
 }
 
+std::string floor_words(const updating::Comparison& c) {
+  std::string words = fmt::format(
+      "noise {}, mesh {}", percent(c.floor_noise), percent(c.floor_mesh));
+  if (c.floor_form > 0.0) words += ", form " + percent(c.floor_form);
+  return words;
+}
+
 std::string contour_words(const std::string& contour) {
   static const std::regex line(
       R"((\d+) lines from (\S+) to (\S+) Hz on s = sigma \+ j omega, )"

@@ -2,6 +2,7 @@
 // who do not know the program's own names.
 #pragma once
 
+#include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/estimate.hpp"
 #include "updating/places/location.hpp"
@@ -41,6 +42,10 @@ struct Quantity {
 /// "to separate A from B: hit 144Z+ with acc1 at 146Z+ …".
 [[nodiscard]] std::string next_words(const updating::NextMeasurement& next,
                                      double floor);
+
+/// "noise 1.0 %, mesh 3.0 %, form 0.9 %": what the floor is made of; the form's
+/// share where something was fitted.
+[[nodiscard]] std::string floor_words(const updating::Comparison& comparison);
 
 /// Comparison::contour as "evaluated at 136 frequencies, 1–55 Hz, with 3 %
 /// added damping".

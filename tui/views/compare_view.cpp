@@ -247,11 +247,10 @@ std::vector<std::pair<int, double>> worst_points(
 }
 
 std::string error_sentence(const updating::Comparison& c) {
-  return fmt::format("error {} (floor {}: noise {}, mesh {})",
+  return fmt::format("error {} (floor {}: {})",
                      percent(c.error),
                      percent(c.floor),
-                     percent(c.floor_noise),
-                     percent(c.floor_mesh));
+                     floor_words(c));
 }
 
 Screen compare_view(const CompareInput& input,

@@ -67,7 +67,7 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   if (d.candidates.empty()) return needs;
   const Table table = candidate_table(d, {}, 80, true);
   const Candidate& c = d.candidates[settled(table, state_.list)];
-  if (const auto grid = signature_grid(*known.bundle, c.where)) {
+  if (const auto grid = signature_grid(*known.bundle, c)) {
     needs.push_back({Stage::Signature, *grid});
   }
   if (state_.map) needs.push_back({Stage::SignatureMap});

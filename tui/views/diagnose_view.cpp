@@ -10,6 +10,7 @@
 #include "tui/widgets/element_grids.hpp"
 #include "tui/widgets/level_marks.hpp"
 #include "tui/widgets/plot.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/signature.hpp"
 
 #include <fmt/format.h>
@@ -100,9 +101,11 @@ void draw_signature(Screen& screen,
       screen.text(rect.x + 1, y++, one, {.colour = colour});
     }
   };
-  const std::optional<int> grid = signature_grid(input.bundle, chosen.where);
+  const std::optional<int> grid = signature_grid(input.bundle, chosen);
   if (!grid) {
-    return say("distributed effect: no plot for a single grid",
+    return say(effects::find(chosen.effect).is_mistake()
+                   ? "a mistake of the set-up: no force at a grid to plot"
+                   : "distributed effect: no plot for a single grid",
                Colour::Default);
   }
   const auto found = input.signatures.find(*grid);
@@ -325,9 +328,10 @@ std::vector<int> grids_of(const acquisition::TestBundle& bundle,
 }
 
 std::optional<int> signature_grid(const acquisition::TestBundle& bundle,
-                                  const updating::Where& where) {
-  if (!where.elements.empty()) return std::nullopt;
-  const std::vector<int> grids = grids_of(bundle, where);
+                                  const Candidate& candidate) {
+  if (!candidate.where.elements.empty()) return std::nullopt;
+  if (effects::find(candidate.effect).is_mistake()) return std::nullopt;
+  const std::vector<int> grids = grids_of(bundle, candidate.where);
   if (grids.size() != 1) return std::nullopt;
   return grids.front();
 }

@@ -44,10 +44,11 @@ struct DiagnoseState {
                                         const updating::Where& where,
                                         const structure::Deck* deck = nullptr);
 
-/// The grid that the place's missing stiffness is drawn of; none where it acts
-/// on several.
+/// The grid that the candidate's missing stiffness is drawn of; none where it
+/// acts on several, and for a mistake of the set-up, which acts on none.
 [[nodiscard]] std::optional<int> signature_grid(
-    const acquisition::TestBundle& bundle, const updating::Where& where);
+    const acquisition::TestBundle& bundle,
+    const updating::Candidate& candidate);
 
 class DiagnosePage final : public Page {
  public:

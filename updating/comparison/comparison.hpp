@@ -42,9 +42,11 @@ struct BandError {
 
 struct Comparison {
   double error = 0.0;        ///< relative FRF error on the comparison line
-  double floor = 0.0;        ///< what repeatability and mesh allow
+  /// What repeatability, mesh and form of the deck allow.
+  double floor = 0.0;
   double floor_noise = 0.0;  ///< from the scatter over hits
   double floor_mesh = 0.0;   ///< from splitting the mesh once more
+  double floor_form = 0.0;   ///< of what is left after a fit, see form_share()
   std::string contour;       ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
   /// What of the pairs by hand could not be kept to.

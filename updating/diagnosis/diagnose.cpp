@@ -1,8 +1,8 @@
 #include "updating/diagnosis/diagnose.hpp"
 
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
-#include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/diagnosis/next_measurement.hpp"
 #include "updating/diagnosis/rung_search.hpp"
@@ -74,10 +74,6 @@ const EffectRef& rival_of(const Rung& rung) {
   return other == rung.alike.end() ? rung.alike.front() : *other;
 }
 
-bool is_of_sheet(const effects::Effect& effect) {
-  return effect.entry() == effects::Entry::Measurement;
-}
-
 // What would tell each rung from its strongest look-alike, everything else
 // being in the model. Two mistakes of the set-up foretell the same of a point
 // measured anew: the sheet, not another point, is to be looked at.
@@ -101,8 +97,8 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
       return fitter.fit(effects, fitter.model_for(effects), progress);
     };
     const EffectRef& rival = rival_of(rung);
-    if (is_of_sheet(*effects.back().effect) &&
-        is_of_sheet(effects::find(rival.effect))) {
+    if (effects.back().effect->is_mistake() &&
+        effects::find(rival.effect).is_mistake()) {
       continue;
     }
     const Fit one = fit_last(effects.back());
@@ -140,8 +136,6 @@ class Climb {
     return ladder_of(likeliest, chosen_, already_, *fitter_, progress);
   }
   [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
-  /// Independent data in what is left, as the last round counted them.
-  [[nodiscard]] double data() const { return data_; }
   /// At the floor only for the mesh's share, which counts the whole difference
   /// to a finer mesh. The fit takes a good part of that: an effect may hide.
   [[nodiscard]] bool is_left_to_the_mesh() const {
@@ -310,11 +304,13 @@ Climbed climbed(const Fitter& fitter,
   }
   const Fit& found = climb.current();
   result.error_best = found.result.error;
-  allow_for_form(found, climb.data(), options.floor_noise, result);
+  const double data = evidence_data(
+      fitter.target(), found.result.residual, options.modes_in_band);
+  allow_for_form(found, data, options.floor_noise, result);
   const Progress last = part_of(progress, 0.95, 1.0);
   last("error ladder", 0.0);
   const Fit likeliest =
-      likeliest_fit(found, fitter, {climb.data(), options.floor_noise});
+      likeliest_fit(found, fitter, {data, options.floor_noise});
   result.ladder = climb.ladder(likeliest, last);
   result.candidates = climb.candidates();
   result.next = next_measurements(found, result.ladder, fitter, last);

@@ -1,5 +1,6 @@
 #include "updating/diagnosis/rung_search.hpp"
 
+#include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/settle_place.hpp"
 #include "updating/fit/overall_progress.hpp"

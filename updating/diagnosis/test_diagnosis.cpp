@@ -5,6 +5,7 @@
 #include "updating/diagnosis/diagnose.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::updating {
 
@@ -15,7 +16,7 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
   DiagnoseOptions options;
-  options.floor = base.floor;
+  options.floor = std::hypot(base.floor_noise, base.floor_mesh);
   options.floor_noise = base.floor_noise;
   options.contour = base.contour;
   options.properties = ground.properties;

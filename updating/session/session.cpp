@@ -2,6 +2,7 @@
 
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/comparison/compare.hpp"
+#include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/test_diagnosis.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/fit_ground.hpp"
@@ -162,7 +163,12 @@ Comparison Session::Impl::compare_now(const Fit& fit) {
                          test.choices().pairs);
   c.floor_noise = ground->floor_noise;
   c.floor_mesh = ground->floor_mesh;
-  c.floor = std::hypot(c.floor_noise, c.floor_mesh);
+  const double data =
+      evidence_data(ground->fitter->target(),
+                    fit.result.residual,
+                    static_cast<int>(test.modes({}).modes.size()));
+  c.floor_form = form_share(fit, data, c.floor_noise).error;
+  c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
   c.contour = ground->contour;
   return c;
 }

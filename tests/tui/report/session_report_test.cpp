@@ -72,7 +72,7 @@ TEST(VerdictSentence, NamesWhatIsMissingAndTheErrors) {
       verdict,
       "An added mass (node 5) and a spring to ground (node 6) explain where "
       "model and measurement differ: with them, the error of the FRFs "
-      "falls from 38.8 % to 0.01 %, below what repeatability and mesh can "
+      "falls from 38.8 % to 0.01 %, below what repeatability, mesh and form can "
       "resolve (3.1 %).");
 }
 
@@ -91,8 +91,8 @@ TEST(VerdictSentence, SaysWhatNoEffectExplains) {
   data.model->diagnosis->verdict = "unexplained";
   EXPECT_EQ(verdict_sentence(data),
             "Something is missing from the model that no known effect "
-            "explains: its FRFs are off by 38.8 %, 13 times what repeatability "
-            "and mesh allow (3.1 %).");
+            "explains: its FRFs are off by 38.8 %, 13 times what "
+            "repeatability, mesh and form allow (3.1 %).");
 }
 
 TEST(VerdictSentence, WithoutAModelCountsModes) {

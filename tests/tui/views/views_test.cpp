@@ -293,6 +293,15 @@ TEST(DiagnoseView, FindsTheGridsOfChannels) {
   EXPECT_EQ(grids_of(bundle, where), std::vector<int>{4});
 }
 
+TEST(DiagnoseView, SaysThatAMistakeOfTheSetUpHasNoSignature) {
+  updating::Diagnosis d = testing::fake_diagnosis();
+  d.candidates[0].effect = "point-mislabelled";
+  const Screen s = diagnose_view(
+      {testing::fake_bundle(), d, {}, nullptr, nullptr}, {}, {120, 35});
+  EXPECT_TRUE(holds(s, "a mistake of the set-up: no force at a grid to plot"))
+      << s.to_text();
+}
+
 // What lost its stiffness is elements, which are places on the structure too.
 TEST(DiagnoseView, ShowsWhereElementsAre) {
   const acquisition::TestBundle bundle = testing::fake_bundle();

@@ -1,5 +1,7 @@
 #include "updating/diagnosis/evidence.hpp"
 
+#include "updating/comparison/form_share.hpp"
+
 #include <gtest/gtest.h>
 
 #include <complex>
