@@ -102,12 +102,42 @@ std::vector<std::vector<int>> support_groups(const Deck& deck) {
   return groups;
 }
 
-SupportLine support_line(const Deck& deck,
-                         const std::vector<int>& nodes,
-                         bool rotation,
-                         int component) {
+namespace {
+
+// Where a frame stands on several feet, each is a support of its own, as are
+// clamped edges that lie on no line together. Bolts along the edge of a plate
+// are one.
+std::vector<std::vector<int>> separate_supports(const Deck& deck,
+                                                const std::vector<int>& nodes) {
+  std::set<int> on_shells;
+  for (const structure::Shell& shell : deck.shells) {
+    on_shells.insert(shell.grids.begin(), shell.grids.end());
+  }
+  const std::set<int> wanted(nodes.begin(), nodes.end());
+  std::vector<std::vector<int>> supports;
+  std::vector<std::vector<int>> edges;
+  std::vector<int> all;
+  for (std::vector<int> group : support_groups(deck)) {
+    std::erase_if(group, [&](int node) { return !wanted.contains(node); });
+    if (group.empty()) continue;
+    if (group.size() == 1 && !on_shells.contains(group.front())) {
+      supports.push_back(group);
+      continue;
+    }
+    all.insert(all.end(), group.begin(), group.end());
+    edges.push_back(std::move(group));
+  }
+  if (edges.size() > 1 && line_axis(deck, all) >= 0) edges = {all};
+  supports.insert(supports.end(), edges.begin(), edges.end());
+  return supports;
+}
+
+// Of grids on one line, or on none.
+SupportLine single_line(const Deck& deck,
+                        const std::vector<int>& nodes,
+                        bool rotation,
+                        int component) {
   SupportLine line;
-  if (nodes.empty()) return line;
   const ConstraintAxes held = structure::constraint_axes(deck);
   const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
   std::vector<int> order = nodes;
@@ -150,6 +180,26 @@ SupportLine support_line(const Deck& deck,
     }
   }
   return line;
+}
+
+}  // namespace
+
+SupportLine support_line(const Deck& deck,
+                         const std::vector<int>& nodes,
+                         bool rotation,
+                         int component) {
+  SupportLine whole;
+  const std::vector<std::vector<int>> supports = separate_supports(deck, nodes);
+  for (const std::vector<int>& support : supports) {
+    const SupportLine line = single_line(deck, support, rotation, component);
+    whole.length += line.length;
+    whole.straight = line.straight && supports.size() == 1;
+    for (SupportDof dof : line.dofs) {
+      if (!whole.straight) dof.at = 0.0;
+      whole.dofs.push_back(dof);
+    }
+  }
+  return whole;
 }
 
 namespace {

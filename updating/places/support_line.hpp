@@ -32,7 +32,8 @@ struct SupportLine {
 
 /// The degrees of freedom that a soft support releases: for grids along a
 /// line parallel to an axis the rotation about that line, otherwise all three
-/// rotations; for translations the component given.
+/// rotations; for translations the component given. The feet of a frame, and
+/// edges that lie on no line together, are each taken by themselves.
 ///
 /// @param nodes constrained grids of the deck, in any order
 /// @param rotation true: rotations, false: the translation `component`

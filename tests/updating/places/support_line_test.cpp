@@ -1,5 +1,6 @@
 #include "updating/places/support_line.hpp"
 
+#include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 
 #include <gtest/gtest.h>
@@ -64,6 +65,34 @@ TEST(SupportLine, GridsAloneStandForTheGapsBesideThem) {
   const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
   EXPECT_NEAR(line.length, 0.12, 1e-12);
   EXPECT_NEAR(length_at(line, 23), 0.06, 1e-12);
+}
+
+// A portal's feet stand on a line, too, but turn about no line.
+TEST(SupportLine, FeetOfAFrameTurnEachByItself) {
+  const structure::Deck deck = structure::deck_of(
+      "MAT1,1,7.+10,,.3,2700.\nPBAR,1,1,1.-4,1.-9,1.-9,1.-9\n"
+      "GRID,1,,0.,0.,0.\nGRID,2,,0.,0.,1.\n"
+      "GRID,3,,2.,0.,1.\nGRID,4,,2.,0.,0.\n"
+      "CBAR,1,1,1,2,0.,1.,0.\nCBAR,2,1,2,3,0.,1.,0.\n"
+      "CBAR,3,1,3,4,0.,1.,0.\nSPC1,1,123456,1,4\n");
+  const SupportLine both = support_line(deck, {1, 4}, true, 1);
+  ASSERT_EQ(both.dofs.size(), 6U);
+  EXPECT_FALSE(both.straight);
+  EXPECT_DOUBLE_EQ(both.length, 2.0);
+  const SupportLine one = support_line(deck, {1}, true, 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(both.dofs[k].component, one.dofs[k].component);
+    EXPECT_DOUBLE_EQ(both.dofs[k].length, one.dofs[k].length);
+  }
+}
+
+// Each turns about itself.
+TEST(SupportLine, EdgesAcrossFromEachOtherAreEachALine) {
+  const std::vector<int> nodes = {1, 12, 23, 34, 45, 11, 22, 33, 44, 55};
+  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  EXPECT_NEAR(line.length, 0.24, 1e-12);
+  ASSERT_EQ(line.dofs.size(), 10U);
+  for (const SupportDof& dof : line.dofs) EXPECT_EQ(dof.component, 5);
 }
 
 // What goes with the stiffness at one end and at the other is the whole line;
