@@ -141,12 +141,9 @@ void climb_places(std::vector<Hypothesis>& found,
   const effects::Setting& setting = fitter.setting().setting;
   const PlacedEffect& any = found.front().own();
   const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
-  static const std::vector<Where> none;
-  const std::vector<Where>& patches =
-      is_at_grid(any.where) ? none : fitter.places(*any.effect);
+  const std::vector<Where>& all = fitter.places(*any.effect);
   const auto near = [&](const Where& at) {
-    std::vector<Where> places =
-        places_near(at, patches, *setting.deck, neighbours);
+    std::vector<Where> places = places_near(at, all, *setting.deck, neighbours);
     for (Where& where : places) {
       if (is_loss) where.variant = at.variant;
     }
@@ -294,7 +291,7 @@ std::vector<Where> places_for_forms(const Kind& kind,
   for (const Hypothesis* h : order) {
     const Where& where = h->own().where;
     const bool near = std::ranges::any_of(places, [&](const Where& other) {
-      return kind.is_loss() && within_reach(other, where, deck, 0);
+      return kind.is_loss() && within_reach(other, where, {}, deck, 0);
     });
     if (!near) places.push_back(where);
     if (kind.at_grids()) break;

@@ -7,6 +7,7 @@
 #include "updating/localisation/misfit_scan.hpp"
 #include "updating/localisation/place_rows.hpp"
 #include "updating/localisation/place_scan.hpp"
+#include "updating/places/element_cells.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,12 +31,12 @@ constexpr std::size_t grids_in_detail = 12;
 
 // What is looked at, and the rows that it is felt by.
 struct Places {
-  std::vector<Where> points;  // grids, each along an axis
+  // What may sit at one grid and moves along one axis there.
   struct Kinds {
-    std::vector<const effects::Effect*> simple;
-    std::vector<const effects::Effect*> detailed;  // several parameters
+    std::vector<PlacedEffect> simple;
+    std::vector<PlacedEffect> detailed;  // several parameters
   };
-  std::vector<Kinds> kinds;  // what may sit at each of the points
+  std::vector<Kinds> points;  // one for each of the grids scanned
   struct Wide {
     const effects::Effect* effect = nullptr;
     Where where;
@@ -44,43 +45,60 @@ struct Places {
   ScannedPlaces scanned;
 };
 
+// The axes along which a point effect is felt: a directed one along its own,
+// others along all that were tested, of which one tells most.
+std::vector<int> felt_along(const effects::PointEffect& effect,
+                            const Where& where,
+                            const effects::Setting& setting) {
+  const bool directed =
+      dynamic_cast<const effects::DirectedEffect*>(&effect) != nullptr;
+  if (directed || setting.components.empty()) {
+    return {effects::component_of(where, setting)};
+  }
+  return setting.components;
+}
+
 // Takes the point effects, each with the others that may sit where it may.
 void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
   const effects::Setting& setting = fitter.setting().setting;
-  std::map<std::pair<int, std::string>, std::size_t> known;
+  std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
   for (const auto& effect : effects::catalogue()) {
     const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
     if (point == nullptr) continue;
     for (const Where& where : fitter.places(*point)) {
-      MatrixXd row =
-          source.grid(where.node, effects::component_of(where, setting));
-      // A plane model does not move out of its plane.
-      if (!where.variant.empty() && row.isZero(0.0)) continue;
-      const auto [it, fresh] =
-          known.try_emplace({where.node, where.variant}, places.points.size());
-      if (fresh) {
-        places.points.push_back(where);
-        places.kinds.emplace_back();
-        places.scanned.grids.push_back(std::move(row));
+      for (const int along : felt_along(*point, where, setting)) {
+        MatrixXd row = source.grid(where.node, along);
+        // A plane model does not move out of its plane.
+        if (along != setting.component && row.isZero(0.0)) continue;
+        const auto [it, fresh] =
+            known.try_emplace({where.node, along}, places.points.size());
+        if (fresh) {
+          places.points.emplace_back();
+          places.scanned.grids.push_back(std::move(row));
+        }
+        const bool single = point->parameters(where, setting).size() == 1;
+        Places::Kinds& kinds = places.points[it->second];
+        (single ? kinds.simple : kinds.detailed).push_back({point, where, {}});
       }
-      const bool single = point->parameters(where, setting).size() == 1;
-      Places::Kinds& kinds = places.kinds[it->second];
-      (single ? kinds.simple : kinds.detailed).push_back(point);
     }
   }
 }
 
 void add_losses(const effects::Effect& effect,
                 const Fitter& fitter,
-                const PlaceRows& source,
+                PlaceRows& source,
                 Places& places) {
-  std::map<int, std::size_t> at;  // element -> its rows
+  std::map<int, std::size_t> at;  // first element of a cell -> its rows
+  for (const ElementCell& cell :
+       element_cells(*fitter.setting().setting.deck)) {
+    at[cell.elements.front()] = places.scanned.parts.size();
+    places.scanned.parts.push_back(source.cell(cell));
+  }
   for (const Where& where : fitter.places(effect)) {
     std::vector<std::size_t> sum;
     for (const int id : where.elements) {
-      const auto [it, fresh] = at.try_emplace(id, places.scanned.parts.size());
-      if (fresh) places.scanned.parts.push_back(source.element(id));
-      sum.push_back(it->second);
+      const auto cell = at.find(id);
+      if (cell != at.end()) sum.push_back(cell->second);
     }
     places.wide.push_back({&effect, where});
     places.scanned.sums.push_back(std::move(sum));
@@ -88,7 +106,7 @@ void add_losses(const effects::Effect& effect,
 }
 
 Places all_places(const FrfModel& model, const Fitter& fitter) {
-  const PlaceRows source(model);
+  PlaceRows source(model);
   Places places;
   add_points(fitter, source, places);
   for (const auto& effect : effects::catalogue()) {
@@ -247,17 +265,15 @@ class Screening {
   // What may sit at some of the points.
   [[nodiscard]] std::vector<Screened> at_points(
       const std::vector<std::size_t>& points,
-      std::vector<const effects::Effect*> Places::Kinds::*kinds) const {
+      std::vector<PlacedEffect> Places::Kinds::*kinds) const {
     std::vector<std::vector<Screened>> each(points.size());
     for_each_parallel(points.size(), [&](std::size_t k) {
       const std::size_t b = points[k];
       const double any_law = place_scan_.any_law(b);
-      for (const effects::Effect* effect : places_.kinds[b].*kinds) {
-        each[k].push_back(
-            scanned(effect->parameters(places_.points[b], setting_),
-                    [&](const auto& tried) {
-                      return best_at_grid(b, *effect, tried);
-                    }));
+      for (const PlacedEffect& effect : places_.points[b].*kinds) {
+        each[k].push_back(scanned(
+            effect.effect->parameters(effect.where, setting_),
+            [&](const auto& tried) { return best_at_grid(b, effect, tried); }));
         each[k].back().any_law = any_law;
       }
     });
@@ -271,16 +287,16 @@ class Screening {
   // The best of several sizes of an effect at a grid.
   [[nodiscard]] Screened best_at_grid(
       std::size_t b,
-      const effects::Effect& effect,
+      const PlacedEffect& effect,
       const std::vector<std::vector<double>>& tried) const {
     MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
     for (std::size_t k = 0; k < tried.size(); ++k) {
       for (Index l = 0; l < z.rows(); ++l) {
-        z(l, static_cast<Index>(k)) = effect.law(target_->s(l), tried[k], 0);
+        z(l, static_cast<Index>(k)) =
+            effect.effect->law(target_->s(l), tried[k], 0);
       }
     }
-    return best_of(
-        {&effect, places_.points[b], {}}, tried, place_scan_.errors(b, z));
+    return best_of(effect, tried, place_scan_.errors(b, z));
   }
 
   // The same for an effect that the model itself can respond to.

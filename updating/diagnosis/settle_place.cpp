@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/places/between_grids.hpp"
+#include "updating/places/near_places.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -196,6 +197,16 @@ Ring ring_around(const Quadratic& q,
   return ring;
 }
 
+// How far the places that were looked at are from the next, in sides of an
+// element: more than one on a fine mesh.
+double places_apart(const Hypothesis& best, const Fitter& fitter) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const Where& own = best.own().where;
+  const std::vector<Where> near =
+      places_near(own, fitter.places(*best.own().effect), deck, 1);
+  return sides_apart(own, near.back().node, deck);
+}
+
 }  // namespace
 
 Hypothesis settle_place(const Hypothesis& best,
@@ -221,8 +232,10 @@ Hypothesis settle_place(const Hypothesis& best,
       settled = std::move(h);
     }
   };
+  const double spacing = places_apart(best, fitter);
   for (const double step : steps) {
-    const std::vector<Where> places = places_around(top.where, step, deck);
+    const std::vector<Where> places =
+        places_around(top.where, step * spacing, deck);
     if (!places.empty()) take(places);
   }
   double reach = steps.back();

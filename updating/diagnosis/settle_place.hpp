@@ -1,7 +1,8 @@
 // Where between grids an effect at a point sits. Around the grid where a kind
 // is likeliest its places are tried half and a quarter of the way to the next
-// grids, then about a standard deviation around the top that these foretell. To
-// second order the likelihood there is
+// that were looked at (not all grids of a fine mesh are), then about a standard
+// deviation around the top that these foretell. To second order the likelihood
+// there is
 //
 //   ln p(z) = c + g' z + z' H z / 2,   z the place, in grid spacings
 //

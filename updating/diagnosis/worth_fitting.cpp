@@ -72,10 +72,16 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     const bool known =
         !few && !effect.at_sheet_points() && options.neighbours > 0 &&
         std::ranges::any_of(tries, [&](const PlacedEffect& other) {
-          return within_reach(
-              other.where, s.placed.where, *setting.deck, options.neighbours);
+          return within_reach(other.where,
+                              s.placed.where,
+                              fitter.places(effect),
+                              *setting.deck,
+                              options.neighbours);
         });
-    return !known && !is_present(current, s.placed);
+    const bool twice = std::ranges::any_of(tries, [&](const PlacedEffect& p) {
+      return p.where == s.placed.where;
+    });
+    return !known && !twice && !is_present(current, s.placed);
   };
   const Screened* likely = nullptr;
   for (const Screened& s : screened) {

@@ -51,8 +51,7 @@ std::vector<Effect::Derived> Joint::derived(const Where& where,
 std::vector<std::string> Joint::bulk_data(const Where& where,
                                           const Setting& setting,
                                           const std::vector<double>& p) const {
-  const updating::JointLine line =
-      joint_at(*setting.deck, where, setting.component);
+  const updating::JointLine line = joint_at(where, setting);
   return joint_cards(*setting.deck, line, p[0]).added;
 }
 

@@ -106,12 +106,24 @@ class Writer {
 
 }  // namespace
 
-updating::JointLine joint_at(const Deck& deck,
-                             const updating::Where& where,
-                             int component) {
-  if (where.nodes.size() > 1) return updating::shell_joint(deck, where.nodes);
-  return updating::bar_joint(
-      deck, where.nodes.front(), where.elements, component);
+int turned_across(const updating::Where& where, const Setting& setting) {
+  if (where.nodes.size() != 1) return setting.component;
+  std::vector<int> components = {setting.component};
+  components.insert(
+      components.end(), setting.components.begin(), setting.components.end());
+  return updating::across_bar(
+      *setting.deck, where.nodes.front(), where.elements, components);
+}
+
+updating::JointLine joint_at(const updating::Where& where,
+                             const Setting& setting) {
+  if (where.nodes.size() > 1) {
+    return updating::shell_joint(*setting.deck, where.nodes);
+  }
+  return updating::bar_joint(*setting.deck,
+                             where.nodes.front(),
+                             where.elements,
+                             turned_across(where, setting));
 }
 
 JointCards joint_cards(const Deck& deck,

@@ -9,6 +9,7 @@
 //                               6; RBE2 b -> d; CELAS2 k l between b and a in 6
 #pragma once
 
+#include "updating/effects/effect.hpp"
 #include "updating/places/joint_line.hpp"
 #include "updating/places/location.hpp"
 #include "updating/structure/deck/deck.hpp"
@@ -19,11 +20,14 @@
 
 namespace tapfit::effects {
 
+/// 1..3: the direction across which a joint's bar turns, the one mostly measured
+/// or, where the bar lies along it, another.
+[[nodiscard]] int turned_across(const updating::Where& where,
+                                const Setting& setting);
+
 /// The line that a joint's place means.
-/// @param component 1..3, the direction measured
-[[nodiscard]] updating::JointLine joint_at(const structure::Deck& deck,
-                                           const updating::Where& where,
-                                           int component);
+[[nodiscard]] updating::JointLine joint_at(const updating::Where& where,
+                                           const Setting& setting);
 
 struct JointCards {
   std::vector<std::string> added;

@@ -145,8 +145,7 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
     const auto p =
         values(added.parameters, effect.parameters(added.where, setting));
     if (effect.changes_stiffness() == ChangeKind::Joint) {
-      const JointLine line =
-          effects::joint_at(with_ids, added.where, setting.component);
+      const JointLine line = effects::joint_at(added.where, setting);
       const auto doubles =
           effects::joint_cards(with_ids, line, p.front()).doubles;
       if (!move_side(line, doubles, cards.moves)) {

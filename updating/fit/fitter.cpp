@@ -1,9 +1,12 @@
 #include "updating/fit/fitter.hpp"
 
+#include "updating/effects/joint_cards.hpp"
+#include "updating/effects/point_effect.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/fit/mesh_error.hpp"
 #include "updating/fit/parameter_uncertainty.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
+#include "updating/places/told_apart.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +64,13 @@ void Fitter::set_mesh(const BaseBuilder& coarser,
 const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   const std::scoped_lock lock(places_->mutex);
   const auto [it, fresh] = places_->of.try_emplace(&effect);
-  if (fresh) it->second = effect.places(setting_.setting);
+  if (fresh) {
+    it->second = effect.places(setting_.setting);
+    const bool anywhere =
+        dynamic_cast<const effects::PointEffect*>(&effect) != nullptr ||
+        effect.changes_stiffness() == ChangeKind::Joint;
+    if (anywhere) it->second = told_apart(it->second, *setting_.setting.deck);
+  }
   return it->second;
 }
 
@@ -72,8 +81,11 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
   for (const PlacedEffect& e : effects) {
     const auto kind = e.effect->changes_stiffness();
     if (!kind) continue;
-    changes.push_back(
-        {*kind, {e.effect->name(), e.where}, setting_.setting.component});
+    changes.push_back({*kind,
+                       {e.effect->name(), e.where},
+                       *kind == ChangeKind::Joint
+                           ? effects::turned_across(e.where, setting_.setting)
+                           : setting_.setting.component});
   }
   auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
                                           setting_.setting,

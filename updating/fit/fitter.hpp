@@ -125,7 +125,8 @@ class Fitter {
                 std::size_t factors,
                 const Eigen::VectorXd& bias);
 
-  /// Where an effect may be in this setting, worked out when first asked for.
+  /// Where an effect may be in this setting, so far as a measurement could tell
+  /// places apart; worked out when first asked for.
   [[nodiscard]] const std::vector<Where>& places(
       const effects::Effect& effect) const;
 

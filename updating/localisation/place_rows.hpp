@@ -4,10 +4,14 @@
 #pragma once
 
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/places/element_cells.hpp"
 #include "updating/places/location.hpp"
+#include "updating/structure/elements/element_matrices.hpp"
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -23,23 +27,29 @@ class PlaceRows {
   /// @param component 1..3
   [[nodiscard]] Eigen::MatrixXd grid(int node, int component) const;
 
-  /// k x r, G' G = the element's stiffness; k is its number of strain states.
-  [[nodiscard]] const Eigen::MatrixXd& element(int id) const;
+  /// k x r, G' G = the stiffness of the elements; k is the number of strain
+  /// states of one. Elements of a cell are strained alike: that in its middle,
+  /// as often as there are some.
+  [[nodiscard]] Eigen::MatrixXd cell(const ElementCell& cell);
 
   /// One row per grid of the joint: its moment over the square root of the
   /// length it passes through [N m / m^0.5]; two rows are multiplied to the
   /// effect of one unit of compliance per metre.
-  [[nodiscard]] Eigen::MatrixXd joint(const Where& where) const;
+  [[nodiscard]] Eigen::MatrixXd joint(const Where& where);
 
  private:
   struct ElementRows {
-    std::vector<int> grids;
-    Eigen::MatrixXd K;       // 6n x 6n
+    structure::ElementMatrices own;
     Eigen::MatrixXd motion;  // 6n x r
-    Eigen::MatrixXd strain;  // k x r
   };
+  // Of an element, worked out when first asked for.
+  const ElementRows& rows_of(int id);
+
   const FrfModel* model_;
-  std::map<int, ElementRows> elements_;
+  std::map<int, std::function<structure::ElementMatrices()>> matrices_;
+  std::map<int, Eigen::Vector3d> middles_;
+  std::map<std::size_t, Eigen::MatrixXd> motions_;  // of grids, 6 x r
+  std::map<int, ElementRows> known_;
 };
 
 }  // namespace tapfit::updating

@@ -52,6 +52,18 @@ std::vector<Corners> elements_at(const Deck& deck, int node) {
   return found;
 }
 
+int nearest_grid(const Deck& deck, const Vector3d& at) {
+  int nearest = 0;
+  double least = 1e300;
+  for (const structure::Grid& grid : deck.grids) {
+    const double far = (grid.position - at).norm();
+    if (grid.id < 0 || far >= least) continue;
+    least = far;
+    nearest = grid.id;
+  }
+  return nearest;
+}
+
 // Grids that share a side with one.
 std::set<int> joined_to(const Deck& deck, int node) {
   std::set<int> joined;
@@ -106,8 +118,10 @@ std::vector<MotionShare> motion_between(const Deck& deck,
 std::vector<Where> moved_to(const Where& where,
                             const Vector3d& at,
                             const Deck& deck) {
-  std::set<int> nodes = joined_to(deck, where.node);
-  nodes.insert(where.node);
+  const int near = nearest_grid(deck, at);
+  std::set<int> nodes = joined_to(deck, near);
+  nodes.merge(joined_to(deck, where.node));
+  nodes.insert({near, where.node});
   Where moved = where;
   moved.at = {at.x(), at.y(), at.z()};
   double least = 1e300;
@@ -123,6 +137,18 @@ std::vector<Where> moved_to(const Where& where,
   return {moved};
 }
 
+double sides_apart(const Where& where, int grid, const Deck& deck) {
+  const Vector3d from = grid_at(deck, where.node);
+  double side = 0.0;
+  for (const int other : joined_to(deck, where.node)) {
+    if (other == grid) return 1.0;
+    const double length = (grid_at(deck, other) - from).norm();
+    if (side == 0.0 || length < side) side = length;
+  }
+  if (side == 0.0) return 1.0;
+  return std::max(1.0, (grid_at(deck, grid) - from).norm() / side);
+}
+
 std::vector<Where> places_around(const Where& where,
                                  double step,
                                  const Deck& deck) {
@@ -131,6 +157,13 @@ std::vector<Where> places_around(const Where& where,
   std::vector<Where> places;
   for (const int other : joined_to(deck, where.node)) {
     const Vector3d at = from + step * (grid_at(deck, other) - node);
+    if (step >= 1.0) {
+      // A surface need not go on straight so far.
+      places.push_back(where);
+      places.back().node = nearest_grid(deck, at);
+      places.back().at.clear();
+      continue;
+    }
     const std::vector<Where> found = moved_to(where, at, deck);
     places.insert(places.end(), found.begin(), found.end());
   }

@@ -34,16 +34,23 @@ void add_shares(int grid,
 [[nodiscard]] std::vector<MotionShare> motion_between(
     const structure::Deck& deck, const Where& where, int component);
 
-/// Places around one, a part of the way to each grid that an element joins to
-/// its node; none on solids.
+/// How far a grid is from the place's node, in sides of an element there: 1 or
+/// more, 1 of those that an element joins.
+[[nodiscard]] double sides_apart(const Where& where,
+                                 int grid,
+                                 const structure::Deck& deck);
+
+/// Places around one, on the way to each grid that an element joins to its
+/// node; none on solids.
 ///
-/// @param step of the way, 0..1
+/// @param step of the way; beyond the element, 1 or more, to the grid next to
+///   there
 [[nodiscard]] std::vector<Where> places_around(const Where& where,
                                                double step,
                                                const structure::Deck& deck);
 
 /// The same effect at other coordinates: on the element that holds them; or
-/// empty where none at its node or beside it does.
+/// empty where none at its node, at the next grid or beside them does.
 ///
 /// @param at basic axes [m]
 [[nodiscard]] std::vector<Where> moved_to(const Where& where,

@@ -7,10 +7,10 @@
 
 namespace tapfit::updating {
 
-/// Each shell, bar and rod alone; growing boxes of them around the middle of
-/// each, around each grid and each edge of a shell, up to a quarter of all;
-/// bars in line; all of a property where that is not most of the structure.
-/// Every set once, ids ascending.
+/// Each of element_cells() alone; growing boxes of them around the middle of
+/// each, around grids and edges of shells, up to a quarter of all; bars in
+/// line; all of a property where that is not most of the structure. Every set
+/// once, ids ascending.
 [[nodiscard]] std::vector<std::vector<int>> element_patches(
     const structure::Deck& deck);
 

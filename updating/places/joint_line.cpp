@@ -225,6 +225,16 @@ JointLine shell_joint(const Deck& deck, const std::vector<int>& nodes) {
   return joint;
 }
 
+int across_bar(const Deck& deck,
+               int node,
+               const std::vector<int>& bars,
+               const std::vector<int>& components) {
+  const auto across = std::ranges::find_if(components, [&](int component) {
+    return !bar_joint(deck, node, bars, component).grids.empty();
+  });
+  return across == components.end() ? components.front() : *across;
+}
+
 JointLine bar_joint(const Deck& deck,
                     int node,
                     const std::vector<int>& bars,

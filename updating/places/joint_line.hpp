@@ -39,6 +39,16 @@ struct JointPlace {
 [[nodiscard]] JointLine shell_joint(const structure::Deck& deck,
                                     const std::vector<int>& nodes);
 
+/// The first of some directions across which a bar can turn at a grid: the bar
+/// of bar_joint() does not lie along it.
+///
+/// @param components 1..3 each, not empty
+/// @return the first where it lies along all, or there is no bar
+[[nodiscard]] int across_bar(const structure::Deck& deck,
+                             int node,
+                             const std::vector<int>& bars,
+                             const std::vector<int>& components);
+
 /// The joint between a bar and the rest at a grid.
 ///
 /// @param bars ids of which one touches the grid (a bar, or what it was split

@@ -4,18 +4,26 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace tapfit::updating {
 namespace {
 
-// Grids nearest to a grid, itself first.
-std::vector<int> nearest(const structure::Deck& deck, int node, int count) {
-  const Eigen::Vector3d at = deck.grids[deck.grid_index(node)].position;
-  std::vector<std::pair<double, int>> distance;
-  for (const structure::Grid& grid : deck.grids) {
-    if (grid.id < 0) continue;
-    distance.emplace_back((grid.position - at).norm(), grid.id);
+// Of the grids of places those nearest to a grid, itself first.
+std::vector<int> nearest(int node,
+                         const std::vector<Where>& places,
+                         const structure::Deck& deck,
+                         int count) {
+  const auto position = [&deck](int id) {
+    return deck.grids[deck.grid_index(id)].position;
+  };
+  std::vector<std::pair<double, int>> distance = {{0.0, node}};
+  std::set<int> known = {node};
+  for (const Where& place : places) {
+    if (!known.insert(place.node).second) continue;
+    distance.emplace_back((position(place.node) - position(node)).norm(),
+                          place.node);
   }
   const auto n = std::min<std::size_t>(distance.size(),
                                        static_cast<std::size_t>(count) + 1);
@@ -68,19 +76,19 @@ int size_class(const Where& where) {
 }  // namespace
 
 std::vector<Where> places_near(const Where& at,
-                               const std::vector<Where>& patches,
+                               const std::vector<Where>& places,
                                const structure::Deck& deck,
                                int count) {
   std::vector<Where> result;
   if (at.node != 0) {
-    for (const int node : nearest(deck, at.node, count)) {
+    for (const int node : nearest(at.node, places, deck, count)) {
       result.push_back(at);
       result.back().node = node;
     }
     return result;
   }
   std::vector<std::pair<double, Where>> order;
-  for (const Where& where : patches) {
+  for (const Where& where : places) {
     if (const auto far = distance(where, at, deck)) {
       order.emplace_back(*far, where);
     }
@@ -107,11 +115,13 @@ std::vector<Where> places_near(const Where& at,
 
 bool within_reach(const Where& from,
                   const Where& to,
+                  const std::vector<Where>& places,
                   const structure::Deck& deck,
                   int neighbours) {
   if (from.variant != to.variant) return false;
   if (from.node != 0) {
-    const std::vector<int> around = nearest(deck, from.node, neighbours);
+    const std::vector<int> around =
+        nearest(from.node, places, deck, neighbours);
     return std::ranges::find(around, to.node) != around.end();
   }
   return share(from.nodes, to.nodes) ||

@@ -20,16 +20,17 @@ template <class Id>
 /// seams, or the patches that share most elements and, of each other size up to
 /// eight times as large or small, the two that do.
 ///
-/// @param patches the places of the effect where it does not sit at grids
+/// @param places of the effect
 /// @param count how many besides itself, at most; not counting other sizes
 [[nodiscard]] std::vector<Where> places_near(const Where& at,
-                                             const std::vector<Where>& patches,
+                                             const std::vector<Where>& places,
                                              const structure::Deck& deck,
                                              int count);
 
 /// Whether a climb from one place would look at the other anyway.
 [[nodiscard]] bool within_reach(const Where& from,
                                 const Where& to,
+                                const std::vector<Where>& places,
                                 const structure::Deck& deck,
                                 int neighbours);
 

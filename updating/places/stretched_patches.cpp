@@ -1,10 +1,14 @@
 #include "updating/places/stretched_patches.hpp"
 
+#include "updating/places/element_cells.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -13,9 +17,9 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using structure::Deck;
 
-/// An element as a box along the axes.
+/// A cell of elements as a box along the axes.
 struct Block {
-  int id = 0;
+  std::vector<int> elements;
   Vector3d middle = Vector3d::Zero();
   Vector3d half = Vector3d::Zero();  ///< of its lengths
 };
@@ -53,31 +57,34 @@ std::vector<Block> blocks_of(const Deck& deck, int first) {
   for_each_element(deck, [&](int id, const std::vector<Vector3d>& at) {
     if (id == first) axes = axes_of(at);
   });
-  std::vector<Block> blocks;
+  std::map<int, std::vector<Vector3d>> turned;  // corners, by element
   for_each_element(deck, [&](int id, const std::vector<Vector3d>& at) {
-    Block block;
-    block.id = id;
+    for (const Vector3d& corner : at) turned[id].push_back(axes * corner);
+  });
+  std::vector<Block> blocks;
+  for (ElementCell& cell : element_cells(deck)) {
+    Block block{std::move(cell.elements), axes * cell.middle, {}};
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max());
     Vector3d high = -low;
-    for (const Vector3d& corner : at) {
-      const Vector3d turned = axes * corner;
-      block.middle += turned / static_cast<double>(at.size());
-      low = low.cwiseMin(turned);
-      high = high.cwiseMax(turned);
+    for (const int id : block.elements) {
+      for (const Vector3d& corner : turned.at(id)) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+      }
     }
     block.half = 0.5 * (high - low);
-    blocks.push_back(block);
-  });
+    blocks.push_back(std::move(block));
+  }
   return blocks;
 }
 
-/// The patch among all elements.
+/// The patch among all cells.
 class Stretch {
  public:
   Stretch(const std::vector<int>& patch, const Deck& deck)
       : blocks_(blocks_of(deck, patch.front())) {
     for (const Block& block : blocks_) {
-      const bool in = std::ranges::binary_search(patch, block.id);
+      const bool in = std::ranges::binary_search(patch, block.elements.front());
       (in ? inside_ : outside_).push_back(&block);
     }
     for (const Block* block : inside_) {
@@ -93,8 +100,9 @@ class Stretch {
     const double end = along(last) - layer(*last, axis);
     std::vector<int> ids;
     for (const Block* b : inside_) {
-      if (along(b) < end) ids.push_back(b->id);
+      if (along(b) < end) take(*b, ids);
     }
+    std::ranges::sort(ids);
     return ids;
   }
 
@@ -110,16 +118,20 @@ class Stretch {
     const Block* next = *std::ranges::min_element(ahead, {}, along);
     const double end = along(next) + layer(*next, axis);
     std::vector<int> ids;
-    for (const Block* b : inside_) ids.push_back(b->id);
+    for (const Block* b : inside_) take(*b, ids);
     for (const Block* b : ahead) {
-      if (along(b) < end) ids.push_back(b->id);
+      if (along(b) < end) take(*b, ids);
     }
     std::ranges::sort(ids);
     return ids;
   }
 
  private:
-  // Half of an element; of one that is thin along the axis, a little.
+  static void take(const Block& block, std::vector<int>& ids) {
+    ids.insert(ids.end(), block.elements.begin(), block.elements.end());
+  }
+
+  // Half of a cell; of one that is thin along the axis, a little.
   [[nodiscard]] static double layer(const Block& block, Index axis) {
     return std::max(block.half[axis], 1e-6 * block.half.maxCoeff());
   }

@@ -10,8 +10,8 @@ namespace tapfit::updating {
 /// A patch with one layer more, and with one less, on each of its six sides.
 /// Sides are those of the box around its elements' middles, along the axes of
 /// its first element (a shell's first edge and normal, a bar's own); a layer is
-/// what lies within half of the outermost element. So many steps lead from a
-/// box to any other.
+/// what lies within half of the outermost of element_cells(). So many steps
+/// lead from a box to any other.
 ///
 /// @param patch ids, not empty
 /// @return ids ascending; no patch larger than half of all elements

@@ -33,6 +33,15 @@ Eigen::RowVectorXd PointRows::row(Index dof) const {
          own_.row(dof) * Q_.bottomRows(own_.cols());
 }
 
+MatrixXd PointRows::rows_of_grid(std::size_t grid) const {
+  const Index first = 6 * static_cast<Index>(grid);
+  MatrixXd rows = shared_->middleRows(first, 6) * Q_.topRows(shared_->cols());
+  if (own_.cols() > 0) {
+    rows += own_.middleRows(first, 6) * Q_.bottomRows(own_.cols());
+  }
+  return rows;
+}
+
 MatrixXd PointRows::all() const {
   return *this * MatrixXd::Identity(cols(), cols());
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
 
 namespace tapfit::updating {
@@ -25,6 +26,7 @@ class PointRows {
   [[nodiscard]] Eigen::Index rows() const;
   [[nodiscard]] Eigen::Index cols() const { return Q_.cols(); }
   [[nodiscard]] Eigen::RowVectorXd row(Eigen::Index dof) const;
+  [[nodiscard]] Eigen::MatrixXd rows_of_grid(std::size_t grid) const;
   [[nodiscard]] Eigen::MatrixXd all() const;
   /// rows X, without working the rows out.
   [[nodiscard]] Eigen::MatrixXd operator*(const Eigen::MatrixXd& X) const;

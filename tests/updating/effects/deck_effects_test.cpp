@@ -298,7 +298,7 @@ TEST_F(DeckEffects, JointReadBackGivesTheSameFrfs) {
         whole->fitter->model_for({joint}, BaseUse::Scan)->base().terms.front();
     for (const double k : {term.lower, term.start}) {
       joint.p = {k};
-      const JointLine line = effects::joint_at(whole->deck, joint.where, 3);
+      const JointLine line = effects::joint_at(joint.where, whole->setting);
       const effects::JointCards cards =
           effects::joint_cards(whole->deck, line, k);
       EXPECT_EQ(cards.added,
@@ -331,7 +331,9 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
   const auto whole = model_of(structure::deck_of(text));
   PlacedEffect joint{&effects::find("joint"), {}, {2.0}};
   joint.where.nodes = {201};
-  const JointLine line = effects::joint_at(whole->deck, joint.where, 1);
+  effects::Setting along_x = whole->setting;
+  along_x.component = 1;
+  const JointLine line = effects::joint_at(joint.where, along_x);
   ASSERT_EQ(line.side.size(), 1U);
   const structure::Deck jointed = with_joint(
       whole->deck, effects::joint_cards(whole->deck, line, 2.0), line);

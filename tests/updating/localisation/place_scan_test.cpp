@@ -95,8 +95,11 @@ TEST_F(Scanned, ALawAtAGridLeavesWhatTheModelWithItLeaves) {
 
 TEST_F(Scanned, PartsAddUpToTheirPatternsSum) {
   const MisfitScan misfit(current_, target());
-  const PlaceRows rows(*current_.model);
-  const std::vector<Eigen::MatrixXd> parts = {rows.element(3), rows.element(4)};
+  PlaceRows rows(*current_.model);
+  const std::vector<ElementCell> cells =
+      element_cells(*current_.model->setting().deck);
+  const std::vector<Eigen::MatrixXd> parts = {rows.cell(cells[2]),
+                                              rows.cell(cells[3])};
   const PlaceScan scan(current_, target(), misfit, {{}, parts, {{0, 1}}}, {});
   const PlacePatterns patterns = place_patterns(current_, target(), parts, {});
   MatrixXcd change = patterns.pattern[0] + patterns.pattern[1];

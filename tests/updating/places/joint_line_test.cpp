@@ -88,6 +88,8 @@ TEST(BarJoint, TurnsAcrossTheBar) {
   ASSERT_EQ(joint.grids.size(), 1U);
   EXPECT_NEAR(std::abs(joint.grids[0].axis.y()), 1.0, 1e-12);
   EXPECT_TRUE(bar_joint(deck, 2, {}, 1).grids.empty());
+  EXPECT_EQ(across_bar(deck, 2, {}, {1, 3, 2}), 3);
+  EXPECT_EQ(across_bar(deck, 2, {}, {1}), 1);
 }
 
 }  // namespace
