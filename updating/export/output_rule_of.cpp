@@ -13,6 +13,7 @@ acquisition::OutputRule output_rule_of(const acquisition::TestBundle& bundle,
   std::vector<std::filesystem::path> inputs{bundle.file, session_file(bundle)};
   for (const acquisition::Run& run : bundle.runs) inputs.push_back(run.file);
   if (bundle.frfs) inputs.push_back(*bundle.frfs);
+  if (bundle.geometry) inputs.push_back(bundle.geometry->file);
   if (bundle.matrices) {
     const acquisition::MatrixModel& given = *bundle.matrices;
     inputs.insert(inputs.end(), {given.stiffness, given.mass, given.dofs});
