@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tapfit::acquisition {
@@ -113,6 +114,31 @@ TEST_F(TestPoints, ATriaxialSensorIsOnePoint) {
   EXPECT_TRUE(along(bundle, s[2].dof).isApprox(Vector3d(0.0, -1, 0.0), 1e-14));
   // Not at right angles: another sensor.
   EXPECT_EQ(read({point({0, 0, 1}), point({0.6, 0, 0.8})}).points.size(), 2U);
+}
+
+// Two turns of 30 and 45 degrees, as a sheet says them.
+TEST_F(TestPoints, ATriaxialSensorMayBeRoundedToThreeDigits) {
+  const double a = std::sqrt(0.375);
+  const double b = std::sqrt(0.125);
+  const double c = std::sqrt(0.5);
+  const std::vector<Vector3d> exact = {
+      {a, b, c}, {-0.5, std::sqrt(0.75), 0.0}, {-a, -b, c}};
+  std::vector<json> points;
+  for (const Vector3d& d : exact) {
+    json rounded = json::array();
+    for (const double x : d) rounded.push_back(std::round(1e3 * x) / 1e3);
+    points.push_back({{"at", {0.1, 0.2, 0.0}}, {"direction", rounded}});
+  }
+  std::vector<std::size_t> order = {0, 1, 2};
+  do {
+    const TestBundle bundle =
+        read({points[order[0]], points[order[1]], points[order[2]]});
+    ASSERT_EQ(bundle.points.size(), 1U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d found = along(bundle, bundle.runs[0].sensors[k].dof);
+      EXPECT_LT((found - exact[order[k]]).norm(), 2.5e-3);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST_F(TestPoints, HeightsAreTheChannelsOrThePoints) {
