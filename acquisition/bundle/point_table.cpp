@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 bool same_site(const TestPoint& a, const TestPoint& b) {
-  return a.node == b.node && a.at == b.at && a.in_test_axes == b.in_test_axes &&
+  return a.node == b.node && a.of_node == b.of_node && a.at == b.at &&
          a.height_m == b.height_m && a.system == b.system;
 }
 

@@ -13,11 +13,11 @@ namespace tapfit::acquisition {
 /// A Dof with node -label is along one of its axes.
 struct TestPoint {
   int label = 0;
-  int node = 0;  ///< the grid that it is at; 0: at coordinates
+  int node = 0;     ///< the grid that it is at; 0: at coordinates
+  int of_node = 0;  ///< the node of the test's geometry that it is at; or 0
   /// Coordinates [m], where it is at no grid: in the model's basic axes, or in
-  /// the test's own where it is a node of the test's geometry.
+  /// the test's own where it is at a node of the test's geometry.
   Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  bool in_test_axes = false;
   /// Of the sensing element above the surface, along its normal [m].
   double height_m = 0.0;
   /// Directions of its components X, Y, Z, columns in the axes that its

@@ -232,8 +232,23 @@ TEST_F(TestMesh, NodesAreThePointsOfItsOwnMesh) {
   EXPECT_LT(bundle.runs[0].sensors[1].dof.node, -9);
   const TestPoint* point = find_point(bundle.points, 9);
   ASSERT_NE(point, nullptr);
-  EXPECT_TRUE(point->in_test_axes);
+  EXPECT_EQ(point->of_node, 9);
   EXPECT_TRUE(point->at.isApprox(Vector3d(1, 1, 0)));
+}
+
+TEST_F(TestMesh, WhatIsWrittenComesBack) {
+  const TestBundle bundle =
+      read({json("9:-Z"),
+            json{{"node", 9}, {"direction", {1, 0, 1}}},
+            json{{"node", 2}, {"direction", "+X"}, {"height_m", 0.01}}});
+  folder_.write("test.json", test_bundle_text(bundle, folder_.path()));
+  const TestBundle back = read_test_bundle(folder_.path());
+  EXPECT_EQ(back.runs[0].hammer.dof, bundle.runs[0].hammer.dof);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Dof& dof = back.runs[0].sensors[k].dof;
+    EXPECT_EQ(dof, bundle.runs[0].sensors[k].dof);
+    EXPECT_EQ(find_point(back.points, -dof.node)->of_node, k == 2 ? 2 : 9);
+  }
 }
 
 TEST_F(TestMesh, PointsAndPairsThatAreNotThereAreRefused) {

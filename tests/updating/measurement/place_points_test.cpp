@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -44,12 +46,17 @@ const Matrix3d skew =
 
 class PlacePoints : public ::testing::Test {
  protected:
-  structure::Deck placed(const TestPoint& point) {
+  structure::Deck placed(const std::vector<TestPoint>& points) {
     acquisition::TestBundle bundle = bundle_;
-    bundle.points = {point};
+    bundle.points = points;
+    std::set<int> used;
+    for (const TestPoint& point : points) used.insert(point.label);
     structure::Deck deck = deck_;
-    place_points(bundle, {point.label}, deck);
+    place_points(bundle, used, deck);
     return deck;
+  }
+  structure::Deck placed(const TestPoint& point) {
+    return placed(std::vector{point});
   }
 
   // Receptances from a blow on grid 28 along Z to degrees of freedom, on two
@@ -250,6 +257,29 @@ TEST_F(LaidOver, PairsBringPointsAndDirectionsToTheModel) {
   bundle_.geometry.reset();
   const auto same = frfs(placed(point_at({0.1, 0.07, 0.0})), {{-5, 3, 1}});
   EXPECT_LT((H[0] - same[0]).norm(), 1e-6 * same[0].norm());
+}
+
+// A blow askew to the axes of a node has a number that is no node's.
+TEST_F(LaidOver, PointsOfAnyNumberAreAtTheirNodes) {
+  std::vector<TestPoint> points = {node(1), node(2), node(3)};
+  for (TestPoint& point : points) point.label += 100;
+  bundle_.geometry->pairs.clear();
+  bundle_.geometry->nodes = {
+      {1, {0, 0, 0}}, {2, {0.3, 0, 0}}, {3, {0.3, 0.12, 0}}};
+  for (TestPoint& point : points) {
+    point.at = bundle_.geometry->nodes.at(point.of_node);
+  }
+  const structure::Deck deck = placed(points);
+  ASSERT_EQ(deck.measuring.size(), 3U);
+  EXPECT_TRUE(deck.grids.front().position.isApprox(Vector3d(0.3, 0.12, 0)));
+}
+
+// Coordinates on the model need no mesh of the test's, be it laid over or not.
+TEST_F(LaidOver, ATestWithoutItsNodesIsNotLaidOver) {
+  bundle_.geometry->pairs.clear();
+  const structure::Deck deck = placed(point_at({0.1, 0.07, 0.0}));
+  EXPECT_FALSE(deck.laid_over.has_value());
+  EXPECT_EQ(deck.measuring.size(), 1U);
 }
 
 TEST_F(LaidOver, PairsThatDoNotFitAreRefused) {
