@@ -42,6 +42,11 @@ void add(const acquisition::TestBundle& bundle, ContentDigest& digest) {
     add_numbers(point.at, digest);
     add_numbers(point.axes, digest);
   }
+  if (!bundle.geometry) return;
+  for (const auto& [label, x] : bundle.geometry->nodes) {
+    digest.add(static_cast<double>(label));
+    add_numbers(x, digest);
+  }
 }
 
 void add(const structure::Deck& deck, ContentDigest& digest) {
