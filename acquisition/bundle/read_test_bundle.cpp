@@ -16,8 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <set>
 
 namespace tapfit::acquisition {
@@ -236,6 +235,19 @@ void read_runs(const json& document, const Source& source, TestBundle& bundle) {
   bundle.points = placements.points();
 }
 
+// That there are points which only a model could place.
+std::optional<std::string> unplaced_note(const TestBundle& bundle) {
+  if (bundle.deck || bundle.matrices) return {};
+  const auto first = std::ranges::find_if(bundle.points, needs_model);
+  if (first == bundle.points.end()) return {};
+  const auto all = std::ranges::count_if(bundle.points, needs_model);
+  return fmt::format(
+      "no model says where {} of the test's points lie ({}, ...), at grids or "
+      "along systems: universal files are written without their places",
+      all,
+      node_name(-first->label));
+}
+
 void read_options(const json& document, TestBundle& bundle) {
   const auto number = [&](const char* key) -> std::optional<double> {
     if (!document.contains(key)) return std::nullopt;
@@ -347,6 +359,9 @@ TestBundle read_test_bundle(const fs::path& folder) {
   for (const std::string& place : unknown_fields(document)) {
     bundle.warnings.push_back(
         fmt::format("{}: unknown field, not used", source.at(place)));
+  }
+  if (auto note = unplaced_note(bundle)) {
+    bundle.warnings.push_back(*std::move(note));
   }
   for (std::string& lossy : lossy_statements(bundle)) {
     bundle.warnings.push_back(std::move(lossy));

@@ -71,11 +71,8 @@ std::vector<TestPoint> own_points(const UffMesh& mesh,
     if (node > 0 && !axes) continue;
     TestPoint point;
     point.label = node < 0 ? -node : node;
-    if (node > 0) {
-      point.node = node;
-    } else {
-      point.at = mesh.length_m * position_of(mesh.geometry, label);
-    }
+    if (node > 0) point.node = node;
+    point.at = mesh.length_m * position_of(mesh.geometry, label);
     if (axes) point.axes = *axes;
     point.place = fmt::format("{}: node {}", name, label);
     points.push_back(point);

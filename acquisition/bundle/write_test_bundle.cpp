@@ -50,7 +50,7 @@ ordered_json point_json(const Dof& dof, const TestBundle& bundle) {
   } else if (point->node != 0) {
     said["node"] = point->node;
   } else {
-    const Eigen::Vector3d at = point->at / model_units(bundle.units)->length;
+    const Eigen::Vector3d at = *point->at / model_units(bundle.units)->length;
     said["at"] = {at.x(), at.y(), at.z()};
   }
   if (point->system != 0) {

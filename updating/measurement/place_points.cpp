@@ -108,7 +108,7 @@ Matrix3d axes_of_point(const TestPoint& point,
 Placed placed(const TestPoint& point,
               const MeshSurface& surface,
               const Deck& deck) {
-  Vector3d at = point.at;
+  Vector3d at = point.at.value_or(Vector3d::Zero());
   Matrix3d turn = Matrix3d::Identity();
   if (point.node != 0 && deck.has_grid(point.node)) {
     at = deck.grids[deck.grid_index(point.node)].position;

@@ -36,6 +36,7 @@ TestPoint point_at(const Vector3d& at,
 
 TestPoint point_at_grid(int node, const Matrix3d& axes) {
   TestPoint point = point_at(Vector3d::Zero(), axes);
+  point.at.reset();
   point.node = node;
   return point;
 }
