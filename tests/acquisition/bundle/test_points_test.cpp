@@ -2,13 +2,16 @@
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace tapfit::acquisition {
 namespace {
@@ -250,6 +253,51 @@ TEST_F(TestMesh, WhatIsWrittenComesBack) {
     const Dof& dof = back.runs[0].sensors[k].dof;
     EXPECT_EQ(dof, bundle.runs[0].sensors[k].dof);
     EXPECT_EQ(find_point(back.points, -dof.node)->of_node, k == 2 ? 2 : 9);
+  }
+}
+
+// A universal file of one node at the origin with axes turned about Z.
+std::string turned_node(int label, double degrees) {
+  const double a = degrees * M_PI / 180.0;
+  UffGeometry geometry;
+  geometry.nodes[label] = Vector3d::Zero();
+  geometry.node_systems[label] = {0, 7, {}};
+  geometry.systems[7].points << Vector3d::Zero(),
+      Vector3d(std::cos(a), std::sin(a), 0.0), Vector3d::UnitZ();
+  std::ostringstream out;
+  write_geometry(geometry, UffNodes::D2411, out);
+  return out.str();
+}
+
+// Functions count along the axes of the file that they are in.
+TEST_F(TestMesh, NodesOfTheFrfsKeepTheAxesOfTheirFile) {
+  folder_.write("mesh.uff", turned_node(9, 0.0));
+  folder_.write("measured.uff", turned_node(9, 30.0));
+  document_["geometry"] = {{"file", "mesh.uff"}};
+  document_.erase("runs");
+  document_["frfs"] = "measured.uff";
+  for (const double of_mesh : {0.0, 20.0}) {
+    folder_.write("mesh.uff", turned_node(9, of_mesh));
+    const TestBundle bundle = read_now();
+    const TestPoint* point = find_point(bundle.points, 9);
+    ASSERT_NE(point, nullptr);
+    const Vector3d along(std::sqrt(0.75), 0.5, 0.0);
+    EXPECT_TRUE(point->axes.col(0).isApprox(along, 1e-5)) << of_mesh;
+  }
+}
+
+// Labels from 100000001 on are points of the test's own.
+TEST_F(TestMesh, LabelsThatAreNoneAreRefused) {
+  document_["geometry"] = {{"file", "mesh.uff"}};
+  for (const int label : {0, -3, 100'000'001}) {
+    folder_.write("mesh.uff", turned_node(label, 0.0));
+    refuses_geometry("mesh.uff", "no label of a point");
+  }
+  document_["geometry"] = {{"file", "mesh.csv"}};
+  for (const char* label : {"0", "1.5", "100000001", "1e300"}) {
+    folder_.write("mesh.csv",
+                  fmt::format("label,x,y,z\n{},0,0,0\n1,1,0,0\n", label));
+    refuses_geometry("mesh.csv", "no label of a point");
   }
 }
 
