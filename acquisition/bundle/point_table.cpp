@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 bool same_site(const TestPoint& a, const TestPoint& b) {
-  return a.node == b.node && a.at == b.at && a.in_test_axes == b.in_test_axes &&
+  return a.node == b.node && a.of_node == b.of_node && a.at == b.at &&
          a.height_m == b.height_m && a.system == b.system;
 }
 
@@ -25,12 +25,12 @@ bool same_site(const TestPoint& a, const TestPoint& b) {
 std::optional<NamedDirection> with_direction(const Matrix3d& axes,
                                              const std::array<bool, 3>& taken,
                                              const Vector3d& direction) {
-  constexpr double rounding = 1e-6;
   Index own = -1;
   Index kept = -1;
   for (Index axis = 0; axis < 3; ++axis) {
     if (taken.at(static_cast<std::size_t>(axis))) {
-      const bool upright = std::abs(axes.col(axis).dot(direction)) <= rounding;
+      const bool upright =
+          std::abs(axes.col(axis).dot(direction)) <= as_written;
       if (!upright || kept >= 0) return {};
       kept = axis;
     } else if (own < 0 ||

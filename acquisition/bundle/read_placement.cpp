@@ -120,21 +120,22 @@ Dof PlacementReader::at_test_node(const Site& site,
         fmt::format("use a label of {}, or give at, coordinates on the model",
                     geometry.file.filename().string()));
   }
-  TestPoint point = own_point(geometry, label);
-  const std::string where = source_->at(place + ".direction");
-  if (direction.is_string() && site.point.height_m == 0.0) {
-    table_.keep(point);
-    return at_own_point(
-        geometry, read_letter(direction.get<std::string>(), label, where));
-  }
-  const Direction along = read_direction(direction, where);
+  Direction said = read_direction(direction, source_->at(place + ".direction"));
   const auto own = geometry.directions.find(label);
-  const bool turned = direction.is_string() && own != geometry.directions.end();
+  if (direction.is_string() && own != geometry.directions.end()) {
+    said.along = own->second * said.along;
+  }
+  TestPoint point = own_point(geometry, label);
+  if (site.point.height_m == 0.0 && said.system == 0) {
+    if (const auto named = along_one_of(point.axes, said.along)) {
+      table_.keep(point);
+      return {-label, named->component, named->sign};
+    }
+  }
   point.place = site.point.place;
   point.height_m = site.point.height_m;
-  point.system = along.system;
-  return table_.add(point,
-                    turned ? Vector3d(own->second * along.along) : along.along);
+  point.system = said.system;
+  return table_.add(point, said.along);
 }
 
 Dof PlacementReader::read_dof(const json& entry,

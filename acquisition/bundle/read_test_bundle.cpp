@@ -1,23 +1,22 @@
-// test.json in three passes: JSON syntax (nlohmann-json), form (JSON Schema),
-// and what a schema cannot say (names that refer to each other, units, files).
+// The third pass over test.json: what a schema cannot say (names that refer to
+// each other, units, files).
 #include "acquisition/bundle/read_test_bundle.hpp"
 
 #include "acquisition/bundle/json_source.hpp"
 #include "acquisition/bundle/lossy_files.hpp"
 #include "acquisition/bundle/read_placement.hpp"
 #include "acquisition/bundle/read_test_geometry.hpp"
+#include "acquisition/bundle/read_test_json.hpp"
 #include "acquisition/bundle/test_schema.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <set>
 
 namespace tapfit::acquisition {
@@ -27,43 +26,6 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 using Source = JsonSource;
-
-std::string read_text(const fs::path& file) {
-  std::ifstream stream = open_input(file, most_text_bytes);
-  if (!stream) {
-    throw InputError(
-        "cannot be opened",
-        file.string(),
-        "give the folder of a test bundle, with a test.json in it, or a "
-        "universal file");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-json parse_json(const std::string& text, const std::string& source) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const std::size_t at =
-        std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
-    const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
-    const auto line = 1 + std::count(text.begin(), here, '\n');
-    const std::size_t start =
-        at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-    const std::size_t column = start == std::string::npos ? at + 1 : at - start;
-    std::string what = error.what();
-    const std::size_t colon = what.find("syntax error");
-    if (colon != std::string::npos) what = what.substr(colon);
-    const bool encoding = what.find("UTF-8") != std::string::npos;
-    throw InputError(
-        what,
-        fmt::format("{}:{}:{}", source, line, column),
-        encoding ? "save the file as UTF-8 text"
-                 : "look for a missing comma, quote or bracket just before");
-  } catch (const json::exception& error) {
-    throw InputError(error.what(), source, "correct the JSON");
-  }
-}
 
 Channel read_channel(const json& entry,
                      const std::string& place,
@@ -236,6 +198,19 @@ void read_runs(const json& document, const Source& source, TestBundle& bundle) {
   bundle.points = placements.points();
 }
 
+// That there are points which only a model could place.
+std::optional<std::string> unplaced_note(const TestBundle& bundle) {
+  if (bundle.deck || bundle.matrices) return {};
+  const auto first = std::ranges::find_if(bundle.points, needs_model);
+  if (first == bundle.points.end()) return {};
+  const auto all = std::ranges::count_if(bundle.points, needs_model);
+  return fmt::format(
+      "no model says where {} of the test's points lie ({}, ...), at grids or "
+      "along systems: universal files are written without their places",
+      all,
+      node_name(-first->label));
+}
+
 void read_options(const json& document, TestBundle& bundle) {
   const auto number = [&](const char* key) -> std::optional<double> {
     if (!document.contains(key)) return std::nullopt;
@@ -273,40 +248,13 @@ void read_options(const json& document, TestBundle& bundle) {
   }
 }
 
-// A file that was named or linked instead of a bundle's and begins like no JSON
-// object: nothing of it is quoted.
-void refuse_foreign(const fs::path& file) {
-  std::ifstream in = open_input(file);
-  char first = ' ';
-  // A byte order mark may stand in front; an empty file is told of later.
-  std::string mark(3, ' ');
-  if (!in.read(mark.data(), 3) || mark != "\xef\xbb\xbf") {
-    in.clear();
-    in.seekg(0);
-  }
-  if (!(in >> first) || first == '{') return;
-  // Of a list in a .json the schema says what is wrong.
-  if (first == '[' && file.extension() == ".json") return;
-  throw InputError(
-      "not a test bundle: expected a folder with test.json, a test.json, or a "
-      "universal file (.uff, a line of \"    -1\" first)",
-      file.string(),
-      "give the bundle's folder; `tapfit import` makes a bundle of CSV, MATLAB "
-      "and SEP-005 files, and recordings are named in a test.json");
-}
-
 }  // namespace
 
 TestBundle read_test_bundle(const fs::path& folder) {
   if (is_uff(folder)) return read_uff_bundle(folder);
-  std::error_code ignored;
-  const bool is_folder = fs::is_directory(folder, ignored);
-  const fs::path file = is_folder ? folder / "test.json" : folder;
+  const fs::path file = test_json_of(folder);
   const Source source{file.parent_path(), file.filename().string()};
-  refuse_foreign(file);
-
-  const json document = parse_json(read_text(file), source.name);
-  check_against_schema(document, source.name);
+  const json document = read_test_json(file);
   if (document.contains("runs") == document.contains("frfs")) {
     throw InputError("needs either runs or frfs",
                      source.at("runs"),
@@ -347,6 +295,9 @@ TestBundle read_test_bundle(const fs::path& folder) {
   for (const std::string& place : unknown_fields(document)) {
     bundle.warnings.push_back(
         fmt::format("{}: unknown field, not used", source.at(place)));
+  }
+  if (auto note = unplaced_note(bundle)) {
+    bundle.warnings.push_back(*std::move(note));
   }
   for (std::string& lossy : lossy_statements(bundle)) {
     bundle.warnings.push_back(std::move(lossy));

@@ -68,6 +68,8 @@ TestGeometry read_test_geometry(const json& entry,
   const double length = model_units(bundle.units)->length;
   TestGeometry geometry =
       read_geometry_file(file_of(entry, bundle, source), length);
+  const bool apart = bundle.frfs && geometry.file != *bundle.frfs;
+  if (apart && is_uff(*bundle.frfs)) take_directions(*bundle.frfs, geometry);
   if (!entry.contains("pairs")) return geometry;
   std::set<int> labels;
   for (std::size_t k = 0; k < entry["pairs"].size(); ++k) {

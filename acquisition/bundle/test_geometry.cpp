@@ -22,7 +22,7 @@ TestPoint own_point(const TestGeometry& geometry, int label) {
   TestPoint point;
   point.label = label;
   point.at = geometry.nodes.at(label);
-  point.in_test_axes = true;
+  point.of_node = label;
   const auto own = geometry.directions.find(label);
   if (own != geometry.directions.end()) {
     point.axes = named_like_basic(own->second);

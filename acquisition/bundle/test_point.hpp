@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,12 @@ namespace tapfit::acquisition {
 /// A Dof with node -label is along one of its axes.
 struct TestPoint {
   int label = 0;
-  int node = 0;  ///< the grid that it is at; 0: at coordinates
-  /// Coordinates [m], where it is at no grid: in the model's basic axes, or in
-  /// the test's own where it is a node of the test's geometry.
-  Eigen::Vector3d at = Eigen::Vector3d::Zero();
-  bool in_test_axes = false;
+  int node = 0;     ///< the grid that it is at; 0: at coordinates
+  int of_node = 0;  ///< the node of the test's geometry that it is at; or 0
+  /// Coordinates [m] where they are said: in the model's basic axes, or in the
+  /// test's own where it is at a node of the test's geometry. At a grid the
+  /// model's count.
+  std::optional<Eigen::Vector3d> at;
   /// Of the sensing element above the surface, along its normal [m].
   double height_m = 0.0;
   /// Directions of its components X, Y, Z, columns in the axes that its
@@ -26,6 +28,9 @@ struct TestPoint {
   int system = 0;     ///< a coordinate system of the model
   std::string place;  ///< what says so, "test.json: runs[0].hammer.point"
 };
+
+/// Whether only a model says where the point is, or what its axes are.
+[[nodiscard]] bool needs_model(const TestPoint& point);
 
 /// The point of a label; nothing where there is none.
 [[nodiscard]] const TestPoint* find_point(const std::vector<TestPoint>& points,

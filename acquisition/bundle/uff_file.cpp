@@ -1,6 +1,7 @@
 #include "acquisition/bundle/uff_file.hpp"
 
 #include <fstream>
+#include <iomanip>
 #include <system_error>
 
 namespace tapfit::acquisition {
@@ -20,8 +21,10 @@ bool is_uff(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return false;
   std::ifstream in(file, std::ios::binary);
-  std::string line;
-  return static_cast<bool>(in >> line) && line == "-1";
+  // A file without blanks would come in whole.
+  constexpr int enough = 4;
+  std::string begin;
+  return static_cast<bool>(in >> std::setw(enough) >> begin) && begin == "-1";
 }
 
 }  // namespace tapfit::acquisition

@@ -15,12 +15,26 @@
 namespace tapfit::acquisition {
 namespace {
 
+// Those behind are points of the test's own in a file of tapfit's.
+bool is_node_label(int label) {
+  return label >= 1 && node_of_uff_label(label) == label;
+}
+
+InputError no_label(const std::string& said,
+                    const std::filesystem::path& file) {
+  return {fmt::format("\"{}\" is no label of a point", said),
+          file.filename().string(),
+          "number the points from 1 to at most 100000000; in a table each has "
+          "one line: label, x, y, z"};
+}
+
 TestGeometry geometry_of_uff(const std::filesystem::path& path) {
   const UffFile file = open_uff(path);
   const UffMesh mesh =
       file.bytes.reading([&] { return read_uff_mesh(file.datasets); });
   TestGeometry result;
   for (const auto& [label, unused] : mesh.geometry.nodes) {
+    if (!is_node_label(label)) throw no_label(std::to_string(label), path);
     result.nodes[label] = mesh.length_m * position_of(mesh.geometry, label);
     const Eigen::Matrix3d axes = directions_at(mesh.geometry, label);
     if (!axes.isIdentity(1e-12)) result.directions[label] = axes;
@@ -37,16 +51,14 @@ TestGeometry geometry_of_table(const std::filesystem::path& path,
     const double label = table(i, 0);
     const bool whole = label == std::round(label) && label >= 1.0 &&
                        label <= std::numeric_limits<int>::max();
-    if (!whole || result.nodes.contains(static_cast<int>(label))) {
-      throw InputError(
-          whole ? fmt::format("point {} is there twice", label)
-                : fmt::format("\"{}\" is no label of a point", label),
-          path.filename().string(),
-          "give each point one line: label (a whole number from 1 on), x, y, "
-          "z");
-    }
-    result.nodes[static_cast<int>(label)] =
+    const int number = whole ? static_cast<int>(label) : 0;
+    if (!is_node_label(number)) throw no_label(fmt::format("{}", label), path);
+    const Eigen::Vector3d at =
         length_m * table.row(i).segment<3>(1).transpose();
+    if (result.nodes.try_emplace(number, at).second) continue;
+    throw InputError(fmt::format("point {} is there twice", number),
+                     path.filename().string(),
+                     "give each point one line: label, x, y, z");
   }
   return result;
 }
@@ -71,16 +83,22 @@ std::vector<TestPoint> own_points(const UffMesh& mesh,
     if (node > 0 && !axes) continue;
     TestPoint point;
     point.label = node < 0 ? -node : node;
-    if (node > 0) {
-      point.node = node;
-    } else {
-      point.at = mesh.length_m * position_of(mesh.geometry, label);
-    }
+    if (node > 0) point.node = node;
+    point.at = mesh.length_m * position_of(mesh.geometry, label);
     if (axes) point.axes = *axes;
     point.place = fmt::format("{}: node {}", name, label);
     points.push_back(point);
   }
   return points;
+}
+
+void take_directions(const std::filesystem::path& uff, TestGeometry& geometry) {
+  const UffFile file = open_uff(uff);
+  const UffGeometry own =
+      file.bytes.reading([&file] { return read_geometry(file.datasets); });
+  for (const auto& [label, unused] : own.nodes) {
+    geometry.directions[label] = directions_at(own, label);
+  }
 }
 
 TestGeometry read_geometry_file(const std::filesystem::path& file,

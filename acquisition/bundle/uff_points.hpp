@@ -27,10 +27,16 @@ struct UffMesh {
 [[nodiscard]] std::vector<TestPoint> own_points(const UffMesh& mesh,
                                                 const std::string& name);
 
+/// What X, Y, Z mean at nodes that a universal file of FRFs has itself, in
+/// place of what another file of geometry says.
+/// @throws InputError for a node in a system that the file does not have
+void take_directions(const std::filesystem::path& uff, TestGeometry& geometry);
+
 /// A test's geometry: a universal file (15 or 2411, 18 or 2420), or a table
 /// with the columns label, x, y, z.
 /// @param length_m unit of a table's coordinates
-/// @throws InputError for a file without points, or as its reader
+/// @throws InputError for a file without points, a label that is none, or as
+///   its reader
 [[nodiscard]] TestGeometry read_geometry_file(const std::filesystem::path& file,
                                               double length_m);
 

@@ -45,12 +45,12 @@ ordered_json point_json(const Dof& dof, const TestBundle& bundle) {
   if (point == nullptr) return name(dof);
   const Eigen::Vector3d along = dof.sign * point->axes.col(dof.component - 1);
   ordered_json said = ordered_json::object();
-  if (point->in_test_axes) {
-    said["node"] = point->label;
+  if (point->of_node != 0) {
+    said["node"] = point->of_node;
   } else if (point->node != 0) {
     said["node"] = point->node;
   } else {
-    const Eigen::Vector3d at = point->at / model_units(bundle.units)->length;
+    const Eigen::Vector3d at = *point->at / model_units(bundle.units)->length;
     said["at"] = {at.x(), at.y(), at.z()};
   }
   if (point->system != 0) {

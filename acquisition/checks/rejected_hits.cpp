@@ -22,6 +22,15 @@ bool has(const Hit& hit, HitFault fault) {
   return std::ranges::count(hit.reasons, fault) > 0;
 }
 
+// What judges a hit out: not a second blow that is noted and costs little.
+std::vector<HitFault> faults_of(const Hit& hit) {
+  std::vector<HitFault> faults = hit.reasons;
+  if (hit.second && !hit.second->thins_force && !hit.second->leaves_block) {
+    std::erase(faults, HitFault::Double);
+  }
+  return faults;
+}
+
 bool any_hit_accepted(const HitSet& hits) {
   return std::ranges::any_of(hits.runs, [](const std::vector<Hit>& run) {
     return std::ranges::any_of(run, &Hit::accepted);
@@ -104,7 +113,7 @@ Finding rejected_finding(const TestBundle& bundle,
                          Severity severity) {
   std::map<HitFault, int> counts;
   for (const Hit& hit : hits.runs[run]) {
-    for (const HitFault fault : hit.reasons) ++counts[fault];
+    for (const HitFault fault : faults_of(hit)) ++counts[fault];
   }
   const auto most = std::ranges::max_element(
       counts, {}, [](const auto& entry) { return entry.second; });
@@ -140,7 +149,7 @@ std::vector<Finding> rejected_hit_findings(
     const std::vector<Hit>& run = hits.runs[r];
     if (run.empty() || recordings[r].samples.rows() == 0) continue;
     const bool judged_out = std::ranges::all_of(run, [](const Hit& hit) {
-      return !hit.accepted && !hit.reasons.empty();
+      return !hit.accepted && !faults_of(hit).empty();
     });
     if (!judged_out) continue;
     findings.push_back(

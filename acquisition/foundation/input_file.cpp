@@ -61,6 +61,10 @@ std::string read_input(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+std::uintmax_t most_table_bytes() {
+  return static_cast<std::uintmax_t>(0.5 * most_matrix_bytes());
+}
+
 double most_matrix_bytes() {
   return 0.5 * static_cast<double>(::sysconf(_SC_PHYS_PAGES)) *
          static_cast<double>(::sysconf(_SC_PAGESIZE));

@@ -13,6 +13,10 @@ namespace tapfit::acquisition {
 /// programs write there.
 inline constexpr std::uintmax_t most_text_bytes = 256U << 20U;
 
+/// Of a table of samples as text, which is taken into memory as that and as
+/// numbers: a quarter of the machine's memory.
+[[nodiscard]] std::uintmax_t most_table_bytes();
+
 /// Refuses what is there and no regular file, and a file that is too large.
 /// What is not there passes: whoever opens it knows what it was for.
 ///

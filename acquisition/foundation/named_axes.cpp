@@ -29,10 +29,9 @@ NamedDirection axes_along(const Vector3d& direction) {
 
 std::optional<NamedDirection> along_one_of(const Matrix3d& axes,
                                            const Vector3d& direction) {
-  constexpr double rounding = 1e-6;
   for (Index axis = 0; axis < 3; ++axis) {
     for (const int sign : {1, -1}) {
-      if ((sign * axes.col(axis) - direction).norm() > rounding) continue;
+      if ((sign * axes.col(axis) - direction).norm() > as_written) continue;
       return NamedDirection{axes, static_cast<int>(axis) + 1, sign};
     }
   }

@@ -8,6 +8,10 @@
 
 namespace tapfit {
 
+/// What three digits of each component leave open, in rad: of a direction up to
+/// 0.9e-3, of a right angle twice that, of the axis across two 2.1e-3.
+inline constexpr double as_written = 2.5e-3;
+
 /// Right-handed axes with a direction among them, as the component that it is
 /// closest to: what is called Z points mostly along Z.
 struct NamedDirection {
@@ -20,7 +24,7 @@ struct NamedDirection {
 [[nodiscard]] NamedDirection axes_along(const Eigen::Vector3d& direction);
 
 /// The component and sign by which axes say a direction; empty where none of
-/// them is along it to 1e-6.
+/// them is along it as_written.
 /// @param direction of unit length
 [[nodiscard]] std::optional<NamedDirection> along_one_of(
     const Eigen::Matrix3d& axes, const Eigen::Vector3d& direction);

@@ -93,13 +93,15 @@ bool is_outlier(const Eigen::RowVectorXd& level,
                 double second) {
   if (levels.rows() < 3) return false;
   constexpr double smallest = 1e-3;  // of what two equal blows may leave
-  const double unknown = -std::log(std::max(smallest, 1.0 - second));
+  const double more = std::log1p(second);
+  const double less = -std::log(std::max(smallest, 1.0 - second));
   for (Index k = 0; k < levels.cols(); ++k) {
     const double middle = median(levels.col(k));
     const Eigen::VectorXd away = (levels.col(k).array() - middle).abs();
     const double limit =
         std::max(std::log(outlier_factor), 6.0 * 1.4826 * median(away));
-    if (std::abs(level[k] - middle) > limit + unknown) return true;
+    const double beyond = level[k] - middle;
+    if (beyond > limit + more || beyond < -limit - less) return true;
   }
   return false;
 }

@@ -45,7 +45,7 @@ InputError refusal(const std::filesystem::path& file,
 }
 
 json parse(const std::filesystem::path& file) {
-  std::ifstream in = open_input(file);
+  std::ifstream in = open_input(file, most_table_bytes());
   if (!in) {
     throw InputError("cannot be opened", file.string(), "correct the path");
   }

@@ -99,7 +99,7 @@ void split_at_returns(std::vector<std::string>& lines) {
 }
 
 Text read_lines(const std::filesystem::path& file) {
-  std::ifstream stream = open_input(file);
+  std::ifstream stream = open_input(file, most_table_bytes());
   if (!stream) {
     throw InputError("cannot be opened", file.string(), "correct the path");
   }

@@ -80,6 +80,7 @@ TEST_F(Inputs, ThatAreNoRegularFilesAreRefusedAtOnce) {
         Place{"model.bdf", "compare " + at("")},
         Place{"part.bdf", "model " + at("asks.bdf")},
         Place{"modes.uff", "mac " + at("modes.uff")},
+        Place{"modes.json", "mac " + at("modes.json")},
         Place{"measured.uff", "frf " + at("")},
         Place{"measured.uff", "uff " + at("measured.uff")},
         Place{"K.mtx", "model " + at("") + " --modes 1"}}) {

@@ -1,6 +1,7 @@
 #include "tui/report/modes_file.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/read_modes_uff.hpp"
 
@@ -115,7 +116,8 @@ modal::ModeSet read_modes_file(const std::filesystem::path& file) {
                      "write one with tapfit modes BUNDLE --json > modes.json");
   }
   if (file.extension() != ".json") return modal::read_modes_uff(file).set;
-  std::ifstream in(file, std::ios::binary);
+  std::ifstream in =
+      acquisition::open_input(file, acquisition::most_text_bytes);
   if (!in) {
     throw InputError("cannot be read", file.string(), "check its name");
   }

@@ -1,5 +1,6 @@
 #include "tui/report/report_record.hpp"
 
+#include "acquisition/readers/mapped_file.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/cache/content_digest.hpp"
@@ -7,9 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <set>
+#include <span>
 
 namespace tapfit::tui {
 namespace {
@@ -34,15 +33,17 @@ std::vector<fs::path> files_read(const ReportData& data) {
     add(data.bundle.matrices->dofs);
   }
   if (data.bundle.frfs) add(*data.bundle.frfs);
+  if (data.bundle.geometry) add(data.bundle.geometry->file);
   for (const acquisition::Run& run : data.bundle.runs) add(run.file);
   return files;
 }
 
 std::string digest_of_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  return updating::hexadecimal(
-      updating::digest_of(std::as_bytes(std::span(bytes))));
+  const acquisition::MappedFile bytes(file);
+  return bytes.reading([&bytes] {
+    return updating::hexadecimal(
+        updating::digest_of(std::as_bytes(std::span(bytes.text()))));
+  });
 }
 
 Section file_section(const ReportData& data) {

@@ -60,11 +60,14 @@ std::vector<std::string> SensorCable::bulk_data(
     offset += static_cast<int>(more.size());
   };
   const structure::Deck& deck = *setting.deck;
-  for (const ActedDof& dof : acts_on(where, setting, 0)) {
+  for (const ActedDof& acted : acts_on(where, setting, 0)) {
+    const Dof dof{acted.node, acted.component, 1};
     add(card_note(deck, dof.node));
+    add(axis_note(deck, dof));
     const int grid = card_grid(deck, dof.node);
-    add(ground_spring_cards(deck, offset, grid, dof.component, p[0]));
-    add(ground_damper_cards(deck, offset, grid, dof.component, p[1]));
+    const int axis = card_axis(deck, dof);
+    add(ground_spring_cards(deck, offset, grid, axis, p[0]));
+    add(ground_damper_cards(deck, offset, grid, axis, p[1]));
   }
   return cards;
 }

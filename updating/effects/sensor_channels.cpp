@@ -6,6 +6,17 @@
 #include <set>
 
 namespace tapfit::effects {
+namespace {
+
+using structure::MeasuringPoint;
+
+const MeasuringPoint* point_of(const structure::Deck& deck, int node) {
+  const auto point =
+      std::ranges::find(deck.measuring, node, &MeasuringPoint::grid);
+  return point == deck.measuring.end() ? nullptr : &*point;
+}
+
+}  // namespace
 
 std::vector<Where> sensor_places(const Setting& setting) {
   // In the order of the channel table.
@@ -30,19 +41,41 @@ std::vector<Where> sensor_places(const Setting& setting) {
 }
 
 int card_grid(const structure::Deck& deck, int node) {
-  const auto point =
-      std::ranges::find(deck.measuring, node, &structure::MeasuringPoint::grid);
-  return point == deck.measuring.end() ? node : point->nearest;
+  const MeasuringPoint* point = point_of(deck, node);
+  return point == nullptr ? node : point->nearest;
+}
+
+int card_axis(const structure::Deck& deck, const Dof& dof) {
+  const MeasuringPoint* point = point_of(deck, dof.node);
+  if (point == nullptr) return dof.component;
+  Eigen::Index axis = 0;
+  point->axes.col((dof.component - 1) % 3).cwiseAbs().maxCoeff(&axis);
+  return static_cast<int>(axis) + (dof.component > 3 ? 4 : 1);
 }
 
 std::vector<std::string> card_note(const structure::Deck& deck, int node) {
-  const auto point =
-      std::ranges::find(deck.measuring, node, &structure::MeasuringPoint::grid);
-  if (point == deck.measuring.end()) return {};
+  const MeasuringPoint* point = point_of(deck, node);
+  if (point == nullptr) return {};
   return {fmt::format("$ {} is {:.3g} mm from grid {}, the nearest",
                       node_name(node),
                       1e3 * point->to_grid,
                       point->nearest)};
+}
+
+std::vector<std::string> axis_note(const structure::Deck& deck,
+                                   const Dof& dof) {
+  const MeasuringPoint* point = point_of(deck, dof.node);
+  if (point == nullptr) return {};
+  const Eigen::Vector3d along = point->axes.col((dof.component - 1) % 3);
+  constexpr double askew = 1e-3;
+  if (along.cwiseAbs().maxCoeff() > 1.0 - askew) return {};
+  return {fmt::format(
+      "$ {} is along {:.4g}, {:.4g}, {:.4g}: of that component {} alone",
+      name({dof.node, dof.component, 1}),
+      along.x(),
+      along.y(),
+      along.z(),
+      card_axis(deck, dof))};
 }
 
 std::vector<PlacedSensor> placed_sensors(const Where& where,

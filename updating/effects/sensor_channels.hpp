@@ -22,9 +22,18 @@ struct PlacedSensor {
 /// own the nearest.
 [[nodiscard]] int card_grid(const structure::Deck& deck, int node);
 
+/// The component of that grid that such cards act on: of a point of the test's
+/// own the basic axis that its component is closest to.
+[[nodiscard]] int card_axis(const structure::Deck& deck, const Dof& dof);
+
 /// A line that says so, for a point of the test's own; else none.
 [[nodiscard]] std::vector<std::string> card_note(const structure::Deck& deck,
                                                  int node);
+
+/// One that says what card_axis leaves out, for a component that is along no
+/// basic axis; else none.
+[[nodiscard]] std::vector<std::string> axis_note(const structure::Deck& deck,
+                                                 const Dof& dof);
 
 [[nodiscard]] std::vector<PlacedSensor> placed_sensors(const Where& where,
                                                        const Setting& setting,

@@ -3,13 +3,24 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/output_rule.hpp"
+#include "updating/structure/cards/bulk_lines.hpp"
+
+#include <filesystem>
+#include <vector>
 
 namespace tapfit::updating {
 
+/// All files that a test reads. Reads the deck's lines; what a deck that cannot
+/// be read, or may not be opened, would include is not known.
+///
+/// @param bundle its paths alone count
+[[nodiscard]] std::vector<std::filesystem::path> inputs_of(
+    const acquisition::TestBundle& bundle,
+    const structure::MayOpen& may_open = {});
+
 /// The rule for what is written of a test: its test.json or universal file, its
-/// recordings, FRFs, matrices, deck with what that includes, and session.json,
-/// which the program keeps by itself, are never written over. Reads the deck's
-/// lines; what a deck that cannot be read would include is not known.
+/// recordings, FRFs, geometry, matrices, deck with what that includes, and
+/// session.json, which the program keeps by itself, are never written over.
 ///
 /// @param force whether other files that are there may be replaced
 [[nodiscard]] acquisition::OutputRule output_rule_of(

@@ -13,9 +13,11 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<std::filesystem::path> outside_files(
     const acquisition::TestBundle& bundle);
 
+/// Opens nothing that lies outside.
+///
 /// @param input a bundle, or a deck by itself
 /// @throws InputError naming what lies outside the folder of the bundle or
-///   deck; and as read_test_bundle
+///   deck; and as read_bundle_paths
 void check_inside(const std::filesystem::path& input);
 
 }  // namespace tapfit::updating

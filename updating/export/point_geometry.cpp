@@ -34,7 +34,8 @@ acquisition::UffGeometry point_geometry(Session& session) {
     return geometry;
   }
   for (const acquisition::TestPoint& point : bundle.points) {
-    add_point(-point.label, point.at, point.axes, geometry);
+    if (acquisition::needs_model(point)) continue;
+    add_point(-point.label, *point.at, point.axes, geometry);
   }
   return geometry;
 }

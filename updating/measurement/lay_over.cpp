@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -91,30 +92,43 @@ structure::LaidOver by_pairs(const TestGeometry& geometry,
   return {fit.rotation, fit.translation, geometry.pairs.size(), fit.rms};
 }
 
+InputError open_fit(const std::string& why) {
+  return {why,
+          in_test_json,
+          "name three pairs of a point and a grid that do not lie on a line: "
+          "\"pairs\": [[1, 101], [5, 140], [9, 7]]"};
+}
+
 structure::LaidOver by_best_fit(const TestGeometry& geometry,
                                 const std::set<int>& used,
                                 const structure::Deck& deck,
                                 const MeshSurface& surface) {
-  // All of them, or those that are measured where the mesh has others.
-  Matrix3Xd points(3, static_cast<Index>(geometry.nodes.size()));
+  Matrix3Xd all(3, static_cast<Index>(geometry.nodes.size()));
+  Matrix3Xd measured = all;
+  Index nodes = 0;
   Index count = 0;
   for (const auto& [label, x] : geometry.nodes) {
-    if (used.contains(label)) points.col(count++) = x;
+    all.col(nodes++) = x;
+    if (used.contains(label)) measured.col(count++) = x;
   }
-  points.conservativeResize(3, count);
-  const std::vector<RigidFit> ways = fit_to_mesh(points, deck, surface);
-  if (ways.size() != 1) {
-    throw InputError(
-        ways.empty()
-            ? std::string("the test's mesh has no points to lay over the model")
-            : fmt::format(
-                  "the test's mesh fits the model in {} ways, to {:.2g} "
-                  "m, as symmetric structures do",
-                  ways.size(),
-                  ways.back().rms),
-        in_test_json,
-        "name three pairs of a point and a grid that do not lie on a line: "
-        "\"pairs\": [[1, 101], [5, 140], [9, 7]]");
+  // A few may lie on the mesh by chance, all of them lie there in its axes.
+  if (const auto fit = as_they_are(all, surface)) {
+    return {fit->rotation, fit->translation, 0, fit->rms};
+  }
+  measured.conservativeResize(3, count);
+  if (on_a_line(measured)) {
+    throw open_fit(
+        "the points that are measured lie on a line, which leaves the turn of "
+        "the test's mesh about it open");
+  }
+  const std::vector<RigidFit> ways = fit_to_mesh(measured, deck, surface);
+  assert(!ways.empty());
+  if (ways.size() > 1) {
+    throw open_fit(
+        fmt::format("the test's mesh fits the model in {} ways, to {:.2g} m, "
+                    "as symmetric structures do",
+                    ways.size(),
+                    ways.back().rms));
   }
   return {ways.front().rotation, ways.front().translation, 0, ways.front().rms};
 }

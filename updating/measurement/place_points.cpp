@@ -108,11 +108,11 @@ Matrix3d axes_of_point(const TestPoint& point,
 Placed placed(const TestPoint& point,
               const MeshSurface& surface,
               const Deck& deck) {
-  Vector3d at = point.at;
+  Vector3d at = point.at.value_or(Vector3d::Zero());
   Matrix3d turn = Matrix3d::Identity();
   if (point.node != 0 && deck.has_grid(point.node)) {
     at = deck.grids[deck.grid_index(point.node)].position;
-  } else if (point.in_test_axes) {
+  } else if (point.of_node != 0) {
     at = deck.laid_over->rotation * at + deck.laid_over->translation;
     turn = deck.laid_over->rotation;
   }
@@ -192,6 +192,18 @@ void add_grids(std::vector<structure::Grid> grids, Deck& deck) {
           behind(deck.given->K, rows), behind(deck.given->M, rows)});
 }
 
+// Of the test's geometry, those that the points are at.
+std::set<int> nodes_at(const std::vector<TestPoint>& points,
+                       const std::set<int>& used) {
+  std::set<int> nodes;
+  for (const TestPoint& point : points) {
+    if (used.contains(point.label) && point.of_node != 0) {
+      nodes.insert(point.of_node);
+    }
+  }
+  return nodes;
+}
+
 }  // namespace
 
 void place_points(const acquisition::TestBundle& bundle,
@@ -199,8 +211,9 @@ void place_points(const acquisition::TestBundle& bundle,
                   Deck& deck) {
   if (used.empty()) return;
   const MeshSurface surface(deck);
-  if (bundle.geometry) {
-    deck.laid_over = lay_over(*bundle.geometry, used, deck, surface);
+  const std::set<int> nodes = nodes_at(bundle.points, used);
+  if (!nodes.empty()) {
+    deck.laid_over = lay_over(*bundle.geometry, nodes, deck, surface);
   }
   std::vector<structure::Grid> grids;
   for (const TestPoint& point : bundle.points) {

@@ -128,9 +128,18 @@ double side_of(const std::vector<Vector3d>& x) {
   return sum / static_cast<double>(x.size());
 }
 
-bool has_corner(const MeshPart& part, int grid) {
-  return std::ranges::find(part.grids, grid) != part.grids.end() ||
-         std::ranges::find(part.mids, grid) != part.mids.end();
+// Where one of its grids is on a part with straight sides; empty for a grid
+// that it does not have.
+std::optional<Vector3d> straight_place(const MeshPart& part,
+                                       const std::vector<Vector3d>& x,
+                                       int grid) {
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    if (part.grids[k] == grid) return x[k];
+    if (k < part.mids.size() && part.mids[k] == grid) {
+      return 0.5 * (x[k] + x[(k + 1) % x.size()]);
+    }
+  }
+  return std::nullopt;
 }
 
 // The nearest grid of the deck; not those of the test.
@@ -169,11 +178,16 @@ Vector3d MeshSurface::normal_at(const Vector3d& foot,
   for (const Placed& placed : parts_) {
     const bool surface = placed.part.kind == MeshPart::Kind::Shell ||
                          placed.part.kind == MeshPart::Kind::Face;
-    if (!surface || (grid != 0 && !has_corner(placed.part, grid))) continue;
-    if ((foot - placed.middle).norm() > placed.reach + tolerance) continue;
-    const Vector3d there = nearest_in(placed.x, foot);
-    const auto shapes = shapes_at(placed.x, there);
-    if (!shapes || (there - foot).norm() > tolerance) continue;
+    if (!surface) continue;
+    std::optional<Vector3d> there;
+    if (grid != 0) {
+      there = straight_place(placed.part, placed.x, grid);
+    } else if ((foot - placed.middle).norm() <= placed.reach + tolerance) {
+      there = nearest_in(placed.x, foot);
+      if ((*there - foot).norm() > tolerance) there.reset();
+    }
+    const auto shapes = there ? shapes_at(placed.x, *there) : std::nullopt;
+    if (!shapes) continue;
     sum += shapes->normal;
     ++count;
   }
@@ -208,6 +222,7 @@ std::optional<PointOnMesh> MeshSurface::nearest(const Vector3d& at) const {
     return at_grid(grid->first);
   }
   found.part = best->part;
+  found.straight_foot = found.foot;
   found.normal = normal_at(found.foot, rounding, 0);
   return found;
 }
@@ -217,11 +232,12 @@ PointOnMesh MeshSurface::at_grid(int grid) const {
   found.foot = place_of_grid(*deck_, grid);
   found.part = {MeshPart::Kind::Grid, grid, {grid}, {}};
   const auto holds = [grid](const Placed& placed) {
-    return has_corner(placed.part, grid);
+    return straight_place(placed.part, placed.x, grid).has_value();
   };
   const auto placed = std::ranges::find_if(parts_, holds);
   if (placed == parts_.end()) return found;
   found.part = placed->part;
+  found.straight_foot = *straight_place(placed->part, placed->x, grid);
   found.size = side_of(placed->x);
   found.normal = normal_at(found.foot, same_place * found.size, grid);
   return found;
@@ -280,7 +296,7 @@ class Followed {
       shares_ = {{part_->grids.front(), 1.0}};
       return;
     }
-    shapes_ = shapes_at(x_, point.foot);
+    shapes_ = shapes_at(x_, point.straight_foot);
     if (!shapes_) return;
     shares_ = with_mids(*part_, *shapes_);
   }

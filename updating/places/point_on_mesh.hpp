@@ -40,6 +40,9 @@ struct PointOnMesh {
   Eigen::Vector3d foot;  ///< nearest place of the part [m]
   double off = 0.0;      ///< distance from there [m]
   double size = 0.0;     ///< mean length of the part's sides [m]
+  /// The foot on sides that are straight: of a grid in the middle of a curved
+  /// one halfway between the corners.
+  Eigen::Vector3d straight_foot = Eigen::Vector3d::Zero();
   /// Mean of the normals of shells and faces there, of unit length; zero where
   /// there is none or where the surface folds.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();

@@ -100,6 +100,13 @@ double mesh_size(const Matrix3Xd& points, const MeshSurface& surface) {
   return points.cols() > 0 ? sum / static_cast<double>(points.cols()) : 0.0;
 }
 
+RigidFit unmoved(const Matrix3Xd& points, const MeshSurface& surface) {
+  RigidFit fit;
+  fit.rms = std::sqrt(
+      (feet_of(points, surface) - points).colwise().squaredNorm().mean());
+  return fit;
+}
+
 double largest_move(const RigidFit& a,
                     const RigidFit& b,
                     const Matrix3Xd& points) {
@@ -107,6 +114,15 @@ double largest_move(const RigidFit& a,
 }
 
 }  // namespace
+
+bool on_a_line(const Matrix3Xd& points) {
+  constexpr double straight = 1e-3;
+  if (points.cols() < 3) return true;
+  const Vector3d spread =
+      Eigen::JacobiSVD<Matrix3Xd>(points.colwise() - points.rowwise().mean())
+          .singularValues();
+  return !(spread(1) > straight * spread(0));
+}
 
 RigidFit fit_pairs(const Matrix3Xd& from, const Matrix3Xd& to) {
   const Eigen::Matrix4d plain = Eigen::umeyama(from, to, false);
@@ -122,19 +138,15 @@ RigidFit fit_pairs(const Matrix3Xd& from, const Matrix3Xd& to) {
                                  .squaredNorm()
                                  .mean());
   fit.rms = std::sqrt((laid(fit, from) - to).colwise().squaredNorm().mean());
-  const auto spread = [](const Matrix3Xd& x) -> Vector3d {
-    return Eigen::JacobiSVD<Matrix3Xd>(x.colwise() - x.rowwise().mean())
-        .singularValues();
-  };
-  constexpr double on_a_line = 1e-3;
-  for (const Matrix3Xd* x : {&from, &to}) {
-    if (x->cols() < 3) {
-      fit.determined = false;
-      continue;
-    }
-    const Vector3d s = spread(*x);
-    if (!(s(1) > on_a_line * s(0))) fit.determined = false;
-  }
+  fit.determined = !on_a_line(from) && !on_a_line(to);
+  return fit;
+}
+
+std::optional<RigidFit> as_they_are(const Matrix3Xd& points,
+                                    const MeshSurface& surface,
+                                    const BestFitOptions& options) {
+  const RigidFit fit = unmoved(points, surface);
+  if (fit.rms > options.on_mesh * mesh_size(points, surface)) return {};
   return fit;
 }
 
@@ -144,13 +156,8 @@ std::vector<RigidFit> fit_to_mesh(const Matrix3Xd& points,
                                   const BestFitOptions& options) {
   const Matrix3Xd grids = grids_of(deck);
   if (grids.cols() == 0 || points.cols() == 0) return {};
-  RigidFit as_it_is;
-  as_it_is.rms = std::sqrt(
-      (feet_of(points, surface) - points).colwise().squaredNorm().mean());
   const double size = mesh_size(points, surface);
-  if (as_it_is.rms <= options.on_mesh * size) return {as_it_is};
-
-  std::vector<RigidFit> starts{as_it_is};
+  std::vector<RigidFit> starts{unmoved(points, surface)};
   const Matrix3d of_points = principal_axes(points);
   const Matrix3d of_grids = principal_axes(grids);
   for (const Matrix3d& turn : quarter_turns()) {

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 namespace tapfit::updating {
@@ -32,6 +33,10 @@ struct RigidFit {
   }
 };
 
+/// Whether points leave the turn about a line open: one, two, or all on a line.
+/// @param points 3 x n
+[[nodiscard]] bool on_a_line(const Eigen::Matrix3Xd& points);
+
 /// @param from, to 3 x n, n >= 1
 [[nodiscard]] RigidFit fit_pairs(const Eigen::Matrix3Xd& from,
                                  const Eigen::Matrix3Xd& to);
@@ -46,9 +51,15 @@ struct BestFitOptions {
   int steps = 60;
 };
 
-/// Ways to lie on the mesh, the best first, with those that are as good. As
-/// they are, alone, where the points lie on the mesh already.
-/// @param points 3 x n
+/// No motion, where the points lie on the mesh as they are; else empty.
+/// @param points 3 x n, n >= 1
+[[nodiscard]] std::optional<RigidFit> as_they_are(
+    const Eigen::Matrix3Xd& points,
+    const MeshSurface& surface,
+    const BestFitOptions& options = {});
+
+/// Ways to lie on the mesh, the best first, with those that are as good.
+/// @param points 3 x n, not on_a_line
 [[nodiscard]] std::vector<RigidFit> fit_to_mesh(
     const Eigen::Matrix3Xd& points,
     const structure::Deck& deck,

@@ -39,8 +39,13 @@ void add(const acquisition::TestBundle& bundle, ContentDigest& digest) {
                                 point.height_m}) {
       digest.add(number);
     }
-    add_numbers(point.at, digest);
+    if (point.at) add_numbers(*point.at, digest);
     add_numbers(point.axes, digest);
+  }
+  if (!bundle.geometry) return;
+  for (const auto& [label, x] : bundle.geometry->nodes) {
+    digest.add(static_cast<double>(label));
+    add_numbers(x, digest);
   }
 }
 

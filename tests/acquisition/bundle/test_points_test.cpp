@@ -2,12 +2,16 @@
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/uff/write_uff_geometry.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace tapfit::acquisition {
 namespace {
@@ -103,7 +107,7 @@ TEST_F(TestPoints, ATriaxialSensorIsOnePoint) {
   const TestBundle bundle = read(
       {point({0.6, 0.0, 0.8}), point({-0.8, 0.0, 0.6}), point({0, -1, 0})});
   ASSERT_EQ(bundle.points.size(), 1U);
-  EXPECT_TRUE(bundle.points[0].at.isApprox(Vector3d(0.1, 0.2, 0.0)));
+  EXPECT_TRUE(bundle.points[0].at->isApprox(Vector3d(0.1, 0.2, 0.0)));
   const auto& s = bundle.runs[0].sensors;
   EXPECT_EQ(name(s[0].dof), "P1Z+");
   EXPECT_EQ(name(s[1].dof), "P1X-");
@@ -113,6 +117,31 @@ TEST_F(TestPoints, ATriaxialSensorIsOnePoint) {
   EXPECT_TRUE(along(bundle, s[2].dof).isApprox(Vector3d(0.0, -1, 0.0), 1e-14));
   // Not at right angles: another sensor.
   EXPECT_EQ(read({point({0, 0, 1}), point({0.6, 0, 0.8})}).points.size(), 2U);
+}
+
+// Two turns of 30 and 45 degrees, as a sheet says them.
+TEST_F(TestPoints, ATriaxialSensorMayBeRoundedToThreeDigits) {
+  const double a = std::sqrt(0.375);
+  const double b = std::sqrt(0.125);
+  const double c = std::sqrt(0.5);
+  const std::vector<Vector3d> exact = {
+      {a, b, c}, {-0.5, std::sqrt(0.75), 0.0}, {-a, -b, c}};
+  std::vector<json> points;
+  for (const Vector3d& d : exact) {
+    json rounded = json::array();
+    for (const double x : d) rounded.push_back(std::round(1e3 * x) / 1e3);
+    points.push_back({{"at", {0.1, 0.2, 0.0}}, {"direction", rounded}});
+  }
+  std::vector<std::size_t> order = {0, 1, 2};
+  do {
+    const TestBundle bundle =
+        read({points[order[0]], points[order[1]], points[order[2]]});
+    ASSERT_EQ(bundle.points.size(), 1U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d found = along(bundle, bundle.runs[0].sensors[k].dof);
+      EXPECT_LT((found - exact[order[k]]).norm(), 2.5e-3);
+    }
+  } while (std::next_permutation(order.begin(), order.end()));
 }
 
 TEST_F(TestPoints, HeightsAreTheChannelsOrThePoints) {
@@ -132,7 +161,7 @@ TEST_F(TestPoints, CoordinatesAreInTheModelsUnit) {
   const TestBundle bundle =
       read({json{{"at", {100, 200, 5}}, {"direction", "+Z"}}});
   ASSERT_EQ(bundle.points.size(), 1U);
-  EXPECT_TRUE(bundle.points[0].at.isApprox(Vector3d(0.1, 0.2, 0.005), 1e-14));
+  EXPECT_TRUE(bundle.points[0].at->isApprox(Vector3d(0.1, 0.2, 0.005), 1e-14));
 }
 
 TEST_F(TestPoints, WhatIsWrittenComesBack) {
@@ -148,8 +177,10 @@ TEST_F(TestPoints, WhatIsWrittenComesBack) {
   ASSERT_EQ(back.points.size(), 3U);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(back.runs[0].sensors[k].dof, bundle.runs[0].sensors[k].dof);
-    EXPECT_TRUE(back.points[k].at.isApprox(bundle.points[k].at, 1e-14) ||
-                bundle.points[k].at.isZero());
+    ASSERT_EQ(back.points[k].at.has_value(), k == 0);
+    if (k == 0) {
+      EXPECT_TRUE(back.points[k].at->isApprox(*bundle.points[k].at, 1e-14));
+    }
     EXPECT_TRUE(back.points[k].axes.isApprox(bundle.points[k].axes, 1e-12));
     EXPECT_EQ(back.points[k].height_m, bundle.points[k].height_m);
     EXPECT_EQ(back.points[k].system, bundle.points[k].system);
@@ -206,8 +237,68 @@ TEST_F(TestMesh, NodesAreThePointsOfItsOwnMesh) {
   EXPECT_LT(bundle.runs[0].sensors[1].dof.node, -9);
   const TestPoint* point = find_point(bundle.points, 9);
   ASSERT_NE(point, nullptr);
-  EXPECT_TRUE(point->in_test_axes);
-  EXPECT_TRUE(point->at.isApprox(Vector3d(1, 1, 0)));
+  EXPECT_EQ(point->of_node, 9);
+  EXPECT_TRUE(point->at->isApprox(Vector3d(1, 1, 0)));
+}
+
+TEST_F(TestMesh, WhatIsWrittenComesBack) {
+  const TestBundle bundle =
+      read({json("9:-Z"),
+            json{{"node", 9}, {"direction", {1, 0, 1}}},
+            json{{"node", 2}, {"direction", "+X"}, {"height_m", 0.01}}});
+  folder_.write("test.json", test_bundle_text(bundle, folder_.path()));
+  const TestBundle back = read_test_bundle(folder_.path());
+  EXPECT_EQ(back.runs[0].hammer.dof, bundle.runs[0].hammer.dof);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Dof& dof = back.runs[0].sensors[k].dof;
+    EXPECT_EQ(dof, bundle.runs[0].sensors[k].dof);
+    EXPECT_EQ(find_point(back.points, -dof.node)->of_node, k == 2 ? 2 : 9);
+  }
+}
+
+// A universal file of one node at the origin with axes turned about Z.
+std::string turned_node(int label, double degrees) {
+  const double a = degrees * M_PI / 180.0;
+  UffGeometry geometry;
+  geometry.nodes[label] = Vector3d::Zero();
+  geometry.node_systems[label] = {0, 7, {}};
+  geometry.systems[7].points << Vector3d::Zero(),
+      Vector3d(std::cos(a), std::sin(a), 0.0), Vector3d::UnitZ();
+  std::ostringstream out;
+  write_geometry(geometry, UffNodes::D2411, out);
+  return out.str();
+}
+
+// Functions count along the axes of the file that they are in.
+TEST_F(TestMesh, NodesOfTheFrfsKeepTheAxesOfTheirFile) {
+  folder_.write("mesh.uff", turned_node(9, 0.0));
+  folder_.write("measured.uff", turned_node(9, 30.0));
+  document_["geometry"] = {{"file", "mesh.uff"}};
+  document_.erase("runs");
+  document_["frfs"] = "measured.uff";
+  for (const double of_mesh : {0.0, 20.0}) {
+    folder_.write("mesh.uff", turned_node(9, of_mesh));
+    const TestBundle bundle = read_now();
+    const TestPoint* point = find_point(bundle.points, 9);
+    ASSERT_NE(point, nullptr);
+    const Vector3d along(std::sqrt(0.75), 0.5, 0.0);
+    EXPECT_TRUE(point->axes.col(0).isApprox(along, 1e-5)) << of_mesh;
+  }
+}
+
+// Labels from 100000001 on are points of the test's own.
+TEST_F(TestMesh, LabelsThatAreNoneAreRefused) {
+  document_["geometry"] = {{"file", "mesh.uff"}};
+  for (const int label : {0, -3, 100'000'001}) {
+    folder_.write("mesh.uff", turned_node(label, 0.0));
+    refuses_geometry("mesh.uff", "no label of a point");
+  }
+  document_["geometry"] = {{"file", "mesh.csv"}};
+  for (const char* label : {"0", "1.5", "100000001", "1e300"}) {
+    folder_.write("mesh.csv",
+                  fmt::format("label,x,y,z\n{},0,0,0\n1,1,0,0\n", label));
+    refuses_geometry("mesh.csv", "no label of a point");
+  }
 }
 
 TEST_F(TestMesh, PointsAndPairsThatAreNotThereAreRefused) {

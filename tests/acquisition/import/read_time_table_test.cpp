@@ -1,8 +1,8 @@
 // MATLAB, SEP-005 and universal files as sources of a bundle.
 #include "acquisition/import/read_time_table.hpp"
-#include "acquisition/bundle/run_reader.hpp"
 
 #include "acquisition/bundle/recording.hpp"
+#include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/import/import_recordings.hpp"
 #include "acquisition/readers/mat_file.hpp"
@@ -54,6 +54,17 @@ TEST_F(TimeTables, MatVariablesByName) {
   EXPECT_EQ(table.values, expected);
   EXPECT_EQ(read_mat_number(file, "fs"), 64.0);
   EXPECT_FALSE(says_rate(file));
+}
+
+// What is taken into memory whole must fit there.
+TEST_F(TimeTables, TextBeyondItsSizeIsRefused) {
+  for (const char* name : {"a.csv", "a.json"}) {
+    const fs::path file = folder_.write(name, "");
+    fs::resize_file(file, std::uintmax_t{1} << 40U);  // sparse
+    EXPECT_NE(refusal(file, {"1"}).find("the most that is read"),
+              std::string::npos)
+        << name;
+  }
 }
 
 TEST_F(TimeTables, MatRefusesWithWhatIsThere) {

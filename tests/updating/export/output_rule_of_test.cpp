@@ -17,6 +17,7 @@ TEST(OutputRuleOf, NamesAllThatATestReads) {
   bundle.folder = folder.path();
   bundle.file = folder.write("test.json", "{}");
   bundle.frfs = folder.write("measured.uff", "");
+  bundle.geometry.emplace().file = folder.write("mesh.csv", "");
   bundle.deck = folder.write("model.bdf", "INCLUDE 'grids.bdf'\nENDDATA\n");
   folder.write("grids.bdf", "INCLUDE 'more.bdf'\n");
   folder.write("more.bdf", "INCLUDE 'gone.bdf'\n");
@@ -29,6 +30,7 @@ TEST(OutputRuleOf, NamesAllThatATestReads) {
   for (const char* name : {"test.json",
                            "session.json",
                            "measured.uff",
+                           "mesh.csv",
                            "model.bdf",
                            "grids.bdf",
                            "more.bdf",

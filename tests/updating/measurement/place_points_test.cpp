@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <set>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -34,6 +36,7 @@ TestPoint point_at(const Vector3d& at,
 
 TestPoint point_at_grid(int node, const Matrix3d& axes) {
   TestPoint point = point_at(Vector3d::Zero(), axes);
+  point.at.reset();
   point.node = node;
   return point;
 }
@@ -44,12 +47,17 @@ const Matrix3d skew =
 
 class PlacePoints : public ::testing::Test {
  protected:
-  structure::Deck placed(const TestPoint& point) {
+  structure::Deck placed(const std::vector<TestPoint>& points) {
     acquisition::TestBundle bundle = bundle_;
-    bundle.points = {point};
+    bundle.points = points;
+    std::set<int> used;
+    for (const TestPoint& point : points) used.insert(point.label);
     structure::Deck deck = deck_;
-    place_points(bundle, {point.label}, deck);
+    place_points(bundle, used, deck);
     return deck;
+  }
+  structure::Deck placed(const TestPoint& point) {
+    return placed(std::vector{point});
   }
 
   // Receptances from a blow on grid 28 along Z to degrees of freedom, on two
@@ -233,6 +241,17 @@ class LaidOver : public PlacePoints {
     point.place = "test.json: geometry";
     return point;
   }
+  void fails_at(const std::vector<TestPoint>& points,
+                const std::string& where,
+                const std::string& what) {
+    try {
+      (void)placed(points);
+      ADD_FAILURE() << "accepted, expected: " << what;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.where(), where) << error.what();
+      EXPECT_NE(error.fault().find(what), std::string::npos) << error.what();
+    }
+  }
   Matrix3d turn_ = (Matrix3d() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished();
   Vector3d move_{1.0, -2.0, 0.5};
 };
@@ -252,23 +271,58 @@ TEST_F(LaidOver, PairsBringPointsAndDirectionsToTheModel) {
   EXPECT_LT((H[0] - same[0]).norm(), 1e-6 * same[0].norm());
 }
 
+TEST_F(LaidOver, WithoutPairsARectangleFitsInSeveralWays) {
+  bundle_.geometry->pairs.clear();
+  fails_at({node(1), node(2), node(3)}, "test.json: geometry", "ways");
+}
+
+// Measured points on a line say nothing of the turn about it: here the test's
+// mesh stands upright on the plate's edge, and both lie on that edge.
+TEST_F(LaidOver, WithoutPairsPointsOnALineLeaveATurnOpen) {
+  acquisition::TestGeometry& g = *bundle_.geometry;
+  g.pairs.clear();
+  fails_at({node(4)}, "test.json: geometry", "on a line");
+  g.nodes = {{1, {0, 0, 0}}, {2, {0.3, 0, 0}}, {3, {0.3, 0, 0.12}}};
+  fails_at({node(1), node(2)}, "test.json: geometry", "on a line");
+  // Where all of its nodes lie on the model, they are in the model's axes.
+  g.nodes.at(3) = {0.3, 0.12, 0};
+  const structure::Deck deck = placed({node(1), node(2)});
+  ASSERT_TRUE(deck.laid_over.has_value());
+  EXPECT_TRUE(deck.laid_over->rotation.isIdentity(0.0));
+}
+
+// A blow askew to the axes of a node has a number that is no node's.
+TEST_F(LaidOver, PointsOfAnyNumberAreAtTheirNodes) {
+  std::vector<TestPoint> points = {node(1), node(2), node(3)};
+  for (TestPoint& point : points) point.label += 100;
+  bundle_.geometry->pairs.clear();
+  bundle_.geometry->nodes = {
+      {1, {0, 0, 0}}, {2, {0.3, 0, 0}}, {3, {0.3, 0.12, 0}}};
+  for (TestPoint& point : points) {
+    point.at = bundle_.geometry->nodes.at(point.of_node);
+  }
+  const structure::Deck deck = placed(points);
+  ASSERT_EQ(deck.measuring.size(), 3U);
+  EXPECT_TRUE(deck.grids.front().position.isApprox(Vector3d(0.3, 0.12, 0)));
+}
+
+// Coordinates on the model need no mesh of the test's, be it laid over or not.
+TEST_F(LaidOver, ATestWithoutItsNodesIsNotLaidOver) {
+  bundle_.geometry->pairs.clear();
+  const structure::Deck deck = placed(point_at({0.1, 0.07, 0.0}));
+  EXPECT_FALSE(deck.laid_over.has_value());
+  EXPECT_EQ(deck.measuring.size(), 1U);
+}
+
 TEST_F(LaidOver, PairsThatDoNotFitAreRefused) {
   const auto fails = [&](const std::string& where, const std::string& what) {
-    try {
-      (void)placed(node(4));
-      ADD_FAILURE() << "accepted, expected: " << what;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.where(), where) << error.what();
-      EXPECT_NE(error.fault().find(what), std::string::npos) << error.what();
-    }
+    fails_at({node(4)}, where, what);
   };
   acquisition::TestGeometry& g = *bundle_.geometry;
   g.pairs = {{1, 1}, {2, 11}, {3, 55}, {4, 9}};
   fails("test.json: geometry.pairs[3]", "farther than the mesh is wide");
   g.pairs = {{1, 1}, {2, 11}, {3, 999}};
   fails("test.json: geometry.pairs[2]", "no grid 999");
-  g.pairs.clear();  // a rectangle
-  fails("test.json: geometry", "ways");
   g.pairs = {{1, 1}, {2, 11}, {3, 55}};
   for (auto& [label, x] : g.nodes) x *= 1000.0;
   fails("test.json: geometry.pairs", "0.001 times those of");

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 namespace tapfit::updating {
@@ -186,6 +187,41 @@ TEST(PointOnMesh, AQuadraticFaceFollowsAParabola) {
     EXPECT_NEAR(field.sum(deck, motion_at(*on, deck, at, axis)),
                 field.u(at).dot(axis),
                 1e-12);
+  }
+}
+
+// One component of one grid, but for rounding.
+bool is_one(const std::vector<MotionShare>& shares, int grid, int component) {
+  double own = 0.0;
+  double others = 0.0;
+  for (const MotionShare& share : shares) {
+    const bool it = share.node == grid && share.component == component;
+    (it ? own : others) += std::abs(share.weight);
+  }
+  return std::abs(own - 1.0) < 1e-12 && others < 1e-12;
+}
+
+// A grid in the middle of a side moves and turns as it does itself, be the side
+// bulged or hollow.
+TEST(PointOnMesh, InTheMiddleOfACurvedSideItIsTheGrid) {
+  for (const double bulge : {0.2, -0.2}) {
+    Deck deck = deck_at({{0, 0, 0},
+                         {2, 0, 0},
+                         {0, 2, 0},
+                         {1, -bulge, 0},
+                         {1 + bulge, 1 + bulge, 0},
+                         {0, 1, 0}});
+    deck.shells = {{1, 1, {1, 2, 3}}};
+    deck.shells[0].mids = {4, 5, 6};
+    for (const int grid : {4, 5, 6, 2}) {
+      const Vector3d at = deck.grids[deck.grid_index(grid)].position;
+      const auto on = MeshSurface(deck).at_grid(grid);
+      EXPECT_TRUE(on.normal.isApprox(Vector3d::UnitZ(), 1e-12)) << grid;
+      const auto moved = motion_at(on, deck, at, Vector3d::UnitZ());
+      const auto turned = turning_at(on, deck, Vector3d::UnitX());
+      EXPECT_TRUE(is_one(moved, grid, 3)) << bulge << " grid " << grid;
+      EXPECT_TRUE(is_one(turned, grid, 4)) << bulge << " grid " << grid;
+    }
   }
 }
 

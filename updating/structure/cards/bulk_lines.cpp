@@ -74,6 +74,7 @@ struct RawDeck {
   std::vector<std::filesystem::path> files;
   std::vector<RawLine> lines;
   std::uintmax_t bytes = 0;
+  MayOpen may_open = {};
 };
 
 // Opens a file of the deck, as long as there is no end of them.
@@ -111,6 +112,7 @@ void read_file(const std::filesystem::path& path,
                std::size_t depth,
                RawDeck& deck) {
   deck.files.push_back(path);
+  if (deck.may_open && !deck.may_open(path)) return;
   if (depth > kMaxDepth) {
     throw InputError("INCLUDE files include each other without end",
                      asked_by,
@@ -241,9 +243,10 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
   return result;
 }
 
-std::vector<std::filesystem::path> deck_files(
-    const std::filesystem::path& path) {
+std::vector<std::filesystem::path> deck_files(const std::filesystem::path& path,
+                                              const MayOpen& may_open) {
   RawDeck deck;
+  deck.may_open = may_open;
   try {
     read_file(path, path.parent_path(), path.string(), 0, deck);
   } catch (const InputError&) {

@@ -5,6 +5,7 @@
 #include "updating/structure/cards/line_text.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,8 +38,12 @@ struct DeckLines {
 ///   includes itself, and for more than 1000 INCLUDE files or 512 MB
 [[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
 
-/// The deck and all that it includes, as far as that can be read.
+/// Which files of a deck are opened; all, where it is empty.
+using MayOpen = std::function<bool(const std::filesystem::path&)>;
+
+/// The deck and all that it includes, as far as that can be read and may be
+/// opened.
 [[nodiscard]] std::vector<std::filesystem::path> deck_files(
-    const std::filesystem::path& path);
+    const std::filesystem::path& path, const MayOpen& may_open = {});
 
 }  // namespace tapfit::structure

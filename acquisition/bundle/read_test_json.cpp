@@ -1,0 +1,132 @@
+#include "acquisition/bundle/read_test_json.hpp"
+
+#include "acquisition/bundle/test_schema.hpp"
+#include "acquisition/bundle/uff_file.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <system_error>
+
+namespace tapfit::acquisition {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+std::string read_text(const fs::path& file) {
+  std::ifstream stream = open_input(file, most_text_bytes);
+  if (!stream) {
+    throw InputError(
+        "cannot be opened",
+        file.string(),
+        "give the folder of a test bundle, with a test.json in it, or a "
+        "universal file");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+json parse_json(const std::string& text, const std::string& source) {
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const std::size_t at =
+        std::min(error.byte > 0 ? error.byte - 1 : 0, text.size());
+    const auto here = text.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto line = 1 + std::count(text.begin(), here, '\n');
+    const std::size_t start =
+        at == 0 ? std::string::npos : text.rfind('\n', at - 1);
+    const std::size_t column = start == std::string::npos ? at + 1 : at - start;
+    std::string what = error.what();
+    const std::size_t colon = what.find("syntax error");
+    if (colon != std::string::npos) what = what.substr(colon);
+    const bool encoding = what.find("UTF-8") != std::string::npos;
+    throw InputError(
+        what,
+        fmt::format("{}:{}:{}", source, line, column),
+        encoding ? "save the file as UTF-8 text"
+                 : "look for a missing comma, quote or bracket just before");
+  } catch (const json::exception& error) {
+    throw InputError(error.what(), source, "correct the JSON");
+  }
+}
+
+// A file that was named or linked instead of a bundle's and begins like no JSON
+// object: nothing of it is quoted.
+void refuse_foreign(const fs::path& file) {
+  std::ifstream in = open_input(file);
+  char first = ' ';
+  // A byte order mark may stand in front; an empty file is told of later.
+  std::string mark(3, ' ');
+  if (!in.read(mark.data(), 3) || mark != "\xef\xbb\xbf") {
+    in.clear();
+    in.seekg(0);
+  }
+  if (!(in >> first) || first == '{') return;
+  // Of a list in a .json the schema says what is wrong.
+  if (first == '[' && file.extension() == ".json") return;
+  throw InputError(
+      "not a test bundle: expected a folder with test.json, a test.json, or a "
+      "universal file (.uff, a line of \"    -1\" first)",
+      file.string(),
+      "give the bundle's folder; `tapfit import` makes a bundle of CSV, MATLAB "
+      "and SEP-005 files, and recordings are named in a test.json");
+}
+
+void add_model(const json& model, const fs::path& folder, TestBundle& bundle) {
+  const auto path = [&](const json& said) {
+    return folder / said.get<std::string>();
+  };
+  if (model.is_string()) {
+    bundle.deck = path(model);
+  } else {
+    bundle.matrices = MatrixModel{path(model.at("stiffness")),
+                                  path(model.at("mass")),
+                                  path(model.at("dofs"))};
+  }
+}
+
+}  // namespace
+
+fs::path test_json_of(const fs::path& bundle) {
+  std::error_code ignored;
+  return fs::is_directory(bundle, ignored) ? bundle / "test.json" : bundle;
+}
+
+json read_test_json(const fs::path& file) {
+  refuse_foreign(file);
+  const std::string name = file.filename().string();
+  json document = parse_json(read_text(file), name);
+  check_against_schema(document, name);
+  return document;
+}
+
+TestBundle read_bundle_paths(const fs::path& bundle) {
+  TestBundle paths;
+  paths.file = test_json_of(bundle);
+  paths.folder = paths.file.parent_path();
+  if (is_uff(bundle)) return paths;
+  const json document = read_test_json(paths.file);
+  const auto path = [&](const json& said) {
+    return paths.folder / said.get<std::string>();
+  };
+  if (document.contains("model")) {
+    add_model(document["model"], paths.folder, paths);
+  }
+  if (document.contains("frfs")) paths.frfs = path(document["frfs"]);
+  if (document.contains("geometry") && document["geometry"].contains("file")) {
+    paths.geometry.emplace().file = path(document["geometry"]["file"]);
+  }
+  for (const json& run : document.value("runs", json::array())) {
+    paths.runs.emplace_back().file = path(run.at("file"));
+  }
+  return paths;
+}
+
+}  // namespace tapfit::acquisition

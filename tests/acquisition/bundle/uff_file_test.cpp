@@ -1,0 +1,34 @@
+#include "acquisition/bundle/uff_file.hpp"
+
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace tapfit::acquisition {
+namespace {
+
+TEST(IsUff, IsToldByTheFirstWord) {
+  const testing::TemporaryFolder folder;
+  EXPECT_TRUE(is_uff(folder.write("a", "    -1\n    58\n")));
+  EXPECT_TRUE(is_uff(folder.write("b", "\r\n -1\r\n")));
+  for (const char* text : {"", "-", "-12\n", "-1234567\n", "-1,\n", "1 -1\n"}) {
+    EXPECT_FALSE(is_uff(folder.write("c", text))) << text;
+  }
+}
+
+// A GB of zeros is one word: to read it takes seconds.
+TEST(IsUff, ReadsNoMoreThanThat) {
+  const testing::TemporaryFolder folder;
+  const auto file = folder.write("zeros", "");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 30U);  // sparse
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_FALSE(is_uff(file));
+  const std::chrono::duration<double> took =
+      std::chrono::steady_clock::now() - begin;
+  EXPECT_LT(took.count(), 0.5);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition

@@ -1,0 +1,54 @@
+#include "acquisition/checks/rejected_hits.hpp"
+
+#include <gtest/gtest.h>
+
+namespace tapfit::acquisition {
+namespace {
+
+TestBundle one_run() {
+  TestBundle bundle;
+  bundle.channels.resize(1);
+  bundle.channels[0].name = "hammer";
+  bundle.runs.resize(1);
+  return bundle;
+}
+
+std::vector<Recording> one_recording() {
+  std::vector<Recording> recordings(1);
+  recordings[0].samples = Eigen::MatrixXd::Zero(100, 1);
+  return recordings;
+}
+
+Hit rejected_hit(const SecondPulse& second) {
+  Hit hit;
+  hit.accepted = false;
+  hit.second = second;
+  hit.reasons = {HitFault::Double, HitFault::Truncated};
+  return hit;
+}
+
+// As many hits are noted as double as end too early; the second blow costs
+// nothing, so the end alone is to be mended.
+TEST(RejectedHits, ASecondBlowThatCostsLittleIsNotBlamed) {
+  HitSet hits;
+  SecondPulse harmless;
+  harmless.share = 0.3;
+  hits.runs = {{rejected_hit(harmless), rejected_hit(harmless)}};
+  const auto findings = rejected_hit_findings(one_run(), one_recording(), hits);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].what, "none of its 2 hits is accepted: 2 truncated");
+  EXPECT_NE(findings[0].remedy.find("the file's end"), std::string::npos);
+}
+
+TEST(RejectedHits, ASecondBlowThatLeavesTheBlockIs) {
+  HitSet hits;
+  SecondPulse late;
+  late.leaves_block = true;
+  hits.runs = {{rejected_hit(late)}};
+  const auto findings = rejected_hit_findings(one_run(), one_recording(), hits);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_NE(findings[0].what.find("1 double, 1 truncated"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition
