@@ -55,9 +55,12 @@ Where read_sheet_place(std::vector<std::string> parts, const Effect& effect) {
   while (!parts.empty()) {
     const std::vector<int> runs = runs_in(parts.back());
     if (runs.empty()) break;
-    where.runs.insert(where.runs.begin(), runs.begin(), runs.end());
+    where.runs.insert(where.runs.end(), runs.begin(), runs.end());
     parts.pop_back();
   }
+  std::ranges::sort(where.runs);
+  const auto doubled = std::ranges::unique(where.runs);
+  where.runs.erase(doubled.begin(), doubled.end());
   const auto take_number = [&parts]() -> std::optional<int> {
     // A number alone is a channel's name.
     if (parts.size() < 2) return std::nullopt;

@@ -49,6 +49,13 @@ TEST(SheetPlace, IsReadBackAsItIsWritten) {
             where);
 }
 
+TEST(SheetPlace, HasEachRunOnceInTheirOrder) {
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "6", "run4", "run2"}, point).runs,
+            (std::vector{2, 4}));
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "6", "run2", "run2-4"}, point).runs,
+            (std::vector{2, 3, 4}));
+}
+
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
   const Where where =
       read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());
