@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace tapfit::effects {
@@ -63,7 +64,8 @@ const std::vector<UnitSlip>& slips() {
 
 const UnitSlip& slip_of(const Where& where) {
   const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
-  return found == slips().end() ? slips().front() : *found;
+  assert(found != slips().end());
+  return *found;
 }
 
 // An accelerometer's that is a velocity sensor's in truth, and so on.
