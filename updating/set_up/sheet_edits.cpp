@@ -74,15 +74,16 @@ std::string ranges(const std::vector<std::size_t>& runs) {
 
 std::vector<std::string> sheet_edits(const Effect& effect,
                                      const Where& where,
-                                     const acquisition::TestBundle& written) {
+                                     const acquisition::TestBundle& written,
+                                     const acquisition::TestBundle& before) {
   if (effect.changes_stiffness() == updating::ChangeKind::Support) {
     return {fmt::format("model: no constraint at {}", describe(where))};
   }
-  acquisition::TestBundle sheet = written;
+  acquisition::TestBundle sheet = before;
   effect.correct(where, written, sheet);
   RunsOfEdit edits;
-  for (std::size_t r = 0; r < written.runs.size(); ++r) {
-    const acquisition::Run& was = written.runs[r];
+  for (std::size_t r = 0; r < before.runs.size(); ++r) {
+    const acquisition::Run& was = before.runs[r];
     const acquisition::Run& is = sheet.runs[r];
     take_edits("hammer", r, was.hammer.dof, is.hammer.dof, edits);
     for (std::size_t k = 0; k < was.sensors.size(); ++k) {
@@ -94,8 +95,8 @@ std::vector<std::string> sheet_edits(const Effect& effect,
     }
   }
   std::vector<std::string> result;
-  for (std::size_t c = 0; c < written.channels.size(); ++c) {
-    take_edits(c, written.channels[c], sheet.channels[c], result);
+  for (std::size_t c = 0; c < before.channels.size(); ++c) {
+    take_edits(c, before.channels[c], sheet.channels[c], result);
   }
   for (const auto& [edit, runs] : edits) {
     result.push_back(fmt::format("runs[{}].{}", ranges(runs), edit));

@@ -110,6 +110,23 @@ TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
             "model: no constraint at 5 nodes (1 ... 45) (free)");
 }
 
+TEST(SetUpMistakes, AreToBeCorrectedOneAfterTheOther) {
+  Rung at_33;
+  at_33.added = "point-mislabelled";
+  at_33.where = moved("acc2", 36, 33).where;
+  Rung swapped;
+  swapped.added = "channel-swap";
+  swapped.where.channels = {"acc1", "acc2"};
+  const auto found = set_up_mistakes({at_33, swapped}, support::plate_bundle());
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].edit, "runs[0-5].sensors[1].node: 36 -> 33");
+  EXPECT_EQ(found[1].edit,
+            "runs[0-5].sensors[0].direction: +Z -> -Z; "
+            "runs[0-5].sensors[0].node: 11 -> 33; "
+            "runs[0-5].sensors[1].direction: -Z -> +Z; "
+            "runs[0-5].sensors[1].node: 33 -> 11");
+}
+
 TEST(SetUpMistakes, AreFoundBesideAnEffect) {
   Where grid;
   grid.node = 30;

@@ -48,7 +48,7 @@ TEST_F(Directions, AreCorrectedOnTheSheet) {
   Where where;
   where.channels = {"acc2"};
   where.variant = "+X";
-  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_),
+  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: -Z -> "
                                      "+X"});
 }

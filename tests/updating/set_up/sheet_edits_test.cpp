@@ -14,13 +14,20 @@ namespace {
 
 using Edits = std::vector<std::string>;
 
+// With nothing put right before.
+Edits edits(const Effect& effect,
+            const Where& where,
+            const acquisition::TestBundle& written) {
+  return sheet_edits(effect, where, written, written);
+}
+
 TEST(SheetEdits, NameRunPlaceAndGrids) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"hammer"};
   where.nodes = {28};  // of the fourth run
   where.node = 30;
-  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
             Edits{"runs[3].hammer.node: 28 -> 30"});
 }
 
@@ -31,7 +38,7 @@ TEST(SheetEdits, AreOneForRunsAlike) {
   where.nodes = {36};
   where.node = 33;
   where.runs = {1, 4, 5, 6};
-  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
             Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
 }
 
@@ -39,7 +46,7 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"acc1", "acc2"};
-  EXPECT_EQ(sheet_edits(ChannelSwap(), where, bundle),
+  EXPECT_EQ(edits(ChannelSwap(), where, bundle),
             (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
                    "runs[0-5].sensors[0].node: 11 -> 36",
                    "runs[0-5].sensors[1].direction: -Z -> +Z",
@@ -50,13 +57,13 @@ TEST(SheetEdits, OfAChannelAreItsSensitivityAndQuantity) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"acc1"};
-  EXPECT_EQ(sheet_edits(ChannelPolarity(), where, bundle),
+  EXPECT_EQ(edits(ChannelPolarity(), where, bundle),
             Edits{"channels[1].sensitivity: 1 -> -1"});
   where.variant = "1/1000";
-  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
             Edits{"channels[1].sensitivity: 1 -> 0.001"});
   where.variant = "integrated";
-  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
             Edits{"channels[1].quantity: acceleration -> velocity"});
 }
 
@@ -64,10 +71,10 @@ TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"acc1"};
-  EXPECT_TRUE(sheet_edits(ChannelGain(), where, bundle).empty());
+  EXPECT_TRUE(edits(ChannelGain(), where, bundle).empty());
   where.variant = "10";
   where.runs = {4};
-  EXPECT_TRUE(sheet_edits(UnitFactor(), where, bundle).empty());
+  EXPECT_TRUE(edits(UnitFactor(), where, bundle).empty());
 }
 
 }  // namespace
