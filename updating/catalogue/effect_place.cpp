@@ -5,6 +5,7 @@
 #include "updating/effects/point_effect.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/set_up/sheet_place.hpp"
+#include "updating/set_up/sheet_points.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -136,7 +137,7 @@ bool is_meant(const Where& want, const Where& where, bool any_grid) {
   return want.variant.empty() || want.variant == where.variant;
 }
 
-// The grid or channel of a place that is not there; empty where all are.
+// The grid, channel or runs of a place that are not there; empty where all are.
 std::string missing_part(const Where& where, const effects::Setting& s) {
   std::vector<int> grids = where.nodes;
   if (where.node != 0) grids.push_back(where.node);
@@ -155,7 +156,7 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
                     });
     if (!found) return fmt::format("the test has no channel \"{}\"", name);
   }
-  return {};
+  return effects::fault_of_runs(where, *s.bundle);
 }
 
 // Where an effect may sit.
@@ -198,9 +199,7 @@ bool names_sheet_place(const effects::Effect& effect,
   const bool grid =
       s.deck != nullptr && want.node != 0 && s.deck->has_grid(want.node);
   if (effect.takes_any_grid() && !grid) return false;
-  const auto runs = static_cast<int>(s.bundle->runs.size());
-  return std::ranges::all_of(
-      want.runs, [runs](int run) { return run >= 1 && run <= runs; });
+  return effects::fault_of_runs(want, *s.bundle).empty();
 }
 
 // What is written behind the @, for example.

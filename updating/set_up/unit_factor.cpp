@@ -106,17 +106,18 @@ std::vector<Where> UnitFactor::places(const Setting& setting) const {
   for (const Where& channel : channels) {
     const acquisition::Quantity written =
         quantity_of(channel.channels.front(), sheet);
-    const std::vector<std::size_t> runs = runs_meant(channel, sheet);
+    const std::vector<std::vector<int>> averages =
+        averaged_runs(channel, sheet);
     for (const UnitSlip& slip : slips()) {
       if (slip.power != 0 && !quantity_behind(written, slip.power)) continue;
       whole.push_back(channel);
       whole.back().variant = slip.name;
       // What a sensor measures does not change from run to run.
       const bool all = channel.channels.size() > 1;
-      if (slip.power != 0 || all || runs.size() < 2) continue;
-      for (const std::size_t run : runs) {
+      if (slip.power != 0 || all || averages.size() < 2) continue;
+      for (const std::vector<int>& runs : averages) {
         single.push_back(whole.back());
-        single.back().runs = {static_cast<int>(run) + 1};
+        single.back().runs = runs;
       }
     }
   }
