@@ -12,6 +12,13 @@ namespace {
 // The runs in which each edit is to be made.
 using RunsOfEdit = std::map<std::string, std::vector<std::size_t>>;
 
+// The file may give a sensitivity in another unit than it is kept in here.
+std::string change_of(const acquisition::Channel& written,
+                      const acquisition::Channel& real) {
+  const double factor = real.sensitivity / written.sensitivity;
+  return factor == -1.0 ? "other sign" : fmt::format("times {:.4g}", factor);
+}
+
 // Of the channel table.
 void take_edits(std::size_t at,
                 const acquisition::Channel& written,
@@ -22,12 +29,15 @@ void take_edits(std::size_t at,
                                 at,
                                 acquisition::name(written.quantity),
                                 acquisition::name(real.quantity)));
-  }
-  if (written.sensitivity != real.sensitivity) {
-    edits.push_back(fmt::format("channels[{}].sensitivity: {:.5g} -> {:.5g}",
+    edits.push_back(fmt::format(
+        "channels[{}].unit: {} -> {}", at, written.unit, real.unit));
+    edits.push_back(fmt::format("channels[{}].sensitivity: {:.5g} V/({})",
                                 at,
-                                written.sensitivity,
-                                real.sensitivity));
+                                real.sensitivity,
+                                real.unit));
+  } else if (written.sensitivity != real.sensitivity) {
+    edits.push_back(fmt::format(
+        "channels[{}].sensitivity: {}", at, change_of(written, real)));
   }
 }
 

@@ -42,8 +42,8 @@ class UnitFactor final : public ChannelEffect {
       std::size_t) const override {
     return 0.0;
   }
-  /// A sensitivity, or what is measured; nothing for single runs, which have
-  /// the same sensitivity on the sheet as the others.
+  /// A sensitivity, or what is measured, then in its SI unit; nothing for
+  /// single runs, which have the same sensitivity on the sheet as the others.
   void correct(const Where& where,
                const acquisition::TestBundle& written,
                acquisition::TestBundle& sheet) const override;

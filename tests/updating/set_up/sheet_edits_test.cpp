@@ -53,18 +53,43 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
                    "runs[0-5].sensors[1].node: 36 -> 11"}));
 }
 
-TEST(SheetEdits, OfAChannelAreItsSensitivityAndQuantity) {
-  const acquisition::TestBundle bundle = support::plate_bundle();
+// 100 mV/g, kept as V per m/s^2 or per g: the file may have it in any unit.
+TEST(SheetEdits, OfASensitivityCountInWhateverUnitTheFileHas) {
+  acquisition::TestBundle bundle = support::plate_bundle();
+  bundle.channels[1].sensitivity = 0.1 / 9.80665;
   Where where;
   where.channels = {"acc1"};
   EXPECT_EQ(edits(ChannelPolarity(), where, bundle),
-            Edits{"channels[1].sensitivity: 1 -> -1"});
+            Edits{"channels[1].sensitivity: other sign"});
+  where.variant = "9.807";
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+            Edits{"channels[1].sensitivity: times 9.807"});
   where.variant = "1/1000";
   EXPECT_EQ(edits(UnitFactor(), where, bundle),
-            Edits{"channels[1].sensitivity: 1 -> 0.001"});
+            Edits{"channels[1].sensitivity: times 0.001"});
+}
+
+// 100 mV/g is 0.1 V for 9.80665 m/s^2; a volt means as many SI units of what is
+// measured in truth.
+TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
+  acquisition::TestBundle bundle = support::plate_bundle();
+  acquisition::Channel& g = bundle.channels[1];
+  g.unit = "g";
+  g.unit_to_si = 9.80665;
+  g.sensitivity = 0.1;
+  g.full_scale_volts = 5.0;
+  Where where;
+  where.channels = {"acc1"};
   where.variant = "integrated";
   EXPECT_EQ(edits(UnitFactor(), where, bundle),
-            Edits{"channels[1].quantity: acceleration -> velocity"});
+            (Edits{"channels[1].quantity: acceleration -> velocity",
+                   "channels[1].unit: g -> m/s",
+                   "channels[1].sensitivity: 0.010197 V/(m/s)"}));
+  acquisition::TestBundle sheet = bundle;
+  UnitFactor().correct(where, bundle, sheet);
+  EXPECT_NEAR(sheet.channels[1].full_scale_si(), g.full_scale_si(), 1e-12);
+  EXPECT_EQ(acquisition::find_unit(sheet.channels[1].unit)->quantity,
+            sheet.channels[1].quantity);
 }
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
