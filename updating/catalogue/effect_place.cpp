@@ -129,12 +129,27 @@ bool same_channels(const Where& want, const Where& where) {
 }
 
 // A place that is what was asked for, or that needs no asking. An effect that
-// may sit at many grids has to be told which.
-bool is_meant(const Where& want, const Where& where, bool any_grid) {
-  if (!any_grid && want.node != where.node) return false;
-  if (!want.nodes.empty() && want.nodes != where.nodes) return false;
+// may sit at many grids has to be told which; no grid of the sheet means all.
+bool is_meant(const Where& want,
+              const Where& where,
+              const effects::Effect& effect) {
+  if (!effect.takes_any_grid() && want.node != where.node) return false;
+  const bool open = want.nodes.empty() && !effect.at_sheet_points();
+  if (!open && want.nodes != where.nodes) return false;
   if (!want.channels.empty() && !same_channels(want, where)) return false;
   return want.variant.empty() || want.variant == where.variant;
+}
+
+// The grid that the sheet has the channels at; none where it has several.
+std::vector<int> only_grid(const std::vector<Where>& places,
+                           const Where& want) {
+  std::vector<int> only;
+  for (const Where& where : places) {
+    if (!same_channels(want, where)) continue;
+    if (!only.empty() && only != where.nodes) return {};
+    only = where.nodes;
+  }
+  return only;
 }
 
 // The grid, channel or runs of a place that are not there; empty where all are.
@@ -143,7 +158,7 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
   if (where.node != 0) grids.push_back(where.node);
   for (const int grid : grids) {
     if (s.deck != nullptr && !s.deck->has_grid(grid)) {
-      return fmt::format("the model has no grid {}", grid);
+      return fmt::format("the model has no grid {}", node_name(grid));
     }
   }
   for (const std::string& name : where.channels) {
@@ -197,7 +212,7 @@ bool names_sheet_place(const effects::Effect& effect,
   if (want.channels.empty()) return false;
   if (!effect.variants().empty() && want.variant.empty()) return false;
   const bool grid =
-      s.deck != nullptr && want.node != 0 && s.deck->has_grid(want.node);
+      s.deck != nullptr && want.node > 0 && s.deck->has_grid(want.node);
   if (effect.takes_any_grid() && !grid) return false;
   return effects::fault_of_runs(want, *s.bundle).empty();
 }
@@ -346,9 +361,10 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
   const bool any_grid = effect.takes_any_grid();
   const bool at_sheet = effect.at_sheet_points();
+  if (any_grid && want.nodes.empty()) want.nodes = only_grid(places, want);
   for (const Where& where : places) {
     if (local || (at_sheet && !names_sheet_place(effect, want, s))) break;
-    if (!is_meant(want, where, any_grid)) continue;
+    if (!is_meant(want, where, effect)) continue;
     if (any_grid && share({want.node}, where.nodes)) continue;
     Where there = where;
     there.at = want.at;

@@ -116,6 +116,12 @@ TEST_F(EffectPlace, APointOfTheSheetMayBeAnyOtherGridOfTheModel) {
   EXPECT_EQ(place_effect(parse_effect("point-mislabelled@acc2:33"), setting_)
                 .where.nodes,
             std::vector{36});
+  for (const char* open :
+       {"point-mislabelled@hammer:33", "point-mislabelled@acc2:36:"}) {
+    EXPECT_NE(refusal(open).find("the grid that the sheet has it at and the"),
+              std::string::npos)
+        << open;
+  }
   EXPECT_NE(refusal("point-mislabelled@acc2:36:999").find("no grid 999"),
             std::string::npos);
   EXPECT_NE(refusal("point-mislabelled@acc2:36:36"), "taken");
@@ -147,6 +153,8 @@ TEST_F(EffectPlace, MistakesOfASheetHaveTheirVariants) {
   EXPECT_EQ(refusal("direction-wrong@acc1:+X"), "taken");
   EXPECT_EQ(refusal("direction-wrong@hammer:28:-Z"), "taken");
   EXPECT_NE(refusal("direction-wrong@acc1:+Z"), "taken") << "as written";
+  EXPECT_NE(refusal("direction-wrong@hammer:-Z"), "taken")
+      << "its polarity, not one of its points";
   EXPECT_EQ(refusal("unit-factor@acc1:1000"), "taken");
   EXPECT_EQ(refusal("unit-factor@acc1:1/9.807:run4"), "taken");
   EXPECT_EQ(refusal("unit-factor@acc1:integrated"), "taken");

@@ -56,6 +56,27 @@ TEST(SheetPlace, HasEachRunOnceInTheirOrder) {
             (std::vector{2, 3, 4}));
 }
 
+// As it is offered while it is typed.
+TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
+  Where where;
+  where.channels = {"acc1"};
+  where.nodes = {8};
+  EXPECT_EQ(sheet_place_text(where), "acc1:8:");
+  EXPECT_EQ(read_sheet_place({"acc1", "8", ""}, point), where);
+  where.runs = {2};
+  EXPECT_EQ(sheet_place_text(where), "acc1:8::run2");
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "", "run2"}, point), where);
+}
+
+TEST(SheetPlace, MayBeAPointOfTheTestsOwn) {
+  Where where;
+  where.channels = {"acc1"};
+  where.nodes = {-3};
+  where.variant = "+X";
+  EXPECT_EQ(sheet_place_text(where), "acc1:P3:+X");
+  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, DirectionWrong()), where);
+}
+
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
   const Where where =
       read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());
