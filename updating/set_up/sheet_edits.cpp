@@ -41,15 +41,29 @@ void take_edits(std::size_t at,
   }
 }
 
-std::string direction_text(const Dof& dof) {
-  return fmt::format(
-      "{}{}", dof.sign < 0 ? '-' : '+', "XYZ"[(dof.component - 1) % 3]);
+// As the file has it: a letter, or at a point of the test's own a vector.
+std::string direction_text(const Dof& dof,
+                           const acquisition::TestBundle& sheet) {
+  const auto axis = (dof.component - 1) % 3;
+  const std::string letter =
+      fmt::format("{}{}", dof.sign < 0 ? '-' : '+', "XYZ"[axis]);
+  const acquisition::TestPoint* point =
+      acquisition::find_point(sheet.points, -dof.node);
+  if (point == nullptr) return letter;
+  if (point->system != 0) {
+    return fmt::format("{} of system {}", letter, point->system);
+  }
+  // Plus zero, or a zero may have a sign.
+  const Eigen::Vector3d along =
+      (dof.sign * point->axes.col(axis)).array() + 0.0;
+  return fmt::format("[{:.4g}, {:.4g}, {:.4g}]", along(0), along(1), along(2));
 }
 
 void take_edits(const std::string& what,
                 std::size_t run,
                 const Dof& written,
                 const Dof& real,
+                const acquisition::TestBundle& sheet,
                 RunsOfEdit& edits) {
   if (written.node != real.node) {
     edits[fmt::format("{}.node: {} -> {}",
@@ -61,8 +75,8 @@ void take_edits(const std::string& what,
   if (written.component != real.component || written.sign != real.sign) {
     edits[fmt::format("{}.direction: {} -> {}",
                       what,
-                      direction_text(written),
-                      direction_text(real))]
+                      direction_text(written, sheet),
+                      direction_text(real, sheet))]
         .push_back(run);
   }
 }
@@ -95,12 +109,13 @@ std::vector<std::string> sheet_edits(const Effect& effect,
   for (std::size_t r = 0; r < before.runs.size(); ++r) {
     const acquisition::Run& was = before.runs[r];
     const acquisition::Run& is = sheet.runs[r];
-    take_edits("hammer", r, was.hammer.dof, is.hammer.dof, edits);
+    take_edits("hammer", r, was.hammer.dof, is.hammer.dof, sheet, edits);
     for (std::size_t k = 0; k < was.sensors.size(); ++k) {
       take_edits(fmt::format("sensors[{}]", k),
                  r,
                  was.sensors[k].dof,
                  is.sensors[k].dof,
+                 sheet,
                  edits);
     }
   }

@@ -109,5 +109,24 @@ TEST_F(Directions, AreCorrectedOnTheSheet) {
                                      "+X"});
 }
 
+// There X, Y and Z are axes of the point's own, which the file says as vectors.
+TEST_F(Directions, AtAPointOfTheTestsOwnAreSaidAsVectors) {
+  acquisition::TestPoint skew;
+  skew.label = 3;
+  skew.axes << 0.8, 0.0, 0.6, 0.0, 1.0, 0.0, -0.6, 0.0, 0.8;
+  bundle_.points = {skew};
+  for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
+  Where where;
+  where.channels = {"acc2"};
+  where.variant = "+X";
+  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
+            std::vector<std::string>{"runs[0-5].sensors[1].direction: "
+                                     "[-0.6, 0, -0.8] -> [0.8, 0, -0.6]"});
+  bundle_.points[0].system = 7;
+  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
+            std::vector<std::string>{"runs[0-5].sensors[1].direction: "
+                                     "-Z of system 7 -> +X of system 7"});
+}
+
 }  // namespace
 }  // namespace tapfit::effects
