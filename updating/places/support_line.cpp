@@ -207,6 +207,14 @@ std::vector<std::string> freed_variants() {
   return names;
 }
 
+std::string freed_components(const std::string& variant) {
+  std::string digits;
+  const auto freed = std::ranges::find(all_freed(), variant, &Freed::variant);
+  if (freed == all_freed().end()) return digits;
+  for (const int c : freed->components) digits += static_cast<char>('0' + c);
+  return digits;
+}
+
 std::vector<SupportPart> support_parts(const Deck& deck,
                                        const std::vector<int>& nodes,
                                        const std::string& variant,

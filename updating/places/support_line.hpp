@@ -72,4 +72,8 @@ struct SupportPart {
 /// "free-Y", "free-Z".
 [[nodiscard]] std::vector<std::string> freed_variants();
 
+/// What one of these frees, digits of 1..6 along basic axes: "456"; empty for
+/// other variants.
+[[nodiscard]] std::string freed_components(const std::string& variant);
+
 }  // namespace tapfit::updating

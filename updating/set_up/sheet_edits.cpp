@@ -1,5 +1,7 @@
 #include "updating/set_up/sheet_edits.hpp"
 
+#include "updating/places/support_line.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -101,7 +103,11 @@ std::vector<std::string> sheet_edits(const Effect& effect,
                                      const acquisition::TestBundle& written,
                                      const acquisition::TestBundle& before) {
   if (effect.changes_stiffness() == updating::ChangeKind::Support) {
-    return {fmt::format("model: no constraint at {}", describe(where))};
+    Where grids = where;
+    grids.variant.clear();
+    return {fmt::format("model: release components {} (basic axes) at {}",
+                        updating::freed_components(where.variant),
+                        describe(grids))};
   }
   acquisition::TestBundle sheet = before;
   effect.correct(where, written, sheet);

@@ -107,7 +107,8 @@ TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
   ASSERT_EQ(d.set_up.size(), 1U);
   EXPECT_EQ(d.set_up[0].where, where);
   EXPECT_EQ(d.set_up[0].edit,
-            "model: no constraint at 5 nodes (1 ... 45) (free)");
+            "model: release components 123456 (basic axes) at 5 nodes (1 ... "
+            "45)");
 }
 
 TEST(SetUpMistakes, AreToBeCorrectedOneAfterTheOther) {

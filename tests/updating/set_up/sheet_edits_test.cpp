@@ -5,6 +5,7 @@
 #include "updating/set_up/channel_polarity.hpp"
 #include "updating/set_up/channel_swap.hpp"
 #include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/support_mismatch.hpp"
 #include "updating/set_up/unit_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,23 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
   EXPECT_NEAR(sheet.channels[1].full_scale_si(), g.full_scale_si(), 1e-12);
   EXPECT_EQ(acquisition::find_unit(sheet.channels[1].unit)->quantity,
             sheet.channels[1].quantity);
+}
+
+TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.nodes = {1, 12};
+  const auto released = [&](const std::string& variant) {
+    where.variant = variant;
+    return edits(SupportMismatch(), where, bundle);
+  };
+  EXPECT_EQ(released("free"),
+            Edits{"model: release components 123456 (basic axes) at nodes 1, "
+                  "12"});
+  EXPECT_EQ(released("free-rotations"),
+            Edits{"model: release components 456 (basic axes) at nodes 1, 12"});
+  EXPECT_EQ(released("free-Z"),
+            Edits{"model: release components 3 (basic axes) at nodes 1, 12"});
 }
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
