@@ -1,6 +1,7 @@
 #include "updating/set_up/sheet_edits.hpp"
 
 #include "updating/places/support_line.hpp"
+#include "updating/set_up/point_edits.hpp"
 
 #include <fmt/format.h>
 
@@ -96,6 +97,32 @@ std::string ranges(const std::vector<std::size_t>& runs) {
   return text;
 }
 
+std::vector<std::string> line_edits(const acquisition::TestBundle& before,
+                                    const acquisition::TestBundle& after) {
+  RunsOfEdit edits;
+  for (std::size_t r = 0; r < before.runs.size(); ++r) {
+    const acquisition::Run& was = before.runs[r];
+    const acquisition::Run& is = after.runs[r];
+    take_edits("hammer", r, was.hammer.dof, is.hammer.dof, after, edits);
+    for (std::size_t k = 0; k < was.sensors.size(); ++k) {
+      take_edits(fmt::format("sensors[{}]", k),
+                 r,
+                 was.sensors[k].dof,
+                 is.sensors[k].dof,
+                 after,
+                 edits);
+    }
+  }
+  std::vector<std::string> result;
+  for (std::size_t c = 0; c < before.channels.size(); ++c) {
+    take_edits(c, before.channels[c], after.channels[c], result);
+  }
+  for (const auto& [edit, runs] : edits) {
+    result.push_back(fmt::format("runs[{}].{}", ranges(runs), edit));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::string> sheet_edits(const Effect& effect,
@@ -109,30 +136,10 @@ std::vector<std::string> sheet_edits(const Effect& effect,
                         updating::freed_components(where.variant),
                         describe(grids))};
   }
-  acquisition::TestBundle sheet = before;
-  effect.correct(where, written, sheet);
-  RunsOfEdit edits;
-  for (std::size_t r = 0; r < before.runs.size(); ++r) {
-    const acquisition::Run& was = before.runs[r];
-    const acquisition::Run& is = sheet.runs[r];
-    take_edits("hammer", r, was.hammer.dof, is.hammer.dof, sheet, edits);
-    for (std::size_t k = 0; k < was.sensors.size(); ++k) {
-      take_edits(fmt::format("sensors[{}]", k),
-                 r,
-                 was.sensors[k].dof,
-                 is.sensors[k].dof,
-                 sheet,
-                 edits);
-    }
-  }
-  std::vector<std::string> result;
-  for (std::size_t c = 0; c < before.channels.size(); ++c) {
-    take_edits(c, before.channels[c], sheet.channels[c], result);
-  }
-  for (const auto& [edit, runs] : edits) {
-    result.push_back(fmt::format("runs[{}].{}", ranges(runs), edit));
-  }
-  return result;
+  acquisition::TestBundle after = before;
+  effect.correct(where, written, after);
+  return is_without_sheet(before) ? point_edits(before, after)
+                                  : line_edits(before, after);
 }
 
 }  // namespace tapfit::effects

@@ -1,4 +1,5 @@
-// A mistake of the set-up as what is to be changed in test.json or the model.
+// A mistake of the set-up as what is to be changed in test.json or the model,
+// or, for a test without lines there, of its points (point_edits.hpp).
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
