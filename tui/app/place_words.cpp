@@ -37,6 +37,8 @@ std::vector<std::string> catalogue_places(const Effect& effect,
   std::vector<std::string> words;
   for (const updating::Where& where : effect.places(setting)) {
     if (effect.at_sheet_points()) {
+      // The grid where it was comes before the runs, and is typed first.
+      if (effect.takes_any_grid() && !where.runs.empty()) continue;
       words.push_back(effects::sheet_place_text(where));
       continue;
     }

@@ -263,7 +263,7 @@ Section next_section(const ModelResults& model) {
     }
     for (const updating::SetUpMistake& mistake : model.diagnosis->set_up) {
       list.items.push_back(
-          fmt::format("Check the sheet, {} and correct test.json: {}.",
+          fmt::format("Check the sheet, {}, and correct {}.",
                       found_words(mistake.mistake, mistake.where),
                       mistake.edit));
     }

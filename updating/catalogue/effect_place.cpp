@@ -5,6 +5,7 @@
 #include "updating/effects/point_effect.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/set_up/sheet_place.hpp"
+#include "updating/set_up/sheet_points.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -128,21 +129,36 @@ bool same_channels(const Where& want, const Where& where) {
 }
 
 // A place that is what was asked for, or that needs no asking. An effect that
-// may sit at many grids has to be told which.
-bool is_meant(const Where& want, const Where& where, bool any_grid) {
-  if (!any_grid && want.node != where.node) return false;
-  if (!want.nodes.empty() && want.nodes != where.nodes) return false;
+// may sit at many grids has to be told which; no grid of the sheet means all.
+bool is_meant(const Where& want,
+              const Where& where,
+              const effects::Effect& effect) {
+  if (!effect.takes_any_grid() && want.node != where.node) return false;
+  const bool open = want.nodes.empty() && !effect.at_sheet_points();
+  if (!open && want.nodes != where.nodes) return false;
   if (!want.channels.empty() && !same_channels(want, where)) return false;
   return want.variant.empty() || want.variant == where.variant;
 }
 
-// The grid or channel of a place that is not there; empty where all are.
+// The grid that the sheet has the channels at; none where it has several.
+std::vector<int> only_grid(const std::vector<Where>& places,
+                           const Where& want) {
+  std::vector<int> only;
+  for (const Where& where : places) {
+    if (!same_channels(want, where)) continue;
+    if (!only.empty() && only != where.nodes) return {};
+    only = where.nodes;
+  }
+  return only;
+}
+
+// The grid, channel or runs of a place that are not there; empty where all are.
 std::string missing_part(const Where& where, const effects::Setting& s) {
   std::vector<int> grids = where.nodes;
   if (where.node != 0) grids.push_back(where.node);
   for (const int grid : grids) {
     if (s.deck != nullptr && !s.deck->has_grid(grid)) {
-      return fmt::format("the model has no grid {}", grid);
+      return fmt::format("the model has no grid {}", node_name(grid));
     }
   }
   for (const std::string& name : where.channels) {
@@ -155,7 +171,7 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
                     });
     if (!found) return fmt::format("the test has no channel \"{}\"", name);
   }
-  return {};
+  return effects::fault_of_runs(where, *s.bundle);
 }
 
 // Where an effect may sit.
@@ -196,11 +212,9 @@ bool names_sheet_place(const effects::Effect& effect,
   if (want.channels.empty()) return false;
   if (!effect.variants().empty() && want.variant.empty()) return false;
   const bool grid =
-      s.deck != nullptr && want.node != 0 && s.deck->has_grid(want.node);
+      s.deck != nullptr && want.node > 0 && s.deck->has_grid(want.node);
   if (effect.takes_any_grid() && !grid) return false;
-  const auto runs = static_cast<int>(s.bundle->runs.size());
-  return std::ranges::all_of(
-      want.runs, [runs](int run) { return run >= 1 && run <= runs; });
+  return effects::fault_of_runs(want, *s.bundle).empty();
 }
 
 // What is written behind the @, for example.
@@ -347,9 +361,10 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
   const bool any_grid = effect.takes_any_grid();
   const bool at_sheet = effect.at_sheet_points();
+  if (any_grid && want.nodes.empty()) want.nodes = only_grid(places, want);
   for (const Where& where : places) {
     if (local || (at_sheet && !names_sheet_place(effect, want, s))) break;
-    if (!is_meant(want, where, any_grid)) continue;
+    if (!is_meant(want, where, effect)) continue;
     if (any_grid && share({want.node}, where.nodes)) continue;
     Where there = where;
     there.at = want.at;

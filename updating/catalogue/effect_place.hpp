@@ -24,7 +24,7 @@ namespace tapfit::updating {
 
 /// The catalogue's place that the reference means, with starting sizes: fields
 /// that it leaves open are filled from the first place that agrees with those
-/// it gives.
+/// it gives; the grid of a sheet only where it has the channel at no other.
 ///
 /// @throws InputError when the effect has no such place in this model
 [[nodiscard]] PlacedEffect place_effect(const EffectRef& ref,

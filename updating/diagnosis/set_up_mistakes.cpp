@@ -13,12 +13,14 @@ namespace tapfit::updating {
 std::vector<SetUpMistake> set_up_mistakes(
     const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet) {
   std::vector<SetUpMistake> result;
+  acquisition::TestBundle corrected = sheet;
   for (const Rung& rung : ladder) {
     const std::string kind = leading_kind(rung);
     const effects::Effect& effect = effects::find(kind);
     if (!effect.is_mistake()) continue;
     std::vector<std::string> edits =
-        effects::sheet_edits(effect, rung.where, sheet);
+        effects::sheet_edits(effect, rung.where, sheet, corrected);
+    effect.correct(rung.where, sheet, corrected);
     if (edits.empty()) continue;
     result.push_back({kind,
                       rung.where,

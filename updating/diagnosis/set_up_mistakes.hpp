@@ -9,7 +9,8 @@
 
 namespace tapfit::updating {
 
-/// Of the rungs those that are mistakes of the sheet or of the supports.
+/// Of the rungs those that are mistakes of the sheet or of the supports. Each
+/// edit is to be made after those before it.
 [[nodiscard]] std::vector<SetUpMistake> set_up_mistakes(
     const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet);
 

@@ -237,12 +237,20 @@ std::vector<SupportPart> freed_part(const Deck& deck,
                                     const std::vector<int>& nodes,
                                     const std::vector<int>& components) {
   const ConstraintAxes held = structure::constraint_axes(deck);
+  // All three of a kind are all that is held so, along whatever axes.
+  const bool any_axes = components.size() > 1;
   SupportPart part{components.front() > 3, 0, {}};
   part.line.length = 1.0;
   const double share = 1.0 / static_cast<double>(nodes.size());
   for (const int node : nodes) {
+    const bool turned = held.turned.contains(node);
+    const auto own = held.held.find(node);
+    if (own == held.held.end() || (turned && !any_axes)) continue;
     for (const int c : components) {
-      if (holds(held, node, c)) part.line.dofs.push_back({node, c, share, 0.0});
+      if (own->second.find(static_cast<char>('0' + c)) == std::string::npos) {
+        continue;
+      }
+      part.line.dofs.push_back({node, c, share, 0.0, turned});
     }
   }
   if (part.line.dofs.empty()) return {};
@@ -255,6 +263,14 @@ std::vector<std::string> freed_variants() {
   std::vector<std::string> names;
   for (const Freed& freed : all_freed()) names.push_back(freed.variant);
   return names;
+}
+
+std::string freed_components(const std::string& variant) {
+  std::string digits;
+  const auto freed = std::ranges::find(all_freed(), variant, &Freed::variant);
+  if (freed == all_freed().end()) return digits;
+  for (const int c : freed->components) digits += static_cast<char>('0' + c);
+  return digits;
 }
 
 std::vector<SupportPart> support_parts(const Deck& deck,

@@ -14,9 +14,10 @@ namespace tapfit::updating {
 /// A released degree of freedom of a support and the length it carries.
 struct SupportDof {
   int node = 0;
-  int component = 0;    ///< 1..6
-  double length = 0.0;  ///< [m]; 1 / number of grids where there is no line
-  double at = 0.0;      ///< 0 to 1 along the line; 0 where there is none
+  int component = 0;      ///< 1..6, along basic axes
+  double length = 0.0;    ///< [m]; 1 / number of grids where there is no line
+  double at = 0.0;        ///< 0 to 1 along the line; 0 where there is none
+  bool own_axes = false;  ///< component along the grid's own (turned) axes
 };
 
 struct SupportLine {
@@ -62,7 +63,8 @@ struct SupportPart {
 ///   where there is no line to vary along
 ///
 /// One of freed_variants() has one stiffness for all that is held in these
-/// components, whatever the line.
+/// components, whatever the line. Of grids held along turned axes those that
+/// free all translations or all rotations free what is held of them.
 [[nodiscard]] std::vector<SupportPart> support_parts(
     const structure::Deck& deck,
     const std::vector<int>& nodes,
@@ -72,5 +74,9 @@ struct SupportPart {
 /// What a support may not hold at all: "free", "free-rotations", "free-X",
 /// "free-Y", "free-Z".
 [[nodiscard]] std::vector<std::string> freed_variants();
+
+/// What one of these frees, digits of 1..6 along basic axes: "456"; empty for
+/// other variants.
+[[nodiscard]] std::string freed_components(const std::string& variant);
 
 }  // namespace tapfit::updating

@@ -127,7 +127,8 @@ EffectChange change_from(const json& value) {
                 "elements",
                 "channels",
                 "variant",
-                "at"});
+                "at",
+                "runs"});
   if (!value.contains("switched")) {
     EffectChange change;
     for (const json& one : list_in(value, "together")) {

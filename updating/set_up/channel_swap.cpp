@@ -42,8 +42,8 @@ void ChannelSwap::correct(const Where& where,
     const std::size_t a = sensor_on(where.channels.front());
     const std::size_t b = sensor_on(where.channels.back());
     if (std::max(a, b) >= sensors.size()) continue;
-    sheet.runs[r].sensors[a].dof = sensors[b].dof;
-    sheet.runs[r].sensors[b].dof = sensors[a].dof;
+    std::vector<acquisition::Placement>& real = sheet.runs[r].sensors;
+    std::swap(real[a].dof, real[b].dof);
   }
 }
 

@@ -3,51 +3,106 @@
 #include "updating/effects/sensor_channels.hpp"
 #include "updating/set_up/sheet_points.hpp"
 
+#include <Eigen/Geometry>
+
 #include <set>
+#include <string_view>
 #include <utility>
 
 namespace tapfit::effects {
 namespace {
 
+// Along which axes, and where.
 struct WrittenDirections {
-  std::set<std::pair<int, int>> all;  // component, sign
+  std::set<Dof> all;  // of no node
   std::set<int> grids;
 };
+
+Dof at_node(int node, Dof dof) {
+  dof.node = node;
+  return dof;
+}
 
 WrittenDirections directions_of(const Where& where,
                                 const acquisition::TestBundle& sheet) {
   WrittenDirections result;
   acquisition::TestBundle copy = sheet;
   for_each_meant(where, sheet, copy, [&](const acquisition::Placement& p) {
-    result.all.insert({p.dof.component, p.dof.sign});
+    result.all.insert(at_node(0, p.dof));
     result.grids.insert(p.dof.node);
   });
   return result;
 }
 
-// @param flips whether the same axis the other way round is one of them
+std::vector<std::string> basic_axes() {
+  return {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+}
+
+// What the axes X, Y and Z of the sheet are in truth.
+constexpr std::string_view turned_axes = "XYZ=";
+
+std::vector<std::string> quarter_turns() {
+  const auto along = [](const std::string& axis) {
+    const Dof dof = *parse_direction(0, axis);
+    return Eigen::Vector3d(dof.sign * Eigen::Vector3d::Unit(dof.component - 1));
+  };
+  const std::vector<std::string> axes = basic_axes();
+  std::vector<std::string> result;
+  for (const std::string& x : axes) {
+    for (const std::string& y : axes) {
+      const Eigen::Vector3d across = along(x).cross(along(y));
+      for (const std::string& z : axes) {
+        const bool right_handed = across == along(z);
+        const bool as_it_was = x == "+X" && y == "+Y";
+        if (right_handed && !as_it_was) {
+          result.push_back(std::string(turned_axes) + x + y + z);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+// One axis is said as it is, several by what the axes are.
+Dof put_right(const Dof& dof, std::string_view variant) {
+  if (!variant.starts_with(turned_axes)) {
+    return parse_direction(dof.node, variant).value_or(dof);
+  }
+  const int rotation = dof.component > 3 ? 3 : 0;
+  const auto axis = static_cast<std::size_t>(dof.component - rotation - 1);
+  const auto real = parse_direction(
+      dof.node, variant.substr(turned_axes.size() + 2 * axis, 2));
+  if (!real) return dof;
+  return {dof.node, real->component + rotation, dof.sign * real->sign};
+}
+
+// @param flips whether the same axes the other way round are one of them
 void add_directions(const Where& where,
                     bool flips,
-                    const DirectionWrong& effect,
                     const acquisition::TestBundle& sheet,
                     std::vector<Where>& places) {
-  const auto written = directions_of(where, sheet).all;
-  for (const std::string& direction : effect.variants()) {
-    const Dof real = *parse_direction(0, direction);
-    const bool same =
-        written.size() == 1 && written.contains({real.component, real.sign});
-    const bool flip =
-        written.size() == 1 && written.contains({real.component, -real.sign});
-    if (same || (flip && !flips)) continue;
+  const std::set<Dof> written = directions_of(where, sheet).all;
+  using Directions = std::vector<Dof>;
+  Directions flipped(written.begin(), written.end());
+  std::set<Directions> known = {flipped};
+  for (Dof& dof : flipped) dof.sign = -dof.sign;
+  if (!flips) known.insert(flipped);
+  for (const std::string& variant :
+       written.size() > 1 ? quarter_turns() : basic_axes()) {
+    Directions real;
+    for (const Dof& dof : written) real.push_back(put_right(dof, variant));
+    if (!known.insert(real).second) continue;
     places.push_back(where);
-    places.back().variant = direction;
+    places.back().variant = variant;
   }
 }
 
 }  // namespace
 
 std::vector<std::string> DirectionWrong::variants() const {
-  return {"+X", "-X", "+Y", "-Y", "+Z", "-Z"};
+  std::vector<std::string> all = basic_axes();
+  for (std::string& turned : quarter_turns()) all.push_back(std::move(turned));
+  return all;
 }
 
 std::vector<Where> DirectionWrong::places(const Setting& setting) const {
@@ -63,13 +118,13 @@ std::vector<Where> DirectionWrong::places(const Setting& setting) const {
   }
   std::vector<Where> result;
   for (const Where& where : whole) {
-    add_directions(where, false, *this, sheet, result);
+    add_directions(where, false, sheet, result);
   }
   for (const Where& point : written_points(setting)) {
     Where channels = point;
     channels.nodes.clear();
     if (directions_of(channels, sheet).grids.size() < 2) continue;
-    add_directions(point, true, *this, sheet, result);
+    add_directions(point, true, sheet, result);
   }
   return result;
 }
@@ -77,11 +132,8 @@ std::vector<Where> DirectionWrong::places(const Setting& setting) const {
 void DirectionWrong::correct(const Where& where,
                              const acquisition::TestBundle& written,
                              acquisition::TestBundle& sheet) const {
-  const auto real = parse_direction(0, where.variant);
-  if (!real) return;
   for_each_meant(where, written, sheet, [&](acquisition::Placement& p) {
-    p.dof.component = real->component;
-    p.dof.sign = real->sign;
+    p.dof = put_right(p.dof, where.variant);
   });
 }
 

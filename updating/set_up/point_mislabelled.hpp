@@ -16,8 +16,9 @@ class PointMislabelled final : public SheetMistake {
     return "a sensor or blow at another grid than written down; poles are "
            "right, its FRFs are another point's";
   }
-  /// Points of the sheet, whole and, of sensors, parted by runs. The grid where
-  /// it was is left open.
+  /// Grids of the sheet, whole and, of sensors, parted by runs. The grid where
+  /// it was is left open. None at points of the test's own: their directions
+  /// are along axes of their own, and mean nothing at another grid.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
   [[nodiscard]] bool at_sheet_points() const override { return true; }

@@ -1,5 +1,7 @@
 #include "updating/set_up/sheet_place.hpp"
 
+#include "acquisition/foundation/dof.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,6 +20,14 @@ std::optional<int> number_in(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || stop != end || number <= 0) return std::nullopt;
   return number;
+}
+
+// "8", or "P3" of a point of the test's own.
+std::optional<int> grid_in(std::string_view text) {
+  const bool own = text.starts_with('P');
+  const std::optional<int> number = number_in(text.substr(own ? 1 : 0));
+  if (!number) return std::nullopt;
+  return own ? -*number : *number;
 }
 
 // "run4" or "run4-6"; nothing where it is neither.
@@ -55,32 +65,42 @@ Where read_sheet_place(std::vector<std::string> parts, const Effect& effect) {
   while (!parts.empty()) {
     const std::vector<int> runs = runs_in(parts.back());
     if (runs.empty()) break;
-    where.runs.insert(where.runs.begin(), runs.begin(), runs.end());
+    where.runs.insert(where.runs.end(), runs.begin(), runs.end());
     parts.pop_back();
   }
-  const auto take_number = [&parts]() -> std::optional<int> {
+  std::ranges::sort(where.runs);
+  const auto doubled = std::ranges::unique(where.runs);
+  where.runs.erase(doubled.begin(), doubled.end());
+  const auto take_grid = [&parts]() -> std::optional<int> {
     // A number alone is a channel's name.
     if (parts.size() < 2) return std::nullopt;
-    const std::optional<int> number = number_in(parts.back());
-    if (number) parts.pop_back();
-    return number;
+    const std::optional<int> grid = grid_in(parts.back());
+    if (grid) parts.pop_back();
+    return grid;
   };
   const std::vector<std::string> known = effect.variants();
   if (!parts.empty() && std::ranges::find(known, parts.back()) != known.end()) {
     where.variant = parts.back();
     parts.pop_back();
   }
-  if (effect.takes_any_grid()) where.node = take_number().value_or(0);
-  if (const auto grid = take_number()) where.nodes = {*grid};
+  if (effect.takes_any_grid()) {
+    const bool open = parts.size() > 1 && parts.back().empty();
+    if (open) parts.pop_back();
+    where.node = open ? 0 : take_grid().value_or(0);
+  }
+  if (const auto grid = take_grid()) where.nodes = {*grid};
   where.channels = std::move(parts);
   return where;
 }
 
 std::string sheet_place_text(const Where& where) {
   std::string text = fmt::format("{}", fmt::join(where.channels, ":"));
-  if (!where.nodes.empty()) text += fmt::format(":{}", where.nodes.front());
-  if (where.node != 0) text += fmt::format(":{}", where.node);
+  if (!where.nodes.empty()) text += ":" + node_name(where.nodes.front());
+  if (where.node != 0) text += ":" + node_name(where.node);
   if (!where.variant.empty()) text += ":" + where.variant;
+  const bool open =
+      !where.nodes.empty() && where.node == 0 && where.variant.empty();
+  if (open) text += ":";
   return text + runs_text(where.runs);
 }
 

@@ -2,6 +2,9 @@
 
 #include "acquisition/bundle/runs_alike.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -24,6 +27,12 @@ bool means(const Where& where, const Placement& p, const TestBundle& sheet) {
   const std::string& channel = sheet.channels[p.channel].name;
   return std::ranges::find(where.channels, channel) != where.channels.end() &&
          (where.nodes.empty() || where.nodes.front() == p.dof.node);
+}
+
+std::vector<int> from_one(const acquisition::RunGroup& group) {
+  std::vector<int> runs;
+  for (const std::size_t run : group) runs.push_back(static_cast<int>(run) + 1);
+  return runs;
 }
 
 Where point_of(const std::set<std::size_t>& channels,
@@ -62,19 +71,39 @@ std::vector<Where> written_points(const Setting& setting) {
   return result;
 }
 
-std::vector<std::size_t> runs_meant(const Where& where,
-                                    const TestBundle& sheet) {
-  std::vector<std::size_t> result;
-  for (std::size_t r = 0; r < sheet.runs.size(); ++r) {
-    const Run& run = sheet.runs[r];
+std::vector<std::vector<int>> averaged_runs(const Where& where,
+                                            const TestBundle& sheet) {
+  std::vector<std::vector<int>> result;
+  for (const acquisition::RunGroup& group : acquisition::runs_alike(sheet)) {
+    const Run& run = sheet.runs[group.front()];
     const bool there =
         means(where, run.hammer, sheet) ||
         std::ranges::any_of(run.sensors, [&](const Placement& p) {
           return means(where, p, sheet);
         });
-    if (there && means_run(where, r)) result.push_back(r);
+    if (there) result.push_back(from_one(group));
   }
   return result;
+}
+
+std::string fault_of_runs(const Where& where, const TestBundle& sheet) {
+  const auto count = static_cast<int>(sheet.runs.size());
+  for (const int run : where.runs) {
+    if (run < 1 || run > count) {
+      return fmt::format("the test has no run {}", run);
+    }
+  }
+  for (const acquisition::RunGroup& group : acquisition::runs_alike(sheet)) {
+    const std::vector<int> runs = from_one(group);
+    const auto named = std::ranges::count_if(runs, [&where](int run) {
+      return std::ranges::find(where.runs, run) != where.runs.end();
+    });
+    if (named == 0 || named == std::ssize(runs)) continue;
+    return fmt::format(
+        "runs {} measured the same and are averaged: name all of them",
+        fmt::join(runs, ", "));
+  }
+  return {};
 }
 
 bool is_hammer(const Where& where, const TestBundle& sheet) {
@@ -85,20 +114,17 @@ bool is_hammer(const Where& where, const TestBundle& sheet) {
 
 std::vector<Where> parted_by_runs(const Where& point, const TestBundle& sheet) {
   if (is_hammer(point, sheet)) return {};
-  const std::vector<std::size_t> runs = runs_meant(point, sheet);
-  // Runs of one placement are one measurement.
-  std::set<std::size_t> first;
-  for (const acquisition::RunGroup& group : acquisition::runs_alike(sheet)) {
-    first.insert(group.front());
-  }
+  const std::vector<std::vector<int>> runs = averaged_runs(point, sheet);
   std::vector<Where> result;
   for (std::size_t cut = 1; cut < runs.size(); ++cut) {
-    if (!first.contains(runs[cut])) continue;
     Where before = point;
     Where after = point;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-      (k < cut ? before : after).runs.push_back(static_cast<int>(runs[k]) + 1);
+      std::vector<int>& part = (k < cut ? before : after).runs;
+      part.insert(part.end(), runs[k].begin(), runs[k].end());
     }
+    std::ranges::sort(before.runs);
+    std::ranges::sort(after.runs);
     result.push_back(std::move(after));
     result.push_back(std::move(before));
   }

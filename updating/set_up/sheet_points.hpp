@@ -6,6 +6,7 @@
 #include "updating/places/location.hpp"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace tapfit::effects {
@@ -14,9 +15,20 @@ namespace tapfit::effects {
 /// first, and sensors that sit at one grid together (a triaxial one) as one.
 [[nodiscard]] std::vector<Where> written_points(const Setting& setting);
 
-/// A sensor's point again for the runs from each of its runs on, and for those
-/// up to each: it was moved, and the sheet does not say so. Empty for a hammer,
-/// which is moved by hand from blow to blow.
+/// The runs in which the sheet has something there, counted from 1. Runs of one
+/// placement are averaged, so that a mistake is in all of them: they are one
+/// list, ascending; lists are in the order of their first runs.
+[[nodiscard]] std::vector<std::vector<int>> averaged_runs(
+    const Where& where, const acquisition::TestBundle& sheet);
+
+/// Why a mistake cannot be in the runs of a place: there is no such run, or
+/// only some of an average are named. Empty where it can.
+[[nodiscard]] std::string fault_of_runs(const Where& where,
+                                        const acquisition::TestBundle& sheet);
+
+/// A sensor's point again for the averages from each of its own on, and for
+/// those before each: it was moved, and the sheet does not say so. Empty for a
+/// hammer, which is moved by hand from blow to blow.
 [[nodiscard]] std::vector<Where> parted_by_runs(
     const Where& point, const acquisition::TestBundle& sheet);
 
@@ -29,10 +41,6 @@ void for_each_meant(const Where& where,
                     const acquisition::TestBundle& written,
                     acquisition::TestBundle& sheet,
                     const std::function<void(acquisition::Placement&)>& change);
-
-/// Indices of the runs in which the sheet has something there.
-[[nodiscard]] std::vector<std::size_t> runs_meant(
-    const Where& where, const acquisition::TestBundle& sheet);
 
 /// Whether the place's channels are those of hammers.
 [[nodiscard]] bool is_hammer(const Where& where,

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace tapfit::effects {
 namespace {
@@ -58,7 +59,9 @@ std::vector<structure::Constraint> SupportMismatch::released(
     const Where& where, const Setting& setting) const {
   std::vector<structure::Constraint> result;
   for (const updating::SupportDof& dof : freed(where, setting)) {
-    const auto own = card_component(*setting.deck, dof.node, dof.component);
+    const std::optional<int> own =
+        dof.own_axes ? dof.component
+                     : card_component(*setting.deck, dof.node, dof.component);
     if (own) result.push_back({dof.node, std::to_string(*own)});
   }
   return result;

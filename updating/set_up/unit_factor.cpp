@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cmath>
 
 namespace tapfit::effects {
@@ -63,20 +65,26 @@ const std::vector<UnitSlip>& slips() {
 
 const UnitSlip& slip_of(const Where& where) {
   const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
-  return found == slips().end() ? slips().front() : *found;
+  assert(found != slips().end());
+  return *found;
 }
 
+struct Motion {
+  acquisition::Quantity quantity;
+  const char* si_unit;
+};
+
 // An accelerometer's that is a velocity sensor's in truth, and so on.
-std::optional<acquisition::Quantity> quantity_behind(
-    acquisition::Quantity written, int power) {
+std::optional<Motion> motion_behind(acquisition::Quantity written, int power) {
   using acquisition::Quantity;
-  const std::vector<Quantity> motions = {
-      Quantity::Acceleration, Quantity::Velocity, Quantity::Displacement};
-  const auto at = std::ranges::find(motions, written);
+  constexpr std::array<Motion, 3> motions = {{{Quantity::Acceleration, "m/s^2"},
+                                              {Quantity::Velocity, "m/s"},
+                                              {Quantity::Displacement, "m"}}};
+  const auto at = std::ranges::find(motions, written, &Motion::quantity);
   if (at == motions.end()) return std::nullopt;
   const auto real = (at - motions.begin()) - power;
   if (real < 0 || real > 2) return std::nullopt;
-  return motions[static_cast<std::size_t>(real)];
+  return motions.at(static_cast<std::size_t>(real));
 }
 
 acquisition::Quantity quantity_of(const std::string& channel,
@@ -104,17 +112,18 @@ std::vector<Where> UnitFactor::places(const Setting& setting) const {
   for (const Where& channel : channels) {
     const acquisition::Quantity written =
         quantity_of(channel.channels.front(), sheet);
-    const std::vector<std::size_t> runs = runs_meant(channel, sheet);
+    const std::vector<std::vector<int>> averages =
+        averaged_runs(channel, sheet);
     for (const UnitSlip& slip : slips()) {
-      if (slip.power != 0 && !quantity_behind(written, slip.power)) continue;
+      if (slip.power != 0 && !motion_behind(written, slip.power)) continue;
       whole.push_back(channel);
       whole.back().variant = slip.name;
       // What a sensor measures does not change from run to run.
       const bool all = channel.channels.size() > 1;
-      if (slip.power != 0 || all || runs.size() < 2) continue;
-      for (const std::size_t run : runs) {
+      if (slip.power != 0 || all || averages.size() < 2) continue;
+      for (const std::vector<int>& runs : averages) {
         single.push_back(whole.back());
-        single.back().runs = {static_cast<int>(run) + 1};
+        single.back().runs = runs;
       }
     }
   }
@@ -152,8 +161,14 @@ void UnitFactor::correct(const Where& where,
       continue;
     }
     channel.sensitivity *= slip.factor;
-    const auto real = quantity_behind(channel.quantity, slip.power);
-    if (slip.power != 0 && real) channel.quantity = *real;
+    if (slip.power == 0) continue;
+    const auto real = motion_behind(channel.quantity, slip.power);
+    if (!real) continue;
+    // What was written is no unit of that: volts per SI unit stay the same.
+    channel.quantity = real->quantity;
+    channel.sensitivity /= channel.unit_to_si;
+    channel.unit = real->si_unit;
+    channel.unit_to_si = 1.0;
   }
 }
 

@@ -1,7 +1,7 @@
 // A channel in another unit than the sheet says: kN for N, g for m/s^2, pounds,
 // inches, a range switch a decade off, or velocity where acceleration is meant.
 // Its FRFs are multiplied by a known factor, or by s to a power. In one run
-// only where the range was changed there.
+// only, with those of its placement, where the range was changed there.
 #pragma once
 
 #include "updating/set_up/channel_effect.hpp"
@@ -18,7 +18,8 @@ class UnitFactor final : public ChannelEffect {
            "every frequency, or once integrated, no frequency moves";
   }
   /// All sensors together and each channel with each factor that it may read
-  /// too much by (Where::variant), in all runs, then one channel in one run.
+  /// too much by (Where::variant), in all runs, then one channel in the runs of
+  /// one placement, which are averaged.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
   [[nodiscard]] bool at_sheet_points() const override { return true; }
@@ -41,8 +42,8 @@ class UnitFactor final : public ChannelEffect {
       std::size_t) const override {
     return 0.0;
   }
-  /// A sensitivity, or what is measured; nothing for single runs, which have
-  /// the same sensitivity on the sheet as the others.
+  /// A sensitivity, or what is measured, then in its SI unit; nothing for
+  /// single runs, which have the same sensitivity on the sheet as the others.
   void correct(const Where& where,
                const acquisition::TestBundle& written,
                acquisition::TestBundle& sheet) const override;

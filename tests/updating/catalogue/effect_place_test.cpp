@@ -116,6 +116,12 @@ TEST_F(EffectPlace, APointOfTheSheetMayBeAnyOtherGridOfTheModel) {
   EXPECT_EQ(place_effect(parse_effect("point-mislabelled@acc2:33"), setting_)
                 .where.nodes,
             std::vector{36});
+  for (const char* open :
+       {"point-mislabelled@hammer:33", "point-mislabelled@acc2:36:"}) {
+    EXPECT_NE(refusal(open).find("the grid that the sheet has it at and the"),
+              std::string::npos)
+        << open;
+  }
   EXPECT_NE(refusal("point-mislabelled@acc2:36:999").find("no grid 999"),
             std::string::npos);
   EXPECT_NE(refusal("point-mislabelled@acc2:36:36"), "taken");
@@ -128,10 +134,27 @@ TEST_F(EffectPlace, APointOfTheSheetMayBeAnyOtherGridOfTheModel) {
   EXPECT_NE(refusal("point-mislabelled").find("acc1:8:6"), std::string::npos);
 }
 
+// They are averaged: what is in one of them is in the FRFs of both.
+TEST_F(EffectPlace, RunsOfOnePlacementAreNamedTogether) {
+  bundle_.runs[3].hammer.dof = bundle_.runs[1].hammer.dof;
+  EXPECT_EQ(refusal("unit-factor@acc1:10:run2:run4"), "taken");
+  EXPECT_EQ(refusal("unit-factor@acc1:10:run3"), "taken");
+  const std::string together = "runs 2, 4 measured the same and are averaged";
+  for (const char* part : {"unit-factor@acc1:10:run2",
+                           "unit-factor@acc1:10:run4",
+                           "point-mislabelled@acc2:36:33:run3-6"}) {
+    EXPECT_NE(refusal(part).find(together), std::string::npos) << part;
+  }
+  EXPECT_NE(refusal("unit-factor@acc1:10:run7").find("the test has no run 7"),
+            std::string::npos);
+}
+
 TEST_F(EffectPlace, MistakesOfASheetHaveTheirVariants) {
   EXPECT_EQ(refusal("direction-wrong@acc1:+X"), "taken");
   EXPECT_EQ(refusal("direction-wrong@hammer:28:-Z"), "taken");
   EXPECT_NE(refusal("direction-wrong@acc1:+Z"), "taken") << "as written";
+  EXPECT_NE(refusal("direction-wrong@hammer:-Z"), "taken")
+      << "its polarity, not one of its points";
   EXPECT_EQ(refusal("unit-factor@acc1:1000"), "taken");
   EXPECT_EQ(refusal("unit-factor@acc1:1/9.807:run4"), "taken");
   EXPECT_EQ(refusal("unit-factor@acc1:integrated"), "taken");

@@ -107,7 +107,25 @@ TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
   ASSERT_EQ(d.set_up.size(), 1U);
   EXPECT_EQ(d.set_up[0].where, where);
   EXPECT_EQ(d.set_up[0].edit,
-            "model: no constraint at 5 nodes (1 ... 45) (free)");
+            "model: release components 123456 (basic axes) at 5 nodes (1 ... "
+            "45)");
+}
+
+TEST(SetUpMistakes, AreToBeCorrectedOneAfterTheOther) {
+  Rung at_33;
+  at_33.added = "point-mislabelled";
+  at_33.where = moved("acc2", 36, 33).where;
+  Rung swapped;
+  swapped.added = "channel-swap";
+  swapped.where.channels = {"acc1", "acc2"};
+  const auto found = set_up_mistakes({at_33, swapped}, support::plate_bundle());
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].edit, "runs[0-5].sensors[1].node: 36 -> 33");
+  EXPECT_EQ(found[1].edit,
+            "runs[0-5].sensors[0].direction: +Z -> -Z; "
+            "runs[0-5].sensors[0].node: 11 -> 33; "
+            "runs[0-5].sensors[1].direction: -Z -> +Z; "
+            "runs[0-5].sensors[1].node: 33 -> 11");
 }
 
 TEST(SetUpMistakes, AreFoundBesideAnEffect) {

@@ -52,7 +52,12 @@ SavedSession sample() {
   session.modes.pairs = {{7.232, 2}, {13.0, -1}};
   session.effects = {{support, true}, {sensors, false}, {loss, true}};
   session.restored = {{1, 2}, {1, 3, true}};
-  session.undone = {{{}, 2}, {{support}, {}}};
+  EffectRef moved{"point-mislabelled", {}};
+  moved.where.channels = {"acc1"};
+  moved.where.nodes = {8};
+  moved.where.node = 6;
+  moved.where.runs = {2, 3};
+  session.undone = {{{}, 2}, {{support}, {}}, {{moved}, {}}};
   session.kept = {{{support, loss}, 7}, {{}, 1}};
   SavedRung rung;
   rung.rung.added = "soft-support";

@@ -5,6 +5,7 @@
 #include "updating/set_up/channel_polarity.hpp"
 #include "updating/set_up/channel_swap.hpp"
 #include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/support_mismatch.hpp"
 #include "updating/set_up/unit_factor.hpp"
 
 #include <gtest/gtest.h>
@@ -14,13 +15,20 @@ namespace {
 
 using Edits = std::vector<std::string>;
 
+// With nothing put right before.
+Edits edits(const Effect& effect,
+            const Where& where,
+            const acquisition::TestBundle& written) {
+  return sheet_edits(effect, where, written, written);
+}
+
 TEST(SheetEdits, NameRunPlaceAndGrids) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"hammer"};
   where.nodes = {28};  // of the fourth run
   where.node = 30;
-  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
             Edits{"runs[3].hammer.node: 28 -> 30"});
 }
 
@@ -31,7 +39,7 @@ TEST(SheetEdits, AreOneForRunsAlike) {
   where.nodes = {36};
   where.node = 33;
   where.runs = {1, 4, 5, 6};
-  EXPECT_EQ(sheet_edits(PointMislabelled(), where, bundle),
+  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
             Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
 }
 
@@ -39,35 +47,77 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"acc1", "acc2"};
-  EXPECT_EQ(sheet_edits(ChannelSwap(), where, bundle),
+  EXPECT_EQ(edits(ChannelSwap(), where, bundle),
             (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
                    "runs[0-5].sensors[0].node: 11 -> 36",
                    "runs[0-5].sensors[1].direction: -Z -> +Z",
                    "runs[0-5].sensors[1].node: 36 -> 11"}));
 }
 
-TEST(SheetEdits, OfAChannelAreItsSensitivityAndQuantity) {
-  const acquisition::TestBundle bundle = support::plate_bundle();
+// 100 mV/g, kept as V per m/s^2 or per g: the file may have it in any unit.
+TEST(SheetEdits, OfASensitivityCountInWhateverUnitTheFileHas) {
+  acquisition::TestBundle bundle = support::plate_bundle();
+  bundle.channels[1].sensitivity = 0.1 / 9.80665;
   Where where;
   where.channels = {"acc1"};
-  EXPECT_EQ(sheet_edits(ChannelPolarity(), where, bundle),
-            Edits{"channels[1].sensitivity: 1 -> -1"});
+  EXPECT_EQ(edits(ChannelPolarity(), where, bundle),
+            Edits{"channels[1].sensitivity: other sign"});
+  where.variant = "9.807";
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+            Edits{"channels[1].sensitivity: times 9.807"});
   where.variant = "1/1000";
-  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
-            Edits{"channels[1].sensitivity: 1 -> 0.001"});
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+            Edits{"channels[1].sensitivity: times 0.001"});
+}
+
+// 100 mV/g is 0.1 V for 9.80665 m/s^2; a volt means as many SI units of what is
+// measured in truth.
+TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
+  acquisition::TestBundle bundle = support::plate_bundle();
+  acquisition::Channel& g = bundle.channels[1];
+  g.unit = "g";
+  g.unit_to_si = 9.80665;
+  g.sensitivity = 0.1;
+  g.full_scale_volts = 5.0;
+  Where where;
+  where.channels = {"acc1"};
   where.variant = "integrated";
-  EXPECT_EQ(sheet_edits(UnitFactor(), where, bundle),
-            Edits{"channels[1].quantity: acceleration -> velocity"});
+  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+            (Edits{"channels[1].quantity: acceleration -> velocity",
+                   "channels[1].unit: g -> m/s",
+                   "channels[1].sensitivity: 0.010197 V/(m/s)"}));
+  acquisition::TestBundle sheet = bundle;
+  UnitFactor().correct(where, bundle, sheet);
+  EXPECT_NEAR(sheet.channels[1].full_scale_si(), g.full_scale_si(), 1e-12);
+  EXPECT_EQ(acquisition::find_unit(sheet.channels[1].unit)->quantity,
+            sheet.channels[1].quantity);
+}
+
+TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  Where where;
+  where.nodes = {1, 12};
+  const auto released = [&](const std::string& variant) {
+    where.variant = variant;
+    return edits(SupportMismatch(), where, bundle);
+  };
+  EXPECT_EQ(released("free"),
+            Edits{"model: release components 123456 (basic axes) at nodes 1, "
+                  "12"});
+  EXPECT_EQ(released("free-rotations"),
+            Edits{"model: release components 456 (basic axes) at nodes 1, 12"});
+  EXPECT_EQ(released("free-Z"),
+            Edits{"model: release components 3 (basic axes) at nodes 1, 12"});
 }
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   Where where;
   where.channels = {"acc1"};
-  EXPECT_TRUE(sheet_edits(ChannelGain(), where, bundle).empty());
+  EXPECT_TRUE(edits(ChannelGain(), where, bundle).empty());
   where.variant = "10";
   where.runs = {4};
-  EXPECT_TRUE(sheet_edits(UnitFactor(), where, bundle).empty());
+  EXPECT_TRUE(edits(UnitFactor(), where, bundle).empty());
 }
 
 }  // namespace

@@ -49,6 +49,34 @@ TEST(SheetPlace, IsReadBackAsItIsWritten) {
             where);
 }
 
+TEST(SheetPlace, HasEachRunOnceInTheirOrder) {
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "6", "run4", "run2"}, point).runs,
+            (std::vector{2, 4}));
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "6", "run2", "run2-4"}, point).runs,
+            (std::vector{2, 3, 4}));
+}
+
+// As it is offered while it is typed.
+TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
+  Where where;
+  where.channels = {"acc1"};
+  where.nodes = {8};
+  EXPECT_EQ(sheet_place_text(where), "acc1:8:");
+  EXPECT_EQ(read_sheet_place({"acc1", "8", ""}, point), where);
+  where.runs = {2};
+  EXPECT_EQ(sheet_place_text(where), "acc1:8::run2");
+  EXPECT_EQ(read_sheet_place({"acc1", "8", "", "run2"}, point), where);
+}
+
+TEST(SheetPlace, MayBeAPointOfTheTestsOwn) {
+  Where where;
+  where.channels = {"acc1"};
+  where.nodes = {-3};
+  where.variant = "+X";
+  EXPECT_EQ(sheet_place_text(where), "acc1:P3:+X");
+  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, DirectionWrong()), where);
+}
+
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
   const Where where =
       read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());

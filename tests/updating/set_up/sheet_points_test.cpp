@@ -58,6 +58,17 @@ TEST_F(SheetPoints, AreNotPartedWithinAnAverage) {
   EXPECT_EQ(std::ranges::count(parts, from_fourth, &Where::runs), 0);
 }
 
+// A point that is hit again later: both runs are one average.
+TEST_F(SheetPoints, ArePartedByWholeAverages) {
+  bundle_.runs[4].hammer.dof = bundle_.runs[1].hammer.dof;
+  const std::vector<Where> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
+  EXPECT_EQ(parts.size(), 8U);
+  const std::vector<int> before = {1, 2, 3, 5};
+  const std::vector<int> after = {4, 6};
+  EXPECT_EQ(std::ranges::count(parts, before, &Where::runs), 1);
+  EXPECT_EQ(std::ranges::count(parts, after, &Where::runs), 1);
+}
+
 TEST_F(SheetPoints, MeansChannelsAtItsGridInItsRuns) {
   Where where = at({"acc1"}, 11);
   where.runs = {2, 3};

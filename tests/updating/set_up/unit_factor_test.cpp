@@ -76,5 +76,26 @@ TEST(UnitFactor, IsSoughtInAllRunsAndInEach) {
   EXPECT_EQ(std::ranges::count(places, reading("differentiated")), 0);
 }
 
+// Runs of one placement are averaged: a range of one of them is that of all.
+TEST(UnitFactor, IsSoughtInTheRunsOfEachAverage) {
+  const structure::Deck deck = support::plate_deck(true);
+  acquisition::TestBundle bundle = support::plate_bundle();
+  bundle.runs[5].hammer.dof = bundle.runs[1].hammer.dof;
+  const auto places = [&] {
+    return UnitFactor().places(support::plate_setting(bundle, deck));
+  };
+  Where single = reading("10");
+  single.runs = {2, 6};
+  EXPECT_EQ(std::ranges::count(places(), single), 1);
+  for (const int run : {2, 6}) {
+    single.runs = {run};
+    EXPECT_EQ(std::ranges::count(places(), single), 0) << run;
+  }
+  for (acquisition::Run& run : bundle.runs) run = bundle.runs.front();
+  EXPECT_TRUE(std::ranges::all_of(places(), [](const Where& where) {
+    return where.runs.empty();
+  })) << "one average is all there is";
+}
+
 }  // namespace
 }  // namespace tapfit::effects

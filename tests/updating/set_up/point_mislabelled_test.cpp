@@ -1,0 +1,38 @@
+#include "updating/set_up/point_mislabelled.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace tapfit::effects {
+namespace {
+
+class Mislabelled : public ::testing::Test {
+ protected:
+  [[nodiscard]] std::vector<Where> places() const {
+    return PointMislabelled().places(support::plate_setting(bundle_, deck_));
+  }
+
+  structure::Deck deck_ = support::plate_deck(true);
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+};
+
+TEST_F(Mislabelled, AreGridsOfTheSheetWithTheOtherLeftOpen) {
+  const std::vector<Where> all = places();
+  EXPECT_EQ(all.size(), 28U) << "8 points, 2 sensors parted by 5 cuts";
+  for (const Where& where : all) EXPECT_EQ(where.node, 0);
+}
+
+// Component X of P3 is along an axis of P3's own, which is none of grid 8.
+TEST_F(Mislabelled, AreNoPointsOfTheTestsOwn) {
+  for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
+  const std::vector<Where> all = places();
+  EXPECT_EQ(all.size(), 17U) << "those of the hammer and acc1";
+  EXPECT_TRUE(std::ranges::none_of(
+      all, [](const Where& where) { return where.nodes.front() < 0; }));
+}
+
+}  // namespace
+}  // namespace tapfit::effects
