@@ -14,8 +14,7 @@ namespace {
 
 std::vector<updating::SupportPart> parts_of(const Where& where,
                                             const Setting& setting) {
-  return updating::support_parts(
-      *setting.deck, where.nodes, where.variant, setting.component);
+  return updating::support_parts(*setting.deck, where.nodes, where.variant);
 }
 
 std::string total_name(const updating::SupportPart& part) {

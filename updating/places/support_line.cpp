@@ -135,8 +135,7 @@ std::vector<std::vector<int>> separate_supports(const Deck& deck,
 // Of grids on one line, or on none.
 SupportLine single_line(const Deck& deck,
                         const std::vector<int>& nodes,
-                        bool rotation,
-                        int component) {
+                        bool rotation) {
   SupportLine line;
   const ConstraintAxes held = structure::constraint_axes(deck);
   const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
@@ -167,7 +166,7 @@ SupportLine single_line(const Deck& deck,
     });
   }
   line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  std::vector<int> components = {component};
+  std::vector<int> components = {1, 2, 3};
   if (rotation) {
     components =
         axis >= 0 ? std::vector<int>{4 + axis} : std::vector<int>{4, 5, 6};
@@ -186,12 +185,11 @@ SupportLine single_line(const Deck& deck,
 
 SupportLine support_line(const Deck& deck,
                          const std::vector<int>& nodes,
-                         bool rotation,
-                         int component) {
+                         bool rotation) {
   SupportLine whole;
   const std::vector<std::vector<int>> supports = separate_supports(deck, nodes);
   for (const std::vector<int>& support : supports) {
-    const SupportLine line = single_line(deck, support, rotation, component);
+    const SupportLine line = single_line(deck, support, rotation);
     whole.length += line.length;
     whole.straight = line.straight && supports.size() == 1;
     for (SupportDof dof : line.dofs) {
@@ -275,8 +273,7 @@ std::string freed_components(const std::string& variant) {
 
 std::vector<SupportPart> support_parts(const Deck& deck,
                                        const std::vector<int>& nodes,
-                                       const std::string& variant,
-                                       int component) {
+                                       const std::string& variant) {
   const auto freed = std::ranges::find(all_freed(), variant, &Freed::variant);
   if (freed != all_freed().end()) {
     return freed_part(deck, nodes, freed->components);
@@ -285,7 +282,7 @@ std::vector<SupportPart> support_parts(const Deck& deck,
   for (const bool rotation : {true, false}) {
     const std::string kind = rotation ? "rotation" : "translation";
     if (variant != "both" && !variant.starts_with(kind)) continue;
-    const SupportLine line = support_line(deck, nodes, rotation, component);
+    const SupportLine line = support_line(deck, nodes, rotation);
     if (line.dofs.empty()) return {};
     if (!variant.ends_with("-varying")) {
       parts.push_back({rotation, 0, line});

@@ -33,18 +33,17 @@ struct SupportLine {
 
 /// The degrees of freedom that a soft support releases: for grids along a
 /// line parallel to an axis the rotation about that line, otherwise all three
-/// rotations; for translations the component given. The feet of a frame, and
+/// rotations; for translations all three. The feet of a frame, and
 /// edges that lie on no line together, are each taken by themselves.
 ///
 /// @param nodes constrained grids of the deck, in any order
-/// @param rotation true: rotations, false: the translation `component`
+/// @param rotation true: rotations, false: translations
 /// @return only degrees of freedom that the deck holds along basic axes; none
 /// of
 ///   grids that are held along turned axes (see constraint_axes.hpp)
 [[nodiscard]] SupportLine support_line(const structure::Deck& deck,
                                        const std::vector<int>& nodes,
-                                       bool rotation,
-                                       int component);
+                                       bool rotation);
 
 /// What one stiffness of a support holds.
 struct SupportPart {
@@ -68,8 +67,7 @@ struct SupportPart {
 [[nodiscard]] std::vector<SupportPart> support_parts(
     const structure::Deck& deck,
     const std::vector<int>& nodes,
-    const std::string& variant,
-    int component);
+    const std::string& variant);
 
 /// What a support may not hold at all: "free", "free-rotations", "free-X",
 /// "free-Y", "free-Z".

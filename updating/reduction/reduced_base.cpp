@@ -80,6 +80,7 @@ struct BaseBuilder::Impl {
   double shift = 0.0;  // K + shift M gives static answers [rad^2/s^2]
   MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
+  VectorXd pulled;       // how hard those in the band pull at what is held
   ReleasedSystem plain;  // the model with nothing released
   // Vectors of the model with nothing added, and it seen through them.
   struct Span {
@@ -96,6 +97,8 @@ struct BaseBuilder::Impl {
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
+  /// Largest force on each degree of freedom, of modes of one strain energy.
+  [[nodiscard]] VectorXd pull() const;
 
   void make_lean();
   [[nodiscard]] ReducedBase extend(const Span& span,
@@ -164,6 +167,7 @@ BaseBuilder::BaseBuilder(
                                      [&] { return m.solve(deck, progress); });
   m.modes = m.motions.expand(solved.modes);
   m.modes_hz = std::move(solved.modes_hz);
+  m.pulled = m.pull();
   m.error = solved.error;
   ReducedBase& fixed = m.wide.base;
   m.wide.points = m.options.points;
@@ -285,6 +289,18 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
     solved.M_part.emplace_back(V.transpose() * (part.M * V));
   }
   return solved;
+}
+
+VectorXd BaseBuilder::Impl::pull() const {
+  MatrixXd reaction = system.K * modes;
+  // Of what follows a rigid element too.
+  if (system.T.size() > 0) reaction = (system.T.transpose() * reaction).eval();
+  VectorXd largest = VectorXd::Zero(reaction.rows());
+  for (Index r = 0; r < modes.cols(); ++r) {
+    if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
+    largest = largest.cwiseMax(reaction.col(r).cwiseAbs() / modes_hz(r));
+  }
+  return largest;
 }
 
 // How stiff is stiff: to first order springs of stiffness k per metre lower
@@ -415,7 +431,8 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   if (changes.empty() && fresh.empty()) return span.base;
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
-    own = release(m.mesh, m.system, m.plain.parts, m.uncertain, changes);
+    own = release(
+        m.mesh, m.system, m.plain.parts, m.uncertain, changes, m.pulled);
     lend_mass(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);

@@ -34,10 +34,26 @@ std::vector<int> children_of(const RefinedDeck& mesh,
   return result;
 }
 
+// Of the largest pull on a support: a spring there would do nothing.
+constexpr double little = 1e-6;
+
+double largest_pull(const Deck& deck,
+                    const SupportLine& line,
+                    const Eigen::VectorXd& pulled) {
+  double largest = 0.0;
+  if (pulled.size() == 0) return largest;
+  for (const SupportDof& dof : line.dofs) {
+    largest =
+        std::max(largest, pulled(dof_index(deck, dof.node, dof.component)));
+  }
+  return largest;
+}
+
 // Springs of unit stiffness per metre on the released degrees of freedom: on
 // the support's own grids and those between them. One list per parameter.
 std::vector<Triplets> support_springs(const Deck& deck,
-                                      const StiffnessChange& change) {
+                                      const StiffnessChange& change,
+                                      const Eigen::VectorXd& pulled) {
   const Where& where = change.of.where;
   const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
   std::vector<int> nodes;
@@ -47,11 +63,12 @@ std::vector<Triplets> support_springs(const Deck& deck,
     if (inside) nodes.insert(nodes.end(), group.begin(), group.end());
   }
   std::vector<Triplets> springs;
-  for (const SupportPart& part :
-       support_parts(deck, nodes, where.variant, change.component)) {
+  for (const SupportPart& part : support_parts(deck, nodes, where.variant)) {
     springs.emplace_back();
+    const double least = little * largest_pull(deck, part.line, pulled);
     for (const SupportDof& dof : part.line.dofs) {
       const int index = dof_index(deck, dof.node, dof.component);
+      if (pulled.size() > 0 && pulled(index) < least) continue;
       springs.back().emplace_back(index, index, dof.length);
     }
   }
@@ -184,13 +201,14 @@ ReleasedSystem release(const RefinedDeck& mesh,
                        const structure::System& system,
                        const std::vector<UncertainPart>& parts,
                        const std::vector<UncertainProperty>& uncertain,
-                       const std::vector<StiffnessChange>& changes) {
+                       const std::vector<StiffnessChange>& changes,
+                       const Eigen::VectorXd& pulled) {
   ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
   std::vector<std::vector<Triplets>> springs;
   for (const StiffnessChange& change : changes) {
     springs.emplace_back();
     if (change.kind == ChangeKind::Support) {
-      springs.back() = support_springs(mesh.deck, change);
+      springs.back() = support_springs(mesh.deck, change, pulled);
       let_go(springs.back(), system, released);
     }
     if (change.kind == ChangeKind::Joint) {

@@ -43,12 +43,16 @@ struct ReleasedSystem {
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices
 /// @param parts its uncertain parts, as from uncertain_parts()
+/// @param pulled how hard the modes pull at what holds each degree of freedom
+///   [N or N m]: where a support gives way, what nothing pulls at stays held;
+///   empty: not known
 [[nodiscard]] ReleasedSystem release(
     const structure::RefinedDeck& mesh,
     const structure::System& system,
     const std::vector<UncertainPart>& parts,
     const std::vector<acquisition::UncertainProperty>& uncertain,
-    const std::vector<StiffnessChange>& changes);
+    const std::vector<StiffnessChange>& changes,
+    const Eigen::VectorXd& pulled = {});
 
 /// Lends mass (massless_dofs.hpp) to what is released and to what changes act
 /// on: rotations seldom have one, and the modes of a coarse mesh may hold all

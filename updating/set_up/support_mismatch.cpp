@@ -14,8 +14,8 @@ namespace {
 std::vector<updating::SupportDof> freed(const Where& where,
                                         const Setting& setting) {
   std::vector<updating::SupportDof> dofs;
-  for (const updating::SupportPart& part : updating::support_parts(
-           *setting.deck, where.nodes, where.variant, setting.component)) {
+  for (const updating::SupportPart& part :
+       updating::support_parts(*setting.deck, where.nodes, where.variant)) {
     dofs.insert(dofs.end(), part.line.dofs.begin(), part.line.dofs.end());
   }
   return dofs;

@@ -27,7 +27,7 @@ double length_at(const SupportLine& line, int node) {
 
 TEST(SupportLine, EachGridCarriesHalfTheGapsBesideIt) {
   const std::vector<int> nodes = {1, 12, 23, 34, 45};
-  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  const SupportLine line = support_line(held_at(nodes), nodes, true);
   EXPECT_NEAR(line.length, 0.12, 1e-12);
   EXPECT_NEAR(length_at(line, 1), 0.015, 1e-12);
   EXPECT_NEAR(length_at(line, 23), 0.03, 1e-12);
@@ -40,7 +40,7 @@ TEST(SupportLine, WhatIsFreedIsAllThatIsHeldSo) {
   const structure::Deck deck = held_at(nodes);
   const auto count = [&](const std::string& variant) {
     const std::vector<SupportPart> parts =
-        support_parts(deck, nodes, variant, 3);
+        support_parts(deck, nodes, variant);
     return parts.size() == 1 ? parts.front().line.dofs.size() : 0U;
   };
   EXPECT_EQ(count("free"), 30U);
@@ -48,13 +48,13 @@ TEST(SupportLine, WhatIsFreedIsAllThatIsHeldSo) {
   EXPECT_EQ(count("free-X"), 5U);
   structure::Deck pinned = support::plate_deck(false);
   pinned.constraints.push_back({1, "3"});
-  EXPECT_TRUE(support_parts(pinned, {1}, "free-X", 3).empty());
+  EXPECT_TRUE(support_parts(pinned, {1}, "free-X").empty());
 }
 
 // Two clamps of 0.03 m with nothing held between them.
 TEST(SupportLine, TheGapBetweenTwoEdgesCarriesNothing) {
   const std::vector<int> nodes = {1, 12, 34, 45};
-  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  const SupportLine line = support_line(held_at(nodes), nodes, true);
   EXPECT_NEAR(line.length, 0.06, 1e-12);
   for (const int node : nodes) EXPECT_NEAR(length_at(line, node), 0.015, 1e-12);
 }
@@ -62,7 +62,7 @@ TEST(SupportLine, TheGapBetweenTwoEdgesCarriesNothing) {
 // Bolts: no two are joined by an edge, so the gaps are all there is.
 TEST(SupportLine, GridsAloneStandForTheGapsBesideThem) {
   const std::vector<int> nodes = {1, 23, 45};
-  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  const SupportLine line = support_line(held_at(nodes), nodes, true);
   EXPECT_NEAR(line.length, 0.12, 1e-12);
   EXPECT_NEAR(length_at(line, 23), 0.06, 1e-12);
 }
@@ -75,11 +75,11 @@ TEST(SupportLine, FeetOfAFrameTurnEachByItself) {
       "GRID,3,,2.,0.,1.\nGRID,4,,2.,0.,0.\n"
       "CBAR,1,1,1,2,0.,1.,0.\nCBAR,2,1,2,3,0.,1.,0.\n"
       "CBAR,3,1,3,4,0.,1.,0.\nSPC1,1,123456,1,4\n");
-  const SupportLine both = support_line(deck, {1, 4}, true, 1);
+  const SupportLine both = support_line(deck, {1, 4}, true);
   ASSERT_EQ(both.dofs.size(), 6U);
   EXPECT_FALSE(both.straight);
   EXPECT_DOUBLE_EQ(both.length, 2.0);
-  const SupportLine one = support_line(deck, {1}, true, 1);
+  const SupportLine one = support_line(deck, {1}, true);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_EQ(both.dofs[k].component, one.dofs[k].component);
     EXPECT_DOUBLE_EQ(both.dofs[k].length, one.dofs[k].length);
@@ -89,7 +89,7 @@ TEST(SupportLine, FeetOfAFrameTurnEachByItself) {
 // Each turns about itself.
 TEST(SupportLine, EdgesAcrossFromEachOtherAreEachALine) {
   const std::vector<int> nodes = {1, 12, 23, 34, 45, 11, 22, 33, 44, 55};
-  const SupportLine line = support_line(held_at(nodes), nodes, true, 3);
+  const SupportLine line = support_line(held_at(nodes), nodes, true);
   EXPECT_NEAR(line.length, 0.24, 1e-12);
   ASSERT_EQ(line.dofs.size(), 10U);
   for (const SupportDof& dof : line.dofs) EXPECT_EQ(dof.component, 5);
@@ -100,8 +100,8 @@ TEST(SupportLine, EdgesAcrossFromEachOtherAreEachALine) {
 TEST(SupportLine, SharesOfItsEndsAddUpToTheLine) {
   const std::vector<int> nodes = {45, 1, 12, 23, 34};
   const structure::Deck deck = held_at(nodes);
-  const SupportLine whole = support_line(deck, nodes, true, 3);
-  const auto parts = support_parts(deck, nodes, "rotation-varying", 3);
+  const SupportLine whole = support_line(deck, nodes, true);
+  const auto parts = support_parts(deck, nodes, "rotation-varying");
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].end, 1);
   EXPECT_EQ(parts[1].end, 45);
@@ -114,7 +114,7 @@ TEST(SupportLine, SharesOfItsEndsAddUpToTheLine) {
   EXPECT_NEAR(length_at(parts[0].line, 1), length_at(whole, 1), 1e-12);
   EXPECT_EQ(length_at(parts[1].line, 1), -1.0);
   // One grid, or bolts round a circle, have no ends.
-  EXPECT_TRUE(support_parts(deck, {1}, "rotation-varying", 3).empty());
+  EXPECT_TRUE(support_parts(deck, {1}, "rotation-varying").empty());
 }
 
 }  // namespace
