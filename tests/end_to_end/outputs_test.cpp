@@ -238,6 +238,23 @@ const fs::path& recorded() {
   return bundle;
 }
 
+// Replay needs no deck, and its INCLUDEs are inputs all the same.
+TEST(Outputs, OfReplayLeaveTheIncludesOfADeckThatCannotBeRead) {
+  const fs::path bundle = fresh_folder() / "test";
+  fs::copy(recorded(), bundle);
+  fs::rename(bundle / "model.bdf", bundle / "head.inc");
+  write_file(bundle / "model.bdf",
+             "INCLUDE 'missing.inc'\nINCLUDE 'head.inc'\nENDDATA\n");
+  const std::string head = read_file(bundle / "head.inc");
+  const ProgramResult result =
+      run_tapfit(fmt::format("replay '{}' --uff '{}' --force",
+                             bundle.string(),
+                             (bundle / "head.inc").string()));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_TRUE(holds(result.err, "is an input of the test")) << result.err;
+  EXPECT_EQ(read_file(bundle / "head.inc"), head);
+}
+
 // The recordings of a bundle, too: half a file is none.
 TEST(Outputs, OfSimulateAreAllThereOrNone) {
   const fs::path bundle = fresh_folder() / "test";

@@ -37,7 +37,8 @@ struct DeckLines {
 ///   includes itself, and for more than 1000 INCLUDE files or 512 MB
 [[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
 
-/// The deck and all that it includes, as far as that can be read.
+/// The deck and all that it includes, each once, also where the deck cannot be
+/// read as a whole: files that are not there are named, too.
 [[nodiscard]] std::vector<std::filesystem::path> deck_files(
     const std::filesystem::path& path);
 
