@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <sys/wait.h>
 #include <vector>
 
@@ -186,9 +187,88 @@ TEST_F(OutputsOfATest, OfSimulateNeverReplaceAMeasuredTest) {
   const ProgramResult result =
       run("simulate", "--structure ladder --runs 2 --hits 1 --force");
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_TRUE(holds(result.err, "a measured test")) << result.err;
+  EXPECT_TRUE(holds(result.err, "is an input of the test")) << result.err;
+  EXPECT_TRUE(holds(result.err, "another folder")) << result.err;
   EXPECT_EQ(read_file(bundle_ / "test.json"), test);
   EXPECT_FALSE(fs::exists(bundle_ / "truth.json"));
+}
+
+/// What is in a folder by name, folders left out.
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    contents[entry.path().filename().string()] = read_file(entry.path());
+  }
+  return contents;
+}
+
+ProgramResult simulated(const fs::path& folder, const std::string& options) {
+  return run_tapfit(
+      fmt::format("simulate '{}' --structure plate --runs 2 --hits 2 "
+                  "--effect none {}",
+                  folder.string(),
+                  options));
+}
+
+TEST(Outputs, OfSimulateTakeNoFileAway) {
+  const fs::path folder = fresh_folder() / "test";
+  fs::create_directory(folder);
+  write_file(folder / "run-03.flac", "mine");
+  EXPECT_EQ(simulated(folder, "").exit_status, 0);
+  EXPECT_EQ(read_file(folder / "run-03.flac"), "mine");
+  EXPECT_EQ(simulated(folder, "").exit_status, 1);
+  EXPECT_EQ(simulated(folder, "--seed 2 --force").exit_status, 0);
+  EXPECT_EQ(read_file(folder / "run-03.flac"), "mine");
+}
+
+// Whatever its file is called, and whatever lies beside it.
+TEST(Outputs, OfSimulateAndImportLeaveEveryTestAsItIs) {
+  const fs::path folder = fresh_folder() / "frame";
+  fs::copy(recordings / "solar-panel-frame", folder);
+  const auto both = [&folder] {
+    const auto before = contents_of(folder);
+    const ProgramResult made = simulated(folder, "--force");
+    EXPECT_EQ(made.exit_status, 1) << made.out;
+    EXPECT_TRUE(holds(made.err, "is an input of the test")) << made.err;
+    EXPECT_TRUE(contents_of(folder) == before);
+  };
+  both();  // with a truth.json that lists no files
+  fs::rename(folder / "test.json", folder / "campaign.json");
+  fs::remove(folder / "truth.json");
+  both();
+
+  const fs::path table = folder.parent_path() / "run-01.csv";
+  write_file(table, "t,f,a\n0,1,3\n.01,2,-400\n");
+  std::string test = read_file(folder / "campaign.json");
+  test.replace(test.find("run-01.flac"), 11, "run-01.wav");
+  write_file(folder / "campaign.json", test);
+  write_file(folder / "run-01.wav", "measured");
+  const ProgramResult imported = run_tapfit(
+      fmt::format("import '{}' -o '{}' --hammer f@1Z+ --sensor a@2Z+ --time t "
+                  "--force",
+                  table.string(),
+                  folder.string()));
+  EXPECT_EQ(imported.exit_status, 1);
+  EXPECT_EQ(read_file(folder / "run-01.wav"), "measured");
+  EXPECT_FALSE(fs::exists(folder / "test.json"));
+}
+
+TEST(Outputs, OfImportLeaveTheIncludesOfItsDeck) {
+  const fs::path folder = fresh_folder();
+  const fs::path table = folder / "run-01.csv";
+  write_file(table, "t,f,a\n0,1,3\n.01,2,-400\n");
+  write_file(folder / "model.bdf", "INCLUDE 'test/run-01.wav'\n");
+  fs::create_directory(folder / "test");
+  write_file(folder / "test" / "run-01.wav", "GRID,1,,0.,0.,0.\n");
+  const ProgramResult imported = run_tapfit(
+      fmt::format("import '{}' -o '{}' --hammer f@1Z+ --sensor a@2Z+ --time t "
+                  "--deck '{}' --force",
+                  table.string(),
+                  (folder / "test").string(),
+                  (folder / "model.bdf").string()));
+  EXPECT_EQ(imported.exit_status, 1);
+  EXPECT_TRUE(holds(read_file(folder / "test" / "run-01.wav"), "GRID"));
 }
 
 // Whenever the signal comes, the bundle is there as a whole or not at all.

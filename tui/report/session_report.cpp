@@ -46,7 +46,7 @@ Document report_document(const ReportData& data) {
 void write_report(const Document& document, const std::filesystem::path& path) {
   if (!is_markdown(path)) return acquisition::write_file(path, as_html(document));
   const std::string name = path.stem().string() + "-files";
-  acquisition::OutputFolder pictures(path.parent_path() / name);
+  acquisition::OutputFolder pictures(path.parent_path() / name, {{}, true});
   for (const Figure& figure : figures_of(document)) {
     acquisition::write_file(pictures.file(figure.name + ".svg"),
                             figure.svg + "\n");
