@@ -271,6 +271,38 @@ TEST(Outputs, OfImportLeaveTheIncludesOfItsDeck) {
   EXPECT_TRUE(holds(read_file(folder / "test" / "run-01.wav"), "GRID"));
 }
 
+TEST_F(OutputsOfATest, OfReportReplacePicturesOnlyWhereThatIsAskedFor) {
+  fs::create_directory(bundle_ / "r-files");
+  write_file(bundle_ / "r-files" / "frf.svg", "mine");
+  const std::string option = "-o " + in_bundle("r.md");
+  const ProgramResult refused = run("report", option);
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(holds(refused.err, "r-files/frf.svg")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "r-2.md")) << refused.err;
+  EXPECT_EQ(read_file(bundle_ / "r-files" / "frf.svg"), "mine");
+  EXPECT_EQ(run("report", option + " --force").exit_status, 0);
+  EXPECT_TRUE(holds(read_file(bundle_ / "r-files" / "frf.svg"), "</svg>"));
+}
+
+// The text is longer than each of its pictures, or one of them is longer: at
+// some limit only a part has room.
+TEST_F(OutputsOfATest, OfReportComeWithTheirPicturesOrNotAtAll) {
+  for (const int blocks : {1, 16, 48}) {
+    const int status =
+        shell_status(fmt::format("ulimit -f {}; %tapfit report '{}' -o {} "
+                                 ">/dev/null 2>/dev/null",
+                                 blocks,
+                                 bundle_.string(),
+                                 in_bundle("r.md")));
+    EXPECT_TRUE(status == 0 || status == 1) << blocks;
+    EXPECT_EQ(fs::exists(bundle_ / "r.md"), status == 0) << blocks;
+    EXPECT_EQ(fs::exists(bundle_ / "r-files"), status == 0) << blocks;
+    EXPECT_TRUE(parts_in(bundle_).empty()) << blocks;
+    fs::remove(bundle_ / "r.md");
+    fs::remove_all(bundle_ / "r-files");
+  }
+}
+
 // Whenever the signal comes, the bundle is there as a whole or not at all.
 TEST(Outputs, OfSimulateLeaveNothingWhereItIsStopped) {
   const fs::path folder = fresh_folder();
