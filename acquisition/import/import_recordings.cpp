@@ -310,6 +310,8 @@ TestBundle import_recordings(const ImportOptions& options) {
   }
   write_file(output.file("test.json"),
              test_bundle_text(bundle, options.folder));
+  // What no command could read is not put in its place.
+  (void)read_test_bundle(output.file("test.json"));
   output.commit();
   TestBundle written = read_test_bundle(options.folder);
   for (Table& table : tables) {

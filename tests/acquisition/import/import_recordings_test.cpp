@@ -147,6 +147,17 @@ TEST_F(Csv, OnlySoundFilesThatTheRuleLetsAreReplaced) {
   EXPECT_GT(std::filesystem::file_size(sound), 8U);
 }
 
+// Hammer and sensor of one column have one name, which no test.json may have.
+TEST_F(Csv, ABundleThatNoCommandCouldReadIsNotWritten) {
+  ImportOptions options = simple(folder_);
+  options.files = {
+      {folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}}};
+  options.sensors[0].column = options.hammer.column;
+  options.sensors[0].channel = options.hammer.channel;
+  EXPECT_THROW(import_recordings(options), InputError);
+  EXPECT_FALSE(std::filesystem::exists(options.folder));
+}
+
 TEST_F(Csv, NamesColumnsThatAreZeroThroughout) {
   ImportOptions options = simple(folder_);
   options.files = {{folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}},
