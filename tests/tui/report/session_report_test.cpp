@@ -221,6 +221,19 @@ TEST_F(WrittenReport, PutsNoPictureAtAnInputsPlace) {
   EXPECT_FALSE(std::filesystem::exists(path("r.md")));
 }
 
+// A name that has no room for the ending of what is not finished: the report
+// cannot be written, its pictures could.
+TEST_F(WrittenReport, LeavesNoPictureWithoutItsText) {
+  const std::string stem(245, 'x');
+  const std::filesystem::path pictures = path(stem + "-files");
+  std::filesystem::create_directory(pictures);
+  EXPECT_THROW(
+      write_report(
+          report_document(data_of_two_effects()), path(stem + ".md"), {}),
+      InputError);
+  EXPECT_TRUE(std::filesystem::is_empty(pictures));
+}
+
 TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
   ReportData data = data_of_two_effects();
   data.model->signature = testing::fake_signature(5);
