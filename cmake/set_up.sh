@@ -14,8 +14,11 @@ quiet=--quiet
   mkdir -p build
   cmake --preset release >build/configure.log 2>&1 ||
     cmake --fresh --preset release --log-level=WARNING
+  # As measured; the tests take as long again as the program.
+  minutes=12
+  [ "${1:-}" != tapfit ] || minutes=6
   [ -e build/release/tapfit ] ||
-    echo "Building tapfit: up to 40 minutes on two cores the first time ..."
+    echo "Building tapfit: about $minutes minutes on two cores the first time ..."
   # shellcheck disable=SC2086 # no option at all where $quiet is empty
   cmake --build --preset release -j "$(nproc)" ${1:+--target "$1"} -- $quiet
 } >&2

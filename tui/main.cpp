@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -83,6 +84,8 @@ int tapfit_main(int argc, const char* const* argv) {
 
 int main(int argc, char** argv) {
   tapfit::reuse_memory();
+  // A file beyond the shell's limit fails to be written like on a full disk.
+  (void)std::signal(SIGXFSZ, SIG_IGN);
   try {
     return tapfit_main(argc, argv);
   } catch (const tapfit::InputError& error) {

@@ -229,12 +229,19 @@ void read_options(const json& document, TestBundle& bundle) {
   }
   bundle.pre_trigger_s = number("pre_trigger_s");
   bundle.block_s = number("block_s");
+  // Longer ones have no room in memory, or in an index.
   constexpr double longest_block_s = 3600.0;
   if (bundle.block_s && *bundle.block_s > longest_block_s) {
     throw InputError(
         fmt::format("a block of {} s is too long", *bundle.block_s),
         "test.json: block_s",
         "give at most an hour");
+  }
+  if (bundle.pre_trigger_s && *bundle.pre_trigger_s > longest_block_s) {
+    throw InputError(
+        fmt::format("a pre-trigger of {} s is too long", *bundle.pre_trigger_s),
+        "test.json: pre_trigger_s",
+        "give at most an hour, 2 % of a block for example");
   }
   if (bundle.pre_trigger_s && bundle.block_s &&
       *bundle.pre_trigger_s >= *bundle.block_s) {

@@ -25,7 +25,7 @@ RecordingStream::RecordingStream(const TestBundle& bundle,
 void RecordingStream::open_uff_records() {
   assert(uff_ != nullptr);
   for (const UffSource& source : run_.datasets) {
-    const UffDataset& dataset = uff_->datasets.at(source.dataset);
+    const UffDataset& dataset = dataset_of(*uff_, source.dataset);
     const UffHeader header =
         uff_->bytes.reading([&dataset] { return read_header(dataset); });
     rate_ = rate_of(header);

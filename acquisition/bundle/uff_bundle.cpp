@@ -284,7 +284,7 @@ Recording read_run_now(const UffFile& file,
                        std::size_t channels) {
   Recording recording;
   for (const UffSource& source : run.datasets) {
-    const UffDataset& dataset = file.datasets.at(source.dataset);
+    const UffDataset& dataset = dataset_of(file, source.dataset);
     const UffHeader header = read_header(dataset);
     if (recording.samples.size() == 0) {
       recording.sample_rate_hz = rate_of(header);

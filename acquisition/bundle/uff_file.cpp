@@ -17,6 +17,13 @@ UffFile open_uff(const std::filesystem::path& file) {
   return result;
 }
 
+const UffDataset& dataset_of(const UffFile& file, std::size_t number) {
+  if (number < file.datasets.size()) return file.datasets[number];
+  throw InputError("holds fewer datasets than when it was first read",
+                   file.name,
+                   "wait until it is written, or copy it again");
+}
+
 bool is_uff(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return false;

@@ -21,6 +21,12 @@ struct UffFile {
 ///   read within MappedFile::reading()
 [[nodiscard]] UffFile open_uff(const std::filesystem::path& file);
 
+/// The dataset of that number.
+/// @throws InputError where the file has no such dataset any more: it was
+///   written anew since its datasets were counted
+[[nodiscard]] const UffDataset& dataset_of(const UffFile& file,
+                                           std::size_t number);
+
 /// Whether a file begins as universal files do, with a line of "-1".
 [[nodiscard]] bool is_uff(const std::filesystem::path& file);
 

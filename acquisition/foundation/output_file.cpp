@@ -7,6 +7,7 @@
 #include <atomic>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace tapfit::acquisition {
@@ -67,9 +68,13 @@ OutputFile::~OutputFile() {
   fs::remove(unfinished_, gone);
 }
 
-void OutputFile::commit() {
-  stream_.close();
+void OutputFile::finish() {
+  if (stream_.is_open()) stream_.close();
   if (!stream_) throw unwritable(target_);
+}
+
+void OutputFile::commit() {
+  finish();
   if (unfinished_.empty()) return;
   take_over_rights(target_, unfinished_);
   std::error_code fault;
@@ -80,8 +85,8 @@ void OutputFile::commit() {
 
 // Beside the folder, or in it where it is there: on the same file system, so
 // that files can be renamed into their place.
-OutputFolder::OutputFolder(const fs::path& target)
-    : target_(fs::absolute(target).lexically_normal()) {
+OutputFolder::OutputFolder(const fs::path& target, OutputRule rule)
+    : target_(fs::absolute(target).lexically_normal()), rule_(std::move(rule)) {
   if (!target_.has_filename()) target_ = target_.parent_path();
   std::error_code fault;
   if (fs::is_directory(target_, fault)) {
@@ -102,8 +107,20 @@ OutputFolder::~OutputFolder() {
   if (!unfinished_.empty()) fs::remove_all(unfinished_, gone);
 }
 
+fs::path OutputFolder::file(const fs::path& name) const {
+  check_in_folder(rule_, target_, name);
+  return unfinished_ / name;
+}
+
 void OutputFolder::commit() {
   std::error_code fault;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator at(unfinished_, fault), end; !fault && at != end;
+       at.increment(fault)) {
+    files.push_back(at->path());
+    check_in_folder(rule_, target_, at->path().filename());
+  }
+  if (fault) throw unwritable(target_);
   if (!fs::exists(target_, fault)) {
     fs::create_directories(target_.parent_path(), fault);
     fs::rename(unfinished_, target_, fault);
@@ -111,16 +128,16 @@ void OutputFolder::commit() {
     unfinished_.clear();
     return;
   }
-  std::vector<fs::path> files;
-  for (fs::directory_iterator at(unfinished_, fault), end; !fault && at != end;
-       at.increment(fault)) {
-    files.push_back(at->path());
-  }
-  if (fault) throw unwritable(target_);
   for (const fs::path& file : files) {
     fs::rename(file, target_ / file.filename(), fault);
     if (fault) throw unwritable(target_ / file.filename());
   }
+}
+
+void check_in_folder(const OutputRule& rule,
+                     const fs::path& folder,
+                     const fs::path& name) {
+  rule.check(folder / name, "give another folder");
 }
 
 void write_file(const fs::path& target, std::string_view content) {

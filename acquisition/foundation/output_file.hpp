@@ -3,6 +3,8 @@
 // full disk, a fault or a request to stop leaves the older file, or none.
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
+
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -24,8 +26,13 @@ class OutputFile {
 
   [[nodiscard]] std::ostream& stream() { return stream_; }
 
-  /// Puts the file in its place; to be called once, at the end. The system
-  /// reports a full disk at the latest when the file is closed, which is here.
+  /// Closes the file, which is when the system reports a full disk at the
+  /// latest; commit() then has only its name to change. For files that belong
+  /// together.
+  /// @throws InputError where something could not be written
+  void finish();
+
+  /// Finishes the file and puts it in its place; to be called once, at the end.
   /// @throws InputError where something could not be written
   void commit();
 
@@ -35,12 +42,13 @@ class OutputFile {
   std::ofstream stream_;
 };
 
-/// Several files that belong together.
+/// Several files that belong together. Those that are in the folder already
+/// are its rule's to decide on, file by file; none is taken away.
 class OutputFolder {
  public:
   /// @param target made by commit() when it is not there
   /// @throws InputError where nothing can be written
-  explicit OutputFolder(const std::filesystem::path& target);
+  OutputFolder(const std::filesystem::path& target, OutputRule rule);
   /// Takes away what was not committed.
   ~OutputFolder();
   OutputFolder(const OutputFolder&) = delete;
@@ -48,19 +56,26 @@ class OutputFolder {
 
   /// Where a file is to be written that commit() brings into the folder.
   /// @param name without a folder
+  /// @throws InputError where the rule does not let it
   [[nodiscard]] std::filesystem::path file(
-      const std::filesystem::path& name) const {
-    return unfinished_ / name;
-  }
+      const std::filesystem::path& name) const;
 
-  /// Brings all files into the folder, over older ones of their names.
-  /// @throws InputError where that fails
+  /// Brings all files into the folder, over older ones of their names where the
+  /// rule lets all of them, else none.
+  /// @throws InputError where it does not, or where that fails
   void commit();
 
  private:
   std::filesystem::path target_;
+  OutputRule rule_;
   std::filesystem::path unfinished_;
 };
+
+/// Before a folder is written that takes long to make.
+/// @throws InputError where the rule does not let a file of that name into it
+void check_in_folder(const OutputRule& rule,
+                     const std::filesystem::path& folder,
+                     const std::filesystem::path& name);
 
 /// A whole file at once.
 /// @throws InputError where it cannot be written

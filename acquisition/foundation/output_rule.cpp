@@ -45,11 +45,16 @@ bool OutputRule::is_input(const fs::path& output) const {
   });
 }
 
-fs::path OutputRule::free_name(const fs::path& output) const {
-  std::error_code fault;
+fs::path OutputRule::free_name(
+    const fs::path& output,
+    const std::function<bool(const fs::path&)>& also) const {
+  const auto is_free = [&](const fs::path& name) {
+    std::error_code fault;
+    return !fs::exists(fs::symlink_status(name, fault)) && !is_input(name) &&
+           (!also || also(name));
+  };
   fs::path free = output;
-  for (int k = 2; fs::exists(fs::symlink_status(free, fault)) || is_input(free);
-       ++k) {
+  for (int k = 2; !is_free(free); ++k) {
     free = output.parent_path() / fmt::format("{}-{}{}",
                                               output.stem().string(),
                                               k,
@@ -58,19 +63,23 @@ fs::path OutputRule::free_name(const fs::path& output) const {
   return free;
 }
 
-void OutputRule::check(const fs::path& output) const {
-  const std::string free = free_name(output).filename().string();
+void OutputRule::check(const fs::path& output,
+                       const std::string& instead) const {
   if (is_input(output)) {
     throw InputError("is an input of the test and is never written over",
                      output.string(),
-                     fmt::format("give another name, such as {}", free));
+                     instead);
   }
   if (force || !would_be_replaced(output)) return;
-  throw InputError(
-      "is there already",
-      output.string(),
-      fmt::format("give another name, such as {}, or replace it with --force",
-                  free));
+  throw InputError("is there already",
+                   output.string(),
+                   instead + ", or replace it with --force");
+}
+
+void OutputRule::check(const fs::path& output) const {
+  check(output,
+        fmt::format("give another name, such as {}",
+                    free_name(output).filename().string()));
 }
 
 void OutputRule::check(const std::vector<fs::path>& outputs) const {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <vector>
 
 namespace tapfit::acquisition {
@@ -17,12 +19,19 @@ struct OutputRule {
 
   /// The first of NAME.EXT, NAME-2.EXT, NAME-3.EXT, ... that is neither an
   /// input nor there.
+  /// @param also what else is asked of it; empty: nothing
   [[nodiscard]] std::filesystem::path free_name(
-      const std::filesystem::path& output) const;
+      const std::filesystem::path& output,
+      const std::function<bool(const std::filesystem::path&)>& also = {}) const;
 
   /// @throws InputError for an input, for a file that is there without
   ///   `force`; names one that is free
   void check(const std::filesystem::path& output) const;
+
+  /// As above.
+  /// @param instead what can be done but for --force, for the message
+  void check(const std::filesystem::path& output,
+             const std::string& instead) const;
 
   /// As above for each, and that no file is named twice.
   void check(const std::vector<std::filesystem::path>& outputs) const;

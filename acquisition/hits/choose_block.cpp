@@ -12,8 +12,10 @@ namespace {
 
 using Eigen::Index;
 
+// Beyond any record: as long as the longest one that has a number.
 Index rounded(double samples) {
-  return static_cast<Index>(std::llround(samples));
+  constexpr double beyond = 1e15;
+  return static_cast<Index>(std::llround(std::min(samples, beyond)));
 }
 
 // Samples kept free before the next hit: its onset and a filter's ringing.

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/import/time_table.hpp"
 #include "acquisition/readers/csv_table.hpp"
 
@@ -58,7 +59,8 @@ struct ImportOptions {
   std::optional<std::filesystem::path> deck;
   std::optional<std::array<double, 2>> band_hz;
   std::filesystem::path folder;  ///< of the new bundle
-  bool force = false;  ///< replaces sound files that are there; never a test
+  /// Of the folder: its inputs, and whether other files may be replaced.
+  OutputRule rule = {};
 };
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and

@@ -38,7 +38,7 @@ class MappedFile {
       auto result = read();
       refuse_shortened();
       return result;
-    } catch (const InputError&) {
+    } catch (...) {
       refuse_shortened();
       throw;
     }

@@ -133,15 +133,17 @@ TEST_F(Demo, TheReadmeShowsItsErrorLadder) {
   ASSERT_EQ(shown.size(), errors.size());
   // Rounding, as another processor's instructions make it, turns the last digit
   // of the base, as it is and fitted, and of the floor. Fits of effects end
-  // where it lets them: with E times 1 + 1e-13, or the deck's cards in reverse,
-  // middle rungs, which still lack an effect, move by up to 10 % of themselves,
-  // and the last one by 2 %.
+  // where it lets them: with E times 1 + 1e-13 to 4e-13, or as much less, or
+  // the deck's cards in reverse, middle rungs, which still lack an effect, end
+  // up to 16 % off the README's (1.83 to 2.20 % for 1.9), the last one up to 5
+  // % off (0.352 to 0.367 % for 0.37). Half as much again is left for
+  // processors that round otherwise, twice as much for the last one.
   const std::size_t last_rung = errors.size() - 2;
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const auto [percent, unit] = shown[k];
     double share = 0.0;
-    if (k > 1 && k < last_rung) share = 0.15;
-    if (k == last_rung) share = 0.05;
+    if (k > 1 && k < last_rung) share = 0.25;
+    if (k == last_rung) share = 0.10;
     EXPECT_NEAR(
         percent, 100.0 * errors[k], std::max(1.1 * unit, share * percent))
         << k;

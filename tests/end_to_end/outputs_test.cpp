@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <map>
 #include <sys/wait.h>
 #include <vector>
 
@@ -119,7 +120,7 @@ TEST_F(OutputsOfATest, LeaveTheOlderFileOnAFullDisk) {
   const fs::path file = bundle_ / "out.uff";
   write_file(file, "older");
   const int status = shell_status(
-      fmt::format("trap '' XFSZ; ulimit -f 4; "
+      fmt::format("ulimit -f 4; "
                   "%tapfit frf '{}' --uff '{}' --force >/dev/null 2>/dev/null",
                   bundle_.string(),
                   file.string()));
@@ -148,7 +149,7 @@ TEST_F(OutputsOfATest, OfEveryCommandAreWholeOrNotThere) {
     for (const int blocks : {0, 4}) {
       write_file(file, "older");
       const int status =
-          shell_status(fmt::format("trap '' XFSZ; ulimit -f {}; %tapfit {} "
+          shell_status(fmt::format("ulimit -f {}; %tapfit {} "
                                    ">/dev/null 2>/dev/null",
                                    blocks,
                                    line));
@@ -188,9 +189,120 @@ TEST_F(OutputsOfATest, OfSimulateNeverReplaceAMeasuredTest) {
   const ProgramResult result =
       run("simulate", "--structure ladder --runs 2 --hits 1 --force");
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_TRUE(holds(result.err, "a measured test")) << result.err;
+  EXPECT_TRUE(holds(result.err, "is an input of the test")) << result.err;
+  EXPECT_TRUE(holds(result.err, "another folder")) << result.err;
   EXPECT_EQ(read_file(bundle_ / "test.json"), test);
   EXPECT_FALSE(fs::exists(bundle_ / "truth.json"));
+}
+
+/// What is in a folder by name, folders left out.
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    contents[entry.path().filename().string()] = read_file(entry.path());
+  }
+  return contents;
+}
+
+ProgramResult simulated(const fs::path& folder, const std::string& options) {
+  return run_tapfit(
+      fmt::format("simulate '{}' --structure plate --runs 2 --hits 2 "
+                  "--effect none {}",
+                  folder.string(),
+                  options));
+}
+
+TEST(Outputs, OfSimulateTakeNoFileAway) {
+  const fs::path folder = fresh_folder() / "test";
+  fs::create_directory(folder);
+  write_file(folder / "run-03.flac", "mine");
+  EXPECT_EQ(simulated(folder, "").exit_status, 0);
+  EXPECT_EQ(read_file(folder / "run-03.flac"), "mine");
+  EXPECT_EQ(simulated(folder, "").exit_status, 1);
+  EXPECT_EQ(simulated(folder, "--seed 2 --force").exit_status, 0);
+  EXPECT_EQ(read_file(folder / "run-03.flac"), "mine");
+}
+
+// Whatever its file is called, and whatever lies beside it.
+TEST(Outputs, OfSimulateAndImportLeaveEveryTestAsItIs) {
+  const fs::path folder = fresh_folder() / "frame";
+  fs::copy(recordings / "solar-panel-frame", folder);
+  const auto both = [&folder] {
+    const auto before = contents_of(folder);
+    const ProgramResult made = simulated(folder, "--force");
+    EXPECT_EQ(made.exit_status, 1) << made.out;
+    EXPECT_TRUE(holds(made.err, "is an input of the test")) << made.err;
+    EXPECT_TRUE(contents_of(folder) == before);
+  };
+  both();  // with a truth.json that lists no files
+  fs::rename(folder / "test.json", folder / "campaign.json");
+  fs::remove(folder / "truth.json");
+  both();
+
+  const fs::path table = folder.parent_path() / "run-01.csv";
+  write_file(table, "t,f,a\n0,1,3\n.01,2,-400\n");
+  std::string test = read_file(folder / "campaign.json");
+  test.replace(test.find("run-01.flac"), 11, "run-01.wav");
+  write_file(folder / "campaign.json", test);
+  write_file(folder / "run-01.wav", "measured");
+  const ProgramResult imported = run_tapfit(
+      fmt::format("import '{}' -o '{}' --hammer f@1Z+ --sensor a@2Z+ --time t "
+                  "--force",
+                  table.string(),
+                  folder.string()));
+  EXPECT_EQ(imported.exit_status, 1);
+  EXPECT_EQ(read_file(folder / "run-01.wav"), "measured");
+  EXPECT_FALSE(fs::exists(folder / "test.json"));
+}
+
+TEST(Outputs, OfImportLeaveTheIncludesOfItsDeck) {
+  const fs::path folder = fresh_folder();
+  const fs::path table = folder / "run-01.csv";
+  write_file(table, "t,f,a\n0,1,3\n.01,2,-400\n");
+  write_file(folder / "model.bdf", "INCLUDE 'test/run-01.wav'\n");
+  fs::create_directory(folder / "test");
+  write_file(folder / "test" / "run-01.wav", "GRID,1,,0.,0.,0.\n");
+  const ProgramResult imported = run_tapfit(
+      fmt::format("import '{}' -o '{}' --hammer f@1Z+ --sensor a@2Z+ --time t "
+                  "--deck '{}' --force",
+                  table.string(),
+                  (folder / "test").string(),
+                  (folder / "model.bdf").string()));
+  EXPECT_EQ(imported.exit_status, 1);
+  EXPECT_TRUE(holds(read_file(folder / "test" / "run-01.wav"), "GRID"));
+}
+
+TEST_F(OutputsOfATest, OfReportReplacePicturesOnlyWhereThatIsAskedFor) {
+  fs::create_directory(bundle_ / "r-files");
+  write_file(bundle_ / "r-files" / "frf.svg", "mine");
+  const std::string option = "-o " + in_bundle("r.md");
+  const ProgramResult refused = run("report", option);
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(holds(refused.err, "r-files/frf.svg")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "r-2.md")) << refused.err;
+  EXPECT_EQ(read_file(bundle_ / "r-files" / "frf.svg"), "mine");
+  EXPECT_EQ(run("report", option + " --force").exit_status, 0);
+  EXPECT_TRUE(holds(read_file(bundle_ / "r-files" / "frf.svg"), "</svg>"));
+}
+
+// The text is longer than each of its pictures, or one of them is longer: at
+// some limit only a part has room.
+TEST_F(OutputsOfATest, OfReportComeWithTheirPicturesOrNotAtAll) {
+  for (const int blocks : {1, 16, 48}) {
+    const int status =
+        shell_status(fmt::format("ulimit -f {}; %tapfit report '{}' -o {} "
+                                 ">/dev/null 2>/dev/null",
+                                 blocks,
+                                 bundle_.string(),
+                                 in_bundle("r.md")));
+    EXPECT_TRUE(status == 0 || status == 1) << blocks;
+    EXPECT_EQ(fs::exists(bundle_ / "r.md"), status == 0) << blocks;
+    EXPECT_EQ(fs::exists(bundle_ / "r-files"), status == 0) << blocks;
+    EXPECT_TRUE(parts_in(bundle_).empty()) << blocks;
+    fs::remove(bundle_ / "r.md");
+    fs::remove_all(bundle_ / "r-files");
+  }
 }
 
 // Whenever the signal comes, the bundle is there as a whole or not at all.
@@ -240,16 +352,33 @@ const fs::path& recorded() {
   return bundle;
 }
 
+// Replay needs no deck, and its INCLUDEs are inputs all the same.
+TEST(Outputs, OfReplayLeaveTheIncludesOfADeckThatCannotBeRead) {
+  const fs::path bundle = fresh_folder() / "test";
+  fs::copy(recorded(), bundle);
+  fs::rename(bundle / "model.bdf", bundle / "head.inc");
+  write_file(bundle / "model.bdf",
+             "INCLUDE 'missing.inc'\nINCLUDE 'head.inc'\nENDDATA\n");
+  const std::string head = read_file(bundle / "head.inc");
+  const ProgramResult result =
+      run_tapfit(fmt::format("replay '{}' --uff '{}' --force",
+                             bundle.string(),
+                             (bundle / "head.inc").string()));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_TRUE(holds(result.err, "is an input of the test")) << result.err;
+  EXPECT_EQ(read_file(bundle / "head.inc"), head);
+}
+
 // The recordings of a bundle, too: half a file is none.
 TEST(Outputs, OfSimulateAreAllThereOrNone) {
   const fs::path bundle = fresh_folder() / "test";
   for (const int kilobytes : {1, 8, 64}) {
-    const int status = shell_status(
-        fmt::format("trap '' XFSZ; ulimit -f {}; %tapfit simulate '{}' "
-                    "--structure ladder --runs 2 --hits 2 "
-                    ">/dev/null 2>/dev/null",
-                    kilobytes,
-                    bundle.string()));
+    const int status =
+        shell_status(fmt::format("ulimit -f {}; %tapfit simulate '{}' "
+                                 "--structure ladder --runs 2 --hits 2 "
+                                 ">/dev/null 2>/dev/null",
+                                 kilobytes,
+                                 bundle.string()));
     EXPECT_EQ(status, 1) << kilobytes;
     EXPECT_FALSE(fs::exists(bundle)) << kilobytes;
     EXPECT_TRUE(parts_in(bundle.parent_path()).empty()) << kilobytes;
@@ -260,7 +389,7 @@ TEST(Outputs, OfSimulateAreAllThereOrNone) {
 TEST(Outputs, OfExportAreWholeOrNotThereWhereItIsStopped) {
   const fs::path folder = fresh_folder();
   const fs::path file = folder / "out.uff";
-  for (const char* signal : {"INT", "TERM", "HUP"}) {
+  for (const char* signal : {"INT", "TERM", "HUP", "QUIT"}) {
     for (const char* delay : {"0.02", "0.1", "0.3", "0.6"}) {
       write_file(file, "older");
       (void)shell_status(

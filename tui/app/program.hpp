@@ -57,11 +57,12 @@ class Program {
  private:
   enum class Mode { Normal, Filter, Colon };
 
-  /// A file that is to be written and is there.
+  /// A file that is to be written, and that or a part of it is there.
   struct Replacement {
     Output what;
     std::filesystem::path there;
     std::filesystem::path free;  ///< what it could be named instead
+    std::string shown;           ///< the name of what is there
   };
 
   [[nodiscard]] Page& page() const { return *pages_[current_]; }

@@ -5,12 +5,14 @@
 #include "tui/report/session_report.hpp"
 #include "tui/screen/text.hpp"
 #include "updating/export/output_rule_of.hpp"
+#include "updating/export/report_files.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <vector>
 
 namespace tapfit::tui {
 namespace {
@@ -27,6 +29,28 @@ const char* usual_name(Output what) {
   return "updated.bdf";
 }
 
+// All that is written, or may be replaced by it.
+std::vector<std::filesystem::path> files_of(Output what,
+                                            const std::filesystem::path& to) {
+  if (what == Output::Report) return updating::report_files(to);
+  return {to};
+}
+
+std::filesystem::path free_for(Output what,
+                               const std::filesystem::path& to,
+                               const acquisition::OutputRule& rule) {
+  return what == Output::Report ? updating::free_report(rule, to)
+                                : rule.free_name(to);
+}
+
+// Pictures with their folder.
+std::string shown_name(const std::filesystem::path& file,
+                       const std::filesystem::path& to) {
+  const std::filesystem::path name = file.filename();
+  const std::filesystem::path folder = file.parent_path().filename();
+  return (file == to ? name : folder / name).string();
+}
+
 }  // namespace
 
 void Program::write(Output what, const std::string& named) {
@@ -36,17 +60,20 @@ void Program::write(Output what, const std::string& named) {
                     : std::filesystem::path(named);
   const acquisition::OutputRule rule =
       updating::output_rule_of(*known_.bundle, true);
-  const std::filesystem::path free = rule.free_name(to);
-  if (rule.is_input(to)) {
+  const std::filesystem::path free = free_for(what, to, rule);
+  const std::vector<std::filesystem::path> files = files_of(what, to);
+  const auto input = std::ranges::find_if(
+      files, [&rule](const auto& file) { return rule.is_input(file); });
+  if (input != files.end()) {
     return act(write_output(
-        what, free, to.filename().string() + " is an input and stays; "));
+        what, free, shown_name(*input, to) + " is an input and stays; "));
   }
-  std::error_code fault;
-  if (std::filesystem::is_regular_file(to, fault)) {
-    asked_to_replace_ = Replacement{what, to, free};
-    return;
-  }
-  act(write_output(what, to));
+  const auto there = std::ranges::find_if(files, [](const auto& file) {
+    std::error_code fault;
+    return std::filesystem::is_regular_file(file, fault);
+  });
+  if (there == files.end()) return act(write_output(what, to));
+  asked_to_replace_ = Replacement{what, to, free, shown_name(*there, to)};
 }
 
 void Program::answer_replacing(const Replacement& asked, Key key) {
@@ -62,7 +89,7 @@ void Program::draw_question(Screen& screen, int y) const {
   const std::string answers = fmt::format(
       " is there: y replaces it, n writes {}, Esc neither",
       clipped(asked_to_replace_->free.filename().string(), width / 4));
-  const std::string name = clipped(asked_to_replace_->there.filename().string(),
+  const std::string name = clipped(asked_to_replace_->shown,
                                    std::max(8, width - text_width(answers)));
   screen.text(1, y, name + answers, {.colour = Colour::Yellow}, width);
 }

@@ -127,13 +127,15 @@ class SessionWorkbench final : public Workbench {
 // session of its own, so that the user's stays as it is.
 void SessionWorkbench::write_report_to(const std::filesystem::path& path,
                                        const Progress& p) {
+  const acquisition::OutputRule rule =
+      updating::output_rule_of(session_.bundle(), true);
   if (!session_.has_model() || !session_.effects().empty()) {
-    return write_report(report_document(report_data(session_, bundle_, p)),
-                        path);
+    return write_report(
+        report_document(report_data(session_, bundle_, p)), path, rule);
   }
   updating::Session worked(bundle_, acquisition::Unreadable::LeftOut);
   worked.take_up(session_.saved(p));
-  write_report(report_document(report_data(worked, bundle_, p)), path);
+  write_report(report_document(report_data(worked, bundle_, p)), path, rule);
 }
 
 void SessionWorkbench::write(Output what,

@@ -1,6 +1,8 @@
 #include "tui/commands/import_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/export/output_rule_of_folder.hpp"
+#include "updating/structure/cards/bulk_lines.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -124,8 +126,14 @@ std::string import_command(const CommandOptions& options,
   import_options.title = arguments.title;
   import_options.deck = options.deck;
   import_options.band_hz = arguments.band_hz;
-  import_options.force = options.force;
   import_options.folder = options.output.value_or("");
+  import_options.rule =
+      updating::output_rule_of_folder(import_options.folder, options.force);
+  if (options.deck) {
+    for (auto& file : structure::deck_files(*options.deck)) {
+      import_options.rule.inputs.push_back(std::move(file));
+    }
+  }
   const auto bundle = acquisition::import_recordings(import_options);
   if (options.json) {
     const nlohmann::ordered_json json{{"bundle", bundle.folder.string()},

@@ -17,7 +17,8 @@ std::string report_command(const CommandOptions& given,
     check_outputs(session.bundle(), options);
   }
   write_report(report_document(report_data(session, options.input, progress)),
-               *options.output);
+               *options.output,
+               output_rule(session.bundle(), options));
   return fmt::format("Report written to {}\n", options.output->string());
 }
 

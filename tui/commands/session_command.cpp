@@ -88,7 +88,8 @@ std::string session_command(const CommandOptions& options,
   const updating::SavedSession now = session.saved(progress);
   if (options.output) {
     write_report(report_document(report_data(session, options.input, progress)),
-                 *options.output);
+                 *options.output,
+                 output_rule(session.bundle(), options));
   }
   if (options.json) return updating::as_text(now);
   const std::string other = differences(then, now);

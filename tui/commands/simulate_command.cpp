@@ -3,6 +3,8 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/commands/own_answer.hpp"
 #include "tui/options/standard_streams.hpp"
+#include "updating/export/output_rule_of_folder.hpp"
+#include "updating/virtual_test/made_files.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 #include "updating/virtual_test/virtual_habit.hpp"
 
@@ -24,6 +26,7 @@ struct Words {
   std::vector<std::string> effects;
   std::string roving = "hammer";
   std::vector<double> band;
+  bool force = false;
   VirtualBundleSpec spec;
 };
 
@@ -74,8 +77,8 @@ void describe(CLI::App& app, Words& words) {
                spec.faulty_hits,
                "leave out the double hit and the overload");
   app.add_flag("--force",
-               spec.overwrite,
-               "replace a test that was made before; never a measured one");
+               words.force,
+               "replace a test as it was made before; never a measured one");
   app.footer("Effects:\n" + updating::virtual_effect_help() +
              "Without --structure and --effect the demo is made.");
 }
@@ -141,8 +144,12 @@ int simulate_command(int argc,
     return answer(app, error);
   }
   const VirtualBundleSpec spec = spec_of(app, words);
-  const VirtualBundleResult result =
-      updating::make_virtual_bundle(spec, words.folder, progress);
+  const VirtualBundleResult result = updating::make_virtual_bundle(
+      spec,
+      words.folder,
+      progress,
+      updating::output_rule_of_folder(
+          words.folder, words.force, updating::made_files(words.folder)));
   print(summary(result, words.folder));
   return 0;
 }

@@ -3,6 +3,7 @@
 #include "tui/options/standard_streams.hpp"
 #include "updating/export/output_rule_of.hpp"
 #include "updating/export/outside_files.hpp"
+#include "updating/export/report_files.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -41,11 +42,17 @@ updating::Session open_bundle(const std::filesystem::path& bundle) {
   return session;
 }
 
-void check_outputs(const acquisition::TestBundle& bundle,
-                   const CommandOptions& options) {
+acquisition::OutputRule output_rule(const acquisition::TestBundle& bundle,
+                                    const CommandOptions& options) {
   acquisition::OutputRule rule =
       updating::output_rule_of(bundle, options.force);
   if (options.saved) rule.inputs.push_back(*options.saved);
+  return rule;
+}
+
+void check_outputs(const acquisition::TestBundle& bundle,
+                   const CommandOptions& options) {
+  const acquisition::OutputRule rule = output_rule(bundle, options);
   std::vector<std::filesystem::path> outputs;
   for (const auto& output : {options.uff,
                              options.deck,
@@ -55,6 +62,7 @@ void check_outputs(const acquisition::TestBundle& bundle,
     if (output) outputs.push_back(*output);
   }
   rule.check(outputs);
+  if (options.output) updating::check_report(rule, *options.output);
 }
 
 updating::Session open_bundle(const CommandOptions& options) {

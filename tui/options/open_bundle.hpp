@@ -2,6 +2,7 @@
 // input, whatever the command prints of it.
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
 #include "tui/options/command.hpp"
 #include "updating/session/session.hpp"
 
@@ -19,8 +20,13 @@ namespace tapfit::tui {
 /// to write may be written.
 [[nodiscard]] updating::Session open_bundle(const CommandOptions& options);
 
-/// @throws InputError where a file that the command names may not be written:
-///   an input of the test, or one that is there and `force` is not given
+/// The rule for all that the command writes.
+[[nodiscard]] acquisition::OutputRule output_rule(
+    const acquisition::TestBundle& bundle, const CommandOptions& options);
+
+/// @throws InputError where a file that the command names, or one that belongs
+///   to it, may not be written: an input of the test, or one that is there and
+///   `force` is not given
 void check_outputs(const acquisition::TestBundle& bundle,
                    const CommandOptions& options);
 

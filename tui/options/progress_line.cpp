@@ -15,7 +15,7 @@ namespace {
 // The one thing a signal handler may write to has to be global.
 volatile std::sig_atomic_t interrupted = 0;
 
-constexpr std::array<int, 3> asking{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array<int, 4> asking{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 extern "C" void on_interrupt(int signal) {
   interrupted = 1;

@@ -8,6 +8,7 @@
 #include "tui/report/report_model.hpp"
 #include "tui/report/report_record.hpp"
 #include "tui/report/report_shapes.hpp"
+#include "updating/export/report_files.hpp"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,6 @@ void append(std::vector<Section>& sections, std::vector<Section> more) {
   sections.insert(sections.end(),
                   std::make_move_iterator(more.begin()),
                   std::make_move_iterator(more.end()));
-}
-
-bool is_markdown(const std::filesystem::path& path) {
-  return path.extension() == ".md" || path.extension() == ".markdown";
 }
 
 }  // namespace
@@ -43,16 +40,25 @@ Document report_document(const ReportData& data) {
   return document;
 }
 
-void write_report(const Document& document, const std::filesystem::path& path) {
-  if (!is_markdown(path)) return acquisition::write_file(path, as_html(document));
-  const std::string name = path.stem().string() + "-files";
-  acquisition::OutputFolder pictures(path.parent_path() / name);
+void write_report(const Document& document,
+                  const std::filesystem::path& path,
+                  const acquisition::OutputRule& rule) {
+  updating::check_report(rule, path);
+  acquisition::OutputFile report(path);
+  const auto folder = updating::pictures_folder(path);
+  if (!folder) {
+    report.stream() << as_html(document);
+    return report.commit();
+  }
+  acquisition::OutputFolder pictures(*folder, rule);
   for (const Figure& figure : figures_of(document)) {
     acquisition::write_file(pictures.file(figure.name + ".svg"),
                             figure.svg + "\n");
   }
+  report.stream() << as_markdown(document, folder->filename().string());
+  report.finish();
   pictures.commit();
-  acquisition::write_file(path, as_markdown(document, name));
+  report.commit();
 }
 
 }  // namespace tapfit::tui

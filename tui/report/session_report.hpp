@@ -8,6 +8,7 @@
 // `tapfit session -o` write, from one document.
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
 #include "tui/document/document.hpp"
 #include "tui/report/report_data.hpp"
 
@@ -21,8 +22,12 @@ namespace tapfit::tui {
 inline constexpr const char* usual_report = "report.html";
 
 /// Writes it to one HTML file; to a file named .md or .markdown as Markdown,
-/// with its pictures in a folder beside it ("x-files" of x.md).
-/// @throws InputError where it cannot be written
-void write_report(const Document& document, const std::filesystem::path& path);
+/// with its pictures in a folder beside it (updating/export/report_files.hpp).
+/// @throws InputError where it cannot be written, or the rule does not let one
+/// of
+///   its files: none is written then
+void write_report(const Document& document,
+                  const std::filesystem::path& path,
+                  const acquisition::OutputRule& rule);
 
 }  // namespace tapfit::tui

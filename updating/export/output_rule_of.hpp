@@ -21,6 +21,7 @@ namespace tapfit::updating {
 /// The rule for what is written of a test: its test.json or universal file, its
 /// recordings, FRFs, geometry, matrices, deck with what that includes, and
 /// session.json, which the program keeps by itself, are never written over.
+/// Reads the deck's lines.
 ///
 /// @param force whether other files that are there may be replaced
 [[nodiscard]] acquisition::OutputRule output_rule_of(

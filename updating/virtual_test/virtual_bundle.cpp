@@ -6,6 +6,7 @@
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/virtual_test/made_files.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
 #include "updating/virtual_test/virtual_truth.hpp"
 
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -202,10 +204,8 @@ std::vector<acquisition::AnalogueChannel> make_chains(
   return chains;
 }
 
-constexpr const char* truth_file = "truth.json";
-
-fs::path recording_file(const fs::path& folder, int run) {
-  return folder / fmt::format("run-{:02}.flac", run);
+std::string recording_name(int run) {
+  return fmt::format("run-{:02}.flac", run);
 }
 
 // What was written down of two swapped channels: each at the other's place.
@@ -257,7 +257,7 @@ acquisition::TestBundle describe(const VirtualBundleSpec& spec,
   }
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {
     acquisition::Run run;
-    run.file = recording_file(folder, static_cast<int>(k) + 1);
+    run.file = folder / recording_name(static_cast<int>(k) + 1);
     run.hammer = {0, setup.runs[k].hammer};
     std::size_t channel = 0;
     for (const VirtualSensor& sensor : setup.runs[k].sensors) {
@@ -274,42 +274,26 @@ acquisition::TestBundle describe(const VirtualBundleSpec& spec,
   return bundle;
 }
 
-// A test that was made here may be made again; a measured one is not replaced.
-void check_test(const VirtualBundleSpec& spec, const fs::path& folder) {
-  if (!fs::exists(folder / "test.json")) return;
-  if (!fs::exists(folder / truth_file)) {
-    throw InputError("holds a measured test, which is never written over",
-                     folder.string(),
-                     "Choose another folder.");
+// As given, and that the structure's deck is an input.
+acquisition::OutputRule with_structure(acquisition::OutputRule rule,
+                                       const VirtualBundleSpec& spec) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(spec.structure, ignored)) return rule;
+  for (fs::path& file : structure::deck_files(spec.structure)) {
+    rule.inputs.push_back(std::move(file));
   }
-  if (spec.overwrite) return;
-  throw InputError("there is a test already",
-                   folder.string(),
-                   "Choose another folder, or replace it with --force.");
+  return rule;
 }
 
-void check_files(const VirtualBundleSpec& spec,
+// Before the work.
+void check_files(const acquisition::OutputRule& rule,
                  const VirtualSetup& setup,
                  const fs::path& folder) {
-  std::error_code ignored;
-  acquisition::OutputRule rule{{}, spec.overwrite};
-  if (fs::is_regular_file(spec.structure, ignored)) {
-    rule.inputs = structure::deck_files(spec.structure);
-  }
   for (const char* name : {"test.json", "model.bdf", truth_file}) {
-    rule.check(folder / name);
+    check_in_folder(rule, folder, name);
   }
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {
-    rule.check(recording_file(folder, static_cast<int>(k) + 1));
-  }
-}
-
-// Recordings of a longer test must not be left beside a shorter one.
-void remove_further_runs(const fs::path& folder, std::size_t runs) {
-  std::error_code gone;
-  for (int run = static_cast<int>(runs) + 1;
-       fs::remove(recording_file(folder, run), gone);
-       ++run) {
+    check_in_folder(rule, folder, recording_name(static_cast<int>(k) + 1));
   }
 }
 
@@ -370,10 +354,11 @@ VirtualBundleSpec demo_spec() {
 
 VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
                                         const fs::path& folder,
-                                        const Progress& progress) {
-  check_test(spec, folder);
+                                        const Progress& progress,
+                                        const acquisition::OutputRule& given) {
   const VirtualSetup setup = set_up(spec);
-  check_files(spec, setup, folder);
+  const acquisition::OutputRule rule = with_structure(given, spec);
+  check_files(rule, setup, folder);
   const double factor = modulus_factor(spec);
   const VirtualStructure structure = build_virtual_structure(
       setup.model, spec.effects, factor, setup.component);
@@ -388,7 +373,7 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
       describe(spec, setup, channels, folder);
   const std::vector<acquisition::AnalogueChannel> chains =
       make_chains(spec, setup, channels);
-  acquisition::OutputFolder output(folder);
+  acquisition::OutputFolder output(folder, rule);
   for (std::size_t k = 0; k < bundle.runs.size(); ++k) {
     progress("writing",
              static_cast<double>(k) / static_cast<double>(bundle.runs.size()));
@@ -405,7 +390,6 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
   write_truth(
       spec, setup, structure, records.first, factor, output.file(truth_file));
   output.commit();
-  remove_further_runs(folder, bundle.runs.size());
 
   VirtualBundleResult result;
   result.model_hz = setup.model_hz;

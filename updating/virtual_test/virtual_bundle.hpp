@@ -8,6 +8,7 @@
 // model.bdf, the recordings, test.json and, for tests alone, truth.json.
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/progress.hpp"
 #include "updating/virtual_test/virtual_spec.hpp"
 
@@ -38,12 +39,16 @@ struct VirtualBundleResult {
 
 /// Makes the bundle; the same spec makes the same bytes.
 ///
-/// @param folder made when it is not there
-/// @throws InputError for a folder that holds a measured test, or one made
-///   before without `overwrite`, effects that do not fit the structure, a deck
-///   without a band; Stopped. The folder is then as it was
-VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
-                                        const std::filesystem::path& folder,
-                                        const Progress& progress = {});
+/// @param folder made when it is not there; what else is in it stays
+/// @param rule of the folder: its inputs, and whether other files may be
+///   replaced. Without one no file is
+/// @throws InputError for a file that the rule does not let, effects that do
+///   not fit the structure, a deck without a band; Stopped. The folder is then
+///   as it was
+VirtualBundleResult make_virtual_bundle(
+    const VirtualBundleSpec& spec,
+    const std::filesystem::path& folder,
+    const Progress& progress = {},
+    const acquisition::OutputRule& rule = {});
 
 }  // namespace tapfit::updating

@@ -24,7 +24,6 @@ struct VirtualBundleSpec {
   std::optional<double> stated_mass_kg;  ///< of each sensor, in `channels`
   double damping_mean = 0.006;
   bool faulty_hits = true;  ///< one double hit and one overload
-  bool overwrite = false;   ///< a test that was made before
 };
 
 }  // namespace tapfit::updating

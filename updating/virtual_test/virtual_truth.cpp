@@ -1,6 +1,7 @@
 #include "updating/virtual_test/virtual_truth.hpp"
 
 #include "acquisition/foundation/output_file.hpp"
+#include "updating/virtual_test/made_files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -79,6 +80,7 @@ void write_truth(const VirtualBundleSpec& spec,
   if (!materials.empty()) {
     document["E_true"] = materials.begin()->second.E * modulus_factor;
   }
+  list_made_files(file.parent_path(), document);
   acquisition::write_file(file, document.dump(1) + '\n');
 }
 

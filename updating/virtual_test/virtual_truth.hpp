@@ -9,6 +9,9 @@
 
 namespace tapfit::updating {
 
+/// Lists the files of its folder, too (updating/virtual_test/made_files.hpp):
+/// to be written last.
+///
 /// @param truth of the first run (with roving sensors the masses move)
 /// @throws InputError when the file cannot be written
 void write_truth(const VirtualBundleSpec& spec,

@@ -98,6 +98,15 @@ TEST_F(Bundle, RefusesAPreTriggerThatFillsTheBlock) {
   EXPECT_EQ(read(document).pre_trigger_s, 0.5);
 }
 
+// Beyond what an index can count, too.
+TEST_F(Bundle, RefusesAPreTriggerBeyondAnHour) {
+  json document = good();
+  for (const double pre : {3601.0, 1e38, 1e308}) {
+    document["pre_trigger_s"] = pre;
+    refuses(document, "test.json: pre_trigger_s");
+  }
+}
+
 TEST_F(Bundle, SaysThatATextIsLatin1) {
   folder_.write("test.json",
                 "{\"title\": \"Pr\xfc"

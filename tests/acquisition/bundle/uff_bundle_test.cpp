@@ -1,6 +1,7 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 
 #include "acquisition/bundle/read_test_bundle.hpp"
+#include "acquisition/bundle/recording_stream.hpp"
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
@@ -114,6 +115,18 @@ TEST_F(UffBundle, UnlabelledValuesAreInTheUnitsOf164) {
 }
 
 // A record in what nobody knows is no record in SI.
+// Cut off between its reading as a bundle and as recordings.
+TEST_F(UffBundle, DatasetsThatAreGoneAreRefused) {
+  const std::string first = uff_ascii(force(3, {0, 1, 0}));
+  const TestBundle bundle = read_test_bundle(folder_.write(
+      "test.uff", first + uff_ascii({.node = 12, .values = {0, 5, -5}})));
+  ASSERT_EQ(bundle.runs.size(), 1U);
+  folder_.write("test.uff", first);
+  EXPECT_THROW((void)read_recording(bundle, bundle.runs[0]), InputError);
+  const UffFile file = open_uff(*bundle.uff);
+  EXPECT_THROW(RecordingStream(bundle, bundle.runs[0], &file), InputError);
+}
+
 TEST_F(UffBundle, UnknownLabelsAreLeftOutByName) {
   for (const char* label : {"mV", "V", "g rms", "m/s^2/V", "furlong", "N"}) {
     const TestBundle bundle = read_test_bundle(folder_.write(

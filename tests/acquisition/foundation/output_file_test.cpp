@@ -76,11 +76,11 @@ TEST_F(Outputs, DevicesAreWrittenToAndFullOnesTold) {
 TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
   const fs::path target = folder_.path() / "new" / "test";
   {
-    const OutputFolder output(target);
+    const OutputFolder output(target, {});
     write_file(output.file("a.txt"), "a");
   }
   EXPECT_EQ(entries_of(folder_.path()), 0);
-  OutputFolder output(target);
+  OutputFolder output(target, {});
   write_file(output.file("a.txt"), "a");
   write_file(output.file("b.txt"), "b");
   EXPECT_FALSE(fs::exists(target));
@@ -90,11 +90,50 @@ TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
   EXPECT_EQ(entries_of(folder_.path()), 1);
 }
 
+// Of what is in it already, the rule decides file by file.
+TEST_F(Outputs, FolderAsksItsRuleForEveryFile) {
+  const fs::path input = folder_.write("input.txt", "input");
+  folder_.write("a.txt", "older");
+  const OutputFolder kept(folder_.path(), OutputRule{{input}, false});
+  EXPECT_THROW((void)kept.file("a.txt"), InputError);
+  const OutputFolder forced(folder_.path(), OutputRule{{input}, true});
+  EXPECT_NO_THROW((void)forced.file("a.txt"));
+  EXPECT_THROW((void)forced.file("input.txt"), InputError);
+}
+
+// What came between is found when all are brought in, and none is then.
+TEST_F(Outputs, FolderThatMayNotBeWrittenStaysAsItWas) {
+  {
+    OutputFolder output(folder_.path(), {});
+    write_file(output.file("a.txt"), "newer");
+    write_file(output.file("b.txt"), "newer");
+    folder_.write("b.txt", "older");
+    EXPECT_THROW(output.commit(), InputError);
+  }
+  EXPECT_EQ(content_of(folder_.path() / "b.txt"), "older");
+  EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+TEST_F(Outputs, FileThatIsFinishedHasNotTakenItsPlace) {
+  const fs::path file = folder_.write("a.txt", "older");
+  {
+    OutputFile output(file);
+    output.stream() << "newer";
+    output.finish();
+    EXPECT_EQ(content_of(file), "older");
+    output.commit();
+  }
+  EXPECT_EQ(content_of(file), "newer");
+  OutputFile full("/dev/full");
+  full.stream() << "x";
+  EXPECT_THROW(full.finish(), InputError);
+}
+
 TEST_F(Outputs, FolderThatIsThereKeepsItsOtherFiles) {
   folder_.write("a.txt", "older");
   folder_.write("other.txt", "other");
   {
-    OutputFolder output(folder_.path());
+    OutputFolder output(folder_.path(), OutputRule{{}, true});
     write_file(output.file("a.txt"), "newer");
     EXPECT_EQ(content_of(folder_.path() / "a.txt"), "older");
     output.commit();

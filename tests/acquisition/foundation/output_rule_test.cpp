@@ -69,6 +69,11 @@ TEST_F(OutputRuleTest, FreeNameIsNoInputThatIsNotThere) {
   EXPECT_EQ(rule.free_name(folder_.path() / "gone.wav").filename(),
             "gone-2.wav");
   EXPECT_EQ(rule.free_name("no-such-file.md"), "no-such-file.md");
+  EXPECT_EQ(rule.free_name("no-such-file.md",
+                           [](const fs::path& name) {
+                             return name.stem() == "no-such-file-3";
+                           }),
+            "no-such-file-3.md");
 }
 
 }  // namespace

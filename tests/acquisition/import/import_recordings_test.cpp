@@ -126,9 +126,36 @@ TEST_F(Csv, BecomesABundleWithPhysicalValues) {
   EXPECT_DOUBLE_EQ(recordings[0].samples(1, 1), 4.0);
   EXPECT_DOUBLE_EQ(recordings[1].samples(0, 0), 14.0);
   for (const bool force : {false, true}) {
-    options.force = force;
+    options.rule.force = force;
     EXPECT_THROW(import_recordings(options), InputError) << "a test is there";
   }
+}
+
+TEST_F(Csv, OnlySoundFilesThatTheRuleLetsAreReplaced) {
+  ImportOptions options = simple(folder_);
+  options.files = {
+      {folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}}};
+  std::filesystem::create_directory(options.folder);
+  const auto sound = options.folder / "one.wav";
+  std::ofstream(sound) << "measured";
+  EXPECT_THROW(import_recordings(options), InputError);
+  options.rule = {{sound}, true};
+  EXPECT_THROW(import_recordings(options), InputError);
+  EXPECT_EQ(std::filesystem::file_size(sound), 8U);
+  options.rule = {{}, true};
+  EXPECT_NO_THROW(import_recordings(options));
+  EXPECT_GT(std::filesystem::file_size(sound), 8U);
+}
+
+// Hammer and sensor of one column have one name, which no test.json may have.
+TEST_F(Csv, ABundleThatNoCommandCouldReadIsNotWritten) {
+  ImportOptions options = simple(folder_);
+  options.files = {
+      {folder_.write("one.csv", "t,f,a\n0,1,3\n.01,2,-400\n"), {}}};
+  options.sensors[0].column = options.hammer.column;
+  options.sensors[0].channel = options.hammer.channel;
+  EXPECT_THROW(import_recordings(options), InputError);
+  EXPECT_FALSE(std::filesystem::exists(options.folder));
 }
 
 TEST_F(Csv, NamesColumnsThatAreZeroThroughout) {

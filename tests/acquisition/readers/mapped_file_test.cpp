@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
+#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
@@ -76,6 +78,18 @@ TEST(MappedFile, ThatBecomesShorterIsToldBeforeWhatIsWrongInIt) {
               std::string::npos)
         << error.what();
   }
+}
+
+TEST(MappedFile, ThatBecomesShorterIsToldWhateverWasThrown) {
+  const testing::TemporaryFolder folder;
+  const fs::path path = folder.write("a.uff", std::string(100'000, 'a'));
+  const MappedFile file(path);
+  const auto outside = [&file] {
+    return file.reading([] { return std::vector<int>().at(1); });
+  };
+  EXPECT_THROW((void)outside(), std::out_of_range);
+  fs::resize_file(path, 10);
+  EXPECT_THROW((void)outside(), InputError);
 }
 
 }  // namespace

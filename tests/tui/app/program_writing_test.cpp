@@ -36,6 +36,18 @@ TEST_F(Writing, AsksBeforeAFileIsReplaced) {
   }
 }
 
+// They are replaced with it.
+TEST_F(Writing, AsksBeforePicturesAreReplaced) {
+  std::filesystem::remove(file_);
+  std::filesystem::create_directory(folder_.path() / "r-files");
+  folder_.write("r-files/frf.svg", "mine");
+  std::filesystem::create_directory(folder_.path() / "r-2-files");
+  EXPECT_TRUE(holds(
+      answered(""),
+      "r-files/frf.svg is there: y replaces it, n writes r-3.md, Esc neither"));
+  EXPECT_TRUE(holds(answered("<Esc>\n"), "nothing written"));
+}
+
 TEST_F(Writing, AsksInTheWidthThatThereIs) {
   const auto file = folder_.write(std::string(60, 'x') + ".md", "older");
   const std::string seen =

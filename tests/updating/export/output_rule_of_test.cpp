@@ -45,6 +45,29 @@ TEST(OutputRuleOf, NamesAllThatATestReads) {
   EXPECT_FALSE(rule.is_input(folder.path() / "report.md"));
 }
 
+// One INCLUDE that is not there, or that is no deck, hides no other.
+TEST(OutputRuleOf, NamesTheIncludesOfADeckThatCannotBeRead) {
+  const testing::TemporaryFolder folder;
+  acquisition::TestBundle bundle;
+  bundle.folder = folder.path();
+  bundle.file = folder.write("test.json", "{}");
+  bundle.deck = folder.write("model.bdf",
+                             "INCLUDE 'gone.inc'\nINCLUDE 'text.inc'\n"
+                             "INCLUDE 'model.bdf'\nINCLUDE 'head.inc'\n");
+  folder.write("text.inc", "This is no deck, but a page of prose.\n");
+  folder.write("head.inc", "INCLUDE './sub/../tail.inc'\nINCLUDE 'open.inc\n");
+  folder.write("tail.inc", "INCLUDE 'head.inc'\n");
+  const acquisition::OutputRule rule = output_rule_of(bundle, true);
+  for (const char* name : {"gone.inc",
+                           "text.inc",
+                           "model.bdf",
+                           "head.inc",
+                           "tail.inc",
+                           "open.inc"}) {
+    EXPECT_TRUE(rule.is_input(folder.path() / name)) << name;
+  }
+}
+
 TEST(OutputRuleOf, AUniversalFileIsATestByItself) {
   const testing::TemporaryFolder folder;
   acquisition::TestBundle bundle;

@@ -5,6 +5,7 @@
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/virtual_test/made_files.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -85,9 +86,7 @@ TEST(VirtualBundle, SameSeedSameBytes) {
   longer.points = 5;
   (void)make_virtual_bundle(longer, again);
   longer.points = 4;
-  longer.overwrite = true;
-  (void)make_virtual_bundle(longer, again);
-  EXPECT_FALSE(fs::exists(again / "run-05.flac"));
+  (void)make_virtual_bundle(longer, again, {}, {{}, true});
   for (const char* file :
        {"test.json", "model.bdf", "truth.json", "run-01.flac", "run-04.flac"}) {
     EXPECT_EQ(bytes_of(first / file), bytes_of(again / file)) << file;
@@ -114,6 +113,43 @@ TEST(VirtualBundle, DriftTurnsEveryRunAnotherWay) {
             bytes_of(drifting / "run-02.flac"));
   EXPECT_NE(bytes_of(still / "run-03.flac"),
             bytes_of(drifting / "run-03.flac"));
+}
+
+// Whatever it is called, it may be somebody's.
+TEST(VirtualBundle, TakesNoFileAway) {
+  const fs::path folder = fresh_folder("others");
+  fs::create_directories(folder);
+  std::ofstream(folder / "run-05.flac") << "mine";
+  for (const bool force : {false, true}) {
+    (void)make_virtual_bundle(small_spec(), folder, {}, {{}, force});
+    EXPECT_EQ(bytes_of(folder / "run-05.flac"), "mine") << force;
+  }
+}
+
+TEST(VirtualBundle, KnowsItsFilesAsLongAsTheyAreAsTheyWere) {
+  const fs::path folder = fresh_folder("made");
+  EXPECT_TRUE(made_files(folder).empty());
+  (void)make_virtual_bundle(small_spec(), folder);
+  std::ofstream(folder / "run-05.flac") << "mine";
+  const auto knows = [&folder](const char* name) {
+    return acquisition::OutputRule{made_files(folder), true}.is_input(folder /
+                                                                      name);
+  };
+  for (const char* name :
+       {"test.json", "model.bdf", "truth.json", "run-01.flac", "run-04.flac"}) {
+    EXPECT_TRUE(knows(name)) << name;
+  }
+  EXPECT_FALSE(knows("run-05.flac"));
+  std::ofstream(folder / "run-02.flac") << "mine";
+  std::ofstream(folder / "test.json", std::ios::app) << ' ';
+  EXPECT_FALSE(knows("run-02.flac"));
+  EXPECT_FALSE(knows("test.json"));
+  EXPECT_TRUE(knows("run-01.flac"));
+  // Another's truth.json says nothing of this program's files.
+  std::string truth = bytes_of(folder / "truth.json");
+  truth.replace(truth.find("\"seed\": 5"), 9, "\"seed\": 6");
+  std::ofstream(folder / "truth.json") << truth;
+  EXPECT_TRUE(made_files(folder).empty());
 }
 
 TEST(VirtualBundle, RefusesToReplaceATest) {

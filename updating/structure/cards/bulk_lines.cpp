@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 #include <utility>
 
 namespace tapfit::structure {
@@ -69,19 +70,48 @@ bool next_line(std::istream& file, std::string& text) {
   return true;
 }
 
+// A long name goes on in the next lines; false where the file ends in it.
+bool complete_include(std::istream& file, std::string& text, int& number) {
+  for (std::string more; include_name(text) && ends_inside_quotes(text);) {
+    if (!next_line(file, more)) return false;
+    text += trimmed(more);
+    ++number;
+  }
+  return true;
+}
+
+// What a file asks for, whatever else is wrong with it; nothing where it cannot
+// be read.
+std::vector<std::string> names_included(const std::filesystem::path& path) {
+  std::vector<std::string> names;
+  std::ifstream file;
+  try {
+    file = acquisition::open_input(path, kMaxBytes);
+  } catch (const InputError&) {
+    return names;  // who needs the deck says what is wrong
+  }
+  std::string text;
+  for (int number = 1; next_line(file, text); ++number) {
+    if (number == 1) drop_byte_order_mark(text);
+    (void)complete_include(file, text, number);
+    std::optional<std::string> name = include_name(text);
+    if (name) names.push_back(std::move(*name));
+  }
+  return names;
+}
+
 /// A deck with its INCLUDE files inlined.
 struct RawDeck {
-  std::vector<std::filesystem::path> files;
+  std::size_t files = 0;  ///< read, each time one is asked for
   std::vector<RawLine> lines;
   std::uintmax_t bytes = 0;
-  MayOpen may_open = {};
 };
 
 // Opens a file of the deck, as long as there is no end of them.
 std::ifstream open_part(const std::filesystem::path& path,
                         const std::string& asked_by,
                         RawDeck& deck) {
-  if (deck.files.size() > kMaxIncludes + 1) {
+  if (deck.files > kMaxIncludes + 1) {
     throw InputError(
         fmt::format("more than {} INCLUDE files are asked for", kMaxIncludes),
         asked_by,
@@ -111,8 +141,7 @@ void read_file(const std::filesystem::path& path,
                const std::string& asked_by,
                std::size_t depth,
                RawDeck& deck) {
-  deck.files.push_back(path);
-  if (deck.may_open && !deck.may_open(path)) return;
+  ++deck.files;
   if (depth > kMaxDepth) {
     throw InputError("INCLUDE files include each other without end",
                      asked_by,
@@ -125,15 +154,10 @@ void read_file(const std::filesystem::path& path,
     if (number == 1) drop_byte_order_mark(text);
     const std::string where =
         fmt::format("{}:{}", path.filename().string(), number);
-    // A long name goes on in the next lines.
-    for (std::string more; include_name(text) && ends_inside_quotes(text);) {
-      if (!next_line(file, more)) {
-        throw InputError("the name of the INCLUDE file does not end",
-                         where,
-                         "Close the quotes.");
-      }
-      text += trimmed(more);
-      ++number;
+    if (!complete_include(file, text, number)) {
+      throw InputError("the name of the INCLUDE file does not end",
+                       where,
+                       "Close the quotes.");
     }
     const std::optional<std::string> name = include_name(text);
     if (name) {
@@ -245,14 +269,23 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
 
 std::vector<std::filesystem::path> deck_files(const std::filesystem::path& path,
                                               const MayOpen& may_open) {
-  RawDeck deck;
-  deck.may_open = may_open;
-  try {
-    read_file(path, path.parent_path(), path.string(), 0, deck);
-  } catch (const InputError&) {
-    // Those read so far are known; who needs the deck says what is wrong.
+  std::vector<std::filesystem::path> files;
+  std::set<std::filesystem::path> known;
+  const auto add = [&files, &known](const std::filesystem::path& file) {
+    std::error_code fault;
+    const auto whole = std::filesystem::weakly_canonical(
+        std::filesystem::absolute(file, fault), fault);
+    if (known.insert(fault ? file : whole).second) files.push_back(file);
+  };
+  add(path);
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const std::filesystem::path asks = files[k];
+    if (may_open && !may_open(asks)) continue;
+    for (std::string& name : names_included(asks)) {
+      add(included(asks, std::move(name), path.parent_path()));
+    }
   }
-  return std::move(deck.files);
+  return files;
 }
 
 }  // namespace tapfit::structure

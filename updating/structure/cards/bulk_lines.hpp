@@ -41,8 +41,9 @@ struct DeckLines {
 /// Which files of a deck are opened; all, where it is empty.
 using MayOpen = std::function<bool(const std::filesystem::path&)>;
 
-/// The deck and all that it includes, as far as that can be read and may be
-/// opened.
+/// The deck and all that it includes, each once, also where the deck cannot be
+/// read as a whole: files that are not there, and those that may not be opened,
+/// are named, too.
 [[nodiscard]] std::vector<std::filesystem::path> deck_files(
     const std::filesystem::path& path, const MayOpen& may_open = {});
 
