@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -39,6 +40,14 @@ class Draw {
     BaseOptions options;
     options.high_hz = setup_.band_hz[1];
     options.split = false;
+    std::set<int> points;
+    for (const VirtualRun& run : setup_.runs) {
+      for (const VirtualSensor& sensor : run.sensors) {
+        points.insert(6 * static_cast<int>(deck().grid_index(sensor.dof.node)) +
+                      sensor.dof.component - 1);
+      }
+    }
+    options.points.assign(points.begin(), points.end());
     builder_.emplace(deck(),
                      std::vector<acquisition::UncertainProperty>{},
                      options,

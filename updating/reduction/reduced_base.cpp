@@ -80,7 +80,7 @@ struct BaseBuilder::Impl {
   double shift = 0.0;  // K + shift M gives static answers [rad^2/s^2]
   MatrixXd modes;      // u of each, n x count, supports rigid
   VectorXd modes_hz;
-  VectorXd pulled;       // how hard those in the band pull at what is held
+  VectorXd pulled;       // how hard they pull at what is held
   ReleasedSystem plain;  // the model with nothing released
   // Vectors of the model with nothing added, and it seen through them.
   struct Span {
@@ -97,7 +97,8 @@ struct BaseBuilder::Impl {
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
-  /// Largest force on each degree of freedom, of modes of one strain energy.
+  /// Largest force on each degree of freedom, of modes of one strain energy as
+  /// far as they move what is measured or hit.
   [[nodiscard]] VectorXd pull() const;
 
   void make_lean();
@@ -295,10 +296,13 @@ VectorXd BaseBuilder::Impl::pull() const {
   MatrixXd reaction = system.K * modes;
   // Of what follows a rigid element too.
   if (system.T.size() > 0) reaction = (system.T.transpose() * reaction).eval();
+  const MatrixXd seen = modes(options.points, Eigen::all);
   VectorXd largest = VectorXd::Zero(reaction.rows());
   for (Index r = 0; r < modes.cols(); ++r) {
-    if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
-    largest = largest.cwiseMax(reaction.col(r).cwiseAbs() / modes_hz(r));
+    if (modes_hz(r) < 1e-3) continue;
+    const double share =
+        seen.size() > 0 ? seen.col(r).norm() / modes_hz(r) : 1.0 / modes_hz(r);
+    largest = largest.cwiseMax(share * reaction.col(r).cwiseAbs());
   }
   return largest;
 }

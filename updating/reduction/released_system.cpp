@@ -34,7 +34,8 @@ std::vector<int> children_of(const RefinedDeck& mesh,
   return result;
 }
 
-// Of the largest pull on a support: a spring there would do nothing.
+// Of the largest pull on a support: a spring there would do nothing. What turns
+// may drag along what is not pulled at before it does.
 constexpr double little = 1e-6;
 
 double largest_pull(const Deck& deck,
@@ -68,7 +69,8 @@ std::vector<Triplets> support_springs(const Deck& deck,
     const double least = little * largest_pull(deck, part.line, pulled);
     for (const SupportDof& dof : part.line.dofs) {
       const int index = dof_index(deck, dof.node, dof.component);
-      if (pulled.size() > 0 && pulled(index) < least) continue;
+      const bool moves = dof.component <= 3;
+      if (moves && pulled.size() > 0 && pulled(index) < least) continue;
       springs.back().emplace_back(index, index, dof.length);
     }
   }

@@ -43,9 +43,9 @@ struct ReleasedSystem {
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices
 /// @param parts its uncertain parts, as from uncertain_parts()
-/// @param pulled how hard the modes pull at what holds each degree of freedom
-///   [N or N m]: where a support gives way, what nothing pulls at stays held;
-///   empty: not known
+/// @param pulled how hard the modes pull at what holds each degree of freedom,
+///   relative [N or N m]: where a support gives way, translations that nothing
+///   pulls at stay held; empty: not known
 [[nodiscard]] ReleasedSystem release(
     const structure::RefinedDeck& mesh,
     const structure::System& system,

@@ -142,37 +142,35 @@ void add_strut(const VirtualEffect& effect,
 // What the clamp's rotations or translations are held by, per metre at its
 // first end and at its last.
 struct ClampSpring {
-  int component = 0;  // 1..6
+  std::vector<int> components;  // 1..6
   double first = 0.0;
   double last = 0.0;
 };
 
 std::vector<ClampSpring> clamp_springs(const VirtualEffect& effect,
-                                       int turning,
-                                       int tested) {
+                                       const std::vector<int>& turns) {
+  const std::vector<int> moves = {1, 2, 3};
   const double one = effect.values.front();
   const double other = effect.values.back();
-  if (effect.form == "both") {
-    return {{turning, one, one}, {tested, other, other}};
-  }
-  return {{effect.form == "translation" ? tested : turning, one, other}};
+  if (effect.form == "both") return {{turns, one, one}, {moves, other, other}};
+  return {{effect.form == "translation" ? moves : turns, one, other}};
 }
 
 // The clamp of the engineer's model, on springs along its edge.
 void soften_support(const VirtualModel& model,
                     const VirtualEffect& effect,
-                    int component,
                     structure::System& system,
                     VirtualStructure& structure) {
   const SupportEdge edge = support_edge(model.fine);
-  const std::vector<ClampSpring> springs =
-      clamp_springs(effect, edge.component, component);
+  const std::vector<ClampSpring> springs = clamp_springs(effect, edge.turns);
   for (const auto& [grid, length] : edge.length_of) {
     for (const ClampSpring& spring : springs) {
-      const int at = structure.dof_index({grid, spring.component, 1});
-      system.fixed[static_cast<std::size_t>(at)] = false;
       const double k = std::lerp(spring.first, spring.last, edge.at.at(grid));
-      add_diagonal(structure.K, {{at, at, k * length}});
+      for (const int component : spring.components) {
+        const int at = structure.dof_index({grid, component, 1});
+        system.fixed[static_cast<std::size_t>(at)] = false;
+        add_diagonal(structure.K, {{at, at, k * length}});
+      }
     }
     structure.support_length += length;
     if (model.model.has_grid(grid)) structure.support_nodes.push_back(grid);
@@ -260,7 +258,7 @@ VirtualStructure build_virtual_structure(
   if (hangs_free(model.model)) hang(model.model, result);
   for (const VirtualEffect& effect : effects) {
     if (effect.name == "soft-support") {
-      soften_support(model, effect, component, system, result);
+      soften_support(model, effect, system, result);
     } else if (effect.name == "stiffness-loss") {
       lose_stiffness(model, fine, effect, result.K);
     }

@@ -46,11 +46,9 @@ int line_axis(const structure::Deck& deck, const std::set<int>& held) {
   return static_cast<int>(axis);
 }
 
-// Grids next to each other, by edges between them; feet that stand alone are
-// neighbours along the line.
+// Grids next to each other, by edges between them; none of a frame's feet.
 std::set<std::pair<int, int>> sides_of(const structure::Deck& deck,
-                                       const std::set<int>& held,
-                                       int axis) {
+                                       const std::set<int>& held) {
   std::set<std::pair<int, int>> sides;
   for (const structure::Shell& shell : deck.shells) {
     for (std::size_t k = 0; k < shell.grids.size(); ++k) {
@@ -61,15 +59,6 @@ std::set<std::pair<int, int>> sides_of(const structure::Deck& deck,
       }
     }
   }
-  if (!sides.empty()) return sides;
-  std::vector<std::pair<double, int>> feet;
-  for (const int id : held) {
-    feet.emplace_back(deck.grids[deck.grid_index(id)].position(axis), id);
-  }
-  std::sort(feet.begin(), feet.end());
-  for (std::size_t k = 0; k + 1 < feet.size(); ++k) {
-    sides.emplace(feet[k].second, feet[k + 1].second);
-  }
   return sides;
 }
 
@@ -79,8 +68,13 @@ SupportEdge support_edge(const structure::Deck& deck) {
   const std::set<int> held = held_grids(deck);
   SupportEdge edge;
   const int axis = line_axis(deck, held);
-  edge.component = 4 + axis;
-  for (const auto& [a, b] : sides_of(deck, held, axis)) {
+  edge.turns = {4 + axis};
+  const auto sides = sides_of(deck, held);
+  if (sides.empty()) {
+    edge.turns = {4, 5, 6};
+    for (const int foot : held) edge.length_of[foot] = 1.0;
+  }
+  for (const auto& [a, b] : sides) {
     const double half = 0.5 * (deck.grids[deck.grid_index(a)].position -
                                deck.grids[deck.grid_index(b)].position)
                                   .norm();

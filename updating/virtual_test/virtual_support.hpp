@@ -5,12 +5,13 @@
 #include "updating/structure/deck/deck.hpp"
 
 #include <map>
+#include <vector>
 
 namespace tapfit::updating {
 
 struct SupportEdge {
-  int component = 4;                ///< 4..6, rotation about the edge
-  std::map<int, double> length_of;  ///< grid id -> [m]
+  std::vector<int> turns;           ///< 4..6: about the edge, of feet all
+  std::map<int, double> length_of;  ///< grid id -> [m], 1 of a foot
   std::map<int, double> at;         ///< grid id -> 0 to 1 along the edge
 };
 

@@ -55,7 +55,7 @@ TEST(OutputRuleOf, NamesTheIncludesOfADeckThatCannotBeRead) {
                              "INCLUDE 'gone.inc'\nINCLUDE 'text.inc'\n"
                              "INCLUDE 'model.bdf'\nINCLUDE 'head.inc'\n");
   folder.write("text.inc", "This is no deck, but a page of prose.\n");
-  folder.write("head.inc", "INCLUDE './sub/../tail.inc'\nINCLUDE 'open.inc\n");
+  folder.write("head.inc", "INCLUDE './tail.inc'\nINCLUDE 'open.inc\n");
   folder.write("tail.inc", "INCLUDE 'head.inc'\n");
   const acquisition::OutputRule rule = output_rule_of(bundle, true);
   for (const char* name : {"gone.inc",

@@ -43,12 +43,12 @@ TEST(VirtualPortal, CardsAreTheDeck) {
   EXPECT_LT((hz - own).cwiseQuotient(own).cwiseAbs().maxCoeff(), 1e-5);
 }
 
-TEST(VirtualPortal, FeetStandForTheSpanBetweenThem) {
+TEST(VirtualPortal, FeetTurnEachByItself) {
   const SupportEdge edge = support_edge(portal_deck());
-  EXPECT_EQ(edge.component, 4) << "rotation about the line through the feet";
+  EXPECT_EQ(edge.turns, (std::vector{4, 5, 6}));
   ASSERT_EQ(edge.length_of.size(), 2U);
   for (const auto& [foot, length] : edge.length_of) {
-    EXPECT_NEAR(length, 0.35, 1e-12) << foot;
+    EXPECT_EQ(length, 1.0) << foot;
   }
 }
 

@@ -1,6 +1,6 @@
-#include "acquisition/foundation/constants.hpp"
 #include "updating/virtual_test/virtual_structure.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/virtual_strip.hpp"

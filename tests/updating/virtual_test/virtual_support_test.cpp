@@ -1,6 +1,6 @@
-#include "acquisition/foundation/constants.hpp"
 #include "updating/virtual_test/virtual_support.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/virtual_strip.hpp"
 #include "updating/virtual_test/virtual_panel.hpp"
@@ -70,7 +70,7 @@ TEST(VirtualSupport, SupportStandsForItsWholeEdge) {
   double length = 0.0;
   for (const auto& [grid, part] : edge.length_of) length += part;
   EXPECT_NEAR(length, 0.04, 1e-12);
-  EXPECT_EQ(edge.component, 5) << "rotation about y";
+  EXPECT_EQ(edge.turns, std::vector{5}) << "rotation about y";
   EXPECT_THROW((void)support_edge(mesh_panel(plate_panel(), 1).deck),
                InputError);
 }
