@@ -61,7 +61,8 @@ Fit fit_one(const Fit& current,
              : fitter.fit(effects, model, progress);
 }
 
-// The same for each of several.
+// The same for each of several; those that end at what there is not are left
+// out.
 //
 // @param shared one base for all of them; empty: each gets its own
 // @param beside a fit of the same at a place beside, from which they go on
@@ -76,6 +77,9 @@ std::vector<Hypothesis> fit_each(const Fit& current,
   const Progress quiet{{}, progress.stop};
   for_each_parallel(extras.size(), [&](std::size_t k) {
     result[k].fit = fit_one(current, extras[k], fitter, shared, quiet, beside);
+  });
+  std::erase_if(result, [](const Hypothesis& h) {
+    return !h.own().effect->is_plausible(h.own().where, h.own().p);
   });
   return result;
 }

@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+
 namespace tapfit::effects {
 
 namespace {
@@ -31,6 +33,17 @@ std::vector<ParameterSpec> AddedMass::parameters(const Where& where,
     specs.push_back({"inertia_kg_m2", J, 1e-2 * J, 1e2 * J});
   }
   return specs;
+}
+
+// J = m r^2. An inertia alone, at next to no mass, is what the shear does that a
+// bar's deck lacks.
+bool AddedMass::is_plausible(const Where& where,
+                             const std::vector<double>& p) const {
+  if (!is_rotary(where)) return true;
+  constexpr double light = 1000.0;  // kg/m^3, as plastic
+  constexpr double sides = 2.0;
+  const double radius = sides * std::cbrt(p[0] / light);
+  return p[1] <= p[0] * radius * radius;
 }
 
 std::vector<ActedDof> AddedMass::acts_on(const Where& where,

@@ -20,6 +20,9 @@ class AddedMass final : public PointEffect {
   }
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
+  /// Where it turns, not farther out than twice the side of a cube of plastic.
+  [[nodiscard]] bool is_plausible(const Where& where,
+                                  const std::vector<double>& p) const override;
   [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
                                               const Setting& setting,
                                               std::size_t run) const override;

@@ -112,6 +112,13 @@ class Effect {
   [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const = 0;
 
+  /// Whether there are things of these sizes: each may be within its bounds and
+  /// the two be none.
+  [[nodiscard]] virtual bool is_plausible(
+      const Where& /*where*/, const std::vector<double>& /*p*/) const {
+    return true;
+  }
+
   /// Degrees of freedom it acts on while one run is measured (a sensor's mass
   /// moves with the sensor). Empty for Entry::Measurement and Entry::Damping.
   [[nodiscard]] virtual std::vector<ActedDof> acts_on(
