@@ -105,7 +105,8 @@ struct BaseBuilder::Impl {
   [[nodiscard]] ReducedBase extend(const Span& span,
                                    const MatrixXd& extra,
                                    const ReleasedSystem& released) const;
-  [[nodiscard]] MatrixXd needed(const ReleasedSystem& released,
+  [[nodiscard]] MatrixXd needed(const Span& span,
+                                const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
@@ -399,8 +400,9 @@ ReducedBase BaseBuilder::Impl::extend(const Span& span,
   return base;
 }
 
-// What the fixed basis lacks, as columns over the released dofs.
-MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
+// What a fixed basis lacks, as columns over the released dofs.
+MatrixXd BaseBuilder::Impl::needed(const Span& span,
+                                   const ReleasedSystem& released,
                                    const std::vector<StiffnessChange>& changes,
                                    const std::vector<int>& fresh) const {
   const auto padded = [&released](const MatrixXd& block) {
@@ -408,9 +410,9 @@ MatrixXd BaseBuilder::Impl::needed(const ReleasedSystem& released,
     whole.topRows(block.rows()) = block;
     return whole;
   };
-  const VectorXd stiffness = wide.base.K.diagonal();
+  const VectorXd stiffness = span.base.K.diagonal();
   const HeldBase held = {
-      system, motions, *answers, wide.V, stiffness, shift, options.high_hz};
+      system, motions, *answers, span.V, stiffness, shift, options.high_hz};
   std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
@@ -447,7 +449,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base =
-      m.extend(span, m.needed(released, changes, fresh), released);
+      m.extend(span, m.needed(span, released, changes, fresh), released);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

@@ -1,12 +1,14 @@
 #include "updating/reduction/lean_span.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/catalogue/catalogue.hpp"
 #include "updating/frf_model/acted_points.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>
 
+#include <tuple>
 #include <vector>
 
 namespace tapfit::updating {
@@ -53,6 +55,46 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
     const Eigen::MatrixXcd lean = respond(BaseUse::Fit, factor);
     // A hundredth of the scatter of a careful test.
     EXPECT_LT((lean - whole).norm(), 1e-4 * whole.norm()) << factor[0];
+  }
+}
+
+// What gives way, from next to nothing to all of it, at changed properties,
+// too.
+TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
+  const effects::Setting setting = support::plate_setting(bundle_, deck_);
+  const BaseBuilder builder(deck_,
+                            bundle_.uncertain,
+                            support::plate_base(bundle_, deck_),
+                            Progress{});
+  Where patch;
+  patch.elements = {12, 13, 14, 22, 23, 24};
+  Where line;
+  line.nodes = {5, 16, 27, 38, 49};
+  Where clamp;
+  clamp.nodes = {1, 12, 23, 34, 45};
+  clamp.variant = "rotation";
+  for (const auto& [name, kind, where] :
+       {std::tuple{"stiffness-loss", ChangeKind::Elements, patch},
+        std::tuple{"joint", ChangeKind::Joint, line},
+        std::tuple{"soft-support", ChangeKind::Support, clamp}}) {
+    const StiffnessChange change{kind, {name, where}, setting.component};
+    const auto respond_to = [&](BaseUse use, double p) {
+      const FrfModel model(builder.build({}, {change}, use),
+                           setting,
+                           support::plate_pairs(bundle_, s_));
+      ModelState state;
+      state.factor = {1.2, 0.8, 1.1, 0.95};
+      state.effects = {{&effects::find(name), where, {p}}};
+      return model.respond(state, s_, false).H;
+    };
+    const StiffnessTerm term =
+        builder.build({}, {change}, BaseUse::Fit).terms.front();
+    for (const double p : {term.lower, term.start, 0.9 * term.upper}) {
+      const Eigen::MatrixXcd whole = respond_to(BaseUse::Scan, p);
+      const Eigen::MatrixXcd lean = respond_to(BaseUse::Fit, p);
+      // What loss_modes() is good to.
+      EXPECT_LT((lean - whole).norm(), 5e-4 * whole.norm()) << name << ' ' << p;
+    }
   }
 }
 
