@@ -31,11 +31,12 @@ std::string capitalised(std::string text) {
 std::string against_floor(const updating::Comparison& now) {
   const std::string floor = percent(now.floor);
   if (now.error <= now.floor) {
-    return fmt::format("below what repeatability, mesh and form can resolve ({})",
-                       floor);
+    return fmt::format(
+        "below what repeatability, mesh and form can resolve ({})", floor);
   }
   if (now.error <= updating::at_floor * now.floor) {
-    return fmt::format("as far as repeatability, mesh and form allow ({})", floor);
+    return fmt::format("as far as repeatability, mesh and form allow ({})",
+                       floor);
   }
   return fmt::format("{} times what repeatability, mesh and form allow ({})",
                      number(now.error / now.floor, 2),

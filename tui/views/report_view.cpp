@@ -95,13 +95,12 @@ void write_diagnoses(Sheet& sheet, const ReportInput& input) {
 
 void write_verdict(Sheet& sheet, const ReportInput& input) {
   sheet.heading("Verdict");
-  sheet.line(
-      fmt::format("model now: error {} → {}, floor {} ({})",
-                  percent(input.base.error),
-                  percent(input.current.error),
-                  percent(input.current.floor),
-                  floor_words(input.current)),
-      {.bold = true});
+  sheet.line(fmt::format("model now: error {} → {}, floor {} ({})",
+                         percent(input.base.error),
+                         percent(input.current.error),
+                         percent(input.current.floor),
+                         floor_words(input.current)),
+             {.bold = true});
   write_diagnoses(sheet, input);
   sheet.paragraph(contour_words(input.current.contour),
                   {.colour = Colour::Grey});

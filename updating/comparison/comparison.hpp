@@ -41,7 +41,7 @@ struct BandError {
 };
 
 struct Comparison {
-  double error = 0.0;        ///< relative FRF error on the comparison line
+  double error = 0.0;  ///< relative FRF error on the comparison line
   /// What repeatability, mesh and form of the deck allow.
   double floor = 0.0;
   double floor_noise = 0.0;  ///< from the scatter over hits

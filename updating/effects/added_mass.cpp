@@ -35,8 +35,8 @@ std::vector<ParameterSpec> AddedMass::parameters(const Where& where,
   return specs;
 }
 
-// J = m r^2. An inertia alone, at next to no mass, is what the shear does that a
-// bar's deck lacks.
+// J = m r^2. An inertia alone, at next to no mass, is what the shear does that
+// a bar's deck lacks.
 bool AddedMass::is_plausible(const Where& where,
                              const std::vector<double>& p) const {
   if (!is_rotary(where)) return true;

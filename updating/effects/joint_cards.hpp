@@ -20,8 +20,8 @@
 
 namespace tapfit::effects {
 
-/// 1..3: the direction across which a joint's bar turns, the one mostly measured
-/// or, where the bar lies along it, another.
+/// 1..3: the direction across which a joint's bar turns, the one mostly
+/// measured or, where the bar lies along it, another.
 [[nodiscard]] int turned_across(const updating::Where& where,
                                 const Setting& setting);
 

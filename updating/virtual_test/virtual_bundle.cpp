@@ -1,7 +1,6 @@
 #include "updating/virtual_test/virtual_bundle.hpp"
 
 #include "acquisition/bundle/write_test_bundle.hpp"
-#include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/readers/audio_file.hpp"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
 namespace tapfit::updating {

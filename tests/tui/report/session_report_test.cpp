@@ -76,7 +76,8 @@ TEST(VerdictSentence, NamesWhatIsMissingAndTheErrors) {
       verdict,
       "An added mass (node 5) and a spring to ground (node 6) explain where "
       "model and measurement differ: with them, the error of the FRFs "
-      "falls from 38.8 % to 0.01 %, below what repeatability, mesh and form can "
+      "falls from 38.8 % to 0.01 %, below what repeatability, mesh and form "
+      "can "
       "resolve (3.1 %).");
 }
 

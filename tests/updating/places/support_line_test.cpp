@@ -39,8 +39,7 @@ TEST(SupportLine, WhatIsFreedIsAllThatIsHeldSo) {
   const std::vector<int> nodes = {1, 12, 23, 34, 45};
   const structure::Deck deck = held_at(nodes);
   const auto count = [&](const std::string& variant) {
-    const std::vector<SupportPart> parts =
-        support_parts(deck, nodes, variant);
+    const std::vector<SupportPart> parts = support_parts(deck, nodes, variant);
     return parts.size() == 1 ? parts.front().line.dofs.size() : 0U;
   };
   EXPECT_EQ(count("free"), 30U);
