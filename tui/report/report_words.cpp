@@ -120,6 +120,7 @@ std::string place_words(const updating::Where& where) {
   if (variant == "rotary") variant = "with rotary inertia";
   if (is_direction(where)) variant = "along " + variant;
   if (variant == "both") variant = "rotation and translation";
+  if (variant == "face") variant = "over its face";
   if (variant.empty()) return text;
   return text + (text.empty() ? "" : "; ") + variant;
 }

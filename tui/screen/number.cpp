@@ -72,9 +72,10 @@ std::string with_sd(double value, double sd, int digits) {
 
 NameAndUnit split_unit(std::string_view name) {
   using Pair = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Pair, 11> endings{{
+  static constexpr std::array<Pair, 12> endings{{
       {"_nm_per_rad_per_m", "N m/rad/m"},
       {"_n_per_m_per_m", "N/m/m"},
+      {"_n_per_m3", "N/m³"},
       {"_nm_per_rad", "N m/rad"},
       {"_ns_per_m", "N s/m"},
       {"_n_per_m", "N/m"},
@@ -114,8 +115,9 @@ std::string place(const updating::Where& where) {
   if (where.variant.empty()) return updating::describe(where);
   updating::Where plain = where;
   plain.variant.clear();
-  const std::string form =
-      where.variant == "both" ? "rotation and translation" : where.variant;
+  std::string form = where.variant;
+  if (form == "both") form = "rotation and translation";
+  if (form == "face") form = "over its face";
   return form + ", " + updating::describe(plain);
 }
 

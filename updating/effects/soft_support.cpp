@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace tapfit::effects {
 namespace {
@@ -17,14 +18,33 @@ std::vector<updating::SupportPart> parts_of(const Where& where,
   return updating::support_parts(*setting.deck, where.nodes, where.variant);
 }
 
-std::string total_name(const updating::SupportPart& part) {
-  return part.rotation ? "rotational_stiffness_nm_per_rad"
-                       : "translational_stiffness_n_per_m";
+using updating::SupportMotion;
+
+std::string total_name(SupportMotion motion) {
+  return motion == SupportMotion::Translation
+             ? "translational_stiffness_n_per_m"
+             : "rotational_stiffness_nm_per_rad";
+}
+
+std::string parameter_name(const updating::SupportPart& part) {
+  if (part.motion == SupportMotion::Face) return "bed_stiffness_n_per_m3";
+  const std::string name = total_name(part.motion) + "_per_m";
+  return part.end == 0 ? name : fmt::format("{}.{}", name, part.end);
+}
+
+// Of a face along one axis [m^2].
+double area_of(const updating::SupportPart& face) {
+  double area = 0.0;
+  for (const updating::SupportDof& dof : face.line.dofs) {
+    if (dof.component == 1 && dof.with == 0) area += dof.length;
+  }
+  return area;
 }
 
 struct Spring {
   int node = 0;
   int component = 0;  // 1..6
+  int with = 0;       // 0: to ground
   double stiffness = 0.0;
 };
 
@@ -35,12 +55,14 @@ std::vector<Spring> springs_of(const std::vector<updating::SupportPart>& parts,
   for (std::size_t k = 0; k < parts.size(); ++k) {
     for (const updating::SupportDof& dof : parts[k].line.dofs) {
       const auto known = std::ranges::find_if(springs, [&dof](const Spring& s) {
-        return s.node == dof.node && s.component == dof.component;
+        return s.node == dof.node && s.component == dof.component &&
+               s.with == dof.with;
       });
       if (known != springs.end()) {
         known->stiffness += p[k] * dof.length;
       } else {
-        springs.push_back({dof.node, dof.component, p[k] * dof.length});
+        springs.push_back(
+            {dof.node, dof.component, dof.with, p[k] * dof.length});
       }
     }
   }
@@ -73,13 +95,14 @@ std::vector<Where> SoftSupport::places(const Setting& setting) const {
 }
 
 std::vector<std::string> SoftSupport::forms() const {
-  return {"both", "rotation-varying", "translation-varying"};
+  return {"face", "both", "rotation-varying", "translation-varying"};
 }
 
 bool SoftSupport::takes(const std::string& form,
                         const Where& place,
                         const Setting& setting) const {
-  if (form != "both" && !form.starts_with(place.variant)) return false;
+  const bool any = form == "both" || form == "face";
+  if (!any && !form.starts_with(place.variant)) return false;
   Where where = place;
   where.variant = form;
   return !parts_of(where, setting).empty();
@@ -93,13 +116,15 @@ std::vector<ParameterSpec> SoftSupport::parameters(
   const double high = 2.0 * std::numbers::pi * setting.high_hz;
   std::vector<ParameterSpec> specs;
   for (const updating::SupportPart& part : parts_of(where, setting)) {
-    const double size = part.rotation ? 0.1 : 1.0;
-    const double per_length = setting.mass_kg * size / part.line.length;
+    const bool is_face = part.motion == SupportMotion::Face;
+    // A face gives in its turn first.
+    const double held = is_face ? part.turn : part.line.length;
+    const double size = part.motion == SupportMotion::Translation ? 1.0 : 0.1;
+    const double per_length = setting.mass_kg * size / held;
     const double lower = 1e-2 * low * low * per_length;
     const double upper = 1e4 * high * high * per_length;
-    std::string name = total_name(part) + "_per_m";
-    if (part.end != 0) name += fmt::format(".{}", part.end);
-    specs.push_back({name, std::sqrt(lower * upper), lower, upper});
+    specs.push_back(
+        {parameter_name(part), std::sqrt(lower * upper), lower, upper});
   }
   return specs;
 }
@@ -108,12 +133,24 @@ std::vector<Effect::Derived> SoftSupport::derived(
     const Where& where, const Setting& setting) const {
   std::vector<Derived> totals;
   const std::vector<updating::SupportPart> parts = parts_of(where, setting);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const std::string name = total_name(parts[k]);
+  const auto add = [&](const std::string& name, std::size_t k, double factor) {
     if (totals.empty() || totals.back().name != name) {
       totals.push_back({name, std::vector<double>(parts.size(), 0.0)});
     }
-    totals.back().factors[k] = parts[k].line.length;
+    totals.back().factors[k] = factor;
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const updating::SupportPart& part = parts[k];
+    if (part.motion != SupportMotion::Face) {
+      add(total_name(part.motion), k, part.line.length);
+      continue;
+    }
+    for (const auto& [motion, whole] :
+         {std::pair{SupportMotion::Rotation, part.turn},
+          std::pair{SupportMotion::Translation, area_of(part)}}) {
+      add(total_name(motion), k, whole);
+      add(total_name(motion) + "_per_m", k, whole / part.line.length);
+    }
   }
   return totals;
 }
@@ -124,6 +161,7 @@ std::vector<structure::Constraint> SoftSupport::released(
   const std::vector<updating::SupportPart> parts = parts_of(where, setting);
   for (const Spring& spring :
        springs_of(parts, std::vector<double>(parts.size(), 1.0))) {
+    if (spring.with != 0) continue;
     const auto own =
         card_component(*setting.deck, spring.node, spring.component);
     if (own) result.push_back({spring.node, std::to_string(*own)});
@@ -137,8 +175,17 @@ std::vector<std::string> SoftSupport::bulk_data(
     const std::vector<double>& p) const {
   std::vector<std::string> cards;
   int offset = 0;
-  for (const auto& [node, component, stiffness] :
+  const auto append = [&](const std::vector<std::string>& more) {
+    cards.insert(cards.end(), more.begin(), more.end());
+    offset += static_cast<int>(more.size());
+  };
+  for (const auto& [node, component, with, stiffness] :
        springs_of(parts_of(where, setting), p)) {
+    if (with != 0) {
+      append(structure::coupling_spring_cards(
+          *setting.deck, offset, node, {component, with}, stiffness));
+      continue;
+    }
     if (!card_component(*setting.deck, node, component)) {
       cards.push_back(fmt::format(
           "$ grid {}: no component along its axes (CD) is the one released; "
@@ -149,9 +196,8 @@ std::vector<std::string> SoftSupport::bulk_data(
           component));
       continue;
     }
-    const std::vector<std::string> spring = ground_spring_cards(
-        *setting.deck, offset++, node, component, stiffness);
-    cards.insert(cards.end(), spring.begin(), spring.end());
+    append(
+        ground_spring_cards(*setting.deck, offset, node, component, stiffness));
   }
   return cards;
 }

@@ -1,7 +1,7 @@
 // A support that gives way: the constrained rotation (about the clamp's line)
 // or translation is released and held by springs, k per metre of clamp. Its
-// forms have both, or a k that runs linearly from one end of the line to the
-// other.
+// forms have both, a k that runs linearly from one end of the line to the
+// other, or one k per area of the face (support_face.hpp).
 #pragma once
 
 #include "updating/effects/stiffness_effect.hpp"

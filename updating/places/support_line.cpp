@@ -1,11 +1,14 @@
 #include "updating/places/support_line.hpp"
 
+#include "updating/places/support_face.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -203,8 +206,8 @@ SupportLine support_line(const Deck& deck,
 namespace {
 
 // The share of a line that goes with the stiffness at one of its ends.
-SupportPart towards(const SupportLine& line, bool rotation, bool last) {
-  SupportPart part{rotation, 0, {}};
+SupportPart towards(const SupportLine& line, SupportMotion motion, bool last) {
+  SupportPart part{motion, 0, {}};
   part.line.straight = line.straight;
   part.end = last ? line.dofs.back().node : line.dofs.front().node;
   for (SupportDof dof : line.dofs) {
@@ -237,7 +240,10 @@ std::vector<SupportPart> freed_part(const Deck& deck,
   const ConstraintAxes held = structure::constraint_axes(deck);
   // All three of a kind are all that is held so, along whatever axes.
   const bool any_axes = components.size() > 1;
-  SupportPart part{components.front() > 3, 0, {}};
+  SupportPart part{components.front() > 3 ? SupportMotion::Rotation
+                                          : SupportMotion::Translation,
+                   0,
+                   {}};
   part.line.length = 1.0;
   const double share = 1.0 / static_cast<double>(nodes.size());
   for (const int node : nodes) {
@@ -252,6 +258,48 @@ std::vector<SupportPart> freed_part(const Deck& deck,
     }
   }
   if (part.line.dofs.empty()) return {};
+  return {part};
+}
+
+// About the line of a support, else where it is least.
+double turn_of(const std::vector<SupportDof>& face, const SupportLine& turns) {
+  std::map<int, double> sums;
+  for (const SupportDof& turn : turns.dofs) sums[turn.component] = 0.0;
+  for (const SupportDof& dof : face) {
+    const auto sum = sums.find(dof.component);
+    if (dof.with == 0 && sum != sums.end()) sum->second += dof.length;
+  }
+  std::erase_if(sums, [](const auto& sum) { return sum.second <= 0.0; });
+  const auto least =
+      std::ranges::min_element(sums, {}, &std::pair<const int, double>::second);
+  return least == sums.end() ? 0.0 : least->second;
+}
+
+// What is held of a face; none where a grid of it turns freely, or is held
+// along turned axes.
+std::vector<SupportPart> face_part(const Deck& deck,
+                                   const std::vector<int>& nodes) {
+  // What two halves of an edge cancel to [m^2].
+  constexpr double rounding = 1e-15;
+  const ConstraintAxes held = structure::constraint_axes(deck);
+  SupportPart part{SupportMotion::Face, 0, support_line(deck, nodes, true)};
+  std::vector<SupportDof> face;
+  for (const auto& [node, S] : support_face(deck, nodes)) {
+    for (int a = 1; a <= 6; ++a) {
+      if (S(a - 1, a - 1) <= 0.0) continue;
+      if (!holds(held, node, a)) return {};
+      face.push_back({node, a, S(a - 1, a - 1)});
+      for (int b = a + 1; b <= 6; ++b) {
+        const double coupled = S(a - 1, b - 1);
+        if (std::abs(coupled) <= rounding * S.diagonal().maxCoeff()) continue;
+        if (!deck.grids[deck.grid_index(node)].axes.isIdentity()) return {};
+        face.push_back({node, a, coupled, 0.0, false, b});
+      }
+    }
+  }
+  part.turn = turn_of(face, part.line);
+  part.line.dofs = std::move(face);
+  if (part.turn <= 0.0) return {};
   return {part};
 }
 
@@ -278,20 +326,23 @@ std::vector<SupportPart> support_parts(const Deck& deck,
   if (freed != all_freed().end()) {
     return freed_part(deck, nodes, freed->components);
   }
+  if (variant == "face") return face_part(deck, nodes);
   std::vector<SupportPart> parts;
-  for (const bool rotation : {true, false}) {
+  for (const SupportMotion motion :
+       {SupportMotion::Rotation, SupportMotion::Translation}) {
+    const bool rotation = motion == SupportMotion::Rotation;
     const std::string kind = rotation ? "rotation" : "translation";
     if (variant != "both" && !variant.starts_with(kind)) continue;
     const SupportLine line = support_line(deck, nodes, rotation);
     if (line.dofs.empty()) return {};
     if (!variant.ends_with("-varying")) {
-      parts.push_back({rotation, 0, line});
+      parts.push_back({motion, 0, line});
       continue;
     }
     // One grid alone says nothing of how it goes on.
     if (line.dofs.front().at == line.dofs.back().at) return {};
     for (const bool last : {false, true}) {
-      parts.push_back(towards(line, rotation, last));
+      parts.push_back(towards(line, motion, last));
     }
   }
   return parts;

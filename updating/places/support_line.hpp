@@ -18,6 +18,7 @@ struct SupportDof {
   double length = 0.0;    ///< [m]; 1 / number of grids where there is no line
   double at = 0.0;        ///< 0 to 1 along the line; 0 where there is none
   bool own_axes = false;  ///< component along the grid's own (turned) axes
+  int with = 0;           ///< component of the grid that it is coupled with
 };
 
 struct SupportLine {
@@ -45,18 +46,24 @@ struct SupportLine {
                                        const std::vector<int>& nodes,
                                        bool rotation);
 
+enum class SupportMotion { Rotation, Translation, Face };
+
 /// What one stiffness of a support holds.
 struct SupportPart {
-  bool rotation = true;
+  SupportMotion motion = SupportMotion::Rotation;
   int end = 0;       ///< grid at whose end of the line it is the stiffness; 0:
                      ///< all along
-  SupportLine line;  ///< lengths times this stiffness' share in each
+  SupportLine line;  ///< lengths times this stiffness' share in each; of a
+                     ///< face [m^2, m^3, m^4] of one per area
+  double turn =
+      0.0;  ///< of a face about its line, else where it is least [m^4]
 };
 
 /// The stiffnesses of a soft support: "rotation" and "translation" have one
 /// each, "both" has these two. "rotation-varying" and "translation-varying"
 /// run linearly along the line, from the stiffness at its first end (of the
-/// smallest coordinate) to that at its last.
+/// smallest coordinate) to that at its last. "face" is one per area of the face
+/// (support_face.hpp).
 ///
 /// @return none where the support does not hold what the variant asks for, or
 ///   where there is no line to vary along

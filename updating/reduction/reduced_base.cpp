@@ -325,14 +325,13 @@ ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
     reaction.topRows(system.dofs()) =
         (system.T.transpose() * reaction.topRows(system.dofs())).eval();
   }
+  const VectorXd held = own.S.diagonal();
   double worst = 0.0;
   for (Index r = 0; r < modes.cols(); ++r) {
     if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
     double sum = 0.0;
-    for (Index k = 0; k < own.S.outerSize(); ++k) {
-      for (SparseMatrix::InnerIterator it(own.S, k); it; ++it) {
-        sum += std::pow(reaction(it.row(), r), 2) / length(it.row());
-      }
+    for (Index k = 0; k < held.size(); ++k) {
+      if (held(k) > 0.0) sum += std::pow(reaction(k, r), 2) / length(k);
     }
     worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
   }

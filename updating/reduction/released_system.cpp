@@ -44,6 +44,7 @@ double largest_pull(const Deck& deck,
   double largest = 0.0;
   if (pulled.size() == 0) return largest;
   for (const SupportDof& dof : line.dofs) {
+    if (dof.component > 3) continue;
     largest =
         std::max(largest, pulled(dof_index(deck, dof.node, dof.component)));
   }
@@ -67,11 +68,20 @@ std::vector<Triplets> support_springs(const Deck& deck,
   for (const SupportPart& part : support_parts(deck, nodes, where.variant)) {
     springs.emplace_back();
     const double least = little * largest_pull(deck, part.line, pulled);
+    const auto stays = [&](int component, int index) {
+      return component <= 3 && pulled.size() > 0 && pulled(index) < least;
+    };
     for (const SupportDof& dof : part.line.dofs) {
       const int index = dof_index(deck, dof.node, dof.component);
-      const bool moves = dof.component <= 3;
-      if (moves && pulled.size() > 0 && pulled(index) < least) continue;
-      springs.back().emplace_back(index, index, dof.length);
+      if (stays(dof.component, index)) continue;
+      if (dof.with == 0) {
+        springs.back().emplace_back(index, index, dof.length);
+        continue;
+      }
+      const int other = dof_index(deck, dof.node, dof.with);
+      if (stays(dof.with, other)) continue;
+      springs.back().emplace_back(index, other, dof.length);
+      springs.back().emplace_back(other, index, dof.length);
     }
   }
   return springs;

@@ -235,6 +235,7 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
   for (const char* form : {"rotation",
                            "translation",
                            "both",
+                           "face",
                            "rotation-varying",
                            "translation-varying"}) {
     soft.where.variant = form;
@@ -256,6 +257,30 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
     EXPECT_LT(difference(frfs(*model_of(held->deck, true), {soft}),
                          frfs(*model_of(sprung->deck, true), {})),
               1e-5);
+  }
+}
+
+// A rib on the plate, as beams 6 mm above its grids: its section couples what
+// turns and what moves.
+TEST_F(DeckEffects, SoftFaceWithARibReadBackGivesTheSameFrfs) {
+  const auto held = model_of(structure::deck_of(plate_cards(
+      "SPC1,1,123456,1,12,23,34,45\nPBAR,7,1,4.-5,2.-10,3.-10,4.-10\n"
+      "CBAR,801,7,23,24,0.,0.,1.\n,,,0.,0.,.006,0.,0.,.006\n"
+      "CBAR,802,7,24,25,0.,0.,1.\n,,,0.,0.,.006,0.,0.,.006\n")));
+  PlacedEffect soft{&effects::find("soft-support"), {}, {1.0}};
+  for (const Where& where : soft.effect->places(held->setting)) {
+    if (where.variant == "rotation") soft.where = where;
+  }
+  ASSERT_TRUE(soft.effect->takes("face", soft.where, held->setting));
+  soft.where.variant = "face";
+  const auto base = held->fitter->model_for({soft}, BaseUse::Scan);
+  ASSERT_EQ(base->base().terms.size(), 1U);
+  for (const double k :
+       {base->base().terms[0].start, 10.0 * base->base().terms[0].start}) {
+    soft.p = {k};
+    const auto sprung = model_of(with_support(*held, soft));
+    // Seven digits of springs, some of which are below zero.
+    EXPECT_LT(difference(frfs(*held, {soft}), frfs(*sprung, {})), 5e-6) << k;
   }
 }
 

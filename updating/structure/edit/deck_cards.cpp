@@ -156,6 +156,33 @@ std::vector<std::string> ground_spring_cards(
   return ground_cards("CELAS2", deck, offset, {node, component, 1}, stiffness);
 }
 
+// [0 k; k 0] = -k [1 -1; -1 1] + k [1 0; 0 1]
+std::vector<std::string> coupling_spring_cards(const Deck& deck,
+                                               int offset,
+                                               int node,
+                                               std::array<int, 2> components,
+                                               double stiffness) {
+  const double k = std::copysign(
+      std::sqrt(file_stiffness(deck, components[0], std::abs(stiffness)) *
+                file_stiffness(deck, components[1], std::abs(stiffness))),
+      stiffness);
+  std::vector<std::string> cards = {fmt::format("CELAS2,{},{},{},{},{},{}",
+                                                free_element(deck, offset),
+                                                card_real(-k),
+                                                node,
+                                                components[0],
+                                                node,
+                                                components[1])};
+  for (const int component : components) {
+    cards.push_back(fmt::format("CELAS2,{},{},{},{}",
+                                free_element(deck, ++offset),
+                                card_real(k),
+                                node,
+                                component));
+  }
+  return cards;
+}
+
 std::vector<std::string> ground_damper_cards(
     const Deck& deck, int offset, int node, int component, double damping) {
   return ground_cards("CDAMP2", deck, offset, {node, component, 1}, damping);

@@ -7,6 +7,7 @@
 
 #include "updating/structure/deck/deck.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,7 +58,18 @@ namespace tapfit::structure {
 [[nodiscard]] std::vector<std::string> ground_spring_cards(
     const Deck& deck, int offset, int node, int component, double stiffness);
 
-/// CDAMP2 alike.
+/// CELAS2 between two components of a grid with basic axes, and from each to
+/// ground, that together couple them by a stiffness and leave what each has to
+/// ground as it is. Springs below zero belong to it.
+/// @param stiffness off the diagonal [N, N m]
+[[nodiscard]] std::vector<std::string> coupling_spring_cards(
+    const Deck& deck,
+    int offset,
+    int node,
+    std::array<int, 2> components,
+    double stiffness);
+
+/// CDAMP2 like ground_spring_cards().
 [[nodiscard]] std::vector<std::string> ground_damper_cards(
     const Deck& deck, int offset, int node, int component, double damping);
 

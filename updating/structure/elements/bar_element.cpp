@@ -8,6 +8,7 @@
 // Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis, 1968,
 // sections 5.6 and 11.4.
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/structure/elements/bar_axes.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 
 #include <Eigen/Dense>
@@ -222,30 +223,6 @@ void refuse_loose(const Deck& deck,
       "Release each direction at one end only.");
 }
 
-struct Axes {
-  double length = 0.0;
-  Eigen::Matrix3d local;  // columns: axis, plane 1, plane 2
-};
-
-Axes bar_axes(const Deck& deck, const Bar& bar) {
-  const Eigen::Vector3d a =
-      deck.grids[deck.grid_index(bar.grids[0])].position + bar.offsets[0];
-  const Eigen::Vector3d b =
-      deck.grids[deck.grid_index(bar.grids[1])].position + bar.offsets[1];
-  Axes axes;
-  axes.length = (b - a).norm();
-  const Eigen::Vector3d x = (b - a).normalized();
-  const Eigen::Vector3d z = x.cross(bar.orientation);
-  if (!(axes.length > 0.0) || !(z.norm() > 1e-8 * bar.orientation.norm())) {
-    throw InputError(
-        "the bar has no length, or its orientation vector lies along it",
-        card_place(deck, bar.where, fmt::format("bar {}", bar.id)),
-        "Correct the grids, offsets or orientation.");
-  }
-  axes.local << x, z.normalized().cross(x), z.normalized();
-  return axes;
-}
-
 // Turns plane 1 and 2 into the section's principal planes.
 void make_principal(BarProperty& p, Eigen::Matrix3d& local) {
   if (p.I12 == 0.0) return;
@@ -284,7 +261,7 @@ Matrix12 transformation(const Bar& bar, const Eigen::Matrix3d& local) {
 ElementMatrices bar_matrices(const Deck& deck, const Bar& bar) {
   BarProperty p = deck.bar_properties.at(bar.property);
   const Material& m = deck.materials.at(p.material);
-  Axes axes = bar_axes(deck, bar);
+  BarAxes axes = bar_axes(deck, bar);
   Matrix12 K;
   Matrix12 M;
   if (bar.released[0].empty() && bar.released[1].empty()) {
