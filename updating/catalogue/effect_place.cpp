@@ -318,9 +318,8 @@ EffectRef parse_effect(const std::string& text) {
         fmt::format("effect \"{}\"", text),
         kind == ChangeKind::Support
             ? effect.variants().empty()
-                  ? std::string(
-                        "write rotation, translation, both, rotation-varying "
-                        "or translation-varying")
+                  ? std::string("write rotation, translation, both, face, "
+                                "rotation-varying or translation-varying")
                   : fmt::format("write one of {}",
                                 fmt::join(effect.variants(), ", "))
         : kind ? "write the ids joined with \":\""
@@ -351,6 +350,9 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   for (const Where& form : forms_of(effect, places, s)) places.push_back(form);
   if (kind == ChangeKind::Elements && !want.elements.empty() &&
       are_elements(*s.deck, want.elements)) {
+    return placed(effect, want, s);
+  }
+  if (want.variant == crack && effect.takes(crack, want, s)) {
     return placed(effect, want, s);
   }
   if (kind) {

@@ -5,6 +5,7 @@
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/diagnosis/screening.hpp"
 #include "updating/fit/overall_progress.hpp"
+#include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
 
@@ -175,6 +176,24 @@ void climb_shapes(std::vector<Hypothesis>& found,
   climb(found, less_error, current, fitter, near, progress);
 }
 
+// A crack begins and ends at some grid of its line.
+void climb_cracks(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const Progress& progress) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const auto near = [&deck](const Where& at) {
+    std::vector<Where> places;
+    for (std::vector<int>& nodes : cracks_near(deck, at.nodes)) {
+      if (crack_line(deck, nodes).grids.empty()) continue;
+      places.push_back(at);
+      places.back().nodes = std::move(nodes);
+    }
+    return places;
+  };
+  climb(found, is_likelier, current, fitter, near, progress);
+}
+
 // One kind and what was fitted of it.
 struct Kind {
   const effects::Effect* effect = nullptr;
@@ -192,6 +211,9 @@ struct Kind {
   }
   [[nodiscard]] bool is_loss() const {
     return effect->changes_stiffness() == ChangeKind::Elements;
+  }
+  [[nodiscard]] bool is_joint() const {
+    return effect->changes_stiffness() == ChangeKind::Joint;
   }
   [[nodiscard]] double log_likelihood() const {
     return std::min_element(found.begin(), found.end(), is_likelier)
@@ -286,7 +308,7 @@ void climb_rivals(std::vector<Kind>& kinds,
 // at.
 std::vector<Where> places_for_forms(const Kind& kind,
                                     const structure::Deck& deck) {
-  constexpr std::size_t most_patches = 3;
+  constexpr std::size_t most_apart = 3;
   std::vector<const Hypothesis*> order;
   for (const Hypothesis& h : kind.found) order.push_back(&h);
   std::ranges::stable_sort(
@@ -299,7 +321,8 @@ std::vector<Where> places_for_forms(const Kind& kind,
     });
     if (!near) places.push_back(where);
     if (kind.at_grids()) break;
-    if (kind.is_loss() && places.size() == most_patches) break;
+    const bool wide = kind.is_loss() || kind.is_joint();
+    if (wide && places.size() == most_apart) break;
   }
   return places;
 }
@@ -325,12 +348,17 @@ void try_forms(std::vector<Kind>& kinds,
       }
     }
     const double plain = kind.log_likelihood();
-    for (Hypothesis& h : fit_each(current, tries, fitter, nullptr, progress)) {
+    std::vector<Hypothesis> formed =
+        fit_each(current, tries, fitter, nullptr, progress);
+    if (kind.is_joint() && !formed.empty()) {
+      climb_cracks(formed, current, fitter, progress);
+    }
+    for (Hypothesis& h : formed) {
       // Else it is the plain one under another name.
       const bool better = h.fit.log_likelihood > plain + clearly;
       if (better) kind.found.push_back(std::move(h));
     }
-    if (kind.log_likelihood() <= plain) continue;
+    if (kind.log_likelihood() <= plain || kind.is_joint()) continue;
     climb_from_best(kind, current, fitter, options, progress);
   }
 }

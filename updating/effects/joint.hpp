@@ -1,6 +1,8 @@
 // A joint that gives: along a line of grids the elements on one side turn
 // against the rest, held by a spring, k per metre of line. A bolted or bonded
-// seam, a weld that did not take, a through crack.
+// seam, a weld that did not take. Its form "crack" parts them over some of the
+// line's grids, held by k per area of the two faces: next to nothing for a
+// crack that is open, more for one that is bonded or rubs.
 #pragma once
 
 #include "updating/effects/stiffness_effect.hpp"
@@ -23,6 +25,13 @@ class Joint final : public StiffnessEffect {
   /// together, each place where bars meet.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
+  [[nodiscard]] std::vector<std::string> forms() const override {
+    return {updating::crack};
+  }
+  /// A crack at a line of shells.
+  [[nodiscard]] bool takes(const std::string& form,
+                           const Where& place,
+                           const Setting& setting) const override;
   [[nodiscard]] std::vector<ParameterSpec> parameters(
       const Where& where, const Setting& setting) const override;
   [[nodiscard]] std::vector<Derived> derived(

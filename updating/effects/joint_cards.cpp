@@ -126,21 +126,72 @@ updating::JointLine joint_at(const updating::Where& where,
                              turned_across(where, setting));
 }
 
+namespace {
+
+// What to say where a grid's double would have to share its axes; else empty.
+std::vector<std::string> not_written(const Deck& deck,
+                                     const auto& grids,
+                                     const std::string& springs) {
+  for (const auto& grid : grids) {
+    if (deck.grids[deck.grid_index(grid.node)].axes.isIdentity(1e-9)) continue;
+    return {fmt::format(
+        "$ not written: grid {} has displacement axes (CD) of its own; give it "
+        "CD 0, double the joint's grids for the elements on one side, CELAS2 "
+        "of {}",
+        grid.node,
+        springs)};
+  }
+  return {};
+}
+
+}  // namespace
+
+JointCards crack_cards(const Deck& deck,
+                       const updating::CrackLine& crack,
+                       double stiffness) {
+  JointCards result;
+  result.added = not_written(
+      deck,
+      crack.grids,
+      fmt::format("{:.4g} N/m per square metre between the faces", stiffness));
+  if (!result.added.empty()) return result;
+  result.side = crack.side;
+  Writer writer(deck);
+  for (const updating::PartedGrid& grid : crack.grids) {
+    const int twin = writer.grid(grid.node, 0);
+    result.doubles[grid.node] = twin;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const int turn = basic_turn(grid.axes[a]);
+      if (turn == 0) continue;
+      writer.spring(stiffness * grid.area, twin, grid.node, turn - 3);
+      if (a == 2) continue;
+      writer.spring(stiffness * grid.turn, twin, grid.node, turn);
+    }
+  }
+  result.added = std::move(writer.cards);
+  const bool askew = std::ranges::any_of(crack.grids, [](const auto& grid) {
+    return basic_turn(grid.axes[0]) == 0 || basic_turn(grid.axes[1]) == 0;
+  });
+  if (askew) {
+    result.added.push_back(fmt::format(
+        "$ springs of {:.4g} N/m per square metre between the faces are left "
+        "out along their own axes",
+        stiffness));
+  }
+  return result;
+}
+
 JointCards joint_cards(const Deck& deck,
                        const updating::JointLine& joint,
                        double stiffness) {
   JointCards result;
   if (joint.grids.empty()) return result;
-  for (const updating::JointGrid& grid : joint.grids) {
-    if (deck.grids[deck.grid_index(grid.node)].axes.isIdentity(1e-9)) continue;
-    result.added = {fmt::format(
-        "$ not written: grid {} has displacement axes (CD) of its own; give it "
-        "CD 0, double the joint's grids for the elements on one side, CELAS2 "
-        "of {:.4g} N m/rad per metre between the turns",
-        grid.node,
-        stiffness)};
-    return result;
-  }
+  result.added = not_written(
+      deck,
+      joint.grids,
+      fmt::format("{:.4g} N m/rad per metre between the turns", stiffness));
+  if (!result.added.empty()) return result;
+  result.side = joint.side;
   Writer writer(deck);
   const Vector3d axis = joint.grids.front().axis;
   const int turn = basic_turn(axis);
@@ -164,6 +215,16 @@ JointCards joint_cards(const Deck& deck,
   }
   result.added = std::move(writer.cards);
   return result;
+}
+
+JointCards joint_cards(const updating::Where& where,
+                       const Setting& setting,
+                       double stiffness) {
+  const Deck& deck = *setting.deck;
+  return where.variant == updating::crack
+             ? crack_cards(
+                   deck, updating::crack_line(deck, where.nodes), stiffness)
+             : joint_cards(deck, joint_at(where, setting), stiffness);
 }
 
 }  // namespace tapfit::effects

@@ -116,12 +116,10 @@ struct EffectCards {
 
 /// The elements beside a joint take its doubled grids; false where another
 /// joint has moved one of them there already.
-bool move_side(const JointLine& line,
-               const std::map<int, int>& doubles,
-               structure::GridMoves& moves) {
+bool move_side(const effects::JointCards& joint, structure::GridMoves& moves) {
   structure::GridMoves all = moves;
-  for (const int element : line.side) {
-    for (const auto& [grid, twin] : doubles) {
+  for (const int element : joint.side) {
+    for (const auto& [grid, twin] : joint.doubles) {
       if (!all[element].try_emplace(grid, twin).second) return false;
     }
   }
@@ -145,10 +143,9 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
     const auto p =
         values(added.parameters, effect.parameters(added.where, setting));
     if (effect.changes_stiffness() == ChangeKind::Joint) {
-      const JointLine line = effects::joint_at(added.where, setting);
-      const auto doubles =
-          effects::joint_cards(with_ids, line, p.front()).doubles;
-      if (!move_side(line, doubles, cards.moves)) {
+      const effects::JointCards joint =
+          effects::joint_cards(added.where, setting, p.front());
+      if (!move_side(joint, cards.moves)) {
         cards.added.emplace_back(
             "$ not written: it crosses another joint at a grid");
         continue;

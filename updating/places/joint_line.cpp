@@ -1,5 +1,7 @@
 #include "updating/places/joint_line.hpp"
 
+#include "updating/places/shell_edges.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -15,100 +17,21 @@ namespace {
 using Eigen::Vector3d;
 using structure::Deck;
 
-using Edge = std::array<int, 2>;  // grid ids, ascending
-
-Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
-// Edges of the shells and the shells (by position) that have them.
-using Edges = std::map<Edge, std::vector<std::size_t>>;
-
-Edges edges_of(const Deck& deck) {
-  Edges edges;
-  for (std::size_t e = 0; e < deck.shells.size(); ++e) {
-    const std::vector<int>& grids = deck.shells[e].grids;
-    for (std::size_t k = 0; k < grids.size(); ++k) {
-      edges[edge_of(grids[k], grids[(k + 1) % grids.size()])].push_back(e);
-    }
-  }
-  return edges;
-}
-
-Vector3d at(const Deck& deck, int node) {
-  return deck.grids[deck.grid_index(node)].position;
-}
-
-// Neighbours along edges between two shells, and grids on a free edge.
-struct Net {
-  std::map<int, std::vector<int>> inner;
-  std::set<int> rim;
-};
-
-Net net_of(const Edges& edges) {
-  Net net;
-  for (const auto& [edge, shells] : edges) {
-    if (shells.size() == 2) {
-      net.inner[edge[0]].push_back(edge[1]);
-      net.inner[edge[1]].push_back(edge[0]);
-    } else {
-      net.rim.insert(edge.begin(), edge.end());
-    }
-  }
-  return net;
-}
-
 // Goes straight on from a to b and beyond until a free edge; nothing where
 // the mesh does not go on straight.
 std::optional<std::vector<int>> straight_path(const Deck& deck,
                                               const Net& net,
                                               int a,
                                               int b) {
-  // A mesh drawn along a line keeps to it well within this.
-  const double straight = std::cos(2.0 * M_PI / 180.0);
   std::vector<int> path = {a, b};
-  const Vector3d along = (at(deck, b) - at(deck, a)).normalized();
+  const Vector3d along =
+      (position_of(deck, b) - position_of(deck, a)).normalized();
   while (!net.rim.contains(path.back())) {
-    int next = 0;
-    for (const int c : net.inner.at(path.back())) {
-      const Vector3d d = at(deck, c) - at(deck, path.back());
-      if (d.dot(along) > straight * d.norm()) next = c;
-    }
+    const int next = straight_on(deck, net, path.back(), along);
     if (next == 0) return std::nullopt;
     path.push_back(next);
   }
   return path;
-}
-
-// Line through the grids, as a point and a direction.
-struct Ray {
-  Vector3d from;
-  Vector3d along;
-  double length = 0.0;
-};
-
-Ray ray_of(const Deck& deck, const std::vector<int>& nodes) {
-  Ray ray;
-  ray.from = at(deck, nodes.front());
-  // The first and the farthest from it, then the farthest from that one.
-  for (int pass = 0; pass < 2; ++pass) {
-    Vector3d far = ray.from;
-    for (const int node : nodes) {
-      const Vector3d x = at(deck, node);
-      if ((x - ray.from).norm() > (far - ray.from).norm()) far = x;
-    }
-    ray.along = ray.from - far;
-    ray.length = ray.along.norm();
-    ray.from = far;
-  }
-  ray.along /= std::max(ray.length, 1e-300);
-  return ray;
-}
-
-bool on_ray(const Ray& ray, const Vector3d& x) {
-  const Vector3d d = x - ray.from;
-  const double t = d.dot(ray.along);
-  const double slack = 1e-3 * ray.length;
-  return t >= -slack && t <= ray.length + slack &&
-         (d - t * ray.along).norm() <= slack;
 }
 
 bool in_line(const Deck& deck,
@@ -118,39 +41,8 @@ bool in_line(const Deck& deck,
   both.insert(both.end(), b.begin(), b.end());
   const Ray ray = ray_of(deck, both);
   return std::all_of(both.begin(), both.end(), [&](int node) {
-    return on_ray(ray, at(deck, node));
+    return on_ray(ray, position_of(deck, node));
   });
-}
-
-// Shells on one side of the line: those reached from one another without
-// crossing it, one component of the two for every piece of the line.
-std::vector<int> one_side(const Deck& deck,
-                          const Edges& edges,
-                          const std::set<Edge>& line) {
-  std::set<int> nodes;
-  for (const Edge& edge : line) nodes.insert(edge.begin(), edge.end());
-  std::map<std::size_t, std::vector<std::size_t>> beside;
-  for (const auto& [edge, shells] : edges) {
-    const bool touches = nodes.contains(edge[0]) || nodes.contains(edge[1]);
-    if (!touches || line.contains(edge) || shells.size() != 2) continue;
-    beside[shells[0]].push_back(shells[1]);
-    beside[shells[1]].push_back(shells[0]);
-  }
-  std::set<std::size_t> side;
-  for (const Edge& edge : line) {
-    const std::vector<std::size_t>& pair = edges.at(edge);
-    if (side.contains(pair[0]) || side.contains(pair[1])) continue;
-    std::vector<std::size_t> open = {pair[0]};  // a piece not seen yet
-    while (!open.empty()) {
-      const std::size_t shell = open.back();
-      open.pop_back();
-      if (!side.insert(shell).second) continue;
-      for (const std::size_t next : beside[shell]) open.push_back(next);
-    }
-  }
-  std::vector<int> ids;
-  for (const std::size_t e : side) ids.push_back(deck.shells[e].id);
-  return ids;
 }
 
 std::vector<JointPlace> bar_places(const Deck& deck) {
@@ -207,21 +99,21 @@ std::vector<JointPlace> joint_places(const Deck& deck) {
 JointLine shell_joint(const Deck& deck, const std::vector<int>& nodes) {
   const Ray ray = ray_of(deck, nodes);
   const Edges edges = edges_of(deck);
-  std::set<Edge> line;
+  const std::set<Edge> line = edges_on(deck, edges, ray);
+  std::set<int> grids;
   std::map<int, double> length;
-  for (const auto& [edge, shells] : edges) {
-    const Vector3d a = at(deck, edge[0]);
-    const Vector3d b = at(deck, edge[1]);
-    if (shells.size() != 2 || !on_ray(ray, a) || !on_ray(ray, b)) continue;
-    line.insert(edge);
-    for (const int node : edge) length[node] += 0.5 * (b - a).norm();
+  for (const Edge& edge : line) {
+    grids.insert(edge.begin(), edge.end());
+    const double half =
+        0.5 * (position_of(deck, edge[1]) - position_of(deck, edge[0])).norm();
+    for (const int node : edge) length[node] += half;
   }
   JointLine joint;
   for (const auto& [node, part] : length) {
     joint.grids.push_back({node, ray.along, part});
     joint.length += part;
   }
-  joint.side = one_side(deck, edges, line);
+  joint.side = one_side(deck, edges, line, grids);
   return joint;
 }
 
@@ -247,7 +139,8 @@ JointLine bar_joint(const Deck& deck,
         std::find(bars.begin(), bars.end(), bar.id) != bars.end();
     if (!touches || !wanted) continue;
     const Vector3d along =
-        (at(deck, bar.grids[1]) - at(deck, bar.grids[0])).normalized();
+        (position_of(deck, bar.grids[1]) - position_of(deck, bar.grids[0]))
+            .normalized();
     const Vector3d axis = along.cross(Vector3d::Unit(component - 1));
     if (axis.norm() < 1e-3) return joint;
     joint.grids.push_back({node, axis.normalized(), 1.0});

@@ -22,7 +22,7 @@ struct Where {
   /// "translation"; "each" for one mass per channel instead of a shared one;
   /// "X", "Y" or "Z" for an axis that is not the one mostly measured;
   /// "rotary" for a mass with an inertia, a sensor's or another; "pocket" for
-  /// elements that were thinned.
+  /// elements that were thinned; "crack" for a joint whose sides part.
   std::string variant = {};
   /// Between grids: coordinates in basic axes [m], three or none; node is then
   /// the nearest grid of the element that holds them.
@@ -37,6 +37,9 @@ struct Where {
 
 /// Form of a loss of stiffness that takes the mass with it.
 inline const std::string pocket = "pocket";
+
+/// Form of a joint along part of a line, whose sides part.
+inline const std::string crack = "crack";
 
 /// Whether the variant is an axis that the effect acts along.
 [[nodiscard]] bool is_along_axis(const Where& where);

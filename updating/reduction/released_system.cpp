@@ -1,5 +1,6 @@
 #include "updating/reduction/released_system.hpp"
 
+#include "updating/places/crack_line.hpp"
 #include "updating/places/joint_line.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
@@ -114,13 +115,55 @@ void append_joint(SparseMatrix& A, const SparseMatrix& side, SparseMatrix T) {
   A.setFromTriplets(all.begin(), all.end());
 }
 
-JointLine joint_of(const RefinedDeck& mesh, const StiffnessChange& change) {
+// A motion that elements on one side have besides that of their grid, and how
+// much of what holds it is there.
+struct Parting {
+  int node = 0;
+  Eigen::Matrix<double, 6, 1> motion;  // along basic axes
+  double held = 0.0;
+};
+
+struct Cut {
+  std::vector<Parting> partings;
+  std::vector<int> side;
+};
+
+Parting turns(int node, const Eigen::Vector3d& axis, double held) {
+  Parting parting{node, {}, held};
+  parting.motion << Eigen::Vector3d::Zero(), axis;
+  return parting;
+}
+
+Cut crack_of(const Deck& deck, const Where& where) {
+  CrackLine crack = crack_line(deck, where.nodes);
+  Cut cut{{}, std::move(crack.side)};
+  for (const PartedGrid& grid : crack.grids) {
+    for (const Eigen::Vector3d& axis : grid.axes) {
+      Parting& moves = cut.partings.emplace_back();
+      moves.node = grid.node;
+      moves.motion << axis, Eigen::Vector3d::Zero();
+      moves.held = grid.area;
+    }
+    cut.partings.push_back(turns(grid.node, grid.axes[0], grid.turn));
+    cut.partings.push_back(turns(grid.node, grid.axes[1], grid.turn));
+  }
+  return cut;
+}
+
+Cut cut_of(const RefinedDeck& mesh, const StiffnessChange& change) {
   const Where& where = change.of.where;
-  if (where.nodes.size() > 1) return shell_joint(mesh.deck, where.nodes);
-  return bar_joint(mesh.deck,
-                   where.nodes.front(),
-                   children_of(mesh, where.elements),
-                   change.component);
+  if (where.variant == crack) return crack_of(mesh.deck, where);
+  JointLine joint = where.nodes.size() > 1
+                        ? shell_joint(mesh.deck, where.nodes)
+                        : bar_joint(mesh.deck,
+                                    where.nodes.front(),
+                                    children_of(mesh, where.elements),
+                                    change.component);
+  Cut cut{{}, std::move(joint.side)};
+  for (const JointGrid& grid : joint.grids) {
+    cut.partings.push_back(turns(grid.node, grid.axis, grid.length));
+  }
+  return cut;
 }
 
 // A part that the side has not is nothing there.
@@ -141,22 +184,23 @@ Triplets cut_joint(const RefinedDeck& mesh,
                    const StiffnessChange& change,
                    const std::vector<UncertainProperty>& uncertain,
                    ReleasedSystem& released) {
-  const JointLine joint = joint_of(mesh, change);
+  const Cut joint = cut_of(mesh, change);
   const Index n = released.dofs();
   Triplets directions;
   Triplets springs;
-  for (std::size_t k = 0; k < joint.grids.size(); ++k) {
-    const JointGrid& grid = joint.grids[k];
+  for (std::size_t k = 0; k < joint.partings.size(); ++k) {
+    const Parting& parting = joint.partings[k];
     const auto column = static_cast<int>(k);
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < 6; ++c) {
+      if (parting.motion(c) == 0.0) continue;
       directions.emplace_back(
-          dof_index(mesh.deck, grid.node, 4 + c), column, grid.axis(c));
+          dof_index(mesh.deck, parting.node, 1 + c), column, parting.motion(c));
     }
     const int q = static_cast<int>(n) + column;
-    springs.emplace_back(q, q, grid.length);
+    springs.emplace_back(q, q, parting.held);
     released.active.push_back(q);
   }
-  SparseMatrix T(n, static_cast<Index>(joint.grids.size()));
+  SparseMatrix T(n, static_cast<Index>(joint.partings.size()));
   T.setFromTriplets(directions.begin(), directions.end());
   const std::set<int> side(joint.side.begin(), joint.side.end());
   const auto wanted = [&side](int id) { return side.contains(id); };

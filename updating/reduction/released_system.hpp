@@ -2,8 +2,9 @@
 // released, joints cut. What holds them are springs, one matrix per change.
 //
 // A joint adds one rotation q_n per grid of its line, by which the elements on
-// one side turn against the grid. With T (dofs x line grids) the directions of
-// those rotations and K_B the stiffness of the elements on that side,
+// one side turn against the grid; a crack adds three displacements and two
+// rotations. With T (dofs x motions) their directions and K_B the stiffness of
+// the elements on that side,
 //
 //   K = [ K    K_B T       ]
 //       [ sym  T' K_B T    ]        (M alike)
