@@ -1,4 +1,5 @@
 // A crack against the same deck with doubled grids and springs between them.
+#include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/reduction/released_system.hpp"

@@ -1,0 +1,22 @@
+// One effect more, at one place, fitted.
+#pragma once
+
+#include "updating/fit/fitter.hpp"
+
+#include <vector>
+
+namespace tapfit::updating {
+
+/// A hypothesis, fitted together with everything already in the model.
+struct Hypothesis {
+  Fit fit;              ///< its own effect is the last one
+  double places = 1.0;  ///< how many places its kind was searched at
+  double log_evidence = 0.0;
+  /// Of the logarithms of its own parameters, for not knowing its place better;
+  /// empty where it was not looked at.
+  std::vector<double> place_sd = {};
+
+  [[nodiscard]] const PlacedEffect& own() const { return fit.effects.back(); }
+};
+
+}  // namespace tapfit::updating
