@@ -4,6 +4,7 @@
 #include "tui/screen/escape_sequence.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/palette.hpp"
+#include "tui/screen/terminal_kind.hpp"
 
 #include <ncurses.h>
 
@@ -207,9 +208,12 @@ bool is_able(const char* capability) {
 /// A kind that is not known here, as of a new program at the other end of ssh,
 /// mostly does what xterm does.
 void start_screen() {
-  SCREEN* screen = newterm(nullptr, stdout, stdin);
-  for (const char* kind : {"xterm-256color", "xterm"}) {
-    if (screen == nullptr) screen = newterm(kind, stdout, stdin);
+  SCREEN* screen = nullptr;
+  const char* const own = nullptr;  // TERM
+  for (const char* kind : {own, "xterm-256color", "xterm"}) {
+    // Where there is none of the kind, newterm() loses what it has allocated.
+    if (screen != nullptr || !is_known_terminal(kind)) continue;
+    screen = newterm(kind, stdout, stdin);
   }
   if (screen == nullptr) refuse_terminal("this kind of terminal is not known");
   set_term(screen);
