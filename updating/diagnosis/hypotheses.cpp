@@ -6,6 +6,7 @@
 #include "updating/diagnosis/climb.hpp"
 #include "updating/diagnosis/screening.hpp"
 #include "updating/fit/overall_progress.hpp"
+#include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
 
 #include <algorithm>
@@ -173,6 +174,26 @@ std::vector<Where> places_for_forms(const Kind& kind,
   return places;
 }
 
+// A patch that has lost next to all of its stiffness may be a crack, which the
+// seams that do well as joints are not near.
+std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
+                                     double most_error,
+                                     const structure::Deck& deck) {
+  constexpr double next_to_all = 0.25;  // left
+  std::vector<Where> places;
+  for (const Kind& kind : kinds) {
+    if (!kind.is_loss() || kind.error() > most_error) continue;
+    const Hypothesis& best =
+        *std::min_element(kind.found.begin(), kind.found.end(), is_likelier);
+    if (best.own().p.front() > next_to_all) continue;
+    for (std::vector<int>& nodes :
+         cracks_within(deck, best.own().where.elements)) {
+      places.emplace_back().nodes = std::move(nodes);
+    }
+  }
+  return places;
+}
+
 // What does well where it was found may do better in another form: a mass with
 // an inertia, a clamp that varies along its line, elements that were thinned.
 // It may then do better beside.
@@ -184,10 +205,17 @@ void try_forms(std::vector<Kind>& kinds,
   const double least = least_error(kinds);
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
-    if (kind.error() > rival * least) continue;
+    std::vector<Where> places;
+    if (kind.error() <= rival * least) {
+      places = places_for_forms(kind, *setting.deck);
+    }
+    if (kind.is_joint()) {
+      std::ranges::copy(cracks_in_patches(kinds, rival * least, *setting.deck),
+                        std::back_inserter(places));
+    }
+    if (places.empty()) continue;
     std::vector<PlacedEffect> tries;
-    for (const Where& where : forms_of(
-             *kind.effect, places_for_forms(kind, *setting.deck), setting)) {
+    for (const Where& where : forms_of(*kind.effect, places, setting)) {
       PlacedEffect next = placed(*kind.effect, where, setting);
       if (acts(next, *current.model) && !is_present(current, next)) {
         tries.push_back(std::move(next));

@@ -1,5 +1,6 @@
 #include "updating/places/crack_line.hpp"
 
+#include "updating/places/joint_line.hpp"
 #include "updating/places/shell_edges.hpp"
 
 #include <Eigen/Geometry>
@@ -90,6 +91,32 @@ CrackLine crack_line(const Deck& deck, const std::vector<int>& nodes) {
                            {ray.along, normal.cross(ray.along), normal}});
   }
   return crack;
+}
+
+std::vector<std::vector<int>> cracks_within(const Deck& deck,
+                                            const std::vector<int>& elements) {
+  const std::set<int> ids(elements.begin(), elements.end());
+  std::set<int> inside;
+  for (const Shell& shell : deck.shells) {
+    if (!ids.contains(shell.id)) continue;
+    inside.insert(shell.grids.begin(), shell.grids.end());
+  }
+  std::vector<std::vector<int>> cracks;
+  if (inside.empty()) return cracks;
+  for (const JointPlace& place : joint_places(deck)) {
+    std::vector<int> longest;
+    std::vector<int> run;
+    for (const int node : place.nodes) {
+      if (!inside.contains(node)) {
+        run.clear();
+        continue;
+      }
+      run.push_back(node);
+      if (run.size() > longest.size()) longest = run;
+    }
+    if (longest.size() > 1) cracks.push_back(std::move(longest));
+  }
+  return cracks;
 }
 
 std::vector<std::vector<int>> cracks_near(const Deck& deck,

@@ -36,6 +36,12 @@ struct CrackLine {
 [[nodiscard]] CrackLine crack_line(const structure::Deck& deck,
                                    const std::vector<int>& nodes);
 
+/// Cracks along lines of joint_places(), as long as they run along and within a
+/// patch of elements.
+/// @param elements ids
+[[nodiscard]] std::vector<std::vector<int>> cracks_within(
+    const structure::Deck& deck, const std::vector<int>& elements);
+
 /// A crack longer or shorter by a grid at one of its ends, or of half its
 /// length.
 /// @param nodes from one end to the other

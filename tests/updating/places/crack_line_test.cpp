@@ -67,6 +67,26 @@ TEST_F(CrackLineTest, TakesElementsOfOneSideAlone) {
   EXPECT_EQ(sides.size(), 1U);
 }
 
+// Two elements beside each other: the lines along both, and those across.
+TEST_F(CrackLineTest, RunsThroughAPatch) {
+  std::vector<int> patch;
+  for (const structure::Shell& shell : deck_.shells) {
+    const bool inside = std::ranges::all_of(shell.grids, [](int id) {
+      return id == 16 || id == 17 || id == 27 || id == 28 || id == 38 ||
+             id == 39;
+    });
+    if (inside) patch.push_back(shell.id);
+  }
+  ASSERT_EQ(patch.size(), 2U);
+  std::set<std::set<int>> cracks;
+  for (const auto& nodes : cracks_within(deck_, patch)) {
+    cracks.insert({nodes.begin(), nodes.end()});
+  }
+  EXPECT_EQ(cracks,
+            (std::set<std::set<int>>{
+                {16, 27, 38}, {17, 28, 39}, {16, 17}, {27, 28}, {38, 39}}));
+}
+
 TEST_F(CrackLineTest, MayEndOneGridOnOrBefore) {
   const auto near = cracks_near(deck_, {6, 17, 28});
   const std::set<std::vector<int>> all(near.begin(), near.end());
