@@ -66,9 +66,9 @@ std::vector<ParameterSpec> Joint::parameters(const Where& where,
 
 std::vector<Effect::Derived> Joint::derived(const Where& where,
                                             const Setting& setting) const {
-  const bool is_crack = where.variant == updating::crack;
-  return {{"rotational_stiffness_nm_per_rad",
-           {is_crack ? turn_of(where, setting) : length_of(where, setting)}}};
+  // Of a crack the faces' stiffness is all there is to tell.
+  if (where.variant == updating::crack) return {};
+  return {{"rotational_stiffness_nm_per_rad", {length_of(where, setting)}}};
 }
 
 std::vector<std::string> Joint::bulk_data(const Where& where,
