@@ -71,6 +71,8 @@ int run_in_terminal(std::unique_ptr<Workbench> bench,
   Program program(
       std::move(bench),
       {terminal->width(), terminal->height(), glyphs == Glyphs::Ascii});
+  program.copy_with(
+      [&terminal](const std::string& text) { terminal->copy(text); });
   converse(*terminal, program);
   terminal.reset();  // the shell's again, whatever is still to be awaited
   const int status =

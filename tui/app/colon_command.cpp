@@ -17,7 +17,7 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
+constexpr std::array<std::pair<std::string_view, Kind>, 19> commands{{
     {"quit", Kind::Quit},
     {"help", Kind::Help},
     {"add", Kind::Add},
@@ -33,6 +33,7 @@ constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
     {"report", Kind::Report},
     {"deck", Kind::Deck},
     {"uff", Kind::Uff},
+    {"plot", Kind::Plot},
     {"stop", Kind::Stop},
     {"retry", Kind::Retry},
     {"exit", Kind::Quit},
@@ -44,7 +45,7 @@ constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
       "after ':'",
       "there are :q :help :add EFFECT@PLACE ... :toggle N :undo :redo "
       ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
-      ":run N :report :deck :uff :stop :retry");
+      ":run N :report :deck :uff :plot :stop :retry");
 }
 
 std::string_view trimmed(std::string_view text) {

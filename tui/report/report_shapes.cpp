@@ -78,19 +78,18 @@ Figure list_figure(const ReportData& data, std::size_t k) {
   const Eigen::VectorXd phi = modal::real_shape(mode.shape);
   const double most = std::max(phi.cwiseAbs().maxCoeff(), 1e-300);
   const Eigen::Index n = phi.size();
-  SvgPlot plot;
-  plot.name = fmt::format("shape of mode {}", k + 1);
-  plot.width = 420.0;
-  plot.height = 220.0;
-  plot.x = {"point, in order", false, 0.0, static_cast<double>(n) + 1.0};
-  plot.y = {"motion", false, -1.1, 1.1};
+  Plot plot;
+  plot.title = fmt::format("shape of mode {}", k + 1);
+  plot.x = {"point, in order", "", 0.0, static_cast<double>(n) + 1.0, false};
+  plot.y = {"motion", "", -1.1, 1.1, false};
   const Eigen::VectorXd at =
       Eigen::VectorXd::LinSpaced(n, 1.0, static_cast<double>(n));
-  plot.curves = {{"", at, phi / most, {ink::pale, 1.0}},
-                 {"", at, phi / most, {ink::blue, 5.0}, true}};
+  const Pen thin{Colour::Grey, Pattern::Solid, '.', true};
+  plot.curves = {{"", at, phi / most, {}, {}, thin},
+                 {"", at, phi / most, {}, {}, {Colour::Blue}, false}};
   return {fmt::format("mode-{}", k + 1),
           fmt::format("Mode {}: {} Hz", k + 1, number(mode.frequency_hz)),
-          svg_plot(plot)};
+          svg_plot(plot, {420.0, 220.0})};
 }
 
 std::string order_of_points(const std::vector<Dof>& dofs) {

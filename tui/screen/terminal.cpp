@@ -1,6 +1,7 @@
 #include "tui/screen/terminal.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/screen/clipboard.hpp"
 #include "tui/screen/escape_sequence.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/palette.hpp"
@@ -326,6 +327,12 @@ void Terminal::show(const Screen& screen) {
     }
   }
   refresh();
+}
+
+void Terminal::copy(const std::string& text) {
+  const std::string sequence = clipboard_sequence(text);
+  std::fwrite(sequence.data(), 1, sequence.size(), stdout);
+  std::fflush(stdout);
 }
 
 void Terminal::suspend() {

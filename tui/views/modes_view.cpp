@@ -199,6 +199,7 @@ void draw_mac(Screen& screen,
       if (shape.size() != dofs) return;
       shapes.col(i) = shape;
     }
+    map.title = "AutoMAC in %: measured with measured";
     map.values = modal::mac(shapes, shapes);
     for (const modal::Mode& mode : input.modes.modes) {
       map.column_names.push_back(
@@ -216,7 +217,7 @@ void draw_mac(Screen& screen,
                   ? fitting({"MAC in %: measured (rows, Hz) with model" + rigid,
                              "MAC in %" + rigid},
                             rect.width)
-                  : "AutoMAC in %: measured with measured",
+                  : map.title,
               {.bold = true},
               rect.width);
   map.selected = static_cast<int>(selected);

@@ -14,7 +14,8 @@ TEST(Program, CompletesCommands) {
   EXPECT_TRUE(holds(played("wait\n:run x<Enter>"), "which run?"));
   EXPECT_TRUE(
       holds(played("wait\n:report out.md<Enter>\nwait"), "written: out.md"));
-  EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.html"));
+  EXPECT_TRUE(
+      holds(played("7\nwait\nw\nwait"), "written: made-up/report.html"));
 }
 
 TEST(Program, TakesALineBackAsAShellDoes) {
