@@ -9,6 +9,7 @@
 #include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
+#include "tui/report/csv_table.hpp"
 #include "updating/export/outside_files.hpp"
 
 #include <fmt/format.h>
@@ -44,8 +45,11 @@ int run_command(const Invocation& invocation) {
   tapfit::tui::ProgressLine line(isatty(STDERR_FILENO) != 0);
   const std::string output =
       invocation.command(invocation.options, line.progress());
+  const std::string& table = invocation.options.csv;
+  const std::string printed =
+      table.empty() ? output : tapfit::tui::csv_table(output, table);
   line.clear();
-  print(output);
+  print(printed);
   return ExitStatus::Done;
 }
 

@@ -66,6 +66,7 @@ struct HandChoices {
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
+  std::string csv;              ///< the table of it to print instead, if any
   bool force = false;           ///< replace files that are there
   bool inside = false;          ///< read nothing from outside the folder
   std::optional<std::filesystem::path> uff;      ///< universal file to write

@@ -358,4 +358,9 @@ bool locale_is_utf8() {
   return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
 }
 
+std::string terminal_library() {
+  const std::string name = curses_version();  // "ncurses 6.4.20221231"
+  return name.substr(name.find(' ') + 1);
+}
+
 }  // namespace tapfit::tui

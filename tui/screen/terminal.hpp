@@ -50,4 +50,7 @@ class Terminal {
 /// type (numbers stay in C) from the environment.
 [[nodiscard]] bool locale_is_utf8();
 
+/// The version of ncurses that is in use.
+[[nodiscard]] std::string terminal_library();
+
 }  // namespace tapfit::tui
