@@ -4,6 +4,7 @@
 #include "tui/commands/check_command.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/doctor_command.hpp"
 #include "tui/commands/export_command.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/commands/frf_command.hpp"
@@ -74,12 +75,12 @@ struct Entry {
   const char* does;
   Command command;
   unsigned extras;
-  const char* table = nullptr;  ///< what --csv prints of its JSON
-  const char* input = "BUNDLE";
-  const char* alias = nullptr;  ///< an older name
+  const char* table = nullptr;   ///< what --csv prints of its JSON
+  const char* input = "BUNDLE";  ///< null: none is read
+  const char* alias = nullptr;   ///< an older name
 };
 
-constexpr std::array<Entry, 17> entries{{
+constexpr std::array<Entry, 18> entries{{
     {"run",
      "The whole chain, recording to error ladder",
      run_command,
@@ -157,6 +158,12 @@ constexpr std::array<Entry, 17> entries{{
      "Write FRFs, modes and the updated deck",
      export_command,
      Uff | DeckFile | Effects},
+    {"doctor",
+     "Check the terminal, the cache and the machine",
+     doctor_command,
+     None,
+     "checks",
+     nullptr},
 }};
 
 void add_inside(CLI::App& command, CommandOptions& options) {
@@ -192,8 +199,10 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
-  command->add_option(entry.input, options.input)->required();
-  add_inside(*command, options);
+  if (entry.input != nullptr) {
+    command->add_option(entry.input, options.input)->required();
+    add_inside(*command, options);
+  }
   if ((entry.extras & TextOnly) == 0) add_formats(*command, entry, options);
   if ((entry.extras & Uff) != 0) {
     command->add_option("--uff", options.uff, "Universal file to write");
@@ -270,20 +279,7 @@ void add_import(CLI::App& app, Invocation& invocation) {
 void add_paper(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "paper", "The published tables beside the program's own");
-  CommandOptions& options = invocation.options;
-  command
-      ->add_option("STRUCTURE",
-                   options.paper.structures,
-                   "truss, wing, frame; all where none is named")
-      ->check(CLI::IsMember({"truss", "wing", "frame"}));
-  command->add_option(
-      "--recordings", options.input, "Folder of the bundles (recordings)");
-  command->add_option("--write",
-                      options.paper.write,
-                      "Folder for the simulated FRFs of truss and wing, made "
-                      "again");
-  add_force(*command, options);
-  command->add_flag("--json", options.json, "Print one JSON object");
+  add_paper_options(*command, invocation.options);
   command->callback([&invocation] {
     invocation.name = "paper";
     invocation.command = paper_command;
@@ -308,9 +304,9 @@ void add_own(CLI::App& app,
 }
 
 std::string version_text() {
-  std::string text = "tapfit " TAPFIT_VERSION;
+  std::string text;
   for (const auto& [name, version] : library_versions()) {
-    text += fmt::format("\n  {} {}", name, version);
+    text += fmt::format("{}{} {}", text.empty() ? "" : "\n  ", name, version);
   }
   return text;
 }

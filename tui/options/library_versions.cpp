@@ -19,6 +19,7 @@ std::vector<std::pair<std::string, std::string>> library_versions() {
     return fmt::format("{}.{}.{}", major, minor, patch);
   };
   return {
+      {"tapfit", TAPFIT_VERSION},
       {"Eigen",
        version(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
       {"FFTW", signal::fft_library()},

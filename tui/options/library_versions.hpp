@@ -8,8 +8,8 @@
 
 namespace tapfit::tui {
 
-/// Libraries with the versions that are in use; of those made of headers alone,
-/// the versions it was built with.
+/// The program itself, then libraries with the versions that are in use; of
+/// those made of headers alone, the versions it was built with.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>>
 library_versions();
 

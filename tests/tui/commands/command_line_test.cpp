@@ -201,7 +201,7 @@ TEST(CommandLine, NothingNamedComesWithTheHelp) {
 TEST(CommandLine, TheVersionNamesLibraries) {
   const std::string text = answered({"--version"}).text;
   for (const char* library :
-       {"Eigen 3.", "FFTW 3.", "CHOLMOD ", "libsndfile 1.", "ncurses 6."}) {
+       {"tapfit ", "Eigen 3.", "FFTW 3.", "CHOLMOD ", "libsndfile 1.", "ncurses 6."}) {
     EXPECT_NE(text.find(library), std::string::npos) << text;
   }
 }
