@@ -236,12 +236,6 @@ TEST(ModesView, TakesNoModes) {
       holds(modes_view({none, nullptr, nullptr, nullptr}, {}, {}), "No mode"));
 }
 
-TEST(ModesView, StemsFollowTheSignOfTheShape) {
-  const auto found = stems(testing::fake_modes(), 1);
-  ASSERT_EQ(found.size(), 2U);
-  EXPECT_NEAR(found.at(6).z() / found.at(4).z(), -0.4, 1e-12);  // exact data
-}
-
 TEST(DiagnoseView, ShowsCandidatesSizesAndLookAlikes) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
   const updating::Diagnosis d = testing::fake_diagnosis();
