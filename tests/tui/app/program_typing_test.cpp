@@ -90,5 +90,12 @@ TEST(Program, CountsCompletionsThatDoNotFit) {
   expect_fits(text, 80);
 }
 
+TEST(ProgramTyping, SaysWhatWasMeant) {
+  EXPECT_TRUE(holds(played("wait\n:reprot<Enter>", {300, 24}),
+                    "did you mean report?"));
+  EXPECT_TRUE(holds(played("wait\n:add joit@3:4<Enter>\nwait", {500, 24}),
+                    "did you mean joint?"));
+}
+
 }  // namespace
 }  // namespace tapfit::tui
