@@ -62,17 +62,13 @@ fs::path free_for(const fs::path& named,
   });
 }
 
-void write_files(const fs::path& named,
-                 const std::vector<PlotFile>& files,
-                 const acquisition::OutputRule& rule) {
-  const fs::path folder =
-      named.has_parent_path() ? named.parent_path() : fs::path(".");
-  acquisition::OutputFolder output(folder, rule);
+std::vector<acquisition::FileContent> named_files(
+    const fs::path& named, const std::vector<PlotFile>& files) {
+  std::vector<acquisition::FileContent> all;
   for (const PlotFile& file : files) {
-    const fs::path name = with_ending(named.filename(), file.ending);
-    acquisition::write_file(output.file(name), file.content);
+    all.push_back({with_ending(named, file.ending), file.content});
   }
-  output.commit();
+  return all;
 }
 
 std::string lower(std::string text) {
@@ -105,7 +101,7 @@ void Program::write_plots(const std::string& named) {
     const acquisition::OutputRule rule =
         updating::output_rule_of(*known_.bundle, false);
     const fs::path free = free_for(wanted, files, rule);
-    write_files(free, files, rule);
+    acquisition::write_files(named_files(free, files), rule);
     tell(fmt::format("written: {}{}{}",
                      with_ending(free, files.front().ending).string(),
                      files.size() > 2   ? " … "

@@ -204,13 +204,8 @@ void write_shapes_vtu(Session& session,
       vtu_text(points_mesh(deck, session.modes(progress), comparison));
   const std::string whole =
       pvd_text({files[1].filename().string(), files[2].filename().string()});
-  const fs::path folder =
-      named.has_parent_path() ? named.parent_path() : fs::path(".");
-  acquisition::OutputFolder output(folder, rule);
-  acquisition::write_file(output.file(files[0].filename()), whole);
-  acquisition::write_file(output.file(files[1].filename()), model);
-  acquisition::write_file(output.file(files[2].filename()), points);
-  output.commit();
+  acquisition::write_files(
+      {{files[0], whole}, {files[1], model}, {files[2], points}}, rule);
 }
 
 }  // namespace tapfit::updating
