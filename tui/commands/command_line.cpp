@@ -365,7 +365,8 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   const auto misspelt = [&] {
     const std::filesystem::path& input = invocation.options.input;
     std::error_code fault;
-    return invocation.name.empty() && !std::filesystem::exists(input, fault)
+    return app.get_subcommands().empty() &&
+                   !std::filesystem::exists(input, fault)
                ? meant_command(app, input.string())
                : std::string();
   };
