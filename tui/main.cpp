@@ -9,6 +9,7 @@
 #include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
+#include "tui/report/csv_table.hpp"
 #include "updating/export/outside_files.hpp"
 
 #include <fmt/format.h>
@@ -33,19 +34,26 @@ using tapfit::tui::say;
 int open_terminal(const Invocation& invocation) {
   const bool replay = invocation.app.keys_file.has_value();
   if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
-    say(fmt::format("tapfit: this is no terminal; try 'tapfit run {}'\n",
-                    invocation.options.input.string()));
+    say(!invocation.help.empty()
+            ? invocation.help
+            : fmt::format("tapfit: this is no terminal; try 'tapfit run {}'\n",
+                          invocation.options.input.string()));
     return ExitStatus::CommandLineAtFault;
   }
-  return tapfit::tui::run_app(invocation.options.input, invocation.app);
+  tapfit::tui::AppOptions options = invocation.app;
+  options.inside = invocation.options.inside;
+  return tapfit::tui::run_app(invocation.options.input, options);
 }
 
 int run_command(const Invocation& invocation) {
   tapfit::tui::ProgressLine line(isatty(STDERR_FILENO) != 0);
   const std::string output =
       invocation.command(invocation.options, line.progress());
+  const std::string& table = invocation.options.csv;
+  const std::string printed =
+      table.empty() ? output : tapfit::tui::csv_table(output, table);
   line.clear();
-  print(output);
+  print(printed);
   return ExitStatus::Done;
 }
 
@@ -73,7 +81,7 @@ int tapfit_main(int argc, const char* const* argv) {
   const auto& invocation = std::get<Invocation>(parsed);
   const bool own = invocation.name == "simulate" || invocation.name == "score";
   if (own) return run_own(invocation);
-  if (invocation.options.inside) {
+  if (invocation.options.inside && !invocation.options.input.empty()) {
     tapfit::updating::check_inside(invocation.options.input);
   }
   return invocation.command != nullptr ? run_command(invocation)

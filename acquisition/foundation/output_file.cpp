@@ -146,4 +146,20 @@ void write_file(const fs::path& target, std::string_view content) {
   file.commit();
 }
 
+void write_files(const std::vector<FileContent>& files,
+                 const OutputRule& rule) {
+  if (files.empty()) return;
+  const fs::path folder = fs::absolute(files.front().path).parent_path();
+  std::error_code fault;
+  if (!fs::is_directory(folder, fault)) {
+    throw InputError(
+        "is no folder", folder.string(), "make it, or name another");
+  }
+  OutputFolder output(folder, rule);
+  for (const FileContent& file : files) {
+    write_file(output.file(file.path.filename()), file.content);
+  }
+  output.commit();
+}
+
 }  // namespace tapfit::acquisition

@@ -10,6 +10,7 @@
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tapfit::acquisition {
 
@@ -80,5 +81,17 @@ void check_in_folder(const OutputRule& rule,
 /// A whole file at once.
 /// @throws InputError where it cannot be written
 void write_file(const std::filesystem::path& target, std::string_view content);
+
+/// A file and what it is to hold.
+struct FileContent {
+  std::filesystem::path path;
+  std::string content;
+};
+
+/// Files that belong together, all of them or none.
+/// @param files of one folder, which is there
+/// @throws InputError where the rule does not let one of them, or one cannot be
+///   written
+void write_files(const std::vector<FileContent>& files, const OutputRule& rule);
 
 }  // namespace tapfit::acquisition

@@ -307,4 +307,9 @@ void write_audio(const std::filesystem::path& file,
   check_end(file, samples.rows());
 }
 
+std::string sound_library() {
+  const std::string name = sf_version_string();  // "libsndfile-1.2.0"
+  return name.substr(name.find('-') + 1);
+}
+
 }  // namespace tapfit::acquisition

@@ -69,6 +69,9 @@ class AudioReader {
                                        Eigen::Index channels,
                                        const std::filesystem::path& file);
 
+/// The version of libsndfile that is in use.
+[[nodiscard]] std::string sound_library();
+
 enum class AudioFormat { Flac24, Wav24, WavFloat64 };
 
 /// Writes n_samples x n_channels, 1.0 = digital full scale. The integer formats

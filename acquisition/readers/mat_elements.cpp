@@ -216,4 +216,6 @@ void check_mat_elements(const std::filesystem::path& file) {
   }
 }
 
+std::string packing_library() { return zlibVersion(); }
+
 }  // namespace tapfit::acquisition

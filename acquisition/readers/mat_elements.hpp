@@ -8,6 +8,7 @@
 #include "acquisition/foundation/input_error.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace tapfit::acquisition {
 
@@ -19,5 +20,8 @@ namespace tapfit::acquisition {
 ///
 /// @throws InputError with the byte where it ends early or is damaged
 void check_mat_elements(const std::filesystem::path& file);
+
+/// The version of zlib that is in use.
+[[nodiscard]] std::string packing_library();
 
 }  // namespace tapfit::acquisition

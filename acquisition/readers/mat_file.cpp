@@ -8,6 +8,7 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -270,6 +271,12 @@ double read_mat_number(const std::filesystem::path& file,
       fmt::format("\"{}\" has {} values, not one", name, value.size()),
       file.string(),
       "name a variable that holds one number");
+}
+
+std::string matlab_library() {
+  std::array<int, 3> version{};
+  Mat_GetLibraryVersion(&version[0], &version[1], &version[2]);
+  return fmt::format("{}.{}.{}", version[0], version[1], version[2]);
 }
 
 }  // namespace tapfit::acquisition

@@ -23,4 +23,7 @@ namespace tapfit::acquisition {
 [[nodiscard]] double read_mat_number(const std::filesystem::path& file,
                                      const std::string& name);
 
+/// The version of matio that is in use.
+[[nodiscard]] std::string matlab_library();
+
 }  // namespace tapfit::acquisition

@@ -187,4 +187,10 @@ void RealFft::transform(const Eigen::Ref<const Eigen::VectorXd>& samples,
                                              lines.size());
 }
 
+std::string fft_library() {
+  const std::string name = fftw_version;  // "fftw-3.3.10-sse2-avx"
+  const std::size_t begin = name.find('-') + 1;
+  return name.substr(begin, name.find('-', begin) - begin);
+}
+
 }  // namespace tapfit::signal

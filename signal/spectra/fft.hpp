@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <string>
 
 namespace tapfit::signal {
 
@@ -54,5 +55,8 @@ class RealFft {
   std::shared_ptr<const Plan> plan_;
   std::unique_ptr<Buffers> buffers_;
 };
+
+/// The version of FFTW that is in use.
+[[nodiscard]] std::string fft_library();
 
 }  // namespace tapfit::signal

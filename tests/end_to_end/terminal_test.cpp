@@ -58,6 +58,30 @@ TEST(Terminal, IsAsItWasAfterQuitting) {
   EXPECT_TRUE(terminal.wrote(mouse_off, seconds(1)));
 }
 
+// The demonstration beside the program, without a cache to know others from.
+TEST(Terminal, OffersBundlesWhereNoneIsNamed) {
+  PseudoTerminal terminal({});
+  ASSERT_TRUE(terminal.shows("demonstration", seconds(10)));
+  terminal.type("/demonstration\r\r");
+  EXPECT_TRUE(terminal.shows("1 Recording", seconds(20)));
+  terminal.type("q");
+  const auto status = terminal.ends(seconds(10));
+  EXPECT_TRUE(status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0);
+}
+
+// The numbers of 157 lines and more, in base 64.
+TEST(Terminal, TakesWhatIsCopied) {
+  PseudoTerminal terminal({copy_of_bundle()});
+  ASSERT_TRUE(terminal.shows("3 accepted", seconds(20)));
+  terminal.type("2");
+  ASSERT_TRUE(terminal.shows("|H|", seconds(20)));
+  terminal.type("y");
+  EXPECT_TRUE(terminal.wrote("\033]52;c;ZiBbSHpdC", seconds(10)));
+  EXPECT_TRUE(terminal.shows("copied ", seconds(10)));
+  terminal.type("q");
+  EXPECT_TRUE(terminal.ends(seconds(10)));
+}
+
 // As over ssh from a terminal newer than this system's list of them.
 TEST(Terminal, OfAnUnknownKindIsTakenAsXterm) {
   TerminalSetting setting;

@@ -1,13 +1,17 @@
 #include "tui/app/app.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/app/key_script.hpp"
+#include "tui/app/picker.hpp"
 #include "tui/app/program.hpp"
+#include "tui/app/recent_bundles.hpp"
 #include "tui/app/replay.hpp"
 #include "tui/app/session_workbench.hpp"
 #include "tui/options/exit_status.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/terminal.hpp"
+#include "updating/export/outside_files.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -23,6 +27,25 @@ namespace {
 
 constexpr int frame_ms = 40;
 
+/// Keys that wait, all before the next drawing.
+/// @return false where there were none
+template <class Shown>
+bool take_keys(Terminal& terminal, Shown& shown) {
+  bool any = false;
+  int wait = frame_ms;
+  while (const std::optional<Key> key = terminal.read_key(wait)) {
+    any = true;
+    wait = 0;
+    if (*key == Key(U'z', true)) {
+      terminal.suspend();
+    } else if (*key != keys::resize) {
+      shown.press(*key);
+    }
+    shown.resize(terminal.width(), terminal.height());
+  }
+  return any;
+}
+
 /// Until the user leaves or a signal asks to.
 void converse(Terminal& terminal, Program& program) {
   bool changed = true;
@@ -30,20 +53,35 @@ void converse(Terminal& terminal, Program& program) {
     changed = program.tick() || changed;
     changed = program.animate() || changed;
     if (changed) terminal.show(program.draw());
-    changed = false;
-    // All keys that wait are taken before the next drawing.
-    int wait = frame_ms;
-    while (const std::optional<Key> key = terminal.read_key(wait)) {
-      changed = true;
-      wait = 0;
-      if (*key == Key(U'z', true)) {
-        terminal.suspend();
-      } else if (*key != keys::resize) {
-        program.press(*key);
-      }
-      program.resize(terminal.width(), terminal.height());
+    changed = take_keys(terminal, program);
+  }
+}
+
+using Opened = std::unique_ptr<Workbench>;
+
+Opened open_and_remember(const std::filesystem::path& bundle) {
+  Opened opened = open_session(bundle);
+  remember_bundle(bundle);
+  return opened;
+}
+
+/// The bundle that the user picks, opened; none where the user leaves.
+Opened pick(Terminal& terminal, const AppOptions& options, bool ascii) {
+  Picker picker(picker_start(), {terminal.width(), terminal.height(), ascii});
+  while (!picker.quit() && !Terminal::asked_to_end()) {
+    terminal.show(picker.draw());
+    while (!take_keys(terminal, picker) && !Terminal::asked_to_end()) {
+    }
+    const auto picked = picker.take_picked();
+    if (!picked) continue;
+    try {
+      if (options.inside) updating::check_inside(*picked);
+      return open_and_remember(*picked);
+    } catch (const InputError& error) {
+      picker.refuse(error.what());
     }
   }
+  return nullptr;
 }
 
 /// What runs still is asked to stop; some of it (a factorisation) does not look
@@ -58,28 +96,48 @@ bool let_go(Program& program) {
   return !program.busy();
 }
 
-int run_in_terminal(std::unique_ptr<Workbench> bench,
-                    const AppOptions& options,
-                    Glyphs glyphs) {
+std::unique_ptr<Terminal> open_terminal(const AppOptions& options,
+                                        Glyphs glyphs) {
   const char* variable = std::getenv("COLORFGBG");
   const std::string said = variable != nullptr ? variable : "";
-  auto terminal = std::make_unique<Terminal>(
+  return std::make_unique<Terminal>(
       TerminalOptions{options.no_colour,
                       options.no_mouse,
                       glyphs == Glyphs::Blocks,
                       options.light || (!options.dark && is_light(said))});
-  Program program(
-      std::move(bench),
-      {terminal->width(), terminal->height(), glyphs == Glyphs::Ascii});
+}
+
+int ended() {
+  return Terminal::asked_to_end() ? ExitStatus::StoppedByUser
+                                  : ExitStatus::Done;
+}
+
+int run_in_terminal(Opened bench,
+                    std::unique_ptr<Terminal> terminal,
+                    bool ascii) {
+  Program program(std::move(bench),
+                  {terminal->width(), terminal->height(), ascii});
+  program.copy_with(
+      [&terminal](const std::string& text) { terminal->copy(text); });
   converse(*terminal, program);
   terminal.reset();  // the shell's again, whatever is still to be awaited
-  const int status =
-      Terminal::asked_to_end() ? ExitStatus::StoppedByUser : ExitStatus::Done;
+  const int status = ended();
   if (!let_go(program)) {
     std::fflush(nullptr);
     std::_Exit(status);  // every step was saved when it was done
   }
   return status;
+}
+
+int replay_keys(const std::filesystem::path& bundle,
+                const AppOptions& options,
+                bool ascii) {
+  Opened bench = open_session(bundle);
+  const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
+  Program program(std::move(bench), {options.width, options.height, ascii});
+  const std::string text = replay(program, steps);
+  print(text);
+  return ExitStatus::Done;
 }
 
 Glyphs wanted_glyphs(const AppOptions& options) {
@@ -96,15 +154,13 @@ Glyphs wanted_glyphs(const AppOptions& options) {
 int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
   const Glyphs glyphs = wanted_glyphs(options);
   const bool ascii = glyphs == Glyphs::Ascii;
-  std::unique_ptr<Workbench> bench = open_session(bundle);
-  if (!options.keys_file) {
-    return run_in_terminal(std::move(bench), options, glyphs);
-  }
-  const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
-  Program program(std::move(bench), {options.width, options.height, ascii});
-  const std::string text = replay(program, steps);
-  print(text);
-  return 0;
+  if (options.keys_file) return replay_keys(bundle, options, ascii);
+  Opened bench;
+  if (!bundle.empty()) bench = open_and_remember(bundle);
+  std::unique_ptr<Terminal> terminal = open_terminal(options, glyphs);
+  if (bundle.empty()) bench = pick(*terminal, options, ascii);
+  if (bench == nullptr) return ended();
+  return run_in_terminal(std::move(bench), std::move(terminal), ascii);
 }
 
 }  // namespace tapfit::tui

@@ -9,6 +9,7 @@ namespace tapfit::tui {
 
 /// Opens the bundle and runs until the user quits.
 ///
+/// @param bundle empty: the user picks one in the terminal
 /// @return ExitStatus::Done, or StoppedByUser where a signal ended it
 /// @throws InputError for a bundle or key script that cannot be read; the
 ///   terminal is restored before it leaves

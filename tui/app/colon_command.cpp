@@ -1,6 +1,7 @@
 #include "tui/app/colon_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/nearest_word.hpp"
 #include "tui/app/place_words.hpp"
 #include "updating/catalogue/catalogue.hpp"
 
@@ -17,34 +18,26 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 18> commands{{
-    {"quit", Kind::Quit},
-    {"help", Kind::Help},
-    {"add", Kind::Add},
-    {"toggle", Kind::Toggle},
-    {"undo", Kind::Undo},
-    {"redo", Kind::Redo},
-    {"drop", Kind::Drop},
-    {"pick", Kind::Pick},
-    {"pair", Kind::Pair},
-    {"band", Kind::Band},
-    {"screen", Kind::Screen},
-    {"run", Kind::Run},
-    {"report", Kind::Report},
-    {"deck", Kind::Deck},
-    {"uff", Kind::Uff},
-    {"stop", Kind::Stop},
-    {"retry", Kind::Retry},
+constexpr std::array<std::pair<std::string_view, Kind>, 19> commands{{
+    {"quit", Kind::Quit},     {"help", Kind::Help},     {"add", Kind::Add},
+    {"toggle", Kind::Toggle}, {"undo", Kind::Undo},     {"redo", Kind::Redo},
+    {"drop", Kind::Drop},     {"pick", Kind::Pick},     {"pair", Kind::Pair},
+    {"band", Kind::Band},     {"screen", Kind::Screen}, {"run", Kind::Run},
+    {"report", Kind::Report}, {"deck", Kind::Deck},     {"uff", Kind::Uff},
+    {"plot", Kind::Plot},     {"stop", Kind::Stop},     {"retry", Kind::Retry},
     {"exit", Kind::Quit},
 }};
 
-[[noreturn]] void refuse(std::string_view text) {
+[[noreturn]] void refuse(std::string_view word, std::string_view text) {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : commands) names.emplace_back(name);
   throw InputError(
       fmt::format("no such command: {}", text),
       "after ':'",
-      "there are :q :help :add EFFECT@PLACE ... :toggle N :undo :redo "
-      ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
-      ":run N :report :deck :uff :stop :retry");
+      did_you_mean(word, names) +
+          "there are :q :help :add EFFECT@PLACE ... :toggle N :undo :redo "
+          ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
+          ":run N :report :deck :uff :plot :stop :retry");
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -56,7 +49,7 @@ std::string_view trimmed(std::string_view text) {
 std::size_t digit(char c) { return static_cast<std::size_t>(c - '0'); }
 
 Kind kind_of(std::string_view word, std::string_view text) {
-  if (word.empty()) refuse(text);
+  if (word.empty()) refuse(word, text);
   int found = 0;
   Kind kind = Kind::Help;
   for (const auto& [name, its] : commands) {
@@ -65,7 +58,7 @@ Kind kind_of(std::string_view word, std::string_view text) {
     ++found;
     kind = its;
   }
-  if (found != 1) refuse(text);
+  if (found != 1) refuse(word, text);
   return kind;
 }
 

@@ -26,17 +26,18 @@ struct ColonCommand {
     Report,
     Deck,
     Uff,
+    Plot,
     Stop,
     Retry
   };
   Kind kind = Kind::Help;
-  /// Effect of Add; what follows Drop to Band; file of Report, Deck and Uff.
+  /// Effect of Add; what follows Drop to Band; file of Report to Plot.
   std::string argument;
   std::size_t number = 0;  ///< of Screen, Run, Toggle; from 1
 };
 
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
-/// "3", "run 12", "report", "deck FILE", "uff", "stop", "retry", "drop 12.98",
+/// "3", "run 12", "report", "deck FILE", "uff", "plot", "stop", "retry", "drop 12.98",
 /// "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut short while it is
 /// clear ("sc 3").
 ///

@@ -62,7 +62,11 @@ bool Program::lacks_model() const {
 }
 
 std::vector<KeyHelp> Program::page_keys() const {
-  return lacks_model() ? page().keys_without_model() : page().keys();
+  if (lacks_model()) return page().keys_without_model();
+  std::vector<KeyHelp> keys = page().keys();
+  keys.push_back({"P", "write plot"});
+  keys.push_back({"y", "copy plot"});
+  return keys;
 }
 
 bool Program::ready() const {
@@ -278,6 +282,10 @@ void Program::press_global(Key key) {
   } else if (key == U'S' && acting()) {
     worker_.keep();
     tell("ending with what is reached …");
+  } else if (key == U'P') {
+    write_plots({});
+  } else if (key == U'y') {
+    copy_plots();
   } else if (key == U'r') {
     retry();
   } else if (key == Key(U'c', true) && running_) {

@@ -12,11 +12,13 @@
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 #include "tui/views/page.hpp"
+#include "tui/widgets/drawing.hpp"
 #include "tui/work/worker.hpp"
 
 #include <array>
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -51,6 +53,10 @@ class Program {
   [[nodiscard]] bool quit() const { return quit_; }
   /// Asks what runs to stop, for good.
   void leave();
+  /// Who puts text into the clipboard; nobody where there is no terminal.
+  void copy_with(std::function<void(const std::string&)> copy) {
+    copy_ = std::move(copy);
+  }
   /// Work runs, whatever comes of it.
   [[nodiscard]] bool busy() const { return worker_.status().busy; }
 
@@ -93,6 +99,12 @@ class Program {
   /// @param named the file; empty: the usual one beside the test
   void write(Output what, const std::string& named);
   void answer_replacing(const Replacement& asked, Key key);
+  /// What the screen plots, from top to bottom.
+  [[nodiscard]] std::vector<Drawing> plotted() const;
+  /// Writes it under a free name, at once.
+  /// @param named without its ending; empty: the screen's beside the test
+  void write_plots(const std::string& named);
+  void copy_plots();
   void act(Job job);
   /// What runs is what the user asked for, and not a screen's need.
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
@@ -140,6 +152,7 @@ class Program {
   bool message_is_to_wait_ = false;              ///< and ends with what runs
   bool help_open_ = false;
   int help_row_ = 0;  ///< the first line shown of a help that is too long
+  std::function<void(const std::string&)> copy_;
   bool quit_ = false;
   /// q was the last key and something would be lost: it leaves once that is
   /// done, and at once where q comes again.

@@ -274,7 +274,7 @@ void Program::draw_line(Screen& screen, int y) const {
   }
   if (shown_.busy) return draw_work(screen, y);
   const std::string words = filter_words() + (boxed() ? "" : message_);
-  if (words.empty() && ready()) {
+  if (words.empty() && (ready() || lacks_model())) {
     screen.text(
         1, y, step_words(current_, known_), {.colour = Colour::Grey}, width);
     return;

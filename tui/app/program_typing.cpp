@@ -110,6 +110,8 @@ void Program::run_colon(const std::string& text) {
       return write(Output::Deck, command.argument);
     case Kind::Uff:
       return write(Output::Uff, command.argument);
+    case Kind::Plot:
+      return write_plots(command.argument);
     case Kind::Undo:
       return act(undo());
     case Kind::Redo:

@@ -1,11 +1,10 @@
 #include "tui/commands/command_line.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
-#include "signal/mass_removal/named_masses.hpp"
 #include "tui/commands/calibrate_command.hpp"
 #include "tui/commands/check_command.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
+#include "tui/commands/doctor_command.hpp"
 #include "tui/commands/export_command.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/commands/frf_command.hpp"
@@ -22,18 +21,25 @@
 #include "tui/commands/uff_command.hpp"
 #include "tui/commands/update_command.hpp"
 #include "tui/options/export_options.hpp"
+#include "tui/options/fit_options.hpp"
+#include "tui/options/frf_options.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/options/import_options.hpp"
+#include "tui/options/library_versions.hpp"
+#include "tui/options/misspelt.hpp"
 #include "tui/options/modes_options.hpp"
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
-#include "updating/catalogue/effect_place.hpp"
-#include "updating/fit/line_rule.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <filesystem>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
@@ -69,44 +75,71 @@ struct Entry {
   const char* does;
   Command command;
   unsigned extras;
-  const char* input = "BUNDLE";
-  const char* alias = nullptr;  ///< an older name
+  const char* table = nullptr;   ///< what --csv prints of its JSON
+  const char* input = "BUNDLE";  ///< null: none is read
+  const char* alias = nullptr;   ///< an older name
 };
 
-constexpr std::array<Entry, 17> entries{{
+constexpr std::array<Entry, 18> entries{{
     {"run",
      "The whole chain, recording to error ladder",
      run_command,
      ByHand | Pairs},
-    {"hits", "Hits found and judged", hits_command, None},
+    {"hits", "Hits found and judged", hits_command, None, "runs.hits"},
     {"frf",
      "Frequency response functions and their quality",
      frf_command,
-     Uff | Free | Estimate},
+     Uff | Free | Estimate,
+     "frfs"},
     {"check",
      "Check a test before any model",
      check_command,
      BodyMass,
+     "findings",
      "BUNDLE",
      "quality"},
     {"calibrate",
      "Sensors against the hammer, on a known mass",
      calibrate_command,
-     Mass},
+     Mass,
+     "calibration"},
     {"replay",
      "The test as if it were being measured",
      replay_command,
      Uff | Speed},
-    {"modes", "Identified modes", modes_command, Uff | Identify | ByHand},
+    {"modes",
+     "Identified modes",
+     modes_command,
+     Uff | Identify | ByHand,
+     "modes"},
     {"mac",
      "Two sets of modes against each other, or one against itself",
      mac_command,
      Mac | Pairs,
+     "pairs",
      "MODES"},
-    {"model", "Summarise a deck, and its modes", model_command, Modes, "DECK"},
-    {"uff", "What a universal file holds", uff_command, None, "FILE"},
-    {"compare", "Model against measurement", compare_command, ByHand | Pairs},
-    {"diagnose", "What is missing from the model", diagnose_command, ByHand},
+    {"model",
+     "Summarise a deck, and its modes",
+     model_command,
+     Modes,
+     nullptr,
+     "DECK"},
+    {"uff",
+     "What a universal file holds",
+     uff_command,
+     None,
+     "functions",
+     "FILE"},
+    {"compare",
+     "Model against measurement",
+     compare_command,
+     ByHand | Pairs,
+     "pairs"},
+    {"diagnose",
+     "What is missing from the model",
+     diagnose_command,
+     ByHand,
+     "candidates"},
     {"signature",
      "Missing dynamic stiffness at a grid",
      signature_command,
@@ -114,7 +147,8 @@ constexpr std::array<Entry, 17> entries{{
     {"update",
      "Identify uncertain properties and the effects named",
      update_command,
-     Effects | Regularisation | ByHand | Pairs},
+     Effects | Regularisation | ByHand | Pairs,
+     "ladder"},
     {"session", "Re-run a saved session", session_command, SavedFile | Output},
     {"report",
      "A report of the finished work, HTML or Markdown",
@@ -124,79 +158,13 @@ constexpr std::array<Entry, 17> entries{{
      "Write FRFs, modes and the updated deck",
      export_command,
      Uff | DeckFile | Effects},
+    {"doctor",
+     "Check the terminal, the cache and the machine",
+     doctor_command,
+     None,
+     "checks",
+     nullptr},
 }};
-
-/// What is wrong with an effect as written; empty where nothing is.
-std::string effect_fault(const std::string& text) {
-  try {
-    static_cast<void>(updating::parse_effect(text));
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-/// What is wrong with a mass as written; empty where nothing is.
-std::string free_fault(const std::string& text) {
-  return signal::parse_free(text)
-             ? std::string{}
-             : "\"" + text + "\" is not SENSOR[=KG][,sd=KG]";
-}
-
-std::string lines_fault(const std::string& text) {
-  try {
-    static_cast<void>(updating::parse_lines(text));
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
-}
-
-std::string lambda_fault(const std::string& text) {
-  double value = 0.0;
-  const bool number = CLI::detail::lexical_cast(text, value) &&
-                      std::isfinite(value) && value >= 0.0;
-  return number || text == "l-curve"
-             ? std::string()
-             : "\"" + text + "\" is neither a number from 0 on nor l-curve";
-}
-
-void add_regularisation(CLI::App& command, CommandOptions& options) {
-  command
-      .add_option("--lines",
-                  options.lines,
-                  "Frequency lines: damped, rule, even, random, before-peaks "
-                  "or a list in Hz such as 20,31.5,40:60:0.5")
-      ->check(CLI::Validator(lines_fault, "LINES"));
-  command
-      .add_option("--lambda",
-                  options.lambda,
-                  "Tikhonov regularisation instead of the prior")
-      ->check(CLI::Validator(lambda_fault, "VALUE|l-curve"));
-}
-
-void add_estimate(CLI::App& command, FrfArguments& frf) {
-  command.add_option("--estimator", frf.estimator, "H1 (default), H2 or Hv")
-      ->check(CLI::IsMember({"H1", "H2", "Hv"}));
-  command
-      .add_option(
-          "--form", frf.form, "accelerance (default), mobility or receptance")
-      ->check(CLI::IsMember({"accelerance", "mobility", "receptance"}));
-  auto* window = command
-                     .add_option("--window",
-                                 frf.window,
-                                 "Value of the exponential window at the "
-                                 "block's end (0.01; 1: none)")
-                     ->check(CLI::Range(1e-6, 1.0));
-  command
-      .add_option(
-          "--sigma", frf.sigma, "On the line s = sigma + j omega, sigma in 1/s")
-      ->check(CLI::NonNegativeNumber)
-      ->excludes(window);
-  command.add_flag("--best-hits",
-                   frf.best_hits,
-                   "Without hits that stand apart from the others");
-}
 
 void add_inside(CLI::App& command, CommandOptions& options) {
   command.add_flag("--inside",
@@ -210,15 +178,32 @@ void add_force(CLI::App& command, CommandOptions& options) {
                    "Replace files that are there; never what the test reads");
 }
 
+/// One of the tables that the JSON holds, the command's own where none is
+/// named.
+void add_formats(CLI::App& command,
+                 const Entry& entry,
+                 CommandOptions& options) {
+  auto* json =
+      command.add_flag("--json", options.json, "Print one JSON object");
+  if (entry.table == nullptr) return;
+  command
+      .add_flag(fmt::format("--csv{{{}}}", entry.table),
+                options.csv,
+                fmt::format("Print the table {} of that as CSV; --csv=NAME: "
+                            "another of its tables",
+                            entry.table))
+      ->excludes(json);
+}
+
 void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
-  command->add_option(entry.input, options.input)->required();
-  add_inside(*command, options);
-  if ((entry.extras & TextOnly) == 0) {
-    command->add_flag("--json", options.json, "Print one JSON object");
+  if (entry.input != nullptr) {
+    command->add_option(entry.input, options.input)->required();
+    add_inside(*command, options);
   }
+  if ((entry.extras & TextOnly) == 0) add_formats(*command, entry, options);
   if ((entry.extras & Uff) != 0) {
     command->add_option("--uff", options.uff, "Universal file to write");
   }
@@ -233,23 +218,8 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
     command->add_option(
         "--file", options.saved, "Saved session (BUNDLE/session.json)");
   }
-  if ((entry.extras & Effects) != 0) {
-    command
-        ->add_option("--effect",
-                     options.effects,
-                     "Effect to add, for example added-mass@201")
-        ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
-        ->allow_extra_args(false);
-  }
-  if ((entry.extras & Free) != 0) {
-    command
-        ->add_option("--free",
-                     options.free,
-                     "Take a sensor's mass off: all, acc1, acc1=0.020 or "
-                     "acc1=0.020,sd=0.001 [kg]; again for each")
-        ->check(CLI::Validator(free_fault, "SENSOR[=KG][,sd=KG]"))
-        ->allow_extra_args(false);
-  }
+  if ((entry.extras & Effects) != 0) add_effects(*command, options);
+  if ((entry.extras & Free) != 0) add_free_masses(*command, options);
   if ((entry.extras & Regularisation) != 0) {
     add_regularisation(*command, options);
   }
@@ -299,28 +269,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
 void add_import(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "import", "Make a bundle out of CSV, MATLAB, SEP-005 or universal files");
-  CommandOptions& options = invocation.options;
-  ImportArguments& given = options.imports;
-  command->add_option("FILE", given.files, "FILE, or FILE@POINT of its blows")
-      ->required();
-  command->add_option("-o,--output", options.output, "Folder of the bundle")
-      ->required();
-  command->add_option("--hammer", given.hammer, "COLUMN@POINT,KEY=VALUE...")
-      ->required();
-  command->add_option("--sensor", given.sensors, "COLUMN@POINT,KEY=VALUE...")
-      ->required()
-      ->allow_extra_args(false);
-  command->add_option(
-      "--rate",
-      given.rate,
-      "Samples per second, or a variable of a .mat file that says it");
-  command->add_option("--time", given.time_column, "Column of the time [s]");
-  command->add_option("--title", given.title, "Title of the bundle");
-  command->add_option("--deck", options.deck, "Its bulk data model");
-  command->add_option("--band", given.band_hz, "Lowest and highest frequency")
-      ->delimiter(',');
-  add_force(*command, options);
-  command->add_flag("--json", options.json, "Print one JSON object");
+  add_import_options(*command, invocation.options);
   command->callback([&invocation] {
     invocation.name = "import";
     invocation.command = import_command;
@@ -330,20 +279,7 @@ void add_import(CLI::App& app, Invocation& invocation) {
 void add_paper(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "paper", "The published tables beside the program's own");
-  CommandOptions& options = invocation.options;
-  command
-      ->add_option("STRUCTURE",
-                   options.paper.structures,
-                   "truss, wing, frame; all where none is named")
-      ->check(CLI::IsMember({"truss", "wing", "frame"}));
-  command->add_option(
-      "--recordings", options.input, "Folder of the bundles (recordings)");
-  command->add_option("--write",
-                      options.paper.write,
-                      "Folder for the simulated FRFs of truss and wing, made "
-                      "again");
-  add_force(*command, options);
-  command->add_flag("--json", options.json, "Print one JSON object");
+  add_paper_options(*command, invocation.options);
   command->callback([&invocation] {
     invocation.name = "paper";
     invocation.command = paper_command;
@@ -367,6 +303,37 @@ void add_own(CLI::App& app,
   });
 }
 
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : library_versions()) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : "\n  ", name, version);
+  }
+  return text;
+}
+
+/// "tapfit help modes" as "tapfit modes --help".
+std::vector<std::string> arguments_of(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  std::error_code fault;
+  if (arguments.empty() || arguments.front() != "help" ||
+      std::filesystem::exists("help", fault)) {
+    return arguments;
+  }
+  arguments.erase(arguments.begin());
+  arguments.emplace_back("--help");
+  return arguments;
+}
+
+CommandLineAnswer answer_to(const CLI::App& app,
+                            const CLI::ParseError& error,
+                            const std::string& misspelt) {
+  std::ostringstream out;
+  std::ostringstream err;
+  if (app.exit(error, out, err) == 0) return {0, out.str()};
+  const std::string words = misspelt.empty() ? meant_words(app) : misspelt;
+  return {2, err.str() + words};
+}
+
 }  // namespace
 
 std::vector<std::string> command_names() {
@@ -386,7 +353,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
       "From hammer taps to a finite element model you can believe.\n"
       "Without a command, opens the bundle in the terminal.",
       "tapfit");
-  app.set_version_flag("--version", "tapfit " TAPFIT_VERSION);
+  app.set_version_flag("--version", version_text);
   app.require_subcommand(0, 1);
   add_terminal_options(app, invocation.options.input, invocation.app);
   add_inside(app, invocation.options);
@@ -395,18 +362,34 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   add_paper(app, invocation);
   add_own(app, simulate_name, "Make a bundle by a virtual test", invocation);
   add_own(app, score_name, "Diagnose practice cases and count", invocation);
+  const auto misspelt = [&] {
+    const std::filesystem::path& input = invocation.options.input;
+    std::error_code fault;
+    return app.get_subcommands().empty() &&
+                   !std::filesystem::exists(input, fault)
+               ? meant_command(app, input.string())
+               : std::string();
+  };
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = arguments_of(argc, argv);
+    std::ranges::reverse(arguments);  // as CLI11 wants them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    std::ostringstream out;
-    std::ostringstream err;
-    const bool fault = app.exit(error, out, err) != 0;
-    return CommandLineAnswer{.exit_status = fault ? 2 : 0,
-                             .text = fault ? err.str() : out.str()};
+    return answer_to(app, error, misspelt());
   }
-  if (invocation.name.empty() && invocation.options.input.empty()) {
-    return CommandLineAnswer{.exit_status = 2, .text = app.help()};
+  if (!invocation.options.csv.empty()) invocation.options.json = true;
+  if (!invocation.name.empty()) return invocation;
+  if (!invocation.options.input.empty()) {
+    const std::string meant = misspelt();
+    if (meant.empty()) return invocation;
+    return CommandLineAnswer{
+        2,
+        fmt::format("There is neither a bundle nor a command \"{}\".\n{}",
+                    invocation.options.input.string(),
+                    meant)};
   }
+  if (invocation.app.keys_file) return CommandLineAnswer{2, app.help()};
+  invocation.help = app.help();
   return invocation;
 }
 

@@ -23,6 +23,9 @@ struct Invocation {
   CommandOptions options;
   AppOptions app;
   std::vector<std::string> passed_on;  ///< arguments of "simulate", "score"
+  /// What to print where neither command nor bundle is named and there is no
+  /// terminal to pick one in; empty where something is.
+  std::string help;
 };
 
 /// Nothing to be done but to print: help and version were asked for, or the

@@ -4,6 +4,7 @@
 #include "acquisition/uff/write_uff_geometry.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "updating/export/measured_uff.hpp"
+#include "updating/export/shapes_vtu.hpp"
 #include "updating/export/updated_deck.hpp"
 #include "updating/session/add_diagnosed.hpp"
 #include "updating/session/session.hpp"
@@ -19,13 +20,16 @@ using nlohmann::ordered_json;
 
 namespace {
 
+/// Those named; for a deck where none is, what the diagnosis supports.
 void add_effects(updating::Session& session,
                  const CommandOptions& options,
                  const Progress& progress) {
   for (const auto& text : options.effects) {
     session.add(updating::parse_effect(text), progress);
   }
-  if (options.effects.empty()) updating::add_diagnosed(session, progress);
+  if (options.effects.empty() && options.deck) {
+    updating::add_diagnosed(session, progress);
+  }
 }
 
 // What the written deck says that it does not hold.
@@ -48,10 +52,11 @@ acquisition::UffNodes nodes_as(const CommandOptions& options) {
 
 std::string export_command(const CommandOptions& options,
                            const Progress& progress) {
-  if (!options.uff && !options.deck && !options.records) {
-    throw InputError("nothing to export",
-                     "tapfit export",
-                     "name a file with --uff, --records, --deck or several");
+  if (!options.uff && !options.deck && !options.records && !options.vtu) {
+    throw InputError(
+        "nothing to export",
+        "tapfit export",
+        "name a file with --uff, --records, --deck, --vtu or several");
   }
   updating::Session session = open_bundle(options);
   if (options.deck) updating::check_has_deck(session);
@@ -71,8 +76,17 @@ std::string export_command(const CommandOptions& options,
                                  progress);
     written.push_back(options.records->string());
   }
+  if (options.deck || options.vtu) add_effects(session, options, progress);
+  if (options.vtu) {
+    updating::write_shapes_vtu(session,
+                               *options.vtu,
+                               output_rule(session.bundle(), options),
+                               progress);
+    for (const auto& file : updating::vtu_files(*options.vtu)) {
+      written.push_back(file.string());
+    }
+  }
   if (options.deck) {
-    add_effects(session, options, progress);
     updating::write_updated_deck(session, *options.deck, progress);
     written.push_back(options.deck->string());
   }

@@ -11,7 +11,8 @@ namespace tapfit::tui {
 /// recordings (58b, or 58 with --text), both with the grids and lines of the
 /// model where there is one (2411, or 15 with --nodes 15, and 82); --deck the
 /// bulk data with the cards of the effects named by --effect (without any:
-/// those that the diagnosis supports).
+/// those that the diagnosis supports); --vtu the shapes of the model with the
+/// effects named, and those measured.
 ///
 /// @throws InputError when neither is asked for, when a file cannot be
 ///   written, for a deck where the bundle has none; Stopped

@@ -1,5 +1,6 @@
 #include "tui/commands/own_answer.hpp"
 
+#include "tui/options/misspelt.hpp"
 #include "tui/options/standard_streams.hpp"
 
 #include <sstream>
@@ -10,7 +11,7 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
   std::ostringstream err;
   if (app.exit(error, out, err) != 0) {
-    say(err.str());
+    say(err.str() + meant_words(app));
     return 2;
   }
   print(out.str());

@@ -24,6 +24,30 @@ std::string stroke_of(const Stroke& stroke) {
 
 }  // namespace
 
+const char* ink_of(Colour colour) {
+  switch (colour) {
+    case Colour::Blue:
+      return ink::blue;
+    case Colour::Orange:
+      return ink::orange;
+    case Colour::Green:
+      return ink::green;
+    case Colour::Red:
+      return ink::red;
+    case Colour::Purple:
+      return ink::violet;
+    case Colour::Sky:
+      return ink::sky;
+    case Colour::Yellow:
+      return ink::yellow;
+    case Colour::Grey:
+      return ink::grey;
+    case Colour::Default:
+      break;
+  }
+  return ink::black;
+}
+
 std::string coordinate(double value) {
   const double tenths = std::round(10.0 * value);
   if (!std::isfinite(tenths) || tenths == 0.0) return "0";

@@ -4,9 +4,10 @@
 // Source: W3C, "Scalable Vector Graphics (SVG) 1.1".
 #pragma once
 
+#include "tui/screen/screen.hpp"
+
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace tapfit::tui {
 
@@ -21,7 +22,12 @@ inline constexpr const char* orange = "#d55e00";
 inline constexpr const char* green = "#009e73";
 inline constexpr const char* yellow = "#e69f00";
 inline constexpr const char* violet = "#8250a8";
+inline constexpr const char* red = "#b3261e";
+inline constexpr const char* sky = "#3a9bd9";
 }  // namespace ink
+
+/// What a screen's colour is on white paper.
+[[nodiscard]] const char* ink_of(Colour colour);
 
 /// One decimal, no more digits than needed, never "-0"; 0 for what is no finite
 /// number.

@@ -82,12 +82,13 @@ std::string svg_heat_map(const SvgHeatMap& map) {
       canvas.rectangle(
           x, y, cell - 1.0, cell_height - 1.0, shade(share, map.alarming));
       const double written = map.factor * value;
-      canvas.text(x + cell / 2.0,
-                  y + 15.0,
-                  fixed(written, written < 9.95 && map.alarming ? 1 : 0),
-                  {.anchor = "middle",
-                   .size = 11.5,
-                   .colour = share > 0.55 ? "#ffffff" : ink::black});
+      canvas.text(
+          x + cell / 2.0,
+          y + 15.0,
+          fixed(written, written < 9.95 && map.alarming ? 1 : map.decimals),
+          {.anchor = "middle",
+           .size = 11.5,
+           .colour = share > 0.55 ? "#ffffff" : ink::black});
     }
   }
   return canvas.svg();

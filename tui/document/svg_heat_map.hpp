@@ -13,6 +13,7 @@ struct SvgHeatMap {
   Eigen::MatrixXd values;  ///< what is no finite number is left blank
   double full = 1.0;       ///< the value of the darkest colour
   double factor = 100.0;   ///< on the numbers written
+  int decimals = 0;        ///< of the numbers written
   std::vector<std::string> rows;
   std::vector<std::string> columns;
   std::string row_title;

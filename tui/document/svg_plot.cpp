@@ -1,12 +1,13 @@
 #include "tui/document/svg_plot.hpp"
 
+#include "tui/screen/text.hpp"
+#include "tui/widgets/plot.hpp"
 #include "tui/widgets/ticks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -17,15 +18,16 @@ constexpr double left_margin = 62.0;
 constexpr double right_margin = 14.0;
 constexpr double bottom_margin = 44.0;
 constexpr double legend_height = 24.0;
+constexpr double title_height = 20.0;
 constexpr double top_margin = 8.0;
 
 /// One axis, from values to pixels.
 class Scale {
  public:
-  Scale(const SvgAxis& axis, double at_low, double at_high)
+  Scale(const Axis& axis, double at_low, double at_high)
       : log_(axis.log),
-        low_(shown(axis.low)),
-        high_(shown(axis.high)),
+        low_(shown(axis.lo)),
+        high_(shown(axis.hi)),
         at_low_(at_low),
         at_high_(at_high) {}
 
@@ -43,40 +45,32 @@ class Scale {
   double low_, high_, at_low_, at_high_;
 };
 
-using Values = Eigen::VectorXd SvgCurve::*;
+/// Axes with their ranges; six decades show what there is to see.
+Ranges shown_ranges(const Plot& plot) {
+  Ranges ranges = fit_ranges(plot);
+  const bool found = !(plot.y.lo < plot.y.hi);
+  if (found && ranges.y.log) {
+    ranges.y.lo = std::max(ranges.y.lo, 1e-6 * ranges.y.hi);
+  }
+  return ranges;
+}
 
-/// The axis with its range found where it has none.
-SvgAxis with_range(SvgAxis axis, const SvgPlot& plot, Values values) {
-  if (axis.low < axis.high && (!axis.log || axis.low > 0.0)) return axis;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const SvgCurve& curve : plot.curves) {
-    for (const double value : curve.*values) {
-      if (!std::isfinite(value) || (axis.log && value <= 0.0)) continue;
-      low = std::min(low, value);
-      high = std::max(high, value);
-    }
-  }
-  if (!(low <= high)) {
-    low = axis.log ? 0.1 : 0.0;
-    high = 1.0;
-  }
-  // Six decades show what there is to see.
-  if (axis.log) low = std::max(low, 1e-6 * high);
-  const bool x_axis = values == &SvgCurve::x;
-  if (low == high) {
-    const double room = axis.log ? 0.0 : std::max(std::abs(high), 1.0) / 2.0;
-    low = axis.log ? low / 2.0 : low - room;
-    high = axis.log ? high * 2.0 : high + room;
-  } else if (!x_axis) {
-    const double room =
-        axis.log ? std::pow(high / low, 0.04) : 0.04 * (high - low);
-    low = axis.log ? low / room : low - room;
-    high = axis.log ? high * room : high + room;
-  }
-  axis.low = low;
-  axis.high = high;
-  return axis;
+std::string axis_title(const Axis& axis) {
+  return axis.unit.empty() ? axis.label
+                           : fmt::format("{} [{}]", axis.label, axis.unit);
+}
+
+Stroke pen_stroke(const Pen& pen) {
+  return {pen.dim ? ink::pale : ink_of(pen.colour),
+          pen.dim ? 1.0 : 1.4,
+          pen.pattern == Pattern::Solid    ? ""
+          : pen.pattern == Pattern::Dashed ? "6 3"
+                                           : "2 2"};
+}
+
+/// A dot for each point.
+Stroke dots_of(const Pen& pen) {
+  return {ink_of(pen.colour), pen.dim ? 2.6 : 4.0, "", true};
 }
 
 struct Frame {
@@ -101,13 +95,13 @@ std::string tick_label(const std::string& label) {
 }
 
 void draw_axes(SvgCanvas& canvas,
-               const SvgAxis& x,
-               const SvgAxis& y,
+               const Axis& x,
+               const Axis& y,
                const Frame& f) {
   const Stroke grid{ink::pale, 0.7};
   const Scale to_x(x, f.left, f.right);
   const Scale to_y(y, f.bottom, f.top);
-  for (const Tick& tick : ticks(x.low, x.high, x.log, 8)) {
+  for (const Tick& tick : axis_ticks(x, 8)) {
     const auto at = to_x(tick.value);
     if (!at) continue;
     canvas.line(*at, f.top, *at, f.bottom, grid);
@@ -116,7 +110,7 @@ void draw_axes(SvgCanvas& canvas,
                 tick_label(tick.label),
                 {.anchor = "middle", .size = 12.0});
   }
-  for (const Tick& tick : ticks(y.low, y.high, y.log, 6)) {
+  for (const Tick& tick : axis_ticks(y, 6)) {
     const auto at = to_y(tick.value);
     if (!at) continue;
     canvas.line(f.left, *at, f.right, *at, grid);
@@ -127,11 +121,13 @@ void draw_axes(SvgCanvas& canvas,
   }
   canvas.rectangle(
       f.left, f.top, f.right - f.left, f.bottom - f.top, "none", ink::grey);
-  canvas.text(
-      (f.left + f.right) / 2.0, f.bottom + 36.0, x.title, {.anchor = "middle"});
+  canvas.text((f.left + f.right) / 2.0,
+              f.bottom + 36.0,
+              axis_title(x),
+              {.anchor = "middle"});
   canvas.text(14.0,
               (f.top + f.bottom) / 2.0,
-              y.title,
+              axis_title(y),
               {.anchor = "middle", .turn_deg = -90.0});
 }
 
@@ -165,86 +161,226 @@ void append_run(std::string& d, const std::vector<Point>& run, double column) {
   }
 }
 
-std::string curve_path(const SvgCurve& curve,
-                       const Scale& to_x,
-                       const Scale& to_y,
-                       const Frame& f) {
+/// What is drawn in a frame, from values to pixels.
+struct Paper {
+  SvgCanvas& canvas;
+  Frame frame;
+  Scale to_x;
+  Scale to_y;
+};
+
+/// @param y as x
+std::string line_path(const Paper& on,
+                      const Eigen::VectorXd& x,
+                      const Eigen::VectorXd& y,
+                      bool joined) {
+  const Frame& f = on.frame;
   std::string d;
   std::vector<Point> run;
   const auto flush = [&] {
     if (!run.empty()) append_run(d, run, 1.0);
     run.clear();
   };
-  for (Eigen::Index k = 0; k < std::min(curve.x.size(), curve.y.size()); ++k) {
-    const auto x = to_x(curve.x(k));
-    const auto y = to_y(curve.y(k));
-    const bool drawn = x && y && *x >= f.left - 0.5 && *x <= f.right + 0.5 &&
-                       (!curve.dots || (*y >= f.top && *y <= f.bottom));
+  for (Eigen::Index k = 0; k < std::min(x.size(), y.size()); ++k) {
+    const auto px = on.to_x(x(k));
+    const auto py = on.to_y(y(k));
+    const bool drawn = px && py && *px >= f.left - 0.5 &&
+                       *px <= f.right + 0.5 &&
+                       (joined || (*py >= f.top && *py <= f.bottom));
     if (!drawn) {
       flush();
-    } else if (curve.dots) {
-      d += fmt::format("M{} {}h0", coordinate(*x), coordinate(*y));
+    } else if (joined) {
+      run.emplace_back(*px, std::clamp(*py, f.top, f.bottom));
     } else {
-      run.emplace_back(*x, std::clamp(*y, f.top, f.bottom));
+      d += fmt::format("M{} {}h0", coordinate(*px), coordinate(*py));
     }
   }
   flush();
   return d;
 }
 
-/// A letter is about half as wide as it is high.
-double width_of(const std::string& words) {
-  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;
-  });
-  return 6.7 * static_cast<double>(letters);
+void draw_line(const Paper& on,
+               const Eigen::VectorXd& x,
+               const Eigen::VectorXd& y,
+               const Pen& pen,
+               bool joined) {
+  const std::string d = line_path(on, x, y, joined);
+  if (!d.empty()) on.canvas.path(d, joined ? pen_stroke(pen) : dots_of(pen));
 }
 
-void draw_legend(SvgCanvas& canvas, const SvgPlot& plot, const Frame& f) {
-  double x = f.left;
-  for (const SvgCurve& curve : plot.curves) {
-    if (curve.label.empty()) continue;
-    const double y = top_margin + 7.0;
-    if (curve.dots) {
-      canvas.circle(
-          x + 12.0, y, curve.stroke.width / 2.0 + 1.0, curve.stroke.colour);
-    } else {
-      canvas.line(x, y, x + 24.0, y, curve.stroke);
-    }
-    canvas.text(x + 30.0, y + 4.5, curve.label);
-    x += 46.0 + width_of(curve.label);
+/// From the lower to the higher end at every point, where that is all there is.
+void draw_envelope(const Paper& on, const Curve& curve) {
+  const Eigen::Index n = std::min(curve.low.size(), curve.high.size());
+  Eigen::VectorXd x(2 * n);
+  Eigen::VectorXd y(2 * n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    x.segment<2>(2 * i).setConstant(curve.x[i]);
+    y.segment<2>(2 * i) << curve.low[i], curve.high[i];
   }
+  draw_line(on, x, y, curve.pen, true);
+}
+
+void draw_curve(const Paper& on, const Curve& curve) {
+  if (curve.y.size() == 0) return draw_envelope(on, curve);
+  const Pen band{curve.pen.colour, Pattern::Dotted, '.', true};
+  draw_line(on, curve.x, curve.low, band, true);
+  draw_line(on, curve.x, curve.high, band, true);
+  draw_line(on, curve.x, curve.y, curve.pen, curve.joined);
+}
+
+/// A glyph and what stands beside it.
+void draw_spot(const Paper& on,
+               double x,
+               double y,
+               char32_t glyph,
+               const Style& style,
+               const std::string& label) {
+  const auto px = on.to_x(x);
+  const auto py = on.to_y(y);
+  const Frame& f = on.frame;
+  if (!px || !py || *px < f.left || *px > f.right) return;
+  if (*py < f.top || *py > f.bottom) return;
+  const char* colour = ink_of(style.colour);
+  std::string text;
+  append_utf8(text, glyph);
+  on.canvas.text(*px,
+                 *py + 3.0,
+                 text,
+                 {.anchor = "middle", .size = 10.0, .colour = colour});
+  if (label.empty()) return;
+  on.canvas.text(*px + 6.0, *py + 4.0, label, {.size = 11.0, .colour = colour});
+}
+
+/// Upright lines at what is marked.
+void draw_markers(const Paper& on, const Plot& plot) {
+  for (const Marker& marker : plot.markers) {
+    const auto at = on.to_x(marker.x);
+    const Frame& f = on.frame;
+    if (!at || *at < f.left || *at > f.right) continue;
+    on.canvas.line(*at, f.top, *at, f.bottom, {ink::grey, 0.8, "2 3"});
+  }
+}
+
+/// An entry of the legend.
+struct Entry {
+  std::string label;
+  Pen pen;
+  bool joined = true;
+};
+
+/// A letter is about half as wide as it is high.
+double width_of(const std::string& words) { return 6.7 * text_width(words); }
+
+void draw_legend(const Paper& on, const std::vector<Entry>& entries) {
+  double x = on.frame.left;
+  const double y = on.frame.top - legend_height + 7.0;
+  for (const Entry& entry : entries) {
+    if (entry.joined) {
+      on.canvas.line(x, y, x + 24.0, y, pen_stroke(entry.pen));
+    } else {
+      const Stroke dot = dots_of(entry.pen);
+      on.canvas.circle(x + 12.0, y, dot.width / 2.0 + 1.0, dot.colour);
+    }
+    on.canvas.text(x + 30.0, y + 4.5, entry.label);
+    x += 46.0 + width_of(entry.label);
+  }
+}
+
+template <class Lines>
+std::vector<Entry> legend_of(const Lines& lines) {
+  std::vector<Entry> entries;
+  for (const auto& line : lines) {
+    if (line.label.empty()) continue;
+    entries.push_back({line.label, line.pen, line.joined});
+  }
+  return entries;
+}
+
+Frame frame_of(const Picture& picture, bool legend) {
+  return {left_margin,
+          top_margin + (picture.titled ? title_height : 0.0) +
+              (legend ? legend_height : 0.0),
+          picture.width - right_margin,
+          picture.height - bottom_margin};
+}
+
+void draw_title(SvgCanvas& canvas,
+                const Picture& picture,
+                const std::string& title) {
+  if (!picture.titled) return;
+  canvas.text(left_margin, top_margin + 8.0, title, {.size = 14.0});
+}
+
+struct Extent {
+  double low = 0.0;
+  double high = 0.0;
+  bool found = false;
+
+  void take(const Eigen::VectorXd& values) {
+    for (const double v : values) {
+      if (!std::isfinite(v)) continue;
+      low = found ? std::min(low, v) : v;
+      high = found ? std::max(high, v) : v;
+      found = true;
+    }
+  }
+};
+
+/// Around the first path, as many pixels to one unit across as up.
+Ranges equal_ranges(const PlanePlot& plane, const Frame& f) {
+  Extent x;
+  Extent y;
+  if (!plane.paths.empty()) {
+    x.take(plane.paths.front().x);
+    y.take(plane.paths.front().y);
+  }
+  const double across = f.right - f.left;
+  const double up = f.bottom - f.top;
+  const double unit =
+      std::max({(x.high - x.low) / across, (y.high - y.low) / up, 1e-12});
+  const auto axis = [](const std::string& title, double middle, double half) {
+    return Axis{title, "", middle - half, middle + half, false};
+  };
+  return {axis(plane.x_label, 0.5 * (x.low + x.high), 0.56 * unit * across),
+          axis(plane.y_label, 0.5 * (y.low + y.high), 0.56 * unit * up)};
 }
 
 }  // namespace
 
-std::string svg_plot(const SvgPlot& plot) {
-  const bool legend = std::any_of(
-      plot.curves.begin(), plot.curves.end(), [](const SvgCurve& curve) {
-        return !curve.label.empty();
-      });
-  const Frame f{left_margin,
-                top_margin + (legend ? legend_height : 0.0),
-                plot.width - right_margin,
-                plot.height - bottom_margin};
-  const SvgAxis x = with_range(plot.x, plot, &SvgCurve::x);
-  const SvgAxis y = with_range(plot.y, plot, &SvgCurve::y);
-  const Scale to_x(x, f.left, f.right);
-  const Scale to_y(y, f.bottom, f.top);
-  SvgCanvas canvas(plot.width, plot.height, plot.name);
+std::string svg_plot(const Plot& plot, const Picture& picture) {
+  const std::vector<Entry> legend = legend_of(plot.curves);
+  const Frame f = frame_of(picture, !legend.empty());
+  const auto [x, y] = shown_ranges(plot);
+  SvgCanvas canvas(picture.width, picture.height, plot.title);
+  const Paper on{
+      canvas, f, Scale(x, f.left, f.right), Scale(y, f.bottom, f.top)};
+  draw_title(canvas, picture, plot.title);
   draw_axes(canvas, x, y, f);
-  for (const double value : plot.upright) {
-    const auto at = to_x(value);
-    if (!at || *at < f.left || *at > f.right) continue;
-    canvas.line(*at, f.top, *at, f.bottom, {ink::grey, 0.8, "2 3"});
+  draw_markers(on, plot);
+  for (const Curve& curve : plot.curves) draw_curve(on, curve);
+  for (const Spot& spot : plot.spots) {
+    draw_spot(on, spot.x, spot.y, spot.glyph, spot.style, "");
   }
-  for (const SvgCurve& curve : plot.curves) {
-    Stroke stroke = curve.stroke;
-    stroke.round_ends = stroke.round_ends || curve.dots;
-    const std::string d = curve_path(curve, to_x, to_y, f);
-    if (!d.empty()) canvas.path(d, stroke);
+  draw_legend(on, legend);
+  return canvas.svg();
+}
+
+std::string svg_plane(const PlanePlot& plane, const Picture& picture) {
+  const std::vector<Entry> legend = legend_of(plane.paths);
+  const Frame f = frame_of(picture, !legend.empty());
+  const auto [x, y] = equal_ranges(plane, f);
+  SvgCanvas canvas(picture.width, picture.height, plane.title);
+  const Paper on{
+      canvas, f, Scale(x, f.left, f.right), Scale(y, f.bottom, f.top)};
+  draw_title(canvas, picture, plane.title);
+  if (!plane.x_label.empty()) draw_axes(canvas, x, y, f);
+  for (const Path& path : plane.paths) {
+    draw_line(on, path.x, path.y, path.pen, path.joined);
   }
-  if (legend) draw_legend(canvas, plot, f);
+  for (const PlaneSpot& spot : plane.spots) {
+    draw_spot(on, spot.x, spot.y, spot.glyph, spot.style, spot.label);
+  }
+  draw_legend(on, legend);
   return canvas.svg();
 }
 

@@ -1,42 +1,28 @@
-// Curves over two axes as an SVG picture, with ticks and a legend.
+// Plots as SVG pictures: the same curves as on the screens, with ticks and a
+// legend.
 #pragma once
 
 #include "tui/document/svg_canvas.hpp"
-
-#include <Eigen/Core>
+#include "tui/widgets/drawing.hpp"
 
 #include <string>
-#include <vector>
 
 namespace tapfit::tui {
 
-struct SvgAxis {
-  std::string title;  ///< with its unit
-  bool log = false;
-  double low = 0.0;
-  double high = 0.0;  ///< not above low: from what is drawn
-};
-
-struct SvgCurve {
-  std::string label;  ///< empty: not in the legend
-  Eigen::VectorXd x;
-  Eigen::VectorXd y;  ///< a value that cannot be drawn is a gap
-  Stroke stroke;
-  bool dots = false;  ///< not joined by lines
-};
-
-struct SvgPlot {
-  std::string name;  ///< what it shows
-  SvgAxis x;
-  SvgAxis y;
-  std::vector<SvgCurve> curves;
-  std::vector<double> upright;  ///< thin lines at these x, behind the curves
-  double width = 680.0;         ///< [px]
+struct Picture {
+  double width = 680.0;  ///< [px]
   double height = 320.0;
+  bool titled = false;  ///< the plot's title above it; else it has a caption
 };
 
 /// A curve of more points than the picture has columns keeps the lowest and the
-/// highest of each column.
-[[nodiscard]] std::string svg_plot(const SvgPlot& plot);
+/// highest of each column. The cursor is left out.
+[[nodiscard]] std::string svg_plot(const Plot& plot,
+                                   const Picture& picture = {});
+
+/// The same scale both ways, as on the screen; without axes where they have no
+/// names.
+[[nodiscard]] std::string svg_plane(const PlanePlot& plane,
+                                    const Picture& picture = {});
 
 }  // namespace tapfit::tui

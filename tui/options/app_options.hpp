@@ -13,6 +13,7 @@ struct AppOptions {
   bool blocks = false;  ///< no braille dots
   bool light = false;   ///< the terminal's background is light ...
   bool dark = false;    ///< ... or dark, whatever COLORFGBG says
+  bool inside = false;  ///< read nothing from outside the bundle's folder
   /// A key script (key_script.hpp) replayed without a terminal; the screens
   /// it asks for, or else the last one, go to standard output as text.
   std::optional<std::filesystem::path> keys_file;

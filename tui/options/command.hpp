@@ -66,12 +66,14 @@ struct HandChoices {
 struct CommandOptions {
   std::filesystem::path input;  ///< bundle or deck; of paper: their folder
   bool json = false;            ///< one JSON object instead of text
+  std::string csv;              ///< the table of it to print instead, if any
   bool force = false;           ///< replace files that are there
   bool inside = false;          ///< read nothing from outside the folder
   std::optional<std::filesystem::path> uff;      ///< universal file to write
   std::optional<std::filesystem::path> deck;     ///< bulk data to write
   std::optional<std::filesystem::path> output;   ///< file or folder to write
   std::optional<std::filesystem::path> records;  ///< time records to write
+  std::optional<std::filesystem::path> vtu;      ///< shapes for ParaView
   bool text_records = false;                     ///< these not as binary
   int node_dataset = 2411;  ///< of these universal files: 15 or 2411
   std::optional<std::filesystem::path> saved;  ///< session to do again

@@ -11,6 +11,10 @@ void add_export_options(CLI::App& command, CommandOptions& options) {
                 options.text_records,
                 "Time records as text, not binary (58b)")
       ->needs(records);
+  command.add_option("--vtu",
+                     options.vtu,
+                     "Mode shapes and error map for ParaView: NAME.pvd with "
+                     "two .vtu beside it");
   command
       .add_option("--nodes",
                   options.node_dataset,

@@ -4,6 +4,7 @@
 #include "updating/export/output_rule_of.hpp"
 #include "updating/export/outside_files.hpp"
 #include "updating/export/report_files.hpp"
+#include "updating/export/shapes_vtu.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -60,6 +61,10 @@ void check_outputs(const acquisition::TestBundle& bundle,
                              options.records,
                              options.identification.fit}) {
     if (output) outputs.push_back(*output);
+  }
+  if (options.vtu) {
+    const auto files = updating::vtu_files(*options.vtu);
+    outputs.insert(outputs.end(), files.begin(), files.end());
   }
   rule.check(outputs);
   if (options.output) updating::check_report(rule, *options.output);

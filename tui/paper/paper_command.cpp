@@ -72,4 +72,22 @@ std::string paper_command(const CommandOptions& options,
              : text;
 }
 
+void add_paper_options(CLI::App& command, CommandOptions& options) {
+  command
+      .add_option("STRUCTURE",
+                  options.paper.structures,
+                  "truss, wing, frame; all where none is named")
+      ->check(CLI::IsMember({"truss", "wing", "frame"}));
+  command.add_option(
+      "--recordings", options.input, "Folder of the bundles (recordings)");
+  command.add_option("--write",
+                     options.paper.write,
+                     "Folder for the simulated FRFs of truss and wing, made "
+                     "again");
+  command.add_flag("--force",
+                   options.force,
+                   "Replace files that are there; never what the test reads");
+  command.add_flag("--json", options.json, "Print one JSON object");
+}
+
 }  // namespace tapfit::tui

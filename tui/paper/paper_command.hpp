@@ -10,6 +10,8 @@
 
 #include "tui/options/command.hpp"
 
+#include <CLI/CLI.hpp>
+
 namespace tapfit::tui {
 
 /// All structures, or those named. `options.input` is the folder that holds
@@ -17,5 +19,7 @@ namespace tapfit::tui {
 /// @throws InputError, Stopped
 [[nodiscard]] std::string paper_command(const CommandOptions& options,
                                         const Progress& progress);
+
+void add_paper_options(CLI::App& command, CommandOptions& options);
 
 }  // namespace tapfit::tui

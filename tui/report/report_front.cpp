@@ -72,28 +72,28 @@ std::size_t shown_frf(const signal::FrfSet& frfs) {
   return 0;
 }
 
-void add_model_curve(SvgPlot& plot,
+void add_model_curve(Plot& plot,
                      const updating::Comparison& comparison,
                      std::size_t frf,
                      const char* label,
-                     const Stroke& stroke) {
+                     const Pen& pen) {
   const Eigen::VectorXd& hz = plot.curves.front().x;
   if (frf >= comparison.model_frfs.size()) return;
   if (comparison.model_frfs[frf].size() != hz.size()) return;
   plot.curves.push_back(
-      {label, hz, comparison.model_frfs[frf].cwiseAbs(), stroke});
+      {label, hz, comparison.model_frfs[frf].cwiseAbs(), {}, {}, pen});
 }
 
 Figure frf_figure(const ReportData& data) {
   const std::size_t shown = shown_frf(data.frfs);
   const signal::Frf& frf = data.frfs.frfs[shown];
   const Eigen::VectorXd hz = data.frfs.frequency_hz();
-  SvgPlot plot;
-  plot.name = "FRF " + name(frf);
-  plot.x = {"frequency [Hz]", hz(0) > 0.0 && hz(hz.size() - 1) / hz(0) > 300.0};
-  plot.y = {"|H| [(m/s²)/N]", true};
-  plot.height = 280.0;
-  plot.curves = {{"measured", hz, frf.H.cwiseAbs(), {ink::black, 1.4}}};
+  Plot plot;
+  plot.title = "FRF " + name(frf);
+  plot.x = {"frequency", "Hz", 0.0, 0.0, false};
+  plot.x.log = hz(0) > 0.0 && hz(hz.size() - 1) / hz(0) > 300.0;
+  plot.y = {"|H|", "(m/s²)/N", 0.0, 0.0, true};
+  plot.curves = {{"measured", hz, frf.H.cwiseAbs(), {}, {}, {}}};
   std::string caption =
       fmt::format("Accelerance {} (response / hammer)", name(frf));
   if (data.model) {
@@ -102,20 +102,20 @@ Figure frf_figure(const ReportData& data) {
                     data.model->before,
                     shown,
                     changed ? "model before" : "model",
-                    {ink::orange, 1.3, "6 3"});
+                    {Colour::Orange, Pattern::Dashed});
     if (changed) {
       add_model_curve(plot,
                       data.model->after,
                       shown,
                       "model after",
-                      {ink::blue, 1.6, "2 2"});
+                      {Colour::Blue, Pattern::Dotted});
     }
   }
   if (const double sigma = data.frfs.s(0).real(); sigma > 0.0) {
     caption += fmt::format(
         ", with the exponential window of {} 1/s on all curves", number(sigma));
   }
-  return {"frf", caption + ".", svg_plot(plot)};
+  return {"frf", caption + ".", svg_plot(plot, {.height = 280.0})};
 }
 
 std::string ladder_words(const Rung& rung) {

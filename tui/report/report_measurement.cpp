@@ -280,36 +280,36 @@ Section frf_section(const ReportData& data) {
 struct Steadiness {
   char letter;
   const char* words;
-  const char* colour;
-  double size;
+  Pen pen;
 };
 constexpr std::array<Steadiness, 5> steadiness{
-    {{'o', "new", ink::pale, 2.6},
-     {'f', "frequency", ink::yellow, 3.2},
-     {'d', "+ damping", ink::orange, 3.4},
-     {'v', "+ shape", ink::blue, 3.4},
-     {'s', "stable", ink::green, 4.4}}};
+    {{'o', "new", {Colour::Grey, Pattern::Solid, 'o', true}},
+     {'f', "frequency", {Colour::Yellow, Pattern::Solid, 'f', true}},
+     {'d', "+ damping", {Colour::Orange, Pattern::Solid, 'd', true}},
+     {'v', "+ shape", {Colour::Blue, Pattern::Solid, 'v', true}},
+     {'s', "stable", {Colour::Green, Pattern::Solid, 's'}}}};
 
 Figure stabilisation(const ReportData& data) {
   const Eigen::VectorXd hz = data.frfs.frequency_hz();
-  SvgPlot plot;
-  plot.name = "stabilisation diagram";
-  plot.x = {"frequency [Hz]", false, hz(0), hz(hz.size() - 1)};
-  plot.y = {"model order"};
-  plot.height = 340.0;
+  Plot plot;
+  plot.title = "stabilisation diagram";
+  plot.x = {"frequency", "Hz", hz(0), hz(hz.size() - 1), false};
+  plot.y = {"model order", "", 0.0, 0.0, false};
   int highest = 1;
   for (const modal::DiagramPole& pole : data.modes.diagram) {
     highest = std::max(highest, pole.order);
   }
-  plot.y.high = highest + 2.0;
+  plot.y.hi = highest + 2.0;
   const Eigen::VectorXd sum = modal::summed_frf(data.frfs).array().log10();
   const double low = sum.minCoeff();
   const double span = std::max(sum.maxCoeff() - low, 1e-9);
   plot.curves.push_back(
       {"sum of |H| (log)",
        hz,
-       ((sum.array() - low) / span * 0.95 * plot.y.high).matrix(),
-       {ink::grey, 0.9}});
+       ((sum.array() - low) / span * 0.95 * plot.y.hi).matrix(),
+       {},
+       {},
+       {Colour::Grey}});
   for (const Steadiness& kind : steadiness) {
     std::vector<double> x;
     std::vector<double> y;
@@ -323,16 +323,18 @@ Figure stabilisation(const ReportData& data) {
     plot.curves.push_back({kind.words,
                            Eigen::Map<Eigen::VectorXd>(x.data(), n),
                            Eigen::Map<Eigen::VectorXd>(y.data(), n),
-                           {kind.colour, kind.size},
-                           true});
+                           {},
+                           {},
+                           kind.pen,
+                           false});
   }
   for (const modal::Mode& mode : data.modes.modes) {
-    plot.upright.push_back(mode.frequency_hz);
+    plot.markers.push_back({mode.frequency_hz});
   }
   return {"stabilisation",
           "Stabilisation diagram: poles of models of rising order; dotted "
           "lines are the modes taken.",
-          svg_plot(plot)};
+          svg_plot(plot, {.height = 340.0})};
 }
 
 DataTable mode_table(const modal::ModeSet& modes) {

@@ -295,9 +295,9 @@ bool means_something(const std::optional<updating::Signature>& signature) {
 }
 
 /// Scattered values at the ends of the band do not set the scale.
-void hold_range(SvgPlot& plot) {
+void hold_range(Plot& plot) {
   std::vector<double> values;
-  for (const SvgCurve& curve : plot.curves) {
+  for (const Curve& curve : plot.curves) {
     for (const double y : curve.y) {
       if (std::isfinite(y)) values.push_back(y);
     }
@@ -306,27 +306,26 @@ void hold_range(SvgPlot& plot) {
   std::ranges::sort(values);
   const double low = values[values.size() / 20];
   const double high = values[values.size() - 1 - values.size() / 20];
-  plot.y.low = low - 0.25 * (high - low);
-  plot.y.high = high + 0.25 * (high - low);
+  plot.y.lo = low - 0.25 * (high - low);
+  plot.y.hi = high + 0.25 * (high - low);
 }
 
 Section signature_section(const updating::Signature& signature) {
   const Law law = best_law(signature);
-  SvgPlot plot;
-  plot.name = fmt::format("missing stiffness at grid {}", signature.node);
-  plot.x.title = "frequency [Hz]";
-  plot.y.title = "missing stiffness [N/m]";
-  plot.height = 300.0;
-  plot.curves = {
-      {"real part", signature.frequency_hz, signature.z.real(), {ink::blue}},
-      {"imaginary part",
-       signature.frequency_hz,
-       signature.z.imag(),
-       {ink::violet, 1.0, "2 2"}},
-      {law.imaginary ? fmt::format("{} (imaginary)", law.words) : law.words,
-       signature.frequency_hz,
-       law.curve,
-       {ink::orange, 1.6, "6 3"}}};
+  Plot plot;
+  plot.title = fmt::format("missing stiffness at grid {}", signature.node);
+  plot.x = {"frequency", "Hz", 0.0, 0.0, false};
+  plot.y = {"missing stiffness", "N/m", 0.0, 0.0, false};
+  const auto add = [&](const std::string& label,
+                       const Eigen::VectorXd& values,
+                       const Pen& pen) {
+    plot.curves.push_back({label, signature.frequency_hz, values, {}, {}, pen});
+  };
+  add("real part", signature.z.real(), {Colour::Blue});
+  add("imaginary part", signature.z.imag(), {Colour::Purple, Pattern::Dotted});
+  add(law.imaginary ? fmt::format("{} (imaginary)", law.words) : law.words,
+      law.curve,
+      {Colour::Orange, Pattern::Dashed});
   hold_range(plot);
   return {
       "The missing stiffness",
@@ -341,7 +340,7 @@ Section signature_section(const updating::Signature& signature) {
                   law.words,
                   law.size,
                   percent(law.unexplained)),
-              svg_plot(plot)}}};
+              svg_plot(plot, {.height = 300.0})}}};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "tui/report/report_shapes.hpp"
 
 #include "modal/mode_set/complexity.hpp"
+#include "modal/mode_set/point_motions.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
 #include "tui/screen/number.hpp"
@@ -22,30 +23,6 @@ const updating::ModePair* pair_of_mode(const updating::Comparison& comparison,
   return nullptr;
 }
 
-std::map<int, Eigen::Vector3d> moved_points(const modal::ModeSet& modes,
-                                            const Eigen::VectorXd& phi,
-                                            double factor) {
-  std::map<int, Eigen::Vector3d> points;
-  for (std::size_t k = 0; k < modes.dofs.size(); ++k) {
-    const Dof& dof = modes.dofs[k];
-    if (dof.component > 3) continue;
-    Eigen::Vector3d& u =
-        points.try_emplace(dof.node, Eigen::Vector3d::Zero()).first->second;
-    u(dof.component - 1) = factor * phi(static_cast<Eigen::Index>(k));
-  }
-  return points;
-}
-
-/// Least squares of model = factor * measured; 1 where there is nothing to go
-/// by.
-double scale_to(const Eigen::VectorXd& model, const Eigen::VectorXd& measured) {
-  const double size = measured.squaredNorm();
-  const double factor = model.size() == measured.size() && size > 0.0
-                            ? model.dot(measured) / size
-                            : 1.0;
-  return factor == 0.0 ? 1.0 : factor;
-}
-
 Figure structure_figure(const ReportData& data,
                         const Wireframe& wire,
                         std::size_t k) {
@@ -63,13 +40,14 @@ Figure structure_figure(const ReportData& data,
       now.modes.at_grids.rows() == 3 * grids) {
     const Eigen::VectorXd u = now.modes.at_grids.col(pair->model);
     shape.grids = Eigen::Map<const Eigen::Matrix3Xd>(u.data(), 3, grids);
-    factor = scale_to(now.modes.at_dofs.col(pair->model), phi);
+    factor = modal::factor_onto(now.modes.at_dofs.col(pair->model), phi);
     caption += fmt::format(
         ", model {} Hz, MAC {}", number(pair->model_hz), fixed(pair->mac, 3));
   } else {
     caption += ", no mode of the model is paired with it";
   }
-  shape.points = along_basic(wire, moved_points(data.modes, phi, factor));
+  shape.points =
+      along_basic(wire, modal::point_motions(data.modes, factor * phi));
   return {fmt::format("mode-{}", k + 1), caption, svg_shape(wire, shape)};
 }
 
@@ -78,19 +56,18 @@ Figure list_figure(const ReportData& data, std::size_t k) {
   const Eigen::VectorXd phi = modal::real_shape(mode.shape);
   const double most = std::max(phi.cwiseAbs().maxCoeff(), 1e-300);
   const Eigen::Index n = phi.size();
-  SvgPlot plot;
-  plot.name = fmt::format("shape of mode {}", k + 1);
-  plot.width = 420.0;
-  plot.height = 220.0;
-  plot.x = {"point, in order", false, 0.0, static_cast<double>(n) + 1.0};
-  plot.y = {"motion", false, -1.1, 1.1};
+  Plot plot;
+  plot.title = fmt::format("shape of mode {}", k + 1);
+  plot.x = {"point, in order", "", 0.0, static_cast<double>(n) + 1.0, false};
+  plot.y = {"motion", "", -1.1, 1.1, false};
   const Eigen::VectorXd at =
       Eigen::VectorXd::LinSpaced(n, 1.0, static_cast<double>(n));
-  plot.curves = {{"", at, phi / most, {ink::pale, 1.0}},
-                 {"", at, phi / most, {ink::blue, 5.0}, true}};
+  const Pen thin{Colour::Grey, Pattern::Solid, '.', true};
+  plot.curves = {{"", at, phi / most, {}, {}, thin},
+                 {"", at, phi / most, {}, {}, {Colour::Blue}, false}};
   return {fmt::format("mode-{}", k + 1),
           fmt::format("Mode {}: {} Hz", k + 1, number(mode.frequency_hz)),
-          svg_plot(plot)};
+          svg_plot(plot, {420.0, 220.0})};
 }
 
 std::string order_of_points(const std::vector<Dof>& dofs) {

@@ -77,11 +77,14 @@ struct Zone {
   [[nodiscard]] double value_at(int x) const;
 };
 
+struct Drawings;  // tui/widgets/drawing.hpp
+
 /// How large a view may be and which glyphs it may use.
 struct Canvas {
   int width = 80;
   int height = 24;
   bool ascii = false;
+  Drawings* drawings = nullptr;  ///< takes what is plotted, where asked for
 };
 
 /// Whatever is put outside of the grid is dropped; with `ascii`, every glyph
@@ -90,11 +93,15 @@ class Screen {
  public:
   Screen(int width, int height, bool ascii = false);
   explicit Screen(const Canvas& canvas)
-      : Screen(canvas.width, canvas.height, canvas.ascii) {}
+      : Screen(canvas.width, canvas.height, canvas.ascii) {
+    drawings_ = canvas.drawings;
+  }
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
   [[nodiscard]] bool ascii() const { return ascii_; }
+  /// The canvas's.
+  [[nodiscard]] Drawings* drawings() const { return drawings_; }
   [[nodiscard]] Rect area() const { return {0, 0, width_, height_}; }
 
   /// @pre 0 <= x < width, 0 <= y < height
@@ -134,6 +141,7 @@ class Screen {
   int width_;
   int height_;
   bool ascii_;
+  Drawings* drawings_ = nullptr;
   std::vector<Cell> cells_;
   std::vector<Zone> zones_;
 };

@@ -1,6 +1,7 @@
 #include "tui/screen/terminal.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/screen/clipboard.hpp"
 #include "tui/screen/escape_sequence.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/palette.hpp"
@@ -332,6 +333,12 @@ void Terminal::show(const Screen& screen) {
   refresh();
 }
 
+void Terminal::copy(const std::string& text) {
+  const std::string sequence = clipboard_sequence(text);
+  std::fwrite(sequence.data(), 1, sequence.size(), stdout);
+  std::fflush(stdout);
+}
+
 void Terminal::suspend() {
   // ncurses' own handler leaves the screen, stops, and comes back to it.
   raise(SIGTSTP);
@@ -353,6 +360,11 @@ std::optional<Key> Terminal::read_key(int milliseconds) {
 bool locale_is_utf8() {
   std::setlocale(LC_CTYPE, "");
   return std::strcmp(nl_langinfo(CODESET), "UTF-8") == 0;
+}
+
+std::string terminal_library() {
+  const std::string name = curses_version();  // "ncurses 6.4.20221231"
+  return name.substr(name.find(' ') + 1);
 }
 
 }  // namespace tapfit::tui

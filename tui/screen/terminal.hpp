@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace tapfit::tui {
 
@@ -32,6 +33,8 @@ class Terminal {
   void show(const Screen& screen);
   /// The next key, or nothing within the time.
   [[nodiscard]] std::optional<Key> read_key(int milliseconds);
+  /// Puts text into its clipboard, where it has one.
+  void copy(const std::string& text);
   /// Gives the terminal back to the shell until the user takes it up again.
   void suspend();
   /// A signal asked the program to end (TERM, HUP, INT, QUIT), or the
@@ -46,5 +49,8 @@ class Terminal {
 /// True when the locale's character set is UTF-8. Sets the locale's character
 /// type (numbers stay in C) from the environment.
 [[nodiscard]] bool locale_is_utf8();
+
+/// The version of ncurses that is in use.
+[[nodiscard]] std::string terminal_library();
 
 }  // namespace tapfit::tui

@@ -68,6 +68,7 @@ void draw_error_map(Screen& screen,
   const updating::Comparison& c = input.comparison;
   if (c.frf_band_error.size() == 0) return;
   HeatMap map;
+  map.title = "error [%] by band (upper edge, Hz)";
   map.values = c.frf_band_error;
   for (const signal::Frf& frf : input.frfs.frfs) {
     map.row_names.push_back(signal::name(frf));
@@ -82,7 +83,7 @@ void draw_error_map(Screen& screen,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
   screen.text(rect.x + 1,
               rect.y,
-              "error [%] by band (upper edge, Hz)",
+              map.title,
               heading(focused),
               rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);

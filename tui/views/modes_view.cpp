@@ -2,6 +2,7 @@
 
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
+#include "modal/mode_set/point_motions.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -171,7 +172,9 @@ void draw_shape(Screen& screen,
     return;
   }
   Scene scene;
-  scene.stems = along_basic(*input.wire, stems(input.modes, selected));
+  scene.stems = along_basic(
+      *input.wire,
+      modal::point_motions(input.modes, modal::real_shape(mode.shape)));
   if (model) {
     scene.shape = model_shape(input.modes, selected, *input.comparison, *model);
   }
@@ -199,6 +202,7 @@ void draw_mac(Screen& screen,
       if (shape.size() != dofs) return;
       shapes.col(i) = shape;
     }
+    map.title = "AutoMAC in %: measured with measured";
     map.values = modal::mac(shapes, shapes);
     for (const modal::Mode& mode : input.modes.modes) {
       map.column_names.push_back(
@@ -216,7 +220,7 @@ void draw_mac(Screen& screen,
                   ? fitting({"MAC in %: measured (rows, Hz) with model" + rigid,
                              "MAC in %" + rigid},
                             rect.width)
-                  : "AutoMAC in %: measured with measured",
+                  : map.title,
               {.bold = true},
               rect.width);
   map.selected = static_cast<int>(selected);
@@ -280,22 +284,6 @@ Table mode_table(const modal::ModeSet& modes) {
   return table;
 }
 
-std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
-                                     std::size_t mode) {
-  std::map<int, Eigen::Vector3d> found;
-  const Eigen::VectorXd shape = modal::real_shape(modes.modes[mode].shape);
-  const std::size_t count =
-      std::min(modes.dofs.size(), static_cast<std::size_t>(shape.size()));
-  for (std::size_t i = 0; i < count; ++i) {
-    const Dof& dof = modes.dofs[i];
-    if (dof.component < 1 || dof.component > 3) continue;
-    auto [at, fresh] = found.try_emplace(dof.node, Eigen::Vector3d::Zero());
-    at->second[dof.component - 1] +=
-        dof.sign * shape[static_cast<Eigen::Index>(i)];
-  }
-  return found;
-}
-
 Eigen::Matrix3Xd model_shape(const modal::ModeSet& modes,
                              std::size_t measured,
                              const updating::Comparison& c,
@@ -308,11 +296,9 @@ Eigen::Matrix3Xd model_shape(const modal::ModeSet& modes,
       c.modes.at_grids.rows() % 3 != 0) {
     return {};
   }
-  const Eigen::VectorXd at_dofs = c.modes.at_dofs.col(column);
-  const double size = at_dofs.squaredNorm();
-  if (!(size > 0.0)) return {};
   const Eigen::VectorXd scaled =
-      at_dofs.dot(shape) / size * c.modes.at_grids.col(column);
+      modal::factor_onto(shape, c.modes.at_dofs.col(column)) *
+      c.modes.at_grids.col(column);
   return scaled.reshaped(3, scaled.size() / 3);
 }
 

@@ -41,11 +41,6 @@ struct ModesState {
 /// Frequency, damping, MPC.
 [[nodiscard]] Table mode_table(const modal::ModeSet& modes);
 
-/// Displacements of a mode at its grids, real part after the shape was turned
-/// to be as real as it gets; summed over the directions measured there.
-[[nodiscard]] std::map<int, Eigen::Vector3d> stems(const modal::ModeSet& modes,
-                                                   std::size_t mode);
-
 /// The model's shape at the deck's grids, scaled so that it fits the measured
 /// one best at the measured degrees of freedom (least squares).
 ///

@@ -176,6 +176,7 @@ HeatMap coherence_map(const RecordingInput& input,
                       const RecordingState& state,
                       std::size_t selected) {
   HeatMap map;
+  map.title = "coherence of each hit with the others";
   map.values = input.look->coherence.with_others;
   map.shortfall = true;
   map.scale = 0.1;
@@ -229,16 +230,14 @@ void draw_side(Screen& screen,
   const auto [map, plot] =
       split_top(rest, rest.height - map_rows >= 6 ? map_rows : 0);
   if (!map.empty()) {
+    const HeatMap coherence = coherence_map(input, state, selected);
     screen.text(map.x + 1,
                 map.y,
-                fitting({"coherence of each hit with the others",
-                         "coherence of hits with others"},
+                fitting({coherence.title, "coherence of hits with others"},
                         map.width - 1),
                 {.colour = Colour::Grey},
                 map.width - 1);
-    draw_heat_map(screen,
-                  split_top(map, 1).second,
-                  coherence_map(input, state, selected));
+    draw_heat_map(screen, split_top(map, 1).second, coherence);
   }
   draw_average(screen, plot, input, state);
 }

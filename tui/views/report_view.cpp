@@ -219,12 +219,12 @@ void write_macs(Sheet& sheet, const ReportInput& input, int column) {
   const int rows = static_cast<int>(std::max(input.base.mac.rows(),
                                              input.current.mac.rows())) +
                    1;
-  draw_heat_map(sheet.screen,
-                {1, sheet.y, half - 2, rows},
-                numbered_mac(input.base, column));
-  draw_heat_map(sheet.screen,
-                {half + 1, sheet.y, half - 2, rows},
-                numbered_mac(input.current, column));
+  HeatMap before = numbered_mac(input.base, column);
+  HeatMap after = numbered_mac(input.current, column);
+  before.title += ", before";
+  after.title += ", after";
+  draw_heat_map(sheet.screen, {1, sheet.y, half - 2, rows}, before);
+  draw_heat_map(sheet.screen, {half + 1, sheet.y, half - 2, rows}, after);
   sheet.y += rows;
 }
 
@@ -257,11 +257,9 @@ ReportInput input_of(const Snapshot& known) {
 
 }  // namespace
 
-Screen report_sheet(const ReportInput& input,
-                    int width,
-                    bool ascii,
-                    int mac_column) {
-  Sheet sheet{Screen(width, tallest, ascii)};
+Screen report_sheet(const ReportInput& input, Canvas canvas, int mac_column) {
+  canvas.height = tallest;
+  Sheet sheet{Screen(canvas)};
   write_verdict(sheet, input);
   write_ladder(sheet, input);
   write_frequencies(sheet, input);
@@ -272,7 +270,7 @@ Screen report_sheet(const ReportInput& input,
       sheet.paragraph(fmt::format("! {}", warning), {.colour = Colour::Yellow});
     }
   }
-  Screen cut(width, std::min(sheet.y, tallest), ascii);
+  Screen cut(canvas.width, std::min(sheet.y, tallest), canvas.ascii);
   cut.place(0, 0, sheet.screen);
   return cut;
 }
@@ -280,8 +278,7 @@ Screen report_sheet(const ReportInput& input,
 Screen report_view(const ReportInput& input,
                    const ReportState& state,
                    const Canvas& canvas) {
-  const Screen sheet =
-      report_sheet(input, canvas.width, canvas.ascii, state.mac_column);
+  const Screen sheet = report_sheet(input, canvas, state.mac_column);
   const int first_row = state.first_row;
   Screen screen(canvas);
   const int last = std::max(sheet.height() - canvas.height, 0);
@@ -303,7 +300,7 @@ bool ReportPage::press_without_model(Key key, Command& command) {
 }
 
 bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
-  const int rows = report_sheet(input_of(known), 80, false).height();
+  const int rows = report_sheet(input_of(known), {}).height();
   if (key == keys::down || key == U'j' || key == keys::wheel_down) {
     ++state_.first_row;
   } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {

@@ -20,10 +20,10 @@ struct ReportState {
   int mac_column = 0;  ///< of the model's modes the first in the MACs
 };
 
-/// The whole report as a screen as tall as it takes; the page scrolls it.
+/// The whole report as a screen as tall as it takes, whatever the canvas's
+/// height; the page scrolls it.
 [[nodiscard]] Screen report_sheet(const ReportInput& input,
-                                  int width,
-                                  bool ascii,
+                                  Canvas canvas,
                                   int mac_column = 0);
 
 /// `first_row` rows down, in the canvas.

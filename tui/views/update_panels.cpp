@@ -221,12 +221,9 @@ void draw_correlation(Screen& screen,
                       const Rect& rect,
                       const UpdateRecord& record) {
   const auto [line, rest] = split_top(rect, 1);
-  screen.text(line.x + 1,
-              line.y,
-              "|correlation| of the estimates in %",
-              {.bold = true},
-              line.width - 2);
   HeatMap map;
+  map.title = "|correlation| of the estimates in %";
+  screen.text(line.x + 1, line.y, map.title, {.bold = true}, line.width - 2);
   map.values = record.correlation.cwiseAbs();
   for (std::size_t i = 0; i < record.parameters.size(); ++i) {
     map.row_names.push_back(

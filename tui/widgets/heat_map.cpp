@@ -65,6 +65,7 @@ void scroll_to_mark(HeatMap& map, const Rect& rect) {
 
 void draw_heat_map(Screen& screen, const Rect& rect, const HeatMap& map) {
   if (rect.empty()) return;
+  keep_drawing(screen, map);
   const int names = name_room(rect, map);
   const int entry_width = map.entry_width;
   const int columns = fitting_columns(rect, map);

@@ -19,6 +19,7 @@ int rigid_modes(const Eigen::VectorXd& hz) {
 
 HeatMap mac_map(const Eigen::MatrixXd& mac, const Eigen::VectorXd& hz) {
   HeatMap map;
+  map.title = "MAC in %: measured with model";
   map.values = mac;
   map.first = rigid_modes(hz);
   map.left = map.first;

@@ -124,6 +124,7 @@ void draw_spots(Screen& screen,
 
 void draw_plane(Screen& screen, const Rect& rect, const PlanePlot& plot) {
   if (rect.width < 16 || rect.height < 6) return;
+  keep_drawing(screen, plot);
   const Style dim{.colour = Colour::Grey};
   int x = screen.text(rect.x, rect.y, plot.y_label, dim, rect.width);
   x = screen.text(

@@ -3,7 +3,6 @@
 #include "tui/screen/layout.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
-#include "tui/widgets/ticks.hpp"
 
 #include <fmt/format.h>
 
@@ -100,9 +99,8 @@ Frame lay_out(const Rect& rect, const Plot& plot) {
   frame.ranges = fit_ranges(plot);
   const int rows = rect.height - 1 - (plot.x_labels ? 2 : 0);
   const Axis& y = frame.ranges.y;
-  frame.y_ticks = y.unit == "deg"
-                      ? degree_ticks(y.lo, y.hi, (rows + 1) / 2)
-                      : ticks(y.lo, y.hi, y.log, std::max(2, rows / 3));
+  frame.y_ticks =
+      axis_ticks(y, y.unit == "deg" ? (rows + 1) / 2 : std::max(2, rows / 3));
   int margin = 5;
   for (const Tick& tick : frame.y_ticks) {
     margin = std::max(margin, text_width(tick.label));
@@ -200,7 +198,7 @@ void draw_curve(Dots& dots, const DotScale& at, const Curve& curve) {
   for (Index i = from; i < n; ++i) {
     const double x = at.x(curve.x[i]);
     const double y = at.y(curve.y[i]);
-    if (i == from || n - from == 1) {
+    if (i == from || n - from == 1 || !curve.joined) {
       dots.line(x, y, x, y, curve.pen);
     } else {
       dots.line(at.x(curve.x[i - 1]), at.y(curve.y[i - 1]), x, y, curve.pen);
@@ -301,8 +299,14 @@ Ranges fit_ranges(const Plot& plot) {
   return ranges;
 }
 
+std::vector<Tick> axis_ticks(const Axis& axis, int count) {
+  return axis.unit == "deg" ? degree_ticks(axis.lo, axis.hi, count)
+                            : ticks(axis.lo, axis.hi, axis.log, count);
+}
+
 void draw_plot(Screen& screen, const Rect& rect, const Plot& plot) {
   if (rect.width < 12 || rect.height < (plot.x_labels ? 4 : 2)) return;
+  keep_drawing(screen, plot);
   const Frame frame = lay_out(rect, plot);
   draw_title(screen, rect, plot);
   draw_y_axis(screen, frame);

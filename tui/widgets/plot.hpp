@@ -8,67 +8,14 @@
 // several curves, bands around them, shaded stretches, markers and a cursor.
 #pragma once
 
-#include "tui/screen/dots.hpp"
 #include "tui/screen/screen.hpp"
+#include "tui/widgets/drawing.hpp"
+#include "tui/widgets/ticks.hpp"
 
-#include <Eigen/Core>
-
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace tapfit::tui {
-
-struct Axis {
-  std::string label;
-  std::string unit;
-  double lo = 0.0;  ///< lo >= hi: fitted to what the curves show
-  double hi = 0.0;
-  bool log = false;
-};
-
-/// Points in rising x. Values that are not finite (or not positive on a
-/// logarithmic axis) leave a gap.
-struct Curve {
-  std::string label;
-  Eigen::VectorXd x;
-  Eigen::VectorXd y;     ///< as x, or empty when there is only a band
-  Eigen::VectorXd low;   ///< as x, or empty: band drawn from low ...
-  Eigen::VectorXd high;  ///< ... to high
-  Pen pen;
-};
-
-struct Marker {
-  double x = 0.0;
-  char32_t glyph = U'▼';  ///< drawn at the plot's upper edge
-  Style style;
-};
-
-/// A point drawn as one glyph (stabilisation letters, hits).
-struct Spot {
-  double x = 0.0;
-  double y = 0.0;
-  char32_t glyph = U'o';
-  Style style;
-};
-
-struct Shade {
-  double from = 0.0;
-  double to = 0.0;
-  Style style;
-};
-
-struct Plot {
-  std::string title;
-  Axis x;
-  Axis y;
-  std::vector<Curve> curves;
-  std::vector<Marker> markers;
-  std::vector<Spot> spots;
-  std::vector<Shade> shades;
-  std::optional<double> cursor;  ///< x of the cursor line
-  bool x_labels = true;          ///< the axis line and its labels below
-};
 
 /// Axes with their ranges filled in: never empty, always finite, positive on
 /// a logarithmic axis (at most 8 decades), a constant curve in the middle.
@@ -77,6 +24,9 @@ struct Ranges {
   Axis y;
 };
 [[nodiscard]] Ranges fit_ranges(const Plot& plot);
+
+/// About so many; those of degrees are parts of a turn.
+[[nodiscard]] std::vector<Tick> axis_ticks(const Axis& axis, int count);
 
 /// Draws into the rectangle; at least 12 x 4 cells, else nothing.
 void draw_plot(Screen& screen, const Rect& rect, const Plot& plot);

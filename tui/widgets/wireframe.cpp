@@ -2,56 +2,17 @@
 
 #include "tui/screen/dots.hpp"
 #include "tui/screen/text.hpp"
-#include "updating/structure/elements/solid_shapes.hpp"
-#include "updating/structure/readers/matrix_market.hpp"
+#include "tui/widgets/drawing.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <utility>
 
 namespace tapfit::tui {
 namespace {
-
-constexpr std::size_t most_edges = 3000;
-
-constexpr int line_element = 1000;  // told apart from shared shell edges
-
-struct EdgeCollector {
-  const Wireframe& wire;
-  std::map<Edge, int> uses;
-
-  void add(int a, int b, int weight) {
-    const auto i = wire.index.find(a);
-    const auto j = wire.index.find(b);
-    if (i == wire.index.end() || j == wire.index.end()) return;
-    if (i->second == j->second) return;
-    uses[{std::min(i->second, j->second), std::max(i->second, j->second)}] +=
-        weight;
-  }
-};
-
-/// A line between grids that given matrices couple; none where (as in condensed
-/// models) nearly each is coupled to all.
-void add_couplings(const structure::Deck& deck, EdgeCollector& edges) {
-  constexpr std::size_t most_neighbours = 13;  // half of a solid's 26
-  std::set<Edge> couplings;
-  const Eigen::SparseMatrix<double>& K = deck.given->K;
-  for (Eigen::Index c = 0; c < K.outerSize(); ++c) {
-    for (Eigen::SparseMatrix<double>::InnerIterator it(K, c); it; ++it) {
-      const auto row = static_cast<int>(it.row() / 6);
-      const auto column = static_cast<int>(c / 6);
-      if (row < column) couplings.insert({row, column});
-    }
-  }
-  if (couplings.size() > most_neighbours * deck.grids.size()) return;
-  for (const auto& [a, b] : couplings) {
-    edges.add(deck.grids[static_cast<std::size_t>(a)].id,
-              deck.grids[static_cast<std::size_t>(b)].id,
-              line_element);
-  }
-}
 
 /// Rotation to eye axes: x right, y up, z towards the eye.
 Eigen::Matrix3d eye_axes(const Pose& pose) {
@@ -126,20 +87,6 @@ double shape_factor(const Wireframe& wire, const Scene& scene) {
   return scene.phase * structure_size(wire) / 8.0 / largest;
 }
 
-/// Shells as indices of their grids.
-std::vector<std::vector<int>> faces_of(const structure::Deck& deck,
-                                       const Wireframe& wire) {
-  std::vector<std::vector<int>> faces;
-  for (const structure::Shell& shell : deck.shells) {
-    faces.emplace_back();
-    for (const int grid : shell.grids) {
-      const auto found = wire.index.find(grid);
-      if (found != wire.index.end()) faces.back().push_back(found->second);
-    }
-  }
-  return faces;
-}
-
 /// Lines of which neighbours are far enough apart to be told apart.
 std::vector<Edge> legible_lines(const Wireframe& wire,
                                 const Projection& view,
@@ -182,28 +129,119 @@ void draw_lines(Dots& dots,
   }
 }
 
-void draw_stems(Dots& dots,
-                const Projection& view,
-                const Wireframe& wire,
-                const Scene& scene,
-                double factor) {
-  const Pen pen{Colour::Orange, Pattern::Solid, '*', false};
+/// Lines of one colour, between points of their own.
+struct Layer {
+  std::string label;
+  Eigen::Matrix3Xd points;
+  std::vector<Edge> lines;
+  Pen pen;
+};
+
+/// From each point to where it moves.
+Layer stem_layer(const Wireframe& wire, const Scene& scene, double factor) {
+  Layer layer{"measured", {}, {}, {Colour::Orange, Pattern::Solid, '*', false}};
+  layer.points.resize(3, 2 * static_cast<Eigen::Index>(scene.stems.size()));
+  int next = 0;
   for (const auto& [node, stem] : scene.stems) {
     const auto found = wire.index.find(node);
     if (found == wire.index.end()) continue;
     const Eigen::Vector3d foot = wire.points.col(found->second);
-    const Eigen::Vector3d tip = foot + factor * stem;
-    const Eigen::Vector2d a = view(foot);
-    const Eigen::Vector2d b = view(tip);
-    dots.line(a.x(), a.y(), b.x(), b.y(), pen);
-    // A foot to stand on, so that a short stem is seen as well.
-    dots.set(static_cast<int>(std::lround(a.x())) - 1,
-             static_cast<int>(std::lround(a.y())),
-             pen);
-    dots.set(static_cast<int>(std::lround(a.x())) + 1,
-             static_cast<int>(std::lround(a.y())),
-             pen);
+    layer.points.col(next) = foot;
+    layer.points.col(next + 1) = foot + factor * stem;
+    layer.lines.push_back({next, next + 1});
+    next += 2;
   }
+  return layer;
+}
+
+std::vector<Edge> lines_between(const Wireframe& wire,
+                                const std::vector<int>& nodes) {
+  std::set<int> wanted;
+  for (const int node : nodes) {
+    const auto found = wire.index.find(node);
+    if (found != wire.index.end()) wanted.insert(found->second);
+  }
+  std::vector<Edge> lines;
+  for (const Edge& edge : wire.lines) {
+    if (wanted.contains(edge[0]) && wanted.contains(edge[1])) {
+      lines.push_back(edge);
+    }
+  }
+  return lines;
+}
+
+/// The structure at rest, a place in it, a shape, and last the stems.
+/// @param lines of the structure to draw
+std::vector<Layer> layers_of(const Wireframe& wire,
+                             const Scene& scene,
+                             const std::vector<Edge>& lines) {
+  const double factor = shape_factor(wire, scene);
+  const bool shaped = scene.shape.cols() == wire.points.cols();
+  std::vector<Layer> layers;
+  layers.push_back({"at rest",
+                    wire.points,
+                    shaped ? outline_of(wire, lines) : lines,
+                    {Colour::Grey, Pattern::Solid, '.', false}});
+  if (!scene.highlighted.empty()) {
+    layers.push_back({"place",
+                      wire.points,
+                      lines_between(wire, scene.highlighted),
+                      {Colour::Orange, Pattern::Solid, '#'}});
+  }
+  if (shaped) {
+    layers.push_back({"model",
+                      wire.points + factor * scene.shape,
+                      lines,
+                      {Colour::Blue, Pattern::Solid, '+'}});
+  }
+  layers.push_back(stem_layer(wire, scene, factor));
+  return layers;
+}
+
+/// A foot to stand on, so that a short stem is seen as well.
+void draw_feet(Dots& dots, const Projection& view, const Layer& stems) {
+  for (const Edge& stem : stems.lines) {
+    const Eigen::Vector2d foot = view(stems.points.col(stem[0]));
+    const int x = static_cast<int>(std::lround(foot.x()));
+    const int y = static_cast<int>(std::lround(foot.y()));
+    dots.set(x - 1, y, stems.pen);
+    dots.set(x + 1, y, stems.pen);
+  }
+}
+
+/// The same as a drawing, without what cells have no room for left out.
+PlanePlot seen(const Wireframe& wire,
+               const Scene& scene,
+               const Projection& view) {
+  PlanePlot plot;
+  plot.title = "structure";
+  const auto flat = [&view](const Eigen::Vector3d& p) -> Eigen::Vector2d {
+    return (view.axes * (p - view.centre)).head<2>();
+  };
+  for (const Layer& layer : layers_of(wire, scene, wire.lines)) {
+    if (layer.lines.empty()) continue;
+    const auto n = static_cast<Eigen::Index>(3 * layer.lines.size());
+    const Eigen::VectorXd gaps =
+        Eigen::VectorXd::Constant(n, std::numeric_limits<double>::quiet_NaN());
+    Path path{layer.label, gaps, gaps, layer.pen, true};
+    for (std::size_t i = 0; i < layer.lines.size(); ++i) {
+      for (int end = 0; end < 2; ++end) {
+        const auto at = static_cast<Eigen::Index>(3 * i) + end;
+        const auto which = static_cast<std::size_t>(end);
+        const Eigen::Vector2d p = flat(layer.points.col(layer.lines[i][which]));
+        path.x[at] = p.x();
+        path.y[at] = p.y();
+      }
+    }
+    plot.paths.push_back(std::move(path));
+  }
+  for (const Mark& mark : scene.marks) {
+    const auto found = wire.index.find(mark.node);
+    if (found == wire.index.end()) continue;
+    const Eigen::Vector2d p = flat(wire.points.col(found->second));
+    plot.spots.push_back({p.x(), p.y(), mark.glyph, mark.style, mark.label});
+  }
+  return plot;
 }
 
 void draw_marks(Screen& screen,
@@ -242,56 +280,6 @@ std::map<int, Eigen::Vector3d> along_basic(
   return of_nodes;
 }
 
-Wireframe wireframe(const structure::Deck& deck) {
-  Wireframe wire;
-  wire.points.resize(3, static_cast<Eigen::Index>(deck.grids.size()));
-  for (std::size_t i = 0; i < deck.grids.size(); ++i) {
-    wire.points.col(static_cast<Eigen::Index>(i)) = deck.grids[i].position;
-    wire.index[deck.grids[i].id] = static_cast<int>(i);
-  }
-  for (const structure::MeasuringPoint& point : deck.measuring) {
-    wire.axes[point.grid] = point.axes;
-  }
-  EdgeCollector edges{wire, {}};
-  for (const structure::Shell& shell : deck.shells) {
-    for (std::size_t i = 0; i < shell.grids.size(); ++i) {
-      edges.add(shell.grids[i], shell.grids[(i + 1) % shell.grids.size()], 1);
-    }
-  }
-  for (const structure::Solid& solid : deck.solids) {
-    for (const auto& [a, b] : structure::solid_edges(solid.grids.size())) {
-      edges.add(solid.grids[static_cast<std::size_t>(a)],
-                solid.grids[static_cast<std::size_t>(b)],
-                1);
-    }
-  }
-  for (const auto& bar : deck.bars) {
-    edges.add(bar.grids[0], bar.grids[1], line_element);
-  }
-  for (const auto& rod : deck.rods) {
-    edges.add(rod.grids[0], rod.grids[1], line_element);
-  }
-  for (const auto& rigid : deck.rigids) {
-    for (const auto& follower : rigid.dependents) {
-      edges.add(rigid.independent, follower.grid, line_element);
-    }
-  }
-  for (const auto& line : deck.plot_lines) {
-    edges.add(line[0], line[1], line_element);
-  }
-  if (deck.given) add_couplings(deck, edges);
-  const bool outline = edges.uses.size() > most_edges;
-  const std::map<Edge, MeshEdge> mesh = mesh_edges(faces_of(deck, wire));
-  for (const auto& [edge, uses] : edges.uses) {
-    if (outline && uses != 1 && uses < line_element) continue;
-    const auto at = mesh.find(edge);
-    const bool shell = uses < line_element && at != mesh.end();
-    wire.lines.push_back(edge);
-    wire.ranks.push_back(shell ? at->second : MeshEdge{0, true});
-  }
-  return wire;
-}
-
 bool pose_key(Pose& pose, Key key) {
   if (key == U'<' || key == U',') {
     pose.azimuth_deg -= 15.0;
@@ -319,34 +307,14 @@ void draw_wireframe(Screen& screen,
   if (rect.empty() || wire.points.cols() == 0) return;
   Dots dots(rect.width, rect.height, screen.ascii());
   const Projection view = fit(wire, dots, pose, screen.ascii());
-  const double factor = shape_factor(wire, scene);
-  const std::vector<Edge> lines = legible_lines(wire, view, screen.ascii());
-  const bool shaped = scene.shape.cols() == wire.points.cols();
-  draw_lines(dots,
-             view,
-             wire.points,
-             shaped ? outline_of(wire, lines) : lines,
-             {Colour::Grey, Pattern::Solid, '.', false});
-  if (!scene.highlighted.empty()) {
-    std::set<int> wanted;
-    for (const int node : scene.highlighted) {
-      const auto found = wire.index.find(node);
-      if (found != wire.index.end()) wanted.insert(found->second);
-    }
-    std::vector<Edge> places;
-    for (const Edge& edge : wire.lines) {
-      if (wanted.contains(edge[0]) && wanted.contains(edge[1])) {
-        places.push_back(edge);
-      }
-    }
-    draw_lines(
-        dots, view, wire.points, places, {Colour::Orange, Pattern::Solid, '#'});
+  if (screen.drawings() != nullptr)
+    keep_drawing(screen, seen(wire, scene, view));
+  const std::vector<Layer> layers =
+      layers_of(wire, scene, legible_lines(wire, view, screen.ascii()));
+  for (const Layer& layer : layers) {
+    draw_lines(dots, view, layer.points, layer.lines, layer.pen);
   }
-  if (shaped) {
-    const Eigen::Matrix3Xd moved = wire.points + factor * scene.shape;
-    draw_lines(dots, view, moved, lines, {Colour::Blue, Pattern::Solid, '+'});
-  }
-  draw_stems(dots, view, wire, scene, factor);
+  draw_feet(dots, view, layers.back());
   dots.draw(screen, rect.x, rect.y);
   draw_marks(screen, rect, view, wire, scene);
 }

@@ -6,9 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace tapfit::tui {
 namespace {
+
+constexpr std::size_t first_about_model = 3;
+constexpr std::size_t report_screen = 6;
 
 std::string after_hits(const Snapshot& known) {
   if (!known.hits) return {};
@@ -30,10 +35,46 @@ std::string after_hits(const Snapshot& known) {
       rejected == 1 ? "it" : "them");
 }
 
+/// Of several hits; a single one's is 1 whatever it is worth.
+std::vector<double> mean_coherences(const signal::FrfSet& frfs) {
+  std::vector<double> means;
+  for (const signal::Frf& frf : frfs.frfs) {
+    if (frf.hits > 1 && frf.coherence.size() > 0) {
+      means.push_back(frf.coherence.mean());
+    }
+  }
+  return means;
+}
+
+std::string after_frfs(const Snapshot& known) {
+  if (!known.frfs) return {};
+  const std::vector<double> means = mean_coherences(*known.frfs);
+  if (means.empty()) {
+    return fmt::format("{} FRFs: 3 identifies the modes",
+                       known.frfs->frfs.size());
+  }
+  const double sum = std::accumulate(means.begin(), means.end(), 0.0);
+  return fmt::format(
+      "coherence {} on average, {} at worst: 3 identifies the modes",
+      fixed(sum / static_cast<double>(means.size()), 3),
+      fixed(std::ranges::min(means), 3));
+}
+
 std::string after_modes(const Snapshot& known) {
   if (!known.modes) return {};
-  return known.has_model ? "4 compares them with the model"
-                         : "w on 7 writes the report";
+  const std::size_t count = known.modes->modes.size();
+  if (count == 0) {
+    return "no mode was found: h l to a pole and p picks it, :band sets "
+           "another "
+           "band";
+  }
+  return fmt::format("{} mode{} leave{} {} of the FRFs unexplained: {}",
+                     count,
+                     count == 1 ? "" : "s",
+                     count == 1 ? "s" : "",
+                     percent(known.modes->synthesis_error),
+                     known.has_model ? "4 compares with the model"
+                                     : "w on 7 writes the report");
 }
 
 /// @param missing what to do while the error is above its floor
@@ -58,21 +99,49 @@ std::string after_error(const Snapshot& known, const std::string& missing) {
 
 std::string after_diagnosis(const Snapshot& known) {
   if (!known.diagnosis) return {};
-  const std::size_t found = known.diagnosis->ladder.size();
-  if (found == 0) return "7 reports it";
-  return found == 1 ? "A adds what the verdict names, a the marked candidate"
-                    : fmt::format(
-                          "A adds all {} of the verdict, a the marked "
-                          "candidate alone",
-                          found);
+  const updating::Diagnosis& d = *known.diagnosis;
+  const std::size_t found = d.ladder.size();
+  if (found == 0 && d.verdict == "none") {
+    return "nothing significant is missing: 7 reports it";
+  }
+  if (found == 0) return "no effect of the list explains it: i says what may";
+  const std::string what =
+      found == 1 ? d.ladder.front().added : fmt::format("{} effects", found);
+  return fmt::format("{} take{} {} down to {}: A adds {}",
+                     what,
+                     found == 1 ? "s" : "",
+                     percent(d.error_base),
+                     percent(d.ladder.back().error),
+                     found == 1 ? "it" : "them all");
 }
 
 std::string for_report(const Snapshot& known) {
-  if (!known.has_model) return "w writes the report";
   if (!known.comparison) return {};
   const bool asked = known.diagnosis || !known.effects_on().empty();
-  return asked ? "w writes the report, e the deck, f FRFs and modes"
-               : "5 shows what is missing, w writes the report";
+  const updating::Comparison& c = *known.comparison;
+  if (!asked && c.error > near_floor * c.floor) {
+    return after_error(known, "5 shows what is missing");
+  }
+  if (!asked || !known.base_comparison) {
+    return fmt::format("error {}, floor {}: w writes the report",
+                       percent(c.error),
+                       percent(c.floor));
+  }
+  return fmt::format("error {} → {}, floor {}: w writes the report",
+                     percent(known.base_comparison->error),
+                     percent(c.error),
+                     percent(c.floor));
+}
+
+/// Where the screen wants a model and there is none.
+std::string without_model(std::size_t screen, const Snapshot& known) {
+  if (screen == report_screen) {
+    return "without a model the work ends with the modes: w writes the report";
+  }
+  return known.modes
+             ? "without a model the work ends with the modes: 7 reports "
+               "them"
+             : "no model to compare with: 3 identifies the modes";
 }
 
 }  // namespace
@@ -84,7 +153,7 @@ std::string step_words(std::size_t screen, const Snapshot& known) {
       words = after_hits(known);
       break;
     case 1:
-      words = known.frfs ? "3 identifies the modes" : "";
+      words = after_frfs(known);
       break;
     case 2:
       words = after_modes(known);
@@ -103,6 +172,10 @@ std::string step_words(std::size_t screen, const Snapshot& known) {
       break;
     default:
       words = for_report(known);
+  }
+  const bool about_model = screen >= first_about_model;
+  if (known.bundle && about_model && !known.has_model) {
+    words = without_model(screen, known);
   }
   return words.empty() ? words : "next: " + words;
 }

@@ -1,6 +1,7 @@
 #include "updating/catalogue/catalogue.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/nearest_word.hpp"
 #include "updating/effects/absorber.hpp"
 #include "updating/effects/added_mass.hpp"
 #include "updating/effects/damping_law.hpp"
@@ -52,10 +53,10 @@ std::span<const std::unique_ptr<const Effect>> catalogue() {
 }
 
 const Effect& find(const std::string& name) {
-  std::string known;
+  std::vector<std::string> known;
   for (const auto& effect : catalogue()) {
     if (effect->name() == name) return *effect;
-    known += (known.empty() ? "" : ", ") + effect->name();
+    known.push_back(effect->name());
   }
   if (name == updating::nonlinearity)
     throw InputError(
@@ -64,7 +65,9 @@ const Effect& find(const std::string& name) {
         "look for play, friction or large motions, and hit evenly");
   throw InputError(fmt::format("there is no effect \"{}\"", name),
                    "effect",
-                   fmt::format("use one of {}", known));
+                   fmt::format("{}use one of {}",
+                               did_you_mean(name, known),
+                               fmt::join(known, ", ")));
 }
 
 }  // namespace tapfit::effects

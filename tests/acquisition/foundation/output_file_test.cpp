@@ -143,5 +143,20 @@ TEST_F(Outputs, FolderThatIsThereKeepsItsOtherFiles) {
   EXPECT_EQ(entries_of(folder_.path()), 2);
 }
 
+TEST_F(Outputs, FilesThatBelongTogetherAreAllThereOrNone) {
+  const fs::path folder = folder_.path();
+  write_files({{folder / "a.svg", "picture"}, {folder / "a.csv", "numbers"}},
+              {});
+  EXPECT_EQ(content_of(folder / "a.csv"), "numbers");
+  EXPECT_THROW(
+      write_files({{folder / "b.svg", "other"}, {folder / "a.csv", "other"}},
+                  {}),
+      InputError);
+  EXPECT_EQ(content_of(folder / "a.csv"), "numbers");
+  EXPECT_EQ(entries_of(folder), 2);
+  EXPECT_THROW(write_files({{folder / "not" / "there", ""}}, {}), InputError);
+  EXPECT_FALSE(fs::exists(folder / "not"));
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition

@@ -14,7 +14,8 @@ TEST(Program, CompletesCommands) {
   EXPECT_TRUE(holds(played("wait\n:run x<Enter>"), "which run?"));
   EXPECT_TRUE(
       holds(played("wait\n:report out.md<Enter>\nwait"), "written: out.md"));
-  EXPECT_TRUE(holds(played("7\nwait\nw\nwait"), "written: report.html"));
+  EXPECT_TRUE(
+      holds(played("7\nwait\nw\nwait"), "written: made-up/report.html"));
 }
 
 TEST(Program, TakesALineBackAsAShellDoes) {
@@ -87,6 +88,13 @@ TEST(Program, CountsCompletionsThatDoNotFit) {
   const std::string text = played("5\nwait\n:add ");
   EXPECT_TRUE(holds(text, "+")) << text;
   expect_fits(text, 80);
+}
+
+TEST(ProgramTyping, SaysWhatWasMeant) {
+  EXPECT_TRUE(holds(played("wait\n:reprot<Enter>", {300, 24}),
+                    "did you mean report?"));
+  EXPECT_TRUE(holds(played("wait\n:add joit@3:4<Enter>\nwait", {500, 24}),
+                    "did you mean joint?"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ TEST_F(Writing, GoesBesideAnInput) {
   const std::string seen = played("7\nwait\nf\nwait", {}, options);
   EXPECT_TRUE(holds(seen,
                     "measured.uff is an input and stays; written: "
-                    "measured-2.uff"))
+                    "made-up/measured-2.uff"))
       << seen;
 }
 

@@ -33,12 +33,12 @@ bool has_no_number_that_is_none(const std::string& svg) {
   return !holds(svg, "nan") && !holds(svg, "inf");
 }
 
-SvgPlot line_plot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  SvgPlot plot;
-  plot.name = "line";
-  plot.x.title = "f [Hz]";
-  plot.y.title = "|H|";
-  plot.curves = {{"measured", x, y, {}}};
+Plot line_plot(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
+  Plot plot;
+  plot.title = "line";
+  plot.x = {"f", "Hz", 0.0, 0.0, false};
+  plot.y = {"|H|", "", 0.0, 0.0, false};
+  plot.curves = {{"measured", x, y, {}, {}, {}}};
   return plot;
 }
 
@@ -51,8 +51,8 @@ TEST(Coordinate, HasOneDecimalAtMost) {
 
 // The frame is 62 px from the left and 14 px from the right of 680.
 TEST(SvgPlot, TheEndsOfACurveAreTheEndsOfTheAxis) {
-  SvgPlot plot = line_plot(Eigen::Vector2d(0, 10), Eigen::Vector2d(0, 1));
-  plot.y = {"", false, 0.0, 1.0};
+  Plot plot = line_plot(Eigen::Vector2d(0, 10), Eigen::Vector2d(0, 1));
+  plot.y = {"", "", 0.0, 1.0, false};
   const std::string svg = svg_plot(plot);
   EXPECT_TRUE(holds(svg, "<path d=\"M62 276L666 32\"")) << svg;
   EXPECT_TRUE(holds(svg, ">measured</text>"));
@@ -61,9 +61,9 @@ TEST(SvgPlot, TheEndsOfACurveAreTheEndsOfTheAxis) {
 
 // A tenth of two decades down is half way.
 TEST(SvgPlot, ALogarithmicAxisCountsDecades) {
-  SvgPlot plot =
+  Plot plot =
       line_plot(Eigen::Vector3d(0, 5, 10), Eigen::Vector3d(0.01, 0.1, 1.0));
-  plot.y = {"", true, 0.01, 1.0};
+  plot.y = {"", "", 0.01, 1.0, true};
   EXPECT_TRUE(holds(svg_plot(plot), "M62 276L364 154 666 32"));
 }
 
@@ -88,11 +88,53 @@ TEST(SvgPlot, NothingToDrawIsAnEmptyFrame) {
 TEST(SvgPlot, AThinnedCurveKeepsItsPeaks) {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(100000);
   y(54321) = 1.0;
-  SvgPlot plot = line_plot(Eigen::VectorXd::LinSpaced(100000, 0.0, 1.0), y);
-  plot.y = {"", false, 0.0, 1.0};
+  Plot plot = line_plot(Eigen::VectorXd::LinSpaced(100000, 0.0, 1.0), y);
+  plot.y = {"", "", 0.0, 1.0, false};
   const std::string svg = svg_plot(plot);
   EXPECT_LT(svg.size(), 20000U);
   EXPECT_TRUE(holds(svg, " 32 "));
+}
+
+// The picture is 310 px wide and 112 px high inside its margins and has 62 px
+// on the left and 8 px above: the circle's radius is as long both ways.
+TEST(SvgPlane, ACircleStaysOne) {
+  PlanePlot plane;
+  plane.paths = {{"",
+                  Eigen::Vector4d(-1, 0, 1, 0),
+                  Eigen::Vector4d(0, 1, 0, -1),
+                  {},
+                  true}};
+  const std::string svg =
+      svg_plane(plane, {62.0 + 310.0 + 14.0, 8.0 + 112.0 + 44.0});
+  EXPECT_TRUE(holds(svg, "M167 64L217 14 267 64 217 114")) << svg;
+  EXPECT_FALSE(holds(svg, "<rect"));
+  plane.x_label = "Re H";
+  EXPECT_TRUE(holds(svg_plane(plane), ">Re H</text>"));
+}
+
+TEST(SvgPlot, HasWhatTheScreenMarks) {
+  Plot plot = line_plot(Eigen::Vector2d(0, 10), Eigen::Vector2d(0, 1));
+  plot.y = {"", "", 0.0, 1.0, false};
+  plot.markers.push_back({5.0});
+  plot.spots.push_back({5.0, 0.5, U's', {.colour = Colour::Green}});
+  const std::string svg = svg_plot(plot, {.titled = true});
+  EXPECT_TRUE(holds(svg, ">line</text>")) << svg;
+  EXPECT_TRUE(holds(svg, "M364 52L364 276")) << svg;
+  EXPECT_TRUE(holds(svg, ">s</text>")) << svg;
+}
+
+// A trace that is known by its lowest and highest values alone.
+TEST(SvgPlot, AnEnvelopeGoesFromItsLowerToItsHigherEnd) {
+  Plot plot = line_plot({}, {});
+  plot.y = {"", "", 0.0, 1.0, false};
+  plot.curves = {{"",
+                  Eigen::Vector2d(0, 10),
+                  {},
+                  Eigen::Vector2d(0, 0),
+                  Eigen::Vector2d(1, 1),
+                  {}}};
+  EXPECT_TRUE(holds(svg_plot(plot), "M62 276L62 8 666 276 666 8"))
+      << svg_plot(plot);
 }
 
 TEST(SvgBars, TheLargestGoesToTheEnd) {

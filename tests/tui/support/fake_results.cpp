@@ -41,6 +41,7 @@ Eigen::VectorXcd fake_curve(double shift, std::size_t dof) {
 acquisition::TestBundle fake_bundle() {
   acquisition::TestBundle bundle;
   bundle.title = "Made-up strip";
+  bundle.folder = "made-up";  // is not there
   acquisition::Channel hammer;
   hammer.name = "hammer";
   hammer.quantity = acquisition::Quantity::Force;

@@ -1,6 +1,7 @@
 #include "tui/work/next_step.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tui/screen/text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,9 +33,13 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
   EXPECT_EQ(step_words(0, known),
             "next: 1 of 6 hits is rejected: N goes to it, 2 shows the FRFs");
   known.frfs = shared(testing::fake_frfs());
-  EXPECT_EQ(step_words(1, known), "next: 3 identifies the modes");
+  EXPECT_TRUE(step_words(1, known).starts_with("next: coherence 0.9"))
+      << step_words(1, known);
+  EXPECT_TRUE(step_words(1, known).ends_with(": 3 identifies the modes"));
   known.modes = shared(testing::fake_modes());
-  EXPECT_EQ(step_words(2, known), "next: 4 compares them with the model");
+  EXPECT_TRUE(step_words(2, known).starts_with("next: 3 modes leave "))
+      << step_words(2, known);
+  EXPECT_TRUE(step_words(2, known).ends_with(": 4 compares with the model"));
   updating::Comparison c = testing::fake_comparison(0.0);
   c.error = 0.147;
   c.floor = 0.0133;
@@ -53,17 +58,84 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
   EXPECT_EQ(
       step_words(3, known),
       "next: a floor of 160.0 % hides what is missing: 7 has the warnings");
-  known.diagnosis = shared(testing::fake_diagnosis());
+}
+
+TEST(NextStep, SaysWhatTheVerdictBuys) {
+  Snapshot known;
+  known.has_model = true;
+  updating::Diagnosis d = testing::fake_diagnosis();
+  d.error_base = 0.807;
+  d.ladder = {{"sensor-mass", {}, 0.145, {}}};
+  known.diagnosis = shared(d);
   EXPECT_EQ(step_words(4, known),
-            "next: A adds what the verdict names, a the marked candidate");
+            "next: sensor-mass takes 80.7 % down to 14.5 %: A adds it");
+  d.ladder.push_back({"soft-support", {}, 0.0037, {}});
+  known.diagnosis = shared(d);
+  EXPECT_EQ(step_words(4, known),
+            "next: 2 effects take 80.7 % down to 0.37 %: A adds them all");
+  d.ladder.clear();
+  d.verdict = "none";
+  known.diagnosis = shared(d);
+  EXPECT_EQ(step_words(4, known),
+            "next: nothing significant is missing: 7 reports it");
+  d.verdict = "unexplained";
+  known.diagnosis = shared(d);
+  EXPECT_EQ(step_words(4, known),
+            "next: no effect of the list explains it: i says what may");
+}
+
+TEST(NextStep, ReportsOnceItWasLookedFor) {
+  Snapshot known;
+  known.has_model = true;
+  updating::Comparison c = testing::fake_comparison(0.0);
+  c.error = 0.807;
+  c.floor = 0.013;
+  known.base_comparison = shared(c);
+  known.comparison = shared(c);
   EXPECT_EQ(step_words(6, known),
-            "next: w writes the report, e the deck, f FRFs and modes");
+            "next: 80.7 % is 62 times the floor: 5 shows what is missing");
+  known.effects = {{{"added-mass", {}}, true}};
+  c.error = 0.0037;
+  known.comparison = shared(c);
+  EXPECT_EQ(step_words(6, known),
+            "next: error 80.7 % → 0.37 %, floor 1.3 %: w writes the report");
+  known.effects.clear();
+  EXPECT_EQ(step_words(6, known),
+            "next: error 0.37 %, floor 1.3 %: w writes the report");
 }
 
 TEST(NextStep, EndsWithTheReportWithoutAModel) {
   Snapshot known;
+  known.bundle = shared(testing::fake_bundle());
+  EXPECT_EQ(step_words(3, known),
+            "next: no model to compare with: 3 identifies the modes");
   known.modes = shared(testing::fake_modes());
-  EXPECT_EQ(step_words(2, known), "next: w on 7 writes the report");
+  EXPECT_TRUE(step_words(2, known).ends_with(": w on 7 writes the report"));
+  for (std::size_t screen = 3; screen < 6; ++screen) {
+    EXPECT_EQ(step_words(screen, known),
+              "next: without a model the work ends with the modes: 7 reports "
+              "them");
+  }
+  EXPECT_EQ(step_words(6, known),
+            "next: without a model the work ends with the modes: w writes the "
+            "report");
+}
+
+// A window of 80 columns has room for it.
+TEST(NextStep, FitsItsLine) {
+  Snapshot known;
+  known.has_model = true;
+  known.hits = shared(testing::fake_hits());
+  known.frfs = shared(testing::fake_frfs());
+  known.modes = shared(testing::fake_modes());
+  known.comparison = shared(testing::fake_comparison(0.05));
+  known.diagnosis = shared(testing::fake_diagnosis());
+  for (std::size_t screen = 0; screen < 7; ++screen) {
+    EXPECT_LE(text_width(step_words(screen, known)), 78) << screen;
+    EXPECT_NE(step_words(screen, known), "") << screen;
+  }
+  known.modes = shared(modal::ModeSet{});
+  EXPECT_LE(text_width(step_words(2, known)), 78) << step_words(2, known);
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "updating/structure/solve/factor.hpp"
 
 #include <cholmod.h>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <new>
 #include <vector>
@@ -187,6 +189,12 @@ Supernodes supernodes(const SparseMatrix& A) {
                         static_cast<int>(s));
   }
   return result;
+}
+
+std::string sparse_library() {
+  std::array<int, 3> version{};
+  cholmod_version(version.data());
+  return fmt::format("{}.{}.{}", version[0], version[1], version[2]);
 }
 
 }  // namespace tapfit::structure

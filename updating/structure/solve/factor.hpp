@@ -5,6 +5,7 @@
 #include "updating/structure/solve/system.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tapfit::structure {
@@ -61,5 +62,8 @@ struct Supernodes {
 
 /// @param A symmetric, full storage; only the pattern counts
 [[nodiscard]] Supernodes supernodes(const SparseMatrix& A);
+
+/// The version of CHOLMOD that is in use.
+[[nodiscard]] std::string sparse_library();
 
 }  // namespace tapfit::structure

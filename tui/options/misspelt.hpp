@@ -1,0 +1,18 @@
+// What was meant by words of a command line that are none.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace tapfit::tui {
+
+/// "Did you mean --json?" and the end of its line, for the first word that
+/// could not be used and is near to an option or command. Empty where none is.
+[[nodiscard]] std::string meant_words(const CLI::App& app);
+
+/// "Did you mean tapfit diagnose?": for a word in the place of a bundle.
+[[nodiscard]] std::string meant_command(const CLI::App& app,
+                                        const std::string& word);
+
+}  // namespace tapfit::tui

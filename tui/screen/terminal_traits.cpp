@@ -1,0 +1,39 @@
+#include "tui/screen/terminal_traits.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sys/ioctl.h>
+#include <term.h>
+#include <unistd.h>
+
+namespace tapfit::tui {
+namespace {
+
+/// Whether it has a capability that is a string.
+bool is_able(const char* capability) {
+  const char* text = tigetstr(capability);
+  return text != nullptr && text != reinterpret_cast<const char*>(-1);
+}
+
+}  // namespace
+
+TerminalTraits look_at_terminal() {
+  TerminalTraits traits;
+  traits.is_one = isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  const char* kind = std::getenv("TERM");
+  traits.kind = kind != nullptr ? kind : "";
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0) {
+    traits.width = size.ws_col;
+    traits.height = size.ws_row;
+  }
+  int fault = 0;
+  traits.known = setupterm(nullptr, STDOUT_FILENO, &fault) == 0;
+  if (!traits.known) return traits;
+  traits.places_cursor = is_able("cup");
+  traits.colours = std::max(tigetnum("colors"), 0);
+  traits.mouse = is_able("kmous");
+  return traits;
+}
+
+}  // namespace tapfit::tui

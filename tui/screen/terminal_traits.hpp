@@ -1,0 +1,21 @@
+// What kind of terminal it is, by way of terminfo (included here only).
+#pragma once
+
+#include <string>
+
+namespace tapfit::tui {
+
+/// What is known of the terminal without showing anything on it.
+struct TerminalTraits {
+  bool is_one = false;  ///< standard input and output are one
+  std::string kind;     ///< of the environment variable TERM
+  bool known = false;   ///< to terminfo
+  bool places_cursor = false;
+  int colours = 0;
+  bool mouse = false;
+  int width = 0;  ///< [cells], 0 where it does not say
+  int height = 0;
+};
+[[nodiscard]] TerminalTraits look_at_terminal();
+
+}  // namespace tapfit::tui
