@@ -4,8 +4,6 @@
 #include "acquisition/foundation/reuse_memory.hpp"
 #include "tui/app/app.hpp"
 #include "tui/commands/command_line.hpp"
-#include "tui/commands/score_command.hpp"
-#include "tui/commands/simulate_command.hpp"
 #include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
@@ -66,9 +64,7 @@ int run_own(const Invocation& invocation) {
   argv.push_back(nullptr);
   const int argc = static_cast<int>(argv.size()) - 1;
   tapfit::tui::ProgressLine line(false);
-  return invocation.name == "simulate"
-             ? tapfit::tui::simulate_command(argc, argv.data(), line.progress())
-             : tapfit::tui::score_command(argc, argv.data(), line.progress());
+  return invocation.own(argc, argv.data(), line.progress());
 }
 
 int tapfit_main(int argc, const char* const* argv) {
@@ -79,8 +75,7 @@ int tapfit_main(int argc, const char* const* argv) {
     return answer->exit_status;
   }
   const auto& invocation = std::get<Invocation>(parsed);
-  const bool own = invocation.name == "simulate" || invocation.name == "score";
-  if (own) return run_own(invocation);
+  if (invocation.own != nullptr) return run_own(invocation);
   if (invocation.options.inside && !invocation.options.input.empty()) {
     tapfit::updating::check_inside(invocation.options.input);
   }

@@ -30,6 +30,10 @@
 #include "tui/options/modes_options.hpp"
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
+#include "tui/practice/challenge_command.hpp"
+#include "tui/practice/reveal_command.hpp"
+#include "tui/practice/score_command.hpp"
+#include "tui/practice/simulate_command.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -43,9 +47,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-constexpr const char* simulate_name = "simulate";
-constexpr const char* score_name = "score";
 
 /// Options a command has besides --json.
 enum Extra : unsigned {
@@ -70,6 +71,21 @@ enum Extra : unsigned {
   BodyMass = 131072,
 };
 
+/// A command that reads its own command line.
+struct OwnEntry {
+  const char* name;
+  const char* does;
+  OwnCommand own;
+};
+
+constexpr std::array<OwnEntry, 3> own_entries{{
+    {"simulate", "Make a bundle by a virtual test", simulate_command},
+    {"challenge",
+     "Make a bundle that hides something, to be found",
+     challenge_command},
+    {"score", "Diagnose practice cases and count", score_command},
+}};
+
 struct Entry {
   const char* name;
   const char* does;
@@ -80,7 +96,7 @@ struct Entry {
   const char* alias = nullptr;   ///< an older name
 };
 
-constexpr std::array<Entry, 18> entries{{
+constexpr std::array<Entry, 19> entries{{
     {"run",
      "The whole chain, recording to error ladder",
      run_command,
@@ -164,6 +180,12 @@ constexpr std::array<Entry, 18> entries{{
      None,
      "checks",
      nullptr},
+    {"reveal",
+     "What a challenge hides, beside what was found",
+     reveal_command,
+     None,
+     nullptr,
+     "FOLDER"},
 }};
 
 void add_inside(CLI::App& command, CommandOptions& options) {
@@ -289,16 +311,13 @@ void add_paper(CLI::App& app, Invocation& invocation) {
   });
 }
 
-/// A command that reads its own command line.
-void add_own(CLI::App& app,
-             const char* name,
-             const char* does,
-             Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(name, does);
+void add_own(CLI::App& app, const OwnEntry& entry, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(entry.name, entry.does);
   command->set_help_flag();
   command->prefix_command();
-  command->callback([&invocation, name, command] {
-    invocation.name = name;
+  command->callback([&invocation, &entry, command] {
+    invocation.name = entry.name;
+    invocation.own = entry.own;
     invocation.passed_on = command->remaining();
   });
 }
@@ -341,8 +360,7 @@ std::vector<std::string> command_names() {
   for (const Entry& entry : entries) names.emplace_back(entry.name);
   names.emplace_back("import");
   names.emplace_back("paper");
-  names.emplace_back(simulate_name);
-  names.emplace_back(score_name);
+  for (const OwnEntry& entry : own_entries) names.emplace_back(entry.name);
   return names;
 }
 
@@ -360,8 +378,6 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   for (const Entry& entry : entries) add_command(app, entry, invocation);
   add_import(app, invocation);
   add_paper(app, invocation);
-  add_own(app, simulate_name, "Make a bundle by a virtual test", invocation);
-  add_own(app, score_name, "Diagnose practice cases and count", invocation);
   const auto misspelt = [&] {
     const std::filesystem::path& input = invocation.options.input;
     std::error_code fault;
@@ -370,6 +386,7 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
                ? meant_command(app, input.string())
                : std::string();
   };
+  for (const OwnEntry& entry : own_entries) add_own(app, entry, invocation);
   try {
     std::vector<std::string> arguments = arguments_of(argc, argv);
     std::ranges::reverse(arguments);  // as CLI11 wants them

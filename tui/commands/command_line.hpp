@@ -7,6 +7,7 @@
 // The command line: which command, with which options.
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "tui/options/app_options.hpp"
 #include "tui/options/command.hpp"
 
@@ -16,13 +17,20 @@
 
 namespace tapfit::tui {
 
+/// A command that reads its own command line, its name first, and prints.
+/// @return exit status
+using OwnCommand = int (*)(int argc,
+                           const char* const* argv,
+                           const Progress& progress);
+
 /// What the user asked for.
 struct Invocation {
   std::string name;           ///< "hits" and so on; empty: open the terminal
-  Command command = nullptr;  ///< null for the terminal, "simulate", "score"
+  Command command = nullptr;  ///< null for the terminal and own commands
+  OwnCommand own = nullptr;   ///< "simulate" and its like
   CommandOptions options;
   AppOptions app;
-  std::vector<std::string> passed_on;  ///< arguments of "simulate", "score"
+  std::vector<std::string> passed_on;  ///< arguments of an own command
   /// What to print where neither command nor bundle is named and there is no
   /// terminal to pick one in; empty where something is.
   std::string help;

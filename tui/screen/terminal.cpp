@@ -5,7 +5,7 @@
 #include "tui/screen/escape_sequence.hpp"
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/palette.hpp"
-#include "tui/screen/terminal_kind.hpp"
+#include "tui/screen/terminal_traits.hpp"
 
 #include <ncurses.h>
 

@@ -18,4 +18,8 @@ struct TerminalTraits {
 };
 [[nodiscard]] TerminalTraits look_at_terminal();
 
+/// Whether terminfo has a kind, without opening a screen of it.
+/// @param kind null: that of the environment variable TERM
+[[nodiscard]] bool is_known_terminal(const char* kind);
+
 }  // namespace tapfit::tui

@@ -350,14 +350,18 @@ const std::vector<std::string>& hidden_kinds() {
   return kinds;
 }
 
+bool can_hide(const std::string& structure, const std::string& kind) {
+  return structure != "plate" || kind.find("soft-support") == std::string::npos;
+}
+
 VirtualBundleSpec draw_hidden_case(const std::string& kind,
                                    std::uint64_t seed,
                                    const std::string& structure) {
   SeededRandom random(seed, "structure");
   std::vector<std::string> structures = virtual_structures();
-  // The plate hangs free: it has no support to give.
-  const bool held = kind.find("soft-support") != std::string::npos;
-  if (held) std::erase(structures, "plate");
+  std::erase_if(structures, [&kind](const std::string& name) {
+    return !can_hide(name, kind);
+  });
   const auto count = static_cast<double>(structures.size());
   const auto drawn = static_cast<std::size_t>(random.uniform(0.0, count));
   VirtualBundleSpec spec;

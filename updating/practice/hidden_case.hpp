@@ -25,7 +25,14 @@ namespace tapfit::updating {
 /// elsewhere.
 [[nodiscard]] const std::vector<std::string>& hidden_kinds();
 
-/// @param kind one of hidden_kinds()
+/// Whether the structure can hide it: the plate hangs free and has no support
+/// to give.
+/// @param kind one of hidden_kinds(), or any pair of them joined with "+"
+/// @param structure one of virtual_structures()
+[[nodiscard]] bool can_hide(const std::string& structure,
+                            const std::string& kind);
+
+/// @param kind as above
 /// @param structure one of virtual_structures(); empty: drawn
 [[nodiscard]] VirtualBundleSpec draw_hidden_case(
     const std::string& kind,

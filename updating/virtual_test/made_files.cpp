@@ -31,18 +31,10 @@ std::uint64_t fnv(std::string_view bytes, std::uint64_t hash = fnv_basis) {
 
 std::string as_hex(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-std::string checksum_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::array<char, 1U << 16U> part{};
-  std::uint64_t hash = fnv_basis;
-  while (in.read(part.data(), part.size()), in.gcount() > 0) {
-    hash = fnv({part.data(), static_cast<std::size_t>(in.gcount())}, hash);
-  }
-  return as_hex(hash);
-}
-
 // Of all that the document holds but for the list.
-std::string checksum_of(const json& truth) { return as_hex(fnv(truth.dump())); }
+std::string checksum_of(const json& truth) {
+  return checksum_text(truth.dump());
+}
 
 json read_truth(const fs::path& folder) {
   try {
@@ -55,16 +47,38 @@ json read_truth(const fs::path& folder) {
 
 }  // namespace
 
-void list_made_files(const fs::path& folder, json& truth) {
+std::uint64_t checksum(std::string_view bytes) { return fnv(bytes); }
+
+std::string checksum_text(std::string_view bytes) {
+  return as_hex(checksum(bytes));
+}
+
+std::string checksum_of_file(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, 1U << 16U> part{};
+  std::uint64_t hash = fnv_basis;
+  while (in.read(part.data(), part.size()), in.gcount() > 0) {
+    hash = fnv({part.data(), static_cast<std::size_t>(in.gcount())}, hash);
+  }
+  return as_hex(hash);
+}
+
+json file_checksums(const fs::path& folder) {
   std::vector<fs::path> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.is_regular_file()) names.push_back(entry.path().filename());
   }
   std::ranges::sort(names);
-  json list = {{truth_file, checksum_of(truth)}};
+  json list = json::object();
   for (const fs::path& name : names) {
-    list[name.string()] = checksum_of(folder / name);
+    list[name.string()] = checksum_of_file(folder / name);
   }
+  return list;
+}
+
+void list_made_files(const fs::path& folder, json& truth) {
+  json list = {{truth_file, checksum_of(truth)}};
+  list.update(file_checksums(folder));
   truth["files"] = list;
 }
 
@@ -78,11 +92,11 @@ std::vector<fs::path> made_files(const fs::path& folder) {
     return {};
   }
   std::vector<fs::path> made{folder / truth_file};
-  for (const auto& [name, checksum] : list.items()) {
+  for (const auto& [name, sum] : list.items()) {
     const fs::path file = folder / fs::path(name).filename();
     std::error_code none;
     if (name == truth_file || !fs::is_regular_file(file, none)) continue;
-    if (checksum == checksum_of(file)) made.push_back(file);
+    if (sum == checksum_of_file(file)) made.push_back(file);
   }
   return made;
 }

@@ -5,7 +5,6 @@
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
-#include "updating/virtual_test/made_files.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
 #include "updating/virtual_test/virtual_truth.hpp"
 
@@ -193,7 +192,7 @@ std::vector<acquisition::AnalogueChannel> make_chains(
     chain.full_scale = channel.full_scale_si();
     chain.gain = value_of(spec, "channel-gain", channel.name, 1.0) *
                  value_of(spec, "channel-polarity", channel.name, 1.0);
-    chain.noise_rms = (force ? 5e-4 : 2e-4) * root_band;
+    chain.noise_rms = spec.noise * (force ? 5e-4 : 2e-4) * root_band;
     chain.hum = force ? 0.006 : 0.004;
     chain.offset = 1e-3 * chain.full_scale;
     chain.drift = 0.03;
@@ -286,8 +285,9 @@ acquisition::OutputRule with_structure(acquisition::OutputRule rule,
 // Before the work.
 void check_files(const acquisition::OutputRule& rule,
                  const VirtualSetup& setup,
-                 const fs::path& folder) {
-  for (const char* name : {"test.json", "model.bdf", truth_file}) {
+                 const fs::path& folder,
+                 const char* truth) {
+  for (const char* name : {"test.json", "model.bdf", truth}) {
     check_in_folder(rule, folder, name);
   }
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {
@@ -356,7 +356,7 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
                                         const acquisition::OutputRule& given) {
   const VirtualSetup setup = set_up(spec);
   const acquisition::OutputRule rule = with_structure(given, spec);
-  check_files(rule, setup, folder);
+  check_files(rule, setup, folder, truth_file_of(spec));
   const double factor = modulus_factor(spec);
   const VirtualStructure structure = build_virtual_structure(
       setup.model, spec.effects, factor, setup.component);
@@ -385,8 +385,12 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
   write_model(setup, output.file("model.bdf"));
   acquisition::write_file(output.file("test.json"),
                           acquisition::test_bundle_text(bundle, folder));
-  write_truth(
-      spec, setup, structure, records.first, factor, output.file(truth_file));
+  write_truth(spec,
+              setup,
+              structure,
+              records.first,
+              factor,
+              output.file(truth_file_of(spec)));
   output.commit();
 
   VirtualBundleResult result;

@@ -1,7 +1,7 @@
 // The room updating/virtual_test. Tests of structures that exist only in
 // memory, with what is hidden in them.
 // In:  A specification.
-// Out: A bundle's folder, and truth.json for tests alone.
+// Out: A bundle's folder, and truth.json for tests alone, or its seal.
 // May include: its row in CONTRIBUTING.md.
 //
 // Makes a whole test bundle of a structure that exists only in memory:

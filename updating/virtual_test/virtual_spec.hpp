@@ -24,6 +24,8 @@ struct VirtualBundleSpec {
   std::optional<double> stated_mass_kg;  ///< of each sensor, in `channels`
   double damping_mean = 0.006;
   bool faulty_hits = true;  ///< one double hit and one overload
+  double noise = 1.0;       ///< times that of an ordinary front end
+  bool sealed = false;      ///< what is hidden is not to be read by accident
 };
 
 }  // namespace tapfit::updating

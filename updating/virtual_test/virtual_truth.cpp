@@ -1,7 +1,6 @@
 #include "updating/virtual_test/virtual_truth.hpp"
 
 #include "acquisition/foundation/output_file.hpp"
-#include "updating/virtual_test/made_files.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -50,6 +49,15 @@ json effects_json(const VirtualSetup& setup,
   return effects;
 }
 
+// As parse_virtual_effect() reads them.
+json hidden_texts(const VirtualStructure& structure) {
+  json texts = json::array();
+  for (const VirtualEffect& effect : structure.effects) {
+    texts.push_back(virtual_effect_text(effect));
+  }
+  return texts;
+}
+
 std::string joined_names(const VirtualStructure& structure) {
   std::string names;
   for (const VirtualEffect& effect : structure.effects) {
@@ -79,6 +87,11 @@ void write_truth(const VirtualBundleSpec& spec,
   };
   if (!materials.empty()) {
     document["E_true"] = materials.begin()->second.E * modulus_factor;
+  }
+  if (spec.sealed) {
+    document["hidden"] = hidden_texts(structure);
+    acquisition::write_file(file, sealed_text(document, file.parent_path()));
+    return;
   }
   list_made_files(file.parent_path(), document);
   acquisition::write_file(file, document.dump(1) + '\n');

@@ -1,4 +1,4 @@
-#include "tui/commands/own_answer.hpp"
+#include "tui/options/own_answer.hpp"
 
 #include "tui/options/misspelt.hpp"
 #include "tui/options/standard_streams.hpp"

@@ -1,7 +1,7 @@
-#include "tui/commands/simulate_command.hpp"
+#include "tui/practice/simulate_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "tui/commands/own_answer.hpp"
+#include "tui/options/own_answer.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 #include "updating/virtual_test/made_files.hpp"

@@ -1,7 +1,7 @@
 // The commands that read their own command line: what is wrong with it is told
 // apart from what is wrong with the input.
-#include "tui/commands/score_command.hpp"
-#include "tui/commands/simulate_command.hpp"
+#include "tui/practice/score_command.hpp"
+#include "tui/practice/simulate_command.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "tui/commands/score_command.hpp"
+#include "tui/practice/score_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "tui/commands/own_answer.hpp"
+#include "tui/options/own_answer.hpp"
 #include "tui/options/standard_streams.hpp"
+#include "tui/practice/verdict_output.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/practice/hidden_case.hpp"
 #include "updating/practice/hidden_verdict.hpp"
@@ -73,21 +74,12 @@ ordered_json scored(const std::string& kind,
   for (const updating::VirtualEffect& effect : spec.effects) {
     effects.push_back(updating::virtual_effect_text(effect));
   }
-  return {{"seed", seed},
-          {"kind", kind},
-          {"effects", effects},
-          {"structure", spec.structure},
-          {"hidden", v.hidden},
-          {"found", v.found},
-          {"right_kind", v.right_kind},
-          {"honest", v.honest},
-          {"right_place", v.right_place},
-          {"right_size", v.right_size},
-          {"size_error", v.size_error},
-          {"error", v.error},
-          {"floor", v.floor},
-          {"intervals", v.intervals},
-          {"intervals_hold", v.intervals_hold}};
+  ordered_json json{{"seed", seed},
+                    {"kind", kind},
+                    {"effects", effects},
+                    {"structure", spec.structure}};
+  json.update(verdict_json(v));
+  return json;
 }
 
 /// Which of how many; nothing where the text is no such thing.
