@@ -81,11 +81,7 @@ void draw_error_map(Screen& screen,
   map.top = std::clamp(map.selected - rows / 2,
                        0,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
-  screen.text(rect.x + 1,
-              rect.y,
-              map.title,
-              heading(focused),
-              rect.width - 1);
+  screen.text(rect.x + 1, rect.y, map.title, heading(focused), rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);
 }
 

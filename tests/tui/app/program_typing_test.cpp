@@ -91,8 +91,8 @@ TEST(Program, CountsCompletionsThatDoNotFit) {
 }
 
 TEST(ProgramTyping, SaysWhatWasMeant) {
-  EXPECT_TRUE(holds(played("wait\n:reprot<Enter>", {300, 24}),
-                    "did you mean report?"));
+  EXPECT_TRUE(
+      holds(played("wait\n:reprot<Enter>", {300, 24}), "did you mean report?"));
   EXPECT_TRUE(holds(played("wait\n:add joit@3:4<Enter>\nwait", {500, 24}),
                     "did you mean joint?"));
 }
