@@ -15,6 +15,18 @@ struct CsvOptions {
   std::optional<std::size_t> skip_lines;
 };
 
+/// A column of numbers, as lines above the first row of numbers tell of it.
+struct CsvColumn {
+  std::string number;  ///< from 1 on
+  std::string name;    ///< empty: no line has one
+  std::string unit;    ///< in a line of units, or behind the name: "a [g]"
+};
+
+/// The columns whose field in the first row is a number.
+/// @throws InputError for a file without numbers
+[[nodiscard]] std::vector<CsvColumn> list_csv_columns(
+    const std::filesystem::path& file, const CsvOptions& options);
+
 /// Reads some columns of a CSV file.
 ///
 /// Separators are ; tab or , (found from the file); with ; or tab a comma may

@@ -1,4 +1,4 @@
-#include "acquisition/import/rate_of_times.hpp"
+#include "acquisition/samples/rate_of_times.hpp"
 
 #include <cmath>
 
