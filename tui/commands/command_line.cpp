@@ -298,22 +298,29 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
 
 void add_import(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
-      "import", "Make a bundle out of CSV, MATLAB, SEP-005 or universal files");
+      "import",
+      "Make a bundle out of time records: CSV, MATLAB, HDF5 and netCDF4, TDMS, "
+      "numpy, SEP-005, universal files");
   CommandOptions& options = invocation.options;
   ImportArguments& given = options.imports;
   command->add_option("FILE", given.files, "FILE, or FILE@POINT of its blows")
       ->required();
-  command->add_option("-o,--output", options.output, "Folder of the bundle")
-      ->required();
-  command->add_option("--hammer", given.hammer, "COLUMN@POINT,KEY=VALUE...")
-      ->required();
-  command->add_option("--sensor", given.sensors, "COLUMN@POINT,KEY=VALUE...")
-      ->required()
+  command->add_option("-o,--output",
+                      options.output,
+                      "Folder of the bundle (called after FILE)");
+  command->add_option("--hammer",
+                      given.hammer,
+                      "COLUMN@POINT,KEY=VALUE...; without it the one with the "
+                      "unit of a force or the shortest pulses");
+  command
+      ->add_option("--sensor",
+                   given.sensors,
+                   "COLUMN@POINT,KEY=VALUE...; without it all other channels")
       ->allow_extra_args(false);
   command->add_option(
       "--rate",
       given.rate,
-      "Samples per second, or a variable of a .mat file that says it");
+      "Samples per second, or a variable of the file that says it");
   command->add_option("--time", given.time_column, "Column of the time [s]");
   command->add_option("--title", given.title, "Title of the bundle");
   command->add_option("--deck", options.deck, "Its bulk data model");

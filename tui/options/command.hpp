@@ -21,11 +21,12 @@ namespace tapfit::tui {
 
 /// What `tapfit import` is told about the files.
 struct ImportArguments {
-  std::vector<std::string> files;    ///< "FILE" or "FILE@POINT"
-  std::string hammer;                ///< "COLUMN@POINT[,KEY=VALUE ...]"
-  std::vector<std::string> sensors;  ///< the same
-  std::string rate;  ///< Hz, or the variable of a .mat file that holds it
-  std::string time_column = "1";
+  std::vector<std::string> files;  ///< "FILE" or "FILE@POINT"
+  /// "COLUMN@POINT[,KEY=VALUE ...]"; empty: found in the file.
+  std::string hammer;
+  std::vector<std::string> sensors;  ///< the same; none: all others
+  std::string rate;         ///< Hz, or the variable of a file that holds it
+  std::string time_column;  ///< empty: the first of a CSV, or what a file says
   std::string title;
   std::optional<std::array<double, 2>> band_hz;
 };
