@@ -107,7 +107,7 @@ double attribute(const Arrays& all,
 
 // Times in the first column, as people save them.
 std::optional<Sampling> by_first_column(const NamedArray& array) {
-  const NamedArray times{"times", Kind::Numbers, array.column(0), {}};
+  const NamedArray times{"first", Kind::Numbers, array.column(0), {}};
   if (array.columns() == 1 || !is_axis(array.column(0))) return std::nullopt;
   return sampling_of({times}, array.name, array.samples());
 }

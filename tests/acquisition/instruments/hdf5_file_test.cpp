@@ -54,7 +54,7 @@ class Hdf5 : public ::testing::Test {
 
 TEST_F(Hdf5, DatasetsAndAttributesComeByTheirPaths) {
   Eigen::MatrixXd table(3, 2);
-  table << 1, 2, 3, 4, 5, 6;
+  table << 1, 2, 7, 9, 5, 4;
   {
     testing::Hdf5Writer writer(file_);
     writer.attribute("/", "fs", 512.0);

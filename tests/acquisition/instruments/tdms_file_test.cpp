@@ -42,7 +42,7 @@ using Samples = std::vector<double>;
 TEST_F(Tdms, ChannelsComeWithUnitNameAndRateInEitherByteOrder) {
   for (const bool big : {false, true}) {
     const auto file = folder_.write(
-        "tap.tdms", testing::tdms_hammer_test({0, 7.5, -1}, {1, 2, 4}, big));
+        "tap.tdms", testing::tdms_hammer_test({0, 7.5, -1}, {1, 5, 2}, big));
     const InstrumentFile read = read_instrument_file(file);
     ASSERT_EQ(read.records.size(), 2U) << big;
     EXPECT_EQ(read.records[0].column, "Run/Hammer");
@@ -52,7 +52,7 @@ TEST_F(Tdms, ChannelsComeWithUnitNameAndRateInEitherByteOrder) {
     EXPECT_EQ(read.records[0].values, Eigen::Vector3d(0, 7.5, -1));
     EXPECT_EQ(read.records[1].unit, "g");
     EXPECT_EQ(read.records[1].dof, (Dof{12, 3, 1})) << "in its name";
-    EXPECT_EQ(read.records[1].values, Eigen::Vector3d(1, 2, 4));
+    EXPECT_EQ(read.records[1].values, Eigen::Vector3d(1, 5, 2));
   }
 }
 
@@ -118,7 +118,7 @@ TEST_F(Tdms, InterleavedValuesOfSeveralWidths) {
 
 // LabVIEW leaves the length open when it is stopped hard.
 TEST_F(Tdms, ASegmentWithoutAnEndGoesUpToTheFilesEnd) {
-  std::string bytes = testing::tdms_hammer_test({0, 7.5, -1}, {1, 2, 4});
+  std::string bytes = testing::tdms_hammer_test({0, 7.5, -1}, {1, 5, 2});
   bytes.replace(12, 8, std::string(8, '\xff'));
   EXPECT_EQ(samples(read(bytes), "Run/Hammer"), (Samples{0, 7.5, -1}));
 }
