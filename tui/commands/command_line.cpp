@@ -63,6 +63,7 @@ enum Extra : unsigned {
   ByHand = 32768,
   Pairs = 65536,
   BodyMass = 131072,
+  Robustness = 262144,
 };
 
 /// A command that reads its own command line.
@@ -122,7 +123,10 @@ constexpr std::array<Entry, 18> entries{{
     {"model", "Summarise a deck, and its modes", model_command, Modes, "DECK"},
     {"uff", "What a universal file holds", uff_command, None, "FILE"},
     {"compare", "Model against measurement", compare_command, ByHand | Pairs},
-    {"diagnose", "What is missing from the model", diagnose_command, ByHand},
+    {"diagnose",
+     "What is missing from the model",
+     diagnose_command,
+     ByHand | Robustness},
     {"signature",
      "Missing dynamic stiffness at a grid",
      signature_command,
@@ -282,6 +286,12 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   }
   if ((entry.extras & ByHand) != 0) {
     add_mode_choices(*command, options.by_hand);
+  }
+  if ((entry.extras & Robustness) != 0) {
+    command->add_flag("--robustness",
+                      options.robustness,
+                      "What becomes of the verdict when a prior, the allowance "
+                      "for form or a run is changed or left out");
   }
   if ((entry.extras & Pairs) != 0) add_pair_choices(*command, options.by_hand);
   if ((entry.extras & (Mass | BodyMass)) != 0) {

@@ -5,6 +5,7 @@
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
+#include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/fit/kept_fit.hpp"
 
@@ -215,6 +216,26 @@ std::string rest_words(const ModelResults& model) {
           : effect_words(model.rest->verdict));
 }
 
+void add_firmness(const updating::Diagnosis& diagnosis, Section& section) {
+  if (diagnosis.robustness.empty()) return;
+  DataTable table{"How firm it is",
+                  {"<what was changed", "<verdict", "<farthest move of a size"},
+                  {}};
+  for (const updating::Robustness& row : diagnosis.robustness) {
+    const std::string move = move_text(row);
+    table.rows.push_back(
+        {row.change,
+         row.verdict_stands ? "stands" : effect_words(row.verdict),
+         move.empty() ? "–" : move});
+  }
+  section.parts.emplace_back(table);
+  section.parts.emplace_back(Paragraph{
+      capitalised(firmness_words(diagnosis.robustness)) +
+          ". What was found and what came closest were fitted again with each "
+          "of these changed; sd: standard deviations of the size as stated.",
+      Paragraph::Kind::Small});
+}
+
 Section sure_section(const ModelResults& model) {
   Section section{"How sure is it", {}};
   if (!model.diagnosis) {
@@ -249,6 +270,7 @@ Section sure_section(const ModelResults& model) {
         "error: on runs that the parameters were not fitted to.",
         Paragraph::Kind::Small});
   }
+  add_firmness(*model.diagnosis, section);
   if (const std::string rest = rest_words(model); !rest.empty()) {
     section.parts.emplace_back(Paragraph{rest});
   }

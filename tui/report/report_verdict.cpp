@@ -2,7 +2,7 @@
 
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/worth.hpp"
 
 #include <fmt/format.h>
 
@@ -18,13 +18,6 @@ std::string rung_words(const ModelResults& model, const Rung& rung) {
   const Rung* found = diagnosed_rung(model, rung);
   return with_article(
       found_words(found ? found->added : rung.added, rung.where));
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  }
-  return text;
 }
 
 /// How the error stands to the floor, as the end of a sentence.

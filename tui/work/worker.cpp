@@ -167,6 +167,9 @@ void make_result(Workbench& bench,
     case Stage::Diagnosis:
       known.diagnosis = shared(bench.diagnosis(progress));
       return;
+    case Stage::Robustness:
+      known.diagnosis = shared(bench.robust_diagnosis(progress));
+      return;
     case Stage::Signature:
       known.signatures[need.node] =
           shared(bench.signature(need.node, progress));

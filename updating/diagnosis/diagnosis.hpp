@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/foundation/dof.hpp"
+#include "updating/diagnosis/rivals.hpp"
 #include "updating/effects/effect_ref.hpp"
 #include "updating/fit/estimate.hpp"
 #include "updating/fit/rung.hpp"
@@ -49,6 +50,17 @@ struct SetUpMistake {
   std::string edit;    ///< what to correct, see sheet_edits()
 };
 
+/// What becomes of a verdict when something that was assumed is changed.
+struct Robustness {
+  std::string change;  ///< "prior of E:1 doubled"
+  std::string verdict;
+  bool verdict_stands = true;
+  std::vector<Estimate> parameters;  ///< of the ladder, as "EFFECT NAME"
+  /// How far the farthest of them moved, in standard deviations of the
+  /// diagnosis; 0 where there are none.
+  double largest_move_sd = 0.0;
+};
+
 struct Diagnosis {
   std::string verdict;  ///< "none", "unexplained", "added-mass", "a+b", "a|b"
   double error_base = 0.0;
@@ -69,6 +81,8 @@ struct Diagnosis {
   std::vector<NextMeasurement> next;
   std::vector<SetUpMistake> set_up;  ///< of the ladder, put right there
   std::vector<std::string> warnings;
+  Rivals rivals = {};
+  std::vector<Robustness> robustness = {};  ///< where it was asked for
 };
 
 /// Whether that measurement would show which of the two it is: they differ by

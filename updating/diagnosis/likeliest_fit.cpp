@@ -34,8 +34,9 @@ std::optional<Point> look(const Fit& fit,
       form_error(form_bias(*fit.model, result.state, target));
   const VectorXd off = theta - result.prior.mean;
   const auto estimate = [&](const Readjustment& fitted) {
-    return estimate_form(
-        view(form, r, fitted), judgement.data, judgement.noise);
+    FormView seen = view(form, r, fitted);
+    seen.allowance = fit.form.allowance;
+    return estimate_form(seen, judgement.data, judgement.noise);
   };
   return Point{theta,
                estimate({}).log_likelihood - 0.5 * free.pull.dot(off),

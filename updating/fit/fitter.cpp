@@ -52,6 +52,12 @@ std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
+Fitter Fitter::with(FitSetting setting) const {
+  Fitter other = *this;
+  other.setting_ = std::move(setting);
+  return other;
+}
+
 void Fitter::set_mesh(const BaseBuilder& coarser,
                       std::size_t factors,
                       const Eigen::VectorXd& bias) {
@@ -392,6 +398,7 @@ class Fitter::Course {
     const Eigen::VectorXd& r = fit.result.residual;
     const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
     fit.form = view(form_error(F), r, readjustment(fit.result));
+    fit.form.allowance = fitter_->setting_.form_allowance;
     const FormEstimate form =
         estimate_form(fit.form, data_of(target, state), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
@@ -514,7 +521,10 @@ double Fitter::held_out_error(const Fit& fit,
                               int folds,
                               const Progress& progress) const {
   const Target& whole = target();
-  std::set<std::size_t> runs(whole.run.begin(), whole.run.end());
+  std::set<std::size_t> runs;
+  for (std::size_t f = 0; f < whole.run.size(); ++f) {
+    if (whole.use[f] > 0.0) runs.insert(whole.run[f]);
+  }
   const int groups = std::min<int>(folds, static_cast<int>(runs.size()));
   if (groups < 2) return fit.result.error;
   const Prior prior = prior_for(*fit.model, fit.result.state);
@@ -528,8 +538,8 @@ double Fitter::held_out_error(const Fit& fit,
       const bool out = position++ % groups == group;
       for (std::size_t f = 0; f < whole.run.size(); ++f) {
         if (whole.run[f] != run) continue;
-        training.use[f] = out ? 0.0 : 1.0;
-        test.use[f] = out ? 1.0 : 0.0;
+        training.use[f] = out ? 0.0 : whole.use[f];
+        test.use[f] = out ? whole.use[f] : 0.0;
       }
     }
     MinimiseOptions options;

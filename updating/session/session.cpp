@@ -12,6 +12,7 @@
 #include "updating/measurement/measurement.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/reduction/base_error.hpp"
+#include "updating/robustness/robustness.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_stack.hpp"
 #include "updating/session/kept_diagnosis.hpp"
@@ -201,6 +202,16 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
                          model_warnings(progress),
                          progress);
   });
+  return *impl_->diagnosis;
+}
+
+const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
+  if (!diagnosis(progress).robustness.empty()) return *impl_->diagnosis;
+  const DiagnoseOptions options = options_of_test(
+      *impl_->ground, base_comparison(progress), impl_->measured());
+  impl_->diagnosis->robustness =
+      robustness(*impl_->ground->fitter, options, *impl_->diagnosis, progress);
+  impl_->keeper(impl_->current().effects.size()).keep(*impl_->diagnosis);
   return *impl_->diagnosis;
 }
 

@@ -70,6 +70,8 @@ class Session {
   /// Ranks what is missing from the current model; what an earlier run of the
   /// program found is taken as it was.
   const Diagnosis& diagnosis(const Progress& progress = {});
+  /// The same with what becomes of it when what was assumed is changed.
+  const Diagnosis& robust_diagnosis(const Progress& progress = {});
   /// What an earlier run of the program, or this one, found missing with the
   /// first of the current effects in the model and kept; nothing is worked out.
   /// @param effects how many of those that are on, from 0
