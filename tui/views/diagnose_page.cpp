@@ -246,11 +246,9 @@ std::string DiagnosePage::help() const {
          "stiffness at the place: a mass falls with the square of frequency, a "
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
-         "all. m maps what each grid alone explains. R works out how firm the "
-         "verdict is: what becomes of it, and of its sizes, when a prior or "
-         "another assumption is changed or a run left out. a adds the "
-         "candidate, or "
-         "all tagged (*) at once, A all that the verdict is made of.";
+         "all. m maps what each grid alone explains, R tells how firm the "
+         "verdict is. a adds the candidate, or all tagged (*) at once, A all "
+         "that the verdict is made of.";
 }
 
 }  // namespace tapfit::tui

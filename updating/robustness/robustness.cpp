@@ -76,9 +76,7 @@ FirmnessCheck::FirmnessCheck(const Fitter& fitter,
     : fitter_(&fitter),
       options_(options),
       diagnosis_(&diagnosis),
-      unchanged_(refits_of(diagnosis.rivals, fitter, progress)),
-      verdict_(verdict_of(
-          unchanged_, fitter, options, diagnosis, {{}, progress.stop})) {}
+      unchanged_(refits_of(diagnosis.rivals, fitter, progress)) {}
 
 Robustness FirmnessCheck::under(const SettingChange& change,
                                 const Progress& progress) const {
@@ -89,9 +87,7 @@ Robustness FirmnessCheck::under(const SettingChange& change,
   row.change = change.what;
   row.verdict =
       verdict_of(refits, fitter, options, *diagnosis_, {{}, progress.stop});
-  row.verdict_stands =
-      row.verdict == verdict_ || row.verdict == diagnosis_->verdict;
-  if (row.verdict_stands) row.verdict = diagnosis_->verdict;
+  row.verdict_stands = row.verdict == diagnosis_->verdict;
   take_sizes(diagnosis_->ladder,
              told(refits.found, fitter, options),
              fitter.setting().setting,
@@ -110,11 +106,15 @@ std::vector<Robustness> robustness(const Fitter& fitter,
   const FirmnessCheck check(
       fitter, options, diagnosis, part_of(whole, 0.0, 1.0 / parts));
   std::vector<Robustness> rows;
+  double done = 1.0 / parts;
   for (const SettingChange& change : changes) {
-    const double done = (static_cast<double>(rows.size()) + 1.0) / parts;
     rows.push_back(
         check.under(change, part_of(whole, done, done + 1.0 / parts)));
+    done += 1.0 / parts;
   }
+  // So near the border that the same fits, made again, fall on its other side.
+  Robustness same = check.under({"nothing, only fitted again"}, whole);
+  if (!same.verdict_stands) rows.insert(rows.begin(), std::move(same));
   return rows;
 }
 

@@ -17,7 +17,6 @@
 #include "updating/robustness/refits.hpp"
 #include "updating/robustness/setting_change.hpp"
 
-#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -42,10 +41,10 @@ class FirmnessCheck {
   DiagnoseOptions options_;
   const Diagnosis* diagnosis_;
   Refits unchanged_;
-  std::string verdict_;  ///< by these fits
 };
 
-/// All changes, one after the other.
+/// All changes, one after the other; before them that nothing was changed,
+/// where even so the verdict falls.
 /// @throws Stopped
 [[nodiscard]] std::vector<Robustness> robustness(const Fitter& fitter,
                                                  const DiagnoseOptions& options,

@@ -7,7 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string>
+#include <stop_token>
+#include <string_view>
 #include <vector>
 
 namespace tapfit::updating {
@@ -81,18 +82,15 @@ TEST(Robustness, ABorderlineVerdictDoesNotStandUnderAll) {
     const bool seen = test_of(between).diagnose_it().verdict != "none";
     (seen ? found : none) = between;
   }
-  for (const double kg : {none, found}) {
-    const PlateExperiment test = test_of(kg);
-    const Diagnosis diagnosis = test.diagnose_it();
-    const std::vector<Robustness> rows =
-        robustness(test.fitter(), test.options(), diagnosis, Progress{});
-    const auto fallen =
-        std::ranges::count(rows, false, &Robustness::verdict_stands);
-    EXPECT_GE(fallen, 1) << diagnosis.verdict;
-    for (const Robustness& row : rows) {
-      EXPECT_EQ(row.verdict_stands, row.verdict == diagnosis.verdict)
-          << row.change;
-    }
+  const PlateExperiment test = test_of(found);
+  const Diagnosis diagnosis = test.diagnose_it();
+  ASSERT_NE(diagnosis.verdict, "none");
+  const std::vector<Robustness> rows =
+      robustness(test.fitter(), test.options(), diagnosis, Progress{});
+  EXPECT_GE(std::ranges::count(rows, false, &Robustness::verdict_stands), 1);
+  for (const Robustness& row : rows) {
+    EXPECT_EQ(row.verdict_stands, row.verdict == diagnosis.verdict)
+        << row.change;
   }
 }
 
