@@ -128,7 +128,8 @@ TEST(FormError, FollowsItsAllowanceWhereTheDataLeaveItOpen) {
   const VectorXd noise =
       0.02 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
   const auto mean_tau = [&](double sd, double allowance) {
-    const VectorXd r = F * (sd * VectorXd::Ones(pattern_count)) + noise;
+    const VectorXd shifts = VectorXd::Constant(pattern_count, sd);
+    const VectorXd r = F * shifts + noise;
     FormView seen = view(form_error(F), r, {});
     seen.allowance = allowance;
     return estimate_form(seen, samples, 0.0).mean_tau;
