@@ -211,4 +211,9 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
   return values;
 }
 
+std::vector<std::string> read_csv_header(const std::filesystem::path& file) {
+  const Text text = read_lines(file);
+  return split(as_utf8(text.lines.front()), text.layout.separator);
+}
+
 }  // namespace tapfit::acquisition

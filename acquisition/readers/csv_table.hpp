@@ -32,4 +32,9 @@ struct CsvOptions {
     const std::vector<std::string>& columns,
     const CsvOptions& options);
 
+/// The fields of a CSV file's first line, in UTF-8.
+/// @throws InputError for a file that cannot be opened or is empty
+[[nodiscard]] std::vector<std::string> read_csv_header(
+    const std::filesystem::path& file);
+
 }  // namespace tapfit::acquisition
