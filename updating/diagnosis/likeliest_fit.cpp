@@ -25,7 +25,7 @@ std::optional<Point> look(const Fit& fit,
   const ModelResponse response =
       fit.model->respond(result.state, target.s, true);
   if (!response.H.allFinite()) return std::nullopt;
-  const VectorXd r = stack(target, response.H - target.H);
+  const VectorXd r = residual(target, response.H);
   for (std::size_t k = 0; k < response.dH.size(); ++k) {
     result.jacobian.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }

@@ -29,7 +29,10 @@ Diagnosis diagnose_test(const FitGround& ground,
     d.warnings.push_back(modal::statement(
         *shifts, acquisition::channel_names(*test.setting.bundle)));
   }
-  d.warnings.insert(d.warnings.end(), of_model.begin(), of_model.end());
+  for (const std::string& warning : of_model) {
+    if (std::ranges::count(d.warnings, warning) > 0) continue;
+    d.warnings.push_back(warning);
+  }
   return d;
 }
 

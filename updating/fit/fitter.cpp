@@ -65,6 +65,7 @@ const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   const std::scoped_lock lock(places_->mutex);
   const auto [it, fresh] = places_->of.try_emplace(&effect);
   if (fresh) {
+    if (setting_.modes && !effect.shows_in_modes()) return it->second;
     it->second = effect.places(setting_.setting);
     const bool anywhere =
         dynamic_cast<const effects::PointEffect*>(&effect) != nullptr ||
@@ -89,7 +90,8 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
   }
   auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
                                           setting_.setting,
-                                          setting_.measured);
+                                          setting_.measured,
+                                          setting_.modes);
   model->set_reference(first_state(*model, effects));
   if (coarser_ != nullptr && use == BaseUse::Fit) {
     model->set_coarser(coarser_for(effects));
@@ -103,7 +105,8 @@ ModelState Fitter::first_state(const FrfModel& model,
   state.factor.assign(setting_.uncertain_sd.size(), 1.0);
   state.effects = effects;
   state.zeta_other = setting_.damping_ratio;
-  if (state.damping_law() != nullptr) return state;
+  // Modes say nothing of what their damping does to others.
+  if (state.damping_law() != nullptr || setting_.modes) return state;
   const Eigen::VectorXd omega = model.base_modes(state).omega;
   const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
   const auto in_band = (omega.array() < top).count();
@@ -281,6 +284,7 @@ namespace {
 
 // A residue of every mode in every FRF, and its pole.
 double data_of(const Target& target, const ModelState& state) {
+  if (target.is_modal()) return effective_data(target);
   const double frfs =
       std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double modes = std::max(1.0, static_cast<double>(state.zeta.size()));
@@ -294,7 +298,8 @@ Eigen::MatrixXd form_bias(const FrfModel& model,
                           const Target& target) {
   const std::vector<Eigen::MatrixXcd> patterns =
       model.form_patterns(state, target.s);
-  Eigen::MatrixXd F(2 * target.H.size(), static_cast<Index>(patterns.size()));
+  const Index rows = residual(target, target.H).size();
+  Eigen::MatrixXd F(rows, static_cast<Index>(patterns.size()));
   for (std::size_t k = 0; k < patterns.size(); ++k) {
     F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
   }

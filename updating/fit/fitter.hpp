@@ -31,7 +31,9 @@ namespace tapfit::updating {
 struct FitSetting {
   effects::Setting setting;
   std::vector<Target> targets;
-  signal::FrfSet measured;           ///< on the last target's line
+  signal::FrfSet measured;  ///< on the last target's line
+  /// In place of FRFs, or null: then there is one target.
+  std::shared_ptr<const ModalData> modes = nullptr;
   std::string contour;               ///< the last target's line, in words
   std::vector<double> uncertain_sd;  ///< of ln factor
   double damping_ratio = 0.01;       ///< typical, as identified

@@ -79,6 +79,8 @@ void add(const modal::ModeSet& modes, ContentDigest& digest) {
     digest.add(mode.pole.real());
     digest.add(mode.pole.imag());
     add_numbers(mode.shape, digest);
+    digest.add(mode.frequency_sd_hz);
+    add_numbers(mode.shape_sd, digest);
   }
 }
 

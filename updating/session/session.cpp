@@ -15,6 +15,10 @@
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_stack.hpp"
 #include "updating/session/kept_diagnosis.hpp"
+#include "updating/session/test_of_modes.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace tapfit::updating {
 
@@ -254,7 +258,10 @@ void Session::overrule_hit(std::size_t run, std::size_t hit) {
 
 void Session::Impl::change_modes(const ModeChoices& choices,
                                  const Progress& progress) {
-  if (test.choose(choices, progress)) return drop_from_frfs();
+  // Modes that are the measurement are compared with those paired by hand.
+  if (test.choose(choices, progress) || test.bundle().modes) {
+    return drop_from_frfs();
+  }
   base_comparison.reset();
   comparison.reset();
 }
@@ -296,6 +303,7 @@ bool Session::redo_modes(const Progress& progress) {
 void Session::add_together(const std::vector<EffectRef>& effects,
                            const Progress& progress) {
   impl_->prepare_fit(*this, progress);
+  if (bundle().modes) check_shown_in_modes(effects);
   impl_->stack->add_together(effects, impl_->stack_fit(), progress);
   impl_->drop_current();
 }
@@ -363,6 +371,7 @@ void Session::take_up(const SavedSession& saved) {
 }
 
 void Session::set_update(const UpdateChoice& choice) {
+  if (bundle().modes) check_choice_for_modes(choice);
   if (const auto& band = bundle().band_hz) check_lines(choice.lines, *band);
   impl_->choice = choice;
   impl_->plain.reset();
@@ -383,6 +392,10 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
   warnings.push_back(floor_warning(base_comparison(progress)));
   warnings.push_back(base_error_warning(impl_->model->builder.error()));
   std::erase(warnings, "");
+  if (bundle().modes) {
+    std::ranges::copy(impl_->ground->fitter->setting().measured.statements,
+                      std::back_inserter(warnings));
+  }
   return warnings;
 }
 
