@@ -69,7 +69,7 @@ double block_seconds(const acquisition::HitSet& hits) {
 
 // Ready FRFs come without blocks.
 std::string block_text(updating::Session& session, const Progress& progress) {
-  if (session.bundle().frfs) return {};
+  if (session.bundle().runs.empty()) return {};
   const acquisition::HitSet& hits = session.hits(progress);
   return fmt::format(
       "  blocks of {:.4g} s, {}\n", block_seconds(hits), hits.block_reason);
@@ -78,7 +78,7 @@ std::string block_text(updating::Session& session, const Progress& progress) {
 ordered_json with_block(ordered_json frfs,
                         updating::Session& session,
                         const Progress& progress) {
-  if (session.bundle().frfs) return frfs;
+  if (session.bundle().runs.empty()) return frfs;
   const acquisition::HitSet& hits = session.hits(progress);
   frfs["block"] = {{"s", block_seconds(hits)},
                    {"samples", hits.block},
@@ -91,6 +91,7 @@ ordered_json with_block(ordered_json frfs,
 std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session = open_bundle(options);
+  refuse_modes(session.bundle());
   if (options.frf.best_hits) leave_hits_apart(session, progress);
   if (!options.free.empty()) return free_masses(session, options, progress);
   const signal::FrfSet frfs = frfs_as_asked(session, options.frf, progress);

@@ -96,6 +96,9 @@ ordered_json shifts_json(const modal::PoleShifts& shifts,
 
 std::string heading(const modal::ModeSet& modes) {
   if (modes.modes.empty()) return "Modes: none identified";
+  if (modes.fitted.empty()) {
+    return fmt::format("Modes: {}, as given", modes.modes.size());
+  }
   return fmt::format(
       "Modes: {} identified, synthesis error {} ({} before the poles were "
       "refined)",

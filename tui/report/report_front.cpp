@@ -53,9 +53,14 @@ DataTable tested(const ReportData& data) {
   } else if (data.bundle.frfs) {
     add("<FRFs from", data.bundle.frfs->filename().string());
   }
-  add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
-  const std::array<double, 2> band = band_of(data);
-  add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
+  if (data.bundle.modes) {
+    add("<modes from", data.bundle.modes->file.filename().string());
+    add("<points", fmt::format("{}", data.modes.dofs.size()));
+  } else {
+    add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
+    const std::array<double, 2> band = band_of(data);
+    add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
+  }
   add("<modes", fmt::format("{}", data.modes.modes.size()));
   return table;
 }
@@ -126,8 +131,27 @@ std::string ladder_words(const Rung& rung) {
   return "+ " + found_words(rung.added, rung.where);
 }
 
-Section ladder_section(const ModelResults& model) {
-  DataTable table{"", {"<model", "error of FRFs"}, {}};
+/// What the error is one of.
+std::string error_words(const ReportData& data) {
+  if (!data.bundle.modes) {
+    return "Relative error of the FRFs after each step. Each step "
+           "identifies all parameters anew. The floor is what the "
+           "scatter over the hits, the mesh and the form of the model "
+           "(what a careful model is wrong by) allow.";
+  }
+  return "Error of the modes after each step: root mean square of all "
+         "frequencies and shapes, each in units of its standard deviation, "
+         "times that of the frequencies. Each step identifies all parameters "
+         "anew. The floor is what these deviations, the mesh and the form of "
+         "the model (what a careful model is wrong by) allow.";
+}
+
+Section ladder_section(const ReportData& data) {
+  const ModelResults& model = *data.model;
+  DataTable table{
+      "",
+      {"<model", data.bundle.modes ? "error of modes" : "error of FRFs"},
+      {}};
   std::vector<SvgBar> bars;
   for (const Rung& rung : model.ladder) {
     std::string words = ladder_words(rung);
@@ -147,10 +171,7 @@ Section ladder_section(const ModelResults& model) {
           {TableBesideFigure{
               table,
               {"error-ladder",
-               "Relative error of the FRFs after each step. Each step "
-               "identifies all parameters anew. The floor is what the "
-               "scatter over the hits, the mesh and the form of the model "
-               "(what a careful model is wrong by) allow.",
+               error_words(data),
                svg_bars(bars, "error ladder", "error [%]", 100.0)}}}};
 }
 
@@ -290,7 +311,7 @@ std::vector<Section> front_sections(const ReportData& data) {
   }
   std::vector<Section> sections{std::move(first)};
   if (!data.model) return sections;
-  sections.push_back(ladder_section(*data.model));
+  sections.push_back(ladder_section(data));
   sections.push_back(identified_section(data));
   sections.push_back(sure_section(*data.model));
   sections.push_back(next_section(*data.model));

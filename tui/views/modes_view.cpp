@@ -76,6 +76,9 @@ void draw_diagram(Screen& screen,
     span = frequency_span(*input.frfs);
     plot.curves = background(input, orders);
   }
+  for (const modal::Mode& mode : input.modes.modes) {
+    span.hi = std::max(span.hi, mode.frequency_hz);
+  }
   const PlotRange shown = resolved(state.range, span.lo, span.hi);
   plot.x = {"f", "Hz", shown.lo, shown.hi, false};
   plot.y = {"order", "", 0.0, orders + 1.0, false};
