@@ -29,10 +29,10 @@ struct ModePair {
   double measured_hz = 0.0;
   double model_hz = 0.0;
   double error_percent = 0.0;  ///< (model - measured) / measured
-  bool has_shape = true;       ///< else there is no MAC, and both are 0
   double mac = 0.0;
   double weighted_mac = 0.0;  ///< in the model's mass; see Comparison
   bool by_hand = false;
+  bool has_shape = true;  ///< else there is no MAC, and both are 0
 };
 
 struct BandError {
