@@ -373,7 +373,7 @@ Section mode_section(const ReportData& data) {
   } else {
     section.parts.emplace_back(mode_table(data.modes));
   }
-  if (!data.modes.fitted.empty()) {
+  if (!data.modes.modes.empty() && !data.bundle.modes) {
     section.parts.emplace_back(Paragraph{
         fmt::format("FRFs synthesised from the modes differ from those "
                     "measured by {}. MPC and MPD: how far the points of a mode "

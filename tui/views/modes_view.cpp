@@ -233,6 +233,11 @@ void draw_mac(Screen& screen,
 }
 
 std::string summary(const modal::ModeSet& modes) {
+  // A test of modes: they were fitted to nothing.
+  if (!modes.modes.empty() && modes.synthesis_error == 0.0 &&
+      modes.diagram.empty()) {
+    return fmt::format("{} modes, as given", modes.modes.size());
+  }
   const std::string before = modes.modes.empty()
                                  ? ""
                                  : fmt::format(" ({} before refinement)",
