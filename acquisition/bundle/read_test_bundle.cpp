@@ -139,6 +139,33 @@ void read_model(const json& model, const Source& source, TestBundle& bundle) {
   bundle.matrices = matrices;
 }
 
+ReadyModes read_ready_modes(const json& entry, const Source& source) {
+  ReadyModes modes;
+  if (entry.is_string()) {
+    modes.file = existing_file(entry, "modes", source);
+    return modes;
+  }
+  modes.file = existing_file(entry.at("file"), "modes.file", source);
+  modes.frequency_sd_percent =
+      entry.value("frequency_sd_percent", modes.frequency_sd_percent);
+  modes.shape_sd_percent =
+      entry.value("shape_sd_percent", modes.shape_sd_percent);
+  return modes;
+}
+
+void check_one_measurement(const json& document, const Source& source) {
+  const std::array<const char*, 3> kinds{"runs", "frfs", "modes"};
+  const auto given = std::ranges::count_if(
+      kinds, [&](const char* kind) { return document.contains(kind); });
+  if (given == 1) return;
+  throw InputError(
+      given == 0 ? "needs one of runs, frfs and modes"
+                 : "needs only one of runs, frfs and modes",
+      source.at("runs"),
+      "list the recordings in runs, or name a UFF file in frfs, or a file of "
+      "modes in modes");
+}
+
 std::array<double, 2> read_band(const json& band, const Source& source) {
   const std::array<double, 2> limits{band[0].get<double>(),
                                      band[1].get<double>()};
@@ -262,11 +289,7 @@ TestBundle read_test_bundle(const fs::path& folder) {
   const fs::path file = test_json_of(folder);
   const Source source{file.parent_path(), file.filename().string()};
   const json document = read_test_json(file);
-  if (document.contains("runs") == document.contains("frfs")) {
-    throw InputError("needs either runs or frfs",
-                     source.at("runs"),
-                     "list the recordings in runs, or name a UFF file in frfs");
-  }
+  check_one_measurement(document, source);
 
   TestBundle bundle;
   bundle.folder = source.folder;
@@ -278,11 +301,16 @@ TestBundle read_test_bundle(const fs::path& folder) {
   if (document.contains("frfs")) {
     bundle.frfs = existing_file(document["frfs"], "frfs", source);
   }
+  if (document.contains("modes")) {
+    bundle.modes = read_ready_modes(document["modes"], source);
+  }
   if (document.contains("geometry")) {
     bundle.geometry = read_test_geometry(document["geometry"], bundle, source);
   }
   if (document.contains("runs")) read_runs(document, source, bundle);
-  if (bundle.frfs) bundle.points = points_of_frfs(bundle);
+  if (const auto named = points_file(bundle)) {
+    bundle.points = points_of_file(*named, bundle);
+  }
   if (document.contains("model")) {
     read_model(document["model"], source, bundle);
   }

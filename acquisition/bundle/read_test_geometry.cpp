@@ -46,7 +46,7 @@ std::filesystem::path file_of(const json& entry,
                               const TestBundle& bundle,
                               const JsonSource& source) {
   if (!entry.contains("file")) {
-    if (bundle.frfs) return *bundle.frfs;
+    if (const auto file = points_file(bundle)) return *file;
     throw InputError("names no file",
                      source.at("geometry"),
                      "name the universal file (or the table label, x, y, z) "
@@ -68,8 +68,9 @@ TestGeometry read_test_geometry(const json& entry,
   const double length = model_units(bundle.units)->length;
   TestGeometry geometry =
       read_geometry_file(file_of(entry, bundle, source), length);
-  const bool apart = bundle.frfs && geometry.file != *bundle.frfs;
-  if (apart && is_uff(*bundle.frfs)) take_directions(*bundle.frfs, geometry);
+  const auto of = points_file(bundle);
+  const bool apart = of && geometry.file != *of;
+  if (apart && is_uff(*of)) take_directions(*of, geometry);
   if (!entry.contains("pairs")) return geometry;
   std::set<int> labels;
   for (std::size_t k = 0; k < entry["pairs"].size(); ++k) {
@@ -92,8 +93,15 @@ TestGeometry read_test_geometry(const json& entry,
   return geometry;
 }
 
-std::vector<TestPoint> points_of_frfs(const TestBundle& bundle) {
-  const std::string name = bundle.frfs->filename().string();
+std::optional<std::filesystem::path> points_file(const TestBundle& bundle) {
+  if (bundle.frfs) return bundle.frfs;
+  if (bundle.modes) return bundle.modes->file;
+  return std::nullopt;
+}
+
+std::vector<TestPoint> points_of_file(const std::filesystem::path& path,
+                                      const TestBundle& bundle) {
+  const std::string name = path.filename().string();
   if (bundle.geometry) {
     std::vector<TestPoint> points;
     for (const auto& [label, unused] : bundle.geometry->nodes) {
@@ -101,8 +109,8 @@ std::vector<TestPoint> points_of_frfs(const TestBundle& bundle) {
     }
     return points;
   }
-  if (!is_uff(*bundle.frfs)) return {};
-  const UffFile file = open_uff(*bundle.frfs);
+  if (!is_uff(path)) return {};
+  const UffFile file = open_uff(path);
   return file.bytes.reading(
       [&] { return own_points(read_uff_mesh(file.datasets), name); });
 }

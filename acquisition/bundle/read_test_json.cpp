@@ -120,6 +120,11 @@ TestBundle read_bundle_paths(const fs::path& bundle) {
     add_model(document["model"], paths.folder, paths);
   }
   if (document.contains("frfs")) paths.frfs = path(document["frfs"]);
+  if (document.contains("modes")) {
+    const json& modes = document["modes"];
+    paths.modes.emplace().file =
+        path(modes.is_string() ? modes : modes.at("file"));
+  }
   if (document.contains("geometry") && document["geometry"].contains("file")) {
     paths.geometry.emplace().file = path(document["geometry"]["file"]);
   }

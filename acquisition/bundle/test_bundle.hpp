@@ -65,6 +65,15 @@ struct Weighed {
   double sd_percent = 1.0;                        ///< of the mass
 };
 
+/// Ready modes: what the test consists of in place of recordings or FRFs.
+struct ReadyModes {
+  std::filesystem::path file;  ///< UFF 55 or 2414, CSV or JSON
+  /// Standard deviations where the file gives none [%]: of a frequency, and of
+  /// a shape's values, of their root mean square.
+  double frequency_sd_percent = 0.2;
+  double shape_sd_percent = 5.0;
+};
+
 /// How hits are triggered. What is empty is chosen, and stated.
 struct TriggerOptions {
   std::optional<double> range_percent;  ///< level, of the hammer's full scale
@@ -90,7 +99,8 @@ struct TestBundle {
   /// The test's mesh, where nodes have numbers of its own.
   std::optional<TestGeometry> geometry;
   std::optional<std::filesystem::path> frfs;  ///< ready FRFs (UFF 58)
-  std::optional<std::filesystem::path> uff;   ///< the bundle is this file alone
+  std::optional<ReadyModes> modes;
+  std::optional<std::filesystem::path> uff;  ///< the bundle is this file alone
   std::optional<std::array<double, 2>> band_hz;
   std::optional<Weighed> weighed;
   std::vector<UncertainProperty> uncertain;

@@ -169,6 +169,12 @@ std::string test_bundle_text(const TestBundle& bundle, const fs::path& folder) {
   }
   if (!bundle.runs.empty()) document["runs"] = runs_json(bundle, folder);
   if (bundle.frfs) document["frfs"] = path_text(*bundle.frfs, folder);
+  if (bundle.modes) {
+    document["modes"] = {
+        {"file", path_text(bundle.modes->file, folder)},
+        {"frequency_sd_percent", bundle.modes->frequency_sd_percent},
+        {"shape_sd_percent", bundle.modes->shape_sd_percent}};
+  }
   add_settings(bundle, document);
   return document.dump(1) + '\n';
 }

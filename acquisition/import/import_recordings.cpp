@@ -6,10 +6,11 @@
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/units.hpp"
-#include "acquisition/import/rate_of_times.hpp"
 #include "acquisition/import/read_time_table.hpp"
+#include "acquisition/instruments/instrument_file.hpp"
 #include "acquisition/readers/audio_file.hpp"
-#include "acquisition/readers/mat_file.hpp"
+#include "acquisition/readers/named_array.hpp"
+#include "acquisition/samples/rate_of_times.hpp"
 #include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
@@ -116,6 +117,34 @@ struct Table {
   std::vector<std::string> notes;  ///< on the rate
 };
 
+// The columns, and behind them a column of times where it is to tell the rate.
+//
+// @param rate set to what a variable of the file says
+TimeTable read_source(const ImportFile& source,
+                      const ImportOptions& options,
+                      std::vector<std::string> columns,
+                      std::optional<double>& rate) {
+  if (!is_instrument_file(source.file)) {
+    if (options.rate_variable) {
+      throw InputError(fmt::format("\"{}\" is no rate in Hz, and this file has "
+                                   "no variables",
+                                   *options.rate_variable),
+                       source.file.string(),
+                       "give the sampling rate in Hz");
+    }
+    if (!rate && !says_rate(source.file)) {
+      columns.push_back(options.time_column.value_or("1"));
+    }
+    return read_time_table(source.file, columns, options.csv);
+  }
+  const InstrumentFile file = read_instrument_file(source.file);
+  if (!rate && options.rate_variable) {
+    rate = number_of(file.arrays, *options.rate_variable, source.file);
+  }
+  if (!rate && options.time_column) columns.push_back(*options.time_column);
+  return table_of(file, columns);
+}
+
 Table read_table(const ImportFile& source, const ImportOptions& options) {
   std::vector<std::string> columns;
   for (const ImportChannel& channel : all_channels(options)) {
@@ -124,26 +153,21 @@ Table read_table(const ImportFile& source, const ImportOptions& options) {
   const std::string file = source.file.string();
   const auto count = static_cast<Index>(columns.size());
   std::optional<double> rate = options.sample_rate_hz;
-  if (!rate && options.rate_variable) {
-    rate = read_mat_number(source.file, *options.rate_variable);
-  }
-  if (!rate && !says_rate(source.file)) {
-    columns.push_back(options.time_column);
-  }
-  TimeTable read = read_time_table(source.file, columns, options.csv);
+  const TimeTable read = read_source(source, options, columns, rate);
   std::optional<double> spread;
-  if (!rate && read.rate_hz) {
-    rate = read.rate_hz;
-    spread = read.rate_spread;
-  } else if (!rate) {
+  if (!rate && read.values.cols() > count) {
     const RateOfTimes timed = rate_of(read.values.col(count), file);
     rate = timed.hz;
     spread = timed.spread;
+  } else if (!rate) {
+    rate = read.rate_hz;
+    spread = read.rate_spread;
   }
+  if (!rate) refuse_without_rate(source.file);
   Table table;
   table.rate = whole_rate(*rate, spread, file, table.notes);
   table.values = read.values.leftCols(count);
-  table.units = std::move(read.units);
+  table.units = read.units;
   return table;
 }
 
@@ -163,7 +187,8 @@ std::string unit_of(const ImportChannel& channel,
                      "import",
                      "import the files with different units apart");
   }
-  if (!unit.empty()) return unit;
+  const bool in_volts = unit == "V" && channel.volts_per_unit;
+  if (!unit.empty() && !in_volts) return unit;
   return channel.quantity == Quantity::Force ? "N" : "m/s^2";
 }
 
@@ -192,8 +217,11 @@ Channel bundle_channel(const ImportChannel& source, double scale) {
   channel.quantity = source.quantity;
   channel.unit = source.unit;
   channel.unit_to_si = unit->si;
-  channel.sensitivity = source.volts_per_unit.value_or(1.0);
-  channel.full_scale_volts = scale;
+  // What was divided by it is multiplied again: test.json then holds the
+  // sensor's own sensitivity.
+  const double recorded = source.recorded_volts_per_unit.value_or(1.0);
+  channel.sensitivity = source.volts_per_unit.value_or(recorded);
+  channel.full_scale_volts = source.volts_per_unit ? scale : scale * recorded;
   channel.mass_kg = source.mass_kg;
   return channel;
 }
@@ -208,32 +236,6 @@ Run bundle_run(const ImportFile& source,
     run.sensors.push_back({k + 1, options.sensors[k].dof});
   }
   return run;
-}
-
-void check_options(const ImportOptions& options) {
-  if (options.files.empty() || options.sensors.empty()) {
-    throw InputError("nothing to import",
-                     "import",
-                     "name at least one file and one sensor's column");
-  }
-  std::error_code ignored;
-  if (fs::exists(options.folder / "test.json", ignored)) {
-    throw InputError("there is a test already, which is never written over",
-                     options.folder.string(),
-                     "choose another folder, or take that one away first");
-  }
-  // Before the first is read: that may take a while.
-  for (const ImportFile& source : options.files) {
-    if (fs::is_regular_file(source.file, ignored)) continue;
-    throw InputError("no such file",
-                     source.file.string(),
-                     "check its path; nothing has been imported");
-  }
-  if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
-    throw InputError("no such file",
-                     options.deck->string(),
-                     "name the Nastran deck, or import without one");
-  }
 }
 
 // A sensor that was not connected, or a column that is another's.
@@ -277,8 +279,43 @@ OutputRule output_rule(const ImportOptions& options) {
 
 }  // namespace
 
+void refuse_without_rate(const fs::path& file) {
+  throw InputError(
+      "does not say its sampling rate in times that rise evenly, "
+      "a rate or a step",
+      file.string(),
+      "give it with --rate HZ or --rate VARIABLE, or name the "
+      "times with --time");
+}
+
+void check_import(const ImportOptions& options) {
+  std::error_code ignored;
+  if (fs::exists(options.folder / "test.json", ignored)) {
+    throw InputError("there is a test already, which is never written over",
+                     options.folder.string(),
+                     "choose another folder, or take that one away first");
+  }
+  // Before the first is read: that may take a while.
+  for (const ImportFile& source : options.files) {
+    if (fs::is_regular_file(source.file, ignored)) continue;
+    throw InputError("no such file",
+                     source.file.string(),
+                     "check its path; nothing has been imported");
+  }
+  if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
+    throw InputError("no such file",
+                     options.deck->string(),
+                     "name the Nastran deck, or import without one");
+  }
+}
+
 TestBundle import_recordings(const ImportOptions& options) {
-  check_options(options);
+  if (options.files.empty() || options.sensors.empty()) {
+    throw InputError("nothing to import",
+                     "import",
+                     "name at least one file and one sensor's column");
+  }
+  check_import(options);
   std::vector<Table> tables;
   for (const ImportFile& file : options.files) {
     tables.push_back(read_table(file, options));
@@ -287,6 +324,7 @@ TestBundle import_recordings(const ImportOptions& options) {
   bundle.title = options.title;
   if (options.deck) bundle.deck = fs::absolute(*options.deck);
   bundle.band_hz = options.band_hz;
+  bundle.block_s = options.block_s;
   const std::vector<ImportChannel> channels = all_channels(options);
   Eigen::RowVectorXd scale(static_cast<Index>(channels.size()));
   for (std::size_t k = 0; k < channels.size(); ++k) {

@@ -1,6 +1,6 @@
 // The room acquisition/import. A test bundle made of tables of samples.
-// In:  CSV, MATLAB, SEP-005 or universal files, and what the user says of their
-//      columns.
+// In:  Files of time records of any kind, and what the user says of their
+//      channels.
 // Out: A folder with test.json and one sound file per table.
 // May include: its row in CONTRIBUTING.md.
 //
@@ -32,6 +32,8 @@ struct ImportChannel {
   /// Given: the column holds volts, and this many make one unit. Empty: the
   /// column holds the unit itself.
   std::optional<double> volts_per_unit = std::nullopt;
+  /// Of a column that holds the unit: what the recorder has divided by.
+  std::optional<double> recorded_volts_per_unit = std::nullopt;
   bool flip_sign = false;
   std::optional<double> mass_kg = std::nullopt;
   Dof dof =
@@ -51,17 +53,26 @@ struct ImportOptions {
   /// Sampling rate [Hz]; empty: what the file says, else from time_column,
   /// which then holds seconds.
   std::optional<double> sample_rate_hz;
-  /// Variable of a .mat file that holds the rate [Hz].
+  /// Variable of a file of arrays that holds the rate [Hz].
   std::optional<std::string> rate_variable;
-  std::string time_column = "1";
+  /// Empty: the first column of a CSV; what the other kinds say.
+  std::optional<std::string> time_column;
   CsvOptions csv;
   std::string title;
   std::optional<std::filesystem::path> deck;
   std::optional<std::array<double, 2>> band_hz;
+  std::optional<double> block_s;
   std::filesystem::path folder;  ///< of the new bundle
   /// Of the folder: its inputs, and whether other files may be replaced.
   OutputRule rule = {};
 };
+
+/// Refuses what can be told before any file is read.
+/// @throws InputError for a file that is not there, a bundle that is
+void check_import(const ImportOptions& options);
+
+/// What to say of a file that tells no sampling rate.
+[[noreturn]] void refuse_without_rate(const std::filesystem::path& file);
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
 /// returns it, with a warning for each column that is zero throughout and each

@@ -3,37 +3,18 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/import/sep005.hpp"
-#include "acquisition/readers/mat_file.hpp"
 #include "acquisition/uff/uff_function.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace tapfit::acquisition {
 namespace {
 
 using Eigen::Index;
-
-std::string ending(const std::filesystem::path& file) {
-  std::string text = file.extension().string();
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::tolower(c));
-  });
-  return text;
-}
-
-// Time records of a universal file, in its order.
-std::vector<const UffDataset*> time_records(const UffFile& file) {
-  std::vector<const UffDataset*> records;
-  for (const UffDataset& dataset : file.datasets) {
-    if (dataset.type == 58 && function_type(dataset) == 1) {
-      records.push_back(&dataset);
-    }
-  }
-  return records;
-}
 
 const UffDataset& pick(const std::vector<const UffDataset*>& records,
                        const std::string& column,
@@ -57,7 +38,7 @@ const UffDataset& pick(const std::vector<const UffDataset*>& records,
 
 TimeTable read_uff_table(const UffFile& file,
                          const std::vector<std::string>& columns) {
-  const std::vector<const UffDataset*> records = time_records(file);
+  const std::vector<const UffDataset*> records = uff_time_records(file);
   TimeTable table;
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const UffDataset& dataset = pick(records, columns[k], file.name);
@@ -80,25 +61,103 @@ TimeTable read_uff_table(const UffFile& file,
   return table;
 }
 
+void millivolts_to_volts(TimeTable& table) {
+  for (std::size_t k = 0; k < table.units.size(); ++k) {
+    if (table.units[k] != "mV") continue;
+    table.values.col(static_cast<Index>(k)) *= 1e-3;
+    table.units[k] = "V";
+  }
+}
+
+TimeTable read_plain_table(const std::filesystem::path& file,
+                           const std::vector<std::string>& columns,
+                           const CsvOptions& options) {
+  if (is_uff(file)) {
+    const UffFile uff = open_uff(file);
+    return uff.bytes.reading([&] { return read_uff_table(uff, columns); });
+  }
+  if (is_sep005(file)) return read_sep005(file, columns);
+  TimeTable table;
+  table.values = read_csv_columns(file, columns, options);
+  table.units.resize(columns.size());
+  return table;
+}
+
+// The first rate that is told holds for all.
+void take_rate(const TimeRecord& record,
+               const std::filesystem::path& file,
+               TimeTable& table) {
+  if (!table.rate_hz) {
+    table.rate_hz = record.rate_hz;
+    table.rate_spread = record.rate_spread;
+  }
+  const double rate = table.rate_hz.value_or(0.0);
+  if (std::abs(record.rate_hz.value_or(rate) - rate) <= 1e-6 * rate) return;
+  throw InputError(
+      fmt::format("\"{}\" is sampled at {:.8g} Hz, others at {:.8g} Hz",
+                  record.column,
+                  *record.rate_hz,
+                  rate),
+      file,
+      "name channels of one recording");
+}
+
 }  // namespace
 
+std::vector<const UffDataset*> uff_time_records(const UffFile& file) {
+  std::vector<const UffDataset*> records;
+  for (const UffDataset& dataset : file.datasets) {
+    if (dataset.type == 58 && function_type(dataset) == 1) {
+      records.push_back(&dataset);
+    }
+  }
+  return records;
+}
+
+bool is_sep005(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) {
+    return static_cast<char>(std::tolower(c));
+  });
+  return ending == ".json";
+}
+
 bool says_rate(const std::filesystem::path& file) {
-  return ending(file) == ".json" || is_uff(file);
+  return is_sep005(file) || is_uff(file);
+}
+
+TimeTable table_of(const InstrumentFile& file,
+                   const std::vector<std::string>& columns) {
+  TimeTable table;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const TimeRecord record = take_record(file, columns[k]);
+    if (k == 0) {
+      table.values.resize(record.values.size(),
+                          static_cast<Index>(columns.size()));
+    }
+    if (record.values.size() != table.values.rows()) {
+      throw InputError(fmt::format("\"{}\" has {} samples, \"{}\" has {}",
+                                   columns[k],
+                                   record.values.size(),
+                                   columns[0],
+                                   table.values.rows()),
+                       file.file.string(),
+                       "name channels of one recording");
+    }
+    take_rate(record, file.file, table);
+    table.values.col(static_cast<Index>(k)) = record.values;
+    table.units.push_back(record.unit);
+  }
+  return table;
 }
 
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns,
                           const CsvOptions& options) {
-  if (is_uff(file)) {
-    const UffFile uff = open_uff(file);
-    return uff.bytes.reading([&] { return read_uff_table(uff, columns); });
-  }
-  if (ending(file) == ".json") return read_sep005(file, columns);
-  TimeTable table;
-  table.values = ending(file) == ".mat"
-                     ? read_mat_columns(file, columns)
-                     : read_csv_columns(file, columns, options);
-  table.units.resize(columns.size());
+  TimeTable table = is_instrument_file(file)
+                        ? table_of(read_instrument_file(file), columns)
+                        : read_plain_table(file, columns, options);
+  millivolts_to_volts(table);
   return table;
 }
 

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
-#include "acquisition/import/rate_of_times.hpp"
+#include "acquisition/samples/rate_of_times.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -144,6 +144,14 @@ std::size_t find(const json& document,
 }
 
 }  // namespace
+
+std::vector<std::string> sep005_names(const std::filesystem::path& file) {
+  std::vector<std::string> names;
+  for (const json& signal : parse(file)) {
+    names.push_back(text_of(signal, "name"));
+  }
+  return names;
+}
 
 TimeTable read_sep005(const std::filesystem::path& file,
                       const std::vector<std::string>& columns) {

@@ -12,6 +12,11 @@
 
 namespace tapfit::acquisition {
 
+/// Names of all signals in their order; empty where one has none.
+/// @throws InputError for a file that is no list of signals
+[[nodiscard]] std::vector<std::string> sep005_names(
+    const std::filesystem::path& file);
+
 /// @param columns names of signals, or their numbers from 1 on
 /// @throws InputError with the entry's place for missing keys, what is no
 ///   number, records of differing length or rate

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"
 
 #include <fmt/format.h>
@@ -179,7 +180,55 @@ std::size_t find_column(const Text& text,
       fmt::format("give a name of the header or a number from 1 to {}", width));
 }
 
+// Volts and seconds are what a recorder's columns are in besides.
+bool is_unit(const std::string& field) {
+  return find_unit(field) || field == "V" || field == "mV" || field == "s";
+}
+
+// "a [g]" or "a (g)" taken apart.
+void take_unit_off(CsvColumn& column) {
+  const std::size_t open = column.name.find_last_of("[(");
+  if (open == std::string::npos || column.name.size() < open + 3) return;
+  const char close = column.name[open] == '[' ? ']' : ')';
+  if (column.name.back() != close) return;
+  const std::string unit =
+      column.name.substr(open + 1, column.name.size() - open - 2);
+  if (column.unit.empty()) column.unit = unit;
+  column.name = trim(column.name.substr(0, open));
+}
+
+// The nearest lines above the numbers tell most.
+CsvColumn describe_column(const Text& text, std::size_t data, std::size_t k) {
+  CsvColumn column{std::to_string(k + 1), {}, {}};
+  for (std::size_t line = data; line-- > 0 && column.name.empty();) {
+    const std::vector<std::string> fields =
+        split(as_utf8(text.lines[line]), text.layout.separator);
+    if (k >= fields.size() || fields[k].empty()) continue;
+    if (is_unit(fields[k])) {
+      if (column.unit.empty()) column.unit = fields[k];
+    } else if (!to_number(fields[k], text.layout)) {
+      column.name = fields[k];
+    }
+  }
+  take_unit_off(column);
+  return column;
+}
+
 }  // namespace
+
+std::vector<CsvColumn> list_csv_columns(const std::filesystem::path& file,
+                                        const CsvOptions& options) {
+  const Text text = read_lines(file);
+  const std::size_t data = first_data_line(text, options);
+  const std::vector<std::string> fields =
+      split(text.lines[data], text.layout.separator);
+  std::vector<CsvColumn> columns;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    if (!to_number(fields[k], text.layout)) continue;
+    columns.push_back(describe_column(text, data, k));
+  }
+  return columns;
+}
 
 Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
                                  const std::vector<std::string>& columns,
@@ -209,6 +258,11 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
     }
   }
   return values;
+}
+
+std::vector<std::string> read_csv_header(const std::filesystem::path& file) {
+  const Text text = read_lines(file);
+  return split(as_utf8(text.lines.front()), text.layout.separator);
 }
 
 }  // namespace tapfit::acquisition

@@ -15,6 +15,18 @@ struct CsvOptions {
   std::optional<std::size_t> skip_lines;
 };
 
+/// A column of numbers, as lines above the first row of numbers tell of it.
+struct CsvColumn {
+  std::string number;  ///< from 1 on
+  std::string name;    ///< empty: no line has one
+  std::string unit;    ///< in a line of units, or behind the name: "a [g]"
+};
+
+/// The columns whose field in the first row is a number.
+/// @throws InputError for a file without numbers
+[[nodiscard]] std::vector<CsvColumn> list_csv_columns(
+    const std::filesystem::path& file, const CsvOptions& options);
+
 /// Reads some columns of a CSV file.
 ///
 /// Separators are ; tab or , (found from the file); with ; or tab a comma may
@@ -31,5 +43,10 @@ struct CsvOptions {
     const std::filesystem::path& file,
     const std::vector<std::string>& columns,
     const CsvOptions& options);
+
+/// The fields of a CSV file's first line, in UTF-8.
+/// @throws InputError for a file that cannot be opened or is empty
+[[nodiscard]] std::vector<std::string> read_csv_header(
+    const std::filesystem::path& file);
 
 }  // namespace tapfit::acquisition

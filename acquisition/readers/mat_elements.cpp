@@ -1,6 +1,7 @@
 #include "acquisition/readers/mat_elements.hpp"
 
 #include "acquisition/foundation/input_file.hpp"
+#include "acquisition/readers/inflate.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +10,6 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
-#include <zlib.h>
 
 namespace tapfit::acquisition {
 namespace {
@@ -51,21 +51,19 @@ struct Element {
 constexpr std::uint32_t matrix = 14;
 constexpr std::uint32_t packed = 15;
 
-// The next `length` bytes of a file, unpacked piece by piece.
-class Unpacking {
+// What is packed there, taken tag by tag.
+class PackedElements {
  public:
-  Unpacking(std::ifstream& in, Length length) : in_(in), left_(length) {
-    good_ = inflateInit(&stream_) == Z_OK;
-  }
-  ~Unpacking() { inflateEnd(&stream_); }
-  Unpacking(const Unpacking&) = delete;
-  Unpacking& operator=(const Unpacking&) = delete;
+  PackedElements(std::ifstream& in, Length length)
+      : bytes_(in, length, Inflate::Wrapping::Zlib) {}
 
-  bool take(Tag& tag) { return unpack(tag.data(), tag.size()) == tag.size(); }
+  bool take(Tag& tag) {
+    return bytes_.unpack(tag.data(), tag.size()) == tag.size();
+  }
   bool skip(Length count) {
     while (count > 0) {
       const Length step = std::min<Length>(count, scratch_.size());
-      if (unpack(scratch_.data(), step) != step) return false;
+      if (bytes_.unpack(scratch_.data(), step) != step) return false;
       count -= step;
     }
     return true;
@@ -73,42 +71,16 @@ class Unpacking {
   // Whether what is left, which is no more than padding, ends in a checksum
   // that is right.
   bool ends_well() {
-    return unpack(scratch_.data(), scratch_.size()) < scratch_.size() &&
-           good_ && ended_;
+    return bytes_.unpack(scratch_.data(), scratch_.size()) < scratch_.size() &&
+           bytes_.ended_well();
   }
 
  private:
-  // How many of `count` bytes there were.
-  Length unpack(unsigned char* to, Length count) {
-    stream_.next_out = to;
-    stream_.avail_out = static_cast<uInt>(count);
-    while (good_ && !ended_ && stream_.avail_out > 0) {
-      if (stream_.avail_in == 0) refill();
-      const int status = inflate(&stream_, Z_NO_FLUSH);
-      ended_ = status == Z_STREAM_END;
-      good_ = ended_ || status == Z_OK;
-    }
-    return count - stream_.avail_out;
-  }
-  void refill() {
-    const Length step = std::min<Length>(left_, input_.size());
-    in_.read(reinterpret_cast<char*>(input_.data()),
-             static_cast<std::streamsize>(step));
-    left_ -= step;
-    stream_.next_in = input_.data();
-    stream_.avail_in = static_cast<uInt>(in_.gcount());
-  }
-
-  std::ifstream& in_;
-  Length left_ = 0;
-  z_stream stream_{};
-  std::array<unsigned char, 1 << 14> input_{};
+  Inflate bytes_;
   std::array<unsigned char, 1 << 14> scratch_{};
-  bool good_ = false;
-  bool ended_ = false;
 };
 
-bool holds_what_it_says(Unpacking& bytes, bool little) {
+bool holds_what_it_says(PackedElements& bytes, bool little) {
   Length at = 0;
   Length end = 8;
   while (at + 8 <= end) {
@@ -143,7 +115,7 @@ void walk_elements(std::ifstream& in,
       throw ends_early(file, at, static_cast<double>(element.length), there);
     }
     if (element.type == packed) {
-      Unpacking bytes(in, element.length);
+      PackedElements bytes(in, element.length);
       if (!holds_what_it_says(bytes, little)) {
         throw InputError("is damaged: what is packed there does not unpack",
                          fmt::format("{}, byte {}", file.string(), at),
@@ -190,6 +162,23 @@ void walk_variables(std::ifstream& in,
   }
 }
 
+// What versions from 5 on begin with: a text, the version and the byte order.
+struct MatHeader {
+  bool whole = false;  // else it is of version 4, or none
+  bool little = false;
+  int version = 0;
+
+  explicit MatHeader(const std::filesystem::path& file) {
+    std::ifstream in = open_input(file);
+    std::array<unsigned char, 128> bytes{};
+    in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    const std::string mark(bytes.begin() + 126, bytes.end());
+    little = mark == "IM";
+    whole = in && (little || mark == "MI");
+    version = bytes[little ? 125 : 124];
+  }
+};
+
 }  // namespace
 
 InputError no_mat_file(const std::filesystem::path& file) {
@@ -198,24 +187,22 @@ InputError no_mat_file(const std::filesystem::path& file) {
           "save it with save -v7 (or -v6), and check its name"};
 }
 
+bool mat_is_hdf5(const std::filesystem::path& file) {
+  const MatHeader header(file);
+  return header.whole && header.version == 2;
+}
+
 void check_mat_elements(const std::filesystem::path& file) {
-  std::ifstream in = open_input(file);
-  std::array<unsigned char, 128> header{};
-  in.read(reinterpret_cast<char*>(header.data()), header.size());
-  const bool whole = static_cast<bool>(in);
-  in.clear();
+  const MatHeader header(file);
   std::error_code ignored;
   const Length size = std::filesystem::file_size(file, ignored);
   if (ignored) return;
-  const std::string mark(header.begin() + 126, header.end());
-  const bool little = mark == "IM";
-  if (!whole || (!little && mark != "MI")) {
+  std::ifstream in = open_input(file);
+  if (!header.whole) {
     walk_variables(in, file, size);
-  } else if (header[little ? 125 : 124] == 1) {
-    walk_elements(in, file, size, little);
+  } else if (header.version == 1) {
+    walk_elements(in, file, size, header.little);
   }
 }
-
-std::string packing_library() { return zlibVersion(); }
 
 }  // namespace tapfit::acquisition

@@ -15,13 +15,14 @@ namespace tapfit::acquisition {
 /// What to say of a file that is none, or of a kind that is not read.
 [[nodiscard]] InputError no_mat_file(const std::filesystem::path& file);
 
+/// Whether it is of version 7.3, which is HDF5 behind a header of MATLAB's.
+[[nodiscard]] bool mat_is_hdf5(const std::filesystem::path& file);
+
 /// Compares all lengths within a file with what is there, and the checksums of
-/// what is packed. Files of version 7.3 are HDF5, which looks after itself.
+/// what is packed. Files of version 7.3 are HDF5,
+/// which is read by a process of its own (own_process.hpp).
 ///
 /// @throws InputError with the byte where it ends early or is damaged
 void check_mat_elements(const std::filesystem::path& file);
-
-/// The version of zlib that is in use.
-[[nodiscard]] std::string packing_library();
 
 }  // namespace tapfit::acquisition

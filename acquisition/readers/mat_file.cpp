@@ -1,18 +1,18 @@
 #include "acquisition/readers/mat_file.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/foundation/input_file.hpp"
+#include "acquisition/foundation/utf8.hpp"
 #include "acquisition/readers/mat_elements.hpp"
+#include "acquisition/readers/own_process.hpp"
 
 #include <fmt/format.h>
 #include <matio.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
+#include <functional>
 #include <memory>
-#include <optional>
+#include <string>
 
 namespace tapfit::acquisition {
 namespace {
@@ -49,33 +49,6 @@ std::vector<std::string> names_in(mat_t* file) {
   return names;
 }
 
-// A file without variables, or one that is listed and does not come.
-InputError damaged(const std::filesystem::path& path, const std::string& what) {
-  return {what + " cannot be read",
-          path.string(),
-          "the file is damaged: copy it again, or save it anew"};
-}
-
-// A variable that takes more room than there is, however small its file.
-InputError too_large(const std::filesystem::path& path,
-                     const std::string& name,
-                     double values) {
-  return {fmt::format(
-              "\"{}\" has {:.3g} values, more than memory holds", name, values),
-          path.string(),
-          "save a part of it; if it is not that long, the file is damaged"};
-}
-
-InputError not_found(mat_t* file,
-                     const std::filesystem::path& path,
-                     const std::string& text) {
-  const std::vector<std::string> names = names_in(file);
-  if (names.empty()) return damaged(path, "its variables");
-  return {fmt::format("there is no variable \"{}\"", text),
-          path.string(),
-          fmt::format("use one of {}", fmt::join(names, ", "))};
-}
-
 template <class Number>
 void copy(const matvar_t& variable, Eigen::MatrixXd& values) {
   const auto* from = static_cast<const Number*>(variable.data);
@@ -84,79 +57,33 @@ void copy(const matvar_t& variable, Eigen::MatrixXd& values) {
   }
 }
 
-// The variable's numbers; empty for what is no real matrix.
-//
-// @param most bytes that the file can hold, however well it is packed
-std::optional<Eigen::MatrixXd> numbers_of(const matvar_t& variable,
-                                          double most) {
-  if (variable.rank != 2 || variable.data == nullptr ||
-      variable.isComplex != 0) {
-    return std::nullopt;
-  }
-  const std::size_t rows = variable.dims[0];
-  const std::size_t columns = variable.dims[1];
-  const auto size = static_cast<std::size_t>(variable.data_size);
-  if (rows == 0 || columns == 0 || size == 0 ||
-      variable.nbytes / size / columns < rows ||
-      static_cast<double>(variable.nbytes) > most) {
-    return std::nullopt;
-  }
-  Eigen::MatrixXd values(static_cast<Index>(rows), static_cast<Index>(columns));
-  switch (variable.class_type) {
+// Of a variable's class; null for what is no real number.
+using Copy = void (*)(const matvar_t&, Eigen::MatrixXd&);
+Copy copy_of(matio_classes numbers) {
+  switch (numbers) {
     case MAT_C_DOUBLE:
-      copy<double>(variable, values);
-      return values;
+      return &copy<double>;
     case MAT_C_SINGLE:
-      copy<float>(variable, values);
-      return values;
+      return &copy<float>;
     case MAT_C_INT8:
-      copy<mat_int8_t>(variable, values);
-      return values;
+      return &copy<mat_int8_t>;
     case MAT_C_UINT8:
-      copy<mat_uint8_t>(variable, values);
-      return values;
+      return &copy<mat_uint8_t>;
     case MAT_C_INT16:
-      copy<mat_int16_t>(variable, values);
-      return values;
+      return &copy<mat_int16_t>;
     case MAT_C_UINT16:
-      copy<mat_uint16_t>(variable, values);
-      return values;
+      return &copy<mat_uint16_t>;
     case MAT_C_INT32:
-      copy<mat_int32_t>(variable, values);
-      return values;
+      return &copy<mat_int32_t>;
     case MAT_C_UINT32:
-      copy<mat_uint32_t>(variable, values);
-      return values;
+      return &copy<mat_uint32_t>;
+    case MAT_C_INT64:
+      return &copy<mat_int64_t>;
+    case MAT_C_UINT64:
+      return &copy<mat_uint64_t>;
     default:
-      return std::nullopt;
+      return nullptr;
   }
-}
-
-// "run.force:2" taken apart.
-struct Name {
-  std::vector<std::string> path;
-  Index part = 0;  // from 1 on; 0: none
-};
-
-Name parse(const std::string& text) {
-  Name name;
-  std::string rest = text;
-  if (const std::size_t colon = rest.rfind(':'); colon != std::string::npos) {
-    long part = 0;
-    const char* end = rest.data() + rest.size();
-    const auto [stop, fault] =
-        std::from_chars(rest.data() + colon + 1, end, part);
-    if (fault == std::errc{} && stop == end && part > 0) {
-      name.part = part;
-      rest.resize(colon);
-    }
-  }
-  for (std::size_t begin = 0; begin <= rest.size();) {
-    const std::size_t dot = std::min(rest.find('.', begin), rest.size());
-    name.path.push_back(rest.substr(begin, dot - begin));
-    begin = dot + 1;
-  }
-  return name;
 }
 
 // Deflate packs a thousand bytes into one at most.
@@ -178,99 +105,178 @@ void refuse_tall_tale(mat_t* file,
     values *= static_cast<double>(info->dims[k]);
   }
   if (values > most_bytes(path)) {
-    throw damaged(path, fmt::format("\"{}\"", name));
+    throw_damaged(path, fmt::format("\"{}\"", name));
   }
-  if (sizeof(double) * values > most_matrix_bytes()) {
-    throw too_large(path, name, values);
-  }
+  refuse_too_large(path, name, values);
 }
 
-Eigen::MatrixXd read_matrix(mat_t* file,
-                            const std::filesystem::path& path,
-                            const std::string& text,
-                            const Name& name) {
-  refuse_tall_tale(file, path, name.path[0]);
-  const Variable variable(Mat_VarRead(file, name.path[0].c_str()));
-  if (!variable && std::ranges::count(names_in(file), name.path[0]) > 0) {
-    throw damaged(path, fmt::format("\"{}\"", name.path[0]));
+// Whether the variable's bytes are as many as its two dimensions ask for.
+//
+// @param most bytes that the file can hold, however well it is packed
+bool is_matrix(const matvar_t& variable, double most) {
+  if (variable.rank != 2 || variable.dims == nullptr ||
+      variable.data == nullptr || variable.isComplex != 0) {
+    return false;
   }
-  const matvar_t* found = variable.get();
-  for (std::size_t k = 1; found != nullptr && k < name.path.size(); ++k) {
-    found = found->class_type == MAT_C_STRUCT
-                ? Mat_VarGetStructFieldByName(
-                      const_cast<matvar_t*>(found), name.path[k].c_str(), 0)
-                : nullptr;
-  }
-  if (found == nullptr) throw not_found(file, path, text);
-  const double count = static_cast<double>(found->nbytes) /
-                       std::max(1.0, static_cast<double>(found->data_size));
-  if (sizeof(double) * count > most_matrix_bytes()) {
-    throw too_large(path, text, count);
-  }
-  auto values = numbers_of(*found, most_bytes(path));
-  if (values) return *std::move(values);
-  throw InputError(fmt::format("\"{}\" is no matrix of real numbers", text),
-                   path.string(),
-                   "name a numeric variable with samples along one side");
+  const std::size_t rows = variable.dims[0];
+  const std::size_t columns = variable.dims[1];
+  const auto size = static_cast<std::size_t>(variable.data_size);
+  return rows > 0 && columns > 0 && size > 0 &&
+         variable.nbytes / size / columns >= rows &&
+         static_cast<double>(variable.nbytes) <= most;
 }
 
-Eigen::VectorXd read_samples(mat_t* file,
-                             const std::filesystem::path& path,
-                             const std::string& text) {
-  const Name name = parse(text);
-  Eigen::MatrixXd values = read_matrix(file, path, text, name);
-  if (values.cols() > values.rows()) values.transposeInPlace();
-  if (name.part > values.cols() || (name.part == 0 && values.cols() > 1)) {
-    throw InputError(
-        fmt::format("\"{}\" has {} columns", text, values.cols()),
-        path.string(),
-        fmt::format("say which one, for example {}:1", name.path[0]));
+// A matrix of characters: one text for each row, in columns or, in UTF-8, as
+// one run of bytes.
+std::vector<std::string> texts_of(const matvar_t& variable) {
+  const std::size_t rows = variable.dims[0];
+  const auto width = static_cast<std::size_t>(variable.data_size);
+  const std::size_t columns =
+      rows == 1 ? variable.nbytes / width : variable.dims[1];
+  const auto* bytes = static_cast<const unsigned char*>(variable.data);
+  std::vector<std::string> texts(rows);
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      // What is beyond Latin-1 is no letter of a unit or name.
+      const unsigned char* at = bytes + width * (column * rows + row);
+      const bool latin = width == 1 || (width == 2 && at[1] == 0);
+      texts[row] += latin ? static_cast<char>(at[0]) : '?';
+    }
+    const std::size_t end = texts[row].find_last_not_of(std::string(" \0", 2));
+    texts[row] = as_utf8(texts[row].substr(0, end + 1));
   }
-  Eigen::VectorXd samples = values.col(std::max<Index>(0, name.part - 1));
-  for (Index i = 0; i < samples.size(); ++i) {
-    if (std::isfinite(samples[i])) continue;
-    throw InputError(
-        fmt::format("\"{}\" is no finite number at sample {}", text, i + 1),
-        path.string(),
-        "cut the record there");
+  return texts;
+}
+
+// Takes a variable apart into arrays.
+class Flatten {
+ public:
+  Flatten(double most, std::vector<NamedArray>& arrays)
+      : most_(most), arrays_(arrays) {}
+
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as structures lie in each other
+  void add(const matvar_t* variable, const std::string& name, int depth = 0) {
+    constexpr int deepest = 12;
+    NamedArray array{.name = name};
+    if (variable == nullptr || depth > deepest) {
+      arrays_.push_back(std::move(array));
+    } else if (variable->class_type == MAT_C_STRUCT) {
+      add_fields(*variable, name, depth);
+    } else if (variable->class_type == MAT_C_CELL) {
+      add_cells(*variable, name, depth);
+    } else {
+      fill(*variable, array);
+      arrays_.push_back(std::move(array));
+    }
   }
-  return samples;
+
+ private:
+  // What the dimensions announce and is not there is not gone through.
+  //
+  // @param fields pointers that each element has
+  static std::size_t elements(const matvar_t& variable, std::size_t fields) {
+    double count = variable.data != nullptr && variable.dims != nullptr ? 1 : 0;
+    for (int k = 0; k < variable.rank && count > 0; ++k) {
+      count *= static_cast<double>(variable.dims[k]);
+    }
+    const std::size_t there = variable.nbytes / sizeof(matvar_t*) / fields;
+    return count < static_cast<double>(there) ? static_cast<std::size_t>(count)
+                                              : there;
+  }
+
+  void fill(const matvar_t& variable, NamedArray& array) const {
+    if (!is_matrix(variable, most_)) return;
+    if (variable.class_type == MAT_C_CHAR) {
+      array.kind = NamedArray::Kind::Text;
+      array.texts = texts_of(variable);
+    } else if (const Copy copying = copy_of(variable.class_type)) {
+      array.kind = NamedArray::Kind::Numbers;
+      array.values.resize(static_cast<Index>(variable.dims[0]),
+                          static_cast<Index>(variable.dims[1]));
+      copying(variable, array.values);
+    }
+  }
+
+  void add_fields(const matvar_t& variable,
+                  const std::string& name,
+                  int depth) {
+    const unsigned count =
+        Mat_VarGetNumberOfFields(const_cast<matvar_t*>(&variable));
+    char* const* fields =
+        Mat_VarGetStructFieldnames(const_cast<matvar_t*>(&variable));
+    const auto* values = static_cast<matvar_t* const*>(variable.data);
+    if (fields == nullptr || count == 0) return;
+    const std::size_t all = elements(variable, count);
+    for (std::size_t k = 0; k < all; ++k) {
+      const std::string element =
+          k == 0 ? name : fmt::format("{}({})", name, k + 1);
+      for (unsigned f = 0; f < count; ++f) {
+        const std::string field = fields[f] == nullptr ? "" : fields[f];
+        add(values[k * count + f], element + "." + field, depth + 1);
+      }
+    }
+  }
+
+  void add_cells(const matvar_t& variable, const std::string& name, int depth) {
+    const auto* cells = static_cast<matvar_t* const*>(variable.data);
+    const std::size_t count = elements(variable, 1);
+    NamedArray list{.name = name, .kind = NamedArray::Kind::Text};
+    for (std::size_t k = 0; k < count; ++k) {
+      NamedArray one;
+      if (cells[k] != nullptr && cells[k]->class_type == MAT_C_CHAR) {
+        fill(*cells[k], one);
+      }
+      if (one.texts.size() == 1) list.texts.push_back(one.texts[0]);
+    }
+    if (count > 0 && list.texts.size() == count) {
+      arrays_.push_back(std::move(list));
+      return;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      add(cells[k], fmt::format("{}{{{}}}", name, k + 1), depth + 1);
+    }
+  }
+
+  double most_;
+  std::vector<NamedArray>& arrays_;
+};
+
+// @param take gets the arrays of one variable after the other
+void read_variables(const std::filesystem::path& path,
+                    const std::function<void(NamedArray&&)>& take) {
+  const File file = open_mat(path);
+  const std::vector<std::string> names = names_in(file.get());
+  if (names.empty()) throw_damaged(path, "its variables");
+  for (const std::string& name : names) {
+    refuse_tall_tale(file.get(), path, name);
+    const Variable variable(Mat_VarRead(file.get(), name.c_str()));
+    std::vector<NamedArray> arrays;
+    if (variable) {
+      Flatten(most_bytes(path), arrays).add(variable.get(), name);
+    } else {
+      arrays.push_back({.name = name, .kind = NamedArray::Kind::Damaged});
+    }
+    for (NamedArray& array : arrays) take(std::move(array));
+  }
 }
 
 }  // namespace
 
-Eigen::MatrixXd read_mat_columns(const std::filesystem::path& file,
-                                 const std::vector<std::string>& names) {
-  const File handle = open_mat(file);
-  Eigen::MatrixXd result;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const Eigen::VectorXd column = read_samples(handle.get(), file, names[k]);
-    if (k == 0) {
-      result.resize(column.size(), static_cast<Index>(names.size()));
-    }
-    if (column.size() != result.rows()) {
-      throw InputError(fmt::format("\"{}\" has {} samples, \"{}\" has {}",
-                                   names[k],
-                                   column.size(),
-                                   names[0],
-                                   result.rows()),
-                       file.string(),
-                       "name variables of one recording");
-    }
-    result.col(static_cast<Index>(k)) = column;
+std::vector<NamedArray> read_mat_arrays(const std::filesystem::path& file) {
+  std::vector<NamedArray> arrays;
+  if (!mat_is_hdf5(file)) {
+    read_variables(
+        file, [&](NamedArray&& array) { arrays.push_back(std::move(array)); });
+    return arrays;
   }
-  return result;
-}
-
-double read_mat_number(const std::filesystem::path& file,
-                       const std::string& name) {
-  const File handle = open_mat(file);
-  const Eigen::VectorXd value = read_samples(handle.get(), file, name);
-  if (value.size() == 1) return value[0];
-  throw InputError(
-      fmt::format("\"{}\" has {} values, not one", name, value.size()),
-      file.string(),
-      "name a variable that holds one number");
+  in_own_process(
+      file,
+      [&](std::FILE* out) {
+        read_variables(file,
+                       [&](NamedArray&& array) { send_array(array, out); });
+      },
+      [&](std::FILE* in) { arrays = receive_arrays(in); });
+  return arrays;
 }
 
 std::string matlab_library() {

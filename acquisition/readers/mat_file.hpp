@@ -1,27 +1,21 @@
-// Numbers out of MATLAB files, by way of matio (included only here).
+// Arrays out of MATLAB files, by way of matio (included only here).
 #pragma once
 
-#include <Eigen/Core>
+#include "acquisition/readers/named_array.hpp"
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace tapfit::acquisition {
 
-/// Reads variables as columns of samples. A name may go on with ".field" for
-/// structures and end with ":k" for the k-th column (row, where those are
-/// longer) of a matrix.
+/// All variables of a file, of any version. Fields of structures and elements
+/// of cells are arrays of their own: "run.acc" (of several elements
+/// "run(2).acc" and so on), "names{1}"; a cell of texts is one list of texts.
 ///
-/// @return n_samples x names.size()
-/// @throws InputError for a file that is none, a name that is not there (and
-///   which ones are), a variable that is no real number or has another length
-[[nodiscard]] Eigen::MatrixXd read_mat_columns(
-    const std::filesystem::path& file, const std::vector<std::string>& names);
-
-/// A variable of one value.
-[[nodiscard]] double read_mat_number(const std::filesystem::path& file,
-                                     const std::string& name);
+/// @throws InputError for a file that is none or is damaged, for a variable
+///   that memory does not hold
+[[nodiscard]] std::vector<NamedArray> read_mat_arrays(
+    const std::filesystem::path& file);
 
 /// The version of matio that is in use.
 [[nodiscard]] std::string matlab_library();

@@ -41,6 +41,9 @@ struct Mode {
   Eigen::VectorXd shape_sd;  ///< sqrt(E|d shape|^2); empty where not known
 };
 
+/// Gives a mode its frequency [Hz] and damping ratio, and with them its pole.
+void set_pole(Mode& mode, double frequency_hz, double damping_ratio);
+
 /// The poles of one set-up, whose sensors load the structure their own way.
 struct SetUpPoles {
   std::size_t set_up = 0;  ///< number by signal::set_ups

@@ -138,7 +138,10 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
   std::vector<Pair> pairs;
   check(by_hand, measured.cols(), model.cols());
   if (measured.cols() == 0 || model.cols() == 0) return pairs;
-  const Eigen::MatrixXd likeness = mac(measured, model);
+  const bool shapes = measured.rows() > 0;
+  const Eigen::MatrixXd likeness =
+      shapes ? mac(measured, model)
+             : Eigen::MatrixXd::Ones(measured.cols(), model.cols());
   Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
   for (const Pair& pair : by_hand) {
     cost.row(pair.measured).setConstant(kForbidden);
@@ -155,6 +158,9 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
     const Index i = wide ? index : found[k];
     const Index m = wide ? found[k] : index;
     if (cost(i, m) < kForbidden) pairs.push_back({i, m, likeness(i, m)});
+  }
+  for (Pair& pair : pairs) {
+    if (!shapes) pair.mac = 0.0;
   }
   std::ranges::sort(pairs, {}, &Pair::measured);
   return pairs;

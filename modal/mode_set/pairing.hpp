@@ -32,7 +32,7 @@ struct Pair {
 /// Pairs measured modes with the model's, by measured frequency.
 ///
 /// Where fewer than three points were measured MAC says little: with one point
-/// the frequency alone decides.
+/// or none the frequency alone decides.
 ///
 /// @param measured n_dof x p shapes
 /// @param f_measured p [Hz]

@@ -3,7 +3,7 @@
 // with everything that is fitted readjusting.
 #include "tests/benchmarks/plate_case.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/diagnosis/screening.hpp"
+#include "updating/search/screening.hpp"
 #include "updating/fit/fitter.hpp"
 
 #include <benchmark/benchmark.h>

@@ -121,7 +121,7 @@ std::vector<Fault> faults_of_the_sheet() {
                     "{\"title\": \"Pr\xfc"
                     "fstand\"}");
        }},
-      {"runs and frfs", "either runs or frfs", "hits", sheet([](json& t) {
+      {"runs and frfs", "only one of runs, frfs", "hits", sheet([](json& t) {
          t["frfs"] = "x.uff";
        })},
       {"runs without channels", "no channels", "hits", sheet([](json& t) {

@@ -4,6 +4,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
                                       std::size_t size) {
   return tapfit::fuzz::read_as("data.mat", data, size, [](const auto& file) {
-    (void)tapfit::acquisition::read_mat_columns(file, {"force", "acc:2"});
+    (void)tapfit::acquisition::read_mat_arrays(file);
   });
 }

@@ -17,7 +17,7 @@ using Graph = std::map<std::string, std::set<std::string>>;
 std::string c_library(const std::string& header) {
   static const std::regex pattern(
       R"(^(?:suitesparse/|ncursesw/|ncurses/)?)"
-      R"((fftw3|sndfile|matio|zlib|ncurses|curses|panel|cholmod)\.(?:h|hh)$)");
+      R"((fftw3|sndfile|matio|hdf5|zlib|ncurses|curses|panel|cholmod)\.(?:h|hh)$)");
   std::smatch match;
   if (!std::regex_match(header, match, pattern)) return {};
   const std::string name = match[1];

@@ -37,9 +37,9 @@ struct ColonCommand {
 };
 
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
-/// "3", "run 12", "report", "deck FILE", "uff", "plot", "stop", "retry", "drop 12.98",
-/// "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut short while it is
-/// clear ("sc 3").
+/// "3", "run 12", "report", "deck FILE", "uff", "plot", "stop", "retry",
+/// "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut
+/// short while it is clear ("sc 3").
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);

@@ -209,7 +209,7 @@ std::string Picker::next_words() const {
 
 Screen Picker::draw() const {
   Screen screen(canvas_);
-  const int width = canvas_.width - 2;
+  const int width = std::max(canvas_.width - 2, 1);
   screen.text(1, 0, "tapfit", {.colour = Colour::Sky, .bold = true});
   screen.text(9,
               0,

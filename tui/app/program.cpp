@@ -115,8 +115,9 @@ void Program::finish(Finished finished) {
   const bool opened = !known_.bundle;
   for (const auto& one : pages_) one->follow(known_, finished.snapshot);
   known_ = std::move(finished.snapshot);
-  // Ready FRFs have no recordings to begin with.
+  // Ready FRFs have no recordings to begin with, and modes no FRFs.
   if (opened && known_.bundle && known_.bundle->frfs) current_ = frf_screen;
+  if (opened && known_.bundle && known_.bundle->modes) current_ = modes_screen;
   const bool action = !finished.need;
   const bool leaving = action && std::exchange(quit_asked_, false);
   using How = Finished::How;

@@ -82,7 +82,8 @@ std::vector<std::string> Program::help_lines() const {
   lines.emplace_back();
   lines.emplace_back(
       ":q :help :add EFFECT@PLACE ... :toggle N :undo :redo :screen N :run N");
-  lines.emplace_back(":report [FILE] :deck [FILE] :uff [FILE] :plot [FILE] :stop :retry");
+  lines.emplace_back(
+      ":report [FILE] :deck [FILE] :uff [FILE] :plot [FILE] :stop :retry");
   lines.emplace_back(":drop HZ :pick HZ :band LOW HIGH :pair I:K  (modes)");
   return fitted_lines(std::move(lines), text_box_rows(canvas_.height - bars));
 }

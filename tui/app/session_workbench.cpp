@@ -60,6 +60,9 @@ class SessionWorkbench final : public Workbench {
   const updating::Diagnosis& diagnosis(const Progress& p) override {
     return session_.diagnosis(p);
   }
+  const updating::Diagnosis& robust_diagnosis(const Progress& p) override {
+    return session_.robust_diagnosis(p);
+  }
   std::optional<updating::Diagnosis> known_diagnosis(
       std::size_t effects, const Progress& p) override {
     return session_.known_diagnosis(effects, p);

@@ -14,6 +14,7 @@ namespace tapfit::tui {
 std::string calibrate_command(const CommandOptions& options,
                               const Progress& progress) {
   updating::Session session = open_bundle(options.input);
+  refuse_modes(session.bundle());
   const signal::FrfSet& frfs = session.frfs(progress);
   const auto found = signal::calibrate(frfs, options.mass_kg);
   const auto findings =

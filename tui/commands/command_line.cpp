@@ -69,6 +69,7 @@ enum Extra : unsigned {
   ByHand = 32768,
   Pairs = 65536,
   BodyMass = 131072,
+  Robustness = 262144,
 };
 
 /// A command that reads its own command line.
@@ -154,7 +155,7 @@ constexpr std::array<Entry, 19> entries{{
     {"diagnose",
      "What is missing from the model",
      diagnose_command,
-     ByHand,
+     ByHand | Robustness,
      "candidates"},
     {"signature",
      "Missing dynamic stiffness at a grid",
@@ -254,6 +255,12 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   if ((entry.extras & ByHand) != 0) {
     add_mode_choices(*command, options.by_hand);
   }
+  if ((entry.extras & Robustness) != 0) {
+    command->add_flag("--robustness",
+                      options.robustness,
+                      "What becomes of the verdict when a prior, the allowance "
+                      "for form or a run is changed or left out");
+  }
   if ((entry.extras & Pairs) != 0) add_pair_choices(*command, options.by_hand);
   if ((entry.extras & (Mass | BodyMass)) != 0) {
     command
@@ -290,7 +297,9 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
 
 void add_import(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
-      "import", "Make a bundle out of CSV, MATLAB, SEP-005 or universal files");
+      "import",
+      "Make a bundle out of time records: CSV, MATLAB, HDF5 and netCDF4, TDMS, "
+      "numpy, SEP-005, universal files");
   add_import_options(*command, invocation.options);
   command->callback([&invocation] {
     invocation.name = "import";

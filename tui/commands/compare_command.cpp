@@ -92,6 +92,7 @@ std::string comac_text(const updating::Comparison& comparison,
 
 std::string worst_frfs_text(const updating::Comparison& comparison,
                             const signal::FrfSet& frfs) {
+  if (comparison.frf_error.empty()) return {};
   std::vector<std::size_t> order(comparison.frf_error.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, std::greater{}, [&](std::size_t k) {
@@ -119,6 +120,7 @@ std::string notes_text(const std::vector<std::string>& notes) {
 }
 
 std::string bands_text(const updating::Comparison& comparison) {
+  if (comparison.bands.empty()) return {};
   TextTable table({"<band Hz", "error"});
   for (const auto& band : comparison.bands) {
     table.add({fmt::format("{:.4g} to {:.4g}", band.low_hz, band.high_hz),
@@ -154,6 +156,9 @@ ordered_json compare_json(const updating::Comparison& comparison,
                      {"mac", pair.mac},
                      {"weighted_mac", pair.weighted_mac},
                      {"by_hand", pair.by_hand}});
+    if (pair.has_shape) continue;
+    pairs.back()["mac"] = nullptr;
+    pairs.back()["weighted_mac"] = nullptr;
   }
   ordered_json points = ordered_json::object();
   for (const auto& [node, error] : comparison.point_error) {
@@ -185,8 +190,8 @@ std::string pairs_text(const std::vector<updating::ModePair>& pairs) {
                fmt::format("{:.3f}", pair.measured_hz),
                fmt::format("{:.3f}", pair.model_hz),
                fmt::format("{:+.2f} %", pair.error_percent),
-               fmt::format("{:.3f}", pair.mac),
-               fmt::format("{:.3f}", pair.weighted_mac),
+               pair.has_shape ? fmt::format("{:.3f}", pair.mac) : "-",
+               pair.has_shape ? fmt::format("{:.3f}", pair.weighted_mac) : "-",
                pair.by_hand ? "by hand" : ""});
   }
   return table.text();
@@ -222,8 +227,10 @@ std::string compare_command(const CommandOptions& options,
     return json.dump(2) + "\n";
   }
   std::string text = compare_text(comparison, frfs, dofs);
-  text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
-                      std::max(session.base_error(progress), 1e-15));
+  if (!session.bundle().modes) {
+    text += fmt::format("  the model's FRFs are exact to {:.0e}\n",
+                        std::max(session.base_error(progress), 1e-15));
+  }
   return text + point_places_text(session.deck(progress)) +
          notes_text(warnings);
 }

@@ -4,6 +4,7 @@
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/ladder_text.hpp"
+#include "tui/report/robustness_output.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/session.hpp"
 
@@ -206,11 +207,20 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
 std::string diagnose_command(const CommandOptions& options,
                              const Progress& progress) {
   updating::Session session = open_by_hand(options, progress);
-  const updating::Diagnosis& diagnosis = session.diagnosis(progress);
-  if (!options.json) return diagnosis_text(diagnosis);
-  return diagnosis_json(options.input, with_input_warnings(diagnosis, session))
-             .dump(2) +
-         "\n";
+  const updating::Diagnosis& diagnosis =
+      options.robustness ? session.robust_diagnosis(progress)
+                         : session.diagnosis(progress);
+  if (!options.json) {
+    return diagnosis_text(diagnosis) +
+           (options.robustness ? "\n" + robustness_text(diagnosis.robustness)
+                               : "");
+  }
+  ordered_json json =
+      diagnosis_json(options.input, with_input_warnings(diagnosis, session));
+  if (options.robustness) {
+    json["robustness"] = robustness_json(diagnosis.robustness);
+  }
+  return json.dump(2) + "\n";
 }
 
 }  // namespace tapfit::tui

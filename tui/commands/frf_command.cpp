@@ -67,9 +67,13 @@ double block_seconds(const acquisition::HitSet& hits) {
   return static_cast<double>(hits.block) / hits.sample_rate_hz;
 }
 
-// Ready FRFs come without blocks.
+// Ready FRFs and modes come without.
+bool has_blocks(const updating::Session& session) {
+  return !session.bundle().frfs && !session.bundle().modes;
+}
+
 std::string block_text(updating::Session& session, const Progress& progress) {
-  if (session.bundle().frfs) return {};
+  if (!has_blocks(session)) return {};
   const acquisition::HitSet& hits = session.hits(progress);
   return fmt::format(
       "  blocks of {:.4g} s, {}\n", block_seconds(hits), hits.block_reason);
@@ -78,7 +82,7 @@ std::string block_text(updating::Session& session, const Progress& progress) {
 ordered_json with_block(ordered_json frfs,
                         updating::Session& session,
                         const Progress& progress) {
-  if (session.bundle().frfs) return frfs;
+  if (!has_blocks(session)) return frfs;
   const acquisition::HitSet& hits = session.hits(progress);
   frfs["block"] = {{"s", block_seconds(hits)},
                    {"samples", hits.block},
@@ -91,6 +95,7 @@ ordered_json with_block(ordered_json frfs,
 std::string frf_command(const CommandOptions& options,
                         const Progress& progress) {
   updating::Session session = open_bundle(options);
+  refuse_modes(session.bundle());
   if (options.frf.best_hits) leave_hits_apart(session, progress);
   if (!options.free.empty()) return free_masses(session, options, progress);
   const signal::FrfSet frfs = frfs_as_asked(session, options.frf, progress);

@@ -1,6 +1,7 @@
 #include "tui/commands/import_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/import/propose_import.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 
@@ -63,6 +64,113 @@ std::vector<std::string> split_at_commas(const std::string& text) {
   }
 }
 
+// What the command line says; what it leaves open is empty.
+acquisition::ImportOptions options_of(const CommandOptions& options) {
+  const ImportArguments& arguments = options.imports;
+  acquisition::ImportOptions result;
+  for (const auto& file : arguments.files) {
+    result.files.push_back(parse_import_file(file));
+  }
+  if (!arguments.hammer.empty()) {
+    result.hammer = parse_import_channel(arguments.hammer, Quantity::Force);
+  }
+  for (const auto& sensor : arguments.sensors) {
+    result.sensors.push_back(
+        parse_import_channel(sensor, Quantity::Acceleration));
+  }
+  double rate = 0.0;
+  const char* end = arguments.rate.data() + arguments.rate.size();
+  const auto [stop, fault] = std::from_chars(arguments.rate.data(), end, rate);
+  if (fault == std::errc{} && stop == end) {
+    result.sample_rate_hz = rate;
+  } else if (!arguments.rate.empty()) {
+    result.rate_variable = arguments.rate;
+  }
+  if (!arguments.time_column.empty()) {
+    result.time_column = arguments.time_column;
+  }
+  result.title = arguments.title;
+  result.deck = options.deck;
+  result.band_hz = arguments.band_hz;
+  // Called after the first file, in the working folder.
+  result.folder = options.output.value_or(result.files.front().file.stem());
+  result.rule = updating::output_rule_of_folder(result.folder, options.force);
+  if (options.deck) {
+    for (auto& file : structure::deck_files(*options.deck)) {
+      result.rule.inputs.push_back(std::move(file));
+    }
+  }
+  return result;
+}
+
+std::string json_text(const acquisition::TestBundle& bundle,
+                      const acquisition::ImportProposal& proposal) {
+  nlohmann::ordered_json json{{"bundle", bundle.folder.string()},
+                              {"runs", bundle.runs.size()},
+                              {"found", proposal.found},
+                              {"assumed", nlohmann::ordered_json::array()},
+                              {"warnings", bundle.warnings}};
+  for (const acquisition::ImportAssumption& assumed : proposal.assumptions) {
+    json["assumed"].push_back({{"what", assumed.what},
+                               {"option", assumed.option},
+                               {"field", assumed.field}});
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string channel_lines(const acquisition::TestBundle& bundle) {
+  std::string text;
+  const acquisition::Run& run = bundle.runs.front();
+  const auto add = [&](const char* role, const acquisition::Placement& at) {
+    const acquisition::Channel& channel = bundle.channels.at(at.channel);
+    text += fmt::format("  {}  \"{}\" at {}, {} in {}, {:.6g} V per {}\n",
+                        role,
+                        channel.name,
+                        name(at.dof),
+                        acquisition::name(channel.quantity),
+                        channel.unit,
+                        channel.sensitivity,
+                        channel.unit);
+  };
+  add("hammer", run.hammer);
+  for (const acquisition::Placement& sensor : run.sensors) {
+    add("sensor", sensor);
+  }
+  return text;
+}
+
+// How to say otherwise.
+std::string remedy_text(const acquisition::ImportAssumption& assumed) {
+  if (assumed.field.empty()) return assumed.option;
+  const std::string field = assumed.field + " in test.json";
+  return assumed.option.empty() ? field : assumed.option + "; or " + field;
+}
+
+std::string plain_text(const acquisition::TestBundle& bundle,
+                       const acquisition::ImportProposal& proposal) {
+  std::string text = fmt::format("Bundle {} written, {} runs\n",
+                                 bundle.folder.string(),
+                                 bundle.runs.size());
+  if (!proposal.found.empty() || !proposal.assumptions.empty()) {
+    text += channel_lines(bundle);
+  }
+  for (const std::string& line : proposal.found) {
+    text += fmt::format("  {}\n", line);
+  }
+  for (const acquisition::ImportAssumption& assumed : proposal.assumptions) {
+    text += fmt::format("  assumed: {}\n    to say otherwise: {}\n",
+                        assumed.what,
+                        remedy_text(assumed));
+  }
+  for (const std::string& warning : bundle.warnings) {
+    text += fmt::format("  note: {}\n", warning);
+  }
+  return text +
+         "  note: the files do not say the channels' ranges; full_scale_volts "
+         "is room above the largest value, and overload is told by flat tops "
+         "alone\n";
+}
+
 }  // namespace
 
 ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
@@ -103,50 +211,14 @@ ImportFile parse_import_file(const std::string& text) {
 std::string import_command(const CommandOptions& options,
                            const Progress& progress) {
   progress("importing", 0.0);
-  const ImportArguments& arguments = options.imports;
-  acquisition::ImportOptions import_options;
-  for (const auto& file : arguments.files) {
-    import_options.files.push_back(parse_import_file(file));
+  acquisition::ImportProposal proposal;
+  proposal.options = options_of(options);
+  if (options.imports.hammer.empty() || options.imports.sensors.empty()) {
+    proposal = acquisition::propose_import(proposal.options);
   }
-  import_options.hammer =
-      parse_import_channel(arguments.hammer, Quantity::Force);
-  for (const auto& sensor : arguments.sensors) {
-    import_options.sensors.push_back(
-        parse_import_channel(sensor, Quantity::Acceleration));
-  }
-  double rate = 0.0;
-  const char* end = arguments.rate.data() + arguments.rate.size();
-  const auto [stop, fault] = std::from_chars(arguments.rate.data(), end, rate);
-  if (fault == std::errc{} && stop == end) {
-    import_options.sample_rate_hz = rate;
-  } else if (!arguments.rate.empty()) {
-    import_options.rate_variable = arguments.rate;
-  }
-  import_options.time_column = arguments.time_column;
-  import_options.title = arguments.title;
-  import_options.deck = options.deck;
-  import_options.band_hz = arguments.band_hz;
-  import_options.folder = options.output.value_or("");
-  import_options.rule =
-      updating::output_rule_of_folder(import_options.folder, options.force);
-  if (options.deck) {
-    for (auto& file : structure::deck_files(*options.deck)) {
-      import_options.rule.inputs.push_back(std::move(file));
-    }
-  }
-  const auto bundle = acquisition::import_recordings(import_options);
-  if (options.json) {
-    const nlohmann::ordered_json json{{"bundle", bundle.folder.string()},
-                                      {"runs", bundle.runs.size()},
-                                      {"warnings", bundle.warnings}};
-    return json.dump(2) + "\n";
-  }
-  return fmt::format(
-      "Bundle {} written, {} runs\n"
-      "  note: the files do not say the channels' ranges; full_scale_volts is "
-      "room above the largest value, and overload is told by flat tops alone\n",
-      bundle.folder.string(),
-      bundle.runs.size());
+  const auto bundle = acquisition::import_recordings(proposal.options);
+  return options.json ? json_text(bundle, proposal)
+                      : plain_text(bundle, proposal);
 }
 
 }  // namespace tapfit::tui

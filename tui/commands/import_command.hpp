@@ -1,4 +1,4 @@
-// tapfit import: makes a test bundle out of CSV files.
+// tapfit import: makes a test bundle out of files of time records.
 #pragma once
 
 #include "acquisition/import/import_recordings.hpp"
@@ -18,6 +18,7 @@ namespace tapfit::tui {
 [[nodiscard]] acquisition::ImportFile parse_import_file(
     const std::string& text);
 
+/// Says what was assumed of the channels that the command line does not name.
 /// @throws InputError
 [[nodiscard]] std::string import_command(const CommandOptions& options,
                                          const Progress& progress);

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/mac.hpp"
-#include "tui/report/modes_file.hpp"
+#include "modal/mode_set/read_modes_file.hpp"
 #include "tui/report/text_table.hpp"
 #include "tui/work/pair_words.hpp"
 
@@ -229,13 +229,13 @@ std::string mac_text(const modal::ModeSet& first,
 }
 
 std::string mac_command(const CommandOptions& options, const Progress&) {
-  const modal::ModeSet first = read_modes_file(options.input);
+  const modal::ModeSet first = modal::read_modes_file(options.input);
   std::vector<modal::Pair> by_hand;
   for (const std::string& text : options.by_hand.pairs) {
     if (const auto pair = parse_pair(text)) by_hand.push_back(*pair);
   }
   const modal::ModeSet second =
-      options.other ? read_modes_file(*options.other) : first;
+      options.other ? modal::read_modes_file(*options.other) : first;
   if (options.json) return mac_json(first, second, by_hand).dump(2) + "\n";
   return mac_text(first, second, by_hand);
 }

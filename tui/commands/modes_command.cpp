@@ -7,6 +7,7 @@
 #include "signal/checks/frac.hpp"
 #include "signal/files/uff58.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/options/open_bundle.hpp"
 #include "tui/report/diagram_text.hpp"
 #include "tui/report/modes_text.hpp"
 #include "updating/export/point_geometry.hpp"
@@ -83,10 +84,13 @@ std::string modes_command(const CommandOptions& options,
   modal::IdentifyOptions identify = told.identify;
   identify.band_hz = usual.band_hz;
   identify.edits = usual.edits;
+  if (session.bundle().modes && (identify != usual || told.fit)) {
+    refuse_modes(session.bundle());
+  }
   modal::ModeSet modes = identify == usual
                              ? session.modes(progress)
                              : modal::identify_modes(frfs, identify, progress);
-  if (!session.bundle().frfs) {
+  if (!session.bundle().frfs && !session.bundle().modes) {
     std::vector<std::string> said;
     for (const Finding& finding : session.hits(progress).findings) {
       said.push_back(in_full(finding));

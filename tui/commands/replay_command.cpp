@@ -46,7 +46,7 @@ std::string replay_command(const CommandOptions& options,
       acquisition::read_test_bundle(options.input);
   acquisition::check_run_files(bundle, acquisition::Unreadable::Refused);
   if (bundle.runs.empty()) {
-    throw InputError("the bundle holds ready FRFs and no recording",
+    throw InputError("the bundle holds no recording",
                      options.input.string(),
                      "replay a bundle with `runs`");
   }

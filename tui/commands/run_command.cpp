@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// Bundles of ready FRFs have no hits.
+/// Bundles of ready FRFs or modes have no hits.
 acquisition::HitSet hits_of(updating::Session& session,
                             const Progress& progress) {
   return session.bundle().runs.empty() ? acquisition::HitSet{}
@@ -30,8 +30,8 @@ acquisition::HitSet hits_of(updating::Session& session,
 }
 
 std::string whole_json(updating::Session& session,
-                     const CommandOptions& options,
-                     const Progress& progress) {
+                       const CommandOptions& options,
+                       const Progress& progress) {
   ordered_json json;
   json["hits"] = hits_json(session.bundle(), hits_of(session, progress));
   json["frf"] = frf_json(session.frfs(progress));
@@ -55,7 +55,9 @@ std::string run_text(updating::Session& session, const Progress& progress) {
   if (!session.bundle().runs.empty()) {
     text += "\n" + hits_text(session.bundle(), session.hits(progress));
   }
-  text += "\n" + frf_text(session.frfs(progress));
+  if (!session.bundle().modes) {
+    text += "\n" + frf_text(session.frfs(progress));
+  }
   text += "\n" + modes_text(session.modes(progress),
                             acquisition::channel_names(session.bundle()));
   if (!session.has_model()) {

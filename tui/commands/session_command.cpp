@@ -37,10 +37,11 @@ std::string session_text(const updating::SavedSession& session) {
       mac += pair.mac / count;
     }
     const bool paired = !saved.modes.empty();
+    const bool shapes = paired && saved.modes.front().has_shape;
     table.add({effect_text(saved.rung.added, saved.rung.where),
                percent(saved.rung.error),
                paired ? percent(hz_error) : "-",
-               paired ? fmt::format("{:.3f}", mac) : "-",
+               shapes ? fmt::format("{:.3f}", mac) : "-",
                parameters_text(saved.rung.parameters)});
     if (saved.rung.stopped_after == 0) continue;
     table.add({"  " + updating::stopped_text(saved.rung.stopped_after),

@@ -21,11 +21,12 @@ namespace tapfit::tui {
 
 /// What `tapfit import` is told about the files.
 struct ImportArguments {
-  std::vector<std::string> files;    ///< "FILE" or "FILE@POINT"
-  std::string hammer;                ///< "COLUMN@POINT[,KEY=VALUE ...]"
-  std::vector<std::string> sensors;  ///< the same
-  std::string rate;  ///< Hz, or the variable of a .mat file that holds it
-  std::string time_column = "1";
+  std::vector<std::string> files;  ///< "FILE" or "FILE@POINT"
+  /// "COLUMN@POINT[,KEY=VALUE ...]"; empty: found in the file.
+  std::string hammer;
+  std::vector<std::string> sensors;  ///< the same; none: all others
+  std::string rate;         ///< Hz, or the variable of a file that holds it
+  std::string time_column;  ///< empty: the first of a CSV, or what a file says
   std::string title;
   std::optional<std::array<double, 2>> band_hz;
 };
@@ -85,6 +86,7 @@ struct CommandOptions {
   std::vector<std::string> ignored_cards;  ///< of a deck, left out knowingly
   int node = 0;                            ///< grid id
   double mass_kg = 0.0;                    ///< of a free body; 0: not said
+  bool robustness = false;                 ///< how firm the verdict is, too
   double speed = 0.0;  ///< of a replay, times real time; 0: all it can
   FrfArguments frf;
   ImportArguments imports;

@@ -1,7 +1,7 @@
 #include "tui/options/library_versions.hpp"
 
 #include "acquisition/readers/audio_file.hpp"
-#include "acquisition/readers/mat_elements.hpp"
+#include "acquisition/readers/inflate.hpp"
 #include "acquisition/readers/mat_file.hpp"
 #include "signal/spectra/fft.hpp"
 #include "tui/screen/terminal.hpp"

@@ -1,5 +1,6 @@
 #include "tui/options/open_bundle.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "updating/export/output_rule_of.hpp"
 #include "updating/export/outside_files.hpp"
@@ -41,6 +42,14 @@ updating::Session open_bundle(const std::filesystem::path& bundle) {
                     fmt::join(outside, ", ")));
   }
   return session;
+}
+
+void refuse_modes(const acquisition::TestBundle& bundle) {
+  if (!bundle.modes) return;
+  throw InputError("the test consists of modes: it has no FRFs",
+                   bundle.file.string(),
+                   "for FRFs give \"runs\" or \"frfs\"; modes are compared "
+                   "and diagnosed as they are");
 }
 
 acquisition::OutputRule output_rule(const acquisition::TestBundle& bundle,

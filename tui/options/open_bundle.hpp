@@ -20,6 +20,9 @@ namespace tapfit::tui {
 /// to write may be written.
 [[nodiscard]] updating::Session open_bundle(const CommandOptions& options);
 
+/// @throws InputError where the test consists of modes and has no FRFs
+void refuse_modes(const acquisition::TestBundle& bundle);
+
 /// The rule for all that the command writes.
 [[nodiscard]] acquisition::OutputRule output_rule(
     const acquisition::TestBundle& bundle, const CommandOptions& options);

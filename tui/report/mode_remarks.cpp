@@ -18,7 +18,8 @@ constexpr double most_percent = 1.0;   // of a frequency's error
 constexpr double close_percent = 1.0;  // apart, as far as shapes mix
 
 bool is_off(const ModePair& pair) {
-  return pair.mac < least_mac || std::abs(pair.error_percent) > most_percent;
+  return (pair.has_shape && pair.mac < least_mac) ||
+         std::abs(pair.error_percent) > most_percent;
 }
 
 /// The pair whose measured mode is nearest; none where it is the only one.

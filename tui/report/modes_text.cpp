@@ -94,8 +94,17 @@ ordered_json shifts_json(const modal::PoleShifts& shifts,
           {"statement", statement(shifts, channels)}};
 }
 
+// As a test consists of them: nothing was fitted to FRFs.
+bool is_given(const modal::ModeSet& modes) {
+  return modes.fitted.empty() && modes.diagram.empty() &&
+         modes.synthesis_error == 0.0;
+}
+
 std::string heading(const modal::ModeSet& modes) {
   if (modes.modes.empty()) return "Modes: none identified";
+  if (is_given(modes)) {
+    return fmt::format("Modes: {}, as given", modes.modes.size());
+  }
   return fmt::format(
       "Modes: {} identified, synthesis error {} ({} before the poles were "
       "refined)",

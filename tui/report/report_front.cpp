@@ -5,6 +5,7 @@
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
+#include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/fit/kept_fit.hpp"
 
@@ -53,9 +54,14 @@ DataTable tested(const ReportData& data) {
   } else if (data.bundle.frfs) {
     add("<FRFs from", data.bundle.frfs->filename().string());
   }
-  add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
-  const std::array<double, 2> band = band_of(data);
-  add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
+  if (data.bundle.modes) {
+    add("<modes from", data.bundle.modes->file.filename().string());
+    add("<points", fmt::format("{}", data.modes.dofs.size()));
+  } else {
+    add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
+    const std::array<double, 2> band = band_of(data);
+    add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
+  }
   add("<modes", fmt::format("{}", data.modes.modes.size()));
   return table;
 }
@@ -126,8 +132,27 @@ std::string ladder_words(const Rung& rung) {
   return "+ " + found_words(rung.added, rung.where);
 }
 
-Section ladder_section(const ModelResults& model) {
-  DataTable table{"", {"<model", "error of FRFs"}, {}};
+/// What the error is one of.
+std::string error_words(const ReportData& data) {
+  if (!data.bundle.modes) {
+    return "Relative error of the FRFs after each step. Each step "
+           "identifies all parameters anew. The floor is what the "
+           "scatter over the hits, the mesh and the form of the model "
+           "(what a careful model is wrong by) allow.";
+  }
+  return "Error of the modes after each step: root mean square of all "
+         "frequencies and shapes, each in units of its standard deviation, "
+         "times that of the frequencies. Each step identifies all parameters "
+         "anew. The floor is what these deviations, the mesh and the form of "
+         "the model (what a careful model is wrong by) allow.";
+}
+
+Section ladder_section(const ReportData& data) {
+  const ModelResults& model = *data.model;
+  DataTable table{
+      "",
+      {"<model", data.bundle.modes ? "error of modes" : "error of FRFs"},
+      {}};
   std::vector<SvgBar> bars;
   for (const Rung& rung : model.ladder) {
     std::string words = ladder_words(rung);
@@ -147,10 +172,7 @@ Section ladder_section(const ModelResults& model) {
           {TableBesideFigure{
               table,
               {"error-ladder",
-               "Relative error of the FRFs after each step. Each step "
-               "identifies all parameters anew. The floor is what the "
-               "scatter over the hits, the mesh and the form of the model "
-               "(what a careful model is wrong by) allow.",
+               error_words(data),
                svg_bars(bars, "error ladder", "error [%]", 100.0)}}}};
 }
 
@@ -215,6 +237,26 @@ std::string rest_words(const ModelResults& model) {
           : effect_words(model.rest->verdict));
 }
 
+void add_firmness(const updating::Diagnosis& diagnosis, Section& section) {
+  if (diagnosis.robustness.empty()) return;
+  DataTable table{"How firm it is",
+                  {"<what was changed", "<verdict", "<farthest move of a size"},
+                  {}};
+  for (const updating::Robustness& row : diagnosis.robustness) {
+    const std::string move = move_text(row);
+    table.rows.push_back(
+        {row.change,
+         row.verdict_stands ? "stands" : effect_words(row.verdict),
+         move.empty() ? "–" : move});
+  }
+  section.parts.emplace_back(table);
+  section.parts.emplace_back(Paragraph{
+      capitalised(firmness_words(diagnosis.robustness)) +
+          ". What was found and what came closest were fitted again with each "
+          "of these changed; sd: standard deviations of the size as stated.",
+      Paragraph::Kind::Small});
+}
+
 Section sure_section(const ModelResults& model) {
   Section section{"How sure is it", {}};
   if (!model.diagnosis) {
@@ -249,6 +291,7 @@ Section sure_section(const ModelResults& model) {
         "error: on runs that the parameters were not fitted to.",
         Paragraph::Kind::Small});
   }
+  add_firmness(*model.diagnosis, section);
   if (const std::string rest = rest_words(model); !rest.empty()) {
     section.parts.emplace_back(Paragraph{rest});
   }
@@ -290,7 +333,7 @@ std::vector<Section> front_sections(const ReportData& data) {
   }
   std::vector<Section> sections{std::move(first)};
   if (!data.model) return sections;
-  sections.push_back(ladder_section(*data.model));
+  sections.push_back(ladder_section(data));
   sections.push_back(identified_section(data));
   sections.push_back(sure_section(*data.model));
   sections.push_back(next_section(*data.model));

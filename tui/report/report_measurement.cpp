@@ -40,6 +40,9 @@ std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
           data.bundle.channels.at(sensor.channel).name);
     }
   }
+  if (data.bundle.modes) {
+    for (const Dof& dof : data.modes.dofs) nodes[dof.node].insert(name(dof));
+  }
   if (nodes.empty()) {
     for (const signal::Frf& frf : data.frfs.frfs) {
       nodes[frf.response.node].insert(name(frf.response));
@@ -159,7 +162,10 @@ Section set_up_section(const ReportData& data) {
   if (!data.bundle.channels.empty()) {
     section.parts.emplace_back(channel_table(data));
   }
-  if (data.bundle.runs.empty()) {
+  if (data.bundle.modes) {
+    section.parts.emplace_back(Paragraph{
+        "Modes were given: nothing is known of recordings and channels."});
+  } else if (data.bundle.runs.empty()) {
     section.parts.emplace_back(Paragraph{
         "FRFs were given ready: nothing is known here of hammer, hits and "
         "channels."});
@@ -368,6 +374,8 @@ Section mode_section(const ReportData& data) {
     section.parts.emplace_back(Paragraph{"No mode was identified."});
   } else {
     section.parts.emplace_back(mode_table(data.modes));
+  }
+  if (!data.modes.modes.empty() && !data.bundle.modes) {
     section.parts.emplace_back(Paragraph{
         fmt::format("FRFs synthesised from the modes differ from those "
                     "measured by {}. MPC and MPD: how far the points of a mode "
@@ -387,7 +395,7 @@ Section mode_section(const ReportData& data) {
 std::vector<Section> measurement_sections(const ReportData& data) {
   std::vector<Section> sections{set_up_section(data)};
   if (data.hits) sections.push_back(hits_section(data));
-  sections.push_back(frf_section(data));
+  if (!data.bundle.modes) sections.push_back(frf_section(data));
   sections.push_back(mode_section(data));
   return sections;
 }

@@ -58,20 +58,21 @@ Section criteria_section(const ReportData& data) {
       fixed(after.frequency_percent, 2) + " %",
       kept(limits.frequency_percent,
            after.frequency_percent <= limits.frequency_percent.value_or(0.0))));
-  table.rows.push_back(
-      criterion("smallest MAC of a pair",
-                words(limits.mac, "≥ {:.4g}"),
-                fixed(before.mac, 3),
-                fixed(after.mac, 3),
-                kept(limits.mac, after.mac >= limits.mac.value_or(0.0))));
-  table.rows.push_back(
-      criterion("largest cross-orthogonality off the diagonal",
-                words(limits.cross_orthogonality, "≤ {:.4g}"),
-                fixed(before.cross_orthogonality, 3),
-                fixed(after.cross_orthogonality, 3),
-                kept(limits.cross_orthogonality,
-                     after.cross_orthogonality <=
-                         limits.cross_orthogonality.value_or(0.0))));
+  const auto of_shapes = [&](std::vector<std::string> row) {
+    if (!data.modes.dofs.empty()) table.rows.push_back(std::move(row));
+  };
+  of_shapes(criterion("smallest MAC of a pair",
+                      words(limits.mac, "≥ {:.4g}"),
+                      fixed(before.mac, 3),
+                      fixed(after.mac, 3),
+                      kept(limits.mac, after.mac >= limits.mac.value_or(0.0))));
+  of_shapes(criterion("largest cross-orthogonality off the diagonal",
+                      words(limits.cross_orthogonality, "≤ {:.4g}"),
+                      fixed(before.cross_orthogonality, 3),
+                      fixed(after.cross_orthogonality, 3),
+                      kept(limits.cross_orthogonality,
+                           after.cross_orthogonality <=
+                               limits.cross_orthogonality.value_or(0.0))));
   table.rows.push_back(criterion("pairs of modes",
                                  "",
                                  fmt::format("{}", before.pairs),
@@ -104,7 +105,7 @@ void add_pair_cells(std::vector<std::string>& row,
   }
   row.push_back(fixed(found->second->model_hz, 3));
   row.push_back(signed_percent_words(found->second->error_percent));
-  row.push_back(fixed(found->second->mac, 3));
+  row.push_back(found->second->has_shape ? fixed(found->second->mac, 3) : "–");
 }
 
 DataTable pair_table(const ReportData& data) {
@@ -372,7 +373,9 @@ std::vector<Section> model_sections(const ReportData& data) {
   if (!data.model) return {};
   std::vector<Section> sections{criteria_section(data)};
   sections.back().parts.emplace_back(pair_table(data));
-  if (data.model->before.mac.size() > 0 && data.model->after.mac.size() > 0) {
+  const bool shapes = !data.modes.dofs.empty();
+  if (shapes && data.model->before.mac.size() > 0 &&
+      data.model->after.mac.size() > 0) {
     sections.back().parts.emplace_back(mac_row(data));
   }
   if (has_error_map(data, data.model->before)) {

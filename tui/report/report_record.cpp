@@ -33,6 +33,7 @@ std::vector<fs::path> files_read(const ReportData& data) {
     add(data.bundle.matrices->dofs);
   }
   if (data.bundle.frfs) add(*data.bundle.frfs);
+  if (data.bundle.modes) add(data.bundle.modes->file);
   if (data.bundle.geometry) add(data.bundle.geometry->file);
   for (const acquisition::Run& run : data.bundle.runs) add(run.file);
   return files;

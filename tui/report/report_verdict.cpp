@@ -2,7 +2,7 @@
 
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/worth.hpp"
 
 #include <fmt/format.h>
 
@@ -18,13 +18,6 @@ std::string rung_words(const ModelResults& model, const Rung& rung) {
   const Rung* found = diagnosed_rung(model, rung);
   return with_article(
       found_words(found ? found->added : rung.added, rung.where));
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  }
-  return text;
 }
 
 /// How the error stands to the floor, as the end of a sentence.
@@ -43,14 +36,22 @@ std::string against_floor(const updating::Comparison& now) {
                      floor);
 }
 
-std::string without_effects(const ModelResults& model) {
+/// What was measured, and is compared.
+const char* data_words(const ReportData& data) {
+  return data.bundle.modes ? "modes" : "FRFs";
+}
+
+std::string without_effects(const ReportData& data) {
+  const ModelResults& model = *data.model;
+  const char* of = data_words(data);
   const updating::Comparison& now = model.after;
   const bool unexplained =
       model.diagnosis && model.diagnosis->verdict == "unexplained";
   if (unexplained) {
     return fmt::format(
         "Something is missing from the model that no known effect explains: "
-        "its FRFs are off by {}, {}.",
+        "its {} are off by {}, {}.",
+        of,
         percent(now.error),
         against_floor(now));
   }
@@ -61,8 +62,9 @@ std::string without_effects(const ModelResults& model) {
           : "";
   if (!model.diagnosis) {
     return fmt::format(
-        "The FRFs of the model are off by {}{}, {}; what may be missing from "
+        "The {} of the model are off by {}{}, {}; what may be missing from "
         "it has not been looked for.",
+        of,
         percent(now.error),
         was,
         against_floor(now));
@@ -70,29 +72,33 @@ std::string without_effects(const ModelResults& model) {
   if (model.diagnosis->verdict == updating::nonlinearity) {
     return fmt::format(
         "The structure behaves nonlinearly, which no linear model can hold; "
-        "the model's FRFs are off by {}{}, {}.",
+        "the model's {} are off by {}{}, {}.",
+        of,
         percent(now.error),
         was,
         against_floor(now));
   }
   if (now.error <= updating::at_floor * now.floor) {
     return fmt::format(
-        "Nothing significant is missing from the model: its FRFs are off by "
+        "Nothing significant is missing from the model: its {} are off by "
         "{}{}, {}.",
+        of,
         percent(now.error),
         was,
         against_floor(now));
   }
   return fmt::format(
-      "No effect is supported by the data: the model's FRFs are off by {}{}, "
+      "No effect is supported by the data: the model's {} are off by {}{}, "
       "{}.",
+      of,
       percent(now.error),
       was,
       against_floor(now));
 }
 
-std::string with_effects(const ModelResults& model,
+std::string with_effects(const ReportData& data,
                          const std::vector<Rung>& rungs) {
+  const ModelResults& model = *data.model;
   std::vector<std::string> names;
   bool diagnosed = true;
   for (const Rung& rung : rungs) {
@@ -101,7 +107,8 @@ std::string with_effects(const ModelResults& model,
   }
   const std::string what = enumerated(names);
   const std::string errors =
-      fmt::format("the error of the FRFs falls from {} to {}, {}",
+      fmt::format("the error of the {} falls from {} to {}, {}",
+                  data_words(data),
                   percent(model.before.error),
                   percent(model.after.error),
                   against_floor(model.after));
@@ -151,8 +158,7 @@ const Rung* diagnosed_rung(const ModelResults& model, const Rung& rung) {
 std::string verdict_sentence(const ReportData& data) {
   if (data.model) {
     const std::vector<Rung> rungs = effect_rungs(data.model->ladder);
-    return rungs.empty() ? without_effects(*data.model)
-                         : with_effects(*data.model, rungs);
+    return rungs.empty() ? without_effects(data) : with_effects(data, rungs);
   }
   const auto& modes = data.modes.modes;
   if (modes.empty()) return "No mode was identified in the band.";

@@ -54,6 +54,9 @@ struct Quantity {
 /// "+1.91 %", "0.00 %".
 [[nodiscard]] std::string signed_percent_words(double percent);
 
+/// With a capital letter in front.
+[[nodiscard]] std::string capitalised(std::string text);
+
 /// "A, B and C".
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& items);
 

@@ -150,8 +150,25 @@ bool ComparePage::move(const CompareInput& input, Key key) {
   return list_key(state_.list, compared_frfs(input), key);
 }
 
+// Where there are no curves the keys go between the pairs and the MAC.
+bool ComparePage::press_modes_alone(const CompareInput& input,
+                                    Key key,
+                                    Command& command) {
+  const bool on_mac = state_.focus == Focus::Mac;
+  state_.focus = on_mac ? Focus::Mac : Focus::Pairs;
+  if (key == keys::tab) {
+    state_.focus = on_mac ? Focus::Pairs : Focus::Mac;
+  } else if (key == keys::enter && on_mac) {
+    enter(input, command);
+  } else if (key != keys::enter) {
+    return move(input, key);
+  }
+  return true;
+}
+
 bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
   const CompareInput input = input_of(known);
+  if (input.frfs.frfs.empty()) return press_modes_alone(input, key, command);
   if (key == U'x') {
     state_.log = !state_.log;
   } else if (key == keys::tab) {

@@ -81,11 +81,7 @@ void draw_error_map(Screen& screen,
   map.top = std::clamp(map.selected - rows / 2,
                        0,
                        std::max(static_cast<int>(map.values.rows()) - rows, 0));
-  screen.text(rect.x + 1,
-              rect.y,
-              map.title,
-              heading(focused),
-              rect.width - 1);
+  screen.text(rect.x + 1, rect.y, map.title, heading(focused), rect.width - 1);
   draw_heat_map(screen, split_top(rect, 1).second, map);
 }
 
@@ -187,6 +183,29 @@ void draw_right(Screen& screen,
   }
 }
 
+/// A test of modes has no curves: pairs, and beside them the MAC.
+void draw_modes_alone(Screen& screen,
+                      const Rect& rect,
+                      const CompareInput& input,
+                      const CompareState& state) {
+  const auto [title, body] = split_top(rect, 1);
+  screen.text(1,
+              title.y,
+              input.comparison.contour,
+              {.colour = Colour::Grey},
+              rect.width - 2);
+  const bool shapes = input.modes != nullptr && !input.modes->dofs.empty();
+  const auto [pairs, mac] =
+      split_left(body, shapes ? std::min(44, rect.width / 2) : body.width);
+  const bool on_mac = shapes && state.focus == CompareState::Focus::Mac;
+  draw_table(screen,
+             pairs,
+             compared_table(compared_modes(input)),
+             state.pairs,
+             !on_mac);
+  if (shapes) draw_mac(screen, mac, input, state);
+}
+
 void draw_overlay(Screen& screen,
                   const Rect& rect,
                   const CompareInput& input,
@@ -266,7 +285,11 @@ Screen compare_view(const CompareInput& input,
                  c.error,
                  c.floor,
                  std::max({1.2 * c.error, 2.0 * c.floor, 1e-9}));
-  if (input.frfs.frfs.empty()) return screen;
+  if (input.frfs.frfs.empty()) {
+    draw_modes_alone(
+        screen, {0, 1, canvas.width, canvas.height - 1}, input, state);
+    return screen;
+  }
   const Table table = compared_frfs(input);
   const std::size_t selected = settled(table, state.list);
   const Rect body{0, 1, canvas.width, canvas.height - 1};

@@ -61,6 +61,7 @@ class ComparePage final : public Page {
 
  private:
   bool move(const CompareInput& input, Key key);
+  bool press_modes_alone(const CompareInput& input, Key key, Command& command);
   void enter(const CompareInput& input, Command& command);
   void look_at(const CompareInput& input, double low_hz, double high_hz);
   [[nodiscard]] bool looks_at(double low_hz, double high_hz) const;

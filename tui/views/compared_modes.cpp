@@ -36,8 +36,10 @@ std::vector<ComparedMode> compared_modes(const CompareInput& input) {
   const updating::Comparison& c = input.comparison;
   std::vector<ComparedMode> modes;
   for (const ModePair& pair : c.pairs) {
-    modes.push_back(
-        {pair.measured_hz, pair.model_hz, pair.error_percent, pair.mac});
+    modes.push_back({pair.measured_hz,
+                     pair.model_hz,
+                     pair.error_percent,
+                     pair.has_shape ? pair.mac : std::nan("")});
   }
   const std::vector<double> measured = measured_hz(input);
   for (std::size_t i = 0; i < measured.size(); ++i) {
@@ -48,7 +50,11 @@ std::vector<ComparedMode> compared_modes(const CompareInput& input) {
       modes.push_back({.measured_hz = measured[i]});
     }
   }
-  const FrequencySpan span = frequency_span(input.frfs);
+  FrequencySpan span = frequency_span(input.frfs);
+  // Of modes that are the measurement, up to the highest.
+  if (input.frfs.frfs.empty() && !measured.empty()) {
+    span = {0.0, *std::ranges::max_element(measured)};
+  }
   for (Eigen::Index k = 0; k < c.modes.frequency_hz.size(); ++k) {
     const double hz = c.modes.frequency_hz[k];
     const bool alone = std::ranges::none_of(

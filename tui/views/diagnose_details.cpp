@@ -1,6 +1,7 @@
 #include "tui/views/diagnose_details.hpp"
 
 #include "tui/report/report_words.hpp"
+#include "tui/report/robustness_output.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
@@ -74,6 +75,24 @@ std::vector<std::string> details_of(const updating::Diagnosis& d,
     for (const std::string& line : wrapped(paragraph, width)) {
       lines.push_back(line);
     }
+  }
+  return lines;
+}
+
+std::vector<std::string> firmness_lines(const updating::Diagnosis& d,
+                                        int width) {
+  if (d.robustness.empty()) {
+    return wrapped(
+        "how firm the verdict is: worked out while other screens stay "
+        "usable … Each prior is halved and doubled, what is "
+        "uncertain held, each run left out; the verdict and what came "
+        "closest are fitted again from where they were.",
+        width);
+  }
+  std::vector<std::string> lines = wrapped(firmness_words(d.robustness), width);
+  lines.emplace_back();
+  for (std::string& line : robustness_table(d.robustness)) {
+    lines.push_back(clipped(line, width));
   }
   return lines;
 }

@@ -30,4 +30,9 @@ namespace tapfit::tui {
     const updating::Candidate& candidate,
     int width);
 
+/// How firm the verdict is: a sentence, and a line for each thing that was
+/// changed; while that is not known, that it is worked out.
+[[nodiscard]] std::vector<std::string> firmness_lines(
+    const updating::Diagnosis& diagnosis, int width);
+
 }  // namespace tapfit::tui

@@ -52,6 +52,14 @@ std::string look_alike_among(const std::vector<EffectRef>& tagged,
   return {};
 }
 
+/// Pages scroll down or up, as far as there are lines.
+void scroll(std::optional<int>& first, Key key, std::size_t lines) {
+  constexpr int page = 10;
+  const int last = std::max(static_cast<int>(lines) - page, 0);
+  const int step = key == keys::page_down ? page : -page;
+  first = std::clamp(first.value_or(0) + step, 0, last);
+}
+
 }  // namespace
 
 bool DiagnosePage::can_wait_for(const Need& need, const Snapshot& known) const {
@@ -64,6 +72,7 @@ bool DiagnosePage::can_wait_for(const Need& need, const Snapshot& known) const {
 std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   std::vector<Need> needs{{Stage::Model}};
   const updating::Diagnosis& d = *known.diagnosis;
+  if (state_.firmness) needs.push_back({Stage::Robustness});
   if (d.candidates.empty()) return needs;
   const Table table = candidate_table(d, {}, 80, true);
   const Candidate& c = d.candidates[settled(table, state_.list)];
@@ -102,6 +111,7 @@ void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
 
 bool DiagnosePage::leave_view() {
   if (std::exchange(state_.details, {})) return true;
+  if (std::exchange(state_.firmness, {})) return true;
   if (std::exchange(state_.map, false)) return true;
   return !std::exchange(state_.tagged, {}).empty();
 }
@@ -131,22 +141,32 @@ void DiagnosePage::add_chosen(const updating::Diagnosis& d,
   command.kind = Command::Kind::Add;
 }
 
-/// Pages scroll there; all other keys do what they always do.
+bool DiagnosePage::press_firmness(const updating::Diagnosis& d, Key key) {
+  if (key == U'R') {
+    state_.details = {};
+    state_.firmness = state_.firmness ? std::nullopt : std::optional<int>(0);
+    return true;
+  }
+  const bool page = key == keys::page_down || key == keys::page_up;
+  if (!state_.firmness || !page) return false;
+  scroll(state_.firmness, key, firmness_lines(d, 78).size());
+  return true;
+}
+
+/// All other keys do what they always do.
 bool DiagnosePage::press_details(const updating::Diagnosis& d,
                                  const Table& table,
                                  Key key) {
   if (d.candidates.empty()) return false;
   if (key == U'i') {
+    state_.firmness = {};
     state_.details = state_.details ? std::nullopt : std::optional<int>(0);
     return true;
   }
-  const bool down = key == keys::page_down;
-  if (!state_.details || (!down && key != keys::page_up)) return false;
-  constexpr int page = 10;
+  const bool page = key == keys::page_down || key == keys::page_up;
+  if (!state_.details || !page) return false;
   const Candidate& chosen = d.candidates[settled(table, state_.list)];
-  const auto lines = static_cast<int>(details_of(d, chosen, 78).size());
-  state_.details = std::clamp(
-      *state_.details + (down ? page : -page), 0, std::max(lines - page, 0));
+  scroll(state_.details, key, details_of(d, chosen, 78).size());
   return true;
 }
 
@@ -157,7 +177,7 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     command.message = nothing_matches;
     return true;
   }
-  if (press_details(d, table, key)) return true;
+  if (press_firmness(d, key) || press_details(d, table, key)) return true;
   const bool whole = key == U'A';
   if (key == U'a' || key == keys::enter || whole) {
     if (!known.diagnosis) {
@@ -212,6 +232,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"T", "tags off"},
+          {"R", "how firm"},
           {"/", "filter"}};
 }
 
@@ -225,8 +246,9 @@ std::string DiagnosePage::help() const {
          "stiffness at the place: a mass falls with the square of frequency, a "
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
-         "all. m maps what each grid alone explains. a adds the candidate, or "
-         "all tagged (*) at once, A all that the verdict is made of.";
+         "all. m maps what each grid alone explains, R tells how firm the "
+         "verdict is. a adds the candidate, or all tagged (*) at once, A all "
+         "that the verdict is made of.";
 }
 
 }  // namespace tapfit::tui

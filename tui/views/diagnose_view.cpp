@@ -279,13 +279,10 @@ std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
 }
 
 /// In place of table and plots, from row `top` on, scrolled down so far.
-void draw_details(Screen& screen,
-                  const updating::Diagnosis& d,
-                  const Candidate& chosen,
-                  int top,
-                  int first) {
-  const std::vector<std::string> lines =
-      details_of(d, chosen, screen.width() - 2);
+void draw_lines(Screen& screen,
+                const std::vector<std::string>& lines,
+                int top,
+                int first) {
   const int rows = screen.height() - top;
   const int count = static_cast<int>(lines.size());
   first = std::clamp(first, 0, std::max(count - rows, 0));
@@ -352,6 +349,10 @@ Screen diagnose_view(const DiagnoseInput& input,
               top++,
               note_line(d, input.outdated, room),
               {.colour = warned ? Colour::Yellow : Colour::Grey});
+  if (state.firmness) {
+    draw_lines(screen, firmness_lines(d, room), top + 1, *state.firmness);
+    return screen;
+  }
   if (d.candidates.empty()) {
     int y = write(screen,
                   top + 1,
@@ -372,7 +373,7 @@ Screen diagnose_view(const DiagnoseInput& input,
     return screen;
   }
   if (state.details) {
-    draw_details(screen, d, chosen, top + 1, *state.details);
+    draw_lines(screen, details_of(d, chosen, room), top + 1, *state.details);
     return screen;
   }
   const Rect body{0, top, canvas.width, canvas.height - top};

@@ -32,6 +32,8 @@ struct DiagnoseState {
   bool all_laws = false;  ///< mass, spring and dashpot, not the best alone
   /// All in words, from that line on, in place of table and plots.
   std::optional<int> details = {};
+  /// How firm the verdict is, likewise.
+  std::optional<int> firmness = {};
 };
 
 [[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
@@ -81,6 +83,7 @@ class DiagnosePage final : public Page {
   std::string help() const override;
 
  private:
+  bool press_firmness(const updating::Diagnosis& d, Key key);
   bool press_details(const updating::Diagnosis& d, const Table& table, Key key);
   void press_tag(const updating::Diagnosis& d,
                  const Table& table,

@@ -171,6 +171,11 @@ Screen frf_view(const FrfSet& frfs,
 }
 
 Screen FrfPage::draw(const Snapshot& known, const Canvas& canvas) const {
+  if (known.bundle && known.bundle->modes) {
+    Screen screen(canvas);
+    screen.text(1, 1, "The test consists of modes: there are no FRFs (3, 4).");
+    return screen;
+  }
   return frf_view(*known.frfs, state_, canvas, known.frf_checks.get());
 }
 

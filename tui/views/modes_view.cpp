@@ -77,6 +77,9 @@ void draw_diagram(Screen& screen,
     span = frequency_span(*input.frfs);
     plot.curves = background(input, orders);
   }
+  for (const modal::Mode& mode : input.modes.modes) {
+    span.hi = std::max(span.hi, mode.frequency_hz);
+  }
   const PlotRange shown = resolved(state.range, span.lo, span.hi);
   plot.x = {"f", "Hz", shown.lo, shown.hi, false};
   plot.y = {"order", "", 0.0, orders + 1.0, false};
@@ -234,6 +237,11 @@ void draw_mac(Screen& screen,
 }
 
 std::string summary(const modal::ModeSet& modes) {
+  // A test of modes: they were fitted to nothing.
+  if (!modes.modes.empty() && modes.synthesis_error == 0.0 &&
+      modes.diagram.empty()) {
+    return fmt::format("{} modes, as given", modes.modes.size());
+  }
   const std::string before = modes.modes.empty()
                                  ? ""
                                  : fmt::format(" ({} before refinement)",

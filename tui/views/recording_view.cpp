@@ -249,8 +249,10 @@ Screen recording_view(const RecordingInput& input,
                       const Canvas& canvas) {
   Screen screen(canvas);
   if (run_count(input) == 0) {
-    screen.text(
-        1, 1, "The bundle holds no recordings (ready FRFs, perhaps: 2).");
+    screen.text(1,
+                1,
+                "The bundle holds no recordings (ready FRFs, perhaps: 2; or "
+                "modes: 3).");
     return screen;
   }
   RecordingState at = state;

@@ -173,7 +173,8 @@ void write_frequencies(Sheet& sheet, const ReportInput& input) {
       cells.push_back(p != nullptr ? fixed(p->model_hz, 3) : "–");
       cells.push_back(p != nullptr ? signed_percent_words(p->error_percent)
                                    : "–");
-      cells.push_back(p != nullptr ? fixed(p->mac, 3) : "–");
+      const bool shapes = p != nullptr && p->has_shape;
+      cells.push_back(shapes ? fixed(p->mac, 3) : "–");
     }
     table.rows.push_back({std::move(cells), {}});
   }

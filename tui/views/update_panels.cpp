@@ -178,7 +178,9 @@ void draw_live_fit(Screen& screen,
   const auto [left, right] =
       split_left(below, wide ? rect.width * 2 / 5 : rect.width);
   draw_plot(screen, left, error_plot(errors));
-  if (wide) draw_plot(screen, right, live_curves(live));
+  if (wide && live.frequency_hz.size() > 0) {
+    draw_plot(screen, right, live_curves(live));
+  }
 }
 
 void draw_convergence(Screen& screen,

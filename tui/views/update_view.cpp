@@ -288,11 +288,11 @@ Screen update_view(const UpdateInput& input,
   const auto [left, right] = split_left(upper, half);
   draw_table(screen, left, parameters, {}, false);
   draw_ladder(screen, right, input, selected_effect(input.effects, state));
-  if (input.frfs.frfs.empty()) return screen;
   if (state.panel != UpdateState::Panel::Curves) {
     draw_record(screen, lower, input, state);
     return screen;
   }
+  if (input.frfs.frfs.empty()) return screen;
   const std::size_t selected = settled(frf_names(input.frfs), state.list);
   const Plot plot = overlay(input, state, selected);
   const auto [area, line] = split_top(lower, lower.height - 1);

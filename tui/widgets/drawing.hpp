@@ -120,7 +120,8 @@ struct Drawings {
 /// Keeps it where the drawings are asked for.
 template <class Kind>
 void keep_drawing(const Screen& screen, const Kind& drawn) {
-  if (Drawings* drawings = screen.drawings()) drawings->shown.emplace_back(drawn);
+  if (Drawings* drawings = screen.drawings())
+    drawings->shown.emplace_back(drawn);
 }
 
 }  // namespace tapfit::tui

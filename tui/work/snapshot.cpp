@@ -38,6 +38,8 @@ std::string name(Stage stage) {
       return "record of the fits";
     case Stage::Diagnosis:
       return "diagnosis";
+    case Stage::Robustness:
+      return "how firm the verdict is";
     case Stage::Signature:
       return "signature";
     case Stage::SignatureMap:
@@ -76,6 +78,8 @@ bool Snapshot::has(const Need& need) const {
       return records != nullptr;
     case Stage::Diagnosis:
       return diagnosis != nullptr;
+    case Stage::Robustness:
+      return diagnosis != nullptr && !diagnosis->robustness.empty();
     case Stage::Signature:
       return signatures.contains(need.node);
     case Stage::SignatureMap:

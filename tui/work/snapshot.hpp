@@ -39,6 +39,7 @@ enum class Stage {
   Ladder,   ///< and the model's parameters
   Records,  ///< how the ladder's fits came about
   Diagnosis,
+  Robustness,  ///< of the diagnosis
   Signature,
   SignatureMap,
 };

@@ -50,6 +50,8 @@ class Workbench {
   virtual const updating::Comparison& comparison(const Progress&) = 0;
   virtual const updating::Comparison& base_comparison(const Progress&) = 0;
   virtual const updating::Diagnosis& diagnosis(const Progress&) = 0;
+  /// The same with what becomes of it when what was assumed is changed.
+  virtual const updating::Diagnosis& robust_diagnosis(const Progress&) = 0;
   /// As of an earlier run of the program, with the first of the effects.
   virtual std::optional<updating::Diagnosis> known_diagnosis(
       std::size_t effects, const Progress&) = 0;

@@ -83,6 +83,7 @@ void make_model(Workbench& bench, Snapshot& known, const Progress& progress) {
 }
 
 Eigen::MatrixXd indicator(const signal::FrfSet& frfs) {
+  if (frfs.frfs.empty()) return {};
   try {
     Eigen::MatrixXd values = modal::cmif(frfs);
     if (values.rows() == frfs.lines() && values.cols() > 0) return values;
@@ -166,6 +167,9 @@ void make_result(Workbench& bench,
       return;
     case Stage::Diagnosis:
       known.diagnosis = shared(bench.diagnosis(progress));
+      return;
+    case Stage::Robustness:
+      known.diagnosis = shared(bench.robust_diagnosis(progress));
       return;
     case Stage::Signature:
       known.signatures[need.node] =

@@ -116,7 +116,9 @@ void pair_up(const modal::ModeSet& modes,
   const MatrixXcd measured = measured_shapes(modes);
   const MatrixXcd model = c.modes.at_dofs.cast<std::complex<double>>();
   c.mac = modal::mac(measured, model);
-  c.weighted_mac = modal::mass_weighted_mac(measured, model, mass);
+  c.weighted_mac = modes.dofs.empty()
+                       ? c.mac
+                       : modal::mass_weighted_mac(measured, model, mass);
   Eigen::VectorXd measured_hz(measured.cols());
   for (Index k = 0; k < measured.cols(); ++k) {
     measured_hz(k) = modes.modes[static_cast<std::size_t>(k)].frequency_hz;
@@ -134,6 +136,7 @@ void pair_up(const modal::ModeSet& modes,
     p.measured_hz = measured_hz(p.measured);
     p.model_hz = c.modes.frequency_hz(p.model);
     p.error_percent = 100.0 * (p.model_hz - p.measured_hz) / p.measured_hz;
+    p.has_shape = !modes.dofs.empty();
     p.mac = c.mac(p.measured, p.model);
     p.weighted_mac = c.weighted_mac(p.measured, p.model);
     p.by_hand = std::ranges::any_of(
@@ -204,16 +207,23 @@ Comparison compare(const Fit& fit,
   Comparison c;
   const ModelState& state = fit.result.state;
   const ModelResponse at_target = fit.model->respond(state, target.s, false);
-  errors(target, at_target.H, frfs, fit.model->setting(), c);
-  const ModelResponse shown = fit.model->respond(state, frfs.s, false);
-  for (Index f = 0; f < shown.H.cols(); ++f) {
-    c.model_frfs.emplace_back(shown.H.col(f));
+  if (target.is_modal()) {
+    c.error = relative_error(target, at_target.H);
+  } else {
+    errors(target, at_target.H, frfs, fit.model->setting(), c);
+    const ModelResponse shown = fit.model->respond(state, frfs.s, false);
+    for (Index f = 0; f < shown.H.cols(); ++f) {
+      c.model_frfs.emplace_back(shown.H.col(f));
+    }
   }
   const BaseModes all = fit.model->full_modes(state);
   const MatrixXd at_dofs = rows_of(*fit.model, modes.dofs) * all.phi;
   c.modes = model_modes(fit, all, at_dofs);
   if (!modes.modes.empty()) {
-    pair_up(modes, by_hand, modal::condensed_mass(at_dofs, all.omega), c);
+    const MatrixXd mass = modes.dofs.empty()
+                              ? MatrixXd()
+                              : modal::condensed_mass(at_dofs, all.omega);
+    pair_up(modes, by_hand, mass, c);
   }
   return c;
 }

@@ -32,6 +32,7 @@ struct ModePair {
   double mac = 0.0;
   double weighted_mac = 0.0;  ///< in the model's mass; see Comparison
   bool by_hand = false;
+  bool has_shape = true;  ///< else there is no MAC, and both are 0
 };
 
 struct BandError {

@@ -9,6 +9,7 @@ namespace tapfit::updating {
 double evidence_data(const Target& target,
                      const Eigen::VectorXd& residual,
                      int modes_in_band) {
+  if (target.is_modal()) return effective_data(target);
   const double frfs =
       std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double modes = std::max(1, modes_in_band);

@@ -4,10 +4,12 @@
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
+#include "updating/diagnosis/made_fit.hpp"
 #include "updating/diagnosis/next_measurement.hpp"
 #include "updating/diagnosis/rung_search.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/diagnosis/set_verdict.hpp"
+#include "updating/diagnosis/worth.hpp"
 #include "updating/fit/held_back.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/localisation/run_drift.hpp"
@@ -21,8 +23,6 @@
 
 namespace tapfit::updating {
 namespace {
-
-constexpr int folds = 4;
 
 Candidate candidate_of(const Hypothesis& h,
                        const effects::Setting& setting,
@@ -51,19 +51,6 @@ std::vector<Candidate> candidates_of(const Round& round,
   }
   return result;
 }
-
-// A rung must lower the error on runs that it was not fitted to, to a share of
-// what it was, and do so with very strong evidence.
-struct Worth {
-  double gain = 0.0;      // log evidence over leaving it out
-  double share = 1.0;     // error on left-out runs must fall below this
-  double held_out = 0.0;  // before
-  double with_it = 0.0;   // and after
-
-  [[nodiscard]] bool earned() const {
-    return gain > very_strong && with_it < share * held_out;
-  }
-};
 
 // The strongest look-alike of another kind, or of the same kind elsewhere.
 const EffectRef& rival_of(const Rung& rung) {
@@ -123,7 +110,7 @@ class Climb {
         search_(fitter, options),
         already_(present.size()),
         current_(fitter.fit(present, fitter.model_for(present), progress)),
-        held_out_(fitter.held_out_error(current_, folds, progress)) {}
+        held_out_(fitter.held_out_error(current_, held_out_folds, progress)) {}
 
   /// Adds the best effect that earns its place; false where none does.
   bool step(bool first, const Progress& progress);
@@ -136,11 +123,9 @@ class Climb {
     return ladder_of(likeliest, chosen_, already_, *fitter_, progress);
   }
   [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
-  /// At the floor only for the mesh's share, which counts the whole difference
-  /// to a finer mesh. The fit takes a good part of that: an effect may hide.
-  [[nodiscard]] bool is_left_to_the_mesh() const {
-    return is_at_floor() &&
-           current_.result.error > clear_of_floor * options_.floor_noise;
+  /// The strongest that did not earn their place on top.
+  [[nodiscard]] const std::vector<MadeFit>& passed_over() const {
+    return passed_over_;
   }
   /// Everything tried on the first step.
   [[nodiscard]] std::vector<Candidate> candidates() const {
@@ -151,12 +136,6 @@ class Climb {
   bool try_to_add(bool first,
                   RungSearch::Depth depth,
                   const Progress& progress);
-  [[nodiscard]] bool is_at_floor() const {
-    return current_.result.error <= at_floor * options_.floor;
-  }
-  [[nodiscard]] bool is_explained() const {
-    return is_at_floor() && !is_left_to_the_mesh();
-  }
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
       const Round& round, bool first, const Progress& progress) const;
@@ -170,6 +149,7 @@ class Climb {
   double data_ = 1.0;
   std::vector<Chosen> chosen_;
   std::vector<Candidate> candidates_;
+  std::vector<MadeFit> passed_over_;
 };
 
 std::pair<std::size_t, Worth> Climb::choose(const Round& round,
@@ -177,8 +157,7 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
                                             const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
-  // What the mesh may explain must be left behind by far.
-  worth.share = is_at_floor() ? 1.0 / clear_of_floor : worth_it;
+  worth.share = share_to_reach(current_.result.error, options_);
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
   const double left =
       form_share(round.hypotheses.front().fit, round.data, options_.floor_noise)
@@ -194,7 +173,7 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
 bool Climb::step(bool first, const Progress& progress) {
   // At the floor there is nothing to explain; on the first rung the candidates
   // are still worked out for show.
-  if (!first && is_explained()) return false;
+  if (!first && is_explained(current_.result.error, options_)) return false;
   using Depth = RungSearch::Depth;
   if (try_to_add(first,
                  first ? Depth::Thorough : Depth::Quick,
@@ -222,12 +201,15 @@ bool Climb::try_to_add(bool first,
   const Progress rest = part_of(progress, 0.75, 1.0);
   data_ = round.data;
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
-  if (is_explained() || round.hypotheses.empty()) return false;
+  if (round.hypotheses.empty()) return false;
+  passed_over_ = strongest_of(round, 0);
+  if (is_explained(current_.result.error, options_)) return false;
   auto [best, worth] = choose(round, first, rest);
   const Hypothesis& added = round.hypotheses[best];
-  worth.with_it = fitter_->held_out_error(added.fit, folds, rest);
+  worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
+  passed_over_.clear();
   chosen_.push_back(search_.as_chosen(round, best));
   if (best != 0) {
     chosen_.back().name = added.own().effect->name();
@@ -239,7 +221,7 @@ bool Climb::try_to_add(bool first,
     current_ =
         search_.prune(std::move(current_), already_, round.data, chosen_, rest);
   }
-  held_out_ = fitter_->held_out_error(current_, folds, rest);
+  held_out_ = fitter_->held_out_error(current_, held_out_folds, rest);
   return true;
 }
 
@@ -274,6 +256,23 @@ void warn_of_bounds(Diagnosis& result) {
       break;
     }
   }
+}
+
+// For each rung of the ladder what was tried in its place.
+std::vector<std::vector<MadeFit>> tried_for(const std::vector<Rung>& ladder,
+                                            const Climb& climb) {
+  const std::vector<PlacedEffect>& all = climb.current().effects;
+  const std::vector<Chosen>& chosen = climb.chosen();
+  const std::size_t already = all.size() - chosen.size();
+  std::vector<std::vector<MadeFit>> tried;
+  for (const Rung& rung : ladder) {
+    for (std::size_t k = 0; k < chosen.size(); ++k) {
+      const PlacedEffect& own = all[already + k];
+      if (own.effect->name() != leading_kind(rung)) continue;
+      if (own.where == rung.where) tried.push_back(chosen[k].tried);
+    }
+  }
+  return tried;
 }
 
 // The error ladder of the FRFs that a fitter has, and the fit at its top.
@@ -312,6 +311,8 @@ Climbed climbed(const Fitter& fitter,
   const Fit likeliest =
       likeliest_fit(found, fitter, {data, options.floor_noise});
   result.ladder = climb.ladder(likeliest, last);
+  result.rivals = {
+      as_made(found), tried_for(result.ladder, climb), climb.passed_over()};
   result.candidates = climb.candidates();
   result.next = next_measurements(found, result.ladder, fitter, last);
   lead_with_ladder(result.candidates,
@@ -328,7 +329,8 @@ Climbed climbed(const Fitter& fitter,
   set_verdict(fitter.setting().measured.level,
               held_back(options.properties, fitted),
               result);
-  if (result.verdict == "none" && climb.is_left_to_the_mesh()) {
+  if (result.verdict == "none" &&
+      is_left_to_the_mesh(result.error_best, options)) {
     result.warnings.push_back(fmt::format(
         "{:.3g} is left, far above the noise ({:.3g}) and below what the mesh "
         "may explain (the floor is {:.3g}): an effect may hide there, and the "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/foundation/dof.hpp"
+#include "updating/diagnosis/rivals.hpp"
 #include "updating/effects/effect_ref.hpp"
 #include "updating/fit/estimate.hpp"
 #include "updating/fit/rung.hpp"
@@ -35,11 +36,6 @@ struct Candidate {
   std::vector<EffectRef> indistinguishable_from;
 };
 
-/// What an effect must lower the error to, as a share of what it was. Mesh and
-/// model form leave errors of a few percent that some effect can always shave a
-/// little.
-inline constexpr double worth_it = 0.85;
-
 /// What the sheet says wrongly.
 struct SetUpMistake {
   std::string mistake;  ///< catalogue name, for example "point-mislabelled"
@@ -47,6 +43,17 @@ struct SetUpMistake {
   double probability = 0.0;
   double error = 0.0;  ///< relative FRF error with it put right
   std::string edit;    ///< what to correct, see sheet_edits()
+};
+
+/// What becomes of a verdict when something that was assumed is changed.
+struct Robustness {
+  std::string change;  ///< "prior of E:1 doubled"
+  std::string verdict;
+  bool verdict_stands = true;
+  std::vector<Estimate> parameters;  ///< of the ladder, as "EFFECT NAME"
+  /// How far the farthest of them moved, in standard deviations of the
+  /// diagnosis; 0 where there are none.
+  double largest_move_sd = 0.0;
 };
 
 struct Diagnosis {
@@ -69,6 +76,8 @@ struct Diagnosis {
   std::vector<NextMeasurement> next;
   std::vector<SetUpMistake> set_up;  ///< of the ladder, put right there
   std::vector<std::string> warnings;
+  Rivals rivals = {};
+  std::vector<Robustness> robustness = {};  ///< where it was asked for
 };
 
 /// Whether that measurement would show which of the two it is: they differ by

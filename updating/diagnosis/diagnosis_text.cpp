@@ -34,6 +34,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate,
                                    indistinguishable_from)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Rung, added, where, error, parameters, probability, alike, stopped_after)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    MadeFit, effects, sizes, factor, zeta, zeta_other, places, kind_share)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rivals, found, instead, besides)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    Robustness, change, verdict, verdict_stands, parameters, largest_move_sd)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    verdict,
                                    error_base,
@@ -48,7 +53,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    model_parameters,
                                    next,
                                    set_up,
-                                   warnings)
+                                   warnings,
+                                   rivals,
+                                   robustness)
 
 std::optional<std::string> as_text(const Diagnosis& diagnosis) {
   try {

@@ -25,7 +25,7 @@ std::optional<Point> look(const Fit& fit,
   const ModelResponse response =
       fit.model->respond(result.state, target.s, true);
   if (!response.H.allFinite()) return std::nullopt;
-  const VectorXd r = stack(target, response.H - target.H);
+  const VectorXd r = residual(target, response.H);
   for (std::size_t k = 0; k < response.dH.size(); ++k) {
     result.jacobian.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }
@@ -34,8 +34,9 @@ std::optional<Point> look(const Fit& fit,
       form_error(form_bias(*fit.model, result.state, target));
   const VectorXd off = theta - result.prior.mean;
   const auto estimate = [&](const Readjustment& fitted) {
-    return estimate_form(
-        view(form, r, fitted), judgement.data, judgement.noise);
+    FormView seen = view(form, r, fitted);
+    seen.allowance = fit.form.allowance;
+    return estimate_form(seen, judgement.data, judgement.noise);
   };
   return Point{theta,
                estimate({}).log_likelihood - 0.5 * free.pull.dot(off),

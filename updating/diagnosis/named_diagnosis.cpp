@@ -1,6 +1,7 @@
 #include "updating/diagnosis/named_diagnosis.hpp"
 
 #include "updating/fit/held_back.hpp"
+#include "updating/search/screened.hpp"
 
 #include <fmt/format.h>
 

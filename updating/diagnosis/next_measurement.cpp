@@ -99,6 +99,8 @@ std::optional<NextMeasurement> next_measurement(const Fit& a,
                                                 const Fitter& fitter) {
   const effects::Setting& setting = fitter.setting().setting;
   const Target& target = fitter.target();
+  // Of modes it is not known how they were measured.
+  if (setting.bundle->runs.empty()) return std::nullopt;
   const Plan plan = plan_for(a, setting);
   if (plan.frfs.frfs.empty()) return std::nullopt;
   const auto now = [&target](const Fit& fit) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/diagnosis/hypotheses.hpp"
+#include "updating/search/hypotheses.hpp"
 #include "updating/fit/estimate.hpp"
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/settle_place.hpp"
+#include "updating/diagnosis/worth.hpp"
 #include "updating/fit/overall_progress.hpp"
 
 #include <algorithm>
@@ -10,11 +11,6 @@
 #include <set>
 
 namespace tapfit::updating {
-
-const double look_alike = std::log(20.0);
-const double very_strong = std::log(150.0);
-const double at_floor = 1.3;
-const double clear_of_floor = 3.0;
 
 namespace {
 
@@ -29,23 +25,6 @@ constexpr int many_joints = 80;
 // An effect found again, or a weaker one put first, must be this much better
 // to take the place.
 constexpr double better = 0.98;
-
-// Whether two explanations say the same of all that was measured. Their
-// evidence may still differ by the number of places that were looked at.
-bool predict_alike(const Hypothesis& a, const Hypothesis& b) {
-  constexpr double same = 0.1;
-  const Eigen::VectorXd& ra = a.fit.result.residual;
-  const Eigen::VectorXd& rb = b.fit.result.residual;
-  return ra.size() == rb.size() && ra.size() > 0 &&
-         (ra - rb).norm() <= same * std::min(ra.norm(), rb.norm());
-}
-
-// A law with more parameters may contain the simpler one.
-bool is_rival(const Hypothesis& other, const Hypothesis& of) {
-  const double apart = std::abs(other.log_evidence - of.log_evidence);
-  return apart <= look_alike || (other.own().p.size() <= of.own().p.size() &&
-                                 predict_alike(other, of));
-}
 
 // Of the kind of one the one that leaves least, with as many parameters: what a
 // second effect would explain looks like an error of form to the evidence,
@@ -71,90 +50,8 @@ std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
 
 }  // namespace
 
-// A kind is as probable as all its places together. A law with more parameters
-// at the same place contains the simpler one and is no rival of it unless its
-// evidence is better.
-std::string group_name(const Round& round, std::size_t of) {
-  struct Kind {
-    std::string name;
-    double probability = 0.0;
-    bool alike = false;  // one of its places says the same
-  };
-  const Hypothesis& own = round.hypotheses[of];
-  std::vector<Kind> kinds{{own.own().effect->name()}};
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const Hypothesis& h = round.hypotheses[k];
-    const bool contains = h.own().where == own.own().where &&
-                          h.own().p.size() > own.own().p.size();
-    if (contains) continue;
-    const std::string name = h.own().effect->name();
-    auto it = std::ranges::find(kinds, name, &Kind::name);
-    if (it == kinds.end()) it = kinds.insert(kinds.end(), {name});
-    it->probability += round.probability[k + 1];
-    it->alike =
-        it->alike || (k != of && h.own().p.size() <= own.own().p.size() &&
-                      predict_alike(h, own));
-  }
-  const double least = kinds.front().probability * std::exp(-look_alike);
-  std::erase_if(kinds, [&](const Kind& kind) {
-    return &kind != &kinds.front() && !kind.alike && kind.probability <= least;
-  });
-  std::stable_sort(
-      kinds.begin() + 1, kinds.end(), [](const Kind& a, const Kind& b) {
-        return a.probability > b.probability;
-      });
-  std::string group = kinds.front().name;
-  for (std::size_t k = 1; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
-    group += "|" + kinds[k].name;
-  }
-  return group;
-}
-
-std::vector<EffectRef> look_alikes(const Round& round, std::size_t of) {
-  std::vector<EffectRef> alike;
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const Hypothesis& other = round.hypotheses[k];
-    if (k == of || !is_rival(other, round.hypotheses[of])) continue;
-    alike.push_back({other.own().effect->name(), other.own().where});
-  }
-  return alike;
-}
-
-namespace {
-
-// What is not known of a place widens what is said of the size: around it, as
-// it was settled, and over all grids that were fitted, as probable as they are.
-std::vector<double> place_sd(const Round& round, std::size_t of) {
-  const Hypothesis& own = round.hypotheses[of];
-  std::vector<double> sd = own.place_sd;
-  if (!is_at_grid(own.own().where)) return sd;
-  sd.resize(own.own().p.size());
-  std::vector<double> square(sd.size());
-  double weight = 0.0;
-  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const PlacedEffect& other = round.hypotheses[k].own();
-    if (other.effect != own.own().effect ||
-        other.where.variant != own.own().where.variant) {
-      continue;
-    }
-    const double w = round.probability[k + 1];
-    weight += w;
-    for (std::size_t j = 0; j < sd.size(); ++j) {
-      square[j] += w * std::pow(std::log(other.p[j] / own.own().p[j]), 2);
-    }
-  }
-  for (std::size_t j = 0; j < sd.size(); ++j) {
-    sd[j] = std::max(sd[j], std::sqrt(square[j] / std::max(weight, 1e-300)));
-  }
-  return sd;
-}
-
-}  // namespace
-
 RungSearch::RungSearch(const Fitter& fitter, const DiagnoseOptions& options)
-    : fitter_(&fitter),
-      options_(options),
-      explained_(at_floor * options.floor) {}
+    : fitter_(&fitter), options_(options) {}
 
 Chosen RungSearch::as_chosen(const Round& round, std::size_t of) const {
   return {group_name(round, of),
@@ -164,7 +61,8 @@ Chosen RungSearch::as_chosen(const Round& round, std::size_t of) const {
                        round.hypotheses[of].own(),
                        options_.floor,
                        fitter_->setting().setting),
-          place_sd(round, of)};
+          place_sd(round, of),
+          strongest_of(round, of)};
 }
 
 // How sure an effect is among all that was tried with it, none included; as
@@ -348,12 +246,7 @@ Fit RungSearch::prune(Fit fit,
     const double noise = options_.floor_noise;
     const double gain = log_evidence(fit, own, 1.0, data, noise) -
                         log_evidence(rest, 0.0, 1.0, data, noise);
-    // Once an effect has moved to its right place, it may explain alone what
-    // another was added for. Far below a floor that is the mesh's both may be
-    // there.
-    const bool alone = rest.result.error <= explained_ &&
-                       clear_of_floor * fit.result.error > rest.result.error;
-    if (gain < very_strong || alone) {
+    if (is_superfluous(gain, fit.result.error, rest.result.error, options_)) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "updating/diagnosis/diagnose_options.hpp"
-#include "updating/diagnosis/hypotheses.hpp"
 #include "updating/diagnosis/patch_extent.hpp"
+#include "updating/diagnosis/rivals.hpp"
+#include "updating/diagnosis/round.hpp"
 #include "updating/effects/effect_ref.hpp"
 
 #include <optional>
@@ -12,14 +13,6 @@
 #include <vector>
 
 namespace tapfit::updating {
-
-/// What was found on one rung.
-struct Round {
-  std::vector<Hypothesis> hypotheses;  ///< strongest evidence first
-  std::vector<double> probability;     ///< of none, then of each hypothesis
-  double none_evidence = 0.0;
-  double data = 1.0;  ///< independent data that the evidence counts
-};
 
 /// An effect that is in the model, as the round that chose it saw it.
 struct Chosen {
@@ -29,27 +22,8 @@ struct Chosen {
   /// Of a patch that is not the only one.
   std::optional<PatchExtent> extent = {};
   std::vector<double> place_sd = {};  ///< see Hypothesis
+  std::vector<MadeFit> tried = {};    ///< itself first, see Rivals
 };
-
-/// Explanations closer than this in log evidence are not told apart: 20 : 1,
-/// where "positive" evidence ends on Kass and Raftery's scale.
-extern const double look_alike;
-/// "Very strong" evidence on that scale, 150 : 1.
-extern const double very_strong;
-/// A fit within this factor of the floor leaves nothing to explain.
-extern const double at_floor;
-/// Beyond this times the floor there is surely more than one rung can explain,
-/// and what an effect below the mesh's floor must be better by to be believed.
-extern const double clear_of_floor;
-
-/// Its kind and those that are not told apart from it, joined with "|"; at most
-/// three.
-[[nodiscard]] std::string group_name(const Round& round, std::size_t of);
-
-/// The other hypotheses that are not told apart from one: their evidence is, or
-/// they say the same of all that was measured with no more parameters.
-[[nodiscard]] std::vector<EffectRef> look_alikes(const Round& round,
-                                                 std::size_t of);
 
 class RungSearch {
  public:
@@ -115,7 +89,6 @@ class RungSearch {
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
-  double explained_;  // an error at which nothing is left to explain
 };
 
 }  // namespace tapfit::updating

@@ -1,6 +1,6 @@
 #include "updating/diagnosis/set_verdict.hpp"
 
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/worth.hpp"
 #include "updating/fit/held_back.hpp"
 
 #include <fmt/format.h>

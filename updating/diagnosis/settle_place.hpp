@@ -11,7 +11,7 @@
 // more are worth it.
 #pragma once
 
-#include "updating/diagnosis/hypotheses.hpp"
+#include "updating/search/hypotheses.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
 
 namespace tapfit::updating {

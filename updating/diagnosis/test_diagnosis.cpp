@@ -9,12 +9,9 @@
 
 namespace tapfit::updating {
 
-Diagnosis diagnose_test(const FitGround& ground,
-                        const Fit& current,
-                        const Comparison& base,
-                        const MeasuredTest& test,
-                        const std::vector<std::string>& of_model,
-                        const Progress& progress) {
+DiagnoseOptions options_of_test(const FitGround& ground,
+                                const Comparison& base,
+                                const MeasuredTest& test) {
   DiagnoseOptions options;
   options.floor = std::hypot(base.floor_noise, base.floor_mesh);
   options.floor_noise = base.floor_noise;
@@ -22,14 +19,29 @@ Diagnosis diagnose_test(const FitGround& ground,
   options.properties = ground.properties;
   options.modes_in_band =
       std::max(1, static_cast<int>(test.modes.modes.size()));
-  Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
+  return options;
+}
+
+Diagnosis diagnose_test(const FitGround& ground,
+                        const Fit& current,
+                        const Comparison& base,
+                        const MeasuredTest& test,
+                        const std::vector<std::string>& of_model,
+                        const Progress& progress) {
+  Diagnosis d = diagnose(*ground.fitter,
+                         current.effects,
+                         options_of_test(ground, base, test),
+                         progress);
   // Nothing fitted yet: the base is the deck as it is.
   if (current.result.history.empty()) d.error_base = base.error;
   if (const auto& shifts = test.modes.shifts; modal::is_telling(shifts)) {
     d.warnings.push_back(modal::statement(
         *shifts, acquisition::channel_names(*test.setting.bundle)));
   }
-  d.warnings.insert(d.warnings.end(), of_model.begin(), of_model.end());
+  for (const std::string& warning : of_model) {
+    if (std::ranges::count(d.warnings, warning) > 0) continue;
+    d.warnings.push_back(warning);
+  }
   return d;
 }
 

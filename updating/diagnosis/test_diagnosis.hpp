@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/comparison/comparison.hpp"
+#include "updating/diagnosis/diagnose_options.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/fit_ground.hpp"
 
@@ -10,6 +11,11 @@
 #include <vector>
 
 namespace tapfit::updating {
+
+/// How thoroughly it looks, and what it knows of the error.
+[[nodiscard]] DiagnoseOptions options_of_test(const FitGround& ground,
+                                              const Comparison& base,
+                                              const MeasuredTest& test);
 
 /// @param current the model's fit; with nothing added the ground's base
 /// @param base the comparison of the deck as it is

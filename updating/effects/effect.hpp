@@ -164,6 +164,12 @@ class Effect {
   [[nodiscard]] virtual bool is_lossless(std::size_t /*k*/) const {
     return false;
   }
+  /// Whether undamped frequencies and shapes tell of it: it changes stiffness
+  /// or mass, and neither damps nor sits in a channel.
+  [[nodiscard]] bool shows_in_modes() const {
+    const bool point = entry() == Entry::LowRank && is_lossless(0);
+    return point || changes_stiffness().has_value();
+  }
   /// d law / d p_k.
   [[nodiscard]] virtual std::complex<double> law_derivative(
       std::complex<double> s,

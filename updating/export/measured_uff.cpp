@@ -69,9 +69,9 @@ void write_recorded_uff(Session& session,
                         const Progress& progress) {
   const acquisition::TestBundle& bundle = session.bundle();
   if (bundle.runs.empty()) {
-    throw InputError("the bundle holds ready FRFs and no recording",
+    throw InputError("the bundle holds no recording",
                      bundle.folder.string(),
-                     "write its FRFs with --uff");
+                     "write its FRFs or modes with --uff");
   }
   acquisition::OutputFile file(path);
   write_uff_records(bundle, encoding, file.stream(), progress);

@@ -9,6 +9,7 @@ std::vector<std::filesystem::path> inputs_of(
   std::vector<std::filesystem::path> inputs{bundle.file, session_file(bundle)};
   for (const acquisition::Run& run : bundle.runs) inputs.push_back(run.file);
   if (bundle.frfs) inputs.push_back(*bundle.frfs);
+  if (bundle.modes) inputs.push_back(bundle.modes->file);
   if (bundle.geometry) inputs.push_back(bundle.geometry->file);
   if (bundle.matrices) {
     const acquisition::MatrixModel& given = *bundle.matrices;

@@ -1,8 +1,12 @@
 #include "updating/fit/fit_ground.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "updating/fit/mesh_error.hpp"
+#include "updating/measurement/bundle_modes.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +14,89 @@
 
 namespace tapfit::updating {
 namespace {
+
+// Those of shapes need no residual vectors: one keeps the base small.
+MeasuredPoints tested_points(const structure::Deck& deck,
+                             const acquisition::TestBundle& bundle) {
+  if (!bundle.modes) return measured_points(deck, bundle);
+  MeasuredPoints points;
+  for (const Dof& dof : read_bundle_modes(bundle).dofs) {
+    points.all.push_back(6 * static_cast<int>(deck.grid_index(dof.node)) +
+                         dof.component - 1);
+  }
+  std::ranges::sort(points.all);
+  if (!points.all.empty()) points.driven = {points.all.front()};
+  return points;
+}
+
+// Pairs by hand, with the deck's modes. Without a partner: left out.
+// @return the measured modes that stay
+std::vector<Eigen::Index> take_pairs(const std::vector<PairByHand>& by_hand,
+                                     Eigen::Index model_modes,
+                                     ModalData& data) {
+  constexpr double near = 0.02;
+  std::vector<bool> stays(static_cast<std::size_t>(data.modes()), true);
+  for (const PairByHand& pair : by_hand) {
+    Eigen::Index r = 0;
+    const double off =
+        (data.frequency_hz.array() - pair.measured_hz).abs().minCoeff(&r);
+    if (off > near * pair.measured_hz || pair.model >= model_modes) continue;
+    if (pair.model >= 0) data.fixed.emplace_back(r, pair.model);
+    stays[static_cast<std::size_t>(r)] = pair.model >= 0;
+  }
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index r = 0; r < data.modes(); ++r) {
+    if (stays[static_cast<std::size_t>(r)]) kept.push_back(r);
+  }
+  return kept;
+}
+
+std::vector<Eigen::Index> without(const std::vector<Eigen::Index>& foreign,
+                                  Eigen::Index all) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index r = 0; r < all; ++r) {
+    if (std::ranges::count(foreign, r) == 0) kept.push_back(r);
+  }
+  return kept;
+}
+
+// Leaves out what the base model has no mode like.
+void settle_modes(const BaseBuilder& builder,
+                  const std::vector<PairByHand>& by_hand,
+                  FitSetting& setting) {
+  const std::string file =
+      setting.setting.bundle->modes->file.filename().string();
+  const FrfModel model(
+      builder.build({}, {}), setting.setting, setting.measured, setting.modes);
+  const auto [omega, at_points] = model.modes_at_points();
+  ModalData data = *setting.modes;
+  data = data.only(take_pairs(by_hand, omega.size(), data));
+  const std::vector<Eigen::Index> foreign =
+      foreign_modes(data, omega, at_points);
+  for (const Eigen::Index r : foreign) {
+    setting.measured.statements.push_back(fmt::format(
+        "the measured mode at {:.6g} Hz is left out of fits: the model has no "
+        "mode whose shape is alike",
+        data.frequency_hz(r)));
+  }
+  data = data.only(without(foreign, data.modes()));
+  if (data.modes() == 0) {
+    throw InputError("no measured shape is like one of the model's",
+                     file,
+                     "check the points' grids and directions");
+  }
+  if (omega.size() < data.modes()) {
+    throw InputError(
+        fmt::format("there are more measured modes ({}) than the model has "
+                    "({})",
+                    data.modes(),
+                    omega.size()),
+        file,
+        "leave those out that the model cannot have, by band_hz");
+  }
+  setting.modes = std::make_shared<const ModalData>(std::move(data));
+  setting.targets = {make_target(*setting.modes)};
+}
 
 // Largest refined model that is solved without being asked for.
 constexpr std::size_t refined_grid_limit = 12000;
@@ -23,7 +110,7 @@ SolvedModel solve_model(const structure::Deck& deck,
   BaseOptions options;
   options.high_hz = high_hz;
   options.cache = user_cache();
-  const MeasuredPoints points = measured_points(deck, bundle);
+  const MeasuredPoints points = tested_points(deck, bundle);
   options.points = points.all;
   options.driven = points.driven;
   const bool has_mesh = (!deck.shells.empty() || !deck.bars.empty()) &&
@@ -48,6 +135,9 @@ FitGround prepare_fits(const SolvedModel& model,
                     std::back_inserter(setting.uncertain_sd));
   ground.contour = setting.contour;
   ground.properties = property_names(*test.setting.bundle, *test.setting.deck);
+  if (setting.modes) {
+    settle_modes(model.builder, test.measurement.choices().pairs, setting);
+  }
   ground.fitter = std::make_unique<Fitter>(model.builder, std::move(setting));
   progress("comparison: base model", 0.5);
   const Fitter& fitter = *ground.fitter;

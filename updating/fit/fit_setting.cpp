@@ -1,9 +1,11 @@
 #include "updating/fit/fit_setting.hpp"
 
+#include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/measurement/place_points.hpp"
 #include "updating/properties/uncertain_property.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,6 +32,43 @@ double typical_damping(const modal::ModeSet& modes) {
   return std::clamp(*middle, 1e-4, 0.2);
 }
 
+// Where something was measured: by sensors, or at the points of shapes.
+std::vector<Dof> sensed_dofs(const acquisition::TestBundle& bundle) {
+  if (bundle.modes) return read_bundle_modes(bundle).dofs;
+  std::vector<Dof> dofs;
+  for (const acquisition::Run& run : bundle.runs) {
+    for (const acquisition::Placement& p : run.sensors) dofs.push_back(p.dof);
+  }
+  return dofs;
+}
+
+// The axis across which a plate, a frame or a wing is thin: its first modes
+// move along it.
+int thinnest_axis(const structure::Deck& deck) {
+  Eigen::AlignedBox3d box;
+  for (const structure::Grid& grid : deck.grids) {
+    if (!grid.scalar) box.extend(grid.position);
+  }
+  Eigen::Index axis = 2;
+  if (!box.isEmpty()) box.sizes().minCoeff(&axis);
+  return static_cast<int>(axis) + 1;
+}
+
+// What of a test modes alone do not tell.
+constexpr const char* untold_by_modes =
+    "the test consists of modes: gains, delays and polarities of channels, "
+    "noise, dampers, absorbers and non-linearity cannot be told from them, nor "
+    "stiffness and mass that grow together";
+
+std::string data_in_words(const modal::ModeSet& modes) {
+  if (modes.dofs.size() < 2) {
+    return fmt::format("{} frequencies, no shapes", modes.modes.size());
+  }
+  return fmt::format("{} frequencies and shapes at {} points",
+                     modes.modes.size(),
+                     modes.dofs.size());
+}
+
 // The basic axis that a measured translation is mostly along, 1..3.
 int basic_component(const structure::Deck& deck, const Dof& dof) {
   Eigen::Index axis = 0;
@@ -42,12 +81,11 @@ int basic_component(const structure::Deck& deck, const Dof& dof) {
 int measured_component(const acquisition::TestBundle& bundle,
                        const structure::Deck& deck) {
   std::array<int, 4> votes{};
-  for (const acquisition::Run& run : bundle.runs) {
-    for (const acquisition::Placement& p : run.sensors) {
-      if (p.dof.component <= 3) {
-        ++votes.at(static_cast<std::size_t>(basic_component(deck, p.dof)));
-      }
-    }
+  const std::vector<Dof> sensed = sensed_dofs(bundle);
+  if (sensed.empty()) return thinnest_axis(deck);
+  for (const Dof& dof : sensed) {
+    if (dof.component > 3) continue;
+    ++votes.at(static_cast<std::size_t>(basic_component(deck, dof)));
   }
   return static_cast<int>(std::max_element(votes.begin() + 1, votes.end()) -
                           votes.begin());
@@ -61,10 +99,10 @@ std::vector<int> tested_components(const acquisition::TestBundle& bundle,
       found.insert(basic_component(deck, dof));
     }
   };
-  for (const acquisition::Run& run : bundle.runs) {
-    take(run.hammer.dof);
-    for (const acquisition::Placement& p : run.sensors) take(p.dof);
-  }
+  for (const acquisition::Run& run : bundle.runs) take(run.hammer.dof);
+  for (const Dof& dof : sensed_dofs(bundle)) take(dof);
+  // Frequencies alone see what moves along any axis.
+  if (found.empty() && bundle.modes) return {1, 2, 3};
   return {found.begin(), found.end()};
 }
 
@@ -97,6 +135,14 @@ FitSetting fit_setting(const MeasuredTest& test,
   }
   // What effects may be is scaled by the lines that they are seen on.
   fit.setting.low_hz = band[0];
+  if (bundle.modes) {
+    fit.modes = std::make_shared<const ModalData>(modal_data(test.modes));
+    fit.targets.push_back(make_target(*fit.modes));
+    fit.contour = data_in_words(test.modes);
+    fit.measured.statements = test.modes.warnings;
+    fit.measured.statements.emplace_back(untold_by_modes);
+    return fit;
+  }
   const double block_s = test.measurement.block_s();
   for (const double delta : {wide_delta, report_delta}) {
     DampedLineOptions options;

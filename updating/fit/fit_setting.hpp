@@ -26,7 +26,8 @@ struct MeasuredTest {
 [[nodiscard]] std::vector<PropertyName> property_names(
     const acquisition::TestBundle& bundle, const structure::Deck& deck);
 
-/// The basic direction, 1..3, that most sensors measure, or nearly.
+/// The basic direction, 1..3, that most sensors measure, or nearly; of
+/// frequencies alone that across which the structure is thinnest.
 [[nodiscard]] int measured_component(const acquisition::TestBundle& bundle,
                                      const structure::Deck& deck);
 

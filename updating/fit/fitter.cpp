@@ -52,6 +52,12 @@ std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
 Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
     : builder_(&builder), setting_(std::move(setting)) {}
 
+Fitter Fitter::with(FitSetting setting) const {
+  Fitter other = *this;
+  other.setting_ = std::move(setting);
+  return other;
+}
+
 void Fitter::set_mesh(const BaseBuilder& coarser,
                       std::size_t factors,
                       const Eigen::VectorXd& bias) {
@@ -65,6 +71,7 @@ const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   const std::scoped_lock lock(places_->mutex);
   const auto [it, fresh] = places_->of.try_emplace(&effect);
   if (fresh) {
+    if (setting_.modes && !effect.shows_in_modes()) return it->second;
     it->second = effect.places(setting_.setting);
     const bool anywhere =
         dynamic_cast<const effects::PointEffect*>(&effect) != nullptr ||
@@ -89,7 +96,8 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
   }
   auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
                                           setting_.setting,
-                                          setting_.measured);
+                                          setting_.measured,
+                                          setting_.modes);
   model->set_reference(first_state(*model, effects));
   if (coarser_ != nullptr && use == BaseUse::Fit) {
     model->set_coarser(coarser_for(effects));
@@ -103,7 +111,8 @@ ModelState Fitter::first_state(const FrfModel& model,
   state.factor.assign(setting_.uncertain_sd.size(), 1.0);
   state.effects = effects;
   state.zeta_other = setting_.damping_ratio;
-  if (state.damping_law() != nullptr) return state;
+  // Modes say nothing of what their damping does to others.
+  if (state.damping_law() != nullptr || setting_.modes) return state;
   const Eigen::VectorXd omega = model.base_modes(state).omega;
   const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
   const auto in_band = (omega.array() < top).count();
@@ -281,6 +290,7 @@ namespace {
 
 // A residue of every mode in every FRF, and its pole.
 double data_of(const Target& target, const ModelState& state) {
+  if (target.is_modal()) return effective_data(target);
   const double frfs =
       std::accumulate(target.use.begin(), target.use.end(), 0.0);
   const double modes = std::max(1.0, static_cast<double>(state.zeta.size()));
@@ -294,7 +304,8 @@ Eigen::MatrixXd form_bias(const FrfModel& model,
                           const Target& target) {
   const std::vector<Eigen::MatrixXcd> patterns =
       model.form_patterns(state, target.s);
-  Eigen::MatrixXd F(2 * target.H.size(), static_cast<Index>(patterns.size()));
+  const Index rows = residual(target, target.H).size();
+  Eigen::MatrixXd F(rows, static_cast<Index>(patterns.size()));
   for (std::size_t k = 0; k < patterns.size(); ++k) {
     F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
   }
@@ -392,6 +403,7 @@ class Fitter::Course {
     const Eigen::VectorXd& r = fit.result.residual;
     const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
     fit.form = view(form_error(F), r, readjustment(fit.result));
+    fit.form.allowance = fitter_->setting_.form_allowance;
     const FormEstimate form =
         estimate_form(fit.form, data_of(target, state), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
@@ -514,7 +526,10 @@ double Fitter::held_out_error(const Fit& fit,
                               int folds,
                               const Progress& progress) const {
   const Target& whole = target();
-  std::set<std::size_t> runs(whole.run.begin(), whole.run.end());
+  std::set<std::size_t> runs;
+  for (std::size_t f = 0; f < whole.run.size(); ++f) {
+    if (whole.use[f] > 0.0) runs.insert(whole.run[f]);
+  }
   const int groups = std::min<int>(folds, static_cast<int>(runs.size()));
   if (groups < 2) return fit.result.error;
   const Prior prior = prior_for(*fit.model, fit.result.state);
@@ -528,8 +543,8 @@ double Fitter::held_out_error(const Fit& fit,
       const bool out = position++ % groups == group;
       for (std::size_t f = 0; f < whole.run.size(); ++f) {
         if (whole.run[f] != run) continue;
-        training.use[f] = out ? 0.0 : 1.0;
-        test.use[f] = out ? 1.0 : 0.0;
+        training.use[f] = out ? 0.0 : whole.use[f];
+        test.use[f] = out ? whole.use[f] : 0.0;
       }
     }
     MinimiseOptions options;

@@ -31,11 +31,14 @@ namespace tapfit::updating {
 struct FitSetting {
   effects::Setting setting;
   std::vector<Target> targets;
-  signal::FrfSet measured;           ///< on the last target's line
+  signal::FrfSet measured;  ///< on the last target's line
+  /// In place of FRFs, or null: then there is one target.
+  std::shared_ptr<const ModalData> modes = nullptr;
   std::string contour;               ///< the last target's line, in words
   std::vector<double> uncertain_sd;  ///< of ln factor
   double damping_ratio = 0.01;       ///< typical, as identified
   double damping_spread = 0.5;       ///< prior sd of ln zeta
+  double form_allowance = 1.0;       ///< see FormView
 };
 
 struct Fit {
@@ -65,6 +68,10 @@ struct Fit {
 class Fitter {
  public:
   Fitter(const BaseBuilder& builder, FitSetting setting);
+
+  /// The same model under another setting: other priors, fewer runs in use.
+  /// @param setting with as many uncertain properties, on the same lines
+  [[nodiscard]] Fitter with(FitSetting setting) const;
 
   /// Model whose base holds the points and supports of all effects given.
   [[nodiscard]] std::shared_ptr<const FrfModel> model_for(

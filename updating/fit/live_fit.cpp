@@ -75,6 +75,7 @@ LiveFit live_fit(const FitMoment& moment, std::optional<std::size_t> frf) {
   LiveFit live;
   live.error = moment.step.error;
   live.parameters = parameters(moment);
+  if (moment.target.is_modal()) return live;  // modes are no curve
   live.frf = frf.value_or(worst_frf(moment));
   const auto column = static_cast<Index>(live.frf);
   live.frequency_hz = moment.target.s.imag() / (2.0 * std::numbers::pi);

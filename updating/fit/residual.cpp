@@ -9,6 +9,13 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
+namespace {
+
+// Of modes: as many readings as told how they scatter.
+constexpr double known_scatter = 10.0;
+
+}  // namespace
+
 double Target::count() const {
   return std::accumulate(use.begin(), use.end(), 0.0) *
          static_cast<double>(s.size());
@@ -29,6 +36,26 @@ Target make_target(const signal::FrfSet& measured) {
   }
   target.weight =
       target.H.cwiseAbs2().rowwise().mean().cwiseSqrt().cwiseMax(1e-300);
+  return target;
+}
+
+Target make_target(const ModalData& measured) {
+  const Index p = measured.modes();
+  const Index n = measured.points();
+  Target target;
+  target.s = std::complex<double>(0.0, 2.0 * std::numbers::pi) *
+             measured.frequency_hz.cast<std::complex<double>>();
+  target.H = measured.response().cast<std::complex<double>>();
+  target.weight = Eigen::VectorXd::Ones(p);
+  target.run.assign(static_cast<std::size_t>(1 + n), 0);
+  target.use.assign(static_cast<std::size_t>(1 + n), 1.0);
+  target.modal_sd = measured.sd;
+  // A shape's factor is fitted and takes one of its values.
+  const double of_shapes =
+      n > 0 ? static_cast<double>(n - 1) / static_cast<double>(n) : 0.0;
+  target.variance.setConstant(p, 1 + n, of_shapes);
+  target.variance.col(0).setOnes();
+  target.variance *= measured.sd * measured.sd;
   return target;
 }
 
@@ -75,7 +102,8 @@ Eigen::VectorXd stack(const Target& target,
   const Index lines = target.s.size();
   const Index frfs = target.H.cols();
   const double scale = 1.0 / std::sqrt(std::max(target.count(), 1.0));
-  Eigen::VectorXd r(2 * lines * frfs);
+  Eigen::VectorXd r =
+      Eigen::VectorXd::Zero(2 * lines * frfs + (target.is_modal() ? 1 : 0));
   Index at = 0;
   for (Index f = 0; f < frfs; ++f) {
     const double use = scale * target.use[static_cast<std::size_t>(f)];
@@ -90,7 +118,24 @@ Eigen::VectorXd stack(const Target& target,
   return r;
 }
 
+Eigen::VectorXd residual(const Target& target, const Eigen::MatrixXcd& H) {
+  Eigen::VectorXd r = stack(target, H - target.H);
+  if (target.is_modal()) {
+    r(r.size() - 1) =
+        target.modal_sd * std::sqrt(known_scatter / target.count());
+  }
+  return r;
+}
+
+double error_of(const Target& target, const Eigen::VectorXd& residual) {
+  return residual.head(2 * target.H.size()).norm();
+}
+
 double effective_data(const Target& target) {
+  if (target.is_modal()) {
+    const Index values = std::max<Index>(target.H.cols() - 1, 1);
+    return static_cast<double>(target.s.size() * values) + known_scatter;
+  }
   // The transform on a damped line is smoothed by a Lorentzian of half width
   // sigma, whose equivalent width is pi sigma.
   double lines = 0.0;

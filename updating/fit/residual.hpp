@@ -5,10 +5,17 @@
 //
 // so that ||r|| is the relative FRF error (root mean square over all FRFs and
 // lines).
+//
+// Of measured modes (modal_data.hpp) a line is a mode, its "FRFs" are its
+// frequency and its shape's values, and ||r|| is the root mean square of all of
+// them in units of sd, times sd: an error of frequencies. They are few and how
+// they scatter is stated, so that what that says of the residual's variance
+// counts as some data more, the last entry of the residual.
 #pragma once
 
 #include "signal/frf_set/frf_set.hpp"
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/frf_model/modal_data.hpp"
 
 #include <Eigen/Core>
 
@@ -24,15 +31,19 @@ struct Target {
   Eigen::VectorXd weight;        ///< w_l
   std::vector<std::size_t> run;  ///< of each FRF
   std::vector<double> use;       ///< 1, or 0 for an FRF that is left out
+  /// Of modes what all data scatter by, relative; 0: FRFs.
+  double modal_sd = 0.0;
   /// What the mesh may be off by, as a residual of stack(); empty: not known.
   Eigen::VectorXd mesh_bias = {};
   /// What the deck's form may add to stack(), a column for each deviation.
   Eigen::MatrixXd form_bias = {};
 
   [[nodiscard]] double count() const;
+  [[nodiscard]] bool is_modal() const { return modal_sd > 0.0; }
 };
 
 [[nodiscard]] Target make_target(const signal::FrfSet& measured);
+[[nodiscard]] Target make_target(const ModalData& measured);
 
 /// Root mean square error of the FRFs in use.
 [[nodiscard]] double relative_error(const Target& target,
@@ -50,9 +61,19 @@ struct Target {
 /// Error that the scatter over hits alone would give.
 [[nodiscard]] double noise_error(const Target& target);
 
-/// Real residual, 2 lines FRFs: real parts, then imaginary ones, FRF by FRF.
+/// Real residual, 2 lines FRFs: real parts, then imaginary ones, FRF by FRF. Of
+/// modes a zero behind.
 [[nodiscard]] Eigen::VectorXd stack(const Target& target,
                                     const Eigen::MatrixXcd& difference);
+
+/// The residual of a model's response: stack() of the difference, and of modes
+/// behind it what is known of their scatter.
+[[nodiscard]] Eigen::VectorXd residual(const Target& target,
+                                       const Eigen::MatrixXcd& H);
+
+/// The relative error that a residual is.
+[[nodiscard]] double error_of(const Target& target,
+                              const Eigen::VectorXd& residual);
 
 /// Independent real data in the target: lines on a damped line overlap.
 [[nodiscard]] double effective_data(const Target& target);

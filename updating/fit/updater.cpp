@@ -51,7 +51,7 @@ class Updating {
     ModelResponse response =
         model_->respond(unpack(*like_, theta), target_->s, true);
     if (!response.H.allFinite()) return std::nullopt;
-    Residuals at{stack(*target_, response.H - target_->H), {}};
+    Residuals at{residual(*target_, response.H), {}};
     at.J.resize(at.r.size(), theta.size());
     for (std::size_t k = 0; k < response.dH.size(); ++k) {
       at.J.col(static_cast<Index>(k)) = stack(*target_, response.dH[k]);
@@ -63,10 +63,9 @@ class Updating {
   // The point is where the model was evaluated last.
   bool take(const Iterate& point) {
     const bool first = history_.empty();
-    history_.push_back({point.at.r.norm(),
-                        point.moved,
-                        point.at.r.norm() / std::sqrt(data_),
-                        point.theta});
+    const double error = error_of(*target_, point.at.r);
+    history_.push_back(
+        {error, point.moved, error / std::sqrt(data_), point.theta});
     const auto steps = static_cast<double>(history_.size() - 1);
     (*progress_)("updating", steps / options_.most_steps);
     if (first) return true;
@@ -114,7 +113,7 @@ UpdateResult update(const FrfModel& model,
   }
   Iterate& at = found->point;
   result.state = unpack(start, at.theta);
-  result.error = at.at.r.norm();
+  result.error = error_of(target, at.at.r);
   result.objective = at.objective;
   result.prior_cost = at.prior_cost;
   result.covariance = parameter_covariance(target, at.at.J, at.at.r, prior.sd);

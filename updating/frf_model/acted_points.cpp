@@ -59,8 +59,11 @@ std::vector<int> acted_points(const effects::Setting& setting,
   for (const PlacedEffect& e : effects) {
     points.merge(corrected_points(setting, test_as_done(setting, {e})));
   }
+  // A test of modes has no runs, but is done with all that acts.
+  const std::size_t runs =
+      std::max<std::size_t>(setting.bundle->runs.size(), 1);
   for (const PlacedEffect& e : effects) {
-    for (std::size_t run = 0; run < setting.bundle->runs.size(); ++run) {
+    for (std::size_t run = 0; run < runs; ++run) {
       for (const effects::ActedDof& dof :
            e.effect->acts_on(e.where, done.setting, run)) {
         // Residual vectors across the measured direction, or turning about

@@ -58,7 +58,7 @@ struct Density {
 double log_density(const FormView& v, double data, double sigma, double tau) {
   const double kappa = sigma * sigma / (data * tau * tau);
   const double volume = (v.lambda.array() / kappa).log1p().sum();
-  const double off = std::log(tau / middle_tau) / spread;
+  const double off = std::log(tau / (v.allowance * middle_tau)) / spread;
   const double g = data / (sigma * sigma);
   return -0.5 * (2.0 * data * std::log(sigma) + volume +
                  weigh(v, kappa, g).square + off * off);

@@ -45,6 +45,7 @@ struct FormView {
   Eigen::VectorXd slope;  ///< J' r
   Eigen::VectorXd precision = {};
   Eigen::VectorXd pull = {};
+  double allowance = 1.0;  ///< times what a careful deck is wrong by in form
 };
 
 /// @param F rows of stack() x patterns

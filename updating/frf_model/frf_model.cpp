@@ -65,9 +65,11 @@ double mass_change_of(const StiffnessTerm& term, const ModelState& state) {
 
 FrfModel::FrfModel(ReducedBase base,
                    const effects::Setting& setting,
-                   const signal::FrfSet& measured)
+                   const signal::FrfSet& measured,
+                   std::shared_ptr<const ModalData> modes)
     : base_(std::move(base)),
       setting_(setting),
+      modes_(std::move(modes)),
       dashpots_(structure::damping_factor(
           *setting.deck, base_.size(), [this](int dof) {
             return base_.rows.row(dof);
@@ -91,6 +93,11 @@ FrfModel::FrfModel(ReducedBase base,
     take(frf.reference);
     runs.insert(frf.run);
     pairs_.push_back(std::move(pair));
+  }
+  if (modes_) {
+    // What acts on the structure does so in all that was done with it.
+    runs.insert(0);
+    for (const Dof& dof : modes_->dofs) take(dof);
   }
   runs_.assign(runs.begin(), runs.end());
   points_.resize(base_.size(), static_cast<Index>(points.size()));

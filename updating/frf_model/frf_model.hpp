@@ -19,6 +19,7 @@
 
 #include "signal/frf_set/frf_set.hpp"
 #include "updating/frf_model/constant_changes.hpp"
+#include "updating/frf_model/modal_data.hpp"
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
@@ -41,14 +42,18 @@ namespace tapfit::updating {
 struct ModalState;
 struct RunLines;
 
-/// The model at the measured pairs of an FRF set.
+/// The model at the measured pairs of an FRF set; or, where modes were measured
+/// instead, its frequencies and shapes beside theirs: a "line" is then a mode,
+/// and the "FRFs" are its frequency and its shape's points (modal_data.hpp).
 class FrfModel {
  public:
   /// @param measured pairs (their H is not used)
+  /// @param modes measured in place of the pairs; else null
   /// @throws InputError for a measured grid that the deck does not have
   FrfModel(ReducedBase base,
            const effects::Setting& setting,
-           const signal::FrfSet& measured);
+           const signal::FrfSet& measured,
+           std::shared_ptr<const ModalData> modes = nullptr);
 
   /// @param s lines [rad/s]
   /// @param derivatives also fill ModelResponse::dH
@@ -71,6 +76,11 @@ class FrfModel {
   /// the measured runs, which gives the mean of their frequencies to first
   /// order: measured modes of several set-ups are means as well.
   [[nodiscard]] BaseModes full_modes(const ModelState& state) const;
+
+  /// The base's own modes, as the deck has them, at what was measured.
+  /// @return omega [rad/s] and shapes, points x modes
+  [[nodiscard]] std::pair<Eigen::VectorXd, Eigen::MatrixXd> modes_at_points()
+      const;
 
   /// What a deck that is wrong in form does to the FRFs, to first order: its
   /// modal stiffness off by omega_i omega_j e_ij, with e_ij symmetric and
@@ -138,6 +148,16 @@ class FrfModel {
       const ModelState& state,
       const std::vector<std::vector<double>>& sizes,
       const Eigen::VectorXcd& s) const;
+  [[nodiscard]] std::vector<PairedMode> paired(
+      const BaseModes& modes, const Eigen::MatrixXd& at_points) const;
+  [[nodiscard]] ModelResponse respond_modes(ModalState& shared,
+                                            bool derivatives) const;
+  [[nodiscard]] std::vector<Walk> walk_modes(
+      const ModelState& state,
+      const Eigen::VectorXcd& s,
+      const Eigen::MatrixXd& candidates) const;
+  [[nodiscard]] std::vector<Eigen::MatrixXcd> form_patterns_of_modes(
+      const ModelState& state) const;
   // By which parameters the modes turn, and how.
   void find_turning(ModalState& shared, double largest) const;
   [[nodiscard]] RunLines run_lines(const ModalState& shared,
@@ -151,6 +171,7 @@ class FrfModel {
 
   ReducedBase base_;
   effects::Setting setting_;
+  std::shared_ptr<const ModalData> modes_;
   std::vector<MeasuredPair> pairs_;
   Eigen::MatrixXd points_;  // r x points: signed rows of V, each once
   std::map<Dof, Eigen::Index> columns_;  // of the points

@@ -21,6 +21,7 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
     const ModelState& state,
     const VectorXcd& s,
     const MatrixXd& candidates) const {
+  if (modes_) return walk_modes(state, s, candidates);
   const ModalState shared = modal_state(state, base_modes(state));
   const MatrixXd& phi = shared.modes.phi;
   const bool same = phi.isIdentity(0.0);
@@ -101,6 +102,7 @@ std::vector<FormEntry> form_entries(const VectorXd& omega,
 
 std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
                                                const VectorXcd& s) const {
+  if (modes_) return form_patterns_of_modes(state);
   // Of the lowest line: a mode below is as good as rigid, its stiffness takes
   // less than a third of what its mass does.
   constexpr double below = 0.5;
@@ -170,6 +172,7 @@ ModelResponse FrfModel::respond(const ModelState& state,
 ModelResponse FrfModel::respond(ModalState& shared,
                                 const VectorXcd& s,
                                 bool derivatives) const {
+  if (modes_) return respond_modes(shared, derivatives);
   const ModelState& state = *shared.state;
   if (derivatives) find_turning(shared, s.cwiseAbs().maxCoeff());
   ModelResponse out;

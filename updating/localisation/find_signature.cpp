@@ -64,7 +64,9 @@ Signature signature_at(Fit current,
     all += scale * missing.squaredNorm();
     left += scale * misfit;
   }
-  result.explained = all > 0.0 ? 1.0 - left / all : 0.0;
+  // Of one datum a line any place explains all.
+  const bool tells = all > 0.0 && target.H.cols() > 1;
+  result.explained = tells ? 1.0 - left / all : 0.0;
   const VectorXcd& s = target.s;
   const LawFit mass = fit_law(result.z, weight, s.cwiseProduct(s));
   const LawFit spring = fit_law(result.z, weight, VectorXcd::Ones(lines));

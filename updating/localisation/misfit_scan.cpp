@@ -12,27 +12,62 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+// What is known of the parameters before, as rows of a residual. Against FRFs
+// it is nothing; of a few modes what readjusts would explain whatever is there.
+struct PriorRows {
+  VectorXd r;
+  MatrixXd J;
+};
+
+PriorRows prior_rows(const Fit& current,
+                     const Target& target,
+                     double residual,
+                     Index parameters) {
+  const Prior& prior = current.result.prior;
+  if (!target.is_modal() || prior.sd.size() != parameters) {
+    return {VectorXd(0), MatrixXd(0, parameters)};
+  }
+  const double unit = residual / std::sqrt(effective_data(target));
+  const VectorXd per_sd = unit * precision(prior).cwiseSqrt();
+  const VectorXd off = pack(current.result.state) - prior.mean;
+  return {per_sd.cwiseProduct(off), per_sd.asDiagonal()};
+}
+
+}  // namespace
+
 MisfitScan::MisfitScan(const Fit& current, const Target& target)
     : target_(&target) {
   const ModelResponse response =
       current.model->respond(current.result.state, target.s, true);
-  const VectorXd all = stack(target, response.H - target.H);
+  const VectorXd data = stack(target, response.H - target.H);
+  const auto n = static_cast<Index>(response.dH.size());
+  const PriorRows prior =
+      prior_rows(current, target, residual(target, response.H).norm(), n);
+  VectorXd all(data.size() + prior.r.size());
+  all.head(data.size()) = data;
+  all.tail(prior.r.size()) = prior.r;
   MatrixXd Q(all.size(), 0);
-  if (!response.dH.empty()) {
-    MatrixXd J(all.size(), static_cast<Index>(response.dH.size()));
-    for (std::size_t k = 0; k < response.dH.size(); ++k) {
-      J.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
+  if (n > 0) {
+    MatrixXd J(all.size(), n);
+    for (Index k = 0; k < n; ++k) {
+      J.col(k).head(data.size()) =
+          stack(target, response.dH[static_cast<std::size_t>(k)]);
     }
+    J.bottomRows(prior.r.size()) = prior.J;
     Eigen::ColPivHouseholderQR<MatrixXd> qr(J);
     qr.setThreshold(1e-8);
     Q = qr.householderQ() * MatrixXd::Identity(J.rows(), qr.rank());
   }
-  directions_.resize(all.size(), tangent + Q.cols());
-  directions_.col(misfit) = all - Q * (Q.transpose() * all);
-  directions_.col(missing) = all;
-  directions_.rightCols(Q.cols()) = Q;
-  misfit_power_ = directions_.col(misfit).squaredNorm();
-  missing_power_ = all.squaredNorm();
+  const VectorXd left = all - Q * (Q.transpose() * all);
+  misfit_power_ = left.squaredNorm();
+  missing_power_ = data.squaredNorm();
+  // Changes of the response have nothing in the prior's rows.
+  directions_.resize(data.size(), tangent + Q.cols());
+  directions_.col(misfit) = left.head(data.size());
+  directions_.col(missing) = data;
+  directions_.rightCols(Q.cols()) = Q.topRows(data.size());
 }
 
 VectorXd MisfitScan::change(const MatrixXcd& dH) const {

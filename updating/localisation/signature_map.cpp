@@ -20,6 +20,8 @@ std::vector<GridShare> signature_map(const Fit& current,
   }
   const MisfitScan misfit(current, target);
   const PlaceScan scan(current, target, misfit, places, progress);
+  // Of one datum a line any place explains all.
+  if (target.H.cols() < 2) return grids;
   const double all = std::max(misfit.missing_power(), 1e-300);
   for (std::size_t b = 0; b < grids.size(); ++b) {
     const double left = scan.any_law(b);

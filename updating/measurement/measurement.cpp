@@ -7,6 +7,7 @@
 #include "modal/fit/continue_frfs.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
+#include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/lasting_frfs.hpp"
 #include "updating/measurement/ready_frfs.hpp"
 
@@ -27,6 +28,24 @@ modal::IdentifyOptions as_chosen(const ModeChoices& choices,
   options.band_hz = choices.band_hz ? choices.band_hz : bundle.band_hz;
   options.edits = choices.edits;
   return options;
+}
+
+// What is not there to be looked at.
+InputError no_records(const acquisition::TestBundle& bundle) {
+  const bool alone = bundle.uff.has_value();
+  return {fmt::format("the test consists of {}: it has no recordings",
+                      bundle.modes ? "modes" : "ready FRFs"),
+          (alone ? *bundle.uff : bundle.folder / "test.json").string(),
+          alone ? "for hits and recordings give a file of time records "
+                  "(dataset 58, function type 1)"
+                : "for hits and recordings give \"runs\""};
+}
+
+// From a little below the lowest mode to a little above the highest.
+std::array<double, 2> span_of(const modal::ModeSet& modes) {
+  constexpr double margin = 1.2;
+  return {modes.modes.front().frequency_hz / margin,
+          modes.modes.back().frequency_hz * margin};
 }
 
 // Once of each.
@@ -63,14 +82,8 @@ const std::vector<acquisition::LeftOut>& Measurement::left_out() const {
 
 const std::vector<acquisition::Recording>& Measurement::recordings(
     const Progress& progress) {
-  if (!recordings_ && bundle_.frfs) {
-    const bool alone = bundle_.uff.has_value();
-    throw InputError(
-        "the test consists of ready FRFs: it has no recordings",
-        (alone ? *bundle_.uff : bundle_.folder / "test.json").string(),
-        alone ? "for hits and recordings give a file of time records "
-                "(dataset 58, function type 1)"
-              : "for hits and recordings give \"runs\"");
+  if (!recordings_ && (bundle_.frfs || bundle_.modes)) {
+    throw no_records(bundle_);
   }
   if (!recordings_) {
     progress("recordings: reading", 0.0);
@@ -103,6 +116,7 @@ const acquisition::HitSet& Measurement::hits(const Progress& progress) {
 }
 
 const signal::FrfSet& Measurement::frfs(const Progress& progress) {
+  if (!frfs_ && bundle_.modes) frfs_.emplace();
   if (!frfs_ && bundle_.frfs) {
     progress("FRFs: reading", 0.0);
     ReadyFrfs ready = read_ready_frfs(bundle_, progress);
@@ -122,6 +136,10 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
 }
 
 const modal::ModeSet& Measurement::modes(const Progress& progress) {
+  if (!modes_ && bundle_.modes) {
+    progress("modes: reading", 0.0);
+    modes_ = read_bundle_modes(bundle_);
+  }
   // Taking off the ringing may have found them.
   const signal::FrfSet& set = frfs(progress);
   if (!modes_) {
@@ -131,9 +149,14 @@ const modal::ModeSet& Measurement::modes(const Progress& progress) {
 }
 
 bool Measurement::choose(const ModeChoices& choices, const Progress& progress) {
+  if (bundle_.modes && !same_modes(choices, {})) {
+    throw InputError("the test's modes are given: none can be dropped or added",
+                     bundle_.modes->file.string(),
+                     "change the file of modes, or band_hz in test.json");
+  }
   const signal::FrfSet& set = frfs(progress);
   const bool known = modes_ && same_modes(choices, choices_);
-  if (!known) {
+  if (!known && !bundle_.modes) {
     modes_ = modal::identify_modes(set, as_chosen(choices, bundle_), progress);
   }
   choices_ = choices;
@@ -164,6 +187,7 @@ signal::FrfSet Measurement::frfs_on(const Eigen::VectorXcd& s,
 }
 
 double Measurement::block_s() const {
+  if (bundle_.modes) return 0.0;
   if (hits_) {
     return static_cast<double>(hits_->block - hits_->pre_trigger) /
            hits_->sample_rate_hz;
@@ -173,6 +197,7 @@ double Measurement::block_s() const {
 }
 
 std::array<double, 2> Measurement::band() const {
+  if (bundle_.modes) return bundle_.band_hz.value_or(span_of(*modes_));
   const Eigen::VectorXd f = frfs_->frequency_hz();
   if (bundle_.frfs) {
     // Closer to the ends a damped line sees too much that was not measured.

@@ -36,12 +36,13 @@ class Measurement {
   [[nodiscard]] const acquisition::TestBundle& bundle() const {
     return bundle_;
   }
-  /// @throws InputError for a test of ready FRFs, which has none
+  /// @throws InputError for a test of ready FRFs or modes, which has none
   const std::vector<acquisition::Recording>& recordings(
       const Progress& progress);
   /// Runs that cannot be used, as far as recordings() and hits() have shown.
   [[nodiscard]] const std::vector<acquisition::LeftOut>& left_out() const;
   const acquisition::HitSet& hits(const Progress& progress);
+  /// None where the test consists of modes.
   const signal::FrfSet& frfs(const Progress& progress);
   const modal::ModeSet& modes(const Progress& progress);
 
@@ -54,9 +55,9 @@ class Measurement {
   /// @param s [rad/s]
   [[nodiscard]] signal::FrfSet frfs_on(const Eigen::VectorXcd& s,
                                        const Progress& progress) const;
-  /// What the FRFs see of a hit after the trigger; as of frfs() [s].
+  /// What the FRFs see of a hit after the trigger; as of frfs() [s]; 0: modes.
   [[nodiscard]] double block_s() const;
-  /// The bundle's band, or what was measured; as of frfs() [Hz].
+  /// The bundle's band, or what was measured; as of frfs() and modes() [Hz].
   [[nodiscard]] std::array<double, 2> band() const;
 
   /// Judges a hit the other way round, or as before where it was overruled.
@@ -74,7 +75,8 @@ class Measurement {
   /// Identifies the modes with these choices; where that fails, all stays as it
   /// was.
   /// @return whether the modes are new
-  /// @throws InputError as of modal::identify_modes
+  /// @throws InputError as of modal::identify_modes; for a test of modes,
+  ///   which are what they are
   bool choose(const ModeChoices& choices, const Progress& progress);
   /// Choices for when the modes are first asked for.
   void set_choices(const ModeChoices& choices) { choices_ = choices; }

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/measurement/bundle_frfs.hpp"
+#include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/place_points.hpp"
 #include "updating/structure/assembly/rigid_motion.hpp"
 #include "updating/structure/checks/material_checks.hpp"
@@ -89,6 +90,13 @@ std::vector<Point> points_of(const acquisition::TestBundle& bundle) {
     }
     return points;
   }
+  if (bundle.modes) {
+    const std::string file = bundle.modes->file.filename().string();
+    for (const Dof& dof : read_bundle_modes(bundle).dofs) {
+      points.push_back({dof, file});
+    }
+    return points;
+  }
   for (std::size_t r = 0; r < bundle.runs.size(); ++r) {
     const acquisition::Run& run = bundle.runs[r];
     points.push_back(
@@ -119,9 +127,8 @@ void check_points(const std::vector<Point>& points, structure::Deck& deck) {
     check_grid(deck, dof, place);
     if (!held.holds(dof)) continue;
     deck.warnings.push_back(fmt::format(
-        "{}: the model holds {} at zero, so that its FRFs there are "
-        "zero whatever was measured; move the point, or free the "
-        "grid",
+        "{}: the model holds {} at zero, so that it does not move there "
+        "whatever was measured; move the point, or free the grid",
         place,
         name(dof)));
   }

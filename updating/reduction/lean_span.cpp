@@ -119,6 +119,8 @@ MatrixXd lean_span(const ReducedBase& base,
       (gram.eigenvalues().array() > negligible * negligible).count();
   MatrixXd span = MatrixXd::Zero(base.size(), beyond.first + kept);
   span.topLeftCorner(beyond.first, beyond.first).setIdentity();
+  // Frequencies alone are measured at no point.
+  if (kept == 0) return span;
   const MatrixXd directions =
       root.cwiseInverse().asDiagonal() * gram.eigenvectors().rightCols(kept);
   span.bottomRightCorner(h, kept) =

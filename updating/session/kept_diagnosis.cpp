@@ -79,6 +79,8 @@ void add(const modal::ModeSet& modes, ContentDigest& digest) {
     digest.add(mode.pole.real());
     digest.add(mode.pole.imag());
     add_numbers(mode.shape, digest);
+    digest.add(mode.frequency_sd_hz);
+    add_numbers(mode.shape_sd, digest);
   }
 }
 
@@ -149,12 +151,16 @@ std::optional<Diagnosis> DiagnosisKeeper::load() const {
   return diagnosis_from(text);
 }
 
+void DiagnosisKeeper::keep(const Diagnosis& diagnosis) const {
+  const std::optional<std::string> text = as_text(diagnosis);
+  if (cache_ && text) cache_->store(key_, {as_matrix(*text)});
+}
+
 Diagnosis DiagnosisKeeper::kept_or_made(
     const std::function<Diagnosis()>& make) const {
   if (std::optional<Diagnosis> kept = load()) return *std::move(kept);
   Diagnosis diagnosis = make();
-  const std::optional<std::string> text = as_text(diagnosis);
-  if (cache_ && text) cache_->store(key_, {as_matrix(*text)});
+  keep(diagnosis);
   return diagnosis;
 }
 

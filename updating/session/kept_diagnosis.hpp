@@ -40,6 +40,8 @@ class DiagnosisKeeper {
 
   /// @return none where none was kept, or what was is damaged
   [[nodiscard]] std::optional<Diagnosis> load() const;
+  /// Keeps it where that is possible, in place of what was kept.
+  void keep(const Diagnosis& diagnosis) const;
   /// What is kept, or what is made now and kept then where that is possible.
   [[nodiscard]] Diagnosis kept_or_made(
       const std::function<Diagnosis()>& make) const;

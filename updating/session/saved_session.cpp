@@ -177,7 +177,7 @@ json to_json(const SavedRung& saved) {
                      {"measured_hz", pair.measured_hz},
                      {"model_hz", pair.model_hz},
                      {"error_percent", pair.error_percent},
-                     {"mac", pair.mac}});
+                     {"mac", pair.has_shape ? json(pair.mac) : json()}});
   }
   return {{"added", saved.rung.added},
           {"where", to_json(saved.rung.where)},
@@ -202,7 +202,8 @@ SavedRung rung_from(const json& value) {
     pair.measured_hz = m.at("measured_hz");
     pair.model_hz = m.at("model_hz");
     pair.error_percent = m.at("error_percent");
-    pair.mac = m.at("mac");
+    pair.has_shape = !m.at("mac").is_null();
+    if (pair.has_shape) pair.mac = m.at("mac");
     saved.modes.push_back(pair);
   }
   return saved;

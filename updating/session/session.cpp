@@ -12,9 +12,14 @@
 #include "updating/measurement/measurement.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/reduction/base_error.hpp"
+#include "updating/robustness/robustness.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_stack.hpp"
 #include "updating/session/kept_diagnosis.hpp"
+#include "updating/session/test_of_modes.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace tapfit::updating {
 
@@ -204,6 +209,16 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
   return *impl_->diagnosis;
 }
 
+const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
+  if (!diagnosis(progress).robustness.empty()) return *impl_->diagnosis;
+  const DiagnoseOptions options = options_of_test(
+      *impl_->ground, base_comparison(progress), impl_->measured());
+  impl_->diagnosis->robustness =
+      robustness(*impl_->ground->fitter, options, *impl_->diagnosis, progress);
+  impl_->keeper(impl_->current().effects.size()).keep(*impl_->diagnosis);
+  return *impl_->diagnosis;
+}
+
 std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
                                                   const Progress& progress) {
   impl_->prepare_fit(*this, progress);
@@ -254,7 +269,10 @@ void Session::overrule_hit(std::size_t run, std::size_t hit) {
 
 void Session::Impl::change_modes(const ModeChoices& choices,
                                  const Progress& progress) {
-  if (test.choose(choices, progress)) return drop_from_frfs();
+  // Modes that are the measurement are compared with those paired by hand.
+  if (test.choose(choices, progress) || test.bundle().modes) {
+    return drop_from_frfs();
+  }
   base_comparison.reset();
   comparison.reset();
 }
@@ -296,6 +314,7 @@ bool Session::redo_modes(const Progress& progress) {
 void Session::add_together(const std::vector<EffectRef>& effects,
                            const Progress& progress) {
   impl_->prepare_fit(*this, progress);
+  if (bundle().modes) check_shown_in_modes(effects);
   impl_->stack->add_together(effects, impl_->stack_fit(), progress);
   impl_->drop_current();
 }
@@ -363,6 +382,7 @@ void Session::take_up(const SavedSession& saved) {
 }
 
 void Session::set_update(const UpdateChoice& choice) {
+  if (bundle().modes) check_choice_for_modes(choice);
   if (const auto& band = bundle().band_hz) check_lines(choice.lines, *band);
   impl_->choice = choice;
   impl_->plain.reset();
@@ -383,6 +403,10 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
   warnings.push_back(floor_warning(base_comparison(progress)));
   warnings.push_back(base_error_warning(impl_->model->builder.error()));
   std::erase(warnings, "");
+  if (bundle().modes) {
+    std::ranges::copy(impl_->ground->fitter->setting().measured.statements,
+                      std::back_inserter(warnings));
+  }
   return warnings;
 }
 

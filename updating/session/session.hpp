@@ -70,6 +70,8 @@ class Session {
   /// Ranks what is missing from the current model; what an earlier run of the
   /// program found is taken as it was.
   const Diagnosis& diagnosis(const Progress& progress = {});
+  /// The same with what becomes of it when what was assumed is changed.
+  const Diagnosis& robust_diagnosis(const Progress& progress = {});
   /// What an earlier run of the program, or this one, found missing with the
   /// first of the current effects in the model and kept; nothing is worked out.
   /// @param effects how many of those that are on, from 0
@@ -135,7 +137,7 @@ class Session {
   /// How each of the ladder's fits came about: no base rung.
   std::vector<UpdateRecord> update_records(const Progress& progress = {});
   /// What of the model stands in the way of comparing it: mechanisms, a floor
-  /// that is too high.
+  /// that is too high; of a test of modes also what these do not tell.
   std::vector<std::string> model_warnings(const Progress& progress = {});
   /// Of FRFs through the reduced base, see BaseBuilder::error().
   double base_error(const Progress& progress = {});

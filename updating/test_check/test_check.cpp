@@ -50,7 +50,11 @@ class Checker {
   TestCheck check() {
     input();
     points();
-    if (session_.bundle().frfs || records()) frfs();
+    if (session_.bundle().modes) {
+      given_modes();
+    } else if (session_.bundle().frfs || records()) {
+      frfs();
+    }
     sort_by_severity(found_.findings);
     return std::move(found_);
   }
@@ -62,6 +66,14 @@ class Checker {
 
   void input() {
     for (const std::string& warning : session_.bundle().warnings) {
+      add({{Severity::Note, {}, warning, {}, {}}});
+    }
+  }
+
+  // They are read and checked on the way; what was left out is said.
+  void given_modes() {
+    if (!reached([&] { (void)session_.modes(progress_); })) return;
+    for (const std::string& warning : session_.modes().warnings) {
       add({{Severity::Note, {}, warning, {}, {}}});
     }
   }

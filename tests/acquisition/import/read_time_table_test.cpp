@@ -52,7 +52,8 @@ TEST_F(TimeTables, MatVariablesByName) {
   Eigen::MatrixXd expected(3, 2);
   expected << 0, 4, 7, 5, -1, 6;
   EXPECT_EQ(table.values, expected);
-  EXPECT_EQ(read_mat_number(file, "fs"), 64.0);
+  EXPECT_EQ(number_of(read_mat_arrays(file), "fs", file), 64.0);
+  EXPECT_EQ(table.rate_hz, 64.0) << "its variable fs";
   EXPECT_FALSE(says_rate(file));
 }
 
@@ -75,7 +76,8 @@ TEST_F(TimeTables, MatRefusesWithWhatIsThere) {
   EXPECT_TRUE(has(refusal(file, {"force", "fs"}), "has 1 samples"));
   EXPECT_TRUE(has(refusal(folder_.write("no.mat", "not one"), {"x"}),
                   "cannot be read as a MATLAB file"));
-  EXPECT_THROW((void)read_mat_number(file, "force"), InputError);
+  EXPECT_THROW((void)number_of(read_mat_arrays(file), "force", file),
+               InputError);
 }
 
 // Version 4 has no check of its own: values that are not there would be zeros.

@@ -65,7 +65,7 @@ TEST(FoundByFuzzing, MatlabMatrixLargerThanItsFileCanHold) {
   const testing::TemporaryFolder folder;
   const std::string text = std::string(124, ' ') + bytes(vast_matrix);
   try {
-    (void)read_mat_columns(folder.write("vast.mat", text), {"acc:1"});
+    (void)read_mat_arrays(folder.write("vast.mat", text));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("\"acc\""), std::string::npos)
@@ -89,7 +89,7 @@ TEST(FoundByFuzzing, MatlabVariableThatEndsEarly) {
   const testing::TemporaryFolder folder;
   const std::string text = std::string(124, ' ') + bytes(half_a_variable);
   try {
-    (void)read_mat_columns(folder.write("half.mat", text), {"force"});
+    (void)read_mat_arrays(folder.write("half.mat", text));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("85 bytes are announced, 43"),
@@ -103,7 +103,7 @@ TEST(FoundByFuzzing, MatlabVariableWithAnEndlessName) {
   const testing::TemporaryFolder folder;
   const std::string text = std::string(124, ' ') + bytes(long_name);
   try {
-    (void)read_mat_columns(folder.write("name.mat", text), {"acc"});
+    (void)read_mat_arrays(folder.write("name.mat", text));
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("3219587081 bytes are announced"),
@@ -121,7 +121,7 @@ TEST(FoundByFuzzing, MatlabVariablesThatDoNotUnpack) {
   for (const char* variable : {changed_byte, packed_long_name}) {
     const std::string text = std::string(124, ' ') + bytes(variable);
     try {
-      (void)read_mat_columns(folder.write("packed.mat", text), {"acc"});
+      (void)read_mat_arrays(folder.write("packed.mat", text));
       ADD_FAILURE() << variable;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("does not unpack"),

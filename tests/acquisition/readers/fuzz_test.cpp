@@ -147,7 +147,7 @@ TEST_F(Fuzz, MatlabFiles) {
       testing::mat4_variable("force", Eigen::VectorXd::LinSpaced(20, 0, 1)) +
       testing::mat4_variable("acc", Eigen::MatrixXd::Random(20, 2));
   const auto read = [](const fs::path& f) {
-    (void)read_mat_columns(f, {"force", "acc:2"});
+    (void)columns_of(read_mat_arrays(f), {"force", "acc:2"}, f);
   };
   survive(good, fuzz_rounds(200), file("bad.mat"), read);
 }

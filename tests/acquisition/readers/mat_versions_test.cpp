@@ -57,8 +57,67 @@ TEST_P(MatVersions, MatricesAndFieldsComeBack) {
   write_mat(file, GetParam().first, GetParam().second);
   Eigen::MatrixXd expected(4, 3);
   expected << 0.0, 5, -5, 7.5, 6, 6, -1.0, 7, -7, 0.25, 8, 8;
-  EXPECT_EQ(read_mat_columns(file, {"force", "run.acc:2", "run.raw"}),
+  EXPECT_EQ(columns_of(
+                read_mat_arrays(file), {"force", "run.acc:2", "run.raw"}, file),
             expected);
+}
+
+matvar_t* mat_number(const char* name, double value) {
+  std::size_t scalar[] = {1, 1};
+  return Mat_VarCreate(name, MAT_C_DOUBLE, MAT_T_DOUBLE, 2, scalar, &value, 0);
+}
+
+matvar_t* mat_text(const char* name, std::string text) {
+  std::size_t dims[] = {1, text.size()};
+  return Mat_VarCreate(name, MAT_C_CHAR, MAT_T_UTF8, 2, dims, text.data(), 0);
+}
+
+matvar_t* mat_struct(const char* name, const std::vector<matvar_t*>& fields) {
+  std::vector<const char*> names;
+  for (const matvar_t* field : fields) names.push_back(field->name);
+  std::size_t scalar[] = {1, 1};
+  matvar_t* made = Mat_VarCreateStruct(
+      name, 2, scalar, names.data(), static_cast<unsigned>(names.size()));
+  for (matvar_t* field : fields) {
+    Mat_VarSetStructFieldByName(made, field->name, 0, field);
+  }
+  return made;
+}
+
+// A structure as Testlab exports it: structures, texts and a cell of texts.
+TEST_P(MatVersions, StructuresAndCellsAreTakenApart) {
+  const auto file = folder_.path() / "testlab.mat";
+  mat_t* handle = Mat_CreateVer(file.c_str(), nullptr, GetParam().first);
+  ASSERT_NE(handle, nullptr);
+  double samples[] = {0, 7, -1, 3, 1, 5, 2, 4};
+  std::size_t dims[] = {4, 2};
+  matvar_t* names[] = {mat_text(nullptr, "hammer"), mat_text(nullptr, "12Z+")};
+  std::size_t two[] = {1, 2};
+  matvar_t* signal = mat_struct(
+      "Signal",
+      {mat_struct("x_values", {mat_number("increment", 0.001)}),
+       mat_struct(
+           "y_values",
+           {Mat_VarCreate(
+                "values", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, dims, samples, 0),
+            mat_struct("quantity", {mat_text("label", "m/s^2")})}),
+       mat_struct(
+           "function_record",
+           {Mat_VarCreate("name", MAT_C_CELL, MAT_T_CELL, 2, two, names, 0)})});
+  EXPECT_EQ(Mat_VarWrite(handle, signal, GetParam().second), 0);
+  Mat_VarFree(signal);
+  Mat_Close(handle);
+  const auto arrays = read_mat_arrays(file);
+  EXPECT_EQ(number_of(arrays, "Signal.x_values.increment", file), 0.001);
+  EXPECT_EQ(samples_of(arrays, "Signal.y_values.values:2", file),
+            Eigen::Vector4d(1, 5, 2, 4));
+  const NamedArray* label =
+      find_array(arrays, "Signal.y_values.quantity.label");
+  ASSERT_NE(label, nullptr);
+  EXPECT_EQ(label->texts, std::vector<std::string>{"m/s^2"});
+  const NamedArray* list = find_array(arrays, "Signal.function_record.name");
+  ASSERT_NE(list, nullptr);
+  EXPECT_EQ(list->texts, (std::vector<std::string>{"hammer", "12Z+"}));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -84,7 +143,8 @@ TEST(MatDamage, PackedNumbersOfHdf5AreRefusedByName) {
     }
   }
   try {
-    (void)read_mat_columns(folder.write("bad.mat", text), {"force"});
+    const auto bad = folder.write("bad.mat", text);
+    (void)samples_of(read_mat_arrays(bad), "force", bad);
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("\"force\" cannot be read"),

@@ -29,6 +29,21 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
 }
 
+// Worked out in the background, in place of table and plots until Esc.
+TEST(Program, TellsHowFirmTheVerdictIs) {
+  Program program(testing::fake_workbench({}), {});
+  (void)replay(program, parse_key_script("5\nwait\n"));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  program.press(Key(U'R'));
+  EXPECT_TRUE(holds(seen(), "how firm the verdict is")) << seen();
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(seen(), "stands under 1 of 2 changes")) << seen();
+  EXPECT_TRUE(holds(seen(), "runs 1 to 2 left out  none")) << seen();
+  EXPECT_FALSE(holds(seen(), "sensor-mass")) << seen();
+  program.press(Key(keys::escape));
+  EXPECT_TRUE(holds(seen(), "sensor-mass")) << seen();
+}
+
 TEST(Program, ReportsWhatAnEarlierRunFoundMissing) {
   const auto report = [](bool before) {
     FakeOptions options;

@@ -43,7 +43,8 @@ TEST(Program, HelpScrollsToItsEnd) {
   EXPECT_TRUE(holds(first, "j k scroll")) << first;
   EXPECT_TRUE(holds(first, "↓ more")) << first;
   EXPECT_FALSE(holds(first, ":drop HZ")) << first;
-  for (const char* down : {"jjjjjjjj", "<PageDown>", "<Down><Down><Down>"}) {
+  for (const char* down :
+       {"jjjjjjjj", "<PageDown>", "<Down><Down><Down><Down><Down>"}) {
     const std::string last = played(fmt::format("5\nwait\n?{}", down));
     EXPECT_TRUE(holds(last, ":drop HZ")) << last;
     EXPECT_TRUE(holds(last, "↑ more")) << last;

@@ -200,8 +200,12 @@ TEST(CommandLine, NothingNamedComesWithTheHelp) {
 
 TEST(CommandLine, TheVersionNamesLibraries) {
   const std::string text = answered({"--version"}).text;
-  for (const char* library :
-       {"tapfit ", "Eigen 3.", "FFTW 3.", "CHOLMOD ", "libsndfile 1.", "ncurses 6."}) {
+  for (const char* library : {"tapfit ",
+                              "Eigen 3.",
+                              "FFTW 3.",
+                              "CHOLMOD ",
+                              "libsndfile 1.",
+                              "ncurses 6."}) {
     EXPECT_NE(text.find(library), std::string::npos) << text;
   }
 }

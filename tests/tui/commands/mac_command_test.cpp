@@ -1,8 +1,9 @@
 #include "tui/commands/mac_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/read_modes_file.hpp"
+#include "modal/mode_set/read_modes_json.hpp"
 #include "tui/commands/modes_command.hpp"
-#include "tui/report/modes_file.hpp"
 #include "tui/report/modes_text.hpp"
 #include "tui/work/pair_words.hpp"
 
@@ -84,7 +85,7 @@ TEST(MacCommand, RefusesSetsWithoutACommonPoint) {
 TEST(ModesFile, JsonOfTheModesComesBack) {
   const modal::ModeSet written = bar(10.0);
   const modal::ModeSet read =
-      read_modes_json(modes_json(written).dump(), "memory");
+      modal::read_modes_json(modes_json(written).dump(), "memory");
   ASSERT_EQ(read.modes.size(), 2U);
   EXPECT_EQ(read.dofs, written.dofs);
   EXPECT_EQ(read.modes[1].frequency_hz, written.modes[1].frequency_hz);
@@ -93,13 +94,14 @@ TEST(ModesFile, JsonOfTheModesComesBack) {
 }
 
 TEST(ModesFile, SaysWhatIsNoJsonOfModes) {
-  EXPECT_THROW((void)read_modes_json("{", "m"), InputError);
-  EXPECT_THROW((void)read_modes_json(R"({"modes": []})", "m"), InputError);
-  EXPECT_THROW(
-      (void)read_modes_json(R"({"modes": [{"shape": {"a": [1, 0]}}]})", "m"),
-      InputError);
-  EXPECT_THROW((void)read_modes_file("/nonexistent.json"), InputError);
-  EXPECT_THROW((void)read_modes_file(testing::TempDir()), InputError);
+  EXPECT_THROW((void)modal::read_modes_json("{", "m"), InputError);
+  EXPECT_THROW((void)modal::read_modes_json(R"({"modes": []})", "m"),
+               InputError);
+  EXPECT_THROW((void)modal::read_modes_json(
+                   R"({"modes": [{"shape": {"a": [1, 0]}}]})", "m"),
+               InputError);
+  EXPECT_THROW((void)modal::read_modes_file("/nonexistent.json"), InputError);
+  EXPECT_THROW((void)modal::read_modes_file(testing::TempDir()), InputError);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_P(EscapeTest, LeavesAViewForTheScreensMainOne) {
 INSTANTIATE_TEST_SUITE_P(Views,
                          EscapeTest,
                          ::testing::Values(View{"2d", "driving point"},
-                                           View{"2<Tab>", "coherence"},
+                                           View{"2<Tab>", "  coherence"},
                                            View{"2<Tab><Tab><Tab>", "Im H"},
                                            View{"3m", "MAC in %"},
                                            View{"4<Tab><Tab><Tab>", "MAC in %"},

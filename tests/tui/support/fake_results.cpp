@@ -211,6 +211,13 @@ updating::Diagnosis fake_diagnosis() {
   return d;
 }
 
+std::vector<updating::Robustness> fake_robustness() {
+  const std::vector<updating::Estimate> size = {
+      {"added-mass mass_kg", 0.0788, 0.0006, 0.0776, 0.08}};
+  return {{"prior of E:1 doubled", "added-mass", true, size, 0.5},
+          {"runs 1 to 2 left out", "none", false, size, 1.25}};
+}
+
 updating::Signature fake_signature(int node) {
   updating::Signature s;
   s.node = node;

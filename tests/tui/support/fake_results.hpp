@@ -18,6 +18,8 @@ namespace tapfit::tui::testing {
 /// @param high how much too high the model's frequencies are, 0.05 for 5 %
 [[nodiscard]] updating::Comparison fake_comparison(double high);
 [[nodiscard]] updating::Diagnosis fake_diagnosis();
+/// Of that: two changes, the second of which overturns it.
+[[nodiscard]] std::vector<updating::Robustness> fake_robustness();
 /// A mass of 0.08 kg.
 [[nodiscard]] updating::Signature fake_signature(int node);
 

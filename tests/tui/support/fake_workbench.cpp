@@ -91,6 +91,10 @@ class FakeWorkbench final : public Workbench {
     if (effects > 0 && !options_.diagnosed_on_the_way) return std::nullopt;
     return diagnosis_;
   }
+  const updating::Diagnosis& robust_diagnosis(const Progress& p) override {
+    diagnosis_.robustness = fake_robustness();
+    return diagnosis(p);
+  }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
     while (!added_.empty() &&

@@ -1,5 +1,6 @@
 #include "updating/catalogue/catalogue.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
@@ -195,6 +196,16 @@ TEST_F(EveryEffect, TriaxialSensorIsOneMass) {
                                 acted.end(),
                                 [](const auto& dof) { return dof.node == 11; });
   EXPECT_EQ(at, 3);  // x, y and z, once each
+}
+
+TEST(Find, SaysWhichEffectWasMeant) {
+  try {
+    static_cast<void>(find("joit"));
+    ADD_FAILURE() << "there is a joit";
+  } catch (const InputError& fault) {
+    EXPECT_TRUE(fault.remedy().starts_with("did you mean joint? use one of "))
+        << fault.remedy();
+  }
 }
 
 }  // namespace

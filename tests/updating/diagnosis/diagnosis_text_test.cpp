@@ -54,6 +54,19 @@ Diagnosis rich() {
                       .error = 0.02,
                       .edit = "runs[1-2].sensors[0].node: 5 -> 6"});
   d.warnings = {"one", "two \"quoted\""};
+  const MadeFit made{.effects = {mass, joint},
+                     .sizes = {{0.1}, {2.0, 3.0}},
+                     .factor = {1.01},
+                     .zeta = {0.004, 0.005},
+                     .zeta_other = 0.02,
+                     .places = 7.0,
+                     .kind_share = 1.5};
+  d.rivals = {made, {{made, made}, {made}}, {made}};
+  d.robustness = {{.change = "prior of E:1 doubled",
+                   .verdict = "joint",
+                   .verdict_stands = false,
+                   .parameters = {estimate},
+                   .largest_move_sd = 0.5}};
   return d;
 }
 
@@ -79,6 +92,9 @@ TEST(DiagnosisText, GivesEverythingBack) {
   EXPECT_EQ(read->set_up[0].where, d.set_up[0].where);
   EXPECT_EQ(read->set_up[0].edit, d.set_up[0].edit);
   EXPECT_EQ(read->warnings, d.warnings);
+  EXPECT_EQ(read->rivals.instead[0][1].effects[1], joint);
+  EXPECT_EQ(read->rivals.besides[0].sizes[1][1], 3.0);
+  EXPECT_FALSE(read->robustness[0].verdict_stands);
 }
 
 TEST(DiagnosisText, IsNoneWhereItWouldNotBeTheSame) {

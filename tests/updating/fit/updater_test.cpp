@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -236,6 +237,21 @@ TEST(DiagnoseTest, FindsAMassBetweenGrids) {
   EXPECT_NEAR(size.value, 0.03, 0.003);
   EXPECT_LT(size.lo95, 0.03);
   EXPECT_GT(size.hi95, 0.03);
+}
+
+// Over two of the four elements of the plate's width: its tip is the third grid.
+TEST(DiagnoseTest, FindsACrackThatEndsInThePlate) {
+  PlacedEffect crack{&effects::find("joint"), {}, {1e6}};
+  crack.where.nodes = {5, 16, 27};
+  crack.where.variant = updating::crack;
+  const PlateExperiment test({crack}, 0.01, 2);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "joint");
+  ASSERT_EQ(d.ladder.size(), 1U);
+  EXPECT_EQ(d.ladder[0].where.variant, updating::crack);
+  const std::vector<int>& nodes = d.ladder[0].where.nodes;
+  EXPECT_EQ(std::set<int>(nodes.begin(), nodes.end()),
+            std::set<int>({5, 16, 27}));
 }
 
 TEST(DiagnoseTest, FindsSwappedChannels) {

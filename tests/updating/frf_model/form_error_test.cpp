@@ -119,5 +119,24 @@ TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
   EXPECT_GT(with - without, 20.0);
 }
 
+// Where the data leave the form open, more is taken for it the more a careful
+// deck is allowed to be wrong by; where they tell it, it is as it was.
+TEST(FormError, FollowsItsAllowanceWhereTheDataLeaveItOpen) {
+  SeededRandom random(11, "form");
+  const MatrixXd F = 10.0 / std::sqrt(samples * 1.0) *
+                     gaussian(random, samples, pattern_count);
+  const VectorXd noise =
+      0.02 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
+  const auto mean_tau = [&](double sd, double allowance) {
+    const VectorXd shifts = VectorXd::Constant(pattern_count, sd);
+    const VectorXd r = F * shifts + noise;
+    FormView seen = view(form_error(F), r, {});
+    seen.allowance = allowance;
+    return estimate_form(seen, samples, 0.0).mean_tau;
+  };
+  EXPECT_GT(mean_tau(0.0, 2.0), 1.01 * mean_tau(0.0, 0.5));
+  EXPECT_NEAR(mean_tau(0.01, 2.0) / mean_tau(0.01, 0.5), 1.0, 0.1);
+}
+
 }  // namespace
 }  // namespace tapfit::updating

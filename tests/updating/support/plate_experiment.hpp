@@ -65,12 +65,15 @@ class PlateExperiment : private support::BasedPlate {
   /// @param mesh_floor what a coarse mesh might explain
   [[nodiscard]] Diagnosis diagnose_it(const Progress& progress = {},
                                       double mesh_floor = 0.0) const {
+    return diagnose(*fitter_, {}, options(mesh_floor), progress);
+  }
+  [[nodiscard]] DiagnoseOptions options(double mesh_floor = 0.0) const {
     DiagnoseOptions options;
     options.floor_noise = std::max(noise_error(fitter_->target()), 1e-3);
     options.floor = std::hypot(options.floor_noise, mesh_floor);
     options.modes_in_band = 5;
     options.properties = {{"E:1", "Pa", 70e9}};
-    return diagnose(*fitter_, {}, options, progress);
+    return options;
   }
 
  private:

@@ -1,0 +1,167 @@
+#include "modal/mode_set/read_modes_csv.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/readers/csv_table.hpp"
+#include "modal/mode_set/complexity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::modal {
+namespace {
+
+using Eigen::Index;
+
+/// Columns of the table that one point has.
+struct PointColumns {
+  std::optional<Index> real;
+  std::optional<Index> imaginary;
+  std::optional<Index> sd;
+};
+
+struct Columns {
+  std::vector<std::string> names;  ///< of those that are read
+  std::map<std::string, Index> own;
+  std::map<Dof, PointColumns> points;  ///< of either sign
+  std::vector<std::string> unread;
+};
+
+/// "12Z+ sd" to 12Z+ and "sd".
+std::optional<std::pair<Dof, std::string>> point_column(
+    const std::string& name) {
+  for (const char* part : {" re", " im", " sd"}) {
+    if (!name.ends_with(part)) continue;
+    const std::optional<Dof> dof = parse_dof(name.substr(0, name.size() - 3));
+    if (dof) return std::pair{*dof, std::string(part + 1)};
+  }
+  const std::optional<Dof> dof = parse_dof(name);
+  if (!dof) return std::nullopt;
+  return std::pair{*dof, std::string("re")};
+}
+
+Columns columns_of(const std::vector<std::string>& header) {
+  static const std::vector<std::string> known{"frequency_hz",
+                                              "frequency_sd_hz",
+                                              "frequency_sd_percent",
+                                              "damping_ratio",
+                                              "damping_percent",
+                                              "damping_sd",
+                                              "damping_sd_percent"};
+  Columns columns;
+  for (const std::string& name : header) {
+    const auto at = static_cast<Index>(columns.names.size());
+    if (std::ranges::count(known, name) > 0) {
+      columns.own[name] = at;
+    } else if (const auto point = point_column(name)) {
+      PointColumns& of = columns.points[point->first];
+      const std::string& part = point->second;
+      (part == "im" ? of.imaginary : part == "sd" ? of.sd : of.real) = at;
+    } else {
+      columns.unread.push_back(name);
+      continue;
+    }
+    columns.names.push_back(name);
+  }
+  return columns;
+}
+
+void check(const Columns& columns, const std::string& file) {
+  if (!columns.own.contains("frequency_hz")) {
+    throw InputError(
+        "there is no column \"frequency_hz\"",
+        file + ":1",
+        "name the columns in the first line: frequency_hz, damping_ratio, and "
+        "points such as 12Z+");
+  }
+  for (const auto& [dof, of] : columns.points) {
+    if (of.real) continue;
+    throw InputError(
+        fmt::format("there is no column of values for the point {}", name(dof)),
+        file + ":1",
+        fmt::format("name it \"{}\", or \"{} re\" beside \"{} im\"",
+                    name(dof),
+                    name(dof),
+                    name(dof)));
+  }
+}
+
+/// One line of the table.
+class Line {
+ public:
+  Line(const Columns& columns, Eigen::RowVectorXd values)
+      : columns_(&columns), values_(std::move(values)) {}
+
+  /// The column, or that in percent, or nothing.
+  [[nodiscard]] double of(const char* plain, const char* percent) const {
+    if (const auto own = find(plain)) return *own;
+    return 0.01 * find(percent).value_or(0.0);
+  }
+
+  [[nodiscard]] Mode mode() const {
+    Mode mode;
+    const double hz = *find("frequency_hz");
+    set_pole(mode, hz, of("damping_ratio", "damping_percent"));
+    mode.damping_sd = of("damping_sd", "damping_sd_percent");
+    mode.frequency_sd_hz =
+        find("frequency_sd_hz")
+            .value_or(0.01 * hz * find("frequency_sd_percent").value_or(0.0));
+    const auto points = static_cast<Index>(columns_->points.size());
+    mode.shape.resize(points);
+    Eigen::VectorXd sd = Eigen::VectorXd::Zero(points);
+    Index k = 0;
+    for (const auto& [dof, at] : columns_->points) {
+      const double imaginary = at.imaginary ? values_(*at.imaginary) : 0.0;
+      mode.shape(k) =
+          std::complex<double>(values_(*at.real), imaginary) * double(dof.sign);
+      if (at.sd) sd(k) = values_(*at.sd);
+      ++k;
+    }
+    if (!sd.isZero(0.0)) mode.shape_sd = sd;
+    mode.mpc = phase_collinearity(mode.shape);
+    mode.mpd_deg = mean_phase_deviation(mode.shape);
+    return mode;
+  }
+
+ private:
+  [[nodiscard]] std::optional<double> find(const char* name) const {
+    const auto at = columns_->own.find(name);
+    if (at == columns_->own.end()) return std::nullopt;
+    return values_(at->second);
+  }
+
+  const Columns* columns_;
+  Eigen::RowVectorXd values_;
+};
+
+}  // namespace
+
+ModeSet read_modes_csv(const std::filesystem::path& file) {
+  const Columns columns = columns_of(acquisition::read_csv_header(file));
+  check(columns, file.string());
+  acquisition::CsvOptions options;
+  options.skip_lines = 1;
+  const Eigen::MatrixXd table =
+      acquisition::read_csv_columns(file, columns.names, options);
+  ModeSet set;
+  for (const auto& [dof, at] : columns.points) {
+    set.dofs.push_back({dof.node, dof.component, 1});
+  }
+  for (Index i = 0; i < table.rows(); ++i) {
+    set.modes.push_back(Line(columns, table.row(i)).mode());
+  }
+  std::ranges::stable_sort(set.modes, {}, &Mode::frequency_hz);
+  for (const std::string& name : columns.unread) {
+    set.warnings.push_back(fmt::format(
+        "{}: the column \"{}\" is not read: it names no point such as 12Z+",
+        file.filename().string(),
+        name));
+  }
+  return set;
+}
+
+}  // namespace tapfit::modal

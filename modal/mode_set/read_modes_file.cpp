@@ -1,0 +1,95 @@
+#include "modal/mode_set/read_modes_file.hpp"
+
+#include "acquisition/bundle/uff_file.hpp"
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
+#include "modal/mode_set/read_modes_csv.hpp"
+#include "modal/mode_set/read_modes_json.hpp"
+#include "modal/mode_set/read_modes_uff.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <utility>
+
+namespace tapfit::modal {
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in =
+      acquisition::open_input(file, acquisition::most_text_bytes);
+  if (!in) {
+    throw InputError("cannot be read", file.string(), "check its name");
+  }
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Why a mode cannot have been measured and what to do; empty: it can.
+std::pair<std::string, std::string> fault(const Mode& mode) {
+  const auto [f, zeta] = std::pair{mode.frequency_hz, mode.damping_ratio};
+  if (!std::isfinite(f) || f < 0.0) {
+    return {fmt::format("its frequency is {} Hz", f),
+            "give it in Hz, 0 or more"};
+  }
+  if (!std::isfinite(zeta) || zeta < 0.0 || zeta >= 1.0) {
+    return {fmt::format("its damping ratio is {}", zeta),
+            "give a ratio from 0 to below 1 (1 % is 0.01); leave it out where "
+            "it is not known"};
+  }
+  const bool scatters =
+      std::isfinite(mode.frequency_sd_hz) && mode.frequency_sd_hz >= 0.0 &&
+      mode.shape_sd.allFinite() && (mode.shape_sd.array() >= 0.0).all();
+  if (!scatters) {
+    return {"a standard deviation of it is below 0 or no number",
+            "give what the modes scattered by, or leave it out"};
+  }
+  if (!mode.shape.allFinite()) {
+    return {"its shape holds values that are no numbers",
+            "give a value at every point, or leave the point out of all modes"};
+  }
+  if (mode.shape.size() > 0 && mode.shape.isZero(0.0)) {
+    return {"its shape is zero at all points",
+            "leave the mode out, or give all modes without shapes"};
+  }
+  return {};
+}
+
+}  // namespace
+
+ModeSet read_modes_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw InputError("is a folder, not a file of modes",
+                     file.string(),
+                     "write one with tapfit modes BUNDLE --json > modes.json");
+  }
+  const std::filesystem::path kind = file.extension();
+  if (kind == ".json") return read_modes_json(text_of(file), file.string());
+  const bool table = kind == ".csv" || kind == ".tsv" || kind == ".txt";
+  if (table && !acquisition::is_uff(file)) return read_modes_csv(file);
+  UffModes read = read_modes_uff(file);
+  read.set.warnings = std::move(read.skipped);
+  return std::move(read.set);
+}
+
+void check_measured(const ModeSet& set, const std::string& name) {
+  for (std::size_t k = 0; k < set.modes.size(); ++k) {
+    const std::string place = fmt::format("{}: mode {}", name, k + 1);
+    const auto [what, remedy] = fault(set.modes[k]);
+    if (!what.empty()) throw InputError(what, place, remedy);
+    if (k == 0 || set.modes[k].frequency_hz == 0.0) continue;
+    if (set.modes[k].frequency_hz == set.modes[k - 1].frequency_hz) {
+      throw InputError(
+          fmt::format("it has the frequency of the mode before ({:.6g} Hz)",
+                      set.modes[k].frequency_hz),
+          place,
+          "leave one out where it is the same mode twice; two modes that close "
+          "need more digits");
+    }
+  }
+}
+
+}  // namespace tapfit::modal

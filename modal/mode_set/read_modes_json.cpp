@@ -1,0 +1,126 @@
+#include "modal/mode_set/read_modes_json.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/complexity.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace tapfit::modal {
+namespace {
+
+using nlohmann::json;
+using Rows = std::map<Dof, Eigen::Index>;
+
+Dof point_named(const std::string& text, const std::string& place) {
+  const std::optional<Dof> dof = parse_dof(text);
+  if (dof) return *dof;
+  throw InputError("\"" + text + "\" is no point",
+                   place,
+                   "write grid and direction, such as 12Z+");
+}
+
+/// All points of the modes, in order.
+Rows take_points(const json& modes, const std::string& name) {
+  Rows rows;
+  for (const json& entry : modes) {
+    if (!entry.contains("shape")) continue;
+    for (const auto& [text, value] : entry.at("shape").items()) {
+      Dof dof = point_named(text, name + ": shape");
+      dof.sign = 1;
+      rows[dof] = 0;
+    }
+  }
+  Eigen::Index next = 0;
+  for (auto& [dof, row] : rows) row = next++;
+  return rows;
+}
+
+/// The values at the rows; points of sign -1 are turned.
+template <typename Value, typename Read>
+Eigen::Matrix<Value, Eigen::Dynamic, 1> values(const json& entry,
+                                               const Rows& rows,
+                                               const std::string& place,
+                                               Read read) {
+  Eigen::Matrix<Value, Eigen::Dynamic, 1> result(
+      static_cast<Eigen::Index>(rows.size()));
+  Rows missing = rows;
+  for (const auto& [text, value] : entry.items()) {
+    Dof point = point_named(text, place);
+    const int sign = point.sign;
+    point.sign = 1;
+    result(rows.at(point)) = read(value, sign);
+    missing.erase(point);
+  }
+  if (missing.empty()) return result;
+  throw InputError(
+      fmt::format("there is no value at {}",
+                  tapfit::name(missing.begin()->first)),
+      place,
+      "give every mode a value at every point, or leave the point out of all");
+}
+
+std::complex<double> complex_value(const json& value, int sign) {
+  const auto turned = static_cast<double>(sign);
+  if (value.is_number()) return value.get<double>() * turned;
+  return std::complex<double>(value.at(0), value.at(1)) * turned;
+}
+
+/// Of {"value": .., "sd": ..} or of a number.
+double value_of(const json& said) {
+  return said.is_number() ? said.get<double>() : said.at("value").get<double>();
+}
+
+double sd_of(const json& said) {
+  return said.is_number() ? 0.0 : said.value("sd", 0.0);
+}
+
+Mode take_mode(const json& entry, const Rows& rows, const std::string& place) {
+  Mode mode;
+  const json& frequency = entry.at("frequency_hz");
+  const json damping = entry.value("damping_ratio", json(0.0));
+  mode.frequency_sd_hz = sd_of(frequency);
+  mode.damping_sd = sd_of(damping);
+  set_pole(mode, value_of(frequency), value_of(damping));
+  mode.shape = values<std::complex<double>>(
+      entry.value("shape", json::object()), rows, place, complex_value);
+  if (entry.contains("shape_sd")) {
+    mode.shape_sd = values<double>(
+        entry.at("shape_sd"), rows, place + "_sd", [](const json& v, int) {
+          return v.get<double>();
+        });
+  }
+  mode.mpc = phase_collinearity(mode.shape);
+  mode.mpd_deg = mean_phase_deviation(mode.shape);
+  return mode;
+}
+
+}  // namespace
+
+ModeSet read_modes_json(const std::string& text, const std::string& name) {
+  ModeSet set;
+  try {
+    const json all = json::parse(text);
+    const json& modes = all.at("modes");
+    const Rows rows = take_points(modes, name);
+    for (const auto& [dof, row] : rows) set.dofs.push_back(dof);
+    for (std::size_t k = 0; k < modes.size(); ++k) {
+      set.modes.push_back(take_mode(
+          modes[k], rows, fmt::format("{}: modes[{}].shape", name, k)));
+    }
+    set.scaled = all.value("unit_modal_mass", false);
+  } catch (const json::exception& error) {
+    throw InputError(
+        fmt::format("not the JSON of identified modes ({})", error.what()),
+        name,
+        "write it as tapfit modes BUNDLE --json does");
+  }
+  if (set.modes.empty()) {
+    throw InputError("no mode in the file", name, "identify modes first");
+  }
+  return set;
+}
+
+}  // namespace tapfit::modal

@@ -1,0 +1,70 @@
+// What a process of its own says, and what becomes of one that comes down.
+#include "acquisition/readers/own_process.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/readers/named_array.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace tapfit::acquisition {
+namespace {
+
+class OwnProcess : public ::testing::Test {
+ protected:
+  testing::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.write("data", "x");
+
+  std::string refusal(const std::function<void(std::FILE*)>& write) {
+    try {
+      in_own_process(
+          file_, write, [](std::FILE* in) { (void)receive_arrays(in); });
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+};
+
+TEST_F(OwnProcess, ArraysComeThroughAsTheyAre) {
+  NamedArray numbers{.name = "a", .kind = NamedArray::Kind::Numbers};
+  numbers.values = Eigen::MatrixXd::Random(70000, 2);  // more than a pipe holds
+  const NamedArray texts{
+      .name = "b", .kind = NamedArray::Kind::Text, .texts = {"m/s\u00b2", ""}};
+  std::vector<NamedArray> received;
+  in_own_process(
+      file_,
+      [&](std::FILE* out) {
+        send_array(numbers, out);
+        send_array(texts, out);
+      },
+      [&](std::FILE* in) { received = receive_arrays(in); });
+  ASSERT_EQ(received.size(), 2U);
+  EXPECT_EQ(received[0].values, numbers.values);
+  EXPECT_EQ(received[1].texts, texts.texts);
+  EXPECT_EQ(received[1].kind, NamedArray::Kind::Text);
+}
+
+TEST_F(OwnProcess, ARefusalIsThrownHere) {
+  const std::string said = refusal([](std::FILE* out) {
+    send_array({.name = "a"}, out);
+    throw InputError("is odd", "there", "try this");
+  });
+  EXPECT_NE(said.find("there: is odd (try this)"), std::string::npos) << said;
+}
+
+TEST_F(OwnProcess, OneThatComesDownIsADamagedFile) {
+  for (const int signal : {SIGSEGV, SIGFPE, SIGKILL}) {
+    const std::string said = refusal([&](std::FILE* out) {
+      send_array({.name = "a"}, out);
+      std::raise(signal);
+    });
+    EXPECT_NE(said.find(file_.string()), std::string::npos) << said;
+    EXPECT_NE(said.find("is damaged"), std::string::npos) << said;
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::acquisition

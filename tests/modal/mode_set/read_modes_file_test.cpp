@@ -1,0 +1,160 @@
+#include "modal/mode_set/read_modes_file.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/read_modes_csv.hpp"
+#include "modal/mode_set/read_modes_json.hpp"
+#include "modal/mode_set/uff55.hpp"
+#include "tests/acquisition/support/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace tapfit::modal {
+namespace {
+
+using tapfit::testing::TemporaryFolder;
+
+std::string said(const std::function<void()>& work) {
+  try {
+    work();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(ReadModesCsv, TakesColumnsByNameInAnyOrder) {
+  const TemporaryFolder folder;
+  const auto file = folder.write(
+      "modes.csv",
+      "frequency_hz,frequency_sd_percent,damping_percent,12Z+,14Z-,9X+ re,"
+      "9X+ im,12Z+ sd,14Z- sd,9X+ sd,name\n"
+      "20.5,0.2,1.5,1.0,0.5,0.1,0.2,0.01,0.02,0.03,second\n"
+      "10.0,0.1,1.0,-1.0,0.25,0.3,0.0,0.01,0.02,0.03,first\n");
+  const ModeSet set = read_modes_csv(file);
+  ASSERT_EQ(set.modes.size(), 2U);
+  ASSERT_EQ(set.dofs.size(), 3U);
+  const Mode& second = set.modes[1];  // by frequency
+  EXPECT_DOUBLE_EQ(second.frequency_hz, 20.5);
+  EXPECT_DOUBLE_EQ(second.frequency_sd_hz, 0.041);
+  EXPECT_DOUBLE_EQ(second.damping_ratio, 0.015);
+  EXPECT_EQ(name(set.dofs[0]), "9X+");
+  EXPECT_EQ(second.shape(0), std::complex<double>(0.1, 0.2));
+  EXPECT_EQ(second.shape(1), std::complex<double>(1.0, 0.0));
+  EXPECT_EQ(name(set.dofs[2]), "14Z+");  // turned
+  EXPECT_EQ(second.shape(2), std::complex<double>(-0.5, 0.0));
+  EXPECT_DOUBLE_EQ(second.shape_sd(2), 0.02);
+  ASSERT_EQ(set.warnings.size(), 1U);
+  EXPECT_TRUE(has(set.warnings[0], "\"name\"")) << set.warnings[0];
+  EXPECT_FALSE(set.scaled);
+}
+
+TEST(ReadModesCsv, FrequenciesAloneWillDo) {
+  const TemporaryFolder folder;
+  const ModeSet set =
+      read_modes_csv(folder.write("modes.csv", "frequency_hz\n7.96\n13.83\n"));
+  ASSERT_EQ(set.modes.size(), 2U);
+  EXPECT_TRUE(set.dofs.empty());
+  EXPECT_DOUBLE_EQ(set.modes[1].frequency_hz, 13.83);
+}
+
+TEST(ReadModesCsv, NamesTheCellThatIsNoNumber) {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("modes.csv", "frequency_hz,12Z+\n10.0,1.0\n20.0,nan\n");
+  const std::string text = said([&] { (void)read_modes_csv(file); });
+  EXPECT_TRUE(has(text, "modes.csv:3:2")) << text;
+  EXPECT_TRUE(has(text, "nan")) << text;
+}
+
+TEST(ReadModesCsv, WantsFrequenciesAndWholeShapes) {
+  const TemporaryFolder folder;
+  const auto without = folder.write("a.csv", "f,12Z+\n10.0,1.0\n");
+  EXPECT_TRUE(
+      has(said([&] { (void)read_modes_csv(without); }), "frequency_hz"));
+  const auto half = folder.write("b.csv", "frequency_hz,12Z+ im\n10.0,1.0\n");
+  EXPECT_TRUE(has(said([&] { (void)read_modes_csv(half); }), "12Z+"));
+  const auto empty = folder.write("c.csv", "frequency_hz,12Z+\n");
+  EXPECT_FALSE(said([&] { (void)read_modes_csv(empty); }).empty());
+}
+
+TEST(ReadModesJson, TakesPlainNumbersByHand) {
+  const ModeSet set = read_modes_json(
+      R"({"modes": [{"frequency_hz": 10.0, "shape": {"3Z+": 1, "4Z-": 2}},
+                    {"frequency_hz": {"value": 20.0, "sd": 0.1},
+                     "damping_ratio": 0.02,
+                     "shape": {"3Z+": [1, 0.5], "4Z+": 0}}]})",
+      "memory");
+  ASSERT_EQ(set.modes.size(), 2U);
+  EXPECT_EQ(set.modes[0].shape(1), std::complex<double>(-2.0, 0.0));
+  EXPECT_EQ(set.modes[1].shape(0), std::complex<double>(1.0, 0.5));
+  EXPECT_DOUBLE_EQ(set.modes[1].frequency_sd_hz, 0.1);
+  EXPECT_DOUBLE_EQ(set.modes[1].damping_ratio, 0.02);
+}
+
+TEST(ReadModesJson, NamesThePointWithoutAValue) {
+  const std::string text = said([] {
+    (void)read_modes_json(
+        R"({"modes": [{"frequency_hz": 10.0, "shape": {"3Z+": 1}},
+                      {"frequency_hz": 20.0, "shape": {"4Z+": 1}}]})",
+        "modes.json");
+  });
+  EXPECT_TRUE(has(text, "4Z+")) << text;
+  EXPECT_TRUE(has(text, "modes.json: modes[0].shape")) << text;
+}
+
+ModeSet two_modes() {
+  return read_modes_json(
+      R"({"modes": [{"frequency_hz": 10.0, "damping_ratio": 0.01,
+                     "shape": {"3Z+": 1, "4Z+": 2}},
+                    {"frequency_hz": 20.0, "damping_ratio": 0.01,
+                     "shape": {"3Z+": 1, "4Z+": -1}}]})",
+      "memory");
+}
+
+TEST(ReadModesFile, TellsFormatsApart) {
+  const TemporaryFolder folder;
+  for (const ModeDataset as : {ModeDataset::Uff55, ModeDataset::Uff2414}) {
+    const auto uff =
+        folder.write("modes.uff", modes_as_uff(two_modes(), "two", as));
+    const ModeSet set = read_modes_file(uff);
+    ASSERT_EQ(set.modes.size(), 2U);
+    EXPECT_NEAR(set.modes[1].frequency_hz, 20.0, 1e-4);  // six digits
+    EXPECT_NEAR(set.modes[1].damping_ratio, 0.01, 1e-5);
+    EXPECT_EQ(set.dofs, two_modes().dofs);
+  }
+  const auto csv = folder.write("modes.csv", "frequency_hz,3Z+\n1,2\n2,3\n");
+  EXPECT_EQ(read_modes_file(csv).modes.size(), 2U);
+  EXPECT_FALSE(said([&] { (void)read_modes_file(folder.path()); }).empty());
+}
+
+TEST(CheckMeasured, NamesModeFaultAndRemedy) {
+  EXPECT_NO_THROW(check_measured(two_modes(), "m"));
+  const auto fault = [](const std::function<void(ModeSet&)>& spoil) {
+    ModeSet set = two_modes();
+    spoil(set);
+    return said([&] { check_measured(set, "modes.uff"); });
+  };
+  const std::string negative =
+      fault([](ModeSet& s) { s.modes[1].damping_ratio = -0.01; });
+  EXPECT_TRUE(has(negative, "modes.uff: mode 2")) << negative;
+  EXPECT_TRUE(has(negative, "damping ratio")) << negative;
+  const std::string twice =
+      fault([](ModeSet& s) { s.modes[1].frequency_hz = 10.0; });
+  EXPECT_TRUE(has(twice, "frequency of the mode before")) << twice;
+  const std::string nan =
+      fault([](ModeSet& s) { s.modes[0].shape(1) = std::nan(""); });
+  EXPECT_TRUE(has(nan, "mode 1")) << nan;
+  EXPECT_FALSE(fault([](ModeSet& s) {
+                 s.modes[0].frequency_hz = std::nan("");
+               }).empty());
+  EXPECT_FALSE(fault([](ModeSet& s) { s.modes[0].shape.setZero(); }).empty());
+}
+
+}  // namespace
+}  // namespace tapfit::modal

@@ -1,0 +1,184 @@
+#include "updating/search/hypotheses.hpp"
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/diagnosis/error_ladder.hpp"
+#include "updating/diagnosis/patch_extent.hpp"
+#include "updating/fit/estimates.hpp"
+#include "updating/places/near_places.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+
+/// The sample plate's FRFs with an effect in it, and a fitter that has the
+/// plate without.
+class Hidden : public testing::Test {
+ protected:
+  void hide(const PlacedEffect& effect) {
+    Eigen::VectorXcd s(60);
+    for (Index l = 0; l < s.size(); ++l) {
+      const double w = 2.0 * M_PI * (20.0 + 6.0 * static_cast<double>(l));
+      s(l) = {0.03 * w, w};
+    }
+    FitSetting setting;
+    setting.setting = support::plate_setting(bundle_, deck_);
+    setting.measured = support::plate_pairs(bundle_, s);
+    setting.targets = {make_target(setting.measured)};
+    const Fitter blank(builder_, setting);
+    const auto truth = blank.model_for({effect});
+    const ModelState state = blank.first_state(*truth, {effect});
+    const Eigen::MatrixXcd H = truth->respond(state, s, false).H;
+    for (Index f = 0; f < H.cols(); ++f) {
+      signal::Frf& frf = setting.measured.frfs[static_cast<std::size_t>(f)];
+      frf.H = H.col(f);
+      frf.variance = (0.01 * H.col(f).cwiseAbs()).cwiseAbs2();
+    }
+    setting.targets = {make_target(setting.measured)};
+    fitter_.emplace(builder_, std::move(setting));
+  }
+
+  [[nodiscard]] std::vector<Hypothesis> tried(int neighbours) const {
+    HypothesisOptions options;
+    options.places_per_kind = 1;
+    options.neighbours = neighbours;
+    const Fit base = fitter_->fit({}, fitter_->model_for({}));
+    std::vector<Hypothesis> all = fit_hypotheses(base, *fitter_, options, {});
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+      return a.fit.result.error < b.fit.result.error;
+    });
+    return all;
+  }
+
+  void expect_found(const std::vector<int>& elements, double factor) {
+    Where where;
+    where.elements = elements;
+    hide({&effects::find("stiffness-loss"), where, {factor}});
+    const Hypothesis best = tried(8).front();
+    EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
+    EXPECT_EQ(best.own().where.elements, elements);
+    // The same model made the FRFs; the fit stops within 1e-3 of its objective.
+    EXPECT_NEAR(best.own().p[0], factor, 1e-3);
+  }
+
+  structure::Deck deck_ = support::plate_deck(true);
+  acquisition::TestBundle bundle_ = support::plate_bundle();
+  BaseBuilder builder_{
+      deck_, {}, support::plate_base(bundle_, deck_), Progress{}};
+  std::optional<Fitter> fitter_;
+};
+
+TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
+  // Three by three elements with a fifth of their stiffness left: the first
+  // order of the screening does not hold there.
+  expect_found({2, 3, 4, 12, 13, 14, 22, 23, 24}, 0.2);
+}
+
+TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
+  // Six elements in line, which no cube holds alone.
+  expect_found({13, 14, 15, 16, 17, 18}, 0.4);
+}
+
+// Where the model may be wrong by as much as other patches leave, their factors
+// belong to the interval; where it is known better, they do not.
+TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
+  Where where;
+  where.elements = {12, 13, 22, 23};
+  hide({&effects::find("stiffness-loss"), where, {0.5}});
+  const std::vector<Hypothesis> all = tried(8);
+  const PlacedEffect& own = all.front().own();
+  ASSERT_EQ(own.where.elements, where.elements);
+  const effects::Setting& setting = fitter_->setting().setting;
+  EXPECT_FALSE(patch_extent(all, own, 0.0, setting));
+  const Hypothesis* next = nullptr;  // of those that overlap
+  for (const Hypothesis& h : all) {
+    const bool overlaps = h.own().effect == own.effect &&
+                          h.own().where != own.where &&
+                          share(h.own().where.elements, where.elements);
+    if (overlaps && next == nullptr) next = &h;
+  }
+  ASSERT_NE(next, nullptr);
+  const auto extent = patch_extent(all, own, next->fit.result.error, setting);
+  ASSERT_TRUE(extent);
+  const std::size_t size = next->own().where.elements.size();
+  EXPECT_EQ(extent->fewest, std::min<std::size_t>(4, size));
+  EXPECT_EQ(extent->most, std::max<std::size_t>(4, size));
+  Estimate factor = effect_estimates(all.front().fit, 0, setting).front();
+  const Estimate before = factor;
+  widen(*extent, factor);
+  EXPECT_LE(factor.lo95, std::min(before.lo95, next->own().p[0]));
+  EXPECT_GE(factor.hi95, std::max(before.hi95, next->own().p[0]));
+  EXPECT_EQ(factor.value, before.value);
+  EXPECT_GT(factor.sd, before.sd);
+  EXPECT_LE(factor.sd, (factor.hi95 - factor.lo95) / 3.92 + 1e-12);
+  // And so it stands in the ladder.
+  Chosen chosen{"stiffness-loss", 1.0};
+  chosen.extent = extent;
+  const Rung rung =
+      ladder_of(all.front().fit, {chosen}, 0, *fitter_, {}).front();
+  EXPECT_EQ(rung.parameters.front().lo95, factor.lo95);
+  EXPECT_EQ(rung.parameters.front().hi95, factor.hi95);
+  // Other kinds have no patches.
+  for (const Hypothesis& h : all) {
+    if (h.own().effect->name() != "added-mass") continue;
+    EXPECT_FALSE(patch_extent(all, h.own(), 1.0, setting));
+  }
+}
+
+TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
+  Where where;
+  where.node = 31;
+  hide({&effects::find("added-mass"), where, {0.02}});
+  const std::vector<Hypothesis> all = tried(8);
+  const auto mass =
+      std::find_if(all.begin(), all.end(), [](const Hypothesis& h) {
+        return h.own().effect->name() == "added-mass";
+      });
+  ASSERT_NE(mass, all.end());
+  EXPECT_EQ(mass->own().where.node, 31);
+  EXPECT_NEAR(mass->own().p[0], 0.02, 2e-5);
+}
+
+// What is known already stands among the others as it is, and what leaves many
+// times its error is not looked at any closer.
+TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
+  Where where;
+  where.node = 31;
+  const PlacedEffect mass{&effects::find("added-mass"), where, {0.02}};
+  hide(mass);
+  const Fit known = fitter_->fit({mass}, fitter_->model_for({mass}));
+  HypothesisOptions options;
+  options.places_per_kind = 1;
+  const Fit base = fitter_->fit({}, fitter_->model_for({}));
+  const auto count = [](const std::vector<Hypothesis>& all,
+                        const std::string& kind) {
+    return std::ranges::count_if(all, [&kind](const Hypothesis& h) {
+      return h.own().effect->name() == kind;
+    });
+  };
+  const std::vector<Hypothesis> without =
+      fit_hypotheses(base, *fitter_, options, {});
+  options.known = &known;
+  const std::vector<Hypothesis> with =
+      fit_hypotheses(base, *fitter_, options, {});
+  const auto same = std::ranges::find_if(with, [&mass](const Hypothesis& h) {
+    return h.own().effect == mass.effect && h.own().where == mass.where;
+  });
+  ASSERT_NE(same, with.end());
+  EXPECT_EQ(same->fit.result.error, known.result.error);
+  EXPECT_EQ(same->fit.result.history.size(), known.result.history.size());
+  // The mass leaves next to nothing: no spring comes near it, and of springs
+  // only what the screening put first is tried.
+  EXPECT_LE(count(with, "ground-spring"), 2);
+  EXPECT_GE(count(without, "added-mass"), count(with, "added-mass"));
+}
+
+}  // namespace
+}  // namespace tapfit::updating

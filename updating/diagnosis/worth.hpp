@@ -1,0 +1,56 @@
+// What an effect must do to earn its place on the error ladder, and when there
+// is nothing left to explain.
+#pragma once
+
+#include "updating/diagnosis/diagnose_options.hpp"
+
+namespace tapfit::updating {
+
+/// "Very strong" evidence on Kass and Raftery's scale, 150 : 1.
+extern const double very_strong;
+/// A fit within this factor of the floor leaves nothing to explain.
+extern const double at_floor;
+/// Beyond this times the floor there is surely more than one rung can explain,
+/// and what an effect below the mesh's floor must be better by to be believed.
+extern const double clear_of_floor;
+
+/// Parts of the runs that are left out in turn.
+inline constexpr int held_out_folds = 4;
+
+/// A rung must lower the error on runs that it was not fitted to, to a share of
+/// what it was, and do so with very strong evidence.
+struct Worth {
+  double gain = 0.0;      ///< log evidence over leaving it out
+  double share = 1.0;     ///< error on left-out runs must fall below this
+  double held_out = 0.0;  ///< before
+  double with_it = 0.0;   ///< and after
+
+  [[nodiscard]] bool earned() const;
+};
+
+/// @param error of a fit, as everywhere below
+[[nodiscard]] bool is_at_floor(double error, const DiagnoseOptions& options);
+
+/// At the floor only for the mesh's share, which counts the whole difference to
+/// a finer mesh. The fit takes a good part of that: an effect may hide.
+[[nodiscard]] bool is_left_to_the_mesh(double error,
+                                       const DiagnoseOptions& options);
+
+[[nodiscard]] bool is_explained(double error, const DiagnoseOptions& options);
+
+/// The share of Worth: what the mesh may explain must be left behind by far.
+[[nodiscard]] double share_to_reach(double error,
+                                    const DiagnoseOptions& options);
+
+/// Whether an effect that is in the model is not needed beside the others: once
+/// an effect has moved to its right place, it may explain alone what another
+/// was added for. Far below a floor that is the mesh's both may be there.
+///
+/// @param gain log evidence over leaving it out
+/// @param without the error then
+[[nodiscard]] bool is_superfluous(double gain,
+                                  double error,
+                                  double without,
+                                  const DiagnoseOptions& options);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,183 @@
+#include "updating/robustness/refit_verdict.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/evidence.hpp"
+#include "updating/diagnosis/round.hpp"
+#include "updating/diagnosis/set_verdict.hpp"
+#include "updating/diagnosis/worth.hpp"
+#include "updating/localisation/run_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+// What the fits are judged by.
+struct Judge {
+  const Fitter& fitter;
+  const DiagnoseOptions& options;
+  const Progress& progress;
+
+  [[nodiscard]] double data(const Fit& best) const {
+    return evidence_data(
+        fitter.target(), best.result.residual, options.modes_in_band);
+  }
+  [[nodiscard]] double held_out(const Fit& fit) const {
+    return fitter.held_out_error(fit, held_out_folds, progress);
+  }
+  [[nodiscard]] double left(const Fit& fit, double data) const {
+    return form_share(fit, data, options.floor_noise).left;
+  }
+};
+
+// The contenders beside none of them, as RungSearch::look() has them.
+Round round_of(const std::vector<Contender>& contenders,
+               const Fit& none,
+               const Judge& judge) {
+  Round round;
+  const Fit* best = &none;
+  for (const Contender& c : contenders) {
+    const Fit& fit = c.hypothesis.fit;
+    if (fit.result.error < best->result.error) best = &fit;
+  }
+  round.data = judge.data(*best);
+  const double noise = judge.options.floor_noise;
+  round.none_evidence = log_evidence(none, 0.0, 1.0, round.data, noise);
+  std::vector<double> of_kinds;
+  for (const Contender& c : contenders) {
+    Hypothesis h = c.hypothesis;
+    h.log_evidence = log_evidence(h.fit,
+                                  static_cast<double>(h.own().p.size()),
+                                  h.places,
+                                  round.data,
+                                  noise);
+    of_kinds.push_back(h.log_evidence + std::log(c.kind_share));
+    round.hypotheses.push_back(std::move(h));
+  }
+  of_kinds.insert(of_kinds.begin(), round.none_evidence);
+  round.probability = probabilities(of_kinds);
+  return round;
+}
+
+std::size_t strongest(const Round& round) {
+  const auto at =
+      std::ranges::max_element(round.hypotheses, {}, &Hypothesis::log_evidence);
+  return static_cast<std::size_t>(at - round.hypotheses.begin());
+}
+
+// What the last effect of a fit is worth over a fit without it.
+// @param first nothing else was found: what is left may be two effects' then
+bool earns(const Fit& with,
+           double gain,
+           const Fit& none,
+           bool first,
+           double data,
+           const Judge& judge) {
+  Worth worth;
+  worth.gain = gain;
+  if (gain <= very_strong) return false;
+  const DiagnoseOptions& options = judge.options;
+  const bool much = judge.left(with, data) > clear_of_floor * options.floor;
+  worth.share =
+      first && much ? 1.0 : share_to_reach(none.result.error, options);
+  for_each_parallel(2, [&](std::size_t k) {
+    (k == 0 ? worth.held_out : worth.with_it) =
+        judge.held_out(k == 0 ? none : with);
+  });
+  return worth.earned();
+}
+
+// Of a rung that is in the model: the last, and with it a single one, must earn
+// its place on runs left out, the others must not be superfluous.
+bool stays(const Round& round,
+           std::size_t best,
+           const Fit& none,
+           std::size_t rung,
+           std::size_t rungs,
+           const Judge& judge) {
+  const Hypothesis& h = round.hypotheses[best];
+  const double gain = h.log_evidence - round.none_evidence;
+  // Beside others its place is settled and costs nothing.
+  const double kept = gain + std::log(std::max(h.places, 1.0));
+  if (rungs > 1 &&
+      is_superfluous(
+          kept, h.fit.result.error, none.result.error, judge.options)) {
+    return false;
+  }
+  if (rung + 1 < rungs) return true;
+  return !is_explained(none.result.error, judge.options) &&
+         earns(h.fit, gain, none, rungs == 1, round.data, judge);
+}
+
+// Adds what came closest on top to the ladder where it has earned its place.
+void add_beside(const Refits& refits,
+                const Fit& top,
+                const Judge& judge,
+                Diagnosis& result) {
+  if (refits.besides.empty()) return;
+  if (is_explained(top.result.error, judge.options)) return;
+  const Round round = round_of(refits.besides, top, judge);
+  const std::size_t best = strongest(round);
+  const Hypothesis& h = round.hypotheses[best];
+  const double gain = h.log_evidence - round.none_evidence;
+  const bool first = result.ladder.empty();
+  if (!earns(h.fit, gain, top, first, round.data, judge)) return;
+  Rung rung;
+  rung.added = group_name(round, best);
+  rung.where = h.own().where;
+  rung.error = h.fit.result.error;
+  result.error_best = rung.error;
+  result.ladder.push_back(std::move(rung));
+}
+
+// What the diagnosis says once its ladder stands.
+void conclude(const Fit& top, const Judge& judge, Diagnosis& result) {
+  const double form =
+      form_share(top, judge.data(top), judge.options.floor_noise).error;
+  result.floor = std::hypot(judge.options.floor, form);
+  set_verdict(judge.fitter.setting().measured.level, {}, result);
+  if (result.verdict != "none") return;
+  const auto drift = run_drift(top, judge.fitter.target());
+  if (drift && is_telling(*drift)) result.verdict = "unexplained";
+}
+
+}  // namespace
+
+std::string verdict_of(const Refits& refits,
+                       const Fitter& fitter,
+                       const DiagnoseOptions& options,
+                       const Diagnosis& before,
+                       const Progress& progress) {
+  const Judge judge{fitter, options, progress};
+  Diagnosis result;
+  result.error_base = before.error_base;
+  result.error_fitted = before.error_fitted;
+  const Fit* top = &refits.found;
+  const std::size_t rungs = refits.instead.size();
+  for (std::size_t k = 0; k < rungs; ++k) {
+    const Fit& none = refits.without[k];
+    const Round round = round_of(refits.instead[k], none, judge);
+    const std::size_t best = strongest(round);
+    if (!stays(round, best, none, k, rungs, judge)) {
+      // Of several that go the one that leaves most speaks.
+      if (none.result.error > top->result.error) top = &none;
+      continue;
+    }
+    Rung rung = before.ladder[k];
+    rung.added = group_name(round, best);
+    rung.where = round.hypotheses[best].own().where;
+    result.ladder.push_back(std::move(rung));
+  }
+  result.error_best = top->result.error;
+  if (!result.ladder.empty()) result.ladder.back().error = result.error_best;
+  if (result.ladder.size() == rungs) add_beside(refits, *top, judge, result);
+  conclude(*top, judge, result);
+  return result.verdict;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,158 @@
+#include "updating/search/climb.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/search/worth_fitting.hpp"
+#include "updating/places/crack_line.hpp"
+#include "updating/places/near_places.hpp"
+#include "updating/places/stretched_patches.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+namespace tapfit::updating {
+
+Fit fit_one(const Fit& current,
+            const PlacedEffect& more,
+            const Fitter& fitter,
+            const std::shared_ptr<const FrfModel>& shared,
+            const Progress& progress,
+            const Fit* beside) {
+  std::vector<PlacedEffect> effects = current.effects;
+  effects.push_back(more);
+  const auto model = shared ? shared : fitter.model_for(effects);
+  return beside != nullptr
+             ? fitter.fit_beside(*beside, effects, model, progress)
+             : fitter.fit(effects, model, progress);
+}
+
+std::vector<Hypothesis> fit_each(const Fit& current,
+                                 const std::vector<PlacedEffect>& extras,
+                                 const Fitter& fitter,
+                                 const std::shared_ptr<const FrfModel>& shared,
+                                 const Progress& progress,
+                                 const Fit* beside) {
+  std::vector<Hypothesis> result(extras.size());
+  // Only this thread reports; the others only listen for the stop.
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(extras.size(), [&](std::size_t k) {
+    result[k].fit = fit_one(current, extras[k], fitter, shared, quiet, beside);
+  });
+  std::erase_if(result, [](const Hypothesis& h) {
+    return !h.own().effect->is_plausible(h.own().where, h.own().p);
+  });
+  return result;
+}
+
+bool less_error(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.result.error < b.fit.result.error;
+}
+
+bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.log_likelihood > b.fit.log_likelihood;
+}
+
+namespace {
+
+// A climb goes on while it gains: across a structure if need be.
+constexpr int most_steps = 40;
+/// The neighbours of a place.
+using Near = std::function<std::vector<Where>(const Where&)>;
+
+/// Whether one is better than another.
+using Better = bool (*)(const Hypothesis&, const Hypothesis&);
+
+// Around the best place of a kind, step to a better neighbour until there is
+// none. Each step fits all neighbours, grids in one base.
+void climb(std::vector<Hypothesis>& found,
+           Better better,
+           const Fit& current,
+           const Fitter& fitter,
+           const Near& near,
+           const Progress& progress) {
+  std::vector<Where> seen;
+  for (const Hypothesis& h : found) seen.push_back(h.own().where);
+  for (int round = 0; round < most_steps; ++round) {
+    const Hypothesis best =
+        *std::min_element(found.begin(), found.end(), better);
+    const PlacedEffect& own = best.own();
+    std::vector<PlacedEffect> tries;
+    for (const Where& where : near(own.where)) {
+      if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
+      seen.push_back(where);
+      PlacedEffect next = own;
+      next.where = where;
+      if (!is_present(current, next)) tries.push_back(next);
+    }
+    if (tries.empty()) return;
+    std::shared_ptr<const FrfModel> shared;
+    if (!own.effect->changes_stiffness()) {
+      std::vector<PlacedEffect> all = current.effects;
+      all.insert(all.end(), tries.begin(), tries.end());
+      shared = fitter.model_for(all);
+    }
+    bool gained = false;
+    for (Hypothesis& h :
+         fit_each(current, tries, fitter, shared, progress, &best.fit)) {
+      gained = gained || better(h, best);
+      found.push_back(std::move(h));
+    }
+    if (!gained) return;
+  }
+}
+
+}  // namespace
+
+void climb_places(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  int neighbours,
+                  const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const PlacedEffect& any = found.front().own();
+  const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
+  const std::vector<Where>& all = fitter.places(*any.effect);
+  const auto near = [&](const Where& at) {
+    std::vector<Where> places = places_near(at, all, *setting.deck, neighbours);
+    for (Where& where : places) {
+      if (is_loss) where.variant = at.variant;
+    }
+    return places;
+  };
+  climb(found, is_likelier, current, fitter, near, progress);
+}
+
+void climb_shapes(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const Progress& progress) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const auto near = [&deck](const Where& at) {
+    std::vector<Where> places;
+    for (std::vector<int>& ids : stretched_patches(at.elements, deck)) {
+      places.push_back(at);
+      places.back().elements = std::move(ids);
+    }
+    return places;
+  };
+  climb(found, less_error, current, fitter, near, progress);
+}
+
+void climb_cracks(std::vector<Hypothesis>& found,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const Progress& progress) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const auto near = [&deck](const Where& at) {
+    std::vector<Where> places;
+    for (std::vector<int>& nodes : cracks_near(deck, at.nodes)) {
+      if (crack_line(deck, nodes).grids.empty()) continue;
+      places.push_back(at);
+      places.back().nodes = std::move(nodes);
+    }
+    return places;
+  };
+  climb(found, is_likelier, current, fitter, near, progress);
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,284 @@
+#include "updating/search/hypotheses.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/effect_place.hpp"
+#include "updating/search/climb.hpp"
+#include "updating/search/screening.hpp"
+#include "updating/fit/overall_progress.hpp"
+#include "updating/places/crack_line.hpp"
+#include "updating/places/near_places.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+// Places around the best of a kind are looked at where it leaves at most this
+// times the error of the best of all.
+constexpr double rival = 4.0;
+// Of the logarithm of a likelihood, what is worth a name of its own. Whether it
+// is worth its parameters the evidence tells.
+constexpr double clearly = 1.0;
+
+// Whether any of what it acts on can move: a model of bars in a plane does not
+// turn out of it.
+bool acts(const PlacedEffect& placed, const FrfModel& model) {
+  const std::vector<effects::ActedDof> dofs =
+      placed.effect->acts_on(placed.where, model.setting(), 0);
+  std::map<std::size_t, double> moves;
+  for (const effects::ActedDof& dof : dofs) {
+    moves[dof.group] += model.row(dof).norm();
+  }
+  return std::ranges::none_of(moves,
+                              [](const auto& g) { return g.second == 0.0; });
+}
+
+// One kind and what was fitted of it.
+struct Kind {
+  const effects::Effect* effect = nullptr;
+  std::vector<Hypothesis> found;
+  double tries = 0.0;  // from the screening
+
+  [[nodiscard]] bool at_grids() const {
+    return is_at_grid(found.front().own().where);
+  }
+  // Supports, sensors and channels are few: all were looked at.
+  [[nodiscard]] bool has_neighbours() const {
+    const auto changes = effect->changes_stiffness();
+    return at_grids() || changes == ChangeKind::Elements ||
+           changes == ChangeKind::Joint;
+  }
+  [[nodiscard]] bool is_loss() const {
+    return effect->changes_stiffness() == ChangeKind::Elements;
+  }
+  [[nodiscard]] bool is_joint() const {
+    return effect->changes_stiffness() == ChangeKind::Joint;
+  }
+  [[nodiscard]] double log_likelihood() const {
+    return std::min_element(found.begin(), found.end(), is_likelier)
+        ->fit.log_likelihood;
+  }
+  [[nodiscard]] double error() const {
+    return std::min_element(found.begin(), found.end(), less_error)
+        ->fit.result.error;
+  }
+};
+
+// Fits all that is planned, on all cores whatever kind it is of.
+std::vector<Kind> fit_planned(std::vector<Planned> plans,
+                              const Fit& current,
+                              const Fitter& fitter,
+                              const Progress& progress) {
+  for_each_parallel(plans.size(), [&](std::size_t k) {
+    if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
+    std::vector<PlacedEffect> together = current.effects;
+    together.insert(
+        together.end(), plans[k].tries.begin(), plans[k].tries.end());
+    plans[k].shared = fitter.model_for(together);
+  });
+  std::vector<Kind> kinds;
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // kind, hypothesis
+  for (const Planned& plan : plans) {
+    const std::size_t count = plan.tries.size();
+    for (std::size_t t = 0; t < count; ++t) all.emplace_back(kinds.size(), t);
+    kinds.push_back({plan.effect,
+                     std::vector<Hypothesis>(count),
+                     static_cast<double>(count)});
+  }
+  const auto caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done = 0;
+  for_each_parallel(all.size(), [&](std::size_t n) {
+    const auto [k, t] = all[n];
+    kinds[k].found[t].fit = fit_one(current,
+                                    plans[k].tries[t],
+                                    fitter,
+                                    plans[k].shared,
+                                    {{}, progress.stop});
+    ++done;
+    // The other threads only listen for the stop.
+    if (std::this_thread::get_id() != caller) return;
+    progress("fitting effects",
+             static_cast<double>(done) / static_cast<double>(all.size()));
+  });
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (plans[k].known != nullptr) kinds[k].found.push_back({*plans[k].known});
+  }
+  return kinds;
+}
+
+double least_error(const std::vector<Kind>& kinds) {
+  double least = 1e300;
+  for (const Kind& kind : kinds) least = std::min(least, kind.error());
+  return least;
+}
+
+// From the best place of a kind to what is around it.
+void climb_from_best(Kind& kind,
+                     const Fit& current,
+                     const Fitter& fitter,
+                     const HypothesisOptions& options,
+                     const Progress& progress) {
+  if (!kind.has_neighbours()) return;
+  climb_places(kind.found, current, fitter, options.neighbours, progress);
+  if (kind.is_loss() && kind.error() > options.explained) {
+    climb_shapes(kind.found, current, fitter, progress);
+  }
+}
+
+// The screening is of first order, and a loss of stiffness or a joint is often
+// far from small: the right place may not be among those fitted. Grids first:
+// they share a base, and what they leave is the measure for the others.
+void climb_rivals(std::vector<Kind>& kinds,
+                  const Fit& current,
+                  const Fitter& fitter,
+                  const HypothesisOptions& options,
+                  const Progress& progress) {
+  for (const bool grids : {true, false}) {
+    const double least = least_error(kinds);
+    for (Kind& kind : kinds) {
+      if (kind.at_grids() != grids || kind.error() > rival * least) continue;
+      climb_from_best(kind, current, fitter, options, progress);
+    }
+  }
+}
+
+// Where a kind may have another form: at the best of its grids, at a few
+// patches apart, or wherever supports and sensors, which are few, were looked
+// at.
+std::vector<Where> places_for_forms(const Kind& kind,
+                                    const structure::Deck& deck) {
+  constexpr std::size_t most_apart = 3;
+  std::vector<const Hypothesis*> order;
+  for (const Hypothesis& h : kind.found) order.push_back(&h);
+  std::ranges::stable_sort(
+      order, [](const auto* a, const auto* b) { return is_likelier(*a, *b); });
+  std::vector<Where> places;
+  for (const Hypothesis* h : order) {
+    const Where& where = h->own().where;
+    const bool near = std::ranges::any_of(places, [&](const Where& other) {
+      return kind.is_loss() && within_reach(other, where, {}, deck, 0);
+    });
+    if (!near) places.push_back(where);
+    if (kind.at_grids()) break;
+    const bool wide = kind.is_loss() || kind.is_joint();
+    if (wide && places.size() == most_apart) break;
+  }
+  return places;
+}
+
+// A patch that has lost next to all of its stiffness may be a crack, which the
+// seams that do well as joints are not near.
+std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
+                                     double most_error,
+                                     const structure::Deck& deck) {
+  constexpr double next_to_all = 0.25;  // left
+  std::vector<Where> places;
+  for (const Kind& kind : kinds) {
+    if (!kind.is_loss() || kind.error() > most_error) continue;
+    const Hypothesis& best =
+        *std::min_element(kind.found.begin(), kind.found.end(), is_likelier);
+    if (best.own().p.front() > next_to_all) continue;
+    for (std::vector<int>& nodes :
+         cracks_within(deck, best.own().where.elements)) {
+      places.emplace_back().nodes = std::move(nodes);
+    }
+  }
+  return places;
+}
+
+// What does well where it was found may do better in another form: a mass with
+// an inertia, a clamp that varies along its line, elements that were thinned.
+// It may then do better beside.
+void try_forms(std::vector<Kind>& kinds,
+               const Fit& current,
+               const Fitter& fitter,
+               const HypothesisOptions& options,
+               const Progress& progress) {
+  const double least = least_error(kinds);
+  const effects::Setting& setting = fitter.setting().setting;
+  for (Kind& kind : kinds) {
+    std::vector<Where> places;
+    if (kind.error() <= rival * least) {
+      places = places_for_forms(kind, *setting.deck);
+    }
+    if (kind.is_joint()) {
+      std::ranges::copy(cracks_in_patches(kinds, rival * least, *setting.deck),
+                        std::back_inserter(places));
+    }
+    if (places.empty()) continue;
+    std::vector<PlacedEffect> tries;
+    for (const Where& where : forms_of(*kind.effect, places, setting)) {
+      PlacedEffect next = placed(*kind.effect, where, setting);
+      if (acts(next, *current.model) && !is_present(current, next)) {
+        tries.push_back(std::move(next));
+      }
+    }
+    const double plain = kind.log_likelihood();
+    std::vector<Hypothesis> formed =
+        fit_each(current, tries, fitter, nullptr, progress);
+    if (kind.is_joint() && !formed.empty()) {
+      climb_cracks(formed, current, fitter, progress);
+    }
+    for (Hypothesis& h : formed) {
+      // Else it is the plain one under another name.
+      const bool better = h.fit.log_likelihood > plain + clearly;
+      if (better) kind.found.push_back(std::move(h));
+    }
+    if (kind.log_likelihood() <= plain || kind.is_joint()) continue;
+    climb_from_best(kind, current, fitter, options, progress);
+  }
+}
+
+}  // namespace
+
+std::vector<Hypothesis> fit_hypotheses(const Fit& current,
+                                       const Fitter& fitter,
+                                       const HypothesisOptions& options,
+                                       const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  const std::vector<Screened> screened =
+      screen(current, fitter, part_of(progress, 0.0, 0.1));
+  // A mistake in some runs is looked for in many more ways than one in all.
+  std::map<std::pair<const effects::Effect*, bool>, double> places;
+  for (const Screened& s : screened) {
+    places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
+  }
+  std::vector<Kind> kinds =
+      fit_planned(planned_fits(current, screened, fitter, options),
+                  current,
+                  fitter,
+                  part_of(progress, 0.1, 0.7));
+  if (options.neighbours > 0) {
+    const Progress rest = part_of(progress, 0.7, 1.0);
+    climb_rivals(kinds, current, fitter, options, rest);
+    if (least_error(kinds) > options.explained) {
+      try_forms(kinds, current, fitter, options, rest);
+    }
+  }
+  std::vector<Hypothesis> all;
+  for (Kind& kind : kinds) {
+    const structure::Deck& deck = *setting.deck;
+    // A grid that the screening passed over was still a place to look at.
+    const double grids =
+        kind.at_grids()
+            ? static_cast<double>(deck.grids.size() - deck.measuring.size())
+            : 1.0;
+    for (Hypothesis& h : kind.found) {
+      h.places = std::max({places[{kind.effect, h.own().where.runs.empty()}],
+                           kind.tries,
+                           grids});
+    }
+    std::move(kind.found.begin(), kind.found.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,358 @@
+#include "updating/search/screening.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/search/screen_mistakes.hpp"
+#include "updating/effects/point_effect.hpp"
+#include "updating/localisation/misfit_scan.hpp"
+#include "updating/localisation/place_rows.hpp"
+#include "updating/localisation/place_scan.hpp"
+#include "updating/places/element_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Grids at which effects of several parameters are scanned: those where a
+// point effect of any law would explain most.
+constexpr std::size_t grids_in_detail = 12;
+
+// What is looked at, and the rows that it is felt by.
+struct Places {
+  // What may sit at one grid and moves along one axis there.
+  struct Kinds {
+    std::vector<PlacedEffect> simple;
+    std::vector<PlacedEffect> detailed;  // several parameters
+  };
+  std::vector<Kinds> points;  // one for each of the grids scanned
+  struct Wide {
+    const effects::Effect* effect = nullptr;
+    Where where;
+  };
+  std::vector<Wide> wide;  // of the sums scanned
+  ScannedPlaces scanned;
+};
+
+// The axes along which a point effect is felt: a directed one along its own,
+// others along all that were tested, of which one tells most.
+std::vector<int> felt_along(const effects::PointEffect& effect,
+                            const Where& where,
+                            const effects::Setting& setting) {
+  const bool directed =
+      dynamic_cast<const effects::DirectedEffect*>(&effect) != nullptr;
+  if (directed || setting.components.empty()) {
+    return {effects::component_of(where, setting)};
+  }
+  return setting.components;
+}
+
+// Takes the point effects, each with the others that may sit where it may.
+void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
+  const effects::Setting& setting = fitter.setting().setting;
+  std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
+  for (const auto& effect : effects::catalogue()) {
+    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
+    if (point == nullptr) continue;
+    for (const Where& where : fitter.places(*point)) {
+      for (const int along : felt_along(*point, where, setting)) {
+        MatrixXd row = source.grid(where.node, along);
+        // A plane model does not move out of its plane.
+        if (along != setting.component && row.isZero(0.0)) continue;
+        const auto [it, fresh] =
+            known.try_emplace({where.node, along}, places.points.size());
+        if (fresh) {
+          places.points.emplace_back();
+          places.scanned.grids.push_back(std::move(row));
+        }
+        const bool single = point->parameters(where, setting).size() == 1;
+        Places::Kinds& kinds = places.points[it->second];
+        (single ? kinds.simple : kinds.detailed).push_back({point, where, {}});
+      }
+    }
+  }
+}
+
+void add_losses(const effects::Effect& effect,
+                const Fitter& fitter,
+                PlaceRows& source,
+                Places& places) {
+  std::map<int, std::size_t> at;  // first element of a cell -> its rows
+  for (const ElementCell& cell :
+       element_cells(*fitter.setting().setting.deck)) {
+    at[cell.elements.front()] = places.scanned.parts.size();
+    places.scanned.parts.push_back(source.cell(cell));
+  }
+  for (const Where& where : fitter.places(effect)) {
+    std::vector<std::size_t> sum;
+    for (const int id : where.elements) {
+      const auto cell = at.find(id);
+      if (cell != at.end()) sum.push_back(cell->second);
+    }
+    places.wide.push_back({&effect, where});
+    places.scanned.sums.push_back(std::move(sum));
+  }
+}
+
+Places all_places(const FrfModel& model, const Fitter& fitter) {
+  PlaceRows source(model);
+  Places places;
+  add_points(fitter, source, places);
+  for (const auto& effect : effects::catalogue()) {
+    const auto change = effect->changes_stiffness();
+    if (change == ChangeKind::Elements) {
+      add_losses(*effect, fitter, source, places);
+    }
+    if (change != ChangeKind::Joint) continue;
+    for (const Where& where : fitter.places(*effect)) {
+      MatrixXd rows = source.joint(where);
+      if (rows.rows() == 0) continue;
+      places.wide.push_back({effect.get(), where});
+      places.scanned.sums.push_back({places.scanned.parts.size()});
+      places.scanned.parts.push_back(std::move(rows));
+    }
+  }
+  return places;
+}
+
+// Sizes between the bounds of a parameter, evenly in the logarithm.
+std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
+  std::vector<double> result;
+  const double low = std::log(spec.lower);
+  const double high = std::log(spec.upper);
+  for (int k = 0; k < count; ++k) {
+    result.push_back(std::exp(low + (high - low) * (k + 0.5) / count));
+  }
+  return result;
+}
+
+// Every combination of a few sizes of each parameter.
+std::vector<std::vector<double>> combinations(
+    const std::vector<effects::ParameterSpec>& specs) {
+  // A resonance is narrow: its frequency, the second of three, is scanned
+  // more closely than sizes and damping.
+  const std::array<int, 3> counts = specs.size() == 1   ? std::array{13, 0, 0}
+                                    : specs.size() == 2 ? std::array{8, 4, 0}
+                                                        : std::array{7, 24, 3};
+  std::vector<std::vector<double>> result = {{}};
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    std::vector<std::vector<double>> longer;
+    for (const std::vector<double>& start : result) {
+      for (const double size : sizes(specs[k], counts.at(k))) {
+        longer.push_back(start);
+        longer.back().push_back(size);
+      }
+    }
+    result = std::move(longer);
+  }
+  return result;
+}
+
+// A scan over all sizes, then closer around the best, one parameter after the
+// other.
+template <typename Best>
+Screened scanned(const std::vector<effects::ParameterSpec>& specs,
+                 const Best& best) {
+  Screened found = best(combinations(specs));
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    const double step = std::log(specs[k].upper / specs[k].lower) / 13.0;
+    std::vector<std::vector<double>> tried;
+    for (const double part :
+         {-0.9, -0.6, -0.35, -0.15, 0.0, 0.15, 0.35, 0.6, 0.9}) {
+      tried.push_back(found.placed.p);
+      tried.back()[k] *= std::exp(part * step);
+    }
+    found = best(tried);
+  }
+  return found;
+}
+
+class Screening {
+ public:
+  /// @param current its model may be asked about any grid
+  Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
+      : setting_(fitter.setting().setting),
+        fitter_(&fitter),
+        current_(&current),
+        measured_(&fitter.setting().measured),
+        // The widest line: the most forgiving about shifts.
+        target_(&fitter.setting().targets.front()),
+        places_(all_places(*current.model, fitter)),
+        scan_(current, *target_),
+        place_scan_(current, *target_, scan_, places_.scanned, progress),
+        now_(
+            current.model->respond(current.result.state, target_->s, false).H) {
+  }
+
+  [[nodiscard]] std::vector<Screened> points() const {
+    std::vector<std::size_t> all(places_.points.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return at_points(all, &Places::Kinds::simple);
+  }
+
+  // Effects of several parameters, at the most promising grids.
+  [[nodiscard]] std::vector<Screened> detailed() const {
+    std::vector<std::pair<double, std::size_t>> promise;
+    for (std::size_t b = 0; b < places_.points.size(); ++b) {
+      promise.emplace_back(place_scan_.any_law(b), b);
+    }
+    const std::size_t count = std::min(grids_in_detail, promise.size());
+    std::partial_sort(promise.begin(),
+                      promise.begin() + static_cast<std::ptrdiff_t>(count),
+                      promise.end());
+    std::vector<std::size_t> best;
+    for (std::size_t k = 0; k < count; ++k) best.push_back(promise[k].second);
+    return at_points(best, &Places::Kinds::detailed);
+  }
+
+  [[nodiscard]] std::vector<Screened> wide() const {
+    std::vector<Screened> result(places_.wide.size());
+    for (std::size_t k = 0; k < result.size(); ++k) {
+      const Places::Wide& place = places_.wide[k];
+      const MisfitScan::Scaled best = place_scan_.scaled(k);
+      const double factor = std::max(best.factor, 1e-12);
+      // A joint's stiffness is the inverse of its compliance; elements in a
+      // row add compliance, 1 / factor - 1.
+      const bool loss =
+          place.effect->changes_stiffness() == ChangeKind::Elements;
+      const double p = loss ? 1.0 / (1.0 + factor) : 1.0 / factor;
+      result[k] = {PlacedEffect{place.effect, place.where, {p}}, best.error};
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::vector<Screened> mistakes() const {
+    return screen_mistakes(*current_, *target_, scan_, *measured_);
+  }
+
+  // Effects at few places, which the model as it is can respond to: those of
+  // sensors and channels. Every size is worked out, none estimated.
+  [[nodiscard]] std::vector<Screened> few() const {
+    std::vector<PlacedEffect> candidates;
+    for (const auto& effect : effects::catalogue()) {
+      if (effect->changes_stiffness() ||
+          effect->entry() == effects::Entry::Damping ||
+          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr ||
+          is_screened_mistake(*effect, setting_)) {
+        continue;
+      }
+      for (const Where& place : fitter_->places(*effect)) {
+        candidates.push_back({effect.get(), place, {}});
+      }
+    }
+    std::vector<Screened> result(candidates.size());
+    for_each_parallel(candidates.size(), [&](std::size_t k) {
+      const PlacedEffect& candidate = candidates[k];
+      result[k] = scanned(
+          candidate.effect->parameters(candidate.where, setting_),
+          [&](const auto& tried) { return best_response(candidate, tried); });
+    });
+    return result;
+  }
+
+ private:
+  // What may sit at some of the points.
+  [[nodiscard]] std::vector<Screened> at_points(
+      const std::vector<std::size_t>& points,
+      std::vector<PlacedEffect> Places::Kinds::*kinds) const {
+    std::vector<std::vector<Screened>> each(points.size());
+    for_each_parallel(points.size(), [&](std::size_t k) {
+      const std::size_t b = points[k];
+      const double any_law = place_scan_.any_law(b);
+      for (const PlacedEffect& effect : places_.points[b].*kinds) {
+        each[k].push_back(scanned(
+            effect.effect->parameters(effect.where, setting_),
+            [&](const auto& tried) { return best_at_grid(b, effect, tried); }));
+        each[k].back().any_law = any_law;
+      }
+    });
+    std::vector<Screened> result;
+    for (const auto& found : each) {
+      result.insert(result.end(), found.begin(), found.end());
+    }
+    return result;
+  }
+
+  // The best of several sizes of an effect at a grid.
+  [[nodiscard]] Screened best_at_grid(
+      std::size_t b,
+      const PlacedEffect& effect,
+      const std::vector<std::vector<double>>& tried) const {
+    MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      for (Index l = 0; l < z.rows(); ++l) {
+        z(l, static_cast<Index>(k)) =
+            effect.effect->law(target_->s(l), tried[k], 0);
+      }
+    }
+    return best_of(effect, tried, place_scan_.errors(b, z));
+  }
+
+  // The same for an effect that the model itself can respond to.
+  [[nodiscard]] Screened best_response(
+      const PlacedEffect& candidate,
+      const std::vector<std::vector<double>>& tried) const {
+    ModelState state = current_->result.state;
+    state.effects.push_back(candidate);
+    MatrixXd changes(2 * target_->H.size(), static_cast<Index>(tried.size()));
+    const auto H = current_->model->respond_at_sizes(state, tried, target_->s);
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      changes.col(static_cast<Index>(k)) = scan_.change(H[k] - now_);
+    }
+    return best_of(candidate, tried, scan_.errors(changes));
+  }
+
+  [[nodiscard]] Screened best_of(PlacedEffect candidate,
+                                 const std::vector<std::vector<double>>& tried,
+                                 const VectorXd& errors) const {
+    Index at = 0;
+    const double least = errors.minCoeff(&at);
+    candidate.p = tried[static_cast<std::size_t>(at)];
+    return {std::move(candidate), least};
+  }
+
+  const effects::Setting& setting_;
+  const Fitter* fitter_;
+  const Fit* current_;
+  const signal::FrfSet* measured_;
+  const Target* target_;
+  Places places_;
+  MisfitScan scan_;
+  PlaceScan place_scan_;
+  MatrixXcd now_;  // the model's FRFs as it is
+};
+
+}  // namespace
+
+std::vector<Screened> screen(const Fit& current,
+                             const Fitter& fitter,
+                             const Progress& progress) {
+  Fit anywhere = current;
+  anywhere.model = fitter.model_for(current.effects, BaseUse::Scan);
+  const Screening screening(anywhere, fitter, progress);
+  progress("screening", 0.5);
+  std::vector<Screened> result = screening.points();
+  for (const auto& more : {screening.detailed(),
+                           screening.wide(),
+                           screening.few(),
+                           screening.mistakes()}) {
+    result.insert(result.end(), more.begin(), more.end());
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return a.error < b.error;
+  });
+  return result;
+}
+
+}  // namespace tapfit::updating

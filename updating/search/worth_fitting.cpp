@@ -1,0 +1,142 @@
+#include "updating/search/worth_fitting.hpp"
+
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/effect_place.hpp"
+#include "updating/places/near_places.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+constexpr std::size_t few_places = 8;
+
+bool has_form(const PlacedEffect& placed) {
+  const std::vector<std::string> forms = placed.effect->forms();
+  return std::ranges::find(forms, placed.where.variant) != forms.end();
+}
+
+// At the same grid, but for being between it and the next.
+bool is_beside(const Where& one, const Where& other) {
+  return is_at_grid(one) && one.node == other.node &&
+         one.variant == other.variant && one.at != other.at;
+}
+
+// A point of the sheet is put right once.
+bool is_same_point(const Where& one, const Where& other) {
+  return share(one.channels, other.channels) &&
+         (one.nodes.empty() || other.nodes.empty() ||
+          one.nodes == other.nodes) &&
+         (one.runs.empty() || other.runs.empty() ||
+          share(one.runs, other.runs));
+}
+
+}  // namespace
+
+bool is_present(const Fit& current, const PlacedEffect& candidate) {
+  const Where& there = candidate.where;
+  return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
+    if (e.effect != candidate.effect) return false;
+    const bool formed = has_form(e) || has_form(candidate);
+    if (e.effect->at_sheet_points()) return is_same_point(e.where, there);
+    return e.where == there || share(e.where.elements, there.elements) ||
+           (formed && (share(e.where.nodes, there.nodes) ||
+                       share(e.where.channels, there.channels) ||
+                       (e.where.node != 0 && e.where.node == there.node))) ||
+           is_beside(e.where, there);
+  });
+}
+
+namespace {
+
+// What is worth a full fit of one kind: its best screened places, apart from
+// each other where a climb goes on from them, or all where it is not screened.
+std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
+                                        const Fit& current,
+                                        const std::vector<Screened>& screened,
+                                        const Fitter& fitter,
+                                        const HypothesisOptions& options) {
+  const effects::Setting& setting = fitter.setting().setting;
+  std::vector<PlacedEffect> tries;
+  // Sensors and channels are few and each differs from the others. Their
+  // screening is exact but for what the rest may give way.
+  const bool few =
+      options.places_per_kind > 1 && fitter.places(effect).size() <= few_places;
+  const int most_places =
+      effect.changes_stiffness() == ChangeKind::Joint
+          ? std::max(options.places_per_kind, options.joints)
+          : options.places_per_kind;
+  const auto is_new = [&](const Screened& s) {
+    const bool known =
+        !few && !effect.at_sheet_points() && options.neighbours > 0 &&
+        std::ranges::any_of(tries, [&](const PlacedEffect& other) {
+          return within_reach(other.where,
+                              s.placed.where,
+                              fitter.places(effect),
+                              *setting.deck,
+                              options.neighbours);
+        });
+    const bool twice = std::ranges::any_of(tries, [&](const PlacedEffect& p) {
+      return p.where == s.placed.where;
+    });
+    return !known && !twice && !is_present(current, s.placed);
+  };
+  const Screened* likely = nullptr;
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    if (likely == nullptr || s.any_law < likely->any_law) likely = &s;
+  }
+  for (const Screened& s : screened) {
+    if (s.placed.effect != &effect) continue;
+    const auto count = static_cast<int>(tries.size());
+    if (!few && count == most_places) break;
+    if (s.error > options.promising * screened.front().error) break;
+    if (is_new(s)) tries.push_back(s.placed);
+  }
+  // The grid that explains most whatever the law: sizes far from the model's
+  // are screened too coarsely to be told by them.
+  if (likely != nullptr && likely->any_law > 0.0 && options.neighbours > 0 &&
+      is_new(*likely)) {
+    tries.push_back(likely->placed);
+  }
+  if (likely != nullptr || effect.at_sheet_points()) return tries;
+  // A support that the structure has not is no small thing, and takes a base of
+  // its own for each of its forms: looked for where all is looked at.
+  const bool support = effect.is_mistake() && effect.changes_stiffness();
+  if (support && options.places_per_kind <= 1) return tries;
+  for (const Where& where : fitter.places(effect)) {
+    const PlacedEffect p = placed(effect, where, setting);
+    if (!is_present(current, p)) tries.push_back(p);
+  }
+  return tries;
+}
+
+}  // namespace
+
+std::vector<Planned> planned_fits(const Fit& current,
+                                  const std::vector<Screened>& screened,
+                                  const Fitter& fitter,
+                                  const HypothesisOptions& options) {
+  std::vector<Planned> result;
+  for (const auto& effect : effects::catalogue()) {
+    // A ratio for each mode is fitted along: a law explains no more.
+    if (effect->entry() == effects::Entry::Damping) continue;
+    Planned plan;
+    plan.effect = effect.get();
+    plan.tries = worth_fitting(*effect, current, screened, fitter, options);
+    const Fit* known = options.known;
+    if (known != nullptr && known->effects.back().effect == effect.get()) {
+      plan.known = known;
+      std::erase_if(plan.tries, [known](const PlacedEffect& e) {
+        return e.where == known->effects.back().where;
+      });
+    }
+    const bool any = !plan.tries.empty() || plan.known != nullptr;
+    if (any) result.push_back(std::move(plan));
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating

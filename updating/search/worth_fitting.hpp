@@ -1,0 +1,46 @@
+// What the screening found that is worth a full fit, kind after kind.
+#pragma once
+
+#include "updating/search/screened.hpp"
+#include "updating/fit/fitter.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct HypothesisOptions {
+  int places_per_kind = 3;
+  int neighbours = 8;
+  /// Only places whose screened error is within this factor of the least.
+  double promising = 1e300;
+  /// An error that leaves nothing for another form of an effect to explain.
+  double explained = 0.0;
+  int joints = 0;  ///< of the screened places, where more than places_per_kind
+  /// One of them that is fitted already, as its last effect: others are looked
+  /// at more closely only where they may do as well. None: null.
+  const Fit* known = nullptr;
+};
+
+/// What is worth a full fit of one kind.
+struct Planned {
+  const effects::Effect* effect = nullptr;
+  std::vector<PlacedEffect> tries;
+  const Fit* known = nullptr;  ///< one of them, fitted already
+  /// One base for all; a change of the stiffness needs one of its own.
+  std::shared_ptr<const FrfModel> shared;
+};
+
+/// Whether a fit has an effect already: the same again, another loss of the
+/// same elements, or a form of the same.
+[[nodiscard]] bool is_present(const Fit& current,
+                              const PlacedEffect& candidate);
+
+/// @param screened the least error first
+[[nodiscard]] std::vector<Planned> planned_fits(
+    const Fit& current,
+    const std::vector<Screened>& screened,
+    const Fitter& fitter,
+    const HypothesisOptions& options);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,26 @@
+#include "updating/session/test_of_modes.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/catalogue/catalogue.hpp"
+
+namespace tapfit::updating {
+
+void check_shown_in_modes(const std::vector<EffectRef>& effects) {
+  for (const EffectRef& ref : effects) {
+    if (effects::find(ref.effect).shows_in_modes()) continue;
+    throw InputError(
+        "modes do not tell of the effect " + ref.effect,
+        "the effect to be added",
+        "name one that changes stiffness or mass, or give the test's FRFs or "
+        "recordings in place of its modes");
+  }
+}
+
+void check_choice_for_modes(const UpdateChoice& choice) {
+  if (!choice.is_plain()) return;
+  throw InputError("there are no lines and no lambda to choose",
+                   "the test consists of modes",
+                   "leave the choice out");
+}
+
+}  // namespace tapfit::updating
