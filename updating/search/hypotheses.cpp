@@ -3,11 +3,11 @@
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/catalogue/effect_place.hpp"
-#include "updating/search/climb.hpp"
-#include "updating/search/screening.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
+#include "updating/search/climb.hpp"
+#include "updating/search/screening.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -150,9 +150,9 @@ void climb_rivals(std::vector<Kind>& kinds,
   }
 }
 
-// Where a kind may have another form: at the best of its grids, at a few
-// patches apart, or wherever supports and sensors, which are few, were looked
-// at.
+// Where a kind may have another form: at the best of its grids or seams, at a
+// few patches apart, or wherever supports and sensors, which are few, were
+// looked at.
 std::vector<Where> places_for_forms(const Kind& kind,
                                     const structure::Deck& deck) {
   constexpr std::size_t most_apart = 3;
@@ -167,9 +167,8 @@ std::vector<Where> places_for_forms(const Kind& kind,
       return kind.is_loss() && within_reach(other, where, {}, deck, 0);
     });
     if (!near) places.push_back(where);
-    if (kind.at_grids()) break;
-    const bool wide = kind.is_loss() || kind.is_joint();
-    if (wide && places.size() == most_apart) break;
+    if (kind.at_grids() || kind.is_joint()) break;
+    if (kind.is_loss() && places.size() == most_apart) break;
   }
   return places;
 }

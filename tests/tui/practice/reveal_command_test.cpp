@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// A plate of six runs with a mass at grid 30, sealed; what is worked out of it
-/// is kept from test to test.
+/// is kept from one answer to the next.
 class Reveal : public testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -47,7 +47,7 @@ class Reveal : public testing::Test {
     ::setenv("TAPFIT_NO_CACHE", "1", 1);
     fs::remove_all(root_);
   }
-  void TearDown() override { fs::remove(root_ / "test" / "session.json"); }
+  static void forget() { fs::remove(root_ / "test" / "session.json"); }
 
   static CommandOptions options(bool as_json) {
     CommandOptions options;
@@ -67,12 +67,17 @@ class Reveal : public testing::Test {
     write_saved_session(root_ / "test" / "session.json", session);
   }
 
+  static void right_answer_is_right();
+  static void wrong_answers_are_wrong();
+  static void no_answer_yet_is_said();
+  static void diagnosis_is_blind_to_the_seal();
+
   static fs::path root_;
 };
 
 fs::path Reveal::root_;
 
-TEST_F(Reveal, RightAnswerIsRight) {
+void Reveal::right_answer_is_right() {
   play("added-mass", 30);
   const json all = revealed();
   EXPECT_EQ(all["hidden"][0]["effect"], "added-mass");
@@ -90,7 +95,7 @@ TEST_F(Reveal, RightAnswerIsRight) {
   EXPECT_NE(text.find("You: added-mass\n"), std::string::npos) << text;
 }
 
-TEST_F(Reveal, WrongAnswersAreWrong) {
+void Reveal::wrong_answers_are_wrong() {
   play("ground-spring", 30);
   const json spring = revealed()["session"];
   EXPECT_EQ(spring["found"], "ground-spring");
@@ -103,7 +108,7 @@ TEST_F(Reveal, WrongAnswersAreWrong) {
   EXPECT_NE(text.find("wrong"), std::string::npos) << text;
 }
 
-TEST_F(Reveal, NoAnswerYetIsSaid) {
+void Reveal::no_answer_yet_is_said() {
   EXPECT_EQ(revealed()["session"], nullptr);
   const std::string text = reveal_command(options(false), {});
   EXPECT_NE(text.find("no effect is in session.json yet"), std::string::npos)
@@ -111,7 +116,7 @@ TEST_F(Reveal, NoAnswerYetIsSaid) {
 }
 
 // What the diagnosis says follows from the test, not from the seal.
-TEST_F(Reveal, DiagnosisIsBlindToTheSeal) {
+void Reveal::diagnosis_is_blind_to_the_seal() {
   const std::string found = revealed()["diagnosis"]["found"];
   const fs::path bare = root_ / "bare";
   fs::create_directories(bare);
@@ -125,6 +130,15 @@ TEST_F(Reveal, DiagnosisIsBlindToTheSeal) {
   CommandOptions of_bare = options(true);
   of_bare.input = bare;
   EXPECT_THROW((void)reveal_command(of_bare, {}), InputError);
+}
+
+// In one process: the diagnosis, which takes seconds, is made once.
+TEST_F(Reveal, SetsAnswersBesideTheSeal) {
+  no_answer_yet_is_said();
+  diagnosis_is_blind_to_the_seal();
+  right_answer_is_right();
+  forget();
+  wrong_answers_are_wrong();
 }
 
 TEST(ChallengeCommand, MakesASealedTestAndWritesOverNothing) {
