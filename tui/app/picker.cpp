@@ -225,15 +225,15 @@ Screen Picker::draw() const {
               width);
   const int hint = canvas_.height - 4;
   draw_table(screen, {0, 2, canvas_.width, hint - 2}, table(), list_, true);
-  screen.text(1,
-              hint,
-              fitting({"CSV, MATLAB and SEP-005 files become a test by: tapfit "
-                       "import FILE ... -o TEST --hammer H --sensor S",
-                       "CSV, MATLAB, SEP-005 files become a test by tapfit "
-                       "import (see its --help)"},
-                      width),
-              {.colour = Colour::Grey},
-              width);
+  screen.text(
+      1,
+      hint,
+      fitting({"CSV, MATLAB, HDF5, TDMS and numpy files become a test by "
+               "tapfit import FILE",
+               "Other files become a test by tapfit import FILE"},
+              width),
+      {.colour = Colour::Grey},
+      width);
   int y = hint + 1;
   if (message_.empty()) {
     screen.text(1, hint + 2, next_words(), {.colour = Colour::Grey}, width);
