@@ -17,20 +17,6 @@ using Eigen::Vector3d;
 using structure::Deck;
 using structure::Shell;
 
-Vector3d normal_of(const Deck& deck, const Shell& shell) {
-  const auto at = [&](std::size_t k) {
-    return position_of(deck, shell.grids[k]);
-  };
-  const std::size_t last = shell.grids.size() - 1;
-  return (at(2) - at(0)).cross(at(last) - at(1)).normalized();
-}
-
-double thickness_of(const Deck& deck, const Shell& shell) {
-  return shell.thickness > 0.0
-             ? shell.thickness
-             : deck.shell_properties.at(shell.property).thickness;
-}
-
 // Of the shells of the side at a grid: their normals' mean and thickness.
 struct Faced {
   Vector3d normal = Vector3d::Zero();

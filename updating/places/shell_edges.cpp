@@ -1,5 +1,7 @@
 #include "updating/places/shell_edges.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,9 +9,24 @@ namespace tapfit::updating {
 
 using Eigen::Vector3d;
 using structure::Deck;
+using structure::Shell;
 
 Vector3d position_of(const Deck& deck, int node) {
   return deck.grids[deck.grid_index(node)].position;
+}
+
+Vector3d normal_of(const Deck& deck, const Shell& shell) {
+  const auto at = [&](std::size_t k) {
+    return position_of(deck, shell.grids[k]);
+  };
+  const std::size_t last = shell.grids.size() - 1;
+  return (at(2) - at(0)).cross(at(last) - at(1)).normalized();
+}
+
+double thickness_of(const Deck& deck, const Shell& shell) {
+  return shell.thickness > 0.0
+             ? shell.thickness
+             : deck.shell_properties.at(shell.property).thickness;
 }
 
 Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }

@@ -1,4 +1,4 @@
-// Edges of shells, and lines along them.
+// Shells at their edges: lines along these, and the faces there.
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"
@@ -16,6 +16,14 @@ namespace tapfit::updating {
 
 [[nodiscard]] Eigen::Vector3d position_of(const structure::Deck& deck,
                                           int node);
+
+/// Unit vector across the mid-surface.
+[[nodiscard]] Eigen::Vector3d normal_of(const structure::Deck& deck,
+                                        const structure::Shell& shell);
+
+/// The shell's own, else its property's [m].
+[[nodiscard]] double thickness_of(const structure::Deck& deck,
+                                  const structure::Shell& shell);
 
 using Edge = std::array<int, 2>;  ///< grid ids, ascending
 

@@ -1,5 +1,6 @@
 #include "updating/places/support_face.hpp"
 
+#include "updating/places/shell_edges.hpp"
 #include "updating/structure/elements/bar_axes.hpp"
 
 #include <Eigen/Geometry>
@@ -52,16 +53,8 @@ Section section_of(const Deck& deck,
 Section section_of(const Deck& deck,
                    const structure::Shell& shell,
                    double half_edge) {
-  const auto at = [&](std::size_t k) -> const Vector3d& {
-    return deck.grids[deck.grid_index(shell.grids[k])].position;
-  };
-  const Vector3d normal =
-      (at(2) - at(0))
-          .cross((shell.grids.size() > 3 ? at(3) : at(2)) - at(1))
-          .normalized();
-  const double t = shell.thickness > 0.0
-                       ? shell.thickness
-                       : deck.shell_properties.at(shell.property).thickness;
+  const Vector3d normal = normal_of(deck, shell);
+  const double t = thickness_of(deck, shell);
   const double inertia = half_edge * t * t * t / 12.0;
   return {half_edge * t,
           inertia * normal * normal.transpose(),
@@ -95,9 +88,8 @@ std::map<int, GridMatrix> support_face(const Deck& deck,
       const int a = shell.grids[k];
       const int b = shell.grids[(k + 1) % n];
       if (!held.contains(a) || !held.contains(b)) continue;
-      const double length = (deck.grids[deck.grid_index(a)].position -
-                             deck.grids[deck.grid_index(b)].position)
-                                .norm();
+      const double length =
+          (position_of(deck, a) - position_of(deck, b)).norm();
       const Section section = section_of(deck, shell, 0.5 * length);
       add(a, section);
       add(b, section);
