@@ -2,8 +2,8 @@
 // step of the updater; and what the base costs, once. `line` is the time for
 // one spectral line.
 #include "tests/benchmarks/plate_case.hpp"
-#include "updating/fit/residual.hpp"
 #include "updating/fit/updater.hpp"
+#include "updating/residual/residual.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
 

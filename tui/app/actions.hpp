@@ -1,7 +1,7 @@
 // What the user asks for, as jobs for the worker.
 #pragma once
 
-#include "tui/work/worker.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include <filesystem>
 #include <string>

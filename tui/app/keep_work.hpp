@@ -2,9 +2,9 @@
 // this window, and not of another that has the same test open.
 #pragma once
 
-#include "tui/work/snapshot.hpp"
-#include "tui/work/workbench.hpp"
-#include "tui/work/worker.hpp"
+#include "tui/workbench/snapshot.hpp"
+#include "tui/workbench/workbench.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include <functional>
 #include <string>

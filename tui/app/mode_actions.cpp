@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/app/keep_work.hpp"
-#include "tui/work/pair_words.hpp"
+#include "tui/workbench/pair_words.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // with the session; undo_modes() takes the last one back.
 #pragma once
 
-#include "tui/work/worker.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include <array>
 #include <optional>

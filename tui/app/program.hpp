@@ -13,7 +13,7 @@
 #include "tui/screen/screen.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/drawing.hpp"
-#include "tui/work/worker.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include <array>
 #include <deque>

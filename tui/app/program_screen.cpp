@@ -8,7 +8,7 @@
 #include "tui/views/update_panels.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/text_box.hpp"
-#include "tui/work/next_step.hpp"
+#include "tui/workbench/next_step.hpp"
 
 #include <fmt/format.h>
 

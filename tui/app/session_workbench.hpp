@@ -1,7 +1,7 @@
 // The real workbench: a session over a test bundle.
 #pragma once
 
-#include "tui/work/workbench.hpp"
+#include "tui/workbench/workbench.hpp"
 
 #include <filesystem>
 #include <memory>

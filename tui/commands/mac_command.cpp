@@ -4,7 +4,7 @@
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/read_modes_file.hpp"
 #include "tui/report/text_table.hpp"
-#include "tui/work/pair_words.hpp"
+#include "tui/workbench/pair_words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

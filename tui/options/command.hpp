@@ -80,7 +80,7 @@ struct CommandOptions {
   std::optional<std::filesystem::path> saved;  ///< session to do again
   std::vector<std::string> effects;            ///< "added-mass@201", in order
   std::vector<std::string> free;               ///< "acc1=0.02", masses to free
-  std::string lines = "damped";  ///< see updating/fit/line_rule.hpp
+  std::string lines = "damped";  ///< see updating/residual/line_rule.hpp
   std::string lambda;  ///< a number or "l-curve"; empty: not asked for
   int modes = 10;      ///< of the model
   std::vector<std::string> ignored_cards;  ///< of a deck, left out knowingly

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/catalogue/effect_place.hpp"
-#include "updating/fit/line_rule.hpp"
+#include "updating/residual/line_rule.hpp"
 
 #include <cmath>
 

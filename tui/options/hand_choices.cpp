@@ -3,7 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/options/standard_streams.hpp"
-#include "tui/work/pair_words.hpp"
+#include "tui/workbench/pair_words.hpp"
 #include "updating/session/saved_session.hpp"
 #include "updating/session/session_file.hpp"
 #include "updating/session/shared_session.hpp"

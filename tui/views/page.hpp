@@ -10,8 +10,8 @@
 #include "tui/screen/screen.hpp"
 #include "tui/widgets/plot_range.hpp"
 #include "tui/widgets/table.hpp"
-#include "tui/work/snapshot.hpp"
-#include "tui/work/workbench.hpp"
+#include "tui/workbench/snapshot.hpp"
+#include "tui/workbench/workbench.hpp"
 
 #include <optional>
 #include <string>

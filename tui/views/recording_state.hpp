@@ -8,7 +8,7 @@
 #include "tui/widgets/plot_range.hpp"
 #include "tui/widgets/table.hpp"
 #include "tui/widgets/trace.hpp"
-#include "tui/work/run_look.hpp"
+#include "tui/workbench/run_look.hpp"
 
 #include <cstddef>
 #include <set>

@@ -6,7 +6,7 @@
 #include "tui/views/page.hpp"
 #include "tui/views/recording_state.hpp"
 #include "tui/widgets/plot_range.hpp"
-#include "tui/work/run_look.hpp"
+#include "tui/workbench/run_look.hpp"
 
 namespace tapfit::tui {
 

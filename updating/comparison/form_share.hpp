@@ -3,7 +3,7 @@
 #pragma once
 
 #include "updating/fit/fitter.hpp"
-#include "updating/fit/residual.hpp"
+#include "updating/residual/residual.hpp"
 
 namespace tapfit::updating {
 

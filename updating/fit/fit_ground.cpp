@@ -1,9 +1,9 @@
 #include "updating/fit/fit_ground.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/fit/mesh_error.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/reduction/mesh_factors.hpp"
+#include "updating/residual/mesh_error.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 
 #include <fmt/format.h>

@@ -3,10 +3,10 @@
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/fit/fit_watch.hpp"
-#include "updating/fit/mesh_error.hpp"
-#include "updating/fit/parameter_uncertainty.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
+#include "updating/residual/mesh_error.hpp"
+#include "updating/residual/parameter_uncertainty.hpp"
 
 #include <algorithm>
 #include <cmath>

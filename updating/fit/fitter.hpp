@@ -9,13 +9,13 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "updating/fit/residual.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/acted_points.hpp"
 #include "updating/frf_model/form_error.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/reduced_base.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <limits>
 #include <map>

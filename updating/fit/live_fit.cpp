@@ -1,10 +1,10 @@
 #include "updating/fit/live_fit.hpp"
 
 #include "updating/fit/estimates.hpp"
-#include "updating/fit/residual.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "updating/fit/plain_fit.hpp"
 
-#include "updating/fit/parameter_uncertainty.hpp"
+#include "updating/residual/parameter_uncertainty.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>

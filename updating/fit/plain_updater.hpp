@@ -10,11 +10,11 @@
 // Sherman-Morrison Formula", equations 17 to 27.
 #pragma once
 
-#include "updating/fit/identifiability.hpp"
-#include "updating/fit/l_curve.hpp"
-#include "updating/fit/line_choice.hpp"
-#include "updating/fit/residual.hpp"
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/residual/identifiability.hpp"
+#include "updating/residual/l_curve.hpp"
+#include "updating/residual/line_choice.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <Eigen/Core>
 

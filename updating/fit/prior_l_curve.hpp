@@ -10,8 +10,8 @@
 // than the noise asks for.
 #pragma once
 
-#include "updating/fit/l_curve.hpp"
 #include "updating/fit/updater.hpp"
+#include "updating/residual/l_curve.hpp"
 
 #include <optional>
 

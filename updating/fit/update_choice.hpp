@@ -1,7 +1,7 @@
 // How the engineer wants the parameters identified.
 #pragma once
 
-#include "updating/fit/line_rule.hpp"
+#include "updating/residual/line_rule.hpp"
 
 #include <optional>
 

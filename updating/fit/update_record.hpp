@@ -2,9 +2,9 @@
 // parameters the data tell apart and how the estimates hang together.
 #pragma once
 
-#include "updating/fit/identifiability.hpp"
-#include "updating/fit/l_curve.hpp"
 #include "updating/places/location.hpp"
+#include "updating/residual/identifiability.hpp"
+#include "updating/residual/l_curve.hpp"
 
 #include <Eigen/Core>
 

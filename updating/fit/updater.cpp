@@ -1,7 +1,7 @@
 #include "updating/fit/updater.hpp"
 
 #include "updating/fit/fit_watch.hpp"
-#include "updating/fit/parameter_uncertainty.hpp"
+#include "updating/residual/parameter_uncertainty.hpp"
 
 #include <cmath>
 #include <optional>

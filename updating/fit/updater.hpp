@@ -9,11 +9,11 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "updating/fit/l_curve.hpp"
-#include "updating/fit/residual.hpp"
 #include "updating/fit/update_history.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/minimiser/minimise.hpp"
+#include "updating/residual/l_curve.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <Eigen/Core>
 

@@ -5,7 +5,7 @@
 #include "modal/mode_set/read_modes_json.hpp"
 #include "tui/commands/modes_command.hpp"
 #include "tui/report/modes_text.hpp"
-#include "tui/work/pair_words.hpp"
+#include "tui/workbench/pair_words.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // sensors, one oscillator per mode.
 #pragma once
 
-#include "tui/work/workbench.hpp"
+#include "tui/workbench/workbench.hpp"
 #include "updating/localisation/signature.hpp"
 
 #include <vector>

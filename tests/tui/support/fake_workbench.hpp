@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tests/tui/support/fake_results.hpp"
-#include "tui/work/workbench.hpp"
+#include "tui/workbench/workbench.hpp"
 #include "updating/session/added_effect.hpp"
 
 #include <atomic>

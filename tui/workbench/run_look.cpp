@@ -1,4 +1,4 @@
-#include "tui/work/run_look.hpp"
+#include "tui/workbench/run_look.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "signal/estimate/estimate_frfs.hpp"

@@ -1,4 +1,4 @@
-#include "updating/fit/identifiability.hpp"
+#include "updating/residual/identifiability.hpp"
 
 #include <gtest/gtest.h>
 

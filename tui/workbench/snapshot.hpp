@@ -1,7 +1,7 @@
-// The room tui/work. What is known so far and the thread that works out more.
-// In:  A workbench: the session, or a fake one in tests.
-// Out: Snapshots that never change, for screens to draw.
-// May include: its row in CONTRIBUTING.md.
+// The room tui/workbench. What is known so far and the thread that works out
+// more. In:  A workbench: the session, or a fake one in tests. Out: Snapshots
+// that never change, for screens to draw. May include: its row in
+// CONTRIBUTING.md.
 //
 // What is known so far: shared, unchanging results that the worker hands over
 // and the screens draw.
@@ -10,7 +10,7 @@
 #include "signal/checks/frf_checks.hpp"
 #include "tui/widgets/trace.hpp"
 #include "tui/widgets/wireframe.hpp"
-#include "tui/work/run_look.hpp"
+#include "tui/workbench/run_look.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/session.hpp"

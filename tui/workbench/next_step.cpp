@@ -1,4 +1,4 @@
-#include "tui/work/next_step.hpp"
+#include "tui/workbench/next_step.hpp"
 
 #include "tui/screen/number.hpp"
 #include "tui/widgets/bars.hpp"

@@ -1,8 +1,8 @@
 // What the mesh does to a model's FRFs.
 #pragma once
 
-#include "updating/fit/residual.hpp"
 #include "updating/frf_model/frf_model.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <Eigen/Core>
 

@@ -1,4 +1,4 @@
-#include "updating/fit/mesh_error.hpp"
+#include "updating/residual/mesh_error.hpp"
 
 #include <Eigen/QR>
 

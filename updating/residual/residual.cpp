@@ -1,4 +1,4 @@
-#include "updating/fit/residual.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // How far the identified parameters can be trusted.
 #pragma once
 
-#include "updating/fit/residual.hpp"
+#include "updating/residual/residual.hpp"
 
 #include <Eigen/Core>
 

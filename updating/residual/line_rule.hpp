@@ -14,7 +14,7 @@
 // Sherman-Morrison Formula", sections 2.3 and 4.1.3.
 #pragma once
 
-#include "updating/fit/line_choice.hpp"
+#include "updating/residual/line_choice.hpp"
 
 #include <Eigen/Core>
 

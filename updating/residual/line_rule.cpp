@@ -1,4 +1,4 @@
-#include "updating/fit/line_rule.hpp"
+#include "updating/residual/line_rule.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 

@@ -1,4 +1,4 @@
-#include "tui/work/worker.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/poles/cmif.hpp"

@@ -1,4 +1,4 @@
-#include "updating/fit/line_choice.hpp"
+#include "updating/residual/line_choice.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "updating/fit/l_curve.hpp"
+#include "updating/residual/l_curve.hpp"
 
 #include <Eigen/Cholesky>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 // where it is, and hands results over, so that the keyboard never waits.
 #pragma once
 
-#include "tui/work/snapshot.hpp"
-#include "tui/work/workbench.hpp"
+#include "tui/workbench/snapshot.hpp"
+#include "tui/workbench/workbench.hpp"
 #include "updating/fit/live_fit.hpp"
 
 #include <atomic>

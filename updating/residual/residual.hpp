@@ -1,3 +1,9 @@
+// The room updating/residual. Model against measurement on the lines in use.
+// In:  FrfModel with a state, measured FRFs or modes.
+// Out: residuals and their Jacobians, which lines they are taken on, and what
+//      they say of parameters.
+// May include: its row in CONTRIBUTING.md.
+//
 // The difference between measured and modelled FRFs, weighted so that
 // resonances and valleys count alike.
 //

@@ -1,4 +1,4 @@
-#include "tui/work/snapshot.hpp"
+#include "tui/workbench/snapshot.hpp"
 
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"

@@ -1,4 +1,4 @@
-#include "tui/work/pair_words.hpp"
+#include "tui/workbench/pair_words.hpp"
 
 #include <charconv>
 

@@ -1,4 +1,4 @@
-#include "updating/fit/parameter_uncertainty.hpp"
+#include "updating/residual/parameter_uncertainty.hpp"
 
 #include "tests/updating/support/plate_experiment.hpp"
 

@@ -1,4 +1,4 @@
-#include "tui/work/next_step.hpp"
+#include "tui/workbench/next_step.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
 #include "tui/screen/text.hpp"

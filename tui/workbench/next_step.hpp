@@ -2,7 +2,7 @@
 // stands.
 #pragma once
 
-#include "tui/work/snapshot.hpp"
+#include "tui/workbench/snapshot.hpp"
 
 #include <cstddef>
 #include <string>

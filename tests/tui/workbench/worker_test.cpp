@@ -1,4 +1,4 @@
-#include "tui/work/worker.hpp"
+#include "tui/workbench/worker.hpp"
 
 #include "tests/tui/support/fake_workbench.hpp"
 

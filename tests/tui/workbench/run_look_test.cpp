@@ -1,5 +1,5 @@
 // A run looked at closely, against the stages that it stands for.
-#include "tui/work/run_look.hpp"
+#include "tui/workbench/run_look.hpp"
 
 #include "signal/estimate/estimate_frfs.hpp"
 #include "tests/tui/support/fake_workbench.hpp"
