@@ -1,11 +1,13 @@
 #include "updating/effects/stiffness_loss.hpp"
 
 #include "updating/places/element_patches.hpp"
+#include "updating/places/stretched_patches.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
+#include <utility>
 
 namespace tapfit::effects {
 
@@ -24,20 +26,41 @@ std::vector<Where> StiffnessLoss::places(const Setting& setting) const {
   return result;
 }
 
-std::vector<ParameterSpec> StiffnessLoss::parameters(const Where&,
-                                                     const Setting&) const {
-  return {{"factor", 0.5, 0.04, 1.0}};
+std::vector<std::vector<int>> weakened_beside(const Where& where,
+                                              const structure::Deck& deck) {
+  if (!updating::has_edges(where)) return {};
+  return updating::layers_beside(where.elements, deck);
+}
+
+std::vector<ParameterSpec> StiffnessLoss::parameters(
+    const Where& where, const Setting& setting) const {
+  std::vector<ParameterSpec> specs = {{"factor", 0.5, 0.04, 1.0}};
+  const std::size_t edges = weakened_beside(where, *setting.deck).size();
+  for (std::size_t edge = 1; edge <= edges; ++edge) {
+    specs.push_back({fmt::format("edge_{}_factor", edge), 0.9, 0.04, 1.0});
+  }
+  return specs;
 }
 
 std::vector<std::string> StiffnessLoss::bulk_data(
-    const Where& where, const Setting&, const std::vector<double>& p) const {
-  const bool thinned = where.variant == updating::pocket;
-  return {fmt::format(
-      "$ Stiffness of elements {} times {:.4g}{}: they have a "
-      "property and material of their own above",
-      fmt::join(where.elements, ", "),
-      p[0],
-      thinned ? fmt::format(", mass times {:.4g}", mass_left(p[0])) : "")};
+    const Where& where,
+    const Setting& setting,
+    const std::vector<double>& p) const {
+  const auto line = [&where](const std::vector<int>& elements, double left) {
+    return fmt::format(
+        "$ Stiffness of elements {} times {:.4g}{}: they have a "
+        "property and material of their own above",
+        fmt::join(elements, ", "),
+        left,
+        updating::takes_mass(where)
+            ? fmt::format(", mass times {:.4g}", mass_left(left))
+            : "");
+  };
+  std::vector<std::string> lines = {line(where.elements, p.front())};
+  for (const auto& layer : weakened_beside(where, *setting.deck)) {
+    lines.push_back(line(layer, p[lines.size()]));
+  }
+  return lines;
 }
 
 }  // namespace tapfit::effects

@@ -1,6 +1,7 @@
 // Elements that have lost part of their stiffness (a crack, corrosion, a weld
 // heat zone, delamination): their stiffness times a factor, their mass as it
-// was; or thinned (a pocket, wear): their mass times the cube root of it.
+// was; or thinned (a pocket, wear): their mass times the cube root of it. Where
+// it ends within elements, of each layer beside it a factor of its own is left.
 #pragma once
 
 #include "updating/effects/stiffness_effect.hpp"
@@ -14,6 +15,11 @@ namespace tapfit::effects {
 /// d mass_left / d p.
 [[nodiscard]] double mass_left_slope(double p);
 
+/// Elements that each parameter after the first scales: with edges the layers
+/// beside its own, else none.
+[[nodiscard]] std::vector<std::vector<int>> weakened_beside(
+    const Where& where, const structure::Deck& deck);
+
 class StiffnessLoss final : public StiffnessEffect {
  public:
   [[nodiscard]] std::string name() const override { return "stiffness-loss"; }
@@ -26,7 +32,7 @@ class StiffnessLoss final : public StiffnessEffect {
     return updating::ChangeKind::Elements;
   }
   [[nodiscard]] std::vector<std::string> forms() const override {
-    return {updating::pocket};
+    return {updating::pocket, updating::edges, updating::pocket_edges};
   }
   /// Each element, patches of growing size around it, whole properties.
   [[nodiscard]] std::vector<Where> places(

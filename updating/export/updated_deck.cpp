@@ -94,16 +94,22 @@ IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
 }
 
 std::vector<structure::WeakElements> weak_elements(
-    const std::vector<Candidate>& added_effects) {
+    const std::vector<Candidate>& added_effects,
+    const effects::Setting& setting) {
   std::vector<structure::WeakElements> weak;
   for (const auto& added : added_effects) {
-    const auto kind = effects::find(added.effect).changes_stiffness();
-    if (kind != ChangeKind::Elements) continue;
-    const double factor = added.parameters.at(0).value;
-    const bool thinned = added.where.variant == pocket;
-    weak.push_back({{added.where.elements.begin(), added.where.elements.end()},
-                    factor,
-                    thinned ? effects::mass_left(factor) : 1.0});
+    const effects::Effect& effect = effects::find(added.effect);
+    if (effect.changes_stiffness() != ChangeKind::Elements) continue;
+    const std::vector<double> p =
+        values(added.parameters, effect.parameters(added.where, setting));
+    auto groups = effects::weakened_beside(added.where, *setting.deck);
+    groups.insert(groups.begin(), added.where.elements);
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      weak.push_back(
+          {{groups[k].begin(), groups[k].end()},
+           p[k],
+           takes_mass(added.where) ? effects::mass_left(p[k]) : 1.0});
+    }
   }
   return weak;
 }
@@ -190,7 +196,8 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
     released.insert(released.end(), out.begin(), out.end());
   }
   const IdentifiedCards cards = identified_cards(bundle, deck, identified);
-  const structure::WeakenCards weak(deck, weak_elements(added_effects));
+  const structure::WeakenCards weak(deck,
+                                    weak_elements(added_effects, setting));
   EffectCards written = cards_of(added_effects, bundle, deck);
   std::vector<bool> done;
   const structure::CardEdit rescale =

@@ -88,11 +88,13 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
   for (const PlacedEffect& e : effects) {
     const auto kind = e.effect->changes_stiffness();
     if (!kind) continue;
-    changes.push_back({*kind,
-                       {e.effect->name(), e.where},
-                       *kind == ChangeKind::Joint
-                           ? effects::turned_across(e.where, setting_.setting)
-                           : setting_.setting.component});
+    changes.push_back(
+        {*kind,
+         {e.effect->name(), e.where},
+         *kind == ChangeKind::Joint
+             ? effects::turned_across(e.where, setting_.setting)
+             : setting_.setting.component,
+         effects::weakened_beside(e.where, *setting_.setting.deck)});
   }
   auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
                                           setting_.setting,
@@ -515,7 +517,9 @@ Fit Fitter::fit_beside(const Fit& fit,
                        const Progress& progress) const {
   ModelState first = going_on(*model, effects, fit.result.state);
   for (std::size_t k = 0; k < effects.size(); ++k) {
-    first.effects[k].p = fit.result.state.effects[k].p;
+    const std::vector<double>& known = fit.result.state.effects[k].p;
+    // A patch at the end of a plate has fewer edges.
+    if (known.size() == first.effects[k].p.size()) first.effects[k].p = known;
   }
   Course course(*this, std::move(model), std::move(first), progress);
   course.arrive(exact, rounds);

@@ -48,6 +48,14 @@ bool is_at_grid(const Where& where) {
   return where.node != 0 && where.channels.empty();
 }
 
+bool takes_mass(const Where& where) {
+  return where.variant == pocket || where.variant == pocket_edges;
+}
+
+bool has_edges(const Where& where) {
+  return where.variant == edges || where.variant == pocket_edges;
+}
+
 bool is_along_axis(const Where& where) {
   return where.variant == "X" || where.variant == "Y" || where.variant == "Z";
 }

@@ -22,7 +22,8 @@ struct Where {
   /// "translation"; "each" for one mass per channel instead of a shared one;
   /// "X", "Y" or "Z" for an axis that is not the one mostly measured;
   /// "rotary" for a mass with an inertia, a sensor's or another; "pocket" for
-  /// elements that were thinned; "crack" for a joint whose sides part.
+  /// elements that were thinned, "edges" where the ends of what is lost lie
+  /// within elements; "crack" for a joint whose sides part.
   std::string variant = {};
   /// Between grids: coordinates in basic axes [m], three or none; node is then
   /// the nearest grid of the element that holds them.
@@ -37,6 +38,16 @@ struct Where {
 
 /// Form of a loss of stiffness that takes the mass with it.
 inline const std::string pocket = "pocket";
+
+/// Forms of a loss whose edges lie between grids, mass kept and taken.
+inline const std::string edges = "edges";
+inline const std::string pocket_edges = "pocket-edges";
+
+/// Whether elements that have lost stiffness there have lost mass, too.
+[[nodiscard]] bool takes_mass(const Where& where);
+
+/// Whether elements beside those there have lost some of theirs.
+[[nodiscard]] bool has_edges(const Where& where);
 
 /// Form of a joint along part of a line, whose sides part.
 inline const std::string crack = "crack";

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -106,8 +107,8 @@ class Stretch {
     return ids;
   }
 
-  // With the next layer of those that lie beside the patch.
-  [[nodiscard]] std::vector<int> longer(Index axis, double sign) const {
+  // The next layer of those that lie beside the patch.
+  [[nodiscard]] std::vector<int> next_layer(Index axis, double sign) const {
     const auto along = [&](const Block* b) { return sign * b->middle[axis]; };
     const double begin = sign > 0.0 ? high_[axis] : -low_[axis];
     std::vector<const Block*> ahead;
@@ -118,7 +119,6 @@ class Stretch {
     const Block* next = *std::ranges::min_element(ahead, {}, along);
     const double end = along(next) + layer(*next, axis);
     std::vector<int> ids;
-    for (const Block* b : inside_) take(*b, ids);
     for (const Block* b : ahead) {
       if (along(b) < end) take(*b, ids);
     }
@@ -154,6 +154,14 @@ class Stretch {
   Vector3d high_ = -low_;
 };
 
+std::vector<int> joined(std::vector<int> patch, const std::vector<int>& layer) {
+  patch.insert(patch.end(), layer.begin(), layer.end());
+  std::ranges::sort(patch);
+  return patch;
+}
+
+constexpr std::array<double, 2> signs = {1.0, -1.0};
+
 }  // namespace
 
 std::vector<std::vector<int>> stretched_patches(const std::vector<int>& patch,
@@ -163,12 +171,26 @@ std::vector<std::vector<int>> stretched_patches(const std::vector<int>& patch,
                           deck.rods.size() + deck.solids.size();
   std::vector<std::vector<int>> result;
   for (Index axis = 0; axis < 3; ++axis) {
-    for (const double sign : {1.0, -1.0}) {
+    for (const double sign : signs) {
       for (const std::vector<int>& ids :
-           {stretch.shorter(axis, sign), stretch.longer(axis, sign)}) {
+           {stretch.shorter(axis, sign),
+            joined(patch, stretch.next_layer(axis, sign))}) {
         const bool changed = !ids.empty() && ids.size() != patch.size();
         if (changed && 2 * ids.size() <= all) result.push_back(ids);
       }
+    }
+  }
+  return result;
+}
+
+std::vector<std::vector<int>> layers_beside(const std::vector<int>& patch,
+                                            const Deck& deck) {
+  const Stretch stretch(patch, deck);
+  std::vector<std::vector<int>> result;
+  for (Index axis = 0; axis < 3; ++axis) {
+    for (const double sign : signs) {
+      std::vector<int> layer = stretch.next_layer(axis, sign);
+      if (!layer.empty()) result.push_back(std::move(layer));
     }
   }
   return result;

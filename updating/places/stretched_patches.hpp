@@ -18,4 +18,9 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<std::vector<int>> stretched_patches(
     const std::vector<int>& patch, const structure::Deck& deck);
 
+/// The layers themselves that a patch may be longer by, in the order of the
+/// sides; sides beyond which there is nothing have none.
+[[nodiscard]] std::vector<std::vector<int>> layers_beside(
+    const std::vector<int>& patch, const structure::Deck& deck);
+
 }  // namespace tapfit::updating

@@ -415,13 +415,28 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
   std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
-  for (const ScaledStiffness& scaled : released.scaled) {
-    if (changes[scaled.change].kind != ChangeKind::Elements) continue;
-    const SparseMatrix S = scaled.S.topLeftCorner(n, n);
-    blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
-    if (scaled.N.size() == 0) continue;
-    const SparseMatrix N = scaled.N.topLeftCorner(n, n);
-    blocks.push_back(padded(thinned_modes(held, S, N, loss_range.lower)));
+  const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
+    const SparseMatrix own = S.topLeftCorner(n, n);
+    blocks.push_back(padded(loss_modes(held, own, loss_range.lower)));
+    if (N.size() == 0) return;
+    blocks.push_back(padded(
+        thinned_modes(held, own, N.topLeftCorner(n, n), loss_range.lower)));
+  };
+  for (std::size_t c = 0; c < changes.size(); ++c) {
+    if (changes[c].kind != ChangeKind::Elements) continue;
+    ScaledStiffness all;
+    for (const ScaledStiffness& scaled : released.scaled) {
+      if (scaled.change != c) continue;
+      add_loss(scaled.S, scaled.N);
+      if (changes[c].beside.empty()) continue;
+      if (all.S.size() == 0) {
+        all = scaled;
+      } else {
+        all.S += scaled.S;
+        if (all.N.size() > 0) all.N += scaled.N;
+      }
+    }
+    if (all.S.size() > 0) add_loss(all.S, all.N);
   }
   return join(blocks);
 }

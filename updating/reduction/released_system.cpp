@@ -224,19 +224,19 @@ void let_go(const std::vector<Triplets>& springs,
   }
 }
 
-// The stiffness of a change's elements, as it is and as properties change it;
-// and their mass where that is lost with it.
+// The stiffness of elements, as it is and as properties change it; and their
+// mass where that is lost with it.
 ScaledStiffness stiffness_of(const RefinedDeck& mesh,
                              const std::vector<UncertainProperty>& uncertain,
-                             const StiffnessChange& change,
+                             const std::vector<int>& elements,
+                             bool thinned,
                              Index dofs) {
-  const std::vector<int> ids = children_of(mesh, change.of.where.elements);
+  const std::vector<int> ids = children_of(mesh, elements);
   const std::set<int> own(ids.begin(), ids.end());
   const auto wanted = [&own](int id) { return own.contains(id); };
   ScaledStiffness scaled;
   scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
   scaled.S.conservativeResize(dofs, dofs);
-  const bool thinned = change.of.where.variant == pocket;
   if (thinned) {
     scaled.N = structure::assemble_mass(mesh.deck, wanted);
     scaled.N.conservativeResize(dofs, dofs);
@@ -249,6 +249,22 @@ ScaledStiffness stiffness_of(const RefinedDeck& mesh,
     scaled.parts.push_back(std::move(part));
   }
   return scaled;
+}
+
+void append_elements(const RefinedDeck& mesh,
+                     const std::vector<UncertainProperty>& uncertain,
+                     const StiffnessChange& change,
+                     std::size_t position,
+                     ReleasedSystem& released) {
+  const Where& where = change.of.where;
+  std::vector<std::vector<int>> groups = {where.elements};
+  groups.insert(groups.end(), change.beside.begin(), change.beside.end());
+  for (std::size_t p = 0; p < groups.size(); ++p) {
+    ScaledStiffness& scaled = released.scaled.emplace_back(stiffness_of(
+        mesh, uncertain, groups[p], takes_mass(where), released.dofs()));
+    scaled.change = position;
+    scaled.parameter = p;
+  }
 }
 
 }  // namespace
@@ -277,9 +293,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       released.active.end());
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (changes[k].kind == ChangeKind::Elements) {
-      released.scaled.push_back(
-          stiffness_of(mesh, uncertain, changes[k], released.dofs()));
-      released.scaled.back().change = k;
+      append_elements(mesh, uncertain, changes[k], k, released);
     }
     for (std::size_t p = 0; p < springs[k].size(); ++p) {
       SparseMatrix S(released.dofs(), released.dofs());

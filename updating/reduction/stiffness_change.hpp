@@ -18,6 +18,8 @@ struct StiffnessChange {
   ChangeKind kind = ChangeKind::Elements;
   EffectRef of;       ///< whose it is
   int component = 3;  ///< 1..3, the direction measured
+  /// For ChangeKind::Elements: what each parameter after the first scales.
+  std::vector<std::vector<int>> beside = {};
 };
 
 /// What p may be.

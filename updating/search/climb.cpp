@@ -1,10 +1,10 @@
 #include "updating/search/climb.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
-#include "updating/search/worth_fitting.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
+#include "updating/search/worth_fitting.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -80,8 +80,8 @@ void climb(std::vector<Hypothesis>& found,
     for (const Where& where : near(own.where)) {
       if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
       seen.push_back(where);
-      PlacedEffect next = own;
-      next.where = where;
+      PlacedEffect next = placed(*own.effect, where, fitter.setting().setting);
+      if (next.p.size() == own.p.size()) next.p = own.p;
       if (!is_present(current, next)) tries.push_back(next);
     }
     if (tries.empty()) return;

@@ -127,7 +127,11 @@ void climb_from_best(Kind& kind,
                      const HypothesisOptions& options,
                      const Progress& progress) {
   if (!kind.has_neighbours()) return;
-  climb_places(kind.found, current, fitter, options.neighbours, progress);
+  const Hypothesis& best =
+      *std::min_element(kind.found.begin(), kind.found.end(), is_likelier);
+  if (!has_edges(best.own().where)) {
+    climb_places(kind.found, current, fitter, options.neighbours, progress);
+  }
   if (kind.is_loss() && kind.error() > options.explained) {
     climb_shapes(kind.found, current, fitter, progress);
   }
@@ -215,6 +219,10 @@ void try_forms(std::vector<Kind>& kinds,
     if (places.empty()) continue;
     std::vector<PlacedEffect> tries;
     for (const Where& where : forms_of(*kind.effect, places, setting)) {
+      // They refine what is there: that of the best.
+      if (has_edges(where) && where.elements != places.front().elements) {
+        continue;
+      }
       PlacedEffect next = placed(*kind.effect, where, setting);
       if (acts(next, *current.model) && !is_present(current, next)) {
         tries.push_back(std::move(next));

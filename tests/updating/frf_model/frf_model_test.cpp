@@ -1,6 +1,7 @@
 #include "updating/frf_model/frf_model.hpp"
 
 #include "tests/updating/support/plate_model.hpp"
+#include "updating/places/stretched_patches.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
 
@@ -164,6 +165,25 @@ structure::ShellProperty& own_property(const std::vector<int>& elements,
   return own;
 }
 
+// Elements on a material of their own with part of the stiffness.
+void weaken(const std::vector<int>& elements,
+            double factor,
+            structure::Deck& deck) {
+  const int id = 1 + static_cast<int>(deck.materials.size());
+  structure::Material material = deck.materials.begin()->second;
+  material.id = id;
+  material.E *= factor;
+  material.G *= factor;
+  deck.materials[id] = material;
+  structure::ShellProperty own = deck.shell_properties[1];
+  own.id = id;
+  own.membrane = own.bending = own.shear = id;
+  deck.shell_properties[id] = own;
+  for (structure::Shell& shell : deck.shells) {
+    if (std::ranges::count(elements, shell.id) > 0) shell.property = id;
+  }
+}
+
 TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
   Where where;
   where.elements = {4, 5, 6, 14, 15, 16};
@@ -172,12 +192,7 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
       fitter_->model_for({{&effect, where, {0.5}}}, BaseUse::Scan);
   for (const double factor : {0.8, 0.3, 0.05}) {
     structure::Deck weak = deck_;
-    weak.materials[2] = weak.materials[1];
-    weak.materials[2].id = 2;
-    weak.materials[2].E *= factor;
-    weak.materials[2].G *= factor;
-    structure::ShellProperty& property = own_property(where.elements, weak);
-    property.membrane = property.bending = property.shear = 2;
+    weaken(where.elements, factor, weak);
     const ModelState state =
         undamped(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
@@ -185,6 +200,48 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
     EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 5e-4)
         << "factor " << factor;
   }
+}
+
+// What is lost ends within the elements beside: each layer has a factor of its
+// own, between that of the patch and all.
+PlacedEffect loss_with_edges(const structure::Deck& deck) {
+  Where where;
+  where.elements = {4, 5, 6, 14, 15, 16};
+  where.variant = edges;
+  PlacedEffect loss{&effects::find("stiffness-loss"), where, {0.2}};
+  const std::size_t layers = layers_beside(where.elements, deck).size();
+  for (std::size_t k = 0; k < layers; ++k) {
+    loss.p.push_back(0.3 + 0.15 * static_cast<double>(k));
+  }
+  return loss;
+}
+
+TEST_F(FrfModelTest, LossWithEdgesAgreesWithDirectSolve) {
+  PlacedEffect loss = loss_with_edges(deck_);
+  const auto layers = layers_beside(loss.where.elements, deck_);
+  ASSERT_GE(layers.size(), 2U);
+  const auto model = fitter_->model_for({loss}, BaseUse::Scan);
+  for (const double left : {1.0, 0.25}) {
+    for (double& p : loss.p) p *= left;
+    structure::Deck weak = deck_;
+    weaken(loss.where.elements, loss.p[0], weak);
+    for (std::size_t k = 0; k < layers.size(); ++k) {
+      weaken(layers[k], loss.p[k + 1], weak);
+    }
+    const ModelState state = undamped(*fitter_, *model, {loss});
+    const MatrixXcd H = model->respond(state, s_, false).H;
+    // See changed_motions.hpp.
+    EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 5e-4)
+        << "times " << left;
+  }
+}
+
+TEST_F(FrfModelTest, DerivativesOfEdgesAgreeWithDifferences) {
+  PlacedEffect loss = loss_with_edges(deck_);
+  loss.where.variant = pocket_edges;
+  const auto model = fitter_->model_for({loss});
+  const ModelState state = fitter_->first_state(*model, {loss});
+  EXPECT_LT(derivative_error(*model, state, s_), 1e-5);
 }
 
 // Thinned to t / t_0 = factor^(1/3). The sensors look across the plate, which

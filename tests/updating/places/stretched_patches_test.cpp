@@ -56,6 +56,15 @@ TEST(StretchedPatches, AreALayerLongerOrShorterOnEachSide) {
   }
 }
 
+TEST(StretchedPatches, LayersBesideAreWhatLongerOnesHaveMore) {
+  const Patch patch = {8, 9, 14, 15};
+  const auto layers = layers_beside(patch, plate(Eigen::Matrix3d::Identity()));
+  EXPECT_EQ(layers, (std::vector<Patch>{{10, 16}, {7, 13}, {20, 21}, {2, 3}}));
+  // In the corner there are two sides to grow to.
+  EXPECT_EQ(layers_beside({1}, plate(Eigen::Matrix3d::Identity())),
+            (std::vector<Patch>{{2}, {7}}));
+}
+
 // One element can only grow, and at an edge to three sides only.
 TEST(StretchedPatches, EndWhereThePlateEnds) {
   const auto all = stretched_patches({2}, plate(Eigen::Matrix3d::Identity()));
