@@ -2,6 +2,7 @@
 
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/effects/stiffness_loss.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
