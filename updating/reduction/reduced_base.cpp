@@ -111,6 +111,7 @@ struct BaseBuilder::Impl {
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
                                          const ScaledStiffness& own) const;
+  [[nodiscard]] ChangeRange added_range(const SparseMatrix& S) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -341,6 +342,34 @@ ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
   return {0.0, upper, worst / 100.0, worst / 0.1, upper};
 }
 
+// Of a stiffness that is added: how much of it is much. A mode's omega^2 rises
+// by p phi' S phi; where S is below zero the structure buckles at the least p
+// with a motion u of u' (K + p S) u = 0.
+ChangeRange BaseBuilder::Impl::added_range(const SparseMatrix& S) const {
+  // Of what buckles the structure, which modes alone put a little high: its
+  // frequency is then a third.
+  constexpr double nearly = 0.9;
+  const SparseMatrix own = S.topLeftCorner(system.dofs(), system.dofs());
+  MatrixXd energy = modes.transpose() * (own * modes);
+  double most = 0.0;
+  for (Index r = 0; r < modes.cols(); ++r) {
+    // What the whole does as a rigid body strains nothing.
+    const bool strains = modes_hz(r) > 1e-3 * options.high_hz;
+    const double unit = strains ? 1.0 / (two_pi * modes_hz(r)) : 0.0;
+    energy.row(r) *= unit;
+    energy.col(r) *= unit;
+    if (modes_hz(r) > options.high_hz) continue;
+    most = std::max(most, std::abs(energy(r, r)));
+  }
+  if (most <= 0.0) return {0.0, 0.0, 1e-4, 0.1, 10.0};
+  ChangeRange range = {0.0, 0.0, 1e-4 / most, 0.1 / most, 10.0 / most};
+  const double lowest =
+      Eigen::SelfAdjointEigenSolver<MatrixXd>(energy).eigenvalues()(0);
+  if (energy.trace() < 0.0) range.upper = nearly / -lowest;
+  range.start = std::min(range.start, 0.5 * range.upper);
+  return range;
+}
+
 // The fixed basis and a few vectors more. Only products with the new vectors
 // are taken in the large space; what is known of the fixed ones is kept.
 ReducedBase BaseBuilder::Impl::extend(const Span& span,
@@ -416,7 +445,13 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
   for (const ScaledStiffness& scaled : released.scaled) {
-    if (changes[scaled.change].kind != ChangeKind::Elements) continue;
+    const ChangeKind kind = changes[scaled.change].kind;
+    if (kind == ChangeKind::Preload) {
+      const SparseMatrix added = scaled.S.topLeftCorner(n, n);
+      blocks.push_back(
+          padded(added_modes(held, added, added_range(added).upper)));
+    }
+    if (kind != ChangeKind::Elements) continue;
     const SparseMatrix S = scaled.S.topLeftCorner(n, n);
     blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
     if (scaled.N.size() == 0) continue;
@@ -454,8 +489,9 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     const StiffnessChange& change = changes[scaled.change];
     base.terms[k].of = change.of;
     ChangeRange& range = base.terms[k];
-    range = change.kind == ChangeKind::Elements
-                ? loss_range
+    range = change.kind == ChangeKind::Elements ? loss_range
+            : change.kind == ChangeKind::Preload
+                ? m.added_range(scaled.S)
                 : m.spring_range(released, scaled);
     // Open: a plate's flaps shear past each other on next to nothing.
     if (change.of.where.variant == crack) range.lower *= 1e-6;
