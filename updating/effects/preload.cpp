@@ -193,9 +193,9 @@ Carried carried_by(const Deck& deck,
                    const structure::System& system,
                    const std::set<int>& own,
                    const updating::AxialMember& member) {
-  // Of what it would carry by itself: below, all is what rounding has left of a
-  // structure in which nothing holds the member's length.
-  constexpr double nothing = 1e-6;
+  // Of what it would carry by itself: less is what the recovery of forces in
+  // shells has left of a structure in which nothing holds the member's length.
+  constexpr double nothing = 1e-2;
   const Carried alone = initial_forces(deck, own, member.axis);
   const bool outside = member.pulled() != nullptr;
   Carried carried = outside ? Carried{} : alone;

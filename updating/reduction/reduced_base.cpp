@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/added_range.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
@@ -111,7 +112,10 @@ struct BaseBuilder::Impl {
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
                                          const ScaledStiffness& own) const;
-  [[nodiscard]] ChangeRange added_range(const SparseMatrix& S) const;
+  /// What the parameter of a change may be.
+  [[nodiscard]] ChangeRange range_of(const ReleasedSystem& released,
+                                     const ScaledStiffness& own,
+                                     ChangeKind kind) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -342,32 +346,14 @@ ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
   return {0.0, upper, worst / 100.0, worst / 0.1, upper};
 }
 
-// Of a stiffness that is added: how much of it is much. A mode's omega^2 rises
-// by p phi' S phi; where S is below zero the structure buckles at the least p
-// with a motion u of u' (K + p S) u = 0.
-ChangeRange BaseBuilder::Impl::added_range(const SparseMatrix& S) const {
-  // Of what buckles the structure, which modes alone put a little high: its
-  // frequency is then a third.
-  constexpr double nearly = 0.9;
-  const SparseMatrix own = S.topLeftCorner(system.dofs(), system.dofs());
-  MatrixXd energy = modes.transpose() * (own * modes);
-  double most = 0.0;
-  for (Index r = 0; r < modes.cols(); ++r) {
-    // What the whole does as a rigid body strains nothing.
-    const bool strains = modes_hz(r) > 1e-3 * options.high_hz;
-    const double unit = strains ? 1.0 / (two_pi * modes_hz(r)) : 0.0;
-    energy.row(r) *= unit;
-    energy.col(r) *= unit;
-    if (modes_hz(r) > options.high_hz) continue;
-    most = std::max(most, std::abs(energy(r, r)));
-  }
-  if (most <= 0.0) return {0.0, 0.0, 1e-4, 0.1, 10.0};
-  ChangeRange range = {0.0, 0.0, 1e-4 / most, 0.1 / most, 10.0 / most};
-  const double lowest =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(energy).eigenvalues()(0);
-  if (energy.trace() < 0.0) range.upper = nearly / -lowest;
-  range.start = std::min(range.start, 0.5 * range.upper);
-  return range;
+ChangeRange BaseBuilder::Impl::range_of(const ReleasedSystem& released,
+                                        const ScaledStiffness& own,
+                                        ChangeKind kind) const {
+  if (kind == ChangeKind::Elements) return loss_range;
+  if (kind != ChangeKind::Preload) return spring_range(released, own);
+  const Index n = system.dofs();
+  return added_range(
+      own.S.topLeftCorner(n, n), modes, modes_hz, options.high_hz);
 }
 
 // The fixed basis and a few vectors more. Only products with the new vectors
@@ -446,13 +432,12 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
   const Index n = system.dofs();
   for (const ScaledStiffness& scaled : released.scaled) {
     const ChangeKind kind = changes[scaled.change].kind;
+    const SparseMatrix S = scaled.S.topLeftCorner(n, n);
     if (kind == ChangeKind::Preload) {
-      const SparseMatrix added = scaled.S.topLeftCorner(n, n);
-      blocks.push_back(
-          padded(added_modes(held, added, added_range(added).upper)));
+      const double most = range_of(released, scaled, kind).upper;
+      blocks.push_back(padded(added_modes(held, S, most)));
     }
     if (kind != ChangeKind::Elements) continue;
-    const SparseMatrix S = scaled.S.topLeftCorner(n, n);
     blocks.push_back(padded(loss_modes(held, S, loss_range.lower)));
     if (scaled.N.size() == 0) continue;
     const SparseMatrix N = scaled.N.topLeftCorner(n, n);
@@ -489,10 +474,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     const StiffnessChange& change = changes[scaled.change];
     base.terms[k].of = change.of;
     ChangeRange& range = base.terms[k];
-    range = change.kind == ChangeKind::Elements ? loss_range
-            : change.kind == ChangeKind::Preload
-                ? m.added_range(scaled.S)
-                : m.spring_range(released, scaled);
+    range = m.range_of(released, scaled, change.kind);
     // Open: a plate's flaps shear past each other on next to nothing.
     if (change.of.where.variant == crack) range.lower *= 1e-6;
   }
