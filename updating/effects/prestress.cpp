@@ -29,19 +29,20 @@ bool can_carry(const structure::Deck& deck, const Where& where) {
 std::vector<Where> Prestress::places(const Setting& setting) const {
   std::vector<Where> result;
   if (setting.deck == nullptr) return result;
-  for (const std::vector<int>& member :
+  for (const std::vector<int>& elements :
        updating::whole_members(*setting.deck)) {
-    for (const char* variant :
-         {"", "compression", "across", "across-compression"}) {
-      Where where;
-      where.elements = member;
-      where.variant = variant;
-      if (!can_carry(*setting.deck, where)) continue;
+    for (const bool across : {false, true}) {
+      const auto member =
+          updating::axial_member(*setting.deck, elements, across);
+      if (!member || !member->can_be_pulled()) continue;
+      const bool by_wire = member->pulled() != nullptr;
       // A plate that hangs on one side only is pulled the long way.
-      const auto own = member_at(*setting.deck, member, where);
-      const bool side_wire =
-          where.variant.starts_with("across") && own->pulled() != nullptr;
-      if (!side_wire) result.push_back(std::move(where));
+      if (by_wire && across) continue;
+      result.emplace_back().elements = elements;
+      if (across) result.back().variant = "across";
+      if (by_wire) continue;
+      result.emplace_back().elements = elements;
+      result.back().variant = across ? "across-compression" : "compression";
     }
   }
   return result;

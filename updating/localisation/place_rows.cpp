@@ -40,6 +40,35 @@ MatrixXd strain_rows(const MatrixXd& K, const MatrixXd& motion) {
   return rows;
 }
 
+// Rows of many elements as no more than there are columns, with the same G' G.
+class GatheredRows {
+ public:
+  explicit GatheredRows(Index columns)
+      : rows_(0, columns), square_(MatrixXd::Zero(columns, columns)) {}
+
+  void add(const MatrixXd& more) {
+    const Index known = rows_.rows();
+    rows_.conservativeResize(known + more.rows(), Eigen::NoChange);
+    rows_.bottomRows(more.rows()) = more;
+    if (rows_.rows() > rows_.cols()) square();
+  }
+  [[nodiscard]] MatrixXd result() {
+    if (square_.isZero(0.0)) return rows_;
+    square();
+    return strain_rows(square_,
+                       MatrixXd::Identity(square_.rows(), square_.cols()));
+  }
+
+ private:
+  void square() {
+    square_ += rows_.transpose() * rows_;
+    rows_.resize(0, Eigen::NoChange);
+  }
+
+  MatrixXd rows_;
+  MatrixXd square_;
+};
+
 }  // namespace
 
 PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
@@ -130,10 +159,10 @@ MatrixXd PlaceRows::preload(const Where& where) {
   const auto member = effects::member_at(deck, where.elements, where);
   if (!member || !member->can_be_pulled()) return MatrixXd::Zero(0, r);
   const std::set<int> own(where.elements.begin(), where.elements.end());
-  MatrixXd S = MatrixXd::Zero(r, r);
+  GatheredRows all(r);
   const auto add = [&](const structure::GeometricMatrix& e, double factor) {
-    const MatrixXd motion = motion_of(e.grids);
-    S += factor * (motion.transpose() * (e.K * motion));
+    if (e.K.isZero(0.0)) return;
+    all.add(strain_rows(factor * e.K, motion_of(e.grids)));
   };
   for (const auto& bar : deck.bars) {
     if (own.contains(bar.id)) add(structure::geometric_matrix(deck, bar), 1.0);
@@ -162,8 +191,7 @@ MatrixXd PlaceRows::preload(const Where& where) {
       add({{grid}, across}, 1.0 / (member->length * grids));
     }
   }
-  if (S.isZero(0.0)) return MatrixXd::Zero(0, r);
-  return strain_rows(S, MatrixXd::Identity(r, r));
+  return all.result();
 }
 
 }  // namespace tapfit::updating

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace tapfit::updating {
@@ -22,37 +23,45 @@ using structure::Deck;
 constexpr double end_zone = 0.02;
 // Cosine of the sharpest fold within a sheet, 20 degrees.
 constexpr double nearly_flat = 0.94;
+// Of the second moments of a sheet: its sides are within a hundredth.
+constexpr double nearly_square = 0.98;
 
-// Grids that something besides the elements named holds or is joined to.
-std::set<int> held_by_others(const Deck& deck, const std::set<int>& own) {
-  std::set<int> held;
-  const auto join = [&](const auto& elements) {
-    for (const auto& e : elements) {
-      if (!own.contains(e.id)) held.insert(e.grids.begin(), e.grids.end());
-    }
+// Whether something besides the elements named holds any of the grids, or is
+// joined to it.
+bool is_held(const Deck& deck,
+             const std::set<int>& own,
+             const std::set<int>& ends) {
+  const auto any = [&ends](const auto& grids) {
+    return std::ranges::any_of(
+        grids, [&ends](int grid) { return ends.contains(grid); });
   };
-  join(deck.shells);
-  join(deck.bars);
-  join(deck.rods);
-  join(deck.solids);
-  join(deck.scalars);
-  join(deck.bushes);
+  const auto joined = [&](const auto& elements) {
+    return std::ranges::any_of(elements, [&](const auto& e) {
+      return any(e.grids) && !own.contains(e.id);
+    });
+  };
+  if (joined(deck.shells) || joined(deck.bars) || joined(deck.rods) ||
+      joined(deck.solids) || joined(deck.scalars) || joined(deck.bushes)) {
+    return true;
+  }
   for (const auto& rigid : deck.rigids) {
-    held.insert(rigid.independent);
-    for (const auto& d : rigid.dependents) held.insert(d.grid);
+    if (ends.contains(rigid.independent)) return true;
+    for (const auto& d : rigid.dependents) {
+      if (ends.contains(d.grid)) return true;
+    }
   }
   for (const auto& relation : deck.relations) {
     // Points of the test follow the structure and hold nothing.
     if (relation.grid < 0) continue;
-    held.insert(relation.grid);
-    for (const auto& term : relation.terms) held.insert(term.grid);
+    if (ends.contains(relation.grid)) return true;
+    for (const auto& term : relation.terms) {
+      if (ends.contains(term.grid)) return true;
+    }
   }
-  for (const auto& constraint : deck.constraints) {
-    const bool translation =
-        constraint.components.find_first_of("123") != std::string::npos;
-    if (translation) held.insert(constraint.grid);
-  }
-  return held;
+  return std::ranges::any_of(deck.constraints, [&ends](const auto& c) {
+    return ends.contains(c.grid) &&
+           c.components.find_first_of("123") != std::string::npos;
+  });
 }
 
 // The grids at the two ends of lines of elements; empty where there are not
@@ -86,23 +95,53 @@ std::map<int, Vector3d> sheet_grids(const Deck& deck,
   return grids;
 }
 
-// The first or second principal direction of places.
-Vector3d principal_axis(const std::map<int, Vector3d>& grids, bool second) {
-  Vector3d mean = Vector3d::Zero();
-  for (const auto& [grid, x] : grids) mean += x;
-  mean /= static_cast<double>(grids.size());
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const auto& [grid, x] : grids) {
-    spread += (x - mean) * (x - mean).transpose();
+// The principal direction of a sheet's area that is longest, or across it: the
+// same however it is meshed.
+Vector3d principal_axis(const Deck& deck,
+                        const std::set<int>& own,
+                        bool across) {
+  double area = 0.0;
+  Vector3d first = Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  for (const structure::Shell& shell : deck.shells) {
+    if (!own.contains(shell.id)) continue;
+    std::vector<Vector3d> x;
+    Vector3d middle = Vector3d::Zero();
+    for (const int grid : shell.grids) {
+      x.push_back(position_of(deck, grid));
+      middle += x.back() / static_cast<double>(shell.grids.size());
+    }
+    const double part = (x.size() == 4 ? (x[2] - x[0]).cross(x[3] - x[1])
+                                       : (x[1] - x[0]).cross(x[2] - x[0]))
+                            .norm() /
+                        2.0;
+    area += part;
+    first += part * middle;
+    second += part * middle * middle.transpose();
+    // Exact for triangles and parallelograms.
+    for (const Vector3d& corner : x) {
+      second += part / 12.0 * (corner - middle) * (corner - middle).transpose();
+    }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  return solver.eigenvectors().col(second ? 1 : 2);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      second - first * first.transpose() / area);
+  const Vector3d normal = solver.eigenvectors().col(0);
+  Vector3d along = solver.eigenvectors().col(2);
+  // A square has no longest direction: the first basic axis that lies in it.
+  if (solver.eigenvalues()(1) > nearly_square * solver.eigenvalues()(2)) {
+    for (const Vector3d& axis :
+         {Vector3d::UnitZ(), Vector3d::UnitY(), Vector3d::UnitX()}) {
+      const Vector3d in_plane = axis - normal * normal.dot(axis);
+      if (in_plane.norm() > 0.5) along = in_plane.normalized();
+    }
+  }
+  return across ? Vector3d(normal.cross(along)) : along;
 }
 
 std::optional<AxialMember> sheet_member(const std::map<int, Vector3d>& grids,
-                                        bool across) {
+                                        const Vector3d& axis) {
   AxialMember member;
-  member.axis = principal_axis(grids, across);
+  member.axis = axis;
   double low = 1e300;
   double high = -1e300;
   for (const auto& [grid, x] : grids) {
@@ -176,7 +215,7 @@ std::optional<AxialMember> axial_member(const Deck& deck,
   std::optional<AxialMember> member;
   const std::map<int, Vector3d> grids = sheet_grids(deck, own);
   if (!grids.empty()) {
-    member = sheet_member(grids, across);
+    member = sheet_member(grids, principal_axis(deck, own, across));
   } else if (const std::vector<int> ends = line_ends(deck, own);
              !ends.empty() && !across) {
     const Vector3d side =
@@ -187,10 +226,8 @@ std::optional<AxialMember> axial_member(const Deck& deck,
     for (const std::size_t k : {0U, 1U}) member->ends.at(k).grids = {ends[k]};
   }
   if (!member || !(member->length > 0.0)) return std::nullopt;
-  const std::set<int> held = held_by_others(deck, own);
   for (MemberEnd& end : member->ends) {
-    end.loose = std::ranges::none_of(
-        end.grids, [&held](int grid) { return held.contains(grid); });
+    end.loose = !is_held(deck, own, {end.grids.begin(), end.grids.end()});
   }
   return member;
 }
