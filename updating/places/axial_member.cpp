@@ -129,8 +129,8 @@ Vector3d principal_axis(const Deck& deck,
   Vector3d along = solver.eigenvectors().col(2);
   // A square has no longest direction: the first basic axis that lies in it.
   if (solver.eigenvalues()(1) > nearly_square * solver.eigenvalues()(2)) {
-    for (const Vector3d& axis :
-         {Vector3d::UnitZ(), Vector3d::UnitY(), Vector3d::UnitX()}) {
+    for (const Eigen::Index k : {2, 1, 0}) {
+      const Vector3d axis = Vector3d::Unit(k);
       const Vector3d in_plane = axis - normal * normal.dot(axis);
       if (in_plane.norm() > 0.5) along = in_plane.normalized();
     }
