@@ -67,7 +67,9 @@ std::vector<std::string> all_words(const Effect& effect,
   }
   const bool of_channels = effect.entry() == effects::Entry::Measurement;
   if (setting.deck == nullptr && !of_channels) return {};
-  if (kind == ChangeKind::Elements) return element_ids(setting);
+  const bool of_elements =
+      kind == ChangeKind::Elements || kind == ChangeKind::Preload;
+  if (of_elements) return element_ids(setting);
   if (kind == ChangeKind::Joint) return grid_ids(setting);
   return catalogue_places(effect, setting);
 }

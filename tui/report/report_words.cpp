@@ -16,7 +16,7 @@ namespace {
 
 using Name = std::pair<std::string_view, const char*>;
 
-constexpr std::array<Name, 20> effect_names{{
+constexpr std::array<Name, 21> effect_names{{
     {"sensor-mass", "mass of the sensors"},
     {"sensor-cable", "pull of the sensor cables"},
     {"soft-support", "support that gives"},
@@ -25,6 +25,7 @@ constexpr std::array<Name, 20> effect_names{{
     {"dashpot", "damper to ground"},
     {"stiffness-loss", "loss of stiffness"},
     {"joint", "joint that gives"},
+    {"prestress", "axial force in a member"},
     {"absorber", "vibration absorber"},
     {"damping-law", "law of damping"},
     {"channel-gain", "wrong sensitivity of a channel"},

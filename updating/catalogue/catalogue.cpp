@@ -9,6 +9,7 @@
 #include "updating/effects/effect_ref.hpp"
 #include "updating/effects/ground_spring.hpp"
 #include "updating/effects/joint.hpp"
+#include "updating/effects/prestress.hpp"
 #include "updating/effects/sensor_cable.hpp"
 #include "updating/effects/sensor_mass.hpp"
 #include "updating/effects/soft_support.hpp"
@@ -29,7 +30,7 @@
 namespace tapfit::effects {
 
 std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 18> effects = {
+  static const std::array<std::unique_ptr<const Effect>, 19> effects = {
       std::make_unique<const SensorMass>(),
       std::make_unique<const SoftSupport>(),
       std::make_unique<const AddedMass>(),
@@ -38,6 +39,7 @@ std::span<const std::unique_ptr<const Effect>> catalogue() {
       std::make_unique<const SensorCable>(),
       std::make_unique<const StiffnessLoss>(),
       std::make_unique<const Joint>(),
+      std::make_unique<const Prestress>(),
       std::make_unique<const Absorber>(),
       std::make_unique<const ChannelGain>(),
       std::make_unique<const ChannelDelay>(),

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/effects/prestress.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/set_up/sheet_place.hpp"
 #include "updating/set_up/sheet_points.hpp"
@@ -185,6 +186,11 @@ std::string remedy(const effects::Effect& effect,
            "to free edge, or at the end of a bar: name grids of one such "
            "line, joined with \":\"";
   }
+  if (kind == ChangeKind::Preload) {
+    return "name bars or rods in line, or shells of a sheet, joined with "
+           "\":\"; a member is pushed (prestress@3:4:compression) only where "
+           "both its ends are held";
+  }
   if (kind == ChangeKind::Support) return "name grids that the model holds";
   if (effect.takes_any_grid()) {
     return "name a channel, the grid that the sheet has it at and the one "
@@ -220,7 +226,9 @@ bool names_sheet_place(const effects::Effect& effect,
 // What is written behind the @, for example.
 std::string example_place(const effects::Effect& effect) {
   const auto kind = effect.changes_stiffness();
-  if (kind == ChangeKind::Elements) return "60:61";
+  if (kind == ChangeKind::Elements || kind == ChangeKind::Preload) {
+    return "60:61";
+  }
   if (kind == ChangeKind::Joint) return "34:35";
   if (effect.takes_any_grid()) return "acc1:8:6";
   if (effect.at_sheet_points()) return "acc1:" + effect.variants().front();
@@ -304,7 +312,9 @@ EffectRef parse_effect(const std::string& text) {
   check_grid(effect, place, text);
   const std::vector<int> numbers =
       sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
-  if (!numbers.empty() && kind == ChangeKind::Elements) {
+  const bool of_elements =
+      kind == ChangeKind::Elements || kind == ChangeKind::Preload;
+  if (!numbers.empty() && of_elements) {
     ref.where.elements = numbers;
     std::sort(ref.where.elements.begin(), ref.where.elements.end());
   } else if (!numbers.empty() && kind) {
@@ -360,7 +370,12 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
       return placed(effect, *line, s);
     }
   }
-  const bool local = kind == ChangeKind::Elements || kind == ChangeKind::Joint;
+  if (kind == ChangeKind::Preload && are_elements(*s.deck, want.elements) &&
+      effects::can_carry(*s.deck, want)) {
+    return placed(effect, want, s);
+  }
+  const bool local = kind == ChangeKind::Elements ||
+                     kind == ChangeKind::Joint || kind == ChangeKind::Preload;
   const bool any_grid = effect.takes_any_grid();
   const bool at_sheet = effect.at_sheet_points();
   if (any_grid && want.nodes.empty()) want.nodes = only_grid(places, want);

@@ -7,6 +7,7 @@ enum class ChangeKind {
   Support,   ///< held degrees of freedom are released and held by springs
   Joint,     ///< elements beside a line turn against the rest, on springs
   Elements,  ///< the stiffness of elements times a factor
+  Preload,   ///< what a member carries stiffens it across, or softens it
 };
 
 }  // namespace tapfit::updating

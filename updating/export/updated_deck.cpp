@@ -10,6 +10,7 @@
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
+#include "updating/structure/edit/direct_matrix.hpp"
 #include "updating/structure/edit/move_elements.hpp"
 #include "updating/structure/edit/release_constraints.hpp"
 #include "updating/structure/edit/weaken_cards.hpp"
@@ -58,6 +59,7 @@ void take_id(const std::string& card, structure::Deck& deck) {
   const std::size_t comma = card.find(',');
   if (card.starts_with('$') || comma == std::string::npos) return;
   if (card.starts_with("CORD")) return deck.cards.push_back(card);
+  if (card.starts_with("DMIG")) return deck.stiffness_terms.push_back({});
   int id = 0;
   const char* first = card.data() + comma + 1;
   std::from_chars(first, card.data() + card.size(), id);
@@ -210,6 +212,10 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
                              rescale,
                              structure::release_constraints(deck, released)});
   result.added = std::move(written.added);
+  const bool direct = std::ranges::any_of(result.added, [](const auto& card) {
+    return card.starts_with("DMIG,K2GG");
+  });
+  if (direct) structure::name_direct_stiffness("K2GG", result.lines);
   for (std::size_t k = 0; k < cards.scales.size(); ++k) {
     if (done[k]) continue;
     const Estimate& estimate = cards.estimates[k];

@@ -1,12 +1,15 @@
 #include "updating/localisation/place_rows.hpp"
 
 #include "updating/effects/joint_cards.hpp"
+#include "updating/effects/preload.hpp"
+#include "updating/structure/elements/geometric_stiffness.hpp"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 namespace tapfit::updating {
 namespace {
@@ -37,6 +40,35 @@ MatrixXd strain_rows(const MatrixXd& K, const MatrixXd& motion) {
   return rows;
 }
 
+// Rows of many elements as no more than there are columns, with the same G' G.
+class GatheredRows {
+ public:
+  explicit GatheredRows(Index columns)
+      : rows_(0, columns), square_(MatrixXd::Zero(columns, columns)) {}
+
+  void add(const MatrixXd& more) {
+    const Index known = rows_.rows();
+    rows_.conservativeResize(known + more.rows(), Eigen::NoChange);
+    rows_.bottomRows(more.rows()) = more;
+    if (rows_.rows() > rows_.cols()) square();
+  }
+  [[nodiscard]] MatrixXd result() {
+    if (square_.isZero(0.0)) return rows_;
+    square();
+    return strain_rows(square_,
+                       MatrixXd::Identity(square_.rows(), square_.cols()));
+  }
+
+ private:
+  void square() {
+    square_ += rows_.transpose() * rows_;
+    rows_.resize(0, Eigen::NoChange);
+  }
+
+  MatrixXd rows_;
+  MatrixXd square_;
+};
+
 }  // namespace
 
 PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
@@ -66,21 +98,25 @@ PlaceRows::PlaceRows(const FrfModel& model) : model_(&model) {
   });
 }
 
-const PlaceRows::ElementRows& PlaceRows::rows_of(int id) {
-  const auto [it, fresh] = known_.try_emplace(id);
-  ElementRows& element = it->second;
-  if (!fresh) return element;
+MatrixXd PlaceRows::motion_of(const std::vector<int>& grids) {
   const structure::Deck& deck = *model_->setting().deck;
-  element.own = matrices_.at(id)();
-  const std::vector<int>& grids = element.own.grids;
-  element.motion.resize(6 * std::ssize(grids), model_->base().size());
+  MatrixXd motions(6 * std::ssize(grids), model_->base().size());
   for (Index k = 0; k < std::ssize(grids); ++k) {
     const std::size_t grid =
         deck.grid_index(grids[static_cast<std::size_t>(k)]);
     const auto [motion, first] = motions_.try_emplace(grid);
     if (first) motion->second = model_->base().rows.rows_of_grid(grid);
-    element.motion.middleRows(6 * k, 6) = motion->second;
+    motions.middleRows(6 * k, 6) = motion->second;
   }
+  return motions;
+}
+
+const PlaceRows::ElementRows& PlaceRows::rows_of(int id) {
+  const auto [it, fresh] = known_.try_emplace(id);
+  ElementRows& element = it->second;
+  if (!fresh) return element;
+  element.own = matrices_.at(id)();
+  element.motion = motion_of(element.own.grids);
   return element;
 }
 
@@ -115,6 +151,47 @@ MatrixXd PlaceRows::joint(const Where& where) {
     rows.row(static_cast<Index>(k)) /= std::sqrt(grid.length);
   }
   return rows;
+}
+
+MatrixXd PlaceRows::preload(const Where& where) {
+  const structure::Deck& deck = *model_->setting().deck;
+  const Index r = model_->base().size();
+  const auto member = effects::member_at(deck, where.elements, where);
+  if (!member || !member->can_be_pulled()) return MatrixXd::Zero(0, r);
+  const std::set<int> own(where.elements.begin(), where.elements.end());
+  GatheredRows all(r);
+  const auto add = [&](const structure::GeometricMatrix& e, double factor) {
+    if (e.K.isZero(0.0)) return;
+    all.add(strain_rows(factor * e.K, motion_of(e.grids)));
+  };
+  for (const auto& bar : deck.bars) {
+    if (own.contains(bar.id)) add(structure::geometric_matrix(deck, bar), 1.0);
+  }
+  for (const auto& rod : deck.rods) {
+    if (own.contains(rod.id)) add(structure::geometric_matrix(deck, rod), 1.0);
+  }
+  double area = 0.0;
+  for (const auto& shell : deck.shells) {
+    if (own.contains(shell.id)) {
+      area += structure::shell_plane(deck, shell).area;
+    }
+  }
+  const Eigen::Matrix3d N = member->length / std::max(area, 1e-300) *
+                            member->axis * member->axis.transpose();
+  for (const auto& shell : deck.shells) {
+    if (!own.contains(shell.id)) continue;
+    add(structure::geometric_matrix(deck, shell, N), 1.0);
+  }
+  if (const updating::MemberEnd* end = member->pulled()) {
+    MatrixXd across = MatrixXd::Zero(6, 6);
+    across.topLeftCorner<3, 3>() =
+        Eigen::Matrix3d::Identity() - member->axis * member->axis.transpose();
+    const auto grids = static_cast<double>(end->grids.size());
+    for (const int grid : end->grids) {
+      add({{grid}, across}, 1.0 / (member->length * grids));
+    }
+  }
+  return all.result();
 }
 
 }  // namespace tapfit::updating

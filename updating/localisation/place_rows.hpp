@@ -37,11 +37,17 @@ class PlaceRows {
   /// effect of one unit of compliance per metre.
   [[nodiscard]] Eigen::MatrixXd joint(const Where& where);
 
+  /// k x r, G' G = what a unit tension in the elements themselves, and a wire
+  /// as long as the member that pulls at it, add to the stiffness; what else
+  /// carries some of it is left out. No rows where they are no member.
+  [[nodiscard]] Eigen::MatrixXd preload(const Where& where);
+
  private:
   struct ElementRows {
     structure::ElementMatrices own;
     Eigen::MatrixXd motion;  // 6n x r
   };
+  [[nodiscard]] Eigen::MatrixXd motion_of(const std::vector<int>& grids);
   // Of an element, worked out when first asked for.
   const ElementRows& rows_of(int id);
 

@@ -233,9 +233,9 @@ double PlaceScan::any_law(std::size_t grid) const {
   return std::sqrt(std::max(misfit_->missing_power() - explained, 0.0));
 }
 
-MisfitScan::Scaled PlaceScan::scaled(std::size_t sum) const {
+MisfitScan::Scaled PlaceScan::scaled(std::size_t sum, double sign) const {
   const auto k = static_cast<Index>(sum);
-  return misfit_->scaled(power_(k), shared_.col(k));
+  return misfit_->scaled(power_(k), sign * shared_.col(k));
 }
 
 }  // namespace tapfit::updating

@@ -45,7 +45,9 @@ class PlaceScan {
   [[nodiscard]] double any_law(std::size_t grid) const;
 
   /// The best compliance at a sum of parts, and the error left with it.
-  [[nodiscard]] MisfitScan::Scaled scaled(std::size_t sum) const;
+  /// @param sign -1: the best stiffness that is added
+  [[nodiscard]] MisfitScan::Scaled scaled(std::size_t sum,
+                                          double sign = 1.0) const;
 
  private:
   // Of one grid on the runs that effects act alike on.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -75,6 +77,31 @@ std::vector<std::vector<int>> bars_in_line(const Deck& deck,
         runs.push_back(run);
       }
     }
+  }
+  return runs;
+}
+
+std::vector<std::vector<int>> whole_runs(const Deck& deck) {
+  const Members members(deck);
+  std::set<int> used;
+  std::vector<std::vector<int>> runs;
+  for (const Bar& bar : deck.bars) {
+    if (!used.insert(bar.id).second) continue;
+    std::vector<int> run = {bar.id};
+    for (const std::size_t from : {0U, 1U}) {
+      Step here = {&bar, from};
+      while (const std::optional<Step> next = members.after(here)) {
+        // Back from the next one.
+        const std::optional<Step> back =
+            members.after({next->bar, 1 - next->from});
+        if (!back || back->bar != here.bar) break;
+        if (!used.insert(next->bar->id).second) break;
+        run.push_back(next->bar->id);
+        here = *next;
+      }
+    }
+    std::ranges::sort(run);
+    runs.push_back(std::move(run));
   }
   return runs;
 }

@@ -18,4 +18,10 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<std::vector<int>> bars_in_line(
     const structure::Deck& deck, std::size_t longest);
 
+/// Whole members: every bar with all that go on from it either way, where each
+/// of two neighbours goes on with the other.
+/// @return element ids, ascending
+[[nodiscard]] std::vector<std::vector<int>> whole_runs(
+    const structure::Deck& deck);
+
 }  // namespace tapfit::updating

@@ -123,6 +123,15 @@ MatrixXd loss_modes(const HeldBase& base, const SparseMatrix& S, double least) {
                     leading(SU, U.transpose() * SU, little));
 }
 
+MatrixXd added_modes(const HeldBase& base, const SparseMatrix& S, double most) {
+  const MatrixXd U = base.V * shares(base).asDiagonal();
+  const MatrixXd SU = S * U;
+  const MatrixXd energy = U.transpose() * SU;
+  const double sign = energy.trace() < 0.0 ? -1.0 : 1.0;
+  return answers_to(
+      base, base.system.K + most * S, leading(SU, sign * energy, little));
+}
+
 MatrixXd thinned_modes(const HeldBase& base,
                        const SparseMatrix& S,
                        const SparseMatrix& N,

@@ -11,7 +11,8 @@
 //
 //   u = (A - (1 - p) S)^-1 S V a
 //
-// at p = 1 and next to none.
+// at p = 1 and next to none. A stiffness that is added, p S, the same with -p
+// for 1 - p.
 // Source: R. R. Craig, A. J. Kurdila, "Fundamentals of Structural Dynamics",
 // 2006, ch. 17 (constraint modes); U. Kirsch, "Reanalysis of Structures", 2008
 // (combined approximations).
@@ -52,6 +53,14 @@ struct HeldBase {
 [[nodiscard]] Eigen::MatrixXd loss_modes(const HeldBase& base,
                                          const structure::SparseMatrix& S,
                                          double least);
+
+/// Of a stiffness S that is added, of one sign, up to `most` times; costs a
+/// factorisation.
+/// @param S a member's under axial force, its parameter [N], below zero where
+///   it is pushed
+[[nodiscard]] Eigen::MatrixXd added_modes(const HeldBase& base,
+                                          const structure::SparseMatrix& S,
+                                          double most);
 
 /// What the mass of elements that are thinned drives besides.
 /// @param N n x n, mass of the elements

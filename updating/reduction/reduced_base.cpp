@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/added_range.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
@@ -111,6 +112,10 @@ struct BaseBuilder::Impl {
                                 const std::vector<int>& fresh) const;
   [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
                                          const ScaledStiffness& own) const;
+  /// What the parameter of a change may be.
+  [[nodiscard]] ChangeRange range_of(const ReleasedSystem& released,
+                                     const ScaledStiffness& own,
+                                     ChangeKind kind) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -341,6 +346,16 @@ ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
   return {0.0, upper, worst / 100.0, worst / 0.1, upper};
 }
 
+ChangeRange BaseBuilder::Impl::range_of(const ReleasedSystem& released,
+                                        const ScaledStiffness& own,
+                                        ChangeKind kind) const {
+  if (kind == ChangeKind::Elements) return loss_range;
+  if (kind != ChangeKind::Preload) return spring_range(released, own);
+  const Index n = system.dofs();
+  return added_range(
+      own.S.topLeftCorner(n, n), modes, modes_hz, options.high_hz);
+}
+
 // The fixed basis and a few vectors more. Only products with the new vectors
 // are taken in the large space; what is known of the fixed ones is kept.
 ReducedBase BaseBuilder::Impl::extend(const Span& span,
@@ -423,10 +438,16 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
         thinned_modes(held, own, N.topLeftCorner(n, n), loss_range.lower)));
   };
   for (std::size_t c = 0; c < changes.size(); ++c) {
-    if (changes[c].kind != ChangeKind::Elements) continue;
+    const ChangeKind kind = changes[c].kind;
     ScaledStiffness all;
     for (const ScaledStiffness& scaled : released.scaled) {
       if (scaled.change != c) continue;
+      if (kind == ChangeKind::Preload) {
+        const double most = range_of(released, scaled, kind).upper;
+        blocks.push_back(
+            padded(added_modes(held, scaled.S.topLeftCorner(n, n), most)));
+      }
+      if (kind != ChangeKind::Elements) continue;
       add_loss(scaled.S, scaled.N);
       if (changes[c].beside.empty()) continue;
       if (all.S.size() == 0) {
@@ -469,9 +490,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     const StiffnessChange& change = changes[scaled.change];
     base.terms[k].of = change.of;
     ChangeRange& range = base.terms[k];
-    range = change.kind == ChangeKind::Elements
-                ? loss_range
-                : m.spring_range(released, scaled);
+    range = m.range_of(released, scaled, change.kind);
     // Open: a plate's flaps shear past each other on next to nothing.
     if (change.of.where.variant == crack) range.lower *= 1e-6;
   }

@@ -1,5 +1,6 @@
 #include "updating/reduction/released_system.hpp"
 
+#include "updating/effects/preload.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/joint_line.hpp"
 #include "updating/places/support_line.hpp"
@@ -21,18 +22,6 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
 
 int dof_index(const Deck& deck, int node, int component) {
   return 6 * static_cast<int>(deck.grid_index(node)) + component - 1;
-}
-
-std::vector<int> children_of(const RefinedDeck& mesh,
-                             const std::vector<int>& elements) {
-  if (mesh.children.empty()) return elements;
-  std::vector<int> result;
-  for (const int id : elements) {
-    const auto it = mesh.children.find(id);
-    if (it == mesh.children.end()) continue;
-    result.insert(result.end(), it->second.begin(), it->second.end());
-  }
-  return result;
 }
 
 // Of the largest pull on a support: a spring there would do nothing. What turns
@@ -157,7 +146,7 @@ Cut cut_of(const RefinedDeck& mesh, const StiffnessChange& change) {
                         ? shell_joint(mesh.deck, where.nodes)
                         : bar_joint(mesh.deck,
                                     where.nodes.front(),
-                                    children_of(mesh, where.elements),
+                                    mesh.pieces_of(where.elements),
                                     change.component);
   Cut cut{{}, std::move(joint.side)};
   for (const JointGrid& grid : joint.grids) {
@@ -231,7 +220,7 @@ ScaledStiffness stiffness_of(const RefinedDeck& mesh,
                              const std::vector<int>& elements,
                              bool thinned,
                              Index dofs) {
-  const std::vector<int> ids = children_of(mesh, elements);
+  const std::vector<int> ids = mesh.pieces_of(elements);
   const std::set<int> own(ids.begin(), ids.end());
   const auto wanted = [&own](int id) { return own.contains(id); };
   ScaledStiffness scaled;
@@ -267,6 +256,23 @@ void append_elements(const RefinedDeck& mesh,
   }
 }
 
+// What a member carries, and what a wire that pulls at it holds across.
+void append_preload(const RefinedDeck& mesh,
+                    const structure::System& system,
+                    const StiffnessChange& change,
+                    std::size_t position,
+                    ReleasedSystem& released) {
+  const Where& where = change.of.where;
+  effects::Preload unit = effects::preload(
+      mesh.deck, system, mesh.pieces_of(where.elements), where);
+  std::size_t parameter = 0;
+  for (SparseMatrix* S : {&unit.along, &unit.side}) {
+    if (S->size() == 0) continue;
+    S->conservativeResize(released.dofs(), released.dofs());
+    released.scaled.push_back({position, parameter++, std::move(*S), {}, {}});
+  }
+}
+
 }  // namespace
 
 ReleasedSystem release(const RefinedDeck& mesh,
@@ -294,6 +300,9 @@ ReleasedSystem release(const RefinedDeck& mesh,
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (changes[k].kind == ChangeKind::Elements) {
       append_elements(mesh, uncertain, changes[k], k, released);
+    }
+    if (changes[k].kind == ChangeKind::Preload) {
+      append_preload(mesh, system, changes[k], k, released);
     }
     for (std::size_t p = 0; p < springs[k].size(); ++p) {
       SparseMatrix S(released.dofs(), released.dofs());

@@ -1,7 +1,8 @@
 // A change of the stiffness matrix that an effect makes and that is too wide
 // for a few degrees of freedom: a support that gives, a joint that gives,
-// elements that have lost stiffness. It is told on the deck's own grids and
-// elements; the base builds its matrix on the mesh that it solves.
+// elements that have lost stiffness, a member under axial force. It is told on
+// the deck's own grids and elements; the base builds its matrix on the mesh
+// that it solves.
 #pragma once
 
 #include "updating/effects/change_kind.hpp"

@@ -2,12 +2,13 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/search/screen_mistakes.hpp"
 #include "updating/effects/point_effect.hpp"
+#include "updating/effects/preload.hpp"
 #include "updating/localisation/misfit_scan.hpp"
 #include "updating/localisation/place_rows.hpp"
 #include "updating/localisation/place_scan.hpp"
 #include "updating/places/element_cells.hpp"
+#include "updating/search/screen_mistakes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -105,6 +106,23 @@ void add_losses(const effects::Effect& effect,
   }
 }
 
+void add_preloads(const effects::Effect& effect,
+                  const Fitter& fitter,
+                  PlaceRows& source,
+                  Places& places) {
+  std::map<std::pair<std::vector<int>, bool>, std::size_t> known;
+  for (const Where& where : fitter.places(effect)) {
+    // What is pulled and pushed there is felt by the same rows.
+    const bool across = where.variant.starts_with("across");
+    const auto [it, fresh] = known.try_emplace({where.elements, across},
+                                               places.scanned.parts.size());
+    if (fresh) places.scanned.parts.push_back(source.preload(where));
+    if (places.scanned.parts[it->second].rows() == 0) continue;
+    places.wide.push_back({&effect, where});
+    places.scanned.sums.push_back({it->second});
+  }
+}
+
 Places all_places(const FrfModel& model, const Fitter& fitter) {
   PlaceRows source(model);
   Places places;
@@ -113,6 +131,9 @@ Places all_places(const FrfModel& model, const Fitter& fitter) {
     const auto change = effect->changes_stiffness();
     if (change == ChangeKind::Elements) {
       add_losses(*effect, fitter, source, places);
+    }
+    if (change == ChangeKind::Preload) {
+      add_preloads(*effect, fitter, source, places);
     }
     if (change != ChangeKind::Joint) continue;
     for (const Where& where : fitter.places(*effect)) {
@@ -220,6 +241,10 @@ class Screening {
     std::vector<Screened> result(places_.wide.size());
     for (std::size_t k = 0; k < result.size(); ++k) {
       const Places::Wide& place = places_.wide[k];
+      if (place.effect->changes_stiffness() == ChangeKind::Preload) {
+        result[k] = preloaded(k);
+        continue;
+      }
       const MisfitScan::Scaled best = place_scan_.scaled(k);
       const double factor = std::max(best.factor, 1e-12);
       // A joint's stiffness is the inverse of its compliance; elements in a
@@ -262,6 +287,19 @@ class Screening {
   }
 
  private:
+  // The best force in a member; of a wire one that is as long as it.
+  [[nodiscard]] Screened preloaded(std::size_t k) const {
+    const Places::Wide& place = places_.wide[k];
+    const double sign = effects::is_compression(place.where) ? 1.0 : -1.0;
+    const MisfitScan::Scaled best = place_scan_.scaled(k, sign);
+    PlacedEffect found = placed(*place.effect, place.where, setting_);
+    found.p[0] = std::max(best.factor, 1e-12);
+    const auto member =
+        effects::member_at(*setting_.deck, place.where.elements, place.where);
+    if (found.p.size() > 1) found.p[1] = found.p[0] / member->length;
+    return {std::move(found), best.error};
+  }
+
   // What may sit at some of the points.
   [[nodiscard]] std::vector<Screened> at_points(
       const std::vector<std::size_t>& points,

@@ -83,6 +83,7 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     });
     return !known && !twice && !is_present(current, s.placed);
   };
+  const bool is_preload = effect.changes_stiffness() == ChangeKind::Preload;
   const Screened* likely = nullptr;
   for (const Screened& s : screened) {
     if (s.placed.effect != &effect) continue;
@@ -92,7 +93,10 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     if (s.placed.effect != &effect) continue;
     const auto count = static_cast<int>(tries.size());
     if (!few && count == most_places) break;
-    if (s.error > options.promising * screened.front().error) break;
+    // A tight wire is far from small, and its first order tells little.
+    const bool promising =
+        s.error <= options.promising * screened.front().error;
+    if (!promising && !(few && is_preload)) break;
     if (is_new(s)) tries.push_back(s.placed);
   }
   // The grid that explains most whatever the law: sizes far from the model's

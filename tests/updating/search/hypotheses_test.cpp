@@ -180,5 +180,26 @@ TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
   EXPECT_GE(count(without, "added-mass"), count(with, "added-mass"));
 }
 
+// A wire pulls at the tip: it is told from springs, loss and masses, and its
+// force and side stiffness are found.
+TEST_F(Hidden, PullOfAWireIsFound) {
+  const effects::Effect& effect = effects::find("prestress");
+  const Where where =
+      effect.places(support::plate_setting(bundle_, deck_)).front();
+  StiffnessChange change;
+  change.kind = ChangeKind::Preload;
+  change.of = {effect.name(), where};
+  const ReducedBase base = builder_.build({}, {change});
+  const std::vector<double> p = {3.0 * base.terms[0].start,
+                                 0.5 * base.terms[1].start};
+  hide({&effect, where, p});
+  const Hypothesis best = tried(0).front();
+  ASSERT_EQ(best.own().effect->name(), "prestress");
+  EXPECT_EQ(best.own().where, where);
+  // The same model made the FRFs; the fit stops within 1e-3 of its objective.
+  EXPECT_NEAR(best.own().p[0] / p[0], 1.0, 1e-2);
+  EXPECT_NEAR(best.own().p[1] / p[1], 1.0, 5e-2);
+}
+
 }  // namespace
 }  // namespace tapfit::updating
