@@ -2,6 +2,7 @@
 
 #include "tui/document/svg_bars.hpp"
 #include "tui/document/svg_plot.hpp"
+#include "tui/report/report_criteria.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
@@ -328,6 +329,9 @@ std::vector<Section> front_sections(const ReportData& data) {
   Section first{"",
                 {Paragraph{verdict_sentence(data), Paragraph::Kind::Verdict},
                  tested(data)}};
+  if (const std::string limits = criteria_sentence(data); !limits.empty()) {
+    first.parts.insert(first.parts.begin() + 1, Paragraph{limits});
+  }
   if (!data.frfs.frfs.empty() && data.frfs.lines() > 1) {
     first.parts.emplace_back(frf_figure(data));
   }

@@ -4,6 +4,7 @@
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
 #include "tui/report/frf_text.hpp"
+#include "tui/report/report_traceability.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
@@ -102,65 +104,11 @@ Figure sketch(const ReportData& data) {
       "set-up", caption, svg_structure(wireframe(data.model->deck), picture)};
 }
 
-const char* quantity_words(acquisition::Quantity quantity) {
-  return quantity == acquisition::Quantity::Force          ? "force"
-         : quantity == acquisition::Quantity::Acceleration ? "acceleration"
-         : quantity == acquisition::Quantity::Velocity     ? "velocity"
-                                                           : "displacement";
-}
-
-std::string or_dash(const std::string& text) {
-  return text.empty() ? "–" : text;
-}
-
-std::string sensitivity_words(const acquisition::Channel& channel) {
-  const bool ratio = channel.unit.find('/') != std::string::npos;
-  return typeset(fmt::format("{} mV/{}{}{}",
-                             number(1e3 * channel.sensitivity),
-                             ratio ? "(" : "",
-                             channel.unit,
-                             ratio ? ")" : ""));
-}
-
-DataTable channel_table(const ReportData& data) {
-  DataTable table{"Channels",
-                  {"<channel",
-                   "<quantity",
-                   "sensitivity",
-                   "full scale",
-                   "mass by its sheet",
-                   "<serial number",
-                   "<calibrated"},
-                  {}};
-  for (const acquisition::Channel& channel : data.bundle.channels) {
-    const auto found = data.notes.channels.find(channel.name);
-    const acquisition::ChannelNotes notes = found == data.notes.channels.end()
-                                                ? acquisition::ChannelNotes{}
-                                                : found->second;
-    table.rows.push_back(
-        {channel.name,
-         quantity_words(channel.quantity),
-         sensitivity_words(channel),
-         number(channel.full_scale_volts) + " V",
-         channel.mass_kg ? number(1e3 * *channel.mass_kg) + " g" : "–",
-         or_dash(notes.serial),
-         or_dash(notes.calibrated)});
-  }
-  return table;
-}
-
 Section set_up_section(const ReportData& data) {
   Section section{"Set-up", {}, true};
   if (data.model) section.parts.emplace_back(sketch(data));
-  if (!data.notes.facts.empty()) {
-    DataTable table{"", {"<Test", "<"}, {}};
-    for (const auto& [name, value] : data.notes.facts) {
-      table.rows.push_back({name, value});
-    }
-    section.parts.emplace_back(table);
-  }
-  if (!data.bundle.channels.empty()) {
-    section.parts.emplace_back(channel_table(data));
+  for (Part& part : traceability_parts(data)) {
+    section.parts.push_back(std::move(part));
   }
   if (data.bundle.modes) {
     section.parts.emplace_back(Paragraph{

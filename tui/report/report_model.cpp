@@ -2,6 +2,7 @@
 
 #include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
+#include "tui/report/report_criteria.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -21,112 +21,6 @@ using updating::ModePair;
 
 bool anything_changed(const ModelResults& model) {
   return model.ladder.size() > 1;
-}
-
-/// One criterion before and after, and against its limit.
-std::vector<std::string> criterion(const std::string& what,
-                                   const std::string& limit,
-                                   const std::string& before,
-                                   const std::string& after,
-                                   std::optional<bool> kept) {
-  return {what,
-          limit.empty() ? "none set" : limit,
-          before,
-          after,
-          !kept   ? "–"
-          : *kept ? "✓ pass"
-                  : "✗ fail"};
-}
-
-Section criteria_section(const ReportData& data) {
-  const Correlation before = correlation_of(data.model->before);
-  const Correlation after = correlation_of(data.model->after);
-  const acquisition::Limits& limits = data.notes.limits;
-  DataTable table{
-      "", {"<criterion", "<limit", "before", "after", "<result"}, {}};
-  const auto kept = [](const std::optional<double>& limit, bool within) {
-    return limit ? std::optional<bool>(within) : std::nullopt;
-  };
-  const auto words = [](const std::optional<double>& limit,
-                        const char* format) {
-    return limit ? fmt::format(fmt::runtime(format), *limit) : std::string();
-  };
-  table.rows.push_back(criterion(
-      "largest frequency error of a pair",
-      words(limits.frequency_percent, "≤ {:.4g} %"),
-      fixed(before.frequency_percent, 2) + " %",
-      fixed(after.frequency_percent, 2) + " %",
-      kept(limits.frequency_percent,
-           after.frequency_percent <= limits.frequency_percent.value_or(0.0))));
-  const auto of_shapes = [&](std::vector<std::string> row) {
-    if (!data.modes.dofs.empty()) table.rows.push_back(std::move(row));
-  };
-  of_shapes(criterion("smallest MAC of a pair",
-                      words(limits.mac, "≥ {:.4g}"),
-                      fixed(before.mac, 3),
-                      fixed(after.mac, 3),
-                      kept(limits.mac, after.mac >= limits.mac.value_or(0.0))));
-  of_shapes(criterion("largest cross-orthogonality off the diagonal",
-                      words(limits.cross_orthogonality, "≤ {:.4g}"),
-                      fixed(before.cross_orthogonality, 3),
-                      fixed(after.cross_orthogonality, 3),
-                      kept(limits.cross_orthogonality,
-                           after.cross_orthogonality <=
-                               limits.cross_orthogonality.value_or(0.0))));
-  table.rows.push_back(criterion("pairs of modes",
-                                 "",
-                                 fmt::format("{}", before.pairs),
-                                 fmt::format("{}", after.pairs),
-                                 std::nullopt));
-  table.rows.back()[1] = fmt::format("of {} measured", data.modes.modes.size());
-  return {"Correlation of model and measurement",
-          {table,
-           Paragraph{"Limits are those of test.json (\"limits\"). "
-                     "Cross-orthogonality: in the model's mass condensed to "
-                     "the measured points; where these are few it is large by "
-                     "itself.",
-                     Paragraph::Kind::Small}},
-          true};
-}
-
-std::map<int, const ModePair*> by_measured(const Comparison& comparison) {
-  std::map<int, const ModePair*> pairs;
-  for (const ModePair& pair : comparison.pairs) pairs[pair.measured] = &pair;
-  return pairs;
-}
-
-void add_pair_cells(std::vector<std::string>& row,
-                    const std::map<int, const ModePair*>& pairs,
-                    int mode) {
-  const auto found = pairs.find(mode);
-  if (found == pairs.end()) {
-    row.insert(row.end(), 3, "–");
-    return;
-  }
-  row.push_back(fixed(found->second->model_hz, 3));
-  row.push_back(signed_percent_words(found->second->error_percent));
-  row.push_back(found->second->has_shape ? fixed(found->second->mac, 3) : "–");
-}
-
-DataTable pair_table(const ReportData& data) {
-  const bool both = anything_changed(*data.model);
-  DataTable table{"Modes of measurement and model",
-                  {"mode", "measured Hz", "before Hz", "error", "MAC"},
-                  {}};
-  if (both) {
-    table.heading.insert(table.heading.end(), {"after Hz", "error", "MAC"});
-  }
-  const auto before = by_measured(data.model->before);
-  const auto after = by_measured(data.model->after);
-  for (std::size_t k = 0; k < data.modes.modes.size(); ++k) {
-    const int mode = static_cast<int>(k);
-    std::vector<std::string> row{fmt::format("{}", k + 1),
-                                 fixed(data.modes.modes[k].frequency_hz, 3)};
-    add_pair_cells(row, before, mode);
-    if (both) add_pair_cells(row, after, mode);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 /// The model's modes that a reader looks for: paired, or between those
@@ -186,6 +80,17 @@ FigureRow mac_row(const ReportData& data) {
         mac_figure(data, model.after, "mac-after", "MAC in %, after"));
   }
   return row;
+}
+
+Section correlation_section(const ReportData& data) {
+  Section section{
+      "Correlation of model and measurement", criteria_parts(data), true};
+  const bool shapes = !data.modes.dofs.empty();
+  if (shapes && data.model->before.mac.size() > 0 &&
+      data.model->after.mac.size() > 0) {
+    section.parts.emplace_back(mac_row(data));
+  }
+  return section;
 }
 
 /// The FRFs of the largest error before, in their own order.
@@ -346,38 +251,10 @@ Section signature_section(const updating::Signature& signature) {
 
 }  // namespace
 
-Correlation correlation_of(const Comparison& comparison) {
-  Correlation found;
-  found.pairs = comparison.pairs.size();
-  if (comparison.pairs.empty()) found.mac = 0.0;
-  for (const ModePair& pair : comparison.pairs) {
-    found.frequency_percent =
-        std::max(found.frequency_percent, std::abs(pair.error_percent));
-    found.mac = std::min(found.mac, pair.mac);
-    for (const ModePair& other : comparison.pairs) {
-      if (other.model == pair.model ||
-          pair.measured >= comparison.weighted_mac.rows() ||
-          other.model >= comparison.weighted_mac.cols()) {
-        continue;
-      }
-      found.cross_orthogonality = std::max(
-          found.cross_orthogonality,
-          std::sqrt(std::max(
-              comparison.weighted_mac(pair.measured, other.model), 0.0)));
-    }
-  }
-  return found;
-}
-
 std::vector<Section> model_sections(const ReportData& data) {
   if (!data.model) return {};
-  std::vector<Section> sections{criteria_section(data)};
-  sections.back().parts.emplace_back(pair_table(data));
-  const bool shapes = !data.modes.dofs.empty();
-  if (shapes && data.model->before.mac.size() > 0 &&
-      data.model->after.mac.size() > 0) {
-    sections.back().parts.emplace_back(mac_row(data));
-  }
+  std::vector<Section> sections;
+  if (!data.modes.modes.empty()) sections.push_back(correlation_section(data));
   if (has_error_map(data, data.model->before)) {
     sections.push_back(error_section(data));
   }

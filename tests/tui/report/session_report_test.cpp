@@ -6,7 +6,6 @@
 #include "tests/tui/support/fake_results.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
-#include "tui/report/report_model.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 
@@ -114,41 +113,6 @@ TEST(VerdictSentence, TellsWhatWasAddedByHand) {
   data.model->diagnosis.reset();
   EXPECT_TRUE(verdict_sentence(data).starts_with(
       "With what was added by hand (an added mass (node 5) and"));
-}
-
-TEST(Correlation, IsTheWorstOverThePairs) {
-  updating::Comparison c = testing::fake_comparison(0.05);
-  c.pairs[1].error_percent = -7.0;
-  c.pairs[2].mac = 0.5;
-  c.weighted_mac = Eigen::Matrix3d::Identity();
-  c.weighted_mac(0, 2) = 0.04;  // 0.2 squared
-  const Correlation found = correlation_of(c);
-  EXPECT_DOUBLE_EQ(found.frequency_percent, 7.0);
-  EXPECT_DOUBLE_EQ(found.mac, 0.5);
-  EXPECT_DOUBLE_EQ(found.cross_orthogonality, 0.2);
-  EXPECT_EQ(found.pairs, 3U);
-}
-
-TEST(ReportDocument, JudgesByTheLimitsOfTheTest) {
-  ReportData data = data_of_two_effects();
-  data.notes.limits = {2.0, 0.98, std::nullopt};
-  const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds(html,
-                    "≤ 2 %</td><td>5.00 %</td><td>0.00 %</td>"
-                    "<td class=\"l\">✓ pass"));
-  EXPECT_TRUE(holds(html,
-                    "≥ 0.98</td><td>0.970</td><td>0.970</td>"
-                    "<td class=\"l\">✗ fail"));
-}
-
-TEST(ReportDocument, PrintsWhatMakesATestTraceable) {
-  ReportData data = data_of_two_effects();
-  data.notes.channels["acc1"] = {"SN <4711>", "2026-03-01"};
-  data.notes.facts = {{"operator", "A. & B."}};
-  const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds(html, "SN &lt;4711&gt;"));
-  EXPECT_TRUE(holds(html, "2026-03-01"));
-  EXPECT_TRUE(holds(html, "A. &amp; B."));
 }
 
 TEST(ReportDocument, HoldsNoNumberThatIsNone) {
