@@ -1,9 +1,12 @@
 #include "tui/report/report_measurement.hpp"
 
+#include "modal/mode_set/mac.hpp"
 #include "modal/poles/cmif.hpp"
+#include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
 #include "tui/report/frf_text.hpp"
+#include "tui/report/report_shapes.hpp"
 #include "tui/report/report_traceability.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
@@ -67,7 +70,7 @@ std::set<int> found_nodes(const ReportData& data) {
   return nodes;
 }
 
-Figure sketch(const ReportData& data) {
+Figure sketch(const ReportData& data, const Wireframe& wire) {
   SvgStructure picture;
   picture.name = "structure with hit points and sensors";
   const std::set<int> found = found_nodes(data);
@@ -96,17 +99,20 @@ Figure sketch(const ReportData& data) {
                              ink::orange,
                              3.2});
   }
-  std::string caption = "Small orange dots: hit points. Blue: sensors.";
+  std::string caption = hits.empty()
+                            ? "Blue: measured points."
+                            : "Small orange dots: hit points. Blue: sensors.";
   if (!found.empty()) {
     caption += " Green: where something was found.";
   }
-  return {
-      "set-up", caption, svg_structure(wireframe(data.model->deck), picture)};
+  return {"set-up", caption, svg_structure(wire, picture)};
 }
 
 Section set_up_section(const ReportData& data) {
   Section section{"Set-up", {}, true};
-  if (data.model) section.parts.emplace_back(sketch(data));
+  if (const std::optional<Wireframe> wire = tested_structure(data)) {
+    section.parts.emplace_back(sketch(data, *wire));
+  }
   for (Part& part : traceability_parts(data)) {
     section.parts.push_back(std::move(part));
   }
@@ -291,36 +297,31 @@ Figure stabilisation(const ReportData& data) {
           svg_plot(plot, {.height = 340.0})};
 }
 
-DataTable mode_table(const modal::ModeSet& modes) {
-  DataTable table{"",
-                  {"mode",
-                   "frequency Hz",
-                   "damping %",
-                   "MPC",
-                   "MPD °",
-                   "poles",
-                   "scatter Hz"},
-                  {}};
+/// How well the measured points tell the modes apart.
+Figure auto_mac_figure(const modal::ModeSet& modes) {
+  Eigen::MatrixXcd shapes(static_cast<Eigen::Index>(modes.dofs.size()),
+                          static_cast<Eigen::Index>(modes.modes.size()));
+  SvgHeatMap map;
+  map.name = "AutoMAC";
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {
-    const modal::Mode& mode = modes.modes[k];
-    const bool poles = mode.cluster.poles > 0;
-    table.rows.push_back(
-        {fmt::format("{}", k + 1),
-         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-         with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
-         fixed(mode.mpc, 3),
-         fixed(mode.mpd_deg, 1),
-         poles ? fmt::format("{}", mode.cluster.poles) : "–",
-         poles ? number(mode.cluster.frequency_scatter_hz, 2) : "–"});
+    shapes.col(static_cast<Eigen::Index>(k)) = modes.modes[k].shape;
+    map.rows.push_back(number(modes.modes[k].frequency_hz));
   }
-  return table;
+  map.columns = map.rows;
+  map.values = modal::auto_mac(shapes);
+  map.row_title = map.column_title = "measured Hz";
+  return {"auto-mac",
+          "AutoMAC in %: the modes among themselves. What is large off the "
+          "diagonal the measured points cannot tell apart.",
+          svg_heat_map(map)};
 }
 
 Section mode_section(const ReportData& data) {
-  Section section{"Modes", {}};
+  // Without a model the modes are the result and stand in front.
+  Section section{data.model ? "Modes" : "Quality of the modes", {}};
   if (data.modes.modes.empty()) {
     section.parts.emplace_back(Paragraph{"No mode was identified."});
-  } else {
+  } else if (data.model) {
     section.parts.emplace_back(mode_table(data.modes));
   }
   if (!data.modes.modes.empty() && !data.bundle.modes) {
@@ -335,16 +336,54 @@ Section mode_section(const ReportData& data) {
   if (!data.modes.diagram.empty() && data.frfs.lines() > 1) {
     section.parts.emplace_back(stabilisation(data));
   }
+  if (!data.model && data.modes.dofs.size() > 1 &&
+      data.modes.modes.size() > 1) {
+    section.parts.emplace_back(FigureRow{{auto_mac_figure(data.modes)}});
+  }
   return section;
 }
 
 }  // namespace
 
+DataTable mode_table(const modal::ModeSet& modes) {
+  const bool shapes = !modes.dofs.empty();
+  const bool poles = std::ranges::any_of(
+      modes.modes, [](const modal::Mode& m) { return m.cluster.poles > 0; });
+  DataTable table{"", {"mode", "frequency Hz", "damping %"}, {}};
+  const auto add_heading = [&table](
+                               bool told, const char* one, const char* two) {
+    if (told) table.heading.insert(table.heading.end(), {one, two});
+  };
+  add_heading(shapes, "MPC", "MPD °");
+  add_heading(poles, "poles", "scatter Hz");
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    const modal::Mode& mode = modes.modes[k];
+    std::vector<std::string> row{
+        fmt::format("{}", k + 1),
+        with_sd(mode.frequency_hz, mode.frequency_sd_hz),
+        with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd)};
+    if (shapes) {
+      row.push_back(fixed(mode.mpc, 3));
+      row.push_back(fixed(mode.mpd_deg, 1));
+    }
+    if (poles) {
+      const modal::PoleCluster& found = mode.cluster;
+      row.push_back(found.poles > 0 ? fmt::format("{}", found.poles) : "–");
+      row.push_back(found.poles > 0 ? number(found.frequency_scatter_hz, 2)
+                                    : "–");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 std::vector<Section> measurement_sections(const ReportData& data) {
   std::vector<Section> sections{set_up_section(data)};
   if (data.hits) sections.push_back(hits_section(data));
   if (!data.bundle.modes) sections.push_back(frf_section(data));
-  sections.push_back(mode_section(data));
+  if (data.model || !data.bundle.modes || data.modes.dofs.size() > 1) {
+    sections.push_back(mode_section(data));
+  }
   return sections;
 }
 

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -126,7 +128,7 @@ Figure error_figure(const ReportData& data,
     map.rows.push_back(name(data.frfs.frfs.at(shown[k])));
   }
   for (const updating::BandError& band : comparison.bands) {
-    map.columns.push_back(number(band.high_hz, 3));
+    map.columns.push_back(number(band.high_hz));
   }
   return {name_of_file, title, svg_heat_map(map)};
 }
@@ -172,8 +174,25 @@ struct Law {
   bool imaginary = false;
 };
 
-/// The one that leaves least.
-Law best_law(const updating::Signature& s) {
+/// The part that a law without damping has.
+Law absorber_law(const updating::Signature& s) {
+  const Eigen::VectorXcd jw =
+      std::complex<double>(0.0, 2.0 * std::numbers::pi) *
+      s.frequency_hz.cast<std::complex<double>>();
+  const updating::AbsorberLaw& absorber = s.absorber;
+  return {
+      "an absorber",
+      absorber.unexplained,
+      fmt::format("{} at {} Hz",
+                  value_words({"mass_kg", absorber.mass_kg}, absorber.mass_kg),
+                  number(absorber.frequency_hz)),
+      updating::absorber_stiffness(absorber, jw).real()};
+}
+
+/// The one that leaves least; an absorber, which has three parameters, only
+/// where one was found.
+Law best_law(const updating::Signature& s, bool resonant) {
+  if (resonant && s.absorber.mass_kg > 0.0) return absorber_law(s);
   const Eigen::ArrayXd w = 2.0 * std::numbers::pi * s.frequency_hz.array();
   std::vector<Law> laws{
       {"a pure mass",
@@ -193,6 +212,12 @@ Law best_law(const updating::Signature& s) {
   return *std::ranges::min_element(laws, {}, &Law::unexplained);
 }
 
+bool found_absorber(const ModelResults& model, int node) {
+  return std::ranges::any_of(model.ladder, [node](const updating::Rung& rung) {
+    return rung.added == "absorber" && rung.where.node == node;
+  });
+}
+
 /// Where one grid explains most of the misfit.
 bool means_something(const std::optional<updating::Signature>& signature) {
   return signature && updating::is_telling(*signature) &&
@@ -200,7 +225,8 @@ bool means_something(const std::optional<updating::Signature>& signature) {
          signature->z.size() == signature->frequency_hz.size();
 }
 
-/// Scattered values at the ends of the band do not set the scale.
+/// Scattered values at the ends of the band do not set the scale; what is
+/// beyond it is a gap.
 void hold_range(Plot& plot) {
   std::vector<double> values;
   for (const Curve& curve : plot.curves) {
@@ -212,12 +238,21 @@ void hold_range(Plot& plot) {
   std::ranges::sort(values);
   const double low = values[values.size() / 20];
   const double high = values[values.size() - 1 - values.size() / 20];
+  if (!(low < high)) return;
   plot.y.lo = low - 0.25 * (high - low);
   plot.y.hi = high + 0.25 * (high - low);
+  for (Curve& curve : plot.curves) {
+    for (double& y : curve.y) {
+      if (y < plot.y.lo || y > plot.y.hi) {
+        y = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+  }
 }
 
-Section signature_section(const updating::Signature& signature) {
-  const Law law = best_law(signature);
+Section signature_section(const ModelResults& model) {
+  const updating::Signature& signature = *model.signature;
+  const Law law = best_law(signature, found_absorber(model, signature.node));
   Plot plot;
   plot.title = fmt::format("missing stiffness at grid {}", signature.node);
   plot.x = {"frequency", "Hz", 0.0, 0.0, false};
@@ -235,18 +270,20 @@ Section signature_section(const updating::Signature& signature) {
   hold_range(plot);
   return {
       "The missing stiffness",
-      {Figure{"signature",
-              fmt::format(
-                  "Dynamic stiffness that the base model lacks at grid {0}. "
-                  "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
-                  "{4} of it. A mass falls with frequency squared, a spring is "
-                  "constant, a damper is imaginary and rises.",
-                  signature.node,
-                  percent(signature.explained),
-                  law.words,
-                  law.size,
-                  percent(law.unexplained)),
-              svg_plot(plot, {.height = 300.0})}}};
+      {Figure{
+          "signature",
+          fmt::format(
+              "Dynamic stiffness that the base model lacks at grid {0}. "
+              "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
+              "{4} of it. A mass falls with frequency squared, a spring is "
+              "constant, a damper is imaginary and rises, an absorber changes "
+              "its sign at its own frequency.",
+              signature.node,
+              percent(signature.explained),
+              law.words,
+              law.size,
+              percent(law.unexplained)),
+          svg_plot(plot, {.height = 300.0})}}};
 }
 
 }  // namespace
@@ -259,7 +296,7 @@ std::vector<Section> model_sections(const ReportData& data) {
     sections.push_back(error_section(data));
   }
   if (means_something(data.model->signature)) {
-    sections.push_back(signature_section(*data.model->signature));
+    sections.push_back(signature_section(*data.model));
   }
   return sections;
 }

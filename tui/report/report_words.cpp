@@ -219,8 +219,8 @@ std::string contour_words(const std::string& contour) {
   return fmt::format(
       "evaluated at {} frequencies, {}–{} Hz, with {} % added damping",
       found.str(1),
-      found.str(2),
-      found.str(3),
+      number(std::strtod(found.str(2).c_str(), nullptr)),
+      number(std::strtod(found.str(3).c_str(), nullptr)),
       number(100.0 * std::strtod(found.str(4).c_str(), nullptr)));
 }
 

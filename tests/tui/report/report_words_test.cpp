@@ -62,6 +62,10 @@ TEST(ContourWords, SayHowManyFrequenciesAndHowMuchDamping) {
   EXPECT_EQ(contour_words("136 lines from 1 to 55 Hz on s = sigma + j omega, "
                           "sigma = 0.03 omega and at least 0.188 1/s"),
             "evaluated at 136 frequencies, 1–55 Hz, with 3 % added damping");
+  EXPECT_EQ(
+      contour_words("83 lines from 61.1636 to 700 Hz on s = sigma + j "
+                    "omega, sigma = 0.03 omega"),
+      "evaluated at 83 frequencies, 61.16–700 Hz, with 3 % added damping");
   EXPECT_EQ(contour_words("s = 5 + jw"), "s = 5 + jw");
 }
 

@@ -105,7 +105,47 @@ TEST(VerdictSentence, WithoutAModelCountsModes) {
   EXPECT_TRUE(holds(verdict_sentence(data), "no model was given"));
   const std::string html = as_html(report_document(data));
   EXPECT_TRUE(holds(html, "Order of the points"));
-  EXPECT_FALSE(holds(html, "MAC"));
+  EXPECT_TRUE(holds(html, "AutoMAC"));
+  EXPECT_FALSE(holds(html, "Correlation of model"));
+}
+
+TEST(ReportDocument, DoesWithFrequenciesAlone) {
+  ReportData data = data_of_two_effects();
+  data.model.reset();
+  data.hits.reset();
+  data.frfs = {};
+  data.bundle.runs.clear();
+  data.bundle.channels.clear();
+  data.bundle.modes.emplace();
+  data.modes.dofs.clear();
+  data.modes.diagram.clear();
+  for (modal::Mode& mode : data.modes.modes) mode.shape.resize(0);
+  EXPECT_TRUE(verdict_sentence(data).starts_with("3 modes were given, from"));
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds(html, "What was identified"));
+  for (const char* none : {"MPC", "poles", "Mode shapes", "AutoMAC"}) {
+    EXPECT_FALSE(holds(html, none)) << none;
+  }
+}
+
+TEST(ReportDocument, DrawsATestAloneOnItsOwnPoints) {
+  ReportData data = data_of_two_effects();
+  data.model.reset();
+  data.bundle.geometry.emplace();
+  data.bundle.geometry->nodes = {{4, {0.0, 0.0, 0.0}}, {6, {0.2, 0.1, 0.0}}};
+  const Document document = report_document(data);
+  std::set<std::string> names;
+  for (const Figure& figure : figures_of(document)) names.insert(figure.name);
+  EXPECT_TRUE(names.contains("set-up"));
+  EXPECT_FALSE(holds(as_html(document), "Order of the points"));
+}
+
+TEST(ReportDocument, HasNoTableOfModesWhereThereAreNone) {
+  ReportData data = data_of_two_effects();
+  data.modes.modes.clear();
+  data.model->before.pairs.clear();
+  data.model->after.pairs.clear();
+  EXPECT_FALSE(holds(as_html(report_document(data)), "Correlation of model"));
 }
 
 TEST(VerdictSentence, TellsWhatWasAddedByHand) {
@@ -205,6 +245,10 @@ TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
   EXPECT_TRUE(holds(as_html(report_document(data)),
                     "Grid 5 alone explains 99.0&#160;% of the misfit; a pure "
                     "mass (80.1 g) leaves 6.0&#160;% of it."));
+  data.model->signature->absorber = {0.053, 25.0, 0.01, 0.02};
+  data.model->ladder.push_back({"absorber", {.node = 5}, 0.03, {}});
+  EXPECT_TRUE(holds(as_html(report_document(data)),
+                    "an absorber (53 g at 25 Hz) leaves 2.0&#160;% of it."));
   data.model->signature->explained = 0.1;
   EXPECT_FALSE(holds(as_html(report_document(data)), "of the misfit"));
 }
