@@ -55,7 +55,7 @@ constexpr std::array<Criterion, 4> criteria{
       "",
       "smallest cross-orthogonality of a pair",
       "cross-orthogonality on the diagonal at least",
-      "X-orth. on"},
+      "cross-orth."},
      {&Criteria::off_diagonal,
       &Limits::cross_orthogonality,
       false,
@@ -63,7 +63,7 @@ constexpr std::array<Criterion, 4> criteria{
       "",
       "largest cross-orthogonality off the diagonal",
       "cross-orthogonality off the diagonal at most",
-      "X-orth. off"}}};
+      "off diagonal"}}};
 
 /// What is no number keeps no limit.
 bool within(const Criterion& one, double value, double limit) {
@@ -83,7 +83,8 @@ const char* judged_words(std::optional<bool> kept) {
   return !kept ? "–" : *kept ? "✓ pass" : "✗ fail";
 }
 
-std::string written(const Criterion& one, const std::optional<double>& value) {
+std::string value_text(const Criterion& one,
+                       const std::optional<double>& value) {
   return value ? fixed(*value, one.decimals) + one.unit : "–";
 }
 
@@ -155,7 +156,7 @@ void add_worst_rows(const std::vector<Judged>& models,
     if (!(limits.*one.limit) && !std::ranges::any_of(models, known)) continue;
     std::vector<std::string> row{one.words, limit_words(one, limits)};
     for (const Judged& model : models) {
-      row.push_back(written(one, model.worst.*one.found));
+      row.push_back(value_text(one, model.worst.*one.found));
       row.emplace_back(judged_words(keeps_one(one, model.worst, limits)));
     }
     table.rows.push_back(std::move(row));
@@ -210,7 +211,7 @@ std::string mode_cell(const Criterion& one,
   if (pair == nullptr) return "–";
   std::string text = one.limit == &Limits::frequency_percent
                          ? signed_percent_words(pair->error_percent)
-                         : written(one, mode.*one.found);
+                         : value_text(one, mode.*one.found);
   if (keeps_one(one, mode, limits) == false) text += " ✗";
   return text;
 }

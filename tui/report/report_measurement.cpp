@@ -4,114 +4,27 @@
 #include "modal/poles/cmif.hpp"
 #include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
-#include "tui/document/svg_structure.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/report_shapes.hpp"
 #include "tui/report/report_traceability.hpp"
-#include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
-#include "tui/widgets/element_grids.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
+#include <optional>
 #include <utility>
 
 namespace tapfit::tui {
 namespace {
 
-std::set<int> hit_nodes(const ReportData& data) {
-  std::set<int> nodes;
-  for (const signal::Frf& frf : data.frfs.frfs) {
-    nodes.insert(frf.reference.node);
-  }
-  for (const acquisition::Run& run : data.bundle.runs) {
-    nodes.insert(run.hammer.dof.node);
-  }
-  return nodes;
-}
-
-/// Where sensors stood, with the names of their channels.
-std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
-  std::map<int, std::set<std::string>> nodes;
-  for (const acquisition::Run& run : data.bundle.runs) {
-    for (const acquisition::Placement& sensor : run.sensors) {
-      nodes[sensor.dof.node].insert(
-          data.bundle.channels.at(sensor.channel).name);
-    }
-  }
-  if (data.bundle.modes) {
-    for (const Dof& dof : data.modes.dofs) nodes[dof.node].insert(name(dof));
-  }
-  if (nodes.empty()) {
-    for (const signal::Frf& frf : data.frfs.frfs) {
-      nodes[frf.response.node].insert(name(frf.response));
-    }
-  }
-  return nodes;
-}
-
-/// Grids where something was found: few, each by itself.
-std::set<int> found_nodes(const ReportData& data) {
-  std::set<int> nodes;
-  if (!data.model) return nodes;
-  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
-    if (rung.where.node != 0) nodes.insert(rung.where.node);
-    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
-    const std::vector<int> corners =
-        element_grids(data.model->deck, rung.where.elements);
-    nodes.insert(corners.begin(), corners.end());
-  }
-  return nodes;
-}
-
-Figure sketch(const ReportData& data, const Wireframe& wire) {
-  SvgStructure picture;
-  picture.name = "structure with hit points and sensors";
-  const std::set<int> found = found_nodes(data);
-  for (const int node : found) {
-    picture.marks.push_back({node,
-                             found.size() == 1 ? "found" : "",
-                             ink::green,
-                             found.size() < 10 ? 6.5 : 4.5});
-  }
-  const auto sensors = sensor_nodes(data);
-  constexpr std::size_t few = 12;
-  for (const auto& [node, names] : sensors) {
-    std::string label;
-    for (const std::string& one : names) {
-      label += (label.empty() ? "" : ", ") + one;
-    }
-    picture.marks.push_back(
-        {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
-  }
-  const std::set<int> hits = hit_nodes(data);
-  for (const int node : hits) {
-    picture.marks.push_back({node,
-                             hits.size() <= 30 && !sensors.contains(node)
-                                 ? std::to_string(node)
-                                 : "",
-                             ink::orange,
-                             3.2});
-  }
-  std::string caption = hits.empty()
-                            ? "Blue: measured points."
-                            : "Small orange dots: hit points. Blue: sensors.";
-  if (!found.empty()) {
-    caption += " Green: where something was found.";
-  }
-  return {"set-up", caption, svg_structure(wire, picture)};
-}
-
 Section set_up_section(const ReportData& data) {
   Section section{"Set-up", {}, true};
-  if (const std::optional<Wireframe> wire = tested_structure(data)) {
-    section.parts.emplace_back(sketch(data, *wire));
+  if (std::optional<Figure> sketch = set_up_sketch(data)) {
+    section.parts.emplace_back(*std::move(sketch));
   }
   for (Part& part : traceability_parts(data)) {
     section.parts.push_back(std::move(part));
@@ -195,6 +108,37 @@ std::string at_frf(const std::vector<double>& values,
 
 std::string three_decimals(double value) { return fixed(value, 3); }
 
+/// A single hit's coherence is 1 whatever it is worth.
+bool is_coherent(const signal::Frf& frf) {
+  return frf.coherence.size() > 0 && frf.hits != 1;
+}
+
+/// Mean and lowest of all FRFs.
+std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
+  const Eigen::Index lines = frfs.lines();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(lines);
+  Eigen::VectorXd low = Eigen::VectorXd::Ones(lines);
+  int count = 0;
+  for (const signal::Frf& frf : frfs.frfs) {
+    if (!is_coherent(frf) || frf.coherence.size() != lines) continue;
+    sum += frf.coherence;
+    low = low.cwiseMin(frf.coherence);
+    ++count;
+  }
+  if (count == 0 || lines < 2) return std::nullopt;
+  const Eigen::VectorXd hz = frfs.frequency_hz();
+  Plot plot;
+  plot.title = "coherence";
+  plot.x = {"frequency", "Hz", hz(0), hz(lines - 1), false};
+  plot.y = {"coherence", "", 0.0, 1.05, false};
+  plot.curves = {
+      {"lowest of all", hz, low, {}, {}, {Colour::Orange}},
+      {"mean", hz, sum / static_cast<double>(count), {}, {}, {Colour::Blue}}};
+  return Figure{"coherence",
+                fmt::format("Coherence of {} FRFs.", count),
+                svg_plot(plot, {.height = 220.0})};
+}
+
 Section frf_section(const ReportData& data) {
   DataTable table{
       "", {"<response / hammer", "hits", "coherence", "median s.d."}, {}};
@@ -206,13 +150,11 @@ Section frf_section(const ReportData& data) {
   }
   for (std::size_t k = 0; k < data.frfs.frfs.size(); ++k) {
     const signal::Frf& frf = data.frfs.frfs[k];
-    // A single hit's coherence is 1 whatever it is worth.
-    const bool coherent = frf.coherence.size() > 0 && frf.hits != 1;
     const double sd = median_sd_percent(frf);
     std::vector<std::string> row{
         name(frf),
         frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
-        coherent ? fixed(frf.coherence.mean(), 4) : "–",
+        is_coherent(frf) ? fixed(frf.coherence.mean(), 4) : "–",
         sd > 0.0 ? percent(sd / 100.0) : "–"};
     if (data.model) {
       const updating::Comparison& before = data.model->before;
@@ -228,12 +170,17 @@ Section frf_section(const ReportData& data) {
   for (const std::string& statement : data.frfs.statements) {
     statements.items.push_back(typeset(statement));
   }
-  return {"Quality of the FRFs",
-          {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
-                     "deviation over the hits, in per cent of |H|.",
-                     Paragraph::Kind::Small},
-           table,
-           statements}};
+  Section section{
+      "Quality of the FRFs",
+      {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
+                 "deviation over the hits, in per cent of |H|.",
+                 Paragraph::Kind::Small},
+       table}};
+  if (std::optional<Figure> coherence = coherence_figure(data.frfs)) {
+    section.parts.emplace_back(*std::move(coherence));
+  }
+  section.parts.emplace_back(statements);
+  return section;
 }
 
 /// The letters of the diagram from the least steady on.

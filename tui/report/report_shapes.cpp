@@ -4,16 +4,113 @@
 #include "modal/mode_set/point_motions.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
+#include "tui/report/report_verdict.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/widgets/element_grids.hpp"
+#include "tui/widgets/wireframe.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 namespace tapfit::tui {
 namespace {
 
 constexpr std::size_t most_shapes = 12;
+
+/// The model's mesh, or the points of the test's own; nothing where no place is
+/// known.
+std::optional<Wireframe> tested_structure(const ReportData& data) {
+  if (data.model) return wireframe(data.model->deck);
+  if (data.bundle.geometry) return wireframe(*data.bundle.geometry);
+  return std::nullopt;
+}
+
+std::set<int> hit_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  for (const signal::Frf& frf : data.frfs.frfs) {
+    nodes.insert(frf.reference.node);
+  }
+  for (const acquisition::Run& run : data.bundle.runs) {
+    nodes.insert(run.hammer.dof.node);
+  }
+  return nodes;
+}
+
+/// Where sensors stood, with the names of their channels.
+std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
+  std::map<int, std::set<std::string>> nodes;
+  for (const acquisition::Run& run : data.bundle.runs) {
+    for (const acquisition::Placement& sensor : run.sensors) {
+      nodes[sensor.dof.node].insert(
+          data.bundle.channels.at(sensor.channel).name);
+    }
+  }
+  if (data.bundle.modes) {
+    for (const Dof& dof : data.modes.dofs) nodes[dof.node].insert(name(dof));
+  }
+  if (nodes.empty()) {
+    for (const signal::Frf& frf : data.frfs.frfs) {
+      nodes[frf.response.node].insert(name(frf.response));
+    }
+  }
+  return nodes;
+}
+
+/// Grids where something was found: few, each by itself.
+std::set<int> found_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  if (!data.model) return nodes;
+  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
+    if (rung.where.node != 0) nodes.insert(rung.where.node);
+    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
+    const std::vector<int> corners =
+        element_grids(data.model->deck, rung.where.elements);
+    nodes.insert(corners.begin(), corners.end());
+  }
+  return nodes;
+}
+
+Figure sketch(const ReportData& data, const Wireframe& wire) {
+  SvgStructure picture;
+  picture.name = "structure with hit points and sensors";
+  const std::set<int> found = found_nodes(data);
+  for (const int node : found) {
+    picture.marks.push_back({node,
+                             found.size() == 1 ? "found" : "",
+                             ink::green,
+                             found.size() < 10 ? 6.5 : 4.5});
+  }
+  const auto sensors = sensor_nodes(data);
+  constexpr std::size_t few = 12;
+  for (const auto& [node, names] : sensors) {
+    std::string label;
+    for (const std::string& one : names) {
+      label += (label.empty() ? "" : ", ") + one;
+    }
+    picture.marks.push_back(
+        {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
+  }
+  const std::set<int> hits = hit_nodes(data);
+  for (const int node : hits) {
+    picture.marks.push_back({node,
+                             hits.size() <= 30 && !sensors.contains(node)
+                                 ? std::to_string(node)
+                                 : "",
+                             ink::orange,
+                             3.2});
+  }
+  std::string caption = hits.empty()
+                            ? "Blue: measured points."
+                            : "Small orange dots: hit points. Blue: sensors.";
+  if (!found.empty()) {
+    caption += " Green: where something was found.";
+  }
+  return {"set-up", caption, svg_structure(wire, picture)};
+}
 
 const updating::ModePair* pair_of_mode(const updating::Comparison& comparison,
                                        int mode) {
@@ -88,10 +185,10 @@ std::string order_of_points(const std::vector<Dof>& dofs) {
 
 }  // namespace
 
-std::optional<Wireframe> tested_structure(const ReportData& data) {
-  if (data.model) return wireframe(data.model->deck);
-  if (data.bundle.geometry) return wireframe(*data.bundle.geometry);
-  return std::nullopt;
+std::optional<Figure> set_up_sketch(const ReportData& data) {
+  const std::optional<Wireframe> wire = tested_structure(data);
+  if (!wire) return std::nullopt;
+  return sketch(data, *wire);
 }
 
 Section shape_section(const ReportData& data) {
