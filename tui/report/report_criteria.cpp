@@ -308,7 +308,9 @@ Criteria worst_of(const std::vector<Criteria>& modes) {
       const std::optional<double>& value = mode.*one.found;
       std::optional<double>& so_far = worst.*one.found;
       if (!value) continue;
-      if (!so_far || !within(one, *value, *so_far)) so_far = value;
+      // What is no number is the worst and stays it.
+      const bool lost = so_far && std::isnan(*so_far);
+      if (!lost && !(so_far && within(one, *value, *so_far))) so_far = value;
     }
   }
   return worst;
