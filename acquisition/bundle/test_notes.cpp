@@ -16,7 +16,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Of the fields that say how the test is worked out.
-constexpr std::array<std::string_view, 20> no_facts{"tapfit",
+constexpr std::array<std::string_view, 21> no_facts{"tapfit",
                                                     "title",
                                                     "model",
                                                     "units",
@@ -24,6 +24,7 @@ constexpr std::array<std::string_view, 20> no_facts{"tapfit",
                                                     "runs",
                                                     "frfs",
                                                     "modes",
+                                                    "geometry",
                                                     "band_hz",
                                                     "uncertain",
                                                     "limits",
@@ -36,6 +37,20 @@ constexpr std::array<std::string_view, 20> no_facts{"tapfit",
                                                     "hold_off_s",
                                                     "pre_trigger_s",
                                                     "block_s"};
+
+/// Of a channel: what the table of channels has columns of its own for.
+constexpr std::array<std::string_view, 12> channel_fields{"name",
+                                                          "quantity",
+                                                          "unit",
+                                                          "sensitivity",
+                                                          "sensitivity_unit",
+                                                          "full_scale_volts",
+                                                          "mass_kg",
+                                                          "height_m",
+                                                          "type",
+                                                          "serial",
+                                                          "calibrated",
+                                                          "calibration_due"};
 
 std::optional<double> number_in(const ordered_json& object, const char* key) {
   if (!object.is_object() || !object.contains(key)) return std::nullopt;
@@ -89,6 +104,24 @@ void add_facts(const ordered_json& object,
   }
 }
 
+ChannelNotes notes_of(const ordered_json& channel) {
+  const auto field = [&](const char* key) {
+    return channel.contains(key) ? text_of(channel[key]) : std::string();
+  };
+  ChannelNotes notes{field("type"),
+                     field("serial"),
+                     field("calibrated"),
+                     field("calibration_due"),
+                     {}};
+  for (const auto& [key, value] : channel.items()) {
+    const std::string text = text_of(value);
+    if (text.empty() || std::ranges::count(channel_fields, key) > 0) continue;
+    const auto [name, unit] = words_of(key);
+    notes.others.emplace_back(name, value.is_number() ? text + unit : text);
+  }
+  return notes;
+}
+
 }  // namespace
 
 TestNotes read_test_notes(const std::filesystem::path& bundle) {
@@ -104,16 +137,13 @@ TestNotes read_test_notes(const std::filesystem::path& bundle) {
     const ordered_json& limits = document["limits"];
     notes.limits = {number_in(limits, "frequency_percent"),
                     number_in(limits, "mac"),
-                    number_in(limits, "cross_orthogonality")};
+                    number_in(limits, "cross_orthogonality"),
+                    number_in(limits, "cross_orthogonality_diagonal")};
   }
   if (document.contains("channels") && document["channels"].is_array()) {
     for (const ordered_json& channel : document["channels"]) {
       if (!channel.is_object() || !channel.contains("name")) continue;
-      const auto field = [&](const char* key) {
-        return channel.contains(key) ? text_of(channel[key]) : std::string();
-      };
-      notes.channels[text_of(channel["name"])] = {field("serial"),
-                                                  field("calibrated")};
+      notes.channels[text_of(channel["name"])] = notes_of(channel);
     }
   }
   add_facts(document, "", notes);

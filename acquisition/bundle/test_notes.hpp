@@ -13,14 +13,21 @@ namespace tapfit::acquisition {
 
 /// What model and measurement may differ by.
 struct Limits {
-  std::optional<double> frequency_percent;    ///< of each pair, at most
-  std::optional<double> mac;                  ///< of each pair, at least
-  std::optional<double> cross_orthogonality;  ///< off the diagonal, at most
+  std::optional<double> frequency_percent = {};  ///< of each pair, at most
+  std::optional<double> mac = {};                ///< of each pair, at least
+  /// Off the diagonal, at most.
+  std::optional<double> cross_orthogonality = {};
+  /// Of each pair, at least.
+  std::optional<double> cross_orthogonality_diagonal = {};
 };
 
 struct ChannelNotes {
+  std::string type;  ///< of the maker
   std::string serial;
-  std::string calibrated;  ///< when, as written
+  std::string calibrated;       ///< when, as written
+  std::string calibration_due;  ///< when the next is
+  /// Whatever test.json says of it beyond the format, in words.
+  std::vector<std::pair<std::string, std::string>> others;
 };
 
 struct TestNotes {

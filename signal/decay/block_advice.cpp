@@ -43,7 +43,7 @@ std::string proposal(const BlockAdvice& advice) {
         advice.room_s);
   }
   if (!advice.band_hz) return text;
-  return text + fmt::format(", or a band of {:.3g} to {:.3g} Hz",
+  return text + fmt::format(", or a band of {:.4g} to {:.4g} Hz",
                             (*advice.band_hz)[0],
                             (*advice.band_hz)[1]);
 }

@@ -44,7 +44,8 @@ void expect_sound(const std::string& html) {
   EXPECT_EQ(unbalanced_tag(html), "");
   EXPECT_LT(html.size(), 1000000U);
   EXPECT_TRUE(html.starts_with("<!DOCTYPE html>"));
-  for (const char* never : {">nan", " nan", "-0.00", "+-", "mass_kg", "src=", "href="}) {
+  for (const char* never :
+       {">nan", " nan", "-0.00", "+-", "mass_kg", "src=", "href="}) {
     EXPECT_FALSE(holds(html, never)) << never;
   }
 }
@@ -130,6 +131,18 @@ TEST(Report, OfReadyFrfsIsWrittenByTheKeyToo) {
   EXPECT_TRUE(holds(html, "E (MAT1 14)"));
   EXPECT_TRUE(holds(html, "FRFs were given ready"));
   EXPECT_EQ(html, reported(bundle, bundle / "other.html"));
+}
+
+TEST(Report, OfFrequenciesAloneHasNoShapes) {
+  const fs::path bundle = fresh_folder() / "frequencies";
+  fs::create_directories(bundle);
+  write_file(bundle / "modes.csv",
+             "frequency_hz,damping_ratio\n39.8,0.014\n251.1,0.015\n");
+  write_file(bundle / "test.json", R"({"tapfit": 1, "modes": "modes.csv"})");
+  const std::string html = reported(bundle, bundle / "report.html");
+  expect_sound(html);
+  EXPECT_TRUE(holds(html, "2 modes were given, from 39.8 to 251.1 Hz"));
+  EXPECT_FALSE(holds(html, "Mode shapes"));
 }
 
 TEST(Report, WithoutAModelEndsWithTheModes) {

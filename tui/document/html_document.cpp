@@ -34,19 +34,24 @@ td:not(.l),th:not(.l){white-space:nowrap}
 figure{margin:.8rem 0;overflow-x:auto}
 figure svg{display:block;width:100%;height:auto}
 figcaption{color:#444;font-size:.84rem;margin-top:.2rem}
-.row{display:flex;flex-wrap:wrap;gap:.4rem 1.2rem}
-.row figure{flex:1 1 17rem;min-width:0;margin:.4rem 0}
-.row .scroll{flex:0 1 auto;margin:.2rem 0}.row .scroll+figure{flex-basis:22rem}
+.row{display:grid;gap:.4rem 1.2rem;
+grid-template-columns:repeat(auto-fill,minmax(min(17rem,100%),1fr))}
+.row.pair{grid-template-columns:repeat(auto-fill,minmax(min(22rem,100%),1fr))}
+.row figure{min-width:0;margin:.4rem 0}
+.row .scroll{min-width:0;margin:.2rem 0}
 @media(max-width:600px){body{font-size:14px;padding:.8rem .7rem 2rem}
 figure.wide svg{min-width:30rem}
+.upright thead{display:none}.upright td{display:block;text-align:left}
+.upright td::before{content:attr(data-n);display:inline-block;width:8rem;
+font-weight:600}
 td.l{min-width:7.5rem}h1{font-size:1.35rem}.verdict{font-size:1rem}}
-@media print{body{font-size:10pt;max-width:none;padding:0}
-h2{break-after:avoid;margin:1.1rem 0 .3rem}
-.verdict{font-size:11pt}p,.scroll,figure{margin:.35rem 0}.page{break-before:page}.page h2{margin-top:0}
+@media print{html{font-size:9.5pt}body{font-size:1rem;max-width:none;padding:0}
+h2{break-after:avoid;margin:.9rem 0 .3rem}
+.verdict{font-size:1.1rem}p,.scroll,figure{margin:.35rem 0}.page{break-before:page}.page h2{margin-top:0}
 figure,.verdict,.short{break-inside:avoid}.scroll,figure{overflow:visible}
 tr{break-inside:avoid}thead{display:table-header-group}
-.row figure{flex:0 1 47%}
-.row .scroll+figure{flex:1 1 45%}.row .scroll{flex:0 1 46%}table{font-size:8.5pt}}
+.row{grid-template-columns:repeat(3,1fr)}
+.row.pair{grid-template-columns:1fr 1fr}table{font-size:.9rem}}
 )";
 
 // Pictures move on screens only, and where nobody asked for less.
@@ -88,14 +93,18 @@ std::string html_of(const BulletList& list) {
   return text + "</ul>\n";
 }
 
+/// @param named whether each cell carries its column's name, for small screens
 std::string row_of(const std::vector<std::string>& cells,
                    const std::vector<std::string>& heading,
-                   const char* tag) {
+                   const char* tag,
+                   bool named = false) {
   std::string text = "<tr>";
   for (std::size_t k = 0; k < heading.size(); ++k) {
-    text += fmt::format("<{}{}>{}</{}>",
+    const ColumnName column = column_name(heading[k]);
+    text += fmt::format("<{}{}{}>{}</{}>",
                         tag,
-                        column_name(heading[k]).left ? " class=\"l\"" : "",
+                        column.left ? " class=\"l\"" : "",
+                        named ? " data-n=\"" + escaped(column.text) + "\"" : "",
                         k < cells.size() ? escaped(cells[k]) : "",
                         tag);
   }
@@ -108,14 +117,19 @@ std::string html_of(const DataTable& table) {
     names.push_back(column_name(heading).text);
   }
   constexpr std::size_t few = 12;  // rows that stay on one sheet of paper
-  std::string text = fmt::format("<div class=\"scroll{}\"><table>\n",
-                                 table.rows.size() <= few ? " short" : "");
+  // One long row stands upright where there is no room for it.
+  const bool upright = table.rows.size() == 1 && names.size() > 4;
+  std::string text = fmt::format("<div class=\"scroll{}{}\"><table>\n",
+                                 table.rows.size() <= few ? " short" : "",
+                                 upright ? " upright" : "");
   if (!table.caption.empty()) {
     text += "<caption>" + escaped(table.caption) + "</caption>\n";
   }
   text +=
       "<thead>" + row_of(names, table.heading, "th") + "</thead>\n<tbody>\n";
-  for (const auto& row : table.rows) text += row_of(row, table.heading, "td");
+  for (const auto& row : table.rows) {
+    text += row_of(row, table.heading, "td", upright);
+  }
   return text + "</tbody></table></div>\n";
 }
 
@@ -129,12 +143,13 @@ std::string html_figure(const Figure& figure, bool wide) {
 std::string html_of(const Figure& figure) { return html_figure(figure, true); }
 
 std::string html_of(const TableBesideFigure& both) {
-  return "<div class=\"row\">\n" + html_of(both.table) +
+  return "<div class=\"row pair\">\n" + html_of(both.table) +
          html_figure(both.figure, false) + "</div>\n";
 }
 
 std::string html_of(const FigureRow& row) {
-  std::string text = "<div class=\"row\">\n";
+  std::string text = row.figures.size() <= 2 ? "<div class=\"row pair\">\n"
+                                             : "<div class=\"row\">\n";
   for (const Figure& figure : row.figures) text += html_figure(figure, false);
   return text + "</div>\n";
 }

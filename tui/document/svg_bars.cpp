@@ -9,10 +9,13 @@
 namespace tapfit::tui {
 namespace {
 
-constexpr double picture_width = 560.0;
-constexpr double bars_left = 236.0;
-constexpr double bars_right = 498.0;
-constexpr double bar_pitch = 25.0;
+constexpr double picture_width = 420.0;
+constexpr double bars_left = 4.0;
+constexpr double bars_right = 352.0;
+constexpr double bar_pitch = 38.0;  // a line of words and the bar below it
+constexpr double words_height = 17.0;
+constexpr double bar_height = 16.0;
+constexpr std::size_t most_letters = 62;
 
 struct BarScale {
   double low = 1.0;
@@ -71,15 +74,16 @@ std::string svg_bars(const std::vector<SvgBar>& bars,
   for (std::size_t k = 0; k < bars.size(); ++k) {
     const SvgBar& bar = bars[k];
     const double y = 6.0 + bar_pitch * static_cast<double>(k);
-    canvas.text(bars_left - 8.0,
-                y + 15.5,
-                shortened(bar.label, 37),
-                {.anchor = "end", .size = 12.5});
+    canvas.text(bars_left + 2.0,
+                y + 12.5,
+                shortened(bar.label, most_letters),
+                {.size = 12.5});
     const bool drawn = std::isfinite(bar.value) && bar.value > 0.0;
     const double end = drawn ? scale(factor * bar.value) : bars_left;
     canvas.rectangle(
-        bars_left, y + 3.0, end - bars_left, bar_pitch - 7.0, bar.colour);
-    canvas.text(end + 6.0, y + 15.5, bar.written, {.size = 12.5});
+        bars_left, y + words_height, end - bars_left, bar_height, bar.colour);
+    canvas.text(
+        end + 6.0, y + words_height + 12.0, bar.written, {.size = 12.5});
   }
   canvas.line(bars_left, 4.0, bars_left, bottom, {ink::grey});
   return canvas.svg();

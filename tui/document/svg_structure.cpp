@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t most_lines = 700;
 constexpr double margin = 16.0;
+constexpr double letter = 6.4;  // mean width in labels [px]
 
 /// Rows: to the right and down in the picture.
 Eigen::Matrix<double, 2, 3> eye() {
@@ -154,7 +155,9 @@ std::string svg_structure(const Wireframe& wire, const SvgStructure& picture) {
     const Eigen::Vector2d at = view.at.col(found->second);
     canvas.circle(at.x(), at.y(), mark.radius, mark.colour);
     if (mark.label.empty()) continue;
-    const bool right = at.x() > picture.width - 90.0;
+    // Set to the left of its point where there is no room to the right.
+    const double length = letter * static_cast<double>(mark.label.size());
+    const bool right = at.x() + 7.0 + length > picture.width;
     canvas.text(at.x() + (right ? -7.0 : 7.0),
                 std::max(at.y() - 5.0, 12.0),
                 mark.label,

@@ -2,6 +2,8 @@
 
 #include "tui/document/svg_bars.hpp"
 #include "tui/document/svg_plot.hpp"
+#include "tui/report/report_criteria.hpp"
+#include "tui/report/report_measurement.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
@@ -97,7 +99,6 @@ Figure frf_figure(const ReportData& data) {
   Plot plot;
   plot.title = "FRF " + name(frf);
   plot.x = {"frequency", "Hz", 0.0, 0.0, false};
-  plot.x.log = hz(0) > 0.0 && hz(hz.size() - 1) / hz(0) > 300.0;
   plot.y = {"|H|", "(m/s²)/N", 0.0, 0.0, true};
   plot.curves = {{"measured", hz, frf.H.cwiseAbs(), {}, {}, {}}};
   std::string caption =
@@ -121,7 +122,7 @@ Figure frf_figure(const ReportData& data) {
     caption += fmt::format(
         ", with the exponential window of {} 1/s on all curves", number(sigma));
   }
-  return {"frf", caption + ".", svg_plot(plot, {.height = 280.0})};
+  return {"frf", caption + ".", svg_plot(plot, {.height = 250.0})};
 }
 
 std::string ladder_words(const Rung& rung) {
@@ -328,11 +329,19 @@ std::vector<Section> front_sections(const ReportData& data) {
   Section first{"",
                 {Paragraph{verdict_sentence(data), Paragraph::Kind::Verdict},
                  tested(data)}};
+  if (const std::string limits = criteria_sentence(data); !limits.empty()) {
+    first.parts.insert(first.parts.begin() + 1, Paragraph{limits});
+  }
   if (!data.frfs.frfs.empty() && data.frfs.lines() > 1) {
     first.parts.emplace_back(frf_figure(data));
   }
   std::vector<Section> sections{std::move(first)};
-  if (!data.model) return sections;
+  if (!data.model) {
+    if (!data.modes.modes.empty()) {
+      sections.push_back({"What was identified", {mode_table(data.modes)}});
+    }
+    return sections;
+  }
   sections.push_back(ladder_section(data));
   sections.push_back(identified_section(data));
   sections.push_back(sure_section(*data.model));

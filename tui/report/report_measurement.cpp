@@ -1,166 +1,33 @@
 #include "tui/report/report_measurement.hpp"
 
+#include "modal/mode_set/mac.hpp"
 #include "modal/poles/cmif.hpp"
+#include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
-#include "tui/document/svg_structure.hpp"
 #include "tui/report/frf_text.hpp"
-#include "tui/report/report_verdict.hpp"
+#include "tui/report/report_shapes.hpp"
+#include "tui/report/report_traceability.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
-#include "tui/widgets/element_grids.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <set>
+#include <optional>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
 
-std::set<int> hit_nodes(const ReportData& data) {
-  std::set<int> nodes;
-  for (const signal::Frf& frf : data.frfs.frfs) {
-    nodes.insert(frf.reference.node);
-  }
-  for (const acquisition::Run& run : data.bundle.runs) {
-    nodes.insert(run.hammer.dof.node);
-  }
-  return nodes;
-}
-
-/// Where sensors stood, with the names of their channels.
-std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
-  std::map<int, std::set<std::string>> nodes;
-  for (const acquisition::Run& run : data.bundle.runs) {
-    for (const acquisition::Placement& sensor : run.sensors) {
-      nodes[sensor.dof.node].insert(
-          data.bundle.channels.at(sensor.channel).name);
-    }
-  }
-  if (data.bundle.modes) {
-    for (const Dof& dof : data.modes.dofs) nodes[dof.node].insert(name(dof));
-  }
-  if (nodes.empty()) {
-    for (const signal::Frf& frf : data.frfs.frfs) {
-      nodes[frf.response.node].insert(name(frf.response));
-    }
-  }
-  return nodes;
-}
-
-/// Grids where something was found: few, each by itself.
-std::set<int> found_nodes(const ReportData& data) {
-  std::set<int> nodes;
-  if (!data.model) return nodes;
-  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
-    if (rung.where.node != 0) nodes.insert(rung.where.node);
-    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
-    const std::vector<int> corners =
-        element_grids(data.model->deck, rung.where.elements);
-    nodes.insert(corners.begin(), corners.end());
-  }
-  return nodes;
-}
-
-Figure sketch(const ReportData& data) {
-  SvgStructure picture;
-  picture.name = "structure with hit points and sensors";
-  const std::set<int> found = found_nodes(data);
-  for (const int node : found) {
-    picture.marks.push_back({node,
-                             found.size() == 1 ? "found" : "",
-                             ink::green,
-                             found.size() < 10 ? 6.5 : 4.5});
-  }
-  const auto sensors = sensor_nodes(data);
-  constexpr std::size_t few = 12;
-  for (const auto& [node, names] : sensors) {
-    std::string label;
-    for (const std::string& one : names) {
-      label += (label.empty() ? "" : ", ") + one;
-    }
-    picture.marks.push_back(
-        {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
-  }
-  const std::set<int> hits = hit_nodes(data);
-  for (const int node : hits) {
-    picture.marks.push_back({node,
-                             hits.size() <= 30 && !sensors.contains(node)
-                                 ? std::to_string(node)
-                                 : "",
-                             ink::orange,
-                             3.2});
-  }
-  std::string caption = "Small orange dots: hit points. Blue: sensors.";
-  if (!found.empty()) {
-    caption += " Green: where something was found.";
-  }
-  return {
-      "set-up", caption, svg_structure(wireframe(data.model->deck), picture)};
-}
-
-const char* quantity_words(acquisition::Quantity quantity) {
-  return quantity == acquisition::Quantity::Force          ? "force"
-         : quantity == acquisition::Quantity::Acceleration ? "acceleration"
-         : quantity == acquisition::Quantity::Velocity     ? "velocity"
-                                                           : "displacement";
-}
-
-std::string or_dash(const std::string& text) {
-  return text.empty() ? "–" : text;
-}
-
-std::string sensitivity_words(const acquisition::Channel& channel) {
-  const bool ratio = channel.unit.find('/') != std::string::npos;
-  return typeset(fmt::format("{} mV/{}{}{}",
-                             number(1e3 * channel.sensitivity),
-                             ratio ? "(" : "",
-                             channel.unit,
-                             ratio ? ")" : ""));
-}
-
-DataTable channel_table(const ReportData& data) {
-  DataTable table{"Channels",
-                  {"<channel",
-                   "<quantity",
-                   "sensitivity",
-                   "full scale",
-                   "mass by its sheet",
-                   "<serial number",
-                   "<calibrated"},
-                  {}};
-  for (const acquisition::Channel& channel : data.bundle.channels) {
-    const auto found = data.notes.channels.find(channel.name);
-    const acquisition::ChannelNotes notes = found == data.notes.channels.end()
-                                                ? acquisition::ChannelNotes{}
-                                                : found->second;
-    table.rows.push_back(
-        {channel.name,
-         quantity_words(channel.quantity),
-         sensitivity_words(channel),
-         number(channel.full_scale_volts) + " V",
-         channel.mass_kg ? number(1e3 * *channel.mass_kg) + " g" : "–",
-         or_dash(notes.serial),
-         or_dash(notes.calibrated)});
-  }
-  return table;
-}
-
 Section set_up_section(const ReportData& data) {
   Section section{"Set-up", {}, true};
-  if (data.model) section.parts.emplace_back(sketch(data));
-  if (!data.notes.facts.empty()) {
-    DataTable table{"", {"<Test", "<"}, {}};
-    for (const auto& [name, value] : data.notes.facts) {
-      table.rows.push_back({name, value});
-    }
-    section.parts.emplace_back(table);
+  if (std::optional<Figure> sketch = set_up_sketch(data)) {
+    section.parts.emplace_back(*std::move(sketch));
   }
-  if (!data.bundle.channels.empty()) {
-    section.parts.emplace_back(channel_table(data));
+  for (Part& part : traceability_parts(data)) {
+    section.parts.push_back(std::move(part));
   }
   if (data.bundle.modes) {
     section.parts.emplace_back(Paragraph{
@@ -241,6 +108,37 @@ std::string at_frf(const std::vector<double>& values,
 
 std::string three_decimals(double value) { return fixed(value, 3); }
 
+/// A single hit's coherence is 1 whatever it is worth.
+bool is_coherent(const signal::Frf& frf) {
+  return frf.coherence.size() > 0 && frf.hits != 1;
+}
+
+/// Mean and lowest of all FRFs.
+std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
+  const Eigen::Index lines = frfs.lines();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(lines);
+  Eigen::VectorXd low = Eigen::VectorXd::Ones(lines);
+  int count = 0;
+  for (const signal::Frf& frf : frfs.frfs) {
+    if (!is_coherent(frf) || frf.coherence.size() != lines) continue;
+    sum += frf.coherence;
+    low = low.cwiseMin(frf.coherence);
+    ++count;
+  }
+  if (count == 0 || lines < 2) return std::nullopt;
+  const Eigen::VectorXd hz = frfs.frequency_hz();
+  Plot plot;
+  plot.title = "coherence";
+  plot.x = {"frequency", "Hz", hz(0), hz(lines - 1), false};
+  plot.y = {"coherence", "", 0.0, 1.05, false};
+  plot.curves = {
+      {"lowest of all", hz, low, {}, {}, {Colour::Orange}},
+      {"mean", hz, sum / static_cast<double>(count), {}, {}, {Colour::Blue}}};
+  return Figure{"coherence",
+                fmt::format("Coherence of {} FRFs.", count),
+                svg_plot(plot, {.height = 220.0})};
+}
+
 Section frf_section(const ReportData& data) {
   DataTable table{
       "", {"<response / hammer", "hits", "coherence", "median s.d."}, {}};
@@ -252,13 +150,11 @@ Section frf_section(const ReportData& data) {
   }
   for (std::size_t k = 0; k < data.frfs.frfs.size(); ++k) {
     const signal::Frf& frf = data.frfs.frfs[k];
-    // A single hit's coherence is 1 whatever it is worth.
-    const bool coherent = frf.coherence.size() > 0 && frf.hits != 1;
     const double sd = median_sd_percent(frf);
     std::vector<std::string> row{
         name(frf),
         frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
-        coherent ? fixed(frf.coherence.mean(), 4) : "–",
+        is_coherent(frf) ? fixed(frf.coherence.mean(), 4) : "–",
         sd > 0.0 ? percent(sd / 100.0) : "–"};
     if (data.model) {
       const updating::Comparison& before = data.model->before;
@@ -274,12 +170,17 @@ Section frf_section(const ReportData& data) {
   for (const std::string& statement : data.frfs.statements) {
     statements.items.push_back(typeset(statement));
   }
-  return {"Quality of the FRFs",
-          {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
-                     "deviation over the hits, in per cent of |H|.",
-                     Paragraph::Kind::Small},
-           table,
-           statements}};
+  Section section{
+      "Quality of the FRFs",
+      {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
+                 "deviation over the hits, in per cent of |H|.",
+                 Paragraph::Kind::Small},
+       table}};
+  if (std::optional<Figure> coherence = coherence_figure(data.frfs)) {
+    section.parts.emplace_back(*std::move(coherence));
+  }
+  section.parts.emplace_back(statements);
+  return section;
 }
 
 /// The letters of the diagram from the least steady on.
@@ -343,36 +244,31 @@ Figure stabilisation(const ReportData& data) {
           svg_plot(plot, {.height = 340.0})};
 }
 
-DataTable mode_table(const modal::ModeSet& modes) {
-  DataTable table{"",
-                  {"mode",
-                   "frequency Hz",
-                   "damping %",
-                   "MPC",
-                   "MPD °",
-                   "poles",
-                   "scatter Hz"},
-                  {}};
+/// How well the measured points tell the modes apart.
+Figure auto_mac_figure(const modal::ModeSet& modes) {
+  Eigen::MatrixXcd shapes(static_cast<Eigen::Index>(modes.dofs.size()),
+                          static_cast<Eigen::Index>(modes.modes.size()));
+  SvgHeatMap map;
+  map.name = "AutoMAC";
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {
-    const modal::Mode& mode = modes.modes[k];
-    const bool poles = mode.cluster.poles > 0;
-    table.rows.push_back(
-        {fmt::format("{}", k + 1),
-         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-         with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
-         fixed(mode.mpc, 3),
-         fixed(mode.mpd_deg, 1),
-         poles ? fmt::format("{}", mode.cluster.poles) : "–",
-         poles ? number(mode.cluster.frequency_scatter_hz, 2) : "–"});
+    shapes.col(static_cast<Eigen::Index>(k)) = modes.modes[k].shape;
+    map.rows.push_back(number(modes.modes[k].frequency_hz));
   }
-  return table;
+  map.columns = map.rows;
+  map.values = modal::auto_mac(shapes);
+  map.row_title = map.column_title = "measured Hz";
+  return {"auto-mac",
+          "AutoMAC in %: the modes among themselves. What is large off the "
+          "diagonal the measured points cannot tell apart.",
+          svg_heat_map(map)};
 }
 
 Section mode_section(const ReportData& data) {
-  Section section{"Modes", {}};
+  // Without a model the modes are the result and stand in front.
+  Section section{data.model ? "Modes" : "Quality of the modes", {}};
   if (data.modes.modes.empty()) {
     section.parts.emplace_back(Paragraph{"No mode was identified."});
-  } else {
+  } else if (data.model) {
     section.parts.emplace_back(mode_table(data.modes));
   }
   if (!data.modes.modes.empty() && !data.bundle.modes) {
@@ -387,16 +283,54 @@ Section mode_section(const ReportData& data) {
   if (!data.modes.diagram.empty() && data.frfs.lines() > 1) {
     section.parts.emplace_back(stabilisation(data));
   }
+  if (!data.model && data.modes.dofs.size() > 1 &&
+      data.modes.modes.size() > 1) {
+    section.parts.emplace_back(FigureRow{{auto_mac_figure(data.modes)}});
+  }
   return section;
 }
 
 }  // namespace
 
+DataTable mode_table(const modal::ModeSet& modes) {
+  const bool shapes = !modes.dofs.empty();
+  const bool poles = std::ranges::any_of(
+      modes.modes, [](const modal::Mode& m) { return m.cluster.poles > 0; });
+  DataTable table{"", {"mode", "frequency Hz", "damping %"}, {}};
+  const auto add_heading = [&table](
+                               bool told, const char* one, const char* two) {
+    if (told) table.heading.insert(table.heading.end(), {one, two});
+  };
+  add_heading(shapes, "MPC", "MPD °");
+  add_heading(poles, "poles", "scatter Hz");
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    const modal::Mode& mode = modes.modes[k];
+    std::vector<std::string> row{
+        fmt::format("{}", k + 1),
+        with_sd(mode.frequency_hz, mode.frequency_sd_hz),
+        with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd)};
+    if (shapes) {
+      row.push_back(fixed(mode.mpc, 3));
+      row.push_back(fixed(mode.mpd_deg, 1));
+    }
+    if (poles) {
+      const modal::PoleCluster& found = mode.cluster;
+      row.push_back(found.poles > 0 ? fmt::format("{}", found.poles) : "–");
+      row.push_back(found.poles > 0 ? number(found.frequency_scatter_hz, 2)
+                                    : "–");
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 std::vector<Section> measurement_sections(const ReportData& data) {
   std::vector<Section> sections{set_up_section(data)};
   if (data.hits) sections.push_back(hits_section(data));
   if (!data.bundle.modes) sections.push_back(frf_section(data));
-  sections.push_back(mode_section(data));
+  if (data.model || !data.bundle.modes || data.modes.dofs.size() > 1) {
+    sections.push_back(mode_section(data));
+  }
   return sections;
 }
 

@@ -10,4 +10,7 @@ namespace tapfit::tui {
 
 [[nodiscard]] std::vector<Section> measurement_sections(const ReportData& data);
 
+/// Frequencies and damping with their deviations, and what speaks for each.
+[[nodiscard]] DataTable mode_table(const modal::ModeSet& modes);
+
 }  // namespace tapfit::tui

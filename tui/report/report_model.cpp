@@ -2,6 +2,7 @@
 
 #include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
+#include "tui/report/report_criteria.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
 
@@ -9,7 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <complex>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -21,112 +23,6 @@ using updating::ModePair;
 
 bool anything_changed(const ModelResults& model) {
   return model.ladder.size() > 1;
-}
-
-/// One criterion before and after, and against its limit.
-std::vector<std::string> criterion(const std::string& what,
-                                   const std::string& limit,
-                                   const std::string& before,
-                                   const std::string& after,
-                                   std::optional<bool> kept) {
-  return {what,
-          limit.empty() ? "none set" : limit,
-          before,
-          after,
-          !kept   ? "–"
-          : *kept ? "✓ pass"
-                  : "✗ fail"};
-}
-
-Section criteria_section(const ReportData& data) {
-  const Correlation before = correlation_of(data.model->before);
-  const Correlation after = correlation_of(data.model->after);
-  const acquisition::Limits& limits = data.notes.limits;
-  DataTable table{
-      "", {"<criterion", "<limit", "before", "after", "<result"}, {}};
-  const auto kept = [](const std::optional<double>& limit, bool within) {
-    return limit ? std::optional<bool>(within) : std::nullopt;
-  };
-  const auto words = [](const std::optional<double>& limit,
-                        const char* format) {
-    return limit ? fmt::format(fmt::runtime(format), *limit) : std::string();
-  };
-  table.rows.push_back(criterion(
-      "largest frequency error of a pair",
-      words(limits.frequency_percent, "≤ {:.4g} %"),
-      fixed(before.frequency_percent, 2) + " %",
-      fixed(after.frequency_percent, 2) + " %",
-      kept(limits.frequency_percent,
-           after.frequency_percent <= limits.frequency_percent.value_or(0.0))));
-  const auto of_shapes = [&](std::vector<std::string> row) {
-    if (!data.modes.dofs.empty()) table.rows.push_back(std::move(row));
-  };
-  of_shapes(criterion("smallest MAC of a pair",
-                      words(limits.mac, "≥ {:.4g}"),
-                      fixed(before.mac, 3),
-                      fixed(after.mac, 3),
-                      kept(limits.mac, after.mac >= limits.mac.value_or(0.0))));
-  of_shapes(criterion("largest cross-orthogonality off the diagonal",
-                      words(limits.cross_orthogonality, "≤ {:.4g}"),
-                      fixed(before.cross_orthogonality, 3),
-                      fixed(after.cross_orthogonality, 3),
-                      kept(limits.cross_orthogonality,
-                           after.cross_orthogonality <=
-                               limits.cross_orthogonality.value_or(0.0))));
-  table.rows.push_back(criterion("pairs of modes",
-                                 "",
-                                 fmt::format("{}", before.pairs),
-                                 fmt::format("{}", after.pairs),
-                                 std::nullopt));
-  table.rows.back()[1] = fmt::format("of {} measured", data.modes.modes.size());
-  return {"Correlation of model and measurement",
-          {table,
-           Paragraph{"Limits are those of test.json (\"limits\"). "
-                     "Cross-orthogonality: in the model's mass condensed to "
-                     "the measured points; where these are few it is large by "
-                     "itself.",
-                     Paragraph::Kind::Small}},
-          true};
-}
-
-std::map<int, const ModePair*> by_measured(const Comparison& comparison) {
-  std::map<int, const ModePair*> pairs;
-  for (const ModePair& pair : comparison.pairs) pairs[pair.measured] = &pair;
-  return pairs;
-}
-
-void add_pair_cells(std::vector<std::string>& row,
-                    const std::map<int, const ModePair*>& pairs,
-                    int mode) {
-  const auto found = pairs.find(mode);
-  if (found == pairs.end()) {
-    row.insert(row.end(), 3, "–");
-    return;
-  }
-  row.push_back(fixed(found->second->model_hz, 3));
-  row.push_back(signed_percent_words(found->second->error_percent));
-  row.push_back(found->second->has_shape ? fixed(found->second->mac, 3) : "–");
-}
-
-DataTable pair_table(const ReportData& data) {
-  const bool both = anything_changed(*data.model);
-  DataTable table{"Modes of measurement and model",
-                  {"mode", "measured Hz", "before Hz", "error", "MAC"},
-                  {}};
-  if (both) {
-    table.heading.insert(table.heading.end(), {"after Hz", "error", "MAC"});
-  }
-  const auto before = by_measured(data.model->before);
-  const auto after = by_measured(data.model->after);
-  for (std::size_t k = 0; k < data.modes.modes.size(); ++k) {
-    const int mode = static_cast<int>(k);
-    std::vector<std::string> row{fmt::format("{}", k + 1),
-                                 fixed(data.modes.modes[k].frequency_hz, 3)};
-    add_pair_cells(row, before, mode);
-    if (both) add_pair_cells(row, after, mode);
-    table.rows.push_back(std::move(row));
-  }
-  return table;
 }
 
 /// The model's modes that a reader looks for: paired, or between those
@@ -188,6 +84,17 @@ FigureRow mac_row(const ReportData& data) {
   return row;
 }
 
+Section correlation_section(const ReportData& data) {
+  Section section{
+      "Correlation of model and measurement", criteria_parts(data), true};
+  const bool shapes = !data.modes.dofs.empty();
+  if (shapes && data.model->before.mac.size() > 0 &&
+      data.model->after.mac.size() > 0) {
+    section.parts.emplace_back(mac_row(data));
+  }
+  return section;
+}
+
 /// The FRFs of the largest error before, in their own order.
 std::vector<std::size_t> shown_frfs(const Comparison& before) {
   constexpr std::size_t most = 48;
@@ -221,7 +128,7 @@ Figure error_figure(const ReportData& data,
     map.rows.push_back(name(data.frfs.frfs.at(shown[k])));
   }
   for (const updating::BandError& band : comparison.bands) {
-    map.columns.push_back(number(band.high_hz, 3));
+    map.columns.push_back(number(band.high_hz));
   }
   return {name_of_file, title, svg_heat_map(map)};
 }
@@ -267,8 +174,25 @@ struct Law {
   bool imaginary = false;
 };
 
-/// The one that leaves least.
-Law best_law(const updating::Signature& s) {
+/// The part that a law without damping has.
+Law absorber_law(const updating::Signature& s) {
+  const Eigen::VectorXcd jw =
+      std::complex<double>(0.0, 2.0 * std::numbers::pi) *
+      s.frequency_hz.cast<std::complex<double>>();
+  const updating::AbsorberLaw& absorber = s.absorber;
+  return {
+      "an absorber",
+      absorber.unexplained,
+      fmt::format("{} at {} Hz",
+                  value_words({"mass_kg", absorber.mass_kg}, absorber.mass_kg),
+                  number(absorber.frequency_hz)),
+      updating::absorber_stiffness(absorber, jw).real()};
+}
+
+/// The one that leaves least; an absorber, which has three parameters, only
+/// where one was found.
+Law best_law(const updating::Signature& s, bool resonant) {
+  if (resonant && s.absorber.mass_kg > 0.0) return absorber_law(s);
   const Eigen::ArrayXd w = 2.0 * std::numbers::pi * s.frequency_hz.array();
   std::vector<Law> laws{
       {"a pure mass",
@@ -288,6 +212,12 @@ Law best_law(const updating::Signature& s) {
   return *std::ranges::min_element(laws, {}, &Law::unexplained);
 }
 
+bool found_absorber(const ModelResults& model, int node) {
+  return std::ranges::any_of(model.ladder, [node](const updating::Rung& rung) {
+    return rung.added == "absorber" && rung.where.node == node;
+  });
+}
+
 /// Where one grid explains most of the misfit.
 bool means_something(const std::optional<updating::Signature>& signature) {
   return signature && updating::is_telling(*signature) &&
@@ -295,7 +225,8 @@ bool means_something(const std::optional<updating::Signature>& signature) {
          signature->z.size() == signature->frequency_hz.size();
 }
 
-/// Scattered values at the ends of the band do not set the scale.
+/// Scattered values at the ends of the band do not set the scale; what is
+/// beyond it is a gap.
 void hold_range(Plot& plot) {
   std::vector<double> values;
   for (const Curve& curve : plot.curves) {
@@ -307,12 +238,21 @@ void hold_range(Plot& plot) {
   std::ranges::sort(values);
   const double low = values[values.size() / 20];
   const double high = values[values.size() - 1 - values.size() / 20];
+  if (!(low < high)) return;
   plot.y.lo = low - 0.25 * (high - low);
   plot.y.hi = high + 0.25 * (high - low);
+  for (Curve& curve : plot.curves) {
+    for (double& y : curve.y) {
+      if (y < plot.y.lo || y > plot.y.hi) {
+        y = std::numeric_limits<double>::quiet_NaN();
+      }
+    }
+  }
 }
 
-Section signature_section(const updating::Signature& signature) {
-  const Law law = best_law(signature);
+Section signature_section(const ModelResults& model) {
+  const updating::Signature& signature = *model.signature;
+  const Law law = best_law(signature, found_absorber(model, signature.node));
   Plot plot;
   plot.title = fmt::format("missing stiffness at grid {}", signature.node);
   plot.x = {"frequency", "Hz", 0.0, 0.0, false};
@@ -330,59 +270,33 @@ Section signature_section(const updating::Signature& signature) {
   hold_range(plot);
   return {
       "The missing stiffness",
-      {Figure{"signature",
-              fmt::format(
-                  "Dynamic stiffness that the base model lacks at grid {0}. "
-                  "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
-                  "{4} of it. A mass falls with frequency squared, a spring is "
-                  "constant, a damper is imaginary and rises.",
-                  signature.node,
-                  percent(signature.explained),
-                  law.words,
-                  law.size,
-                  percent(law.unexplained)),
-              svg_plot(plot, {.height = 300.0})}}};
+      {Figure{
+          "signature",
+          fmt::format(
+              "Dynamic stiffness that the base model lacks at grid {0}. "
+              "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
+              "{4} of it. A mass falls with frequency squared, a spring is "
+              "constant, a damper is imaginary and rises, an absorber changes "
+              "its sign at its own frequency.",
+              signature.node,
+              percent(signature.explained),
+              law.words,
+              law.size,
+              percent(law.unexplained)),
+          svg_plot(plot, {.height = 300.0})}}};
 }
 
 }  // namespace
 
-Correlation correlation_of(const Comparison& comparison) {
-  Correlation found;
-  found.pairs = comparison.pairs.size();
-  if (comparison.pairs.empty()) found.mac = 0.0;
-  for (const ModePair& pair : comparison.pairs) {
-    found.frequency_percent =
-        std::max(found.frequency_percent, std::abs(pair.error_percent));
-    found.mac = std::min(found.mac, pair.mac);
-    for (const ModePair& other : comparison.pairs) {
-      if (other.model == pair.model ||
-          pair.measured >= comparison.weighted_mac.rows() ||
-          other.model >= comparison.weighted_mac.cols()) {
-        continue;
-      }
-      found.cross_orthogonality = std::max(
-          found.cross_orthogonality,
-          std::sqrt(std::max(
-              comparison.weighted_mac(pair.measured, other.model), 0.0)));
-    }
-  }
-  return found;
-}
-
 std::vector<Section> model_sections(const ReportData& data) {
   if (!data.model) return {};
-  std::vector<Section> sections{criteria_section(data)};
-  sections.back().parts.emplace_back(pair_table(data));
-  const bool shapes = !data.modes.dofs.empty();
-  if (shapes && data.model->before.mac.size() > 0 &&
-      data.model->after.mac.size() > 0) {
-    sections.back().parts.emplace_back(mac_row(data));
-  }
+  std::vector<Section> sections;
+  if (!data.modes.modes.empty()) sections.push_back(correlation_section(data));
   if (has_error_map(data, data.model->before)) {
     sections.push_back(error_section(data));
   }
   if (means_something(data.model->signature)) {
-    sections.push_back(signature_section(*data.model->signature));
+    sections.push_back(signature_section(*data.model));
   }
   return sections;
 }

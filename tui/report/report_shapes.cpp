@@ -4,16 +4,113 @@
 #include "modal/mode_set/point_motions.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
+#include "tui/report/report_verdict.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/widgets/element_grids.hpp"
+#include "tui/widgets/wireframe.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
+#include <string>
 
 namespace tapfit::tui {
 namespace {
 
 constexpr std::size_t most_shapes = 12;
+
+/// The model's mesh, or the points of the test's own; nothing where no place is
+/// known.
+std::optional<Wireframe> tested_structure(const ReportData& data) {
+  if (data.model) return wireframe(data.model->deck);
+  if (data.bundle.geometry) return wireframe(*data.bundle.geometry);
+  return std::nullopt;
+}
+
+std::set<int> hit_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  for (const signal::Frf& frf : data.frfs.frfs) {
+    nodes.insert(frf.reference.node);
+  }
+  for (const acquisition::Run& run : data.bundle.runs) {
+    nodes.insert(run.hammer.dof.node);
+  }
+  return nodes;
+}
+
+/// Where sensors stood, with the names of their channels.
+std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
+  std::map<int, std::set<std::string>> nodes;
+  for (const acquisition::Run& run : data.bundle.runs) {
+    for (const acquisition::Placement& sensor : run.sensors) {
+      nodes[sensor.dof.node].insert(
+          data.bundle.channels.at(sensor.channel).name);
+    }
+  }
+  if (data.bundle.modes) {
+    for (const Dof& dof : data.modes.dofs) nodes[dof.node].insert(name(dof));
+  }
+  if (nodes.empty()) {
+    for (const signal::Frf& frf : data.frfs.frfs) {
+      nodes[frf.response.node].insert(name(frf.response));
+    }
+  }
+  return nodes;
+}
+
+/// Grids where something was found: few, each by itself.
+std::set<int> found_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  if (!data.model) return nodes;
+  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
+    if (rung.where.node != 0) nodes.insert(rung.where.node);
+    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
+    const std::vector<int> corners =
+        element_grids(data.model->deck, rung.where.elements);
+    nodes.insert(corners.begin(), corners.end());
+  }
+  return nodes;
+}
+
+Figure sketch(const ReportData& data, const Wireframe& wire) {
+  SvgStructure picture;
+  picture.name = "structure with hit points and sensors";
+  const std::set<int> found = found_nodes(data);
+  for (const int node : found) {
+    picture.marks.push_back({node,
+                             found.size() == 1 ? "found" : "",
+                             ink::green,
+                             found.size() < 10 ? 6.5 : 4.5});
+  }
+  const auto sensors = sensor_nodes(data);
+  constexpr std::size_t few = 12;
+  for (const auto& [node, names] : sensors) {
+    std::string label;
+    for (const std::string& one : names) {
+      label += (label.empty() ? "" : ", ") + one;
+    }
+    picture.marks.push_back(
+        {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
+  }
+  const std::set<int> hits = hit_nodes(data);
+  for (const int node : hits) {
+    picture.marks.push_back({node,
+                             hits.size() <= 30 && !sensors.contains(node)
+                                 ? std::to_string(node)
+                                 : "",
+                             ink::orange,
+                             3.2});
+  }
+  std::string caption = hits.empty()
+                            ? "Blue: measured points."
+                            : "Small orange dots: hit points. Blue: sensors.";
+  if (!found.empty()) {
+    caption += " Green: where something was found.";
+  }
+  return {"set-up", caption, svg_structure(wire, picture)};
+}
 
 const updating::ModePair* pair_of_mode(const updating::Comparison& comparison,
                                        int mode) {
@@ -23,29 +120,37 @@ const updating::ModePair* pair_of_mode(const updating::Comparison& comparison,
   return nullptr;
 }
 
+/// The shape of the model's mode that is paired with it.
+/// @return what the measured shape is to be multiplied by
+double add_model_shape(const updating::Comparison& now,
+                       std::size_t k,
+                       const Eigen::VectorXd& phi,
+                       SvgShape& shape,
+                       std::string& caption) {
+  const updating::ModePair* pair = pair_of_mode(now, static_cast<int>(k));
+  if (pair == nullptr || pair->model >= now.modes.at_grids.cols()) {
+    caption += ", no mode of the model is paired with it";
+    return 1.0;
+  }
+  const Eigen::VectorXd u = now.modes.at_grids.col(pair->model);
+  shape.grids = Eigen::Map<const Eigen::Matrix3Xd>(u.data(), 3, u.size() / 3);
+  caption += fmt::format(
+      ", model {} Hz, MAC {}", number(pair->model_hz), fixed(pair->mac, 3));
+  return modal::factor_onto(now.modes.at_dofs.col(pair->model), phi);
+}
+
 Figure structure_figure(const ReportData& data,
                         const Wireframe& wire,
                         std::size_t k) {
   const modal::Mode& mode = data.modes.modes[k];
-  const updating::Comparison& now = data.model->after;
-  const updating::ModePair* pair = pair_of_mode(now, static_cast<int>(k));
   const Eigen::VectorXd phi = modal::real_shape(mode.shape);
   SvgShape shape;
   shape.name = fmt::format("shape of mode {}", k + 1);
-  double factor = 1.0;
   std::string caption =
       fmt::format("Mode {}: {} Hz", k + 1, number(mode.frequency_hz));
-  const auto grids = wire.points.cols();
-  if (pair != nullptr && pair->model < now.modes.at_grids.cols() &&
-      now.modes.at_grids.rows() == 3 * grids) {
-    const Eigen::VectorXd u = now.modes.at_grids.col(pair->model);
-    shape.grids = Eigen::Map<const Eigen::Matrix3Xd>(u.data(), 3, grids);
-    factor = modal::factor_onto(now.modes.at_dofs.col(pair->model), phi);
-    caption += fmt::format(
-        ", model {} Hz, MAC {}", number(pair->model_hz), fixed(pair->mac, 3));
-  } else {
-    caption += ", no mode of the model is paired with it";
-  }
+  const double factor =
+      data.model ? add_model_shape(data.model->after, k, phi, shape, caption)
+                 : 1.0;
   shape.points =
       along_basic(wire, modal::point_motions(data.modes, factor * phi));
   return {fmt::format("mode-{}", k + 1), caption, svg_shape(wire, shape)};
@@ -80,25 +185,28 @@ std::string order_of_points(const std::vector<Dof>& dofs) {
 
 }  // namespace
 
+std::optional<Figure> set_up_sketch(const ReportData& data) {
+  const std::optional<Wireframe> wire = tested_structure(data);
+  if (!wire) return std::nullopt;
+  return sketch(data, *wire);
+}
+
 Section shape_section(const ReportData& data) {
   Section section{"Mode shapes", {}, true};
   FigureRow row;
   const std::size_t shown = std::min(data.modes.modes.size(), most_shapes);
-  if (data.model) {
-    const Wireframe wire = wireframe(data.model->deck);
-    for (std::size_t k = 0; k < shown; ++k) {
-      row.figures.push_back(structure_figure(data, wire, k));
-    }
-  } else {
-    for (std::size_t k = 0; k < shown; ++k) {
-      row.figures.push_back(list_figure(data, k));
-    }
+  const std::optional<Wireframe> wire = tested_structure(data);
+  for (std::size_t k = 0; k < shown; ++k) {
+    row.figures.push_back(wire ? structure_figure(data, *wire, k)
+                               : list_figure(data, k));
   }
   section.parts.emplace_back(row);
   std::string words = data.model
                           ? "Orange: measured points. Blue: the updated model. "
                             "Grey: at rest. The scale is arbitrary."
-                          : order_of_points(data.modes.dofs);
+                      : wire ? "Orange: measured points and how they move. The "
+                               "scale is arbitrary."
+                             : order_of_points(data.modes.dofs);
   if (shown < data.modes.modes.size()) {
     words += fmt::format(
         " The first {} of {} modes are shown.", shown, data.modes.modes.size());

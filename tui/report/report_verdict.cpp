@@ -163,10 +163,10 @@ std::string verdict_sentence(const ReportData& data) {
   const auto& modes = data.modes.modes;
   if (modes.empty()) return "No mode was identified in the band.";
   return fmt::format(
-      "{} mode{} identified, from {} to {} Hz; no model was given to compare "
-      "with.",
+      "{} mode{} {}, from {} to {} Hz; no model was given to compare with.",
       modes.size(),
       modes.size() == 1 ? " was" : "s were",
+      data.bundle.modes ? "given" : "identified",
       number(modes.front().frequency_hz),
       number(modes.back().frequency_hz));
 }

@@ -60,6 +60,7 @@ Prefix prefix_of(const std::string& unit, double value) {
   if (unit == "Pa" && size >= 1e9) return {1e-9, "GPa"};
   if (unit == "Pa" && size >= 1e6) return {1e-6, "MPa"};
   if (unit == "kg" && size > 0.0 && size < 1.0) return {1e3, "g"};
+  if (unit == "kg m^2" && size > 0.0 && size < 1.0) return {1e6, "kg·mm²"};
   if (unit == "s" && size > 0.0 && size < 1e-3) return {1e6, "µs"};
   if (unit == "s" && size > 0.0 && size < 1.0) return {1e3, "ms"};
   if (unit == "m" && size > 0.0 && size < 1.0) return {1e3, "mm"};
@@ -67,6 +68,7 @@ Prefix prefix_of(const std::string& unit, double value) {
   if (unit == "m^4" && size > 0.0 && size < 1.0) return {1e12, "mm⁴"};
   std::string written = replaced(unit, "N m", "N·m");
   written = replaced(written, "N s", "N·s");
+  written = replaced(written, "kg m", "kg·m");
   for (const auto& [plain, power] :
        {Name{"^2", "²"}, Name{"^3", "³"}, Name{"^4", "⁴"}}) {
     written = replaced(written, plain, power);
@@ -172,7 +174,8 @@ std::string value_words(const updating::Estimate& like, double value) {
 
 std::string next_words(const updating::NextMeasurement& next, double floor) {
   // Of one effect at two places it is the places that are to be told apart.
-  const bool same = next.one.effect == next.other.effect;
+  const bool same = next.one.effect == next.other.effect &&
+                    next.one.where.variant == next.other.where.variant;
   const auto named = [same](const updating::EffectRef& ref) {
     return same ? place(ref.where)
                 : with_article(found_words(ref.effect, ref.where));
@@ -217,8 +220,8 @@ std::string contour_words(const std::string& contour) {
   return fmt::format(
       "evaluated at {} frequencies, {}–{} Hz, with {} % added damping",
       found.str(1),
-      found.str(2),
-      found.str(3),
+      number(std::strtod(found.str(2).c_str(), nullptr)),
+      number(std::strtod(found.str(3).c_str(), nullptr)),
       number(100.0 * std::strtod(found.str(4).c_str(), nullptr)));
 }
 

@@ -32,7 +32,7 @@ Document report_document(const ReportData& data) {
   document.subtitle = fmt::format("Report of {}", data.date);
   append(document.sections, front_sections(data));
   append(document.sections, measurement_sections(data));
-  if (!data.modes.modes.empty()) {
+  if (!data.modes.modes.empty() && !data.modes.dofs.empty()) {
     document.sections.push_back(shape_section(data));
   }
   append(document.sections, model_sections(data));

@@ -72,19 +72,21 @@ std::string with_sd(double value, double sd, int digits) {
 
 NameAndUnit split_unit(std::string_view name) {
   using Pair = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Pair, 12> endings{{
+  static constexpr std::array<Pair, 14> endings{{
       {"_nm_per_rad_per_m", "N m/rad/m"},
       {"_n_per_m_per_m", "N/m/m"},
       {"_n_per_m3", "N/m³"},
       {"_nm_per_rad", "N m/rad"},
       {"_ns_per_m", "N s/m"},
       {"_n_per_m", "N/m"},
+      {"_kg_m2", "kg m^2"},
       {"_kg", "kg"},
       {"_hz", "Hz"},
       {"_pa", "Pa"},
       {"_percent", "%"},
       {"_s", "s"},
       {"_m", "m"},
+      {"_n", "N"},
   }};
   // A shared name may carry its channel: "mass_kg.acc1".
   const std::size_t dot = name.find('.');

@@ -271,6 +271,21 @@ void draw_marks(Screen& screen,
 
 }  // namespace
 
+Wireframe wireframe(const acquisition::TestGeometry& geometry) {
+  Wireframe wire;
+  wire.points.resize(3, static_cast<Eigen::Index>(geometry.nodes.size()));
+  int column = 0;
+  for (const auto& [label, at] : geometry.nodes) {
+    wire.points.col(column) = at;
+    for (const int node : {label, -label}) {
+      wire.index[node] = column;
+      wire.axes[node] = acquisition::own_point(geometry, label).axes;
+    }
+    ++column;
+  }
+  return wire;
+}
+
 std::map<int, Eigen::Vector3d> along_basic(
     const Wireframe& wire, std::map<int, Eigen::Vector3d> of_nodes) {
   for (const auto& [node, axes] : wire.axes) {

@@ -1,6 +1,7 @@
 // A deck's lines, projected: the structure as one sees it.
 #pragma once
 
+#include "acquisition/bundle/test_geometry.hpp"
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 #include "tui/widgets/mesh_lines.hpp"
@@ -29,6 +30,10 @@ struct Wireframe {
 /// than 3000 edges only those that belong to one shell (the outline), to
 /// bars, rods and plot lines.
 [[nodiscard]] Wireframe wireframe(const structure::Deck& deck);
+
+/// The points of a test that has no model, without lines, under their labels
+/// and under the node (-label) of measured degrees of freedom there.
+[[nodiscard]] Wireframe wireframe(const acquisition::TestGeometry& geometry);
 
 struct Pose {
   double azimuth_deg = -35.0;

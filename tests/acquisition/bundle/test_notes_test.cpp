@@ -19,18 +19,24 @@ std::filesystem::path folder_with(const std::string& text) {
 
 TEST(TestNotes, AreLimitsSerialNumbersAndFacts) {
   const TestNotes notes = read_test_notes(folder_with(R"({"tapfit": 1,
-    "title": "T", "limits": {"frequency_percent": 2, "mac": 0.9},
+    "title": "T", "limits": {"frequency_percent": 2, "mac": 0.9,
+               "cross_orthogonality_diagonal": 0.95},
     "operator": "A. Ritter", "temperature_c": 21.5, "hold_off_s": 1,
     "climate": {"humidity_percent": 40},
-    "channels": [{"name": "acc1", "serial": "4711", "calibrated": "2025-03"},
+    "channels": [{"name": "acc1", "serial": "4711", "calibrated": "2025-03",
+                  "calibration_due": "2026-03", "unit": "g", "cable_m": 2},
                  {"name": "hammer"}], "runs": []})"));
   EXPECT_EQ(notes.limits.frequency_percent, 2.0);
   EXPECT_EQ(notes.limits.mac, 0.9);
   EXPECT_FALSE(notes.limits.cross_orthogonality);
+  EXPECT_EQ(notes.limits.cross_orthogonality_diagonal, 0.95);
   EXPECT_EQ(notes.channels.at("acc1").serial, "4711");
   EXPECT_EQ(notes.channels.at("acc1").calibrated, "2025-03");
+  EXPECT_EQ(notes.channels.at("acc1").calibration_due, "2026-03");
   EXPECT_EQ(notes.channels.at("hammer").serial, "");
   using Fact = std::pair<std::string, std::string>;
+  EXPECT_EQ(notes.channels.at("acc1").others,
+            (std::vector<Fact>{{"cable", "2 m"}}));
   EXPECT_EQ(notes.facts,
             (std::vector<Fact>{{"operator", "A. Ritter"},
                                {"temperature", "21.5 °C"},

@@ -26,6 +26,20 @@ Document small_document() {
            {"Second", {picture, FigureRow{{picture, picture}}}, true}}};
 }
 
+TEST(HtmlDocument, NamesTheCellsOfOneLongRow) {
+  Document document;
+  DataTable table{
+      "", {"<a", "b", "c", "d", "e&f"}, {{"1", "2", "3", "4", "5"}}};
+  document.sections = {{"", {table}, false}};
+  const std::string html = as_html(document);
+  EXPECT_TRUE(holds(html, "upright\"><table>"));
+  EXPECT_TRUE(holds(html, "<td class=\"l\" data-n=\"a\">1</td>"));
+  EXPECT_TRUE(holds(html, "<td data-n=\"e&amp;f\">5</td>"));
+  table.rows.push_back(table.rows.front());
+  document.sections = {{"", {table}, false}};
+  EXPECT_FALSE(holds(as_html(document), "data-n=\""));
+}
+
 TEST(Escaped, LeavesNoMarkup) {
   EXPECT_EQ(escaped("<a b=\"c\">'&"), "&lt;a b=&quot;c&quot;&gt;&#39;&amp;");
 }

@@ -144,7 +144,7 @@ TEST(SvgBars, TheLargestGoesToTheEnd) {
                                    "ladder",
                                    "error [%]",
                                    100.0);
-  EXPECT_TRUE(holds(svg, "width=\"262\"")) << svg;
+  EXPECT_TRUE(holds(svg, "width=\"348\"")) << svg;
   EXPECT_TRUE(holds(svg, ">100 %</text>"));
   EXPECT_TRUE(has_no_number_that_is_none(svg));
 }

@@ -38,6 +38,14 @@ TEST(Quantity, IsInTheUnitThatItsSizeAsksFor) {
   EXPECT_EQ(k.unit, "N·m/rad");
 }
 
+TEST(Quantity, WritesAnInertiaInItsUnit) {
+  const Quantity J = quantity({"inertia_kg_m2", 8.9e-7, 3.6e-7, 4e-7, 2e-6});
+  EXPECT_EQ(J.name, "inertia");
+  EXPECT_EQ(J.value, "0.89 ± 0.36");
+  EXPECT_EQ(J.interval, "0.4 … 2");
+  EXPECT_EQ(J.unit, "kg·mm²");
+}
+
 // 0.02 g with a deviation of 0.33 g.
 TEST(Quantity, SaysWhereTheDataTellNothing) {
   const Quantity mass =
@@ -54,6 +62,10 @@ TEST(ContourWords, SayHowManyFrequenciesAndHowMuchDamping) {
   EXPECT_EQ(contour_words("136 lines from 1 to 55 Hz on s = sigma + j omega, "
                           "sigma = 0.03 omega and at least 0.188 1/s"),
             "evaluated at 136 frequencies, 1–55 Hz, with 3 % added damping");
+  EXPECT_EQ(
+      contour_words("83 lines from 61.1636 to 700 Hz on s = sigma + j "
+                    "omega, sigma = 0.03 omega"),
+      "evaluated at 83 frequencies, 61.16–700 Hz, with 3 % added damping");
   EXPECT_EQ(contour_words("s = 5 + jw"), "s = 5 + jw");
 }
 
@@ -84,6 +96,18 @@ TEST(NextWords, SayWhereToHit) {
       "To separate an added mass (node 5) from a joint that gives (node 6): "
       "hit 144Z+ with acc1 moved to 146Z+ (they differ by 3.1 % there, by "
       "1.4 % at your points).");
+}
+
+TEST(NextWords, NameBothFormsOfOneEffect) {
+  updating::NextMeasurement next;
+  next.one = {"sensor-mass", {.channels = {"acc1"}, .variant = "rotary"}};
+  next.other = {"sensor-mass", {.channels = {"acc1"}}};
+  next.difference = 0.031;
+  EXPECT_TRUE(next_words(next, 0.01)
+                  .starts_with("To separate the mass of the sensors (acc1; "
+                               "with rotary inertia) from "
+                               "the mass of the sensors (acc1): hit"))
+      << next_words(next, 0.01);
 }
 
 TEST(Typeset, WritesSignsInOneCharacter) {

@@ -6,7 +6,6 @@
 #include "tests/tui/support/fake_results.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
-#include "tui/report/report_model.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 
@@ -106,7 +105,47 @@ TEST(VerdictSentence, WithoutAModelCountsModes) {
   EXPECT_TRUE(holds(verdict_sentence(data), "no model was given"));
   const std::string html = as_html(report_document(data));
   EXPECT_TRUE(holds(html, "Order of the points"));
-  EXPECT_FALSE(holds(html, "MAC"));
+  EXPECT_TRUE(holds(html, "AutoMAC"));
+  EXPECT_FALSE(holds(html, "Correlation of model"));
+}
+
+TEST(ReportDocument, DoesWithFrequenciesAlone) {
+  ReportData data = data_of_two_effects();
+  data.model.reset();
+  data.hits.reset();
+  data.frfs = {};
+  data.bundle.runs.clear();
+  data.bundle.channels.clear();
+  data.bundle.modes.emplace();
+  data.modes.dofs.clear();
+  data.modes.diagram.clear();
+  for (modal::Mode& mode : data.modes.modes) mode.shape.resize(0);
+  EXPECT_TRUE(verdict_sentence(data).starts_with("3 modes were given, from"));
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds(html, "What was identified"));
+  for (const char* none : {"MPC", "poles", "Mode shapes", "AutoMAC"}) {
+    EXPECT_FALSE(holds(html, none)) << none;
+  }
+}
+
+TEST(ReportDocument, DrawsATestAloneOnItsOwnPoints) {
+  ReportData data = data_of_two_effects();
+  data.model.reset();
+  data.bundle.geometry.emplace();
+  data.bundle.geometry->nodes = {{4, {0.0, 0.0, 0.0}}, {6, {0.2, 0.1, 0.0}}};
+  const Document document = report_document(data);
+  std::set<std::string> names;
+  for (const Figure& figure : figures_of(document)) names.insert(figure.name);
+  EXPECT_TRUE(names.contains("set-up"));
+  EXPECT_FALSE(holds(as_html(document), "Order of the points"));
+}
+
+TEST(ReportDocument, HasNoTableOfModesWhereThereAreNone) {
+  ReportData data = data_of_two_effects();
+  data.modes.modes.clear();
+  data.model->before.pairs.clear();
+  data.model->after.pairs.clear();
+  EXPECT_FALSE(holds(as_html(report_document(data)), "Correlation of model"));
 }
 
 TEST(VerdictSentence, TellsWhatWasAddedByHand) {
@@ -114,41 +153,6 @@ TEST(VerdictSentence, TellsWhatWasAddedByHand) {
   data.model->diagnosis.reset();
   EXPECT_TRUE(verdict_sentence(data).starts_with(
       "With what was added by hand (an added mass (node 5) and"));
-}
-
-TEST(Correlation, IsTheWorstOverThePairs) {
-  updating::Comparison c = testing::fake_comparison(0.05);
-  c.pairs[1].error_percent = -7.0;
-  c.pairs[2].mac = 0.5;
-  c.weighted_mac = Eigen::Matrix3d::Identity();
-  c.weighted_mac(0, 2) = 0.04;  // 0.2 squared
-  const Correlation found = correlation_of(c);
-  EXPECT_DOUBLE_EQ(found.frequency_percent, 7.0);
-  EXPECT_DOUBLE_EQ(found.mac, 0.5);
-  EXPECT_DOUBLE_EQ(found.cross_orthogonality, 0.2);
-  EXPECT_EQ(found.pairs, 3U);
-}
-
-TEST(ReportDocument, JudgesByTheLimitsOfTheTest) {
-  ReportData data = data_of_two_effects();
-  data.notes.limits = {2.0, 0.98, std::nullopt};
-  const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds(html,
-                    "≤ 2 %</td><td>5.00 %</td><td>0.00 %</td>"
-                    "<td class=\"l\">✓ pass"));
-  EXPECT_TRUE(holds(html,
-                    "≥ 0.98</td><td>0.970</td><td>0.970</td>"
-                    "<td class=\"l\">✗ fail"));
-}
-
-TEST(ReportDocument, PrintsWhatMakesATestTraceable) {
-  ReportData data = data_of_two_effects();
-  data.notes.channels["acc1"] = {"SN <4711>", "2026-03-01"};
-  data.notes.facts = {{"operator", "A. & B."}};
-  const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds(html, "SN &lt;4711&gt;"));
-  EXPECT_TRUE(holds(html, "2026-03-01"));
-  EXPECT_TRUE(holds(html, "A. &amp; B."));
 }
 
 TEST(ReportDocument, HoldsNoNumberThatIsNone) {
@@ -178,7 +182,8 @@ TEST(ReportDocument, NamesEachPictureOnce) {
   for (const char* wanted : {"frf",
                              "error-ladder",
                              "set-up",
-                             "stabilisation",
+                             "coherence",
+                            "stabilisation",
                              "mode-1",
                              "mac-before",
                              "mac-after",
@@ -241,6 +246,10 @@ TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
   EXPECT_TRUE(holds(as_html(report_document(data)),
                     "Grid 5 alone explains 99.0&#160;% of the misfit; a pure "
                     "mass (80.1 g) leaves 6.0&#160;% of it."));
+  data.model->signature->absorber = {0.053, 25.0, 0.01, 0.02};
+  data.model->ladder.push_back({"absorber", {.node = 5}, 0.03, {}});
+  EXPECT_TRUE(holds(as_html(report_document(data)),
+                    "an absorber (53 g at 25 Hz) leaves 2.0&#160;% of it."));
   data.model->signature->explained = 0.1;
   EXPECT_FALSE(holds(as_html(report_document(data)), "of the misfit"));
 }

@@ -54,6 +54,9 @@ TEST(Number, SplitsUnitsOffNames) {
   EXPECT_EQ(split_unit("mass_kg.acc1").name, "mass.acc1");
   EXPECT_EQ(split_unit("rotational_stiffness_nm_per_rad").unit, "N m/rad");
   EXPECT_EQ(split_unit("damping_ns_per_m").name, "damping");
+  EXPECT_EQ(split_unit("inertia_kg_m2").name, "inertia");
+  EXPECT_EQ(split_unit("inertia_kg_m2").unit, "kg m^2");
+  EXPECT_EQ(split_unit("force_n").unit, "N");
   EXPECT_EQ(split_unit("E:1").unit, "Pa");
   EXPECT_EQ(split_unit("factor").unit, "");
 }

@@ -13,6 +13,27 @@ TEST(Wireframe, HoldsEveryEdgeOnce) {
   EXPECT_EQ(wire.lines.size(), 7U);  // two quadrilaterals share one edge
 }
 
+TEST(Wireframe, OfATestAloneHoldsItsPoints) {
+  acquisition::TestGeometry geometry;
+  geometry.nodes = {{3, {0.0, 0.0, 0.0}}, {8, {0.5, 0.25, 0.0}}};
+  // At point 8, X is the test's Y.
+  geometry.directions[8] << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  const Wireframe wire = wireframe(geometry);
+  ASSERT_EQ(wire.points.cols(), 2);
+  EXPECT_TRUE(wire.lines.empty());
+  EXPECT_EQ(wire.index.at(-8), wire.index.at(8));
+  EXPECT_EQ(wire.points.col(wire.index.at(8)), Eigen::Vector3d(0.5, 0.25, 0.0));
+  // What is measured there is along an axis of the point's that is named so
+  // that turning it by `axes` gives the test's axes again.
+  const Dof dof = acquisition::at_own_point(geometry, {8, 1, 1});
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  along(dof.component - 1) = dof.sign;
+  EXPECT_LT(
+      (along_basic(wire, {{dof.node, along}}).at(-8) - Eigen::Vector3d::UnitY())
+          .norm(),
+      1e-12);
+}
+
 TEST(Wireframe, DrawsMarksAtTheirGrids) {
   const Wireframe wire = wireframe(testing::fake_deck());
   Scene scene;

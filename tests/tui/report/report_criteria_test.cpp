@@ -1,0 +1,147 @@
+// Criteria of correlation against limits: closed forms on made-up pairs.
+#include "tui/report/report_criteria.hpp"
+
+#include "tests/tui/support/fake_results.hpp"
+#include "tui/document/html_document.hpp"
+#include "tui/report/session_report.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace tapfit::tui {
+namespace {
+
+bool holds_words(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// Three pairs of 5 % and MAC 0.97; their cross-orthogonality is 1, and 0.2
+/// between the first measured mode and the last of the model.
+updating::Comparison known_pairs() {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.weighted_mac = Eigen::Matrix3d::Identity();
+  c.weighted_mac(0, 2) = 0.04;  // 0.2 squared
+  return c;
+}
+
+/// As delivered 5 % off, now exact.
+ReportData two_models() {
+  ReportData data;
+  data.bundle = testing::fake_bundle();
+  data.frfs = testing::fake_frfs();
+  data.modes = testing::fake_modes();
+  ModelResults model;
+  model.deck = testing::fake_deck();
+  model.before = known_pairs();
+  model.after = testing::fake_comparison(0.0);
+  model.after.weighted_mac = Eigen::Matrix3d::Identity();
+  model.ladder = {{updating::base_rung, {}, 0.388, {}},
+                  {"added-mass", {.node = 5}, 0.038, {}}};
+  data.model = std::move(model);
+  return data;
+}
+
+TEST(Criteria, AreOfEachModeAndTheWorstOfAll) {
+  updating::Comparison c = known_pairs();
+  c.pairs[1].error_percent = -7.0;
+  c.pairs[2].mac = 0.5;
+  const std::vector<Criteria> modes = criteria_of(c, 3);
+  ASSERT_EQ(modes.size(), 3U);
+  EXPECT_DOUBLE_EQ(modes[1].frequency_percent.value(), 7.0);
+  EXPECT_DOUBLE_EQ(modes[0].on_diagonal.value(), 1.0);
+  EXPECT_DOUBLE_EQ(modes[0].off_diagonal.value(), 0.2);
+  EXPECT_DOUBLE_EQ(modes[1].off_diagonal.value(), 0.0);
+  const Criteria worst = worst_of(modes);
+  EXPECT_TRUE(worst.paired);
+  EXPECT_DOUBLE_EQ(worst.frequency_percent.value(), 7.0);
+  EXPECT_DOUBLE_EQ(worst.mac.value(), 0.5);
+  EXPECT_DOUBLE_EQ(worst.on_diagonal.value(), 1.0);
+  EXPECT_DOUBLE_EQ(worst.off_diagonal.value(), 0.2);
+}
+
+TEST(Criteria, LetNoModeWithoutAPairPass) {
+  const std::vector<Criteria> modes = criteria_of(known_pairs(), 4);
+  EXPECT_FALSE(worst_of(modes).paired);
+  const acquisition::Limits limits{.frequency_percent = 6.0};
+  EXPECT_EQ(keeps(modes[0], limits), true);
+  EXPECT_EQ(keeps(modes[3], limits), false);
+  const Tally found = tally(modes, limits);
+  EXPECT_EQ(found.kept, 3U);
+  EXPECT_EQ(found.judged, 4U);
+  EXPECT_FALSE(found.all());
+}
+
+TEST(Criteria, JudgeEachLimitThatIsSet) {
+  const Criteria mode = criteria_of(known_pairs(), 3).front();
+  EXPECT_EQ(keeps(mode, {}), std::nullopt);
+  EXPECT_EQ(keeps(mode, {.frequency_percent = 4.9}), false);
+  EXPECT_EQ(keeps(mode, {.mac = 0.98}), false);
+  EXPECT_EQ(keeps(mode, {.mac = 0.97}), true);
+  EXPECT_EQ(keeps(mode, {.cross_orthogonality = 0.1}), false);
+  EXPECT_EQ(keeps(mode, {.cross_orthogonality_diagonal = 0.9}), true);
+}
+
+TEST(Criteria, AskNoShapeOfPairsWithoutShapes) {
+  updating::Comparison c = known_pairs();
+  for (updating::ModePair& pair : c.pairs) pair.has_shape = false;
+  const Criteria mode = criteria_of(c, 3).front();
+  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0, .mac = 0.9}), true);
+  EXPECT_EQ(keeps(mode, {.mac = 0.9}), std::nullopt);
+}
+
+TEST(Criteria, FailWhereANumberIsNone) {
+  updating::Comparison c = known_pairs();
+  c.pairs[1].mac = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Criteria> modes = criteria_of(c, 3);
+  EXPECT_EQ(keeps(modes[1], {.mac = 0.5}), false);
+  EXPECT_EQ(keeps(worst_of(modes), {.mac = 0.5}), false);
+}
+
+TEST(CriteriaSentence, TellsHowManyModesKeepTheLimits) {
+  ReportData data = two_models();
+  EXPECT_EQ(criteria_sentence(data), "");
+  data.notes.limits = {.frequency_percent = 2.0, .mac = 0.9};
+  EXPECT_EQ(criteria_sentence(data),
+            "The limits of the test (frequency within 2 % and MAC at least "
+            "0.9) are kept by all 3 measured modes, before by 0 of 3: pass.");
+  data.model->after.pairs.pop_back();
+  EXPECT_TRUE(criteria_sentence(data).ends_with(
+      "are kept by 2 of 3 measured modes, before by 0 of 3: fail."))
+      << criteria_sentence(data);
+}
+
+TEST(CriteriaTables, PassOrFailBeforeAndAfter) {
+  ReportData data = two_models();
+  data.notes.limits = {.frequency_percent = 2.0, .mac = 0.98};
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds_words(html,
+                          "≤ 2 %</td><td>5.00 %</td><td class=\"l\">✗ fail"
+                          "</td><td>0.00 %</td><td class=\"l\">✓ pass"));
+  EXPECT_TRUE(holds_words(html,
+                          "≥ 0.98</td><td>0.970</td><td class=\"l\">✗ fail"
+                          "</td><td>0.970</td><td class=\"l\">✗ fail"));
+  EXPECT_TRUE(holds_words(html, "<td>+5.00 % ✗</td><td>0.970 ✗</td>"));
+}
+
+TEST(CriteriaTables, DoWithoutAPair) {
+  ReportData data = two_models();
+  data.notes.limits = {.frequency_percent = 2.0};
+  data.model->before.pairs.clear();
+  data.model->after.pairs.clear();
+  const std::string html = as_html(report_document(data));
+  EXPECT_TRUE(holds_words(html, "<td>0 of 3</td><td class=\"l\">✗ fail</td>"));
+  EXPECT_FALSE(holds_words(html, "✓ pass"));
+}
+
+TEST(CriteriaTables, WarnOfALimitThatEveryModelKeeps) {
+  ReportData data = two_models();
+  data.notes.limits = {.cross_orthogonality = 0.9};
+  EXPECT_TRUE(holds_words(as_html(report_document(data)),
+                          "A limit of 0.9 off the diagonal is no test"));
+  data.notes.limits = {.cross_orthogonality = 0.1};
+  EXPECT_FALSE(holds_words(as_html(report_document(data)), "is no test"));
+}
+
+}  // namespace
+}  // namespace tapfit::tui
