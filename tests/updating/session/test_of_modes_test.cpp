@@ -109,6 +109,26 @@ TEST(TestOfModes, FrequenciesAloneArePairedToo) {
   EXPECT_LT(std::abs(c.pairs[4].error_percent), 0.25);
 }
 
+TEST(TestOfModes, OneOrTwoValuesOfAShapeAreNoEvidence) {
+  for (const std::size_t values : {1U, 2U, 3U}) {
+    const std::vector<Dof> all = beam_points();
+    const std::vector<Dof> points(all.end() - std::ptrdiff_t(values),
+                                  all.end());
+    const TemporaryFolder folder;
+    testing::write_modal_bundle(
+        folder, beam_text(), clamped_beam(points), points, {0.02, 0.1});
+    Session session(folder.path());
+    const Comparison& c = session.base_comparison();
+    ASSERT_FALSE(c.pairs.empty());
+    EXPECT_EQ(c.pairs[0].has_shape, values == 3) << values;
+    const bool said =
+        std::ranges::any_of(c.pair_notes, [](const std::string& note) {
+          return note.find("no MAC") != std::string::npos;
+        });
+    EXPECT_EQ(said, values < 3) << values;
+  }
+}
+
 TEST(TestOfModes, SaysWhatItCannotBeAskedFor) {
   const TemporaryFolder folder;
   testing::write_modal_bundle(
