@@ -255,6 +255,7 @@ double BaseBuilder::elastic_hz() const {
              ? impl_->modes_hz(first)
              : std::numeric_limits<double>::infinity();
 }
+
 double BaseBuilder::mass_kg() const { return impl_->mass; }
 double BaseBuilder::error() const { return impl_->error; }
 Index BaseBuilder::dofs() const { return impl_->motions.size(); }
