@@ -320,6 +320,9 @@ TestBundle read_test_bundle(const fs::path& folder) {
   if (document.contains("weighed")) {
     bundle.weighed = read_weighed(document["weighed"]);
   }
+  if (document.contains("suspension_hz")) {
+    bundle.suspension_hz = document["suspension_hz"].get<double>();
+  }
   if (document.contains("uncertain")) {
     const json& list = document["uncertain"];
     for (std::size_t i = 0; i < list.size(); ++i) {

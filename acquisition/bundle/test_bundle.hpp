@@ -103,6 +103,8 @@ struct TestBundle {
   std::optional<std::filesystem::path> uff;  ///< the bundle is this file alone
   std::optional<std::array<double, 2>> band_hz;
   std::optional<Weighed> weighed;
+  /// Highest of the rigid-body modes as the structure hung [Hz].
+  std::optional<double> suspension_hz;
   std::vector<UncertainProperty> uncertain;
   std::optional<double> trigger_percent;  ///< of the hammer's largest peak
   TriggerOptions trigger;

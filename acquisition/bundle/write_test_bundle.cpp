@@ -128,6 +128,7 @@ void add_settings(const TestBundle& bundle, ordered_json& document) {
       document["weighed"]["centre_m"] = *bundle.weighed->centre_m;
     }
   }
+  if (bundle.suspension_hz) document["suspension_hz"] = *bundle.suspension_hz;
   if (bundle.trigger_percent) {
     document["trigger_percent"] = *bundle.trigger_percent;
   }

@@ -207,10 +207,12 @@ void send_array(const NamedArray& array, std::FILE* out) {
   put(static_cast<std::uint64_t>(array.values.rows()), out);
   put(static_cast<std::uint64_t>(array.values.cols()), out);
   put(array.texts.size(), out);
-  std::fwrite(array.values.data(),
-              sizeof(double),
-              static_cast<std::size_t>(array.values.size()),
-              out);
+  if (array.values.size() > 0) {
+    std::fwrite(array.values.data(),
+                sizeof(double),
+                static_cast<std::size_t>(array.values.size()),
+                out);
+  }
   for (const std::string& text : array.texts) put(text, out);
 }
 

@@ -1,4 +1,4 @@
-// What README.md and docs/commands.md quote must exist: every `tapfit` command
+// What README.md and pages of docs/ quote must exist: every `tapfit` command
 // line parses, every file that is linked is there.
 #include <gtest/gtest.h>
 
@@ -64,11 +64,13 @@ TEST_P(Page, LinkedFilesExist) {
 
 INSTANTIATE_TEST_SUITE_P(Pages,
                          Page,
-                         testing::Values("README.md", "docs/commands.md"),
+                         testing::Values("README.md",
+                                         "docs/commands.md",
+                                         "docs/real-test.md"),
                          [](const auto& page) {
-                           return std::string(page.param) == "README.md"
-                                      ? "Readme"
-                                      : "Commands";
+                           std::string name = fs::path(page.param).stem();
+                           std::erase(name, '-');
+                           return name;
                          });
 
 TEST(QuotedCommands, AreFoundInCodeOnly) {

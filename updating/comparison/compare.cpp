@@ -19,6 +19,10 @@ using Eigen::MatrixXd;
 
 constexpr int band_count = 6;
 
+// MAC of shapes that have nothing in common is 1 / n over n values on average,
+// and 1 for one value: over fewer it is no evidence.
+constexpr std::size_t fewest_values = 3;
+
 /// The degrees of freedom, in the base's coordinates.
 MatrixXd rows_of(const FrfModel& model, const std::vector<Dof>& dofs) {
   MatrixXd rows(static_cast<Index>(dofs.size()), model.base().size());
@@ -136,7 +140,7 @@ void pair_up(const modal::ModeSet& modes,
     p.measured_hz = measured_hz(p.measured);
     p.model_hz = c.modes.frequency_hz(p.model);
     p.error_percent = 100.0 * (p.model_hz - p.measured_hz) / p.measured_hz;
-    p.has_shape = !modes.dofs.empty();
+    p.has_shape = modes.dofs.size() >= fewest_values;
     p.mac = c.mac(p.measured, p.model);
     p.weighted_mac = c.weighted_mac(p.measured, p.model);
     p.by_hand = std::ranges::any_of(
@@ -146,6 +150,12 @@ void pair_up(const modal::ModeSet& modes,
     c.pairs.push_back(p);
   }
   c.comac = modal::comac(left, right);
+  if (!modes.dofs.empty() && modes.dofs.size() < fewest_values) {
+    c.pair_notes.push_back(fmt::format(
+        "no MAC: measured shapes of {} value{} are like many of the model's",
+        modes.dofs.size(),
+        modes.dofs.size() == 1 ? "" : "s"));
+  }
 }
 
 void errors(const Target& target,

@@ -32,7 +32,7 @@ struct ModePair {
   double mac = 0.0;
   double weighted_mac = 0.0;  ///< in the model's mass; see Comparison
   bool by_hand = false;
-  bool has_shape = true;  ///< else there is no MAC, and both are 0
+  bool has_shape = true;  ///< else, or of one or two values, MAC says nothing
 };
 
 struct BandError {
@@ -50,7 +50,7 @@ struct Comparison {
   double floor_form = 0.0;   ///< of what is left after a fit, see form_share()
   std::string contour;       ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
-  /// What of the pairs by hand could not be kept to.
+  /// What of the pairs by hand could not be kept to; why there is no MAC.
   std::vector<std::string> pair_notes;
   Eigen::MatrixXd mac;  ///< measured modes x model modes
   /// The same in the model's mass at the measured degrees of freedom.

@@ -28,6 +28,8 @@ namespace tapfit::effects {
 
 using updating::Where;
 
+struct Suspension;
+
 /// What an effect needs to know to propose places, starts and bounds.
 struct Setting {
   const acquisition::TestBundle* bundle = nullptr;
@@ -38,6 +40,9 @@ struct Setting {
   int component = 3;  ///< 1..3, the direction mostly measured
   /// 1..3: every direction in which something was measured or hit.
   std::vector<int> components = {};
+  /// How a structure hangs that the model leaves free, where that is known and
+  /// the measurement does not tell; else null.
+  std::shared_ptr<const Suspension> suspension = nullptr;
 };
 
 /// A positive parameter, fitted in its logarithm.

@@ -1,19 +1,27 @@
 #include "updating/effects/ground_spring.hpp"
 
+#include "updating/effects/suspension.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace tapfit::effects {
 
 std::vector<ParameterSpec> GroundSpring::parameters(
-    const Where&, const Setting& setting) const {
+    const Where& where, const Setting& setting) const {
   // Stiffness that the structure's own mass has at the band's two ends.
   const double low = 2.0 * std::numbers::pi * setting.low_hz;
   const double high = 2.0 * std::numbers::pi * setting.high_hz;
-  const double lower = 1e-4 * setting.mass_kg * low * low;
-  const double upper = 10.0 * setting.mass_kg * high * high;
+  double lower = 1e-4 * setting.mass_kg * low * low;
+  double upper = 10.0 * setting.mass_kg * high * high;
+  if (setting.suspension) {
+    const ActedDof at = motion_of(where, component_of(where, setting), setting);
+    upper = std::min(upper,
+                     stiffest_spring(*setting.suspension, at, *setting.deck));
+    lower = std::min(lower, 1e-4 * upper);
+  }
   return {{"stiffness_n_per_m", std::sqrt(lower * upper), lower, upper}};
 }
 

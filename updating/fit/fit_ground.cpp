@@ -130,7 +130,7 @@ FitGround prepare_fits(const SolvedModel& model,
                        const MeasuredTest& test,
                        const Progress& progress) {
   FitGround ground;
-  FitSetting setting = fit_setting(test, model.builder.is_free(), progress);
+  FitSetting setting = fit_setting(test, model.builder, progress);
   std::ranges::copy(mesh_factor_sd(model.mesh_factors),
                     std::back_inserter(setting.uncertain_sd));
   ground.contour = setting.contour;

@@ -60,6 +60,18 @@ constexpr const char* untold_by_modes =
     "noise, dampers, absorbers and non-linearity cannot be told from them, nor "
     "stiffness and mass that grow together";
 
+// Of the first elastic mode, what rigid-body ones on their suspension reach:
+// Ewins, Modal Testing, 2nd ed., section 3.2.
+constexpr double usual_suspension = 0.2;
+
+std::string assumed_suspension(double hz) {
+  return fmt::format(
+      "the structure hangs free and no rigid-body mode was measured: these are "
+      "taken to lie below {:.3g} Hz, a fifth of the first elastic one, and "
+      "springs to ground to be no stiffer (suspension_hz in test.json)",
+      hz);
+}
+
 std::string data_in_words(const modal::ModeSet& modes) {
   if (modes.dofs.size() < 2) {
     return fmt::format("{} frequencies, no shapes", modes.modes.size());
@@ -118,8 +130,24 @@ std::vector<PropertyName> property_names(const acquisition::TestBundle& bundle,
   return names;
 }
 
+std::shared_ptr<const effects::Suspension> suspension_of(
+    const acquisition::TestBundle& bundle,
+    const modal::ModeSet& modes,
+    const BaseBuilder& builder) {
+  if (!builder.is_free()) return nullptr;
+  double highest = usual_suspension * builder.elastic_hz();
+  if (bundle.suspension_hz) {
+    highest = *bundle.suspension_hz;
+  } else if (!bundle.modes || modes.modes.empty() ||
+             modes.modes.front().frequency_hz <= highest) {
+    return nullptr;
+  }
+  return std::make_shared<const effects::Suspension>(
+      effects::Suspension{highest, builder.rigid_modes()});
+}
+
 FitSetting fit_setting(const MeasuredTest& test,
-                       bool free_structure,
+                       const BaseBuilder& builder,
                        const Progress& progress) {
   FitSetting fit;
   fit.setting = test.setting;
@@ -129,7 +157,8 @@ FitSetting fit_setting(const MeasuredTest& test,
     fit.uncertain_sd.push_back(u.sd_percent / 100.0);
   }
   std::array<double, 2> band = {test.setting.low_hz, test.setting.high_hz};
-  if (free_structure && !test.modes.modes.empty()) {
+  fit.setting.suspension = suspension_of(bundle, test.modes, builder);
+  if (builder.is_free() && !test.modes.modes.empty()) {
     const double first = test.modes.modes.front().frequency_hz;
     band[0] = std::max(band[0], std::min(0.8 * first, 0.5 * band[1]));
   }
@@ -141,6 +170,10 @@ FitSetting fit_setting(const MeasuredTest& test,
     fit.contour = data_in_words(test.modes);
     fit.measured.statements = test.modes.warnings;
     fit.measured.statements.emplace_back(untold_by_modes);
+    if (fit.setting.suspension && !bundle.suspension_hz) {
+      fit.measured.statements.push_back(
+          assumed_suspension(fit.setting.suspension->highest_hz));
+    }
     return fit;
   }
   const double block_s = test.measurement.block_s();

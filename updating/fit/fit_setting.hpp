@@ -3,9 +3,12 @@
 #pragma once
 
 #include "modal/mode_set/mode_set.hpp"
+#include "updating/effects/suspension.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/measurement/measurement.hpp"
+
+#include <memory>
 
 namespace tapfit::updating {
 
@@ -16,11 +19,21 @@ struct MeasuredTest {
   const modal::ModeSet& modes;
 };
 
-/// @param free_structure lines below the first elastic mode are left out: how
-///   the structure hangs is not in the model
+/// Of a structure that the model leaves free lines below the first elastic mode
+/// are left out: how it hangs is not in the model.
 [[nodiscard]] FitSetting fit_setting(const MeasuredTest& test,
-                                     bool free_structure,
+                                     const BaseBuilder& builder,
                                      const Progress& progress);
+
+/// How a free structure hangs: as low as test.json says (suspension_hz), or,
+/// where modes were measured, as is usual. Measured rigid-body modes tell by
+/// themselves, and so do FRFs, which have their mass line.
+/// @param modes as measured, ascending
+/// @return null where the model is held, or nothing is known
+[[nodiscard]] std::shared_ptr<const effects::Suspension> suspension_of(
+    const acquisition::TestBundle& bundle,
+    const modal::ModeSet& modes,
+    const BaseBuilder& builder);
 
 /// Names, units and nominal values of the bundle's uncertain properties.
 [[nodiscard]] std::vector<PropertyName> property_names(

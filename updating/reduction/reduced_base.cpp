@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -101,6 +102,8 @@ struct BaseBuilder::Impl {
   /// Largest force on each degree of freedom, of modes of one strain energy as
   /// far as they move what is measured or hit.
   [[nodiscard]] VectorXd pull() const;
+  /// Of the modes, how many are a rigid body's; they come first.
+  [[nodiscard]] Index rigid_count() const;
 
   void make_lean();
   [[nodiscard]] ReducedBase extend(const Span& span,
@@ -240,10 +243,24 @@ void BaseBuilder::Impl::make_lean() {
   lean.base.rows = PointRows(lean.V.topRows(6 * original_grids));
 }
 
-bool BaseBuilder::is_free() const {
-  const VectorXd& f = impl_->modes_hz;
-  return f.size() > 0 && f(0) < 1e-3 * impl_->options.high_hz;
+Index BaseBuilder::Impl::rigid_count() const {
+  return (modes_hz.array() < 1e-3 * options.high_hz).count();
 }
+
+bool BaseBuilder::is_free() const { return impl_->rigid_count() > 0; }
+
+MatrixXd BaseBuilder::rigid_modes() const {
+  return impl_->modes.topLeftCorner(6 * impl_->original_grids,
+                                    impl_->rigid_count());
+}
+
+double BaseBuilder::elastic_hz() const {
+  const Index first = impl_->rigid_count();
+  return first < impl_->modes_hz.size()
+             ? impl_->modes_hz(first)
+             : std::numeric_limits<double>::infinity();
+}
+
 double BaseBuilder::mass_kg() const { return impl_->mass; }
 double BaseBuilder::error() const { return impl_->error; }
 Index BaseBuilder::dofs() const { return impl_->motions.size(); }

@@ -83,6 +83,11 @@ class BaseBuilder {
 
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;
+  /// As which: of unit modal mass, at the deck's grids, 6 n_grids x count.
+  [[nodiscard]] Eigen::MatrixXd rigid_modes() const;
+  /// The lowest mode that is no rigid-body one [Hz]; infinite where it lies
+  /// beyond what was solved for.
+  [[nodiscard]] double elastic_hz() const;
   [[nodiscard]] double mass_kg() const;
   /// Largest relative error of FRFs through the base over the band, see
   /// base_error(); the base grows until it is 1e-6 or less.

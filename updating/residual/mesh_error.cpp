@@ -17,7 +17,8 @@ Eigen::VectorXd mesh_error(const FrfModel& finer,
   for (std::size_t k = 0; k < coarse.dH.size(); ++k) {
     J.col(static_cast<Eigen::Index>(k)) = stack(target, coarse.dH[k]);
   }
-  if (J.cols() > 0) d -= J * J.colPivHouseholderQr().solve(d);
+  // Modes tell nothing of damping: columns may be zero, and all of them.
+  if (J.cols() > 0) d -= J * J.completeOrthogonalDecomposition().solve(d);
   return d;
 }
 

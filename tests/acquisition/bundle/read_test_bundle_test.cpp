@@ -240,6 +240,7 @@ TEST_F(Bundle, RefusesWithThePlace) {
   refuses(with("/uncertain/0/element_property", 1), "test.json: uncertain[0]");
   refuses(with("/trigger_percent", 0), "test.json: trigger_percent");
   refuses(with("/trigger_slope", "up"), "test.json: trigger_slope");
+  refuses(with("/suspension_hz", 0), "test.json: suspension_hz");
 }
 
 TEST_F(Bundle, NamesMissingFields) {
@@ -257,12 +258,14 @@ TEST_F(Bundle, NamesMissingFields) {
 TEST_F(Bundle, ComesBackAsItWasWritten) {
   TestBundle bundle = read(good());
   bundle.block_s = 2.5;
+  bundle.suspension_hz = 1.6;
   bundle.trigger = {3.0, -1, 40.0, 0.3};
   write_test_bundle(bundle, folder_.path());
   const TestBundle again = read_test_bundle(folder_.path());
   EXPECT_EQ(again.title, bundle.title);
   EXPECT_EQ(again.deck, bundle.deck);
   EXPECT_EQ(again.block_s, 2.5);
+  EXPECT_EQ(again.suspension_hz, 1.6);
   EXPECT_EQ(again.trigger.range_percent, 3.0);
   EXPECT_EQ(again.trigger.slope, -1);
   EXPECT_EQ(again.trigger.rearm_percent, 40.0);

@@ -109,6 +109,26 @@ TEST(TestOfModes, FrequenciesAloneArePairedToo) {
   EXPECT_LT(std::abs(c.pairs[4].error_percent), 0.25);
 }
 
+TEST(TestOfModes, OneOrTwoValuesOfAShapeAreNoEvidence) {
+  for (const std::size_t values : {1U, 2U, 3U}) {
+    const std::vector<Dof> all = beam_points();
+    const std::vector<Dof> points(all.end() - std::ptrdiff_t(values),
+                                  all.end());
+    const TemporaryFolder folder;
+    testing::write_modal_bundle(
+        folder, beam_text(), clamped_beam(points), points, {0.02, 0.1});
+    Session session(folder.path());
+    const Comparison& c = session.base_comparison();
+    ASSERT_FALSE(c.pairs.empty());
+    EXPECT_EQ(c.pairs[0].has_shape, values == 3) << values;
+    const bool said =
+        std::ranges::any_of(c.pair_notes, [](const std::string& note) {
+          return note.find("no MAC") != std::string::npos;
+        });
+    EXPECT_EQ(said, values < 3) << values;
+  }
+}
+
 TEST(TestOfModes, SaysWhatItCannotBeAskedFor) {
   const TemporaryFolder folder;
   testing::write_modal_bundle(
@@ -282,6 +302,67 @@ TEST_F(PlateOfModes, AHiddenSpringIsFound) {
   EXPECT_EQ(d.verdict, "ground-spring");
   ASSERT_FALSE(d.ladder.empty());
   EXPECT_EQ(d.ladder[0].where.node, plate_grid(7, 0));
+}
+
+/// The beam hung free, able to move along itself, and a mode at 70 % of its
+/// second frequency: a spring to ground, with or without a mass, can put a
+/// rigid-body mode there.
+class HungBeamOfModes : public ::testing::Test {
+ protected:
+  [[nodiscard]] Diagnosis diagnosed(const std::string& more) const {
+    std::string text = beam_text();
+    const std::string clamp = "SPC1,1,123456,1\n";
+    text.erase(text.find(clamp), clamp.size());
+    for (auto at = text.find(",1246\n"); at != std::string::npos;
+         at = text.find(",1246\n")) {
+      text.replace(at, 5, ",246");
+    }
+    testing::TrueModes truth;
+    // Free at both ends, Euler-Bernoulli.
+    for (const double b :
+         {4.730040745, 7.853204624, 10.99560784, 14.13716549, 17.27875966}) {
+      truth.hz.push_back(b * b / (2.0 * std::numbers::pi) *
+                         std::sqrt(2.1e11 * beam_inertia / 7850.0 / beam_area));
+    }
+    truth.hz[1] *= 0.7;
+    testing::write_modal_bundle(folder_, text, truth, {}, {0.1, 0.0}, more);
+    Session session(folder_.path());
+    return session.diagnosis();
+  }
+
+  [[nodiscard]] static bool assumes(const Diagnosis& d) {
+    return std::ranges::any_of(d.warnings, [](const std::string& warning) {
+      return warning.find("suspension_hz") != std::string::npos;
+    });
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(HungBeamOfModes, IsNotTiedToTheWallByASpring) {
+  const Diagnosis d =
+      diagnosed(R"(, "uncertain": [{"material": 1, "property": "E"}])");
+  EXPECT_EQ(d.verdict.find("ground-spring"), std::string::npos) << d.verdict;
+  EXPECT_TRUE(assumes(d));
+  // The stiffest of all moves the whole mass: a rigid-body mode at a fifth of
+  // the first elastic one.
+  const double most = 7850.0 * beam_area *
+                      std::pow(2.0 * std::numbers::pi * 0.2 * 31.9, 2) * 1.01;
+  for (const Candidate& c : d.candidates) {
+    if (c.effect != "ground-spring") continue;
+    ASSERT_FALSE(c.parameters.empty());
+    EXPECT_LE(c.parameters[0].value, most) << describe(c.where);
+  }
+}
+
+TEST_F(HungBeamOfModes, IsTakenToHangAsItIsSaidTo) {
+  EXPECT_FALSE(assumes(diagnosed(R"(, "suspension_hz": 70)")));
+}
+
+TEST_F(HungBeamOfModes, HasAFloorWhereNothingIsUncertain) {
+  const Diagnosis d = diagnosed("");
+  EXPECT_TRUE(std::isfinite(d.floor));
+  EXPECT_GT(d.floor, 0.0);
 }
 
 TEST_F(PlateOfModes, ALossOfStiffnessIsFound) {
