@@ -32,7 +32,8 @@ struct ModePair {
   double mac = 0.0;
   double weighted_mac = 0.0;  ///< in the model's mass; see Comparison
   bool by_hand = false;
-  bool has_shape = true;  ///< else there is no MAC, and both are 0
+  /// At two points or more; else MAC says nothing.
+  bool has_shape = true;
 };
 
 struct BandError {
