@@ -378,7 +378,7 @@ SavedSession Session::saved(const Progress& progress) {
 }
 
 void Session::take_up(const SavedSession& saved) {
-  if (bundle().modes) check_shown_in_modes(saved);
+  if (bundle().modes) check_saved_shown_in_modes(saved);
   impl_->test.set_overruled(overruled_now(saved.overruled));
   impl_->test.set_choices(saved.modes);
   impl_->waiting.now = saved.effects;

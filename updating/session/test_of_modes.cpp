@@ -26,7 +26,7 @@ void check_shown_in_modes(const std::vector<EffectRef>& effects) {
               "FRFs or recordings in place of its modes");
 }
 
-void check_shown_in_modes(const SavedSession& saved) {
+void check_saved_shown_in_modes(const SavedSession& saved) {
   std::vector<EffectRef> effects;
   for (const AddedEffect& added : saved.effects) effects.push_back(added.ref);
   for (const EffectChange& change : saved.undone) {

@@ -14,7 +14,7 @@ void check_shown_in_modes(const std::vector<EffectRef>& effects);
 
 /// @throws InputError for a session with such an effect, on, off or undone: it
 ///   was saved when the test consisted of FRFs or recordings
-void check_shown_in_modes(const SavedSession& saved);
+void check_saved_shown_in_modes(const SavedSession& saved);
 
 /// @throws InputError for a choice of lines or of lambda: there are no lines
 void check_choice_for_modes(const UpdateChoice& choice);

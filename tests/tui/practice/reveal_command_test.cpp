@@ -38,7 +38,7 @@ std::string bar_deck() {
     text += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i, i, i + 1);
   }
   return text +
-         "PBAR,1,1,1.2-4,3.6-10,4.0-9,7.2-10\n"
+         "PBAR,1,1,1.2-4,3.6-10,3.6-10,7.2-10\n"
          "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n";
 }
 

@@ -176,9 +176,9 @@ TEST(TestOfModes, ComplexShapesAreNamedAndSoIsWhatHasNoScatter) {
                "5.0,0.01,0.2,0.0,0.5,0.0,1.0,0.0\n"
                "31.0,0.0,0.5,0.5,0.4,-0.4,-1.0,0.0\n");
   Session session(folder.path());
-  const std::vector<std::string>& said = session.modes().warnings;
-  const auto about = [&said](const std::string& words) {
-    return std::ranges::count_if(said, [&words](const std::string& warning) {
+  const std::vector<std::string>& warnings = session.modes().warnings;
+  const auto about = [&warnings](const std::string& words) {
+    return std::ranges::count_if(warnings, [&](const std::string& warning) {
       return warning.find(words) != std::string::npos;
     });
   };
