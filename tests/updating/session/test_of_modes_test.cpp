@@ -190,6 +190,31 @@ TEST(TestOfModes, ComplexShapesAreNamedAndSoIsWhatHasNoScatter) {
   EXPECT_DOUBLE_EQ(session.modes().modes[0].frequency_sd_hz, 0.01);
 }
 
+TEST(TestOfModes, AModeThatTheModelLacksIsNamedAndFittedToNothing) {
+  const TemporaryFolder folder;
+  testing::TrueModes truth = clamped_beam(beam_points());
+  // At 60 Hz the shape of the first, at 5 Hz: like those near it by a MAC of
+  // 0.15 at the most.
+  truth.hz.insert(truth.hz.begin() + 2, 60.0);
+  Eigen::MatrixXd shape(truth.shape.rows(), 6);
+  shape << truth.shape.leftCols(2), truth.shape.col(0),
+      truth.shape.rightCols(3);
+  truth.shape = shape;
+  testing::write_modal_bundle(
+      folder, beam_text(), truth, beam_points(), {0.02, 0.1});
+  Session session(folder.path());
+  const Comparison& c = session.base_comparison();
+  EXPECT_EQ(c.pairs.size(), 5U);
+  EXPECT_LT(c.error, 2e-3);
+  const std::vector<std::string> warnings = session.model_warnings();
+  EXPECT_EQ(std::ranges::count_if(warnings,
+                                  [](const std::string& warning) {
+                                    return warning.find("left out of fits") !=
+                                           std::string::npos;
+                                  }),
+            1);
+}
+
 TEST(TestOfModes, OfOnePointTheFrequenciesAloneCount) {
   const TemporaryFolder folder;
   const std::vector<Dof> tip{{21, 3, 1}};
