@@ -11,7 +11,7 @@
 namespace tapfit::updating {
 namespace {
 
-class KeptDiagnosis : public testing::Test {
+class KeptDiagnosis : public ::testing::Test {
  protected:
   KeptDiagnosis() {
     folder_.write("test.json", "{}");
