@@ -1,6 +1,7 @@
 #include "modal/identify/mode_warnings.hpp"
 
 #include "acquisition/foundation/constants.hpp"
+#include "modal/mode_set/complexity.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@ namespace tapfit::modal {
 namespace {
 
 using Complex = std::complex<double>;
-
 
 }  // namespace
 
@@ -24,7 +24,7 @@ void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
         mode.damping_ratio,
         mode.damping_sd));
   }
-  if (mode.mpc < 0.7 && mode.shape.size() > 2) {
+  if (mode.mpc < in_phase_mpc && mode.shape.size() > 2) {
     warnings.push_back(fmt::format(
         "mode at {:.4g} Hz: points do not move in phase (MPC {:.2f})",
         mode.frequency_hz,

@@ -16,6 +16,9 @@ namespace tapfit::modal {
 /// its scale and, being turned by a quarter at most, its sign.
 [[nodiscard]] Eigen::VectorXd real_shape(const Eigen::VectorXcd& shape);
 
+/// MPC below which points are said not to move in phase.
+inline constexpr double in_phase_mpc = 0.7;
+
 /// Modal phase collinearity: 1 when all points move in phase or opposite.
 ///   MPC = (lambda_1 - lambda_2)^2 / (lambda_1 + lambda_2)^2
 /// with the eigenvalues of the 2 x 2 scatter of real and imaginary parts.

@@ -17,17 +17,23 @@ namespace {
 
 using Eigen::Index;
 
+/// A column, and the sign of the direction that it names.
+struct PointColumn {
+  Index at = 0;
+  double sign = 1.0;
+};
+
 /// Columns of the table that one point has.
 struct PointColumns {
-  std::optional<Index> real;
-  std::optional<Index> imaginary;
-  std::optional<Index> sd;
+  std::optional<PointColumn> real;
+  std::optional<PointColumn> imaginary;
+  std::optional<PointColumn> sd;
 };
 
 struct Columns {
   std::vector<std::string> names;  ///< of those that are read
   std::map<std::string, Index> own;
-  std::map<Dof, PointColumns> points;  ///< of either sign
+  std::map<Dof, PointColumns> points;  ///< of sign +1
   std::vector<std::string> unread;
 };
 
@@ -44,7 +50,17 @@ std::optional<std::pair<Dof, std::string>> point_column(
   return std::pair{*dof, std::string("re")};
 }
 
-Columns columns_of(const std::vector<std::string>& header) {
+[[noreturn]] void refuse_second(const std::string& column,
+                                const std::string& file) {
+  throw InputError(
+      fmt::format("the column \"{}\" says again what one before it says",
+                  column),
+      file + ":1",
+      "leave one of the two out");
+}
+
+Columns columns_of(const std::vector<std::string>& header,
+                   const std::string& file) {
   static const std::vector<std::string> known{"frequency_hz",
                                               "frequency_sd_hz",
                                               "frequency_sd_percent",
@@ -56,11 +72,17 @@ Columns columns_of(const std::vector<std::string>& header) {
   for (const std::string& name : header) {
     const auto at = static_cast<Index>(columns.names.size());
     if (std::ranges::count(known, name) > 0) {
-      columns.own[name] = at;
-    } else if (const auto point = point_column(name)) {
-      PointColumns& of = columns.points[point->first];
-      const std::string& part = point->second;
-      (part == "im" ? of.imaginary : part == "sd" ? of.sd : of.real) = at;
+      if (!columns.own.emplace(name, at).second) refuse_second(name, file);
+    } else if (auto point = point_column(name)) {
+      auto& [dof, part] = *point;
+      const double sign = dof.sign;
+      dof.sign = 1;
+      PointColumns& of = columns.points[dof];
+      std::optional<PointColumn>& column = part == "im"   ? of.imaginary
+                                           : part == "sd" ? of.sd
+                                                          : of.real;
+      if (column) refuse_second(name, file);
+      column = {at, sign};
     } else {
       columns.unread.push_back(name);
       continue;
@@ -115,10 +137,8 @@ class Line {
     Eigen::VectorXd sd = Eigen::VectorXd::Zero(points);
     Index k = 0;
     for (const auto& [dof, at] : columns_->points) {
-      const double imaginary = at.imaginary ? values_(*at.imaginary) : 0.0;
-      mode.shape(k) =
-          std::complex<double>(values_(*at.real), imaginary) * double(dof.sign);
-      if (at.sd) sd(k) = values_(*at.sd);
+      mode.shape(k) = {value(at.real), value(at.imaginary)};
+      if (at.sd) sd(k) = values_(at.sd->at);
       ++k;
     }
     if (!sd.isZero(0.0)) mode.shape_sd = sd;
@@ -128,6 +148,10 @@ class Line {
   }
 
  private:
+  [[nodiscard]] double value(const std::optional<PointColumn>& column) const {
+    return column ? column->sign * values_(column->at) : 0.0;
+  }
+
   [[nodiscard]] std::optional<double> find(const char* name) const {
     const auto at = columns_->own.find(name);
     if (at == columns_->own.end()) return std::nullopt;
@@ -141,16 +165,15 @@ class Line {
 }  // namespace
 
 ModeSet read_modes_csv(const std::filesystem::path& file) {
-  const Columns columns = columns_of(acquisition::read_csv_header(file));
+  const Columns columns =
+      columns_of(acquisition::read_csv_header(file), file.string());
   check(columns, file.string());
   acquisition::CsvOptions options;
   options.skip_lines = 1;
   const Eigen::MatrixXd table =
       acquisition::read_csv_columns(file, columns.names, options);
   ModeSet set;
-  for (const auto& [dof, at] : columns.points) {
-    set.dofs.push_back({dof.node, dof.component, 1});
-  }
+  for (const auto& [dof, at] : columns.points) set.dofs.push_back(dof);
   for (Index i = 0; i < table.rows(); ++i) {
     set.modes.push_back(Line(columns, table.row(i)).mode());
   }

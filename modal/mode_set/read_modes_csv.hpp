@@ -19,8 +19,8 @@ namespace tapfit::modal {
 
 /// @return not scaled; by frequency
 /// @throws InputError with file:line:column for a cell that is no finite
-///   number, for a table without frequencies, without modes, or with half of a
-///   complex shape
+///   number, for a table without frequencies, without modes, with half of a
+///   complex shape, or with two columns that say the same (12Z+ and 12Z-)
 [[nodiscard]] ModeSet read_modes_csv(const std::filesystem::path& file);
 
 }  // namespace tapfit::modal

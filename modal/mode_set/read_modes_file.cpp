@@ -3,6 +3,7 @@
 #include "acquisition/bundle/uff_file.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/read_modes_csv.hpp"
 #include "modal/mode_set/read_modes_json.hpp"
 #include "modal/mode_set/read_modes_uff.hpp"
@@ -57,6 +58,14 @@ std::pair<std::string, std::string> fault(const Mode& mode) {
   return {};
 }
 
+/// Two modes of one frequency may be measured, as of what is symmetric, but
+/// not one twice.
+bool is_same(const Mode& a, const Mode& b) {
+  constexpr double rounding = 1e-6;
+  if (a.frequency_hz != b.frequency_hz || a.frequency_hz == 0.0) return false;
+  return a.shape.size() == 0 || mac(a.shape, b.shape)(0, 0) > 1.0 - rounding;
+}
+
 }  // namespace
 
 ModeSet read_modes_file(const std::filesystem::path& file) {
@@ -80,15 +89,14 @@ void check_measured(const ModeSet& set, const std::string& name) {
     const std::string place = fmt::format("{}: mode {}", name, k + 1);
     const auto [what, remedy] = fault(set.modes[k]);
     if (!what.empty()) throw InputError(what, place, remedy);
-    if (k == 0 || set.modes[k].frequency_hz == 0.0) continue;
-    if (set.modes[k].frequency_hz == set.modes[k - 1].frequency_hz) {
-      throw InputError(
-          fmt::format("it has the frequency of the mode before ({:.6g} Hz)",
-                      set.modes[k].frequency_hz),
-          place,
-          "leave one out where it is the same mode twice; two modes that close "
-          "need more digits");
-    }
+    if (k == 0 || !is_same(set.modes[k], set.modes[k - 1])) continue;
+    throw InputError(
+        fmt::format("it has the frequency of the mode before ({:.6g} Hz) and "
+                    "no other shape",
+                    set.modes[k].frequency_hz),
+        place,
+        "leave one out where it is the same mode twice; of two modes that "
+        "close give shapes, or more digits");
   }
 }
 

@@ -16,11 +16,12 @@ namespace tapfit::modal {
 
 /// Refuses what no measured modes can be.
 ///
+/// @param set by frequency
 /// @param name the source's name, for messages
 /// @throws InputError naming the mode: for a frequency, damping, shape or
 ///   standard deviation that is not finite, a frequency below 0, a damping
-///   ratio below 0 or of 1 and more, two modes of one frequency, a shape that
-///   is zero at all points
+///   ratio below 0 or of 1 and more, two modes of one frequency that no shapes
+///   tell apart, a shape that is zero at all points
 void check_measured(const ModeSet& set, const std::string& name);
 
 }  // namespace tapfit::modal

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <map>
 
 namespace tapfit::modal {
@@ -52,7 +53,11 @@ Eigen::Matrix<Value, Eigen::Dynamic, 1> values(const json& entry,
     const int sign = point.sign;
     point.sign = 1;
     result(rows.at(point)) = read(value, sign);
-    missing.erase(point);
+    if (missing.erase(point) > 0) continue;
+    throw InputError(
+        fmt::format("there are two values at {}", tapfit::name(point)),
+        place,
+        "leave one of the two out: 12Z+ and 12Z- are one point");
   }
   if (missing.empty()) return result;
   throw InputError(
@@ -120,6 +125,7 @@ ModeSet read_modes_json(const std::string& text, const std::string& name) {
   if (set.modes.empty()) {
     throw InputError("no mode in the file", name, "identify modes first");
   }
+  std::ranges::stable_sort(set.modes, {}, &Mode::frequency_hz);
   return set;
 }
 

@@ -16,8 +16,9 @@
 namespace tapfit::modal {
 
 /// @param name the source's name, for messages
+/// @return by frequency
 /// @throws InputError for what is no JSON of modes, a point without a value in
-///   one of the shapes, a file without modes
+///   one of the shapes or with two, a file without modes
 [[nodiscard]] ModeSet read_modes_json(const std::string& text,
                                       const std::string& name);
 

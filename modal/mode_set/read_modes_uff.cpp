@@ -91,8 +91,15 @@ std::optional<Raw> read_mode(const UffDataset& dataset,
   return raw_from(shape, geometry);
 }
 
-/// All modes on the degrees of freedom at which one of them moves.
-ModeSet collect(std::vector<Raw>& raws) {
+bool has_all(const std::vector<Raw>& raws, const Dof& dof) {
+  return std::ranges::all_of(
+      raws, [&dof](const Raw& raw) { return raw.shape.contains(dof); });
+}
+
+/// All modes on the degrees of freedom at which one of them moves. A mode
+/// without a value at one of them was not measured there, which is no zero.
+/// @param skipped takes those that some mode has no value at
+ModeSet collect(std::vector<Raw>& raws, std::vector<std::string>& skipped) {
   ModeSet set;
   std::ranges::stable_sort(
       raws, {}, [](const Raw& raw) { return std::abs(raw.pole); });
@@ -102,8 +109,21 @@ ModeSet collect(std::vector<Raw>& raws) {
       moves[dof] = moves[dof] || value != Complex(0.0);
     }
   }
+  std::vector<std::string> partly;
   for (const auto& [dof, moving] : moves) {
-    if (moving) set.dofs.push_back(dof);
+    if (!moving) continue;
+    if (has_all(raws, dof)) {
+      set.dofs.push_back(dof);
+    } else {
+      partly.push_back(name(dof));
+    }
+  }
+  if (!partly.empty()) {
+    skipped.push_back(fmt::format(
+        "{} of the shapes' points ({}, ...) are left out: not every mode has a "
+        "value there",
+        partly.size(),
+        partly.front()));
   }
   set.scaled = std::ranges::all_of(raws, [](const Raw& raw) {
     return std::abs(raw.modal_a) > 0.0 && raw.pole.imag() > 0.0;
@@ -114,16 +134,15 @@ ModeSet collect(std::vector<Raw>& raws) {
     const double omega = std::abs(raw.pole);
     mode.frequency_hz = omega / two_pi;
     mode.damping_ratio = omega > 0.0 ? -raw.pole.real() / omega : 0.0;
-    mode.shape.setZero(static_cast<Eigen::Index>(set.dofs.size()));
+    mode.shape.resize(static_cast<Eigen::Index>(set.dofs.size()));
     // phi phi' / A is what stays when both are scaled.
     const Complex factor =
         set.scaled
             ? std::sqrt(Complex(0.0, 2.0 * raw.pole.imag()) / raw.modal_a)
             : Complex(1.0);
     for (std::size_t k = 0; k < set.dofs.size(); ++k) {
-      const auto found = raw.shape.find(set.dofs[k]);
-      if (found == raw.shape.end()) continue;
-      mode.shape(static_cast<Eigen::Index>(k)) = factor * found->second;
+      mode.shape(static_cast<Eigen::Index>(k)) =
+          factor * raw.shape.at(set.dofs[k]);
     }
     mode.mpc = phase_collinearity(mode.shape);
     mode.mpd_deg = mean_phase_deviation(mode.shape);
@@ -158,7 +177,7 @@ UffModes read_modes_uff_text(const std::string& text, const std::string& name) {
                      name,
                      "export modes (dataset 55 or 2414, at nodes)");
   }
-  result.set = collect(raws);
+  result.set = collect(raws, result.skipped);
   return result;
 }
 

@@ -13,7 +13,8 @@
 namespace tapfit::modal {
 
 struct UffModes {
-  /// Degrees of freedom: those at which some mode moves. Scaled to unit modal
+  /// Degrees of freedom: those at which some mode moves and every one has a
+  /// value. Scaled to unit modal
   /// mass where every mode has a modal mass (or modal A) other than zero;
   /// else the shapes are as in the file. No uncertainties.
   ModeSet set;

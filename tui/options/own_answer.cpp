@@ -6,6 +6,7 @@
 #include <sstream>
 
 namespace tapfit::tui {
+namespace {
 
 int answer(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream out;
@@ -16,6 +17,21 @@ int answer(const CLI::App& app, const CLI::ParseError& error) {
   }
   print(out.str());
   return 0;
+}
+
+}  // namespace
+
+std::optional<int> answered(CLI::App& app,
+                            int argc,
+                            const char* const* argv,
+                            const std::function<void()>& check) {
+  try {
+    app.parse(argc, argv);
+    if (check) check();
+  } catch (const CLI::ParseError& error) {
+    return answer(app, error);
+  }
+  return std::nullopt;
 }
 
 }  // namespace tapfit::tui

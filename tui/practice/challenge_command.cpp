@@ -63,11 +63,7 @@ int challenge_command(int argc,
                "tapfit challenge");
   Words words;
   describe(app, words);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error);
-  }
+  if (const auto status = answered(app, argc, argv)) return *status;
   const auto level = words.level == "easy" ? updating::ChallengeLevel::Easy
                                            : updating::ChallengeLevel::Hard;
   const updating::VirtualBundleSpec spec =

@@ -213,11 +213,7 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
       ->take_all();
   app.add_option("--merge", words.merge, "files printed with --json");
   app.add_flag("--json", words.json, "print one JSON object");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error);
-  }
+  if (const auto status = answered(app, argc, argv)) return *status;
   const ordered_json cases = words.merge.empty() ? run_cases(words, progress)
                                                  : read_parts(words.merge);
   if (words.json) {

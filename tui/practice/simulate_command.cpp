@@ -137,12 +137,8 @@ int simulate_command(int argc,
                "tapfit simulate");
   Words words;
   describe(app, words);
-  try {
-    app.parse(argc, argv);
-    check_band(words.band);
-  } catch (const CLI::ParseError& error) {
-    return answer(app, error);
-  }
+  const auto check = [&words] { check_band(words.band); };
+  if (const auto status = answered(app, argc, argv, check)) return *status;
   const VirtualBundleSpec spec = spec_of(app, words);
   const VirtualBundleResult result = updating::make_virtual_bundle(
       spec,

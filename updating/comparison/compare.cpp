@@ -76,43 +76,6 @@ MatrixXcd measured_shapes(const modal::ModeSet& modes) {
   return shapes;
 }
 
-/// By index; what cannot be kept to is noted.
-std::vector<modal::Pair> resolved(const std::vector<PairByHand>& by_hand,
-                                  const Eigen::VectorXd& measured_hz,
-                                  Index model_modes,
-                                  std::vector<std::string>& notes) {
-  constexpr double near = 0.02;
-  std::vector<modal::Pair> pairs;
-  for (const PairByHand& pair : by_hand) {
-    Index nearest = 0;
-    const double apart =
-        (measured_hz.array() - pair.measured_hz).abs().minCoeff(&nearest);
-    const auto taken = [&](const modal::Pair& other) {
-      return other.measured == nearest ||
-             (pair.model >= 0 && other.model == pair.model);
-    };
-    const char* fault = nullptr;
-    if (apart > near * pair.measured_hz) {
-      fault = "no measured mode is within 2 %";
-    } else if (pair.model >= model_modes) {
-      fault = "the model has no such mode in the band";
-    } else if (std::ranges::any_of(pairs, taken)) {
-      fault = "its measured mode or the model's has a pair by hand already";
-    }
-    if (fault == nullptr) {
-      pairs.push_back({nearest, pair.model, 0.0});
-      continue;
-    }
-    notes.push_back(fmt::format(
-        "the pair by hand {:.6g} Hz : {} is left out: "
-        "{}",
-        pair.measured_hz,
-        pair.model < 0 ? std::string("none") : fmt::to_string(pair.model + 1),
-        fault));
-  }
-  return pairs;
-}
-
 void pair_up(const modal::ModeSet& modes,
              const std::vector<PairByHand>& by_hand,
              const MatrixXd& mass,
@@ -128,7 +91,7 @@ void pair_up(const modal::ModeSet& modes,
     measured_hz(k) = modes.modes[static_cast<std::size_t>(k)].frequency_hz;
   }
   const std::vector<modal::Pair> fixed =
-      resolved(by_hand, measured_hz, model.cols(), c.pair_notes);
+      pairs_by_index(by_hand, measured_hz, model.cols(), c.pair_notes);
   const std::vector<modal::Pair> pairs = modal::pair_modes(
       measured, measured_hz, model, c.modes.frequency_hz, {}, fixed);
   MatrixXcd left(measured.rows(), static_cast<Index>(pairs.size()));

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/measurement/bundle_modes.hpp"
+#include "updating/measurement/mode_choices.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 #include "updating/residual/mesh_error.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
@@ -34,15 +35,12 @@ MeasuredPoints tested_points(const structure::Deck& deck,
 std::vector<Eigen::Index> take_pairs(const std::vector<PairByHand>& by_hand,
                                      Eigen::Index model_modes,
                                      ModalData& data) {
-  constexpr double near = 0.02;
   std::vector<bool> stays(static_cast<std::size_t>(data.modes()), true);
-  for (const PairByHand& pair : by_hand) {
-    Eigen::Index r = 0;
-    const double off =
-        (data.frequency_hz.array() - pair.measured_hz).abs().minCoeff(&r);
-    if (off > near * pair.measured_hz || pair.model >= model_modes) continue;
-    if (pair.model >= 0) data.fixed.emplace_back(r, pair.model);
-    stays[static_cast<std::size_t>(r)] = pair.model >= 0;
+  std::vector<std::string> said_by_comparison;
+  for (const modal::Pair& pair : pairs_by_index(
+           by_hand, data.frequency_hz, model_modes, said_by_comparison)) {
+    if (pair.model >= 0) data.fixed.emplace_back(pair.measured, pair.model);
+    stays[static_cast<std::size_t>(pair.measured)] = pair.model >= 0;
   }
   std::vector<Eigen::Index> kept;
   for (Eigen::Index r = 0; r < data.modes(); ++r) {

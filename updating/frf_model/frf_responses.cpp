@@ -1,4 +1,4 @@
-#include "updating/frf_model/form_error.hpp"
+#include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/frf_model/modal_sums.hpp"
 #include "updating/frf_model/recording_chain.hpp"
@@ -63,49 +63,9 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
-namespace {
-
-// Modes that the form mixes.
-struct FormEntry {
-  Index i;
-  Index j;
-};
-
-// Each of the first modes with itself and with the next two that show at the
-// points: those across the direction measured are none of its neighbours.
-//
-// @param lowest omega of a mode of which more than its mass shows
-std::vector<FormEntry> form_entries(const VectorXd& omega,
-                                    const MatrixXd& at_points,
-                                    double lowest,
-                                    Index modes) {
-  constexpr std::size_t neighbours = 2;
-  constexpr double hidden = 1e-3;  // of what shows most
-  const VectorXd shown = at_points.colwise().norm().transpose();
-  const double most =
-      shown.head(modes).size() > 0 ? shown.head(modes).maxCoeff() : 0.0;
-  std::vector<Index> visible;
-  for (Index i = 0; i < omega.size(); ++i) {
-    if (omega(i) > lowest && shown(i) > hidden * most) visible.push_back(i);
-  }
-  std::vector<FormEntry> entries;
-  for (std::size_t a = 0; a < visible.size() && visible[a] < modes; ++a) {
-    const std::size_t last = std::min(visible.size(), a + neighbours + 1);
-    for (std::size_t b = a; b < last; ++b) {
-      entries.push_back({visible[a], visible[b]});
-    }
-  }
-  return entries;
-}
-
-}  // namespace
-
 std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
                                                const VectorXcd& s) const {
   if (modes_) return form_patterns_of_modes(state);
-  // Of the lowest line: a mode below is as good as rigid, its stiffness takes
-  // less than a third of what its mass does.
-  constexpr double below = 0.5;
   constexpr double beyond = 1.3;  // of the band: modes that still show in it
   constexpr double reach = 4.0;   // of the band: those that are modes, not
                                   // responses of still higher ones
@@ -117,7 +77,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
   const std::vector<FormEntry> entries =
       form_entries(w,
                    points_.transpose() * shared.modes.phi,
-                   below * s.imag().minCoeff(),
+                   form_below * s.imag().minCoeff(),
                    modes);
   const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
   std::vector<MatrixXcd> patterns(entries.size() + 3, none);

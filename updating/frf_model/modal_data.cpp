@@ -45,11 +45,6 @@ MatrixXd apart(const ModalData& data, const VectorXd& omega) {
 
 }  // namespace
 
-double ModalData::count() const {
-  const Index free = std::max<Index>(points() - 1, 0);
-  return static_cast<double>(modes() * (1 + free));
-}
-
 MatrixXd ModalData::response() const {
   MatrixXd all(modes(), 1 + points());
   all.col(0) = frequency_weight.array() * frequency_hz.array().log();

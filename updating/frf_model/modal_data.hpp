@@ -33,8 +33,6 @@ struct ModalData {
 
   [[nodiscard]] Eigen::Index modes() const { return frequency_hz.size(); }
   [[nodiscard]] Eigen::Index points() const { return shape.rows(); }
-  /// Independent data: a shape's factor takes one of its values.
-  [[nodiscard]] double count() const;
   /// What a model is to respond: modes x (1 + points).
   [[nodiscard]] Eigen::MatrixXd response() const;
   /// The same without some of the modes.

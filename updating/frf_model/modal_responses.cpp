@@ -11,6 +11,8 @@
 // over all other modes j, to first order in what the mode itself moves: the
 // same products of rows and the same denominator as an FRF's, so that places
 // are scanned for both in the same way.
+#include "acquisition/foundation/constants.hpp"
+#include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/frf_model/run_lines.hpp"
 
@@ -68,7 +70,7 @@ ModelResponse FrfModel::respond_modes(ModalState& shared,
   out.H = MatrixXcd::Zero(data.modes(), 1 + data.points());
   for (Index r = 0; r < data.modes(); ++r) {
     const PairedMode& pair = pairs[static_cast<std::size_t>(r)];
-    const double hz = std::max(omega(pair.model), 1e-6) / (2.0 * M_PI);
+    const double hz = std::max(omega(pair.model), 1e-6) / two_pi;
     out.H(r, 0) = data.frequency_weight(r) * std::log(hz);
     out.H.row(r).tail(data.points()) =
         (pair.factor * data.shape_weight.col(r).cwiseProduct(pair.u))
@@ -137,41 +139,53 @@ std::vector<FrfModel::Walk> FrfModel::walk_modes(
 
 std::vector<MatrixXcd> FrfModel::form_patterns_of_modes(
     const ModelState& state) const {
-  constexpr Index neighbours = 2;
   const ModalData& data = *modes_;
   const ModalState shared = modal_state(state, base_modes(state));
   const auto& [omega, phi] = shared.modes;
   const MatrixXd at = points_.transpose() * phi;
-  const double top = 2.0 * M_PI * setting_.high_hz;
+  const double top = two_pi * setting_.high_hz;
   const MatrixXcd none = MatrixXcd::Zero(data.modes(), 1 + data.points());
+  const std::vector<PairedMode> pairs = paired(shared.modes, at);
   MatrixXcd even = none;
   MatrixXcd linear = none;
-  std::vector<MatrixXcd> patterns;
-  const std::vector<PairedMode> pairs = paired(shared.modes, at);
+  std::vector<Index> measured(static_cast<std::size_t>(omega.size()), -1);
+  Index modes = 0;
   for (Index r = 0; r < data.modes(); ++r) {
-    const PairedMode& pair = pairs[static_cast<std::size_t>(r)];
-    const Index m = pair.model;
-    const double unit = 0.5 * data.frequency_weight(r);
-    even(r, 0) = unit;
-    linear(r, 0) = unit * omega(m) / top;
-    patterns.push_back(none);
-    patterns.back()(r, 0) = unit;
-    if (data.points() == 0) continue;
-    const VectorXd inverse = inverse_gaps(omega, m);
+    const Index m = pairs[static_cast<std::size_t>(r)].model;
+    even(r, 0) = 0.5 * data.frequency_weight(r);
+    linear(r, 0) = even(r, 0) * omega(m) / top;
+    measured[static_cast<std::size_t>(m)] = r;
+    modes = std::max(modes, m + 1);
+  }
+  // d phi_i = phi_j omega_i omega_j e_ij / (lambda_i - lambda_j)
+  const auto mix = [&](Index i, Index j, MatrixXcd& pattern) {
+    const Index r = measured[static_cast<std::size_t>(i)];
+    if (r < 0) return;
+    const VectorXd mixed =
+        omega(i) * omega(j) * M_SQRT1_2 * inverse_gaps(omega, i)(j) * at.col(j);
     const VectorXd q = data.shape_weight.col(r);
-    const Index first = std::max<Index>(m - neighbours, 0);
-    const Index last = std::min<Index>(m + neighbours, omega.size() - 1);
-    for (Index j = first; j <= last; ++j) {
-      if (j == m) continue;
-      const VectorXd mixed =
-          omega(m) * omega(j) * M_SQRT1_2 * inverse(j) * at.col(j);
-      patterns.push_back(none);
-      patterns.back().row(r).tail(data.points()) =
-          q.cwiseProduct(
-               VectorXd(pair.fitted_change(data.shape.col(r), q, mixed)))
-              .transpose()
-              .cast<std::complex<double>>();
+    const VectorXd change = pairs[static_cast<std::size_t>(r)].fitted_change(
+        data.shape.col(r), q, mixed);
+    pattern.row(r).tail(data.points()) =
+        q.cwiseProduct(change).transpose().cast<std::complex<double>>();
+  };
+  // Frequencies alone see all modes, whatever moves.
+  const MatrixXd seen =
+      data.points() > 0 ? at : MatrixXd::Ones(1, omega.size());
+  std::vector<MatrixXcd> patterns;
+  for (const auto [i, j] :
+       form_entries(omega,
+                    seen,
+                    form_below * two_pi * data.frequency_hz.minCoeff(),
+                    modes)) {
+    MatrixXcd pattern = none;
+    if (i != j && data.points() > 0) {
+      mix(i, j, pattern);
+      mix(j, i, pattern);
     }
+    const Index r = measured[static_cast<std::size_t>(i)];
+    if (i == j && r >= 0) pattern(r, 0) = even(r, 0);
+    if (!pattern.isZero(0.0)) patterns.push_back(std::move(pattern));
   }
   patterns.push_back(std::move(even));
   patterns.push_back(std::move(linear));

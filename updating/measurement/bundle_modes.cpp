@@ -1,6 +1,7 @@
 #include "updating/measurement/bundle_modes.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/read_modes_file.hpp"
 
 #include <fmt/format.h>
@@ -55,6 +56,19 @@ void leave_out(const acquisition::TestBundle& bundle, modal::ModeSet& modes) {
                    "give modes above 0 Hz and within band_hz");
 }
 
+// The model's shapes are real: of a measured one the nearest real shape counts.
+void warn_of_complex(modal::ModeSet& modes) {
+  for (const modal::Mode& mode : modes.modes) {
+    if (mode.shape.size() <= 2 || mode.mpc >= modal::in_phase_mpc) continue;
+    modes.warnings.push_back(
+        fmt::format("the points of the mode at {:.6g} Hz do not move in phase "
+                    "(MPC {:.2f}): "
+                    "of its shape the real part alone is compared",
+                    mode.frequency_hz,
+                    mode.mpc));
+  }
+}
+
 void fill_deviations(const acquisition::ReadyModes& told,
                      modal::ModeSet& modes) {
   int frequencies = 0;
@@ -99,6 +113,7 @@ modal::ModeSet read_bundle_modes(const acquisition::TestBundle& bundle) {
   modal::check_measured(modes, bundle.modes->file.filename().string());
   put_on_geometry(bundle, modes);
   leave_out(bundle, modes);
+  warn_of_complex(modes);
   fill_deviations(*bundle.modes, modes);
   return modes;
 }

@@ -6,9 +6,9 @@
 
 namespace tapfit::updating {
 
-/// Reads the bundle's file of modes. What has no standard deviation gets the
-/// bundle's. Left out, and named among the warnings: modes at 0 Hz and outside
-/// the bundle's band.
+/// Reads the bundle's file of modes. What has no standard deviation, or one of
+/// zero, gets the bundle's. Left out, and named among the warnings: modes at
+/// 0 Hz and outside the bundle's band. Named there, too: complex shapes.
 ///
 /// @param bundle with a file of modes
 /// @throws InputError as of modal::read_modes_file, modal::check_measured; for

@@ -2,10 +2,14 @@
 // taken out and put in, and which of the model's modes a measured one is.
 #pragma once
 
+#include "modal/mode_set/pairing.hpp"
 #include "modal/poles/pole_edit.hpp"
+
+#include <Eigen/Core>
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -34,5 +38,17 @@ struct ModeChoices {
 /// the same measured mode and the one of the same mode of the model.
 [[nodiscard]] ModeChoices with_pair(ModeChoices choices,
                                     const PairByHand& pair);
+
+/// By index.
+///
+/// @param measured_hz of the measured modes [Hz], at least one
+/// @param model_modes how many the model has
+/// @param notes takes what cannot be kept to: a pair of which no measured mode
+///   or none of the model's is there, or one of them has a pair before
+[[nodiscard]] std::vector<modal::Pair> pairs_by_index(
+    const std::vector<PairByHand>& by_hand,
+    const Eigen::VectorXd& measured_hz,
+    Eigen::Index model_modes,
+    std::vector<std::string>& notes);
 
 }  // namespace tapfit::updating

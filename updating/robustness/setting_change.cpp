@@ -34,6 +34,7 @@ void add_priors(const FitSetting& setting,
     k < properties.size() ? add(properties[k].name, {k}) : of_mesh.push_back(k);
   }
   if (!of_mesh.empty()) add("the mesh's corrections", of_mesh);
+  if (setting.targets.back().is_modal()) return;  // damping is no datum
   for (const double factor : {half, twice}) {
     SettingChange change{fmt::format("prior of damping {}", word(factor))};
     change.damping_prior = factor;

@@ -26,7 +26,8 @@ struct SettingChange {
   [[nodiscard]] bool moves_fits() const;
 };
 
-/// All of them, in the order above.
+/// All of them, in the order above; of a test that consists of modes without
+/// damping and runs.
 /// @param properties names of the first in FitSetting::uncertain_sd; others
 ///   there are the mesh's, and are changed together
 [[nodiscard]] std::vector<SettingChange> setting_changes(

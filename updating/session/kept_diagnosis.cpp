@@ -75,12 +75,20 @@ void add(const signal::FrfSet& set, ContentDigest& digest) {
 }
 
 void add(const modal::ModeSet& modes, ContentDigest& digest) {
+  for (const Dof& dof : modes.dofs) digest.add(name(dof));
   for (const modal::Mode& mode : modes.modes) {
     digest.add(mode.pole.real());
     digest.add(mode.pole.imag());
     add_numbers(mode.shape, digest);
     digest.add(mode.frequency_sd_hz);
     add_numbers(mode.shape_sd, digest);
+  }
+}
+
+void add(const std::vector<PairByHand>& pairs, ContentDigest& digest) {
+  for (const PairByHand& pair : pairs) {
+    digest.add(pair.measured_hz);
+    digest.add(static_cast<double>(pair.model));
   }
 }
 
@@ -136,6 +144,8 @@ DiagnosisKeeper::DiagnosisKeeper(std::optional<MatrixCache> cache,
   add(content.deck, digest);
   add(content.frfs, digest);
   add(content.modes, digest);
+  // Fits to FRFs do not ask which mode is which.
+  if (content.bundle.modes) add(content.pairs, digest);
   add(history, effects, digest);
   key_ = digest.digest();
 }

@@ -10,12 +10,14 @@
 #include "signal/frf_set/frf_set.hpp"
 #include "updating/cache/matrix_cache.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
+#include "updating/measurement/mode_choices.hpp"
 #include "updating/session/effect_stack.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace tapfit::updating {
 
@@ -25,6 +27,7 @@ struct DiagnosisContent {
   const structure::Deck& deck;
   const signal::FrfSet& frfs;
   const modal::ModeSet& modes;
+  const std::vector<PairByHand>& pairs;  ///< which modes as data are fitted to
 };
 
 /// The place of one diagnosis on disk.

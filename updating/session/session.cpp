@@ -155,7 +155,11 @@ DiagnosisKeeper Session::Impl::keeper(std::size_t effects) {
   const bool usual = !choice.is_plain() &&
                      (stack->fits().size() != 2 || !current().effects.empty());
   return {usual ? user_cache() : std::nullopt,
-          {test.bundle(), *deck, test.frfs({}), test.modes({})},
+          {test.bundle(),
+           *deck,
+           test.frfs({}),
+           test.modes({}),
+           test.choices().pairs},
           stack->history(),
           effects};
 }
@@ -374,6 +378,7 @@ SavedSession Session::saved(const Progress& progress) {
 }
 
 void Session::take_up(const SavedSession& saved) {
+  if (bundle().modes) check_saved_shown_in_modes(saved);
   impl_->test.set_overruled(overruled_now(saved.overruled));
   impl_->test.set_choices(saved.modes);
   impl_->waiting.now = saved.effects;

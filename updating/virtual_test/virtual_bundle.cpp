@@ -50,6 +50,11 @@ double value_of(const VirtualBundleSpec& spec,
   return otherwise;
 }
 
+// What a channel's readings are off by, its polarity aside.
+double gain_of(const VirtualBundleSpec& spec, const std::string& channel) {
+  return std::abs(value_of(spec, "channel-gain", channel, 1.0));
+}
+
 std::vector<std::string> channel_names(const VirtualSetup& setup) {
   std::vector<std::string> names{"hammer"};
   names.insert(
@@ -133,14 +138,16 @@ std::vector<acquisition::Channel> make_channels(const VirtualBundleSpec& spec,
   for (const Eigen::MatrixXd& felt : records.felt) {
     largest = largest.cwiseMax(felt.cwiseAbs().colwise().maxCoeff());
   }
+  for (std::size_t c = 0; c < names.size(); ++c) {
+    largest(static_cast<Eigen::Index>(c)) *= gain_of(spec, names[c]);
+  }
   // One kind of accelerometer: all have the sensitivity that the hardest
-  // pressed of them needs.
+  // pressed of them needs, so that it does not tell whose gain is off.
   const double acceleration = largest.tail(largest.size() - 1).maxCoeff();
   std::vector<acquisition::Channel> channels;
   for (std::size_t c = 0; c < names.size(); ++c) {
-    const double gain = std::abs(value_of(spec, "channel-gain", names[c], 1.0));
-    channels.push_back(make_channel(
-        spec, names[c], gain * (c == 0 ? largest(0) : acceleration)));
+    channels.push_back(
+        make_channel(spec, names[c], c == 0 ? largest(0) : acceleration));
   }
   return channels;
 }
@@ -171,9 +178,10 @@ void spoil_hits(const VirtualBundleSpec& spec,
   const Eigen::MatrixXd during = records.felt[hard].middleRows(begin, length);
   double louder = 1e300;
   for (Eigen::Index c = 1; c < during.cols(); ++c) {
-    const double full_scale =
-        channels[static_cast<std::size_t>(c)].full_scale_si();
-    louder = std::min(louder, full_scale / during.col(c).cwiseAbs().maxCoeff());
+    const acquisition::Channel& channel = channels[static_cast<std::size_t>(c)];
+    const double recorded =
+        gain_of(spec, channel.name) * during.col(c).cwiseAbs().maxCoeff();
+    louder = std::min(louder, channel.full_scale_si() / recorded);
   }
   blow.peak_n *= 1.5 * louder;
   records.felt[hard] = feel(spec, setup, records, hard);
@@ -287,7 +295,8 @@ void check_files(const acquisition::OutputRule& rule,
                  const VirtualSetup& setup,
                  const fs::path& folder,
                  const char* truth) {
-  for (const char* name : {"test.json", "model.bdf", truth}) {
+  // Work saved for another test would be taken for work on this one.
+  for (const char* name : {"test.json", "model.bdf", truth, "session.json"}) {
     check_in_folder(rule, folder, name);
   }
   for (std::size_t k = 0; k < setup.runs.size(); ++k) {

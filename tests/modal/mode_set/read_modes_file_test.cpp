@@ -83,6 +83,49 @@ TEST(ReadModesCsv, WantsFrequenciesAndWholeShapes) {
   EXPECT_FALSE(said([&] { (void)read_modes_csv(empty); }).empty());
 }
 
+TEST(ReadModesCsv, ADirectionsSignIsEachColumnsOwn) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("modes.csv",
+                                 "frequency_hz,12Z+ re,12Z- im,12Z- sd\n"
+                                 "10.0,1.0,0.5,0.01\n");
+  const ModeSet set = read_modes_csv(file);
+  ASSERT_EQ(set.dofs.size(), 1U);
+  EXPECT_EQ(set.modes[0].shape(0), std::complex<double>(1.0, -0.5));
+  EXPECT_DOUBLE_EQ(set.modes[0].shape_sd(0), 0.01);
+}
+
+TEST(ReadModesCsv, NothingIsSaidTwice) {
+  const TemporaryFolder folder;
+  for (const char* header : {"frequency_hz,12Z+,12Z-",
+                             "frequency_hz,12Z+,12Z+ re",
+                             "frequency_hz,frequency_hz,12Z+"}) {
+    const auto file =
+        folder.write("modes.csv", std::string(header) + "\n10.0,10.0,1.0\n");
+    EXPECT_TRUE(has(said([&] { (void)read_modes_csv(file); }), "says again"))
+        << header;
+  }
+}
+
+TEST(ReadModesJson, TakesModesInAnyOrder) {
+  const ModeSet set = read_modes_json(
+      R"({"modes": [{"frequency_hz": 20.0, "shape": {"3Z+": 2}},
+                    {"frequency_hz": 10.0, "shape": {"3Z+": 1}}]})",
+      "memory");
+  ASSERT_EQ(set.modes.size(), 2U);
+  EXPECT_EQ(set.modes[0].frequency_hz, 10.0);
+  EXPECT_EQ(set.modes[0].shape(0), std::complex<double>(1.0, 0.0));
+}
+
+TEST(ReadModesJson, RefusesAPointWithTwoValues) {
+  const std::string text = said([] {
+    (void)read_modes_json(
+        R"({"modes": [{"frequency_hz": 10.0,
+                       "shape": {"3Z+": 1, "3Z-": 1}}]})",
+        "modes.json");
+  });
+  EXPECT_TRUE(has(text, "two values at 3Z+")) << text;
+}
+
 TEST(ReadModesJson, TakesPlainNumbersByHand) {
   const ModeSet set = read_modes_json(
       R"({"modes": [{"frequency_hz": 10.0, "shape": {"3Z+": 1, "4Z-": 2}},
@@ -144,9 +187,19 @@ TEST(CheckMeasured, NamesModeFaultAndRemedy) {
       fault([](ModeSet& s) { s.modes[1].damping_ratio = -0.01; });
   EXPECT_TRUE(has(negative, "modes.uff: mode 2")) << negative;
   EXPECT_TRUE(has(negative, "damping ratio")) << negative;
-  const std::string twice =
-      fault([](ModeSet& s) { s.modes[1].frequency_hz = 10.0; });
+  // Two modes of what is symmetric: only shapes that are alike are one mode.
+  EXPECT_EQ(fault([](ModeSet& s) { s.modes[1].frequency_hz = 10.0; }), "");
+  const std::string twice = fault([](ModeSet& s) {
+    s.modes[1].frequency_hz = 10.0;
+    s.modes[1].shape = std::complex<double>(0.0, -2.0) * s.modes[0].shape;
+  });
   EXPECT_TRUE(has(twice, "frequency of the mode before")) << twice;
+  EXPECT_FALSE(fault([](ModeSet& s) {
+                 s.modes[1].frequency_hz = 10.0;
+                 for (Mode& mode : s.modes) mode.shape.resize(0);
+               }).empty());
+  EXPECT_FALSE(
+      fault([](ModeSet& s) { s.modes[1].frequency_sd_hz = -0.1; }).empty());
   const std::string nan =
       fault([](ModeSet& s) { s.modes[0].shape(1) = std::nan(""); });
   EXPECT_TRUE(has(nan, "mode 1")) << nan;

@@ -119,6 +119,21 @@ TEST(ReadModesUff, TakesHalfTheLossFactorWhereThatIsGiven) {
   EXPECT_NEAR(set.modes[0].damping_ratio, 0.015, 1e-12);
 }
 
+// A node that one dataset lacks was not measured there: it does not stand
+// still.
+TEST(ReadModesUff, LeavesOutPointsThatAModeHasNoValueAt) {
+  std::string text = modes_as_uff(two_modes(false, true), "A plate");
+  // The second dataset's last node, with its line of values.
+  const std::size_t node = text.rfind("         9\n");
+  ASSERT_NE(node, std::string::npos);
+  text.erase(node, text.find('\n', node + 11) + 1 - node);
+  const UffModes read = read_modes_uff_text(text, "memory");
+  ASSERT_EQ(read.set.modes.size(), 2U);
+  EXPECT_EQ(read.set.dofs, (std::vector<Dof>{{4, 3, 1}}));
+  ASSERT_EQ(read.skipped.size(), 1U);
+  EXPECT_NE(read.skipped[0].find("9X+"), std::string::npos) << read.skipped[0];
+}
+
 TEST(ReadModesUff, NamesDataAtElements) {
   std::string text =
       modes_as_uff(two_modes(false, true), "A plate", ModeDataset::Uff2414);

@@ -1,19 +1,22 @@
-// A challenge played to its end: made, answered rightly, wrongly and not at
-// all, revealed.
+// A challenge played to its end: made, answered and revealed; and how answers
+// that are wrong, or none, are told.
 #include "tui/practice/reveal_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/practice/challenge_command.hpp"
+#include "tui/practice/revealed.hpp"
 #include "updating/session/saved_session.hpp"
-#include "updating/session/session.hpp"
 #include "updating/virtual_test/truth_seal.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -24,20 +27,38 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A plate of six runs with a mass at grid 30, sealed; what is worked out of it
-/// is kept from one answer to the next.
+/// A clamped bar, 1 m x 20 mm x 6 mm of steel, that bends in z alone.
+std::string bar_deck() {
+  constexpr int bars = 8;
+  std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
+  for (int i = 0; i <= bars; ++i) {
+    text += fmt::format("GRID,{},,{},0.,0.,,1246\n", i + 1, double(i) / bars);
+  }
+  for (int i = 1; i <= bars; ++i) {
+    text += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i, i, i + 1);
+  }
+  return text +
+         "PBAR,1,1,1.2-4,3.6-10,3.6-10,7.2-10\n"
+         "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n";
+}
+
+/// The bar with a mass at grid 7, sealed. Its few modes and places are what
+/// makes a diagnosis a matter of a moment.
 class Reveal : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     root_ = fs::path(testing::TempDir()) /
             ("tapfit-reveal-" + std::to_string(::getpid()));
     fs::remove_all(root_);
+    fs::create_directories(root_);
     ::setenv("XDG_CACHE_HOME", (root_ / "cache").c_str(), 1);
     ::unsetenv("TAPFIT_NO_CACHE");
+    std::ofstream(root_ / "bar.bdf") << bar_deck();
     updating::VirtualBundleSpec spec;
-    spec.structure = "plate";
-    spec.effects = {updating::parse_virtual_effect("added-mass@30=0.1")};
-    spec.points = 6;
+    spec.structure = root_ / "bar.bdf";
+    spec.band_hz = {2.0, 300.0};
+    spec.effects = {updating::parse_virtual_effect("added-mass@7=0.1")};
+    spec.points = 5;
     spec.hits = 2;
     spec.sealed = true;
     updating::make_virtual_bundle(spec, root_ / "test");
@@ -47,7 +68,6 @@ class Reveal : public testing::Test {
     ::setenv("TAPFIT_NO_CACHE", "1", 1);
     fs::remove_all(root_);
   }
-  static void forget() { fs::remove(root_ / "test" / "session.json"); }
 
   static CommandOptions options(bool as_json) {
     CommandOptions options;
@@ -58,87 +78,116 @@ class Reveal : public testing::Test {
   static json revealed() {
     return json::parse(reveal_command(options(true), {}));
   }
-  static void play(const std::string& effect, int node) {
+  static void play(bool on) {
     updating::SavedSession session;
     updating::AddedEffect added;
-    added.ref.effect = effect;
-    added.ref.where.node = node;
+    added.ref.effect = "added-mass";
+    added.ref.where.node = 7;
+    added.on = on;
     session.effects = {added};
     write_saved_session(root_ / "test" / "session.json", session);
   }
-
-  static void right_answer_is_right();
-  static void wrong_answers_are_wrong();
-  static void no_answer_yet_is_said();
-  static void diagnosis_is_blind_to_the_seal();
 
   static fs::path root_;
 };
 
 fs::path Reveal::root_;
 
-void Reveal::right_answer_is_right() {
-  play("added-mass", 30);
+// In one process: the diagnosis is made once.
+TEST_F(Reveal, SetsAnswersBesideTheSeal) {
+  const std::string text = reveal_command(options(false), {});
+  EXPECT_NE(text.find("Hidden: added-mass\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("no effect is in session.json yet"), std::string::npos)
+      << text;
+  play(false);  // switched off it is no answer
+  EXPECT_EQ(revealed()["session"], nullptr);
+  play(true);
   const json all = revealed();
   EXPECT_EQ(all["hidden"][0]["effect"], "added-mass");
-  EXPECT_EQ(all["hidden"][0]["node"], 30);
+  EXPECT_EQ(all["hidden"][0]["node"], 7);
   for (const char* whose : {"session", "diagnosis"}) {
     const json& answer = all[whose];
     EXPECT_EQ(answer["found"], "added-mass") << whose;
     EXPECT_EQ(answer["right_kind"], true) << whose;
     EXPECT_EQ(answer["right_place"], true) << whose;
     EXPECT_EQ(answer["right_size"], true) << whose;
-    EXPECT_EQ(answer["effects"][0]["where"]["node"], 30) << whose;
+    EXPECT_EQ(answer["effects"][0]["where"]["node"], 7) << whose;
   }
-  const std::string text = reveal_command(options(false), {});
-  EXPECT_NE(text.find("Hidden: added-mass\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("You: added-mass\n"), std::string::npos) << text;
 }
 
-void Reveal::wrong_answers_are_wrong() {
-  play("ground-spring", 30);
-  const json spring = revealed()["session"];
-  EXPECT_EQ(spring["found"], "ground-spring");
-  EXPECT_EQ(spring["right_kind"], false);
-  play("added-mass", 1);  // the corner farthest away
-  const json elsewhere = revealed()["session"];
-  EXPECT_EQ(elsewhere["right_kind"], true);
-  EXPECT_EQ(elsewhere["right_place"], false);
-  const std::string text = reveal_command(options(false), {});
-  EXPECT_NE(text.find("wrong"), std::string::npos) << text;
-}
-
-void Reveal::no_answer_yet_is_said() {
-  EXPECT_EQ(revealed()["session"], nullptr);
-  const std::string text = reveal_command(options(false), {});
-  EXPECT_NE(text.find("no effect is in session.json yet"), std::string::npos)
-      << text;
-}
-
-// What the diagnosis says follows from the test, not from the seal.
-void Reveal::diagnosis_is_blind_to_the_seal() {
-  const std::string found = revealed()["diagnosis"]["found"];
+TEST_F(Reveal, WantsASeal) {
   const fs::path bare = root_ / "bare";
-  fs::create_directories(bare);
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(root_ / "test")) {
-    if (entry.path().filename() == updating::seal_file) continue;
-    fs::copy(entry.path(), bare / entry.path().filename());
-  }
-  updating::Session session(bare);
-  EXPECT_EQ(session.diagnosis().verdict, found);
+  fs::copy(root_ / "test", bare);
+  fs::remove(bare / updating::seal_file);
   CommandOptions of_bare = options(true);
   of_bare.input = bare;
   EXPECT_THROW((void)reveal_command(of_bare, {}), InputError);
 }
 
-// In one process: the diagnosis, which takes seconds, is made once.
-TEST_F(Reveal, SetsAnswersBesideTheSeal) {
-  no_answer_yet_is_said();
-  diagnosis_is_blind_to_the_seal();
-  right_answer_is_right();
-  forget();
-  wrong_answers_are_wrong();
+Answer answer_of(const std::string& effect, int node, bool right_kind) {
+  Answer answer;
+  answer.effects.resize(1);
+  answer.effects[0].added = effect;
+  answer.effects[0].where.node = node;
+  answer.verdict.hidden = "added-mass";
+  answer.verdict.found = effect;
+  answer.verdict.right_kind = right_kind;
+  return answer;
+}
+
+Revealed hidden_mass() {
+  Revealed it;
+  it.truth = nlohmann::ordered_json::parse(
+      R"({"seed": 4, "structure": "plate", "effect": "added-mass",
+          "effects": [{"effect": "added-mass", "node": 30}]})");
+  it.diagnosis = answer_of("added-mass", 30, true);
+  return it;
+}
+
+/// The line of the table that begins so.
+std::string row_of(const std::string& text, const std::string& whose) {
+  std::istringstream lines(text);
+  std::string line;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("  " + whose + " ")) return line;
+  }
+  return {};
+}
+
+TEST(Revealed, AnAnswerOfAnotherKindHasNoPlace) {
+  Revealed it = hidden_mass();
+  it.session = answer_of("ground-spring", 30, false);
+  const std::string text = revealed_text("test", it);
+  EXPECT_NE(text.find("You: ground-spring\n"), std::string::npos) << text;
+  const std::string row = row_of(text, "you");
+  EXPECT_NE(row.find("wrong"), std::string::npos) << text;
+  EXPECT_EQ(row.find("right"), std::string::npos) << text;
+  const json all = revealed_json("test", it);
+  EXPECT_EQ(all["session"]["found"], "ground-spring");
+  EXPECT_EQ(all["session"]["right_kind"], false);
+  EXPECT_EQ(all["diagnosis"]["right_kind"], true);
+}
+
+TEST(Revealed, TheRightKindElsewhereIsWrongInItsPlaceAlone) {
+  Revealed it = hidden_mass();
+  it.session = answer_of("added-mass", 1, true);
+  const std::string row = row_of(revealed_text("test", it), "you");
+  const std::size_t right = row.find("right");
+  ASSERT_NE(right, std::string::npos) << row;
+  EXPECT_LT(right, row.find("wrong")) << row;
+  EXPECT_EQ(revealed_json("test", it)["session"]["effects"][0]["where"]["node"],
+            1);
+}
+
+TEST(Revealed, NoAnswerIsRightWhereNothingIsHidden) {
+  Revealed it = hidden_mass();
+  EXPECT_NE(revealed_text("test", it).find("open it with tapfit test"),
+            std::string::npos);
+  EXPECT_EQ(row_of(revealed_text("test", it), "you"), "");
+  it.truth["effect"] = "none";
+  it.truth["effects"] = nlohmann::ordered_json::array();
+  EXPECT_NE(revealed_text("test", it).find("none is hidden: right"),
+            std::string::npos);
 }
 
 TEST(ChallengeCommand, MakesASealedTestAndWritesOverNothing) {

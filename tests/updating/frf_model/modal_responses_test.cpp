@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -137,6 +140,70 @@ TEST_F(ModalResponses, PlacesAreFeltAsAMassThereIs) {
   }
 }
 
+// Near the clamp the first mode gives hardly more than all others together:
+// a spring there bends those, too.
+TEST_F(ModalResponses, OtherModesYieldToASpring) {
+  const auto model = fitter().model_for({}, BaseUse::Scan);
+  const ModelState state = fitter().first_state(*model, {});
+  const Eigen::VectorXcd& s = fitter().target().s;
+  const int node = testing::plate_grid(2, 2);
+  const MatrixXd row = model->row(node, 3);
+  const auto walks = model->walk_columns(state, s, row.transpose());
+  ASSERT_EQ(walks.size(), 1U);
+  const double own = walks[0].own(0, 0).real();
+  ASSERT_GT(own, 0.0);
+  const double k = 0.2 / own;
+  const MatrixXcd o = row * walks[0].Xo[0];
+  const MatrixXcd i = row * walks[0].Xi[0];
+  const double foreseen =
+      (-k / (1.0 + k * own) * s(0) * s(0) * o(0, 0) * i(0, 0)).real();
+  ModelState held = state;
+  held.effects = {at_grid("ground-spring", node, k)};
+  const double exact = (model->respond(held, s, false).H -
+                        model->respond(state, s, false).H)(0, 0)
+                           .real();
+  ASSERT_GT(exact, 0.0);
+  // The logarithm's curve takes up to 8 %; without the others' yielding it
+  // would be 20 % more.
+  EXPECT_NEAR(foreseen / exact, 1.0, 0.15);
+}
+
+// A modal stiffness that is off by omega_i omega_j e_ij, symmetric, by
+// differences: one e_ij moves both of its modes.
+TEST_F(ModalResponses, FormPatternsAreThoseOfDifferences) {
+  const auto model = fitter().model_for({});
+  const ModelState state = fitter().first_state(*model, {});
+  const Eigen::VectorXcd& s = fitter().target().s;
+  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s);
+  const Eigen::VectorXd omega = model->base_modes(state).omega;
+  constexpr double h = 1e-4;
+  const auto response = [&](Index i, Index j, double e) {
+    ReducedBase base = model->base();
+    const double off = i == j ? e : e * M_SQRT1_2;
+    base.K(i, j) += off * omega(i) * omega(j);
+    if (i != j) base.K(j, i) = base.K(i, j);
+    const FrfModel changed(std::move(base),
+                           model->setting(),
+                           fitter().setting().measured,
+                           fitter().setting().modes);
+    return changed.respond(state, s, false).H;
+  };
+  for (const auto& [i, j] :
+       std::vector<std::pair<Index, Index>>{{0, 0}, {2, 2}, {0, 1}, {1, 2}}) {
+    const MatrixXcd slope =
+        (response(i, j, h) - response(i, j, -h)) / (2.0 * h);
+    ASSERT_GT(slope.norm(), 0.0);
+    double nearest = 1e300;
+    for (const MatrixXcd& pattern : patterns) {
+      nearest = std::min(nearest, (pattern - slope).norm() / slope.norm());
+    }
+    // Of modes 10 % apart the guard against close ones takes 1 %.
+    EXPECT_LT(nearest, 0.03) << i << ", " << j;
+  }
+  // Eight modes, each with itself, with two neighbours at most; two in common.
+  EXPECT_LE(patterns.size(), 8U + 8U * 2U + 2U);
+}
+
 TEST(ModalData, HandPairsStandWhateverTheShapes) {
   ModalData data;
   data.frequency_hz = Eigen::Vector2d(10.0, 20.0);
@@ -150,6 +217,68 @@ TEST(ModalData, HandPairsStandWhateverTheShapes) {
   const auto by_hand = paired_modes(data, omega, none, {{0, 2}});
   EXPECT_EQ(by_hand[0].model, 2);
   EXPECT_EQ(by_hand[1].model, 1);
+}
+
+TEST(ModalData, WeighsEachByItsOwnStandardDeviation) {
+  modal::ModeSet set;
+  set.dofs = {{1, 3, 1}, {2, 3, 1}};
+  for (const double sd : {0.01, 0.07}) {
+    modal::Mode mode;
+    mode.frequency_hz = 10.0;
+    mode.frequency_sd_hz = sd;
+    // Of length 5, turned by an angle that says nothing.
+    mode.shape = std::polar(1.0, 0.5) * Eigen::Vector2cd(3.0, -4.0);
+    mode.shape_sd = Eigen::Vector2d(0.5, 0.25);
+    set.modes.push_back(mode);
+  }
+  const ModalData data = modal_data(set);
+  EXPECT_NEAR(data.sd, 0.005, 1e-12);  // root mean square of 0.1 and 0.7 %
+  EXPECT_NEAR(data.frequency_weight(0), 5.0, 1e-9);
+  EXPECT_NEAR(data.frequency_weight(1), 5.0 / 7.0, 1e-9);
+  EXPECT_NEAR(std::abs(data.shape(0, 0)), 0.6, 1e-9);
+  EXPECT_NEAR(data.shape(0, 0) * data.shape(1, 0), -0.48, 1e-9);
+  EXPECT_NEAR(data.shape_weight(0, 0), 0.005 / 0.1, 1e-9);
+  EXPECT_NEAR(data.shape_weight(1, 1), 0.005 / 0.05, 1e-9);
+  const ModalData second = data.only({1});
+  ASSERT_EQ(second.modes(), 1);
+  EXPECT_EQ(second.sd, data.sd);
+  EXPECT_EQ(second.frequency_weight(0), data.frequency_weight(1));
+}
+
+TEST(ModalData, LeavingOutKeepsPairsByHandWithTheirModes) {
+  ModalData data;
+  data.frequency_hz = data.frequency_weight = Eigen::Vector3d(10.0, 20.0, 30.0);
+  data.shape.resize(0, 3);
+  data.shape_weight.resize(0, 3);
+  data.fixed = {{0, 4}, {2, 7}};
+  const ModalData part = data.only({1, 2});
+  ASSERT_EQ(part.fixed.size(), 1U);
+  EXPECT_EQ(part.fixed[0], (std::pair<Index, Index>{1, 7}));
+}
+
+TEST(ModalData, TheFactorThatFitsBestIsFoundAndItsSlopeToo) {
+  ModalData data;
+  data.frequency_hz = Eigen::VectorXd::Constant(1, 10.0);
+  data.dofs = {{1, 3, 1}, {2, 3, 1}, {3, 3, 1}};
+  const Eigen::Vector3d e(0.6, -0.64, 0.48);
+  const Eigen::Vector3d q(1.0, 2.0, 0.5);
+  data.shape = e;
+  data.shape_weight = q;
+  const Eigen::Vector3d u(-1.0, 1.2, -0.4);
+  const Eigen::VectorXd omega = Eigen::VectorXd::Constant(1, 20.0 * M_PI);
+  const auto fitted = [&](const Eigen::Vector3d& shape) -> Eigen::Vector3d {
+    return paired_modes(data, omega, shape)[0].factor * shape;
+  };
+  // Normal equation: what is left is across u, weighted.
+  const Eigen::Vector3d left = q.cwiseProduct(e - fitted(u));
+  EXPECT_NEAR(left.dot(q.cwiseProduct(u)), 0.0, 1e-12);
+  const Eigen::Vector3d du(0.3, 0.1, -0.2);
+  constexpr double h = 1e-6;
+  const Eigen::Vector3d slope =
+      (fitted(u + h * du) - fitted(u - h * du)) / (2.0 * h);
+  const Eigen::MatrixXd own =
+      paired_modes(data, omega, u)[0].fitted_change(e, q, du);
+  EXPECT_LT((own - slope).norm(), 1e-8);
 }
 
 TEST(ModalData, ShapesLikeNoneOfTheModelsAreForeign) {

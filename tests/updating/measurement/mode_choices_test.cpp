@@ -131,5 +131,26 @@ TEST_F(ChosenModes, WeightedMacTellsModesApartThatPlainMacConfuses) {
   }
 }
 
+TEST(PairsByIndex, KeepsWhatContradictsNothingAndNamesTheRest) {
+  const Eigen::Vector3d measured(10.0, 20.0, 30.0);
+  std::vector<std::string> notes;
+  const std::vector<modal::Pair> pairs =
+      pairs_by_index({{20.3, 4},   // the second, 1.5 % off
+                      {25.0, 0},   // none is near
+                      {30.0, 9},   // the model has nine, from 0
+                      {10.0, 4},   // taken by the second
+                      {19.9, -1},  // the second is paired
+                      {10.0, -1}},
+                     measured,
+                     9,
+                     notes);
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0].measured, 1);
+  EXPECT_EQ(pairs[0].model, 4);
+  EXPECT_EQ(pairs[1].measured, 0);
+  EXPECT_EQ(pairs[1].model, -1);
+  EXPECT_EQ(notes.size(), 4U);
+}
+
 }  // namespace
 }  // namespace tapfit::updating

@@ -51,6 +51,23 @@ TEST(SettingChanges, AreOfEachThingThatWasAssumed) {
   EXPECT_EQ(words_of(1).size(), 9U);
 }
 
+TEST(SettingChanges, OfModesLeaveDampingAndRunsAlone) {
+  FitSetting setting = setting_of(1);
+  for (Target& target : setting.targets) target.modal_sd = 1e-3;
+  std::vector<std::string> words;
+  for (const auto& change : setting_changes(setting, properties)) {
+    words.push_back(change.what);
+  }
+  EXPECT_EQ(words,
+            (std::vector<std::string>{"prior of E:1 halved",
+                                      "prior of E:1 doubled",
+                                      "prior of the mesh's corrections halved",
+                                      "prior of the mesh's corrections doubled",
+                                      "E:1 held at the deck's value",
+                                      "allowance for form halved",
+                                      "allowance for form doubled"}));
+}
+
 TEST(SettingChanges, ManyRunsGoInTenGroupsThatHoldEachOnce) {
   std::multiset<std::size_t> held;
   std::size_t groups = 0;

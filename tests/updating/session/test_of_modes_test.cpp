@@ -151,6 +151,29 @@ TEST(TestOfModes, SaysWhatItCannotBeAskedFor) {
   EXPECT_FALSE(said([&] { session.set_update(choice); }).empty());
 }
 
+TEST(TestOfModes, ASessionSavedWithWhatModesDoNotTellIsRefused) {
+  const TemporaryFolder folder;
+  testing::write_modal_bundle(
+      folder, beam_text(), clamped_beam(beam_points()), beam_points(), {});
+  Session session(folder.path());
+  SavedSession saved;
+  saved.effects.resize(1);
+  saved.effects[0].ref.effect = "dashpot";
+  saved.effects[0].ref.where.node = 9;
+  saved.effects[0].on = false;
+  EXPECT_NE(said([&] { session.take_up(saved); }).find("dashpot"),
+            std::string::npos);
+  SavedSession undone;
+  undone.undone.resize(1);
+  undone.undone[0].added = {saved.effects[0].ref};
+  EXPECT_NE(said([&] { session.take_up(undone); }).find("saved session"),
+            std::string::npos);
+  EXPECT_TRUE(session.effects().empty());
+  saved.effects[0].ref.effect = "added-mass";
+  session.take_up(saved);
+  EXPECT_EQ(session.effects().size(), 1U);
+}
+
 TEST(TestOfModes, APointThatTheDeckHasNotIsNamed) {
   const TemporaryFolder folder;
   std::vector<Dof> points = beam_points();
@@ -161,6 +184,69 @@ TEST(TestOfModes, APointThatTheDeckHasNotIsNamed) {
   const std::string text = said([&] { (void)session.deck(); });
   EXPECT_NE(text.find("99"), std::string::npos) << text;
   EXPECT_NE(text.find("modes.csv"), std::string::npos) << text;
+}
+
+TEST(TestOfModes, ComplexShapesAreNamedAndSoIsWhatHasNoScatter) {
+  const TemporaryFolder folder;
+  testing::write_modal_bundle(
+      folder, beam_text(), clamped_beam(beam_points()), beam_points(), {});
+  folder.write("modes.csv",
+               "frequency_hz,frequency_sd_hz,9Z+ re,9Z+ im,13Z+ re,13Z+ im,"
+               "21Z+ re,21Z+ im\n"
+               "5.0,0.01,0.2,0.0,0.5,0.0,1.0,0.0\n"
+               "31.0,0.0,0.5,0.5,0.4,-0.4,-1.0,0.0\n");
+  Session session(folder.path());
+  const std::vector<std::string>& warnings = session.modes().warnings;
+  const auto about = [&warnings](const std::string& words) {
+    return std::ranges::count_if(warnings, [&](const std::string& warning) {
+      return warning.find(words) != std::string::npos;
+    });
+  };
+  EXPECT_EQ(about("do not move in phase"), 1);
+  EXPECT_EQ(about("the mode at 31 Hz"), 1);
+  EXPECT_EQ(about("1 of 2 frequencies came without"), 1);
+  // A stated scatter of zero cannot be: the test's 0.2 % is taken.
+  EXPECT_DOUBLE_EQ(session.modes().modes[1].frequency_sd_hz, 0.002 * 31.0);
+  EXPECT_DOUBLE_EQ(session.modes().modes[0].frequency_sd_hz, 0.01);
+}
+
+TEST(TestOfModes, AModeThatTheModelLacksIsNamedAndFittedToNothing) {
+  const TemporaryFolder folder;
+  testing::TrueModes truth = clamped_beam(beam_points());
+  // At 60 Hz the shape of the first, at 5 Hz: like those near it by a MAC of
+  // 0.15 at the most.
+  truth.hz.insert(truth.hz.begin() + 2, 60.0);
+  Eigen::MatrixXd shape(truth.shape.rows(), 6);
+  shape << truth.shape.leftCols(2), truth.shape.col(0),
+      truth.shape.rightCols(3);
+  truth.shape = shape;
+  testing::write_modal_bundle(
+      folder, beam_text(), truth, beam_points(), {0.02, 0.1});
+  Session session(folder.path());
+  const Comparison& c = session.base_comparison();
+  EXPECT_EQ(c.pairs.size(), 5U);
+  EXPECT_LT(c.error, 2e-3);
+  const std::vector<std::string> warnings = session.model_warnings();
+  EXPECT_EQ(std::ranges::count_if(warnings,
+                                  [](const std::string& warning) {
+                                    return warning.find("left out of fits") !=
+                                           std::string::npos;
+                                  }),
+            1);
+}
+
+TEST(TestOfModes, OfOnePointTheFrequenciesAloneCount) {
+  const TemporaryFolder folder;
+  const std::vector<Dof> tip{{21, 3, 1}};
+  testing::write_modal_bundle(
+      folder, beam_text(), clamped_beam(tip), tip, {0.02, 0.1});
+  Session session(folder.path());
+  const Comparison& c = session.base_comparison();
+  ASSERT_EQ(c.pairs.size(), 5U);
+  for (const ModePair& pair : c.pairs) {
+    EXPECT_FALSE(pair.has_shape) << pair.measured_hz;
+    EXPECT_LT(std::abs(pair.error_percent), 0.25) << pair.measured_hz;
+  }
 }
 
 TEST(TestOfModes, RigidModesAndThoseOutsideTheBandAreLeftOut) {

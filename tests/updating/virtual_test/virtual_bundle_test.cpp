@@ -152,12 +152,38 @@ TEST(VirtualBundle, KnowsItsFilesAsLongAsTheyAreAsTheyWere) {
   EXPECT_TRUE(made_files(folder).empty());
 }
 
+// A sheet on which one accelerometer of several is unlike the others would tell
+// whose gain is off.
+TEST(VirtualBundle, TheSheetDoesNotTellWhoseGainIsOff) {
+  VirtualBundleSpec spec = small_spec();
+  for (const char* gain : {"channel-gain@acc1=0.1", "channel-gain@acc1=10"}) {
+    spec.effects = {parse_virtual_effect(gain)};
+    const fs::path folder = fresh_folder("gain");
+    (void)make_virtual_bundle(spec, folder);
+    const auto test = nlohmann::json::parse(bytes_of(folder / "test.json"));
+    const nlohmann::json& channels = test["channels"];
+    ASSERT_GE(channels.size(), 3U);
+    for (std::size_t c = 2; c < channels.size(); ++c) {
+      EXPECT_EQ(channels[c]["sensitivity"], channels[1]["sensitivity"]) << gain;
+    }
+  }
+}
+
 TEST(VirtualBundle, RefusesToReplaceATest) {
   const fs::path folder = fresh_folder("kept");
   fs::create_directories(folder);
   std::ofstream(folder / "test.json") << "{}";
   EXPECT_THROW((void)make_virtual_bundle(small_spec(), folder), InputError);
   EXPECT_EQ(bytes_of(folder / "test.json"), "{}");
+}
+
+TEST(VirtualBundle, RefusesAFolderWithWorkOnAnotherTest) {
+  const fs::path folder = fresh_folder("played");
+  fs::create_directories(folder);
+  std::ofstream(folder / "session.json") << "{}";
+  EXPECT_THROW((void)make_virtual_bundle(small_spec(), folder), InputError);
+  EXPECT_FALSE(fs::exists(folder / "test.json"));
+  EXPECT_EQ(bytes_of(folder / "session.json"), "{}");
 }
 
 TEST(VirtualBundle, RefusesADeckWithoutBandAndChannelsThatAreNone) {
