@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -96,19 +95,19 @@ std::vector<Drawing> Program::plotted() const {
 std::string Program::why_no_plot() const {
   if (lacks_model()) return "nothing is plotted here without a model";
   if (!known_.bundle) return "nothing is plotted yet: the bundle is opened";
+  const auto missing = [this](const std::vector<Need>& needs) {
+    return std::ranges::find_if(
+        needs, [this](const Need& need) { return !known_.has(need); });
+  };
   std::vector<Need> needs = page().essential();
-  if (ready())
-    std::ranges::copy(page().welcome(known_), std::back_inserter(needs));
-  for (const Need& need : needs) {
-    if (known_.has(need)) continue;
-    const auto failed = failed_.find(need);
-    return failed == failed_.end()
-               ? "nothing is plotted yet: still working out " + name(need.stage)
-               : fmt::format("no plot without {}: {}",
-                             name(need.stage),
-                             failed->second);
-  }
-  return "nothing is plotted here";
+  if (missing(needs) == needs.end()) needs = page().welcome(known_);
+  const auto need = missing(needs);
+  if (need == needs.end()) return "nothing is plotted here";
+  const auto failed = failed_.find(*need);
+  return failed == failed_.end()
+             ? "nothing is plotted yet: still working out " + name(need->stage)
+             : fmt::format(
+                   "no plot without {}: {}", name(need->stage), failed->second);
 }
 
 void Program::write_plots(const std::string& named) {
