@@ -29,6 +29,10 @@ fs::path unfinished_name(const fs::path& target) {
   return name;
 }
 
+bool may_be_written(const fs::path& there) {
+  return ::access(there.c_str(), W_OK) == 0;
+}
+
 fs::path behind_links(const fs::path& target) {
   std::error_code fault;
   if (!fs::is_symlink(target, fault)) return target;
@@ -49,8 +53,7 @@ OutputFile::OutputFile(const fs::path& target) : target_(behind_links(target)) {
   std::error_code fault;
   const fs::file_status there = fs::status(target_, fault);
   const bool exists = fs::exists(there);
-  if (fs::is_directory(there) ||
-      (exists && ::access(target_.c_str(), W_OK) != 0)) {
+  if (fs::is_directory(there) || (exists && !may_be_written(target_))) {
     throw unwritable(target);
   }
   const bool direct = exists && !fs::is_regular_file(there);
@@ -129,15 +132,25 @@ void OutputFolder::commit() {
     return;
   }
   for (const fs::path& file : files) {
-    fs::rename(file, target_ / file.filename(), fault);
-    if (fault) throw unwritable(target_ / file.filename());
+    const fs::path place = target_ / file.filename();
+    take_over_rights(place, file);
+    fs::rename(file, place, fault);
+    if (fault) throw unwritable(place);
   }
 }
 
 void check_in_folder(const OutputRule& rule,
                      const fs::path& folder,
                      const fs::path& name) {
-  rule.check(folder / name, "give another folder");
+  const fs::path place = folder / name;
+  rule.check(place, "give another folder");
+  std::error_code fault;
+  const fs::file_status there = fs::status(place, fault);
+  // A folder or a pipe would stop, or give way to, what is renamed onto it.
+  if (fs::exists(there) &&
+      (!fs::is_regular_file(there) || !may_be_written(place))) {
+    throw unwritable(place);
+  }
 }
 
 void write_file(const fs::path& target, std::string_view content) {

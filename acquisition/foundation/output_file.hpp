@@ -73,7 +73,8 @@ class OutputFolder {
 };
 
 /// Before a folder is written that takes long to make.
-/// @throws InputError where the rule does not let a file of that name into it
+/// @throws InputError where the rule does not let a file of that name into it,
+///   or what has that name is no file that can be replaced
 void check_in_folder(const OutputRule& rule,
                      const std::filesystem::path& folder,
                      const std::filesystem::path& name);

@@ -31,6 +31,21 @@ bool same_file(const fs::path& one, const fs::path& other) {
   return !a.empty() && a == resolved(other);
 }
 
+// Before the work is done that is to be written there.
+void check_names_file(const fs::path& output) {
+  std::error_code fault;
+  if (!output.has_filename() || fs::is_directory(output, fault)) {
+    throw InputError("names no file that could be written",
+                     fmt::format("\"{}\"", output.string()),
+                     "give the name of a file");
+  }
+  const fs::path folder = output.parent_path();
+  if (folder.empty() || fs::is_directory(folder, fault)) return;
+  throw InputError("cannot be written: its folder is not there",
+                   output.string(),
+                   "make the folder, or name another");
+}
+
 // Neither a pipe nor a device is replaced by writing to it.
 bool would_be_replaced(const fs::path& output) {
   std::error_code fault;
@@ -84,6 +99,7 @@ void OutputRule::check(const fs::path& output) const {
 
 void OutputRule::check(const std::vector<fs::path>& outputs) const {
   for (std::size_t k = 0; k < outputs.size(); ++k) {
+    check_names_file(outputs[k]);
     check(outputs[k]);
     for (std::size_t i = 0; i < k; ++i) {
       if (!same_file(outputs[i], outputs[k])) continue;

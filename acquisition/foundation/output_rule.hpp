@@ -33,7 +33,8 @@ struct OutputRule {
   void check(const std::filesystem::path& output,
              const std::string& instead) const;
 
-  /// As above for each, and that no file is named twice.
+  /// As above for each, that no file is named twice, and that each is the name
+  /// of a file in a folder that is there.
   void check(const std::vector<std::filesystem::path>& outputs) const;
 };
 

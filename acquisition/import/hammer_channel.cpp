@@ -23,7 +23,8 @@ bool may_be_force(const TimeRecord& record) {
 
 double one_sidedness(const Eigen::VectorXd& values) {
   if (values.size() == 0) return 0.0;
-  const Eigen::ArrayXd off = values.array() - values.mean();
+  Eigen::ArrayXd off = values.array() - values.mean();
+  off /= off.abs().maxCoeff();  // so that no power of it overflows
   const double square = off.square().mean();
   if (!(square > 0.0)) return 0.0;
   return std::abs(off.cube().mean()) / std::pow(square, 1.5);

@@ -177,15 +177,19 @@ std::string unit_of(const ImportChannel& channel,
                     std::size_t column) {
   if (!channel.unit.empty()) return channel.unit;
   std::string unit = tables[0].units.at(column);
+  const auto said = [](const std::string& text) {
+    return text.empty() ? "no unit" : text;
+  };
   for (const Table& table : tables) {
     if (table.units.at(column) == unit) continue;
     throw InputError(fmt::format("column \"{}\" is in {} in one file and in {} "
                                  "in another",
                                  channel.column,
-                                 unit,
-                                 table.units.at(column)),
+                                 said(unit),
+                                 said(table.units.at(column))),
                      "import",
-                     "import the files with different units apart");
+                     "import them apart, or say which it is: unit=UNIT behind "
+                     "COLUMN@POINT");
   }
   const bool in_volts = unit == "V" && channel.volts_per_unit;
   if (!unit.empty() && !in_volts) return unit;

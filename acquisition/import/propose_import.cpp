@@ -75,7 +75,8 @@ class Proposal {
   void propose_hammer() {
     Records channels;
     for (const TimeRecord& record : file_.records) {
-      if (kind_of(record) != UnitKind::Other) channels.push_back(&record);
+      const bool fits = kind_of(record) != UnitKind::Other;
+      if (fits && !is_given_sensor(record)) channels.push_back(&record);
     }
     if (channels.empty()) refuse();
     const HammerChoice choice = choose_hammer(channels);
@@ -89,6 +90,13 @@ class Proposal {
       assume(said, "--hammer COLUMN@POINT");
     }
     result_.options.hammer = channel_of(record, Quantity::Force, 0);
+  }
+
+  [[nodiscard]] bool is_given_sensor(const TimeRecord& record) const {
+    return std::ranges::any_of(result_.options.sensors,
+                               [&](const ImportChannel& sensor) {
+                                 return record_of(sensor.column) == &record;
+                               });
   }
 
   // Channels in units of motion or without a unit; those in volts where there
@@ -156,25 +164,22 @@ class Proposal {
     channel.quantity = quantity;
     channel.recorded_volts_per_unit = record.volts_per_unit;
     const UnitKind kind = kind_of(record);
-    if (kind == UnitKind::Known) {
-      // Of other files the import sees to it that units are the same.
-      const bool told = is_instrument_file(file_.file) || says_rate(file_.file);
-      if (!told) channel.unit = record.unit;
-      return channel;
-    }
+    // Where no unit is set, the import takes that of the files, or the usual
+    // one, and sees to it that all files have the same.
+    if (kind == UnitKind::Known) return channel;
     const std::string option = place == 0 ? "--hammer" : "--sensor";
-    channel.unit = quantity == Quantity::Force ? "N" : "m/s^2";
+    const std::string usual = quantity == Quantity::Force ? "N" : "m/s^2";
+    if (!record.unit.empty()) channel.unit = usual;
     if (kind == UnitKind::Volts) {
       channel.volts_per_unit = 1.0;
       assume(fmt::format("\"{}\" is in volts; its sensitivity is taken as 1 V "
                          "for each {}",
                          record.name,
-                         channel.unit),
+                         usual),
              option + " COLUMN@POINT,unit=UNIT,volts_per_unit=NUMBER",
              fmt::format("channels[{}].sensitivity", place));
     } else {
-      assume(fmt::format(
-                 "\"{}\" has no unit; {} is taken", record.name, channel.unit),
+      assume(fmt::format("\"{}\" has no unit; {} is taken", record.name, usual),
              option + " COLUMN@POINT,unit=UNIT",
              fmt::format("channels[{}].unit", place));
     }
@@ -249,9 +254,12 @@ class Proposal {
 
   void propose_block() {
     const TimeRecord* record = record_of(result_.options.hammer.column);
-    if (file_.frame == 0 || record == nullptr || !record->rate_hz) return;
-    result_.options.block_s =
-        static_cast<double>(file_.frame) / *record->rate_hz;
+    const std::optional<double> rate =
+        result_.options.sample_rate_hz || record == nullptr
+            ? result_.options.sample_rate_hz
+            : record->rate_hz;
+    if (file_.frame == 0 || !rate) return;
+    result_.options.block_s = static_cast<double>(file_.frame) / *rate;
     assume(
         fmt::format("the record is frames of {:.6g} s end to end; blocks are "
                     "as long",

@@ -37,8 +37,14 @@ std::vector<TimeRecord> list_channels(const std::filesystem::path& file,
   };
   if (is_uff(file)) {
     const UffFile uff = open_uff(file);
-    for (const UffDataset* dataset : uff_time_records(uff)) {
-      const UffHeader header = read_header(*dataset);
+    const auto headers = uff.bytes.reading([&] {
+      std::vector<UffHeader> all;
+      for (const UffDataset* dataset : uff_time_records(uff)) {
+        all.push_back(read_header(*dataset));
+      }
+      return all;
+    });
+    for (const UffHeader& header : headers) {
       add(header.response ? name(*header.response) : "", "");
       channels.back().dof = header.response;
     }

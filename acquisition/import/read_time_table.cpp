@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::acquisition {
 namespace {
@@ -77,10 +78,8 @@ TimeTable read_plain_table(const std::filesystem::path& file,
     return uff.bytes.reading([&] { return read_uff_table(uff, columns); });
   }
   if (is_sep005(file)) return read_sep005(file, columns);
-  TimeTable table;
-  table.values = read_csv_columns(file, columns, options);
-  table.units.resize(columns.size());
-  return table;
+  CsvTable table = read_csv_table(file, columns, options);
+  return {std::move(table.values), std::move(table.units), {}, {}};
 }
 
 // The first rate that is told holds for all.

@@ -153,6 +153,9 @@ void read_npy_texts(ByteCursor& bytes,
   }
 }
 
+// Beside a side of none, any other would pass for no value at all.
+constexpr std::uint64_t most_samples = std::uint64_t{1} << 48U;
+
 // Rows and columns: those of one, before and between, do not count.
 std::optional<std::array<std::uint64_t, 2>> sides_of(
     const std::vector<std::uint64_t>& shape) {
@@ -161,6 +164,7 @@ std::optional<std::array<std::uint64_t, 2>> sides_of(
   for (const std::uint64_t side : shape) {
     if (side == 1) continue;
     ++count;
+    if (side > most_samples) return std::nullopt;
     sides = {sides[1], side};
   }
   if (count > 2) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ class Scales {
     if (kind != "Linear" && kind != "Polynomial") refuse(prefix, kind);
     const std::string own = prefix + kind + "_";
     const auto source = find_number(own + "Input_Source");
-    const bool raw = !source || *source < 0 || *source >= k;
+    const bool raw = !source || !(*source >= 0 && *source < k);
     const Eigen::ArrayXXd x =
         raw ? counts : scaled(static_cast<int>(*source), counts);
     if (kind == "Linear") {
@@ -57,7 +58,8 @@ class Scales {
     const auto found = channel_.properties.find(name);
     if (found == channel_.properties.end()) return std::nullopt;
     const double* value = std::get_if<double>(&found->second);
-    return value == nullptr ? std::nullopt : std::optional(*value);
+    return value == nullptr || !std::isfinite(*value) ? std::nullopt
+                                                      : std::optional(*value);
   }
   [[nodiscard]] std::string find_text(const std::string& name) const {
     const auto found = channel_.properties.find(name);

@@ -153,33 +153,6 @@ std::size_t first_data_line(const Text& text, const CsvOptions& options) {
                    "by commas, semicolons or tabs");
 }
 
-// Position of a column: by name in the header line nearest to the data that
-// has it, else by number.
-std::size_t find_column(const Text& text,
-                        std::size_t data,
-                        const std::string& column) {
-  for (std::size_t line = data; line-- > 0;) {
-    const std::vector<std::string> fields =
-        split(as_utf8(text.lines[line]), text.layout.separator);
-    const auto found = std::find(fields.begin(), fields.end(), column);
-    if (found != fields.end()) {
-      return static_cast<std::size_t>(found - fields.begin());
-    }
-  }
-  std::size_t number = 0;
-  const char* end = column.data() + column.size();
-  const auto [rest, fault] = std::from_chars(column.data(), end, number);
-  const std::size_t width =
-      split(text.lines[data], text.layout.separator).size();
-  if (fault == std::errc{} && rest == end && number >= 1 && number <= width) {
-    return number - 1;
-  }
-  throw InputError(
-      fmt::format("there is no column \"{}\"", column),
-      text.name,
-      fmt::format("give a name of the header or a number from 1 to {}", width));
-}
-
 // Volts and seconds are what a recorder's columns are in besides.
 bool is_unit(const std::string& field) {
   return find_unit(field) || field == "V" || field == "mV" || field == "s";
@@ -214,6 +187,36 @@ CsvColumn describe_column(const Text& text, std::size_t data, std::size_t k) {
   return column;
 }
 
+// Position of a column: by name in the header line nearest to the data that
+// has it, by its name without a unit, else by number.
+std::size_t find_column(const Text& text,
+                        std::size_t data,
+                        const std::string& column) {
+  for (std::size_t line = data; line-- > 0;) {
+    const std::vector<std::string> fields =
+        split(as_utf8(text.lines[line]), text.layout.separator);
+    const auto found = std::find(fields.begin(), fields.end(), column);
+    if (found != fields.end()) {
+      return static_cast<std::size_t>(found - fields.begin());
+    }
+  }
+  const std::size_t width =
+      split(text.lines[data], text.layout.separator).size();
+  for (std::size_t k = 0; k < width; ++k) {
+    if (describe_column(text, data, k).name == column) return k;
+  }
+  std::size_t number = 0;
+  const char* end = column.data() + column.size();
+  const auto [rest, fault] = std::from_chars(column.data(), end, number);
+  if (fault == std::errc{} && rest == end && number >= 1 && number <= width) {
+    return number - 1;
+  }
+  throw InputError(
+      fmt::format("there is no column \"{}\"", column),
+      text.name,
+      fmt::format("give a name of the header or a number from 1 to {}", width));
+}
+
 }  // namespace
 
 std::vector<CsvColumn> list_csv_columns(const std::filesystem::path& file,
@@ -230,17 +233,22 @@ std::vector<CsvColumn> list_csv_columns(const std::filesystem::path& file,
   return columns;
 }
 
-Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
-                                 const std::vector<std::string>& columns,
-                                 const CsvOptions& options) {
+CsvTable read_csv_table(const std::filesystem::path& file,
+                        const std::vector<std::string>& columns,
+                        const CsvOptions& options) {
   const Text text = read_lines(file);
   const std::size_t data = first_data_line(text, options);
+  CsvTable table;
   std::vector<std::size_t> positions;
   for (const std::string& column : columns) {
-    positions.push_back(find_column(text, data, column));
+    const std::size_t at = find_column(text, data, column);
+    positions.push_back(at);
+    const std::string unit = describe_column(text, data, at).unit;
+    table.units.push_back(is_unit(unit) ? unit : "");
   }
-  Eigen::MatrixXd values(static_cast<Eigen::Index>(text.lines.size() - data),
-                         static_cast<Eigen::Index>(columns.size()));
+  Eigen::MatrixXd& values = table.values;
+  values.resize(static_cast<Eigen::Index>(text.lines.size() - data),
+                static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = data; i < text.lines.size(); ++i) {
     const std::vector<std::string> fields =
         split(text.lines[i], text.layout.separator);
@@ -257,7 +265,13 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
              static_cast<Eigen::Index>(k)) = *value;
     }
   }
-  return values;
+  return table;
+}
+
+Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
+                                 const std::vector<std::string>& columns,
+                                 const CsvOptions& options) {
+  return read_csv_table(file, columns, options).values;
 }
 
 std::vector<std::string> read_csv_header(const std::filesystem::path& file) {

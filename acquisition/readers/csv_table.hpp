@@ -27,6 +27,11 @@ struct CsvColumn {
 [[nodiscard]] std::vector<CsvColumn> list_csv_columns(
     const std::filesystem::path& file, const CsvOptions& options);
 
+struct CsvTable {
+  Eigen::MatrixXd values;          ///< n_rows x columns
+  std::vector<std::string> units;  ///< per column; empty: none that is known
+};
+
 /// Reads some columns of a CSV file.
 ///
 /// Separators are ; tab or , (found from the file); with ; or tab a comma may
@@ -34,11 +39,16 @@ struct CsvColumn {
 /// lines at the end do not matter. Without skip_lines the numbers begin with
 /// the first of two lines in a row whose first two fields are numbers.
 ///
-/// @param columns each a name found in a header line, in UTF-8 also where the
-///   file is in Latin-1, or a number from 1 on
-/// @return n_rows x columns.size()
+/// @param columns each a name found in a header line, with or without the unit
+///   behind it, in UTF-8 also where the file is in Latin-1, or a number from 1
+///   on
 /// @throws InputError with file:line:column for what is no finite number, for
 ///   a column that is not there, for a file without numbers
+[[nodiscard]] CsvTable read_csv_table(const std::filesystem::path& file,
+                                      const std::vector<std::string>& columns,
+                                      const CsvOptions& options);
+
+/// Their values alone, n_rows x columns.size().
 [[nodiscard]] Eigen::MatrixXd read_csv_columns(
     const std::filesystem::path& file,
     const std::vector<std::string>& columns,

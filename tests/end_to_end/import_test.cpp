@@ -61,6 +61,21 @@ TEST(Import, JsonListsWhatWasAssumedWithItsRemedy) {
   EXPECT_EQ(said["assumed"][2]["option"], "--sensor COLUMN@POINT,unit=UNIT");
 }
 
+TEST(Import, TakesNoSensitivityThatIsNoNumber) {
+  const fs::path folder = fresh_folder();
+  write_file(folder / "mute.csv", "a,b\n1,2\n5,1\n0,3\n");
+  for (const char* wrong : {"volts_per_unit=nan", "mass_kg=inf"}) {
+    const ProgramResult imported = run_tapfit(
+        fmt::format("import '{}' -o '{}' --rate 1000 --hammer a@1Z+,{} "
+                    "--sensor b@2Z+",
+                    (folder / "mute.csv").string(),
+                    (folder / "bundle").string(),
+                    wrong));
+    EXPECT_EQ(imported.exit_status, 1);
+    EXPECT_TRUE(holds(imported.err, "is no number")) << imported.err;
+  }
+}
+
 // Beside what is there already, and without a rate.
 TEST(Import, WritesNothingThatItCannotFinish) {
   const fs::path folder = fresh_folder();

@@ -101,6 +101,8 @@ class Program {
   void answer_replacing(const Replacement& asked, Key key);
   /// What the screen plots, from top to bottom.
   [[nodiscard]] std::vector<Drawing> plotted() const;
+  /// What is still worked out, or why that is not to be had.
+  [[nodiscard]] std::string why_no_plot() const;
   /// Writes it under a free name, at once.
   /// @param named without its ending; empty: the screen's beside the test
   void write_plots(const std::string& named);

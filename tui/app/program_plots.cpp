@@ -44,8 +44,10 @@ std::vector<PlotFile> plot_files(const std::vector<Drawing>& drawings) {
   return files;
 }
 
+/// "run.v2" keeps its point.
 fs::path with_ending(fs::path named, const std::string& ending) {
-  named.replace_extension();
+  const fs::path own = named.extension();
+  if (own == ".svg" || own == ".csv") named.replace_extension();
   return named += ending;
 }
 
@@ -90,16 +92,34 @@ std::vector<Drawing> Program::plotted() const {
   return std::move(drawings.shown);
 }
 
+std::string Program::why_no_plot() const {
+  if (lacks_model()) return "nothing is plotted here without a model";
+  if (!known_.bundle) return "nothing is plotted yet: the bundle is opened";
+  const auto missing = [this](const std::vector<Need>& needs) {
+    return std::ranges::find_if(
+        needs, [this](const Need& need) { return !known_.has(need); });
+  };
+  std::vector<Need> needs = page().essential();
+  if (missing(needs) == needs.end()) needs = page().welcome(known_);
+  const auto need = missing(needs);
+  if (need == needs.end()) return "nothing is plotted here";
+  const auto failed = failed_.find(*need);
+  return failed == failed_.end()
+             ? "nothing is plotted yet: still working out " + name(need->stage)
+             : fmt::format(
+                   "no plot without {}: {}", name(need->stage), failed->second);
+}
+
 void Program::write_plots(const std::string& named) {
   const std::vector<PlotFile> files = plot_files(plotted());
-  if (files.empty()) return tell("nothing is plotted here");
+  if (files.empty()) return tell(why_no_plot());
   const fs::path wanted =
       named.empty()
           ? known_.bundle->folder / (lower(page().title()) + "-plot.svg")
           : with_ending(named, ".svg");
   try {
     const acquisition::OutputRule rule =
-        updating::output_rule_of(*known_.bundle, false);
+        updating::output_rule_of(*known_.bundle, false, {wanted});
     const fs::path free = free_for(wanted, files, rule);
     acquisition::write_files(named_files(free, files), rule);
     tell(fmt::format("written: {}{}{}",
@@ -115,7 +135,9 @@ void Program::write_plots(const std::string& named) {
 
 void Program::copy_plots() {
   std::string text;
-  for (const Drawing& drawing : plotted()) {
+  const std::vector<Drawing> drawings = plotted();
+  if (drawings.empty()) return tell(why_no_plot());
+  for (const Drawing& drawing : drawings) {
     const std::string table = drawing_table(drawing, '\t');
     text += (text.empty() || table.empty() ? "" : "\n") + table;
   }

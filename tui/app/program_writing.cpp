@@ -59,7 +59,7 @@ void Program::write(Output what, const std::string& named) {
       named.empty() ? known_.bundle->folder / usual_name(what)
                     : std::filesystem::path(named);
   const acquisition::OutputRule rule =
-      updating::output_rule_of(*known_.bundle, true);
+      updating::output_rule_of(*known_.bundle, true, {to});
   const std::filesystem::path free = free_for(what, to, rule);
   const std::vector<std::filesystem::path> files = files_of(what, to);
   const auto input = std::ranges::find_if(

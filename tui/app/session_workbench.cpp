@@ -131,7 +131,7 @@ class SessionWorkbench final : public Workbench {
 void SessionWorkbench::write_report_to(const std::filesystem::path& path,
                                        const Progress& p) {
   const acquisition::OutputRule rule =
-      updating::output_rule_of(session_.bundle(), true);
+      updating::output_rule_of(session_.bundle(), true, {path});
   if (!session_.has_model() || !session_.effects().empty()) {
     return write_report(
         report_document(report_data(session_, bundle_, p)), path, rule);
@@ -144,7 +144,7 @@ void SessionWorkbench::write_report_to(const std::filesystem::path& path,
 void SessionWorkbench::write(Output what,
                              const std::filesystem::path& to,
                              const Progress& p) {
-  updating::output_rule_of(session_.bundle(), true).check(to);
+  updating::output_rule_of(session_.bundle(), true, {to}).check(to);
   if (what == Output::Report) {
     write_report_to(to, p);
   } else if (what == Output::Uff) {

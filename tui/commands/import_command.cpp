@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <cmath>
 
 namespace tapfit::tui {
 
@@ -28,7 +29,7 @@ double number(const std::string& text, const std::string& value) {
   double result = 0.0;
   const char* end = value.data() + value.size();
   const auto [stop, fault] = std::from_chars(value.data(), end, result);
-  if (fault != std::errc{} || stop != end) {
+  if (fault != std::errc{} || stop != end || !std::isfinite(result)) {
     throw spec_error(text, fmt::format("\"{}\" is no number", value));
   }
   return result;

@@ -78,7 +78,8 @@ std::string svg_heat_map(const SvgHeatMap& map) {
       const double value = map.values(r, c);
       const double x = left + cell * static_cast<double>(c);
       if (!std::isfinite(value)) continue;
-      const double share = std::clamp(value / map.full, 0.0, 1.0);
+      const double share =
+          map.full > 0.0 ? std::clamp(value / map.full, 0.0, 1.0) : 0.0;
       canvas.rectangle(
           x, y, cell - 1.0, cell_height - 1.0, shade(share, map.alarming));
       const double written = map.factor * value;

@@ -11,6 +11,26 @@
 #include <fmt/ranges.h>
 
 namespace tapfit::tui {
+namespace {
+
+// All files that the command is to write.
+std::vector<std::filesystem::path> outputs_of(const CommandOptions& options) {
+  std::vector<std::filesystem::path> outputs;
+  for (const auto& output : {options.uff,
+                             options.deck,
+                             options.output,
+                             options.records,
+                             options.identification.fit}) {
+    if (output) outputs.push_back(*output);
+  }
+  if (options.vtu) {
+    const auto files = updating::vtu_files(*options.vtu);
+    outputs.insert(outputs.end(), files.begin(), files.end());
+  }
+  return outputs;
+}
+
+}  // namespace
 
 std::vector<std::string> input_warnings(updating::Session& session) {
   std::vector<std::string> warnings = session.bundle().warnings;
@@ -55,26 +75,16 @@ void refuse_modes(const acquisition::TestBundle& bundle) {
 acquisition::OutputRule output_rule(const acquisition::TestBundle& bundle,
                                     const CommandOptions& options) {
   acquisition::OutputRule rule =
-      updating::output_rule_of(bundle, options.force);
+      updating::output_rule_of(bundle, options.force, outputs_of(options));
   if (options.saved) rule.inputs.push_back(*options.saved);
   return rule;
 }
 
 void check_outputs(const acquisition::TestBundle& bundle,
                    const CommandOptions& options) {
+  const std::vector<std::filesystem::path> outputs = outputs_of(options);
+  if (outputs.empty()) return;
   const acquisition::OutputRule rule = output_rule(bundle, options);
-  std::vector<std::filesystem::path> outputs;
-  for (const auto& output : {options.uff,
-                             options.deck,
-                             options.output,
-                             options.records,
-                             options.identification.fit}) {
-    if (output) outputs.push_back(*output);
-  }
-  if (options.vtu) {
-    const auto files = updating::vtu_files(*options.vtu);
-    outputs.insert(outputs.end(), files.begin(), files.end());
-  }
   rule.check(outputs);
   if (options.output) updating::check_report(rule, *options.output);
 }

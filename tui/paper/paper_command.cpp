@@ -38,7 +38,7 @@ std::string write_measured(const CommandOptions& options) {
   for (const acquisition::TestBundle* bundle :
        {&truss.study().bundle(), &wing.study().bundle()}) {
     const acquisition::OutputRule one =
-        updating::output_rule_of(*bundle, options.force);
+        updating::output_rule_of(*bundle, options.force, {of_truss});
     rule.inputs.insert(rule.inputs.end(), one.inputs.begin(), one.inputs.end());
   }
   rule.check({of_truss, of_wing});

@@ -85,6 +85,17 @@ void add_rows(std::vector<NamedCells>& rows,
   }
 }
 
+/// What is empty may hold anything.
+bool leads_somewhere(const ordered_json& at, std::string_view path) {
+  if (path.empty() || at.empty()) return true;
+  const std::string key(path.substr(0, path.find('.')));
+  const std::string_view rest =
+      path.substr(std::min(path.size(), key.size() + 1));
+  return std::ranges::any_of(at, [&](const ordered_json& one) {
+    return one.contains(key) && leads_somewhere(one[key], rest);
+  });
+}
+
 std::string text_of(const std::vector<NamedCells>& rows) {
   std::vector<std::string> columns;
   for (const NamedCells& row : rows) {
@@ -120,17 +131,17 @@ std::vector<std::string> tables_of(const ordered_json& whole) {
 std::string csv_table(std::string_view json, std::string_view table) {
   const ordered_json whole = ordered_json::parse(json);
   const std::string first(table.substr(0, table.find('.')));
-  if (!whole.contains(first) || !whole[first].is_structured()) {
+  const std::string_view rest =
+      table.substr(std::min(table.size(), first.size() + 1));
+  if (!whole.contains(first) || !whole[first].is_structured() ||
+      !leads_somewhere(whole[first], rest)) {
     throw InputError(
         fmt::format("there is no table \"{}\"", table),
         "--csv",
         fmt::format("there are {}", fmt::join(tables_of(whole), ", ")));
   }
   std::vector<NamedCells> rows;
-  add_rows(rows,
-           whole[first],
-           table.substr(std::min(table.size(), first.size() + 1)),
-           {});
+  add_rows(rows, whole[first], rest, {});
   return text_of(rows);
 }
 

@@ -1,6 +1,9 @@
 #include "updating/export/output_rule_of.hpp"
 
+#include "updating/export/output_rule_of_folder.hpp"
 #include "updating/session/session_file.hpp"
+
+#include <set>
 
 namespace tapfit::updating {
 
@@ -24,9 +27,20 @@ std::vector<std::filesystem::path> inputs_of(
   return inputs;
 }
 
-acquisition::OutputRule output_rule_of(const acquisition::TestBundle& bundle,
-                                       bool force) {
-  return {inputs_of(bundle), force};
+acquisition::OutputRule output_rule_of(
+    const acquisition::TestBundle& bundle,
+    bool force,
+    const std::vector<std::filesystem::path>& outputs) {
+  acquisition::OutputRule rule{inputs_of(bundle), force};
+  std::set<std::filesystem::path> folders{bundle.folder};
+  for (const auto& output : outputs) folders.insert(output.parent_path());
+  for (const std::filesystem::path& folder : folders) {
+    const acquisition::OutputRule beside =
+        output_rule_of_folder(folder.empty() ? "." : folder, force);
+    rule.inputs.insert(
+        rule.inputs.end(), beside.inputs.begin(), beside.inputs.end());
+  }
+  return rule;
 }
 
 }  // namespace tapfit::updating

@@ -20,11 +20,15 @@ namespace tapfit::updating {
 
 /// The rule for what is written of a test: its test.json or universal file, its
 /// recordings, FRFs, geometry, matrices, deck with what that includes, and
-/// session.json, which the program keeps by itself, are never written over.
-/// Reads the deck's lines.
+/// session.json, which the program keeps by itself, are never written over; nor
+/// is what other tests in its folder and in those of the outputs read
+/// (output_rule_of_folder). Reads the decks' lines.
 ///
 /// @param force whether other files that are there may be replaced
+/// @param outputs what is to be written
 [[nodiscard]] acquisition::OutputRule output_rule_of(
-    const acquisition::TestBundle& bundle, bool force);
+    const acquisition::TestBundle& bundle,
+    bool force,
+    const std::vector<std::filesystem::path>& outputs = {});
 
 }  // namespace tapfit::updating

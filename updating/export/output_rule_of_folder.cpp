@@ -28,10 +28,17 @@ bool may_be_object(const fs::path& file) {
   return in && c == '{';
 }
 
-// What is no JSON is an object without entries.
+// What is no JSON is an object without entries. Numbers inside are left out: in
+// a record of samples they are many.
 json object_in(const fs::path& file) {
+  const auto may_be_name =
+      [](int depth, json::parse_event_t event, const json& value) {
+        return depth <= 1 || event != json::parse_event_t::value ||
+               value.is_string();
+      };
   try {
-    json document = json::parse(acquisition::read_input(file), nullptr, false);
+    json document =
+        json::parse(acquisition::read_input(file), may_be_name, false);
     return document.is_object() ? document : json::object();
   } catch (const InputError&) {
     return json::object();

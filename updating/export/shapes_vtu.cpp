@@ -49,8 +49,10 @@ VtuCellType solid_type(std::size_t corners) {
   return corners == 6 ? VtuCellType::Wedge : VtuCellType::Hexahedron;
 }
 
-std::string name_of(const char* whose, double hz) {
-  return fmt::format("{} {:.5g} Hz", whose, hz);
+/// With its number: of two arrays of one name VTK keeps the last, and modes may
+/// have one frequency.
+std::string name_of(const char* whose, Index mode, double hz) {
+  return fmt::format("{} {}, {:.5g} Hz", whose, mode + 1, hz);
 }
 
 const ModePair* pair_of(const Comparison& comparison, std::size_t measured) {
@@ -114,7 +116,8 @@ Eigen::MatrixXd errors_at(const std::vector<Place>& places,
 }
 
 fs::path with_ending(fs::path named, const char* ending) {
-  named.replace_extension();
+  const fs::path own = named.extension();
+  if (own == ".pvd" || own == ".vtu") named.replace_extension();
   return named += ending;
 }
 
@@ -148,7 +151,7 @@ VtuMesh model_mesh(const structure::Deck& deck, const ModelModes& modes) {
     const Eigen::VectorXd u = modes.at_grids.col(mode);
     if (u.size() != 3 * grids) continue;
     mesh.data.emplace_back(
-        name_of("model", modes.frequency_hz(mode)),
+        name_of("model", mode, modes.frequency_hz(mode)),
         Eigen::Map<const Eigen::Matrix3Xd>(u.data(), 3, grids));
   }
   return mesh;
@@ -179,8 +182,12 @@ VtuMesh points_mesh(const structure::Deck& deck,
             ? modal::factor_onto(comparison.modes.at_dofs.col(pair->model), phi)
             : 1.0;
     mesh.data.emplace_back(
-        paired ? name_of("model", comparison.modes.frequency_hz(pair->model))
-               : name_of("measured", modes.modes[k].frequency_hz),
+        paired ? name_of("model",
+                         pair->model,
+                         comparison.modes.frequency_hz(pair->model))
+               : name_of("measured",
+                         static_cast<Index>(k),
+                         modes.modes[k].frequency_hz),
         motions_at(places, modes, factor * phi));
   }
   return mesh;

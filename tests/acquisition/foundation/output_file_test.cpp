@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <iterator>
+#include <sys/stat.h>
 
 namespace tapfit::acquisition {
 namespace {
@@ -112,6 +113,37 @@ TEST_F(Outputs, FolderThatMayNotBeWrittenStaysAsItWas) {
   }
   EXPECT_EQ(content_of(folder_.path() / "b.txt"), "older");
   EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+// A folder in the place of one file stops all of them.
+TEST_F(Outputs, FolderInTheWayOfAFileStopsTheOthers) {
+  folder_.write("a.txt", "older");
+  folder_.write("c.txt", "older");
+  fs::create_directory(folder_.path() / "b.txt");
+  const std::vector<FileContent> files{{folder_.path() / "a.txt", "newer"},
+                                       {folder_.path() / "b.txt", "newer"},
+                                       {folder_.path() / "c.txt", "newer"}};
+  EXPECT_THROW(write_files(files, OutputRule{{}, true}), InputError);
+  EXPECT_EQ(content_of(folder_.path() / "a.txt"), "older");
+  EXPECT_EQ(content_of(folder_.path() / "c.txt"), "older");
+  EXPECT_EQ(entries_of(folder_.path()), 3);
+}
+
+TEST_F(Outputs, FolderLeavesAPipeThatIsInTheWay) {
+  const fs::path pipe = folder_.path() / "a.txt";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(write_files({{pipe, "newer"}}, OutputRule{{}, true}),
+               InputError);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(Outputs, FilesOfAFolderKeepTheirRights) {
+  const fs::path file = folder_.write("a.txt", "older");
+  const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(file, own);
+  write_files({{file, "newer"}}, OutputRule{{}, true});
+  EXPECT_EQ(content_of(file), "newer");
+  EXPECT_EQ(fs::status(file).permissions(), own);
 }
 
 TEST_F(Outputs, FileThatIsFinishedHasNotTakenItsPlace) {

@@ -64,6 +64,19 @@ TEST_F(OutputRuleTest, TwoOutputsTakeTwoFiles) {
   EXPECT_THROW(rule.check({one, folder_.path() / "." / "a.uff"}), InputError);
 }
 
+// Told before the work, not when it is to be written.
+TEST_F(OutputRuleTest, OutputIsAFileInAFolderThatIsThere) {
+  const OutputRule rule;
+  const fs::path folder = folder_.path();
+  EXPECT_NO_THROW(
+      rule.check(std::vector<fs::path>{"in-the-working-folder.uff"}));
+  EXPECT_NO_THROW(rule.check(std::vector{folder / "a.uff"}));
+  for (const fs::path& name :
+       {fs::path(), folder, folder / "", folder / "no" / "a.uff"}) {
+    EXPECT_THROW(rule.check(std::vector{name}), InputError) << name;
+  }
+}
+
 TEST_F(OutputRuleTest, FreeNameIsNoInputThatIsNotThere) {
   const OutputRule rule{{folder_.path() / "gone.wav"}, false};
   EXPECT_EQ(rule.free_name(folder_.path() / "gone.wav").filename(),

@@ -46,6 +46,16 @@ TEST_F(Csv, ReadsEverySeparatorAndDecimalMark) {
       expected);
 }
 
+// As a proposal shows it, and as it stands there.
+TEST_F(Csv, FindsAColumnWithOrWithoutItsUnit) {
+  const std::string text = "t [s],a [g],b (mV)\n0,1,2\n1,3,4\n2,5,6\n";
+  const Eigen::Vector3d expected(1, 3, 5);
+  EXPECT_EQ(read(text, {"a"}), expected);
+  EXPECT_EQ(read(text, {"a [g]"}), expected);
+  EXPECT_EQ(read_csv_table(folder_.path() / "a.csv", {"b", "a"}, {}).units,
+            (std::vector<std::string>{"mV", "g"}));
+}
+
 TEST_F(Csv, FindsTheNumbersBelowALoggersHeader) {
   const std::string text =
       "\"ID No.\",\"PCD-400A\"\r\n\"Sampling Rate(Hz)\",50\r\n"
@@ -108,6 +118,18 @@ ImportOptions simple(const testing::TemporaryFolder& folder) {
                       .dof = {2, 1, 1}}};
   options.folder = folder.path() / "bundle";
   return options;
+}
+
+// Where the command line names no unit, the header's counts.
+TEST_F(Csv, HoldsTheUnitsOfItsHeader) {
+  ImportOptions options = simple(folder_);
+  options.hammer.volts_per_unit = {};
+  options.hammer.unit = options.sensors[0].unit = "";
+  options.files = {
+      {folder_.write("one.csv", "t,f [kN],a [g]\n0,1,3\n.01,2,-400\n"), {}}};
+  const TestBundle bundle = import_recordings(options);
+  EXPECT_EQ(bundle.channels[0].unit, "kN");
+  EXPECT_EQ(bundle.channels[1].unit, "g");
 }
 
 TEST_F(Csv, BecomesABundleWithPhysicalValues) {

@@ -166,12 +166,47 @@ TEST_F(ProposeImport, ACsvWithAHeaderAndUnits) {
   }
   const ImportProposal proposal = propose(folder_.write("run.csv", table));
   EXPECT_EQ(proposal.options.hammer.column, "2");
-  EXPECT_EQ(proposal.options.hammer.unit, "N");
   EXPECT_EQ(proposal.options.time_column, "1");
   const TestBundle bundle = import_recordings(proposal.options);
+  EXPECT_EQ(bundle.channels[0].unit, "N");
   EXPECT_EQ(bundle.channels[1].unit, "g");
   EXPECT_EQ(bundle.runs[0].sensors[0].dof, (Dof{12, 1, -1}));
   EXPECT_EQ(read_recording(bundle, bundle.runs[0]).sample_rate_hz, 800.0);
+}
+
+// Neither with another unit, nor with one where the first has none.
+TEST_F(ProposeImport, FilesOfDifferingUnitsAreNotTakenTogether) {
+  const auto table = [&](const std::string& name, const std::string& unit) {
+    std::string text = "time [s];hammer [N];acc" + unit + "\n";
+    for (int k = 0; k < samples; ++k) {
+      text += fmt::format(
+          "{:.5f};{:.9g};{:.9g}\n", k / 800.0, pulses()[k], ringing(1.1)[k]);
+    }
+    return folder_.write(name, text);
+  };
+  const fs::path in_g = table("g.csv", " [g]");
+  for (const fs::path& other :
+       {table("si.csv", " [m/s^2]"), table("mute.csv", "")}) {
+    ImportOptions options;
+    options.files = {{other, {}}, {in_g, {}}};
+    options.folder = folder_.path() / "bundle";
+    const ImportProposal proposal = propose_import(options);
+    EXPECT_THROW((void)import_recordings(proposal.options), InputError);
+  }
+}
+
+TEST_F(ProposeImport, ASensorThatIsGivenIsNoHammer) {
+  ImportOptions options;
+  options.files = {
+      {folder_.write("run.npz",
+                     testing::zip({{"a.npy", testing::npy(list(ringing(1)))},
+                                   {"b.npy", testing::npy(list(pulses()))},
+                                   {"fs.npy", testing::npy({1000.0})}},
+                                  false)),
+       {}}};
+  options.folder = folder_.path() / "bundle";
+  options.sensors = {{.column = "b", .channel = "b", .dof = {7, 3, 1}}};
+  EXPECT_EQ(propose_import(options).options.hammer.column, "a");
 }
 
 TEST_F(ProposeImport, WhatIsGivenIsNotProposed) {
@@ -223,6 +258,8 @@ TEST(HammerChannel, IsTheOneWithShortPulsesToOneSide) {
   EXPECT_GT(one_sidedness(pulses()), 4.0);
   EXPECT_NEAR(one_sidedness(-pulses()), one_sidedness(pulses()), 1e-9);
   EXPECT_LT(one_sidedness(ringing(0.9)), 1.0);
+  // A factor does not count, not even one whose cube overflows.
+  EXPECT_NEAR(one_sidedness(1e200 * pulses()), one_sidedness(pulses()), 1e-9);
   EXPECT_EQ(one_sidedness(Eigen::VectorXd::Ones(10)), 0.0);
   // p = 1/101: skewness (1 - 2p)/sqrt(p(1 - p)) of a single sample set.
   Eigen::VectorXd single = Eigen::VectorXd::Zero(101);

@@ -46,6 +46,14 @@ TEST_F(Numpy, RowsOrColumnsFirstAreTheSameColumns) {
   }
 }
 
+// No values in all, and a side that no index holds.
+TEST_F(Numpy, SidesBeyondAnyMemoryHaveNoContent) {
+  for (const char* shape :
+       {"(0, 18446744073709551615)", "(18446744073709551615, 0)"}) {
+    EXPECT_EQ(read(npy("<f8", shape, "")).kind, NamedArray::Kind::Other);
+  }
+}
+
 TEST_F(Numpy, AllVersionsAndTypes) {
   const Eigen::Vector2d expected(1, 3);
   for (const int version : {1, 2, 3}) {

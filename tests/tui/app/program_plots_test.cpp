@@ -70,6 +70,29 @@ TEST_F(Plots, AreThereOnEveryScreen) {
   }
 }
 
+TEST_F(Plots, KeepThePointsOfTheirNames) {
+  const std::string seen = played(
+      fmt::format("2\nwait\n:plot {}/p.v2<Enter>", folder_.path().string()),
+      {300, 60});
+  EXPECT_TRUE(names().contains("p.v2-a.svg")) << seen;
+}
+
+// What is not there yet is named, not denied.
+TEST(PlotsToCome, AreSaidToBeWorkedOut) {
+  Program program(testing::fake_workbench(), {300, 60});
+  program.press(U'P');
+  EXPECT_TRUE(holds(program.draw().to_text(), "the bundle is opened"));
+  program.press(U'1');
+  wait_until_idle(program);
+  for (const char32_t key : {U'P', U'y'}) {
+    program.press(U'2');
+    program.press(key);
+    const std::string seen = program.draw().to_text();
+    EXPECT_TRUE(holds(seen, "nothing is plotted yet: still working out FRFs"))
+        << seen;
+  }
+}
+
 TEST_F(Plots, ThatCannotBeWrittenAreSaid) {
   const std::string seen =
       played("2\nwait\n:plot /nowhere/at/all/p<Enter>", {300, 60});

@@ -161,6 +161,15 @@ TEST(SvgHeatMap, LeavesOutWhatIsNoNumber) {
   EXPECT_TRUE(holds(svg, "#ffffff"));
 }
 
+// Where all that is shown is zero, nothing is dark.
+TEST(SvgHeatMap, HasColoursWhereAllIsZero) {
+  SvgHeatMap map;
+  map.values = Eigen::Matrix2d::Zero();
+  map.full = 0.0;
+  EXPECT_EQ(count(svg_heat_map(map), "fill=\"#ffffff\""), 4)
+      << svg_heat_map(map);
+}
+
 Wireframe square() {
   Wireframe wire;
   wire.points.resize(3, 4);

@@ -48,7 +48,8 @@ TEST(CsvTable, MatricesAndObjectsAreTablesToo) {
 }
 
 TEST(CsvTable, NamesTheTablesThereAre) {
-  for (const char* wrong : {"mods", "error", ""}) {
+  for (const char* wrong :
+       {"mods", "error", "", "modes.mac", "runs.hits.peak"}) {
     try {
       (void)csv_table(json, wrong);
       ADD_FAILURE() << wrong;

@@ -47,6 +47,15 @@ TEST_F(RuleOfFolder, NamesAllThatATestOfAnyNameReads) {
   }
 }
 
+// Numbers, and what else is no name, hide none behind them.
+TEST_F(RuleOfFolder, NamesFilesBehindNumbers) {
+  folder_.write("campaign.json",
+                R"({"tapfit": 1, "band_hz": [1, 2.5],
+    "runs": [{"hits": [0.5, true, null], "file": "run-02.flac"}]})");
+  EXPECT_TRUE(is_input("run-02.flac"));
+  EXPECT_FALSE(is_input("run-01.flac"));
+}
+
 TEST_F(RuleOfFolder, NamesATestThatCannotBeRead) {
   folder_.write("test.json", "{\"tapfit\": 1,");
   EXPECT_TRUE(is_input("test.json"));

@@ -68,6 +68,27 @@ TEST(OutputRuleOf, NamesTheIncludesOfADeckThatCannotBeRead) {
   }
 }
 
+// Several tests may share a folder, and an output may go to another test's.
+TEST(OutputRuleOf, NamesWhatTestsBesideItRead) {
+  const testing::TemporaryFolder folder;
+  const fs::path other = folder.path() / "other";
+  fs::create_directory(other);
+  acquisition::TestBundle bundle;
+  bundle.folder = folder.path();
+  bundle.file = folder.write("second.json", R"({"tapfit": 1})");
+  folder.write("test.json", R"({"tapfit": 1, "frfs": "measured.uff"})");
+  folder.write("measured.uff", "");
+  folder.write("other/test.json", R"({"tapfit": 1, "frfs": "other.uff"})");
+  folder.write("other/other.uff", "");
+  const acquisition::OutputRule rule =
+      output_rule_of(bundle, true, {other / "out.uff"});
+  EXPECT_TRUE(rule.is_input(folder.path() / "test.json"));
+  EXPECT_TRUE(rule.is_input(folder.path() / "measured.uff"));
+  EXPECT_TRUE(rule.is_input(other / "test.json"));
+  EXPECT_TRUE(rule.is_input(other / "other.uff"));
+  EXPECT_FALSE(rule.is_input(other / "out.uff"));
+}
+
 TEST(OutputRuleOf, AUniversalFileIsATestByItself) {
   const testing::TemporaryFolder folder;
   acquisition::TestBundle bundle;

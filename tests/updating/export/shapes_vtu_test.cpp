@@ -56,10 +56,24 @@ TEST(ShapesVtu, TheMeshMovesAsTheModel) {
   EXPECT_EQ(mesh.cells[0].type, VtuCellType::Quad);
   EXPECT_EQ(mesh.cells[1].points, (std::vector<Eigen::Index>{0, 2}));
   EXPECT_EQ(data_of(mesh, "grid")(0, 3), 14);
-  const Eigen::MatrixXd& second = data_of(mesh, "model 12.5 Hz");
+  const Eigen::MatrixXd& second = data_of(mesh, "model 2, 12.5 Hz");
   for (Eigen::Index grid = 0; grid < 5; ++grid) {
     EXPECT_EQ(second.col(grid), modes.at_grids.col(1).segment(3 * grid, 3));
   }
+}
+
+// Two modes at one frequency, as symmetric structures have them.
+TEST(ShapesVtu, ModesOfOneFrequencyHaveNamesOfTheirOwn) {
+  ModelModes modes = model_modes();
+  modes.frequency_hz(1) = modes.frequency_hz(0);
+  const VtuMesh mesh = model_mesh(square(), modes);
+  ASSERT_EQ(mesh.data.size(), 3U);
+  EXPECT_NE(mesh.data[1].first, mesh.data[2].first);
+}
+
+TEST(ShapesVtu, FilesKeepThePointsOfTheirNames) {
+  EXPECT_EQ(vtu_files("run.v2")[1], "run.v2-model.vtu");
+  EXPECT_EQ(vtu_files("run.v2.pvd")[0], "run.v2.pvd");
 }
 
 // The measured mode 1 is half of the model's, so that it is doubled; mode 2 has
@@ -80,10 +94,10 @@ TEST(ShapesVtu, PointsMoveAsMeasuredOnTheModelsScale) {
   ASSERT_EQ(mesh.points.cols(), 2);
   EXPECT_EQ(mesh.points.col(1), Eigen::Vector3d(0.5, 0.5, 0.1));
   EXPECT_EQ(data_of(mesh, "error"), Eigen::RowVector2d(0.25, 0.0));
-  const Eigen::MatrixXd& first = data_of(mesh, "model 5 Hz");
+  const Eigen::MatrixXd& first = data_of(mesh, "model 1, 5 Hz");
   EXPECT_TRUE(first.col(0).isApprox(Eigen::Vector3d(0, 0, -2)));
   EXPECT_TRUE(first.col(1).isApprox(Eigen::Vector3d(0, 4, 0)));
-  EXPECT_EQ(data_of(mesh, "measured 31 Hz").col(0), Eigen::Vector3d::Zero());
+  EXPECT_EQ(data_of(mesh, "measured 2, 31 Hz").col(0), Eigen::Vector3d::Zero());
 }
 
 // "VTK File Formats": one line per point, offsets are the ends of the cells.
