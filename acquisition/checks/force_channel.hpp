@@ -17,21 +17,11 @@ namespace tapfit::acquisition {
 [[nodiscard]] double effective_samples(
     const Eigen::Ref<const Eigen::VectorXd>& channel);
 
-struct ForceChannelLimits {
-  /// Another channel's energy must be this much shorter than the hammer's: it
-  /// cannot be where the hammer's blows made it.
-  double shorter = 1.0 / 3.0;
-  /// Contact of hammer and structure takes 0.1 to 20 ms (ISO 7626-5), of a
-  /// pendulum with a rubber pad 50 ms.
-  double longest_blow_s = 0.1;
-};
-
 /// Runs in which another channel holds the blows (with its name), and blows
 /// that last as long as no blow does, as where times in ms were read as s.
 [[nodiscard]] std::vector<Finding> force_channel_findings(
     const TestBundle& bundle,
     const std::vector<Recording>& recordings,
-    const HitSet& hits,
-    const ForceChannelLimits& limits = {});
+    const HitSet& hits);
 
 }  // namespace tapfit::acquisition

@@ -11,6 +11,16 @@ namespace {
 
 using Records = std::vector<const ChannelRecord*>;
 
+// A sensor's level over the quantisation noise (step / sqrt 12) [dB]. Below it
+// quantisation is more than 1 % of the average line of an FRF, and more than
+// all of it at an antiresonance 40 dB down.
+constexpr double least_over_quantum_db = 40.0;
+constexpr double least_hammer_bits = 7.0;  // a blow is then known to 1 %
+constexpr double least_range_used = 0.01;  // of full scale: 7 bits given away
+// The mean's change from block to block, of the level: a slope of that much
+// within a block stands in the lowest lines with a third of it.
+constexpr double most_drift = 0.1;
+
 bool is_hammer(const TestBundle& bundle, const ChannelRecord& record) {
   return bundle.runs[record.run].hammer.channel == record.channel;
 }
@@ -101,36 +111,34 @@ struct Check {
   Finding (*finding)(const TestBundle&, const Records&);
 };
 
-std::vector<Check> checks(const TestBundle& bundle,
-                          const RecordLimits& limits) {
-  const auto coarse = [&bundle, limits](const ChannelRecord& r) {
+std::vector<Check> checks(const TestBundle& bundle) {
+  const auto coarse = [&bundle](const ChannelRecord& r) {
     if (!(r.step > 0.0)) return false;
-    if (is_hammer(bundle, r)) return r.bits() < limits.least_hammer_bits;
-    return r.level > 0.0 && over_quantum_db(r) < limits.least_over_quantum_db;
+    if (is_hammer(bundle, r)) return r.bits() < least_hammer_bits;
+    return r.level > 0.0 && over_quantum_db(r) < least_over_quantum_db;
   };
   return {
       {coarse, coarse_finding},
-      {[limits, coarse](const ChannelRecord& r) {
+      {[coarse](const ChannelRecord& r) {
          return std::isfinite(r.full_scale) && !coarse(r) &&
-                r.range_used() < limits.least_range_used;
+                r.range_used() < least_range_used;
        },
        range_finding},
       {[](const ChannelRecord& r) { return r.dropouts > 0; }, dropout_finding},
-      {[&bundle, limits](const ChannelRecord& r) {
+      {[&bundle](const ChannelRecord& r) {
          return !is_hammer(bundle, r) && r.level > 0.0 &&
-                r.drift > limits.most_drift * r.level;
+                r.drift > most_drift * r.level;
        },
        drift_finding}};
 }
 
 }  // namespace
 
-std::vector<Finding> record_findings(const TestBundle& bundle,
-                                     const std::vector<ChannelRecord>& records,
-                                     const RecordLimits& limits) {
+std::vector<Finding> record_findings(
+    const TestBundle& bundle, const std::vector<ChannelRecord>& records) {
   std::vector<Finding> findings;
   for (std::size_t channel = 0; channel < bundle.channels.size(); ++channel) {
-    for (const Check& check : checks(bundle, limits)) {
+    for (const Check& check : checks(bundle)) {
       Records failed;
       for (const ChannelRecord& record : records) {
         if (record.channel == channel && check.fails(record)) {

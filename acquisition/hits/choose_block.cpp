@@ -138,9 +138,7 @@ Index choose_hold_off(const std::vector<RunPulses>& runs,
           static_cast<double>(run.samples - run.pulses.front().first));
     }
   }
-  const auto count = static_cast<Index>(gaps.size());
-  const double usual = median(Eigen::VectorXd::Map(gaps.data(), count));
-  return std::max<Index>(1, rounded(0.2 * usual));
+  return std::max<Index>(1, rounded(0.2 * median(gaps)));
 }
 
 std::vector<PulseGroup> group_pulses(const RunPulses& run, Index hold_off) {

@@ -42,10 +42,7 @@ bool any_accepted(const std::vector<Hit>& hits) {
 }
 
 bool is_weak(double peak_n, const std::vector<double>& others) {
-  if (others.size() < 3) return false;
-  return peak_n <
-         weak_share * median(Eigen::VectorXd::Map(
-                          others.data(), static_cast<Index>(others.size())));
+  return others.size() >= 3 && peak_n < weak_share * median(others);
 }
 
 void judge_weak(std::vector<Hit>& hits) {

@@ -12,6 +12,12 @@ namespace {
 
 using Eigen::Index;
 
+// Below the main pulse's low end a line has too little force, as of a blow that
+// is too soft (ISO 7626-5).
+constexpr double least_force_db = -20.0;
+// Of the response; to 1 % sensors are calibrated at best (ISO 16063-21).
+constexpr double most_outside = 0.01;
+
 // Samples of the force without gaps: a pulse, or several that meet.
 struct Stretch {
   Index from = 0;
@@ -139,12 +145,10 @@ struct Doubles {
 
 }  // namespace
 
-std::optional<SecondPulse> judge_second_pulses(
-    const HammerSignal& hammer,
-    const Pulse& main,
-    const std::vector<Pulse>& others,
-    const JudgedBlock& block,
-    const SecondPulseLimits& limits) {
+std::optional<SecondPulse> judge_second_pulses(const HammerSignal& hammer,
+                                               const Pulse& main,
+                                               const std::vector<Pulse>& others,
+                                               const JudgedBlock& block) {
   if (others.empty()) return std::nullopt;
   const Pulse& largest = *std::ranges::max_element(others, {}, &Pulse::height);
   SecondPulse second;
@@ -155,8 +159,8 @@ std::optional<SecondPulse> judge_second_pulses(
   constexpr double endless_db = 99.0;
   second.loss_db =
       std::clamp(least.alone_db - least.together_db, 0.0, endless_db);
-  second.thins_force = least.together_db < limits.least_force_db &&
-                       least.alone_db >= limits.least_force_db;
+  second.thins_force =
+      least.together_db < least_force_db && least.alone_db >= least_force_db;
 
   double heights = main.height;
   Index last = main.peak;
@@ -172,8 +176,8 @@ std::optional<SecondPulse> judge_second_pulses(
       main.height / heights * left_after(block.end - main.peak, block);
   const Index first = std::min(main.peak, others.front().peak);
   const bool completed = last < first + (block.end - first) / 2;
-  second.leaves_block = second.outside > limits.most_outside &&
-                        !(completed && own > limits.most_outside);
+  second.leaves_block =
+      second.outside > most_outside && !(completed && own > most_outside);
   return second;
 }
 

@@ -24,14 +24,6 @@
 
 namespace tapfit::acquisition {
 
-struct SecondPulseLimits {
-  /// Below the main pulse's low end a line has too little force, as of a blow
-  /// that is too soft (ISO 7626-5).
-  double least_force_db = -20.0;
-  /// Of the response; to 1 % sensors are calibrated at best (ISO 16063-21).
-  double most_outside = 0.01;
-};
-
 /// A hit's block and what is asked of it.
 struct JudgedBlock {
   Eigen::Index end = 0;  ///< the sample behind it
@@ -47,8 +39,7 @@ struct JudgedBlock {
     const HammerSignal& hammer,
     const Pulse& main,
     const std::vector<Pulse>& others,
-    const JudgedBlock& block,
-    const SecondPulseLimits& limits = {});
+    const JudgedBlock& block);
 
 /// How many double hits were kept and rejected, and what they cost; empty
 /// without any.

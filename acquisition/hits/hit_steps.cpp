@@ -110,8 +110,7 @@ double usual_width(const std::vector<HammerRun>& runs) {
   for (const HammerRun& run : runs) {
     for (const Pulse& pulse : run.pulses.pulses) widths.push_back(pulse.width);
   }
-  return median(
-      Eigen::VectorXd::Map(widths.data(), static_cast<Index>(widths.size())));
+  return median(widths);
 }
 
 double band_end(const TestBundle& bundle, double rate) {

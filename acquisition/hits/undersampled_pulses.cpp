@@ -60,8 +60,7 @@ std::string undersampled_statement(const std::vector<HammerRun>& runs,
     }
   }
   if (lengths.empty() || 2 * ringing > lengths.size()) return {};
-  const double typical = median(
-      Eigen::VectorXd::Map(lengths.data(), static_cast<Index>(lengths.size())));
+  const double typical = median(lengths);
   if (typical >= short_pulse) return {};
   return fmt::format(
       "pulses last {:.2g} samples and show no anti-alias filter: the force's "

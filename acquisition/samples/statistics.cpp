@@ -12,6 +12,10 @@ double median(Eigen::VectorXd values) {
   return *middle;
 }
 
+double median(const std::vector<double>& values) {
+  return median(Eigen::VectorXd::Map(values.data(), std::ssize(values)));
+}
+
 std::vector<Eigen::Index> thinned_places(Eigen::Index n, Eigen::Index most) {
   std::vector<Eigen::Index> places(static_cast<std::size_t>(std::min(n, most)));
   if (n <= most) {

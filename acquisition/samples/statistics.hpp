@@ -7,8 +7,10 @@
 
 namespace tapfit::acquisition {
 
-/// Median; 0 for no values. Takes a copy, because it reorders.
+/// Median, of an even number the upper one of the middle; 0 for no values.
+/// Takes a copy, because it reorders.
 [[nodiscard]] double median(Eigen::VectorXd values);
+[[nodiscard]] double median(const std::vector<double>& values);
 
 /// Places of at most `most` of n values, from the whole length: one out of each
 /// of as many equal parts, at a place that differs from part to part, so that

@@ -164,7 +164,6 @@ UffHeader read_header(const UffDataset& dataset) {
   const std::string_view who = dataset.lines[5];
   header.function_type = integer(column(who, 0, 5));
   header.number = integer(column(who, 5, 10));
-  header.response_entity = std::string(column(who, 31, 10));
   header.response = dof(who, 41);
   header.reference = dof(who, 66);
   header.abscissa = axis(dataset.lines[7]);

@@ -31,7 +31,6 @@ struct UffHeader {
   int number = 0;                ///< function identification number
   std::optional<Dof> response;   ///< empty: a scalar
   std::optional<Dof> reference;  ///< empty: a scalar
-  std::string response_entity;   ///< as written, "NONE" too
   std::array<std::string, 5> id;
   UffAxis abscissa;
   UffAxis numerator;

@@ -34,13 +34,10 @@ Runs runs_of(const FrfSet& set) {
   return runs;
 }
 
-VectorXd mapped(const std::vector<double>& values) {
-  return VectorXd::Map(values.data(), static_cast<Index>(values.size()));
-}
-
 // 1.4826 times the median distance from the median: the sd of normal values.
-double robust_sd(const std::vector<double>& values, double middle) {
-  return 1.4826 * median((mapped(values).array() - middle).abs().matrix());
+double robust_sd(std::vector<double> values, double middle) {
+  for (double& value : values) value = std::abs(value - middle);
+  return 1.4826 * median(values);
 }
 
 double rms(const VectorXcd& H) {
@@ -117,7 +114,7 @@ std::vector<Finding> foreign_findings(const acquisition::TestBundle& bundle,
   }
   std::vector<double> shares;
   for (const auto& [run, share] : left) shares.push_back(share);
-  const double usual = median(mapped(shares));
+  const double usual = median(shares);
   std::vector<Finding> findings;
   for (const auto& [run, share] : left) {
     if (share < limits.foreign || share < limits.foreign_times * usual) {
@@ -198,7 +195,7 @@ std::vector<RunShift> run_shifts(const FrfSet& set,
       }
     }
     if (values.empty()) continue;
-    found.push_back({run, scale - 1.0 + median(mapped(values))});
+    found.push_back({run, scale - 1.0 + median(values)});
   }
   return found;
 }
@@ -268,7 +265,7 @@ std::vector<Finding> shift_findings(const acquisition::TestBundle& bundle,
   }
   std::vector<double> values;
   for (const RunShift& s : shifts) values.push_back(s.shift);
-  const double middle = median(mapped(values));
+  const double middle = median(values);
   const double scatter = robust_sd(values, middle);
   std::vector<Finding> findings;
   for (const RunShift& s : shifts) {

@@ -1,6 +1,7 @@
 #include "modal/fit/shapes.hpp"
 
 #include "acquisition/foundation/parallel.hpp"
+#include "acquisition/samples/statistics.hpp"
 #include "modal/fit/shape_equations.hpp"
 #include "modal/mode_set/complexity.hpp"
 
@@ -165,9 +166,7 @@ void polish(const ShapeGraph& graph,
     r(f) = P(f) - phi(a) * phi(b);
   }
   Eigen::VectorXd size = r.cwiseAbs().cwiseProduct(weight);
-  std::vector<double> sorted(size.begin(), size.end());
-  std::ranges::nth_element(sorted, sorted.begin() + sorted.size() / 2);
-  const double scale = std::max(3.0 * sorted[sorted.size() / 2], 1e-300);
+  const double scale = std::max(3.0 * acquisition::median(size), 1e-300);
   Eigen::VectorXd w(P.size());
   for (Index f = 0; f < P.size(); ++f) {
     w(f) = weight(f) / (1.0 + size(f) / scale);

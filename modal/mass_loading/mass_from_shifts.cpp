@@ -1,5 +1,6 @@
 #include "modal/mass_loading/mass_from_shifts.hpp"
 
+#include "acquisition/samples/statistics.hpp"
 #include "modal/mass_loading/unloaded_modes.hpp"
 #include "modal/statistics/weighted_fit.hpp"
 
@@ -259,12 +260,8 @@ double disagreement(const ShiftTable& table, const Eigen::VectorXd& y) {
     of_mode[mode].push_back(y(i));
   }
   double sum = 0.0;
-  for (std::vector<double>& values : of_mode) {
-    if (values.empty()) continue;
-    const auto middle =
-        values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::ranges::nth_element(values, middle);
-    const double median = *middle;
+  for (const std::vector<double>& values : of_mode) {
+    const double median = acquisition::median(values);
     for (const double value : values) sum += std::abs(value - median);
   }
   return sum;

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
+#include "acquisition/samples/statistics.hpp"
 #include "signal/frf_set/set_ups.hpp"
 
 #include <fmt/format.h>
@@ -37,15 +38,10 @@ Eigen::VectorXd running_mean(const Eigen::VectorXd& x, Eigen::Index half) {
 Eigen::VectorXd running_median(const Eigen::VectorXd& x, Eigen::Index half) {
   const Eigen::Index n = x.size();
   const Eigen::Index stride = std::max<Eigen::Index>(1, half / 4);
-  std::vector<double> near;
   const auto median = [&](Eigen::Index k) {
     const Eigen::Index begin = std::max<Eigen::Index>(0, k - half);
     const Eigen::Index end = std::min(n, k + half + 1);
-    near.assign(x.begin() + begin, x.begin() + end);
-    const auto middle =
-        near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
-    std::ranges::nth_element(near, middle);
-    return *middle;
+    return acquisition::median(x.segment(begin, end - begin));
   };
   Eigen::VectorXd result(n);
   result(0) = median(0);

@@ -1,5 +1,6 @@
 #include "modal/select/needed_modes.hpp"
 
+#include "acquisition/samples/statistics.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/hard_checks.hpp"
 #include "modal/select/neighbour_modes.hpp"
@@ -52,11 +53,7 @@ double usual_damping(const Curves& curves, const ModalFit& fit) {
     if (!in_band(curves, pole)) continue;
     ratios.push_back(-pole.real() / std::abs(pole));
   }
-  if (ratios.empty()) return 0.005;
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::ranges::nth_element(ratios, middle);
-  return *middle;
+  return ratios.empty() ? 0.005 : acquisition::median(ratios);
 }
 
 bool are_needed(const Curves& curves,

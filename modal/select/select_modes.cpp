@@ -1,5 +1,6 @@
 #include "modal/select/select_modes.hpp"
 
+#include "acquisition/samples/statistics.hpp"
 #include "modal/fit/fit_residual.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/fit/shapes.hpp"
@@ -87,10 +88,7 @@ Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
     const Index n = std::min(power.size(), k + 3) - begin;
     smooth(k) = power.segment(begin, n).mean();
   }
-  std::vector<double> values(smooth.begin(), smooth.end());
-  std::ranges::nth_element(values, values.begin() + power.size() / 2);
-  const double usual = values[values.size() / 2];
-  return smooth / std::max(usual, 1e-300);
+  return smooth / std::max(acquisition::median(smooth), 1e-300);
 }
 
 /// Damping over its standard deviation, per mode.

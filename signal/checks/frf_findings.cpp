@@ -64,9 +64,7 @@ double median_without(const Eigen::VectorXd& values, Index one) {
   for (Index i = 0; i < values.size(); ++i) {
     if (i != one) others.push_back(values(i));
   }
-  if (others.empty()) return 0.0;
-  return acquisition::median(
-      Eigen::VectorXd::Map(others.data(), static_cast<Index>(others.size())));
+  return acquisition::median(others);
 }
 
 // The name of the hammer's channel; of ready FRFs "the hammer".

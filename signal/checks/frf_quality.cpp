@@ -1,20 +1,10 @@
 #include "signal/checks/frf_quality.hpp"
 
-#include <algorithm>
+#include "acquisition/samples/statistics.hpp"
+
 #include <cmath>
 
 namespace tapfit::signal {
-namespace {
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 std::vector<FrfQuality> frf_quality(
     const FrfSet& set, const std::optional<std::array<double, 2>>& band_hz) {
@@ -31,7 +21,8 @@ std::vector<FrfQuality> frf_quality(
       const double size = std::abs(frf.H(i));
       if (size > 0.0) sd.push_back(100.0 * std::sqrt(frf.variance(i)) / size);
     }
-    result.push_back({lines > 0 ? coherence / lines : 0.0, median(sd)});
+    result.push_back(
+        {lines > 0 ? coherence / lines : 0.0, acquisition::median(sd)});
   }
   return result;
 }

@@ -47,8 +47,7 @@ double apart(const Eigen::MatrixXd& u,
   for (const Index j : left) {
     if (j != k) values.push_back(u(k, j));
   }
-  return acquisition::median(
-      Eigen::VectorXd::Map(values.data(), static_cast<Index>(values.size())));
+  return acquisition::median(values);
 }
 
 double among_others(const Eigen::MatrixXd& u,
@@ -60,8 +59,7 @@ double among_others(const Eigen::MatrixXd& u,
       if (i < j && i != without && j != without) values.push_back(u(i, j));
     }
   }
-  return acquisition::median(
-      Eigen::VectorXd::Map(values.data(), static_cast<Index>(values.size())));
+  return acquisition::median(values);
 }
 
 }  // namespace

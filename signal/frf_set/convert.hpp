@@ -34,22 +34,4 @@ enum class FrfForm { Receptance, Mobility, Accelerance };
   return result;
 }
 
-/// Variance that goes with convert(): times |s|^2 per step.
-[[nodiscard]] inline Eigen::VectorXd convert_variance(
-    const Eigen::Ref<const Eigen::VectorXd>& variance,
-    const Eigen::Ref<const Eigen::VectorXcd>& s,
-    FrfForm from,
-    FrfForm to) {
-  const int power = static_cast<int>(to) - static_cast<int>(from);
-  Eigen::VectorXd result = variance;
-  for (Eigen::Index i = 0; i < result.size(); ++i) {
-    const double size = std::abs(s(i));
-    if (power >= 0 || size > 0.0)
-      result(i) *= std::pow(size, 2 * power);
-    else
-      result(i) = 0.0;
-  }
-  return result;
-}
-
 }  // namespace tapfit::signal

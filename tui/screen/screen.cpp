@@ -75,14 +75,6 @@ void Screen::fill(const Rect& rect, char32_t glyph, Style style) {
   }
 }
 
-void Screen::paint(const Rect& rect, Style style) {
-  for (int y = rect.y; y < rect.y + rect.height; ++y) {
-    for (int x = rect.x; x < rect.x + rect.width; ++x) {
-      if (area().holds(x, y)) cell(x, y).style = style;
-    }
-  }
-}
-
 void Screen::box(const Rect& rect, std::string_view title, Style style) {
   if (rect.width < 2 || rect.height < 2) return;
   const int right = rect.x + rect.width - 1;

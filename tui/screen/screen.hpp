@@ -122,8 +122,6 @@ class Screen {
                   Style style = {},
                   int width = 100000);
   void fill(const Rect& rect, char32_t glyph, Style style = {});
-  /// Changes the style of cells, not their glyphs.
-  void paint(const Rect& rect, Style style);
   void box(const Rect& rect, std::string_view title, Style style = {});
   /// Where clicks mean something; the last one put there counts.
   void zone(const Zone& zone) { zones_.push_back(zone); }

@@ -1,5 +1,6 @@
 #include "updating/fit/fit_setting.hpp"
 
+#include "acquisition/samples/statistics.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/measurement/place_points.hpp"
@@ -26,10 +27,7 @@ double typical_damping(const modal::ModeSet& modes) {
     ratios.push_back(mode.damping_ratio);
   }
   if (ratios.empty()) return FitSetting{}.damping_ratio;
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return std::clamp(*middle, 1e-4, 0.2);
+  return std::clamp(acquisition::median(ratios), 1e-4, 0.2);
 }
 
 // Where something was measured: by sensors, or at the points of shapes.

@@ -1,5 +1,6 @@
 #include "updating/fit/fitter.hpp"
 
+#include "acquisition/samples/statistics.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
@@ -26,12 +27,8 @@ constexpr int start_scan = 16;
 // What the structure's modes have without the effects that damp some of them
 // on top: of the modes fitted the middle one.
 double typical(const ModelState& state) {
-  std::vector<double> ratios(state.zeta.begin(), state.zeta.end());
-  if (ratios.empty()) return state.zeta_other;
-  const auto middle =
-      ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return state.zeta.size() == 0 ? state.zeta_other
+                                : acquisition::median(state.zeta);
 }
 
 }  // namespace

@@ -8,8 +8,7 @@
 #include "acquisition/import/read_time_table.hpp"
 #include "acquisition/uff/uff_values.hpp"
 #include "tests/acquisition/support/mutation.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <bit>
 #include <cstdint>
@@ -105,8 +104,8 @@ TEST_P(PublishedRecords, AreRefusedAsABundleWithTheReason) {
     FAIL() << "taken for a hammer test";
   } catch (const InputError& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find(known.refusal), std::string::npos) << what;
-    EXPECT_NE(what.find("function type 1"), std::string::npos) << what;
+    EXPECT_THAT(what, HasSubstr(known.refusal));
+    EXPECT_THAT(what, HasSubstr("function type 1"));
   }
 }
 

@@ -4,8 +4,8 @@
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/support/matchers.hpp"
 
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::acquisition {
@@ -64,8 +64,7 @@ TEST_F(Bundle, ARecordingWithLossIsWarnedOf) {
                             50));
   const TestBundle bundle = read(good());
   ASSERT_EQ(bundle.warnings.size(), 1U);
-  EXPECT_NE(bundle.warnings[0].find("U-Law"), std::string::npos)
-      << bundle.warnings[0];
+  EXPECT_THAT(bundle.warnings[0], HasSubstr("U-Law"));
 }
 
 TEST_F(Bundle, ReadsEveryField) {
@@ -111,14 +110,10 @@ TEST_F(Bundle, SaysThatATextIsLatin1) {
   folder_.write("test.json",
                 "{\"title\": \"Pr\xfc"
                 "fling\"}");
-  try {
-    (void)read_test_bundle(folder_.path());
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(error.remedy().find("UTF-8"), std::string::npos) << error.what();
-    EXPECT_EQ(std::string(error.what()).find('\xfc'), std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT([&] { (void)read_test_bundle(folder_.path()); },
+              Throws<InputError>(
+                  AllOf(Property(&InputError::remedy, HasSubstr("UTF-8")),
+                        Property(&InputError::what, Not(HasSubstr("\xfc"))))));
 }
 
 TEST_F(Bundle, AcceptsThePathOfTheFileItself) {
@@ -132,8 +127,7 @@ TEST_F(Bundle, WarnsOfUnknownFields) {
   document["runs"][0]["sensors"][0]["glue"] = "wax";
   const TestBundle bundle = read(document);
   ASSERT_EQ(bundle.warnings.size(), 2U);
-  EXPECT_NE(bundle.warnings[0].find("runs[0].sensors[0].glue"),
-            std::string::npos);
+  EXPECT_THAT(bundle.warnings[0], HasSubstr("runs[0].sensors[0].glue"));
 }
 
 TEST_F(Bundle, TakesMatricesOrNoModel) {
@@ -160,27 +154,21 @@ TEST_F(Bundle, TakesReadyFrfsInsteadOfRuns) {
 
 TEST_F(Bundle, NamesLineAndColumnOfASyntaxError) {
   folder_.write("test.json", "{\n  \"tapfit\": 1,\n  \"title\" \"x\"\n}");
-  try {
-    (void)read_test_bundle(folder_.path());
-    ADD_FAILURE();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.where(), "test.json:3:13") << error.what();
-  }
+  EXPECT_THAT(
+      [&] { (void)read_test_bundle(folder_.path()); },
+      Throws<InputError>(Property(&InputError::where, "test.json:3:13")));
 }
 
 TEST_F(Bundle, RefusesAForeignFileByWhatItIs) {
   for (const char* text :
        {"Meeting at ten\n", "RIFFxxxxWAVE", "[1, 2]", "0;1"}) {
     const auto file = folder_.write("notes.txt", text);
-    try {
-      (void)read_test_bundle(file);
-      ADD_FAILURE() << text;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.where(), file.string());
-      EXPECT_NE(std::string(error.what()).find("not a test bundle"),
-                std::string::npos);
-      EXPECT_NE(error.remedy().find("tapfit import"), std::string::npos);
-    }
+    EXPECT_THAT([&] { (void)read_test_bundle(file); },
+                Throws<InputError>(AllOf(
+                    Property(&InputError::where, file.string()),
+                    Property(&InputError::what, HasSubstr("not a test bundle")),
+                    Property(&InputError::remedy, HasSubstr("tapfit import")))))
+        << text;
   }
 }
 

@@ -6,9 +6,9 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/acquisition/support/uff_text.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -25,12 +25,8 @@ class UffBundle : public ::testing::Test {
   testing::TemporaryFolder folder_;
 
   std::string refusal(const std::string& text) {
-    try {
-      (void)read_test_bundle(folder_.write("bad.uff", text));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return {};
+    return refusal_of(
+        [&] { (void)read_test_bundle(folder_.write("bad.uff", text)); });
   }
 };
 
@@ -95,9 +91,8 @@ TEST_F(UffBundle, LocalSystemsAreHonoured) {
   EXPECT_EQ(bundle.points[0].node, 12);
   EXPECT_TRUE(bundle.points[0].axes.col(2).isApprox(
       Eigen::Vector3d(0.5, 0.0, std::sqrt(0.75)), 1e-5));
-  EXPECT_NE(
-      refusal(text + nodes).find("coordinate system 5 is not in the file"),
-      std::string::npos);
+  EXPECT_THAT(refusal(text + nodes),
+              HasSubstr("coordinate system 5 is not in the file"));
 }
 
 TEST_F(UffBundle, UnlabelledValuesAreInTheUnitsOf164) {
@@ -142,8 +137,7 @@ TEST_F(UffBundle, UnknownLabelsAreLeftOutByName) {
          {std::string("label.uff, line "),
           fmt::format("\"{}\" is no known unit of acceleration", label),
           std::string("mm/s^2")}) {
-      EXPECT_NE(bundle.warnings[0].find(part), std::string::npos)
-          << bundle.warnings[0];
+      EXPECT_THAT(bundle.warnings[0], HasSubstr(part));
     }
   }
 }
@@ -153,9 +147,8 @@ TEST_F(UffBundle, RefusesAForceInAnUnknownUnit) {
   hammer.unit = "mV";
   const std::string said =
       refusal(uff_ascii(hammer) + uff_ascii({.node = 1, .values = {0, 1}}));
-  EXPECT_NE(said.find("\"mV\" is no known unit of force; known are N,"),
-            std::string::npos)
-      << said;
+  EXPECT_THAT(said,
+              HasSubstr("\"mV\" is no known unit of force; known are N,"));
 }
 
 // Else a moved sensor's record would count as an answer to the blow before.
@@ -184,9 +177,9 @@ TEST_F(UffBundle, SaysWhatItLeavesOut) {
           uff_ascii(force(4, {0, 1}))));
   EXPECT_EQ(bundle.runs.size(), 1U);
   ASSERT_EQ(bundle.warnings.size(), 3U);
-  EXPECT_NE(bundle.warnings[0].find("no direction"), std::string::npos);
-  EXPECT_NE(bundle.warnings[1].find("Pa"), std::string::npos);
-  EXPECT_NE(bundle.warnings[2].find("one force"), std::string::npos);
+  EXPECT_THAT(bundle.warnings[0], HasSubstr("no direction"));
+  EXPECT_THAT(bundle.warnings[1], HasSubstr("Pa"));
+  EXPECT_THAT(bundle.warnings[2], HasSubstr("one force"));
 }
 
 TEST_F(UffBundle, FrfsAreABundleToo) {
@@ -196,21 +189,13 @@ TEST_F(UffBundle, FrfsAreABundleToo) {
 }
 
 TEST_F(UffBundle, RefusesWithAPlace) {
-  EXPECT_NE(refusal(uff_ascii({.values = {1, 2}})).find("neither"),
-            std::string::npos);
+  EXPECT_THAT(refusal(uff_ascii({.values = {1, 2}})), HasSubstr("neither"));
   std::string cut = uff_ascii(force(3, {0, 1, 2, 3, 4}));
   cut.resize(cut.size() - 30);
   const fs::path file = folder_.write(
       "cut.uff", uff_ascii({.node = 1, .values = {0, 1, 2, 3, 4}}) + cut);
   const TestBundle bundle = read_test_bundle(file);
-  try {
-    (void)read_recordings(bundle);
-    FAIL() << "a record that is cut off was read";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("cut.uff, line"),
-              std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT([&] { (void)read_recordings(bundle); }, Refuses("cut.uff, line"));
 }
 
 // Files of other programs: none holds a hammer, and all say why they are

@@ -9,8 +9,7 @@
 #include "acquisition/uff/write_uff_geometry.hpp"
 #include "tests/acquisition/support/mutation.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -128,8 +127,8 @@ TEST_F(UffRecords, KeepTheirColumns) {
   EXPECT_EQ(line[start + 9].substr(46, 2), " N");
   EXPECT_EQ(line[start + 12].size(), 80U);
   const std::string binary = testing::bytes_of(written(UffEncoding::Binary));
-  EXPECT_NE(binary.find("    58b     1     2          11        4008     0"),
-            std::string::npos);
+  EXPECT_THAT(binary,
+              HasSubstr("    58b     1     2          11        4008     0"));
 }
 
 TEST(WriteGeometry, ComesBack) {

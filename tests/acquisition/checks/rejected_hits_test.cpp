@@ -1,6 +1,6 @@
 #include "acquisition/checks/rejected_hits.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 namespace tapfit::acquisition {
 namespace {
@@ -37,7 +37,7 @@ TEST(RejectedHits, ASecondBlowThatCostsLittleIsNotBlamed) {
   const auto findings = rejected_hit_findings(one_run(), one_recording(), hits);
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0].what, "none of its 2 hits is accepted: 2 truncated");
-  EXPECT_NE(findings[0].remedy.find("the file's end"), std::string::npos);
+  EXPECT_THAT(findings[0].remedy, HasSubstr("the file's end"));
 }
 
 TEST(RejectedHits, ASecondBlowThatLeavesTheBlockIs) {
@@ -47,7 +47,7 @@ TEST(RejectedHits, ASecondBlowThatLeavesTheBlockIs) {
   hits.runs = {{rejected_hit(late)}};
   const auto findings = rejected_hit_findings(one_run(), one_recording(), hits);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_NE(findings[0].what.find("1 double, 1 truncated"), std::string::npos);
+  EXPECT_THAT(findings[0].what, HasSubstr("1 double, 1 truncated"));
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 #include "acquisition/checks/value_jumps.hpp"
 
 #include "tests/acquisition/support/hammer_record.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <cmath>
 
@@ -97,8 +96,7 @@ TEST(ValueJumps, AreSaidWithTheirTime) {
   hits.runs = {three_hits()};
   const std::vector<Finding> found = jump_findings(bundle, {recording}, hits);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_NE(found[0].what.find("first at 4.883 s of run 1"), std::string::npos)
-      << found[0].what;
+  EXPECT_THAT(found[0].what, HasSubstr("first at 4.883 s of run 1"));
 }
 
 }  // namespace

@@ -4,8 +4,7 @@
 
 #include "acquisition/hits/find_hits.hpp"
 #include "tests/acquisition/support/hit_scene.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <cmath>
 
@@ -68,7 +67,7 @@ TEST(DoubleHit, WithoutForceAtSomeLinesIsOutUnlessThereIsNoOther) {
   ASSERT_EQ(hits.runs[0].size(), 1U);
   EXPECT_TRUE(hits.runs[0][0].second->thins_force);
   EXPECT_TRUE(hits.runs[0][0].accepted);
-  EXPECT_NE(hits.statements.back().find("kept"), std::string::npos);
+  EXPECT_THAT(hits.statements.back(), HasSubstr("kept"));
 }
 
 // Behind 3 of 3.2 s hardly anything of the second response is in the block,
@@ -102,11 +101,9 @@ TEST(DoubleHit, StatementsSayHowManyAndWhatTheyCost) {
   const HitSet hits = find({record(scene)});
   const std::vector<std::string> said = double_statements(hits);
   ASSERT_EQ(said.size(), 2U);
-  EXPECT_NE(said[0].find("1 double hit is not rejected"), std::string::npos)
-      << said[0];
-  EXPECT_NE(said[0].find("50 % of the main blow, 20 ms"), std::string::npos)
-      << said[0];
-  EXPECT_NE(said[1].find("too little force"), std::string::npos) << said[1];
+  EXPECT_THAT(said[0], HasSubstr("1 double hit is not rejected"));
+  EXPECT_THAT(said[0], HasSubstr("50 % of the main blow, 20 ms"));
+  EXPECT_THAT(said[1], HasSubstr("too little force"));
 }
 
 }  // namespace

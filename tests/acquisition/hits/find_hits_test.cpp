@@ -7,8 +7,7 @@
 #include "acquisition/hits/hits.hpp"
 #include "acquisition/samples/statistics.hpp"
 #include "tests/acquisition/support/hit_scene.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -113,7 +112,7 @@ TEST(FindHits, BlowsMayBeNegativeInTheFile) {
   const HitSet hits = find({recording});
   ASSERT_EQ(hits.runs[0].size(), 4U);
   EXPECT_NEAR(hits.runs[0][1].peak_n, 30.0, 1.5);
-  EXPECT_NE(hits.statements.back().find("negative"), std::string::npos);
+  EXPECT_THAT(hits.statements.back(), HasSubstr("negative"));
 }
 
 TEST(FindHits, DriftAndHumDoNotMatter) {
@@ -146,7 +145,7 @@ TEST(FindHits, AHitInNoiseIsWeakButKeptWhenThereIsNoOther) {
   ASSERT_EQ(hits.runs[0].size(), 1U);
   EXPECT_EQ(reasons(hits.runs[0][0]), "weak ");
   EXPECT_TRUE(hits.runs[0][0].accepted);
-  EXPECT_NE(hits.statements.back().find("kept"), std::string::npos);
+  EXPECT_THAT(hits.statements.back(), HasSubstr("kept"));
 }
 
 TEST(FindHits, ASoftTipIsNoticed) {
@@ -232,7 +231,7 @@ TEST(FindHits, ARunWithNothingButBadHitsStaysEmpty) {
   const HitSet hits = find({record({}), bad});
   ASSERT_EQ(hits.runs[1].size(), 1U);
   EXPECT_FALSE(hits.runs[1][0].accepted);
-  EXPECT_NE(hits.statements.back().find("not used"), std::string::npos);
+  EXPECT_THAT(hits.statements.back(), HasSubstr("not used"));
 }
 
 TEST(FindHits, ARunWithoutHitsIsRefused) {

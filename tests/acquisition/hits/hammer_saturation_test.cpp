@@ -5,10 +5,9 @@
 #include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/live_hits.hpp"
 #include "tests/acquisition/support/saturated_records.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-
 namespace tapfit::acquisition {
 namespace {
 
@@ -83,8 +82,7 @@ TEST(HammerSaturation, IsFoundBehindTheFilter) {
         EXPECT_TRUE(hit.accepted || record.errors[k] > 0.0);
       }
       ASSERT_EQ(hits.findings.size(), 1);
-      EXPECT_NE(in_full(hits.findings[0]).find("saturates ahead"),
-                std::string::npos);
+      EXPECT_THAT(in_full(hits.findings[0]), HasSubstr("saturates ahead"));
       ASSERT_TRUE(hits.ceilings[0]);
       // Ripple lifts the level of some: by half a per cent.
       EXPECT_NEAR(hits.ceilings[0]->level_n, 1.0, 0.005);
@@ -107,9 +105,8 @@ TEST(HammerSaturation, LeavesAPlacementItsHits) {
       {});
   for (const Hit& hit : hits.runs[0]) EXPECT_TRUE(hit.accepted);
   ASSERT_EQ(hits.findings.size(), 1);
-  EXPECT_NE(in_full(hits.findings[0]).find("4 of 8 hits end flat at 1 N"),
-            std::string::npos)
-      << in_full(hits.findings[0]);
+  EXPECT_THAT(in_full(hits.findings[0]),
+              HasSubstr("4 of 8 hits end flat at 1 N"));
 }
 
 TEST(HammerSaturation, IsSuspectedWhereAllBlowsAreCut) {
@@ -122,7 +119,7 @@ TEST(HammerSaturation, IsSuspectedWhereAllBlowsAreCut) {
     EXPECT_TRUE(hit.accepted) << name(hit.reasons.front());
   }
   ASSERT_EQ(hits.findings.size(), 1);
-  EXPECT_NE(in_full(hits.findings[0]).find("may saturate"), std::string::npos);
+  EXPECT_THAT(in_full(hits.findings[0]), HasSubstr("may saturate"));
 }
 
 // One blow more than the others stands too high: only a suspicion.
@@ -134,9 +131,7 @@ TEST(HammerSaturation, IsSuspectedFromOneBlow) {
       find_hits(hammer_bundle(), {saturated(blows, random).recording}, {});
   for (const Hit& hit : hits.runs[0]) EXPECT_TRUE(hit.accepted);
   ASSERT_EQ(hits.findings.size(), 1);
-  EXPECT_NE(in_full(hits.findings[0]).find("1 of 5 hits ends flat"),
-            std::string::npos)
-      << in_full(hits.findings[0]);
+  EXPECT_THAT(in_full(hits.findings[0]), HasSubstr("1 of 5 hits ends flat"));
 }
 
 // A flat tip is flat at every level.
@@ -210,8 +205,7 @@ TEST(HammerSaturation, IsFoundBesideAFlatterTip) {
     }
   }
   ASSERT_EQ(hits.findings.size(), 1);
-  EXPECT_NE(in_full(hits.findings[0]).find("9 of 25 hits"), std::string::npos)
-      << in_full(hits.findings[0]);
+  EXPECT_THAT(in_full(hits.findings[0]), HasSubstr("9 of 25 hits"));
 }
 
 // Promised: at most 0.5 % of honest hits. Of those that falsify FRFs by 5 % and

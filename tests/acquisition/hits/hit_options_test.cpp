@@ -3,8 +3,7 @@
 #include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hammer_pulses.hpp"
 #include "tests/acquisition/support/hit_scene.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <limits>
 
@@ -49,9 +48,7 @@ TEST(HitOptions, LevelMayBeGivenInPercentOfTheRange) {
   EXPECT_EQ(hits.runs[0].size(), 2U);
   EXPECT_DOUBLE_EQ(hits.trigger_n, 22.0);
   // 1 V/N: the same number of volts.
-  EXPECT_NE(hits.statements[0].find("2.2e+04 mV, 4.4 % of the range"),
-            std::string::npos)
-      << hits.statements[0];
+  EXPECT_THAT(hits.statements[0], HasSubstr("2.2e+04 mV, 4.4 % of the range"));
 }
 
 TEST(HitOptions, ALevelInPercentNeedsARange) {

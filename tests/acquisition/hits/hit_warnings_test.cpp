@@ -2,8 +2,7 @@
 #include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 namespace tapfit::acquisition {
 namespace {
@@ -83,9 +82,8 @@ TEST(HitWarnings, ABlockThatHoldsTheNextBlow) {
   options.block_s = 6.0;
   const HitSet hits = find(options);
   expect_warning(hits, "block_s of 6 s is longer than the time to the next");
-  EXPECT_NE(in_full(hits.findings[0]).find("3 of 4 hits (4 s at the least)"),
-            std::string::npos)
-      << in_full(hits.findings[0]);
+  EXPECT_THAT(in_full(hits.findings[0]),
+              HasSubstr("3 of 4 hits (4 s at the least)"));
 }
 
 }  // namespace

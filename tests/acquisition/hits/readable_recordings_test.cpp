@@ -7,8 +7,7 @@
 #include "acquisition/readers/audio_file.hpp"
 #include "tests/acquisition/support/hammer_record.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -59,7 +58,7 @@ TEST_F(ReadableRecordingsTest, LeaveOutWhatCannotBeRead) {
   ASSERT_EQ(all.left_out.size(), 1U);
   const std::string said = statement(all.left_out[0]);
   EXPECT_EQ(said.rfind("run 2 is left out: ", 0), 0U) << said;
-  EXPECT_NE(said.find("run1"), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("run1"));
   const HitSet hits = find_readable_hits(bundle_, all, {});
   ASSERT_EQ(hits.runs.size(), 3U);
   EXPECT_EQ(hits.runs[0].size(), 2U);
@@ -76,26 +75,20 @@ TEST_F(ReadableRecordingsTest, LeaveOutWhatIsNotThere) {
   EXPECT_NO_THROW(check_run_files(bundle_, Unreadable::Refused));
   std::filesystem::remove(bundle_.runs[1].file);
   const auto refused = [this](Unreadable missing) {
-    try {
-      check_run_files(bundle_, missing);
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refusal_of([&] { check_run_files(bundle_, missing); });
   };
   const std::string said = refused(Unreadable::Refused);
-  EXPECT_NE(said.find("test.json: runs[1].file"), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("test.json: runs[1].file"));
   EXPECT_EQ(refused(Unreadable::LeftOut), "");
   const ReadableRecordings all = read_readable(bundle_);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 1U);
-  EXPECT_NE(std::string(all.left_out[0].why.what()).find("run1"),
-            std::string::npos);
+  EXPECT_THAT(std::string(all.left_out[0].why.what()), HasSubstr("run1"));
   for (const std::size_t r : {0U, 2U}) {
     std::filesystem::remove(bundle_.runs[r].file);
   }
   const std::string none = refused(Unreadable::LeftOut);
-  EXPECT_NE(none.find("nor that of any other run"), std::string::npos) << none;
+  EXPECT_THAT(none, HasSubstr("nor that of any other run"));
 }
 
 TEST_F(ReadableRecordingsTest, LeaveOutAnotherSamplingRate) {
@@ -103,8 +96,7 @@ TEST_F(ReadableRecordingsTest, LeaveOutAnotherSamplingRate) {
   const ReadableRecordings all = read_readable(bundle_);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 2U);
-  EXPECT_NE(std::string(all.left_out[0].why.what()).find("2048 Hz"),
-            std::string::npos);
+  EXPECT_THAT(std::string(all.left_out[0].why.what()), HasSubstr("2048 Hz"));
 }
 
 TEST_F(ReadableRecordingsTest, AreRefusedWhereNoneIsLeft) {
@@ -122,10 +114,9 @@ TEST_F(ReadableRecordingsTest, LeaveOutRunsWithoutAHit) {
   ASSERT_EQ(all.left_out.size(), 2U);
   EXPECT_EQ(all.left_out[0].run, 0U);
   EXPECT_EQ(all.left_out[1].run, 2U);
-  EXPECT_NE(std::string(all.left_out[1].why.what()).find("no hit was found"),
-            std::string::npos);
-  EXPECT_NE(std::string(all.left_out[1].why.what()).find("run2"),
-            std::string::npos);
+  EXPECT_THAT(std::string(all.left_out[1].why.what()),
+              HasSubstr("no hit was found"));
+  EXPECT_THAT(std::string(all.left_out[1].why.what()), HasSubstr("run2"));
   ASSERT_EQ(hits.runs.size(), 3U);
   EXPECT_TRUE(hits.runs[0].empty());
   EXPECT_EQ(hits.runs[1].size(), 2U);
@@ -169,8 +160,7 @@ TEST_F(ReadableRecordingsTest, LeaveOutOneRunOfAUniversalFile) {
   ReadableRecordings all = read_readable(bundle);
   ASSERT_EQ(all.left_out.size(), 1U);
   EXPECT_EQ(all.left_out[0].run, 3U);
-  EXPECT_NE(std::string(all.left_out[0].why.what()).find("is dead"),
-            std::string::npos);
+  EXPECT_THAT(std::string(all.left_out[0].why.what()), HasSubstr("is dead"));
   const HitSet hits = find_readable_hits(bundle, all, {});
   EXPECT_EQ(hits.runs[2].size(), 2U);
   EXPECT_TRUE(hits.runs[3].empty());

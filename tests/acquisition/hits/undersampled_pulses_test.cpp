@@ -1,8 +1,7 @@
 #include "acquisition/hits/undersampled_pulses.hpp"
 
 #include "tests/acquisition/support/hammer_record.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 namespace tapfit::acquisition {
 namespace {
@@ -56,7 +55,7 @@ TEST(ShortPulses, AreSaidUnlessAFilterRings) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     for (const double w : {1.5, 2.0, 2.5}) {
       const std::string said = said_of(blows(w, false, seed));
-      EXPECT_NE(said.find("no anti-alias filter"), std::string::npos) << w;
+      EXPECT_THAT(said, HasSubstr("no anti-alias filter")) << w;
       EXPECT_EQ(said_of(blows(w, true, seed)), "") << w;
     }
     EXPECT_EQ(said_of(blows(3.0, true, seed)), "");

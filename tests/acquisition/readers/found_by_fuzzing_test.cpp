@@ -4,8 +4,7 @@
 #include "acquisition/readers/mat_file.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 namespace tapfit::acquisition {
 namespace {
@@ -64,39 +63,27 @@ constexpr const char* vast_matrix =
 TEST(FoundByFuzzing, MatlabMatrixLargerThanItsFileCanHold) {
   const testing::TemporaryFolder folder;
   const std::string text = std::string(124, ' ') + bytes(vast_matrix);
-  try {
-    (void)read_mat_arrays(folder.write("vast.mat", text));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("\"acc\""), std::string::npos)
-        << error.what();
-    EXPECT_NE(error.remedy().find("copy it again"), std::string::npos);
-  }
+  EXPECT_THAT([&] { (void)read_mat_arrays(folder.write("vast.mat", text)); },
+              Throws<InputError>(AllOf(
+                  Property(&InputError::what, HasSubstr("\"acc\"")),
+                  Property(&InputError::remedy, HasSubstr("copy it again")))));
 }
 
 TEST(FoundByFuzzing, SoundFileThatAnnouncesMoreThanItCanHold) {
   const testing::TemporaryFolder folder;
-  try {
-    (void)read_audio(folder.write("tall.flac", bytes(tall_tale)));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("in 230 bytes"), std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT(
+      [&] { (void)read_audio(folder.write("tall.flac", bytes(tall_tale))); },
+      Refuses("in 230 bytes"));
 }
 
 TEST(FoundByFuzzing, MatlabVariableThatEndsEarly) {
   const testing::TemporaryFolder folder;
   const std::string text = std::string(124, ' ') + bytes(half_a_variable);
-  try {
-    (void)read_mat_arrays(folder.write("half.mat", text));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("85 bytes are announced, 43"),
-              std::string::npos)
-        << error.what();
-    EXPECT_NE(error.where().find("byte 128"), std::string::npos);
-  }
+  EXPECT_THAT(
+      [&] { (void)read_mat_arrays(folder.write("half.mat", text)); },
+      Throws<InputError>(AllOf(
+          Property(&InputError::what, HasSubstr("85 bytes are announced, 43")),
+          Property(&InputError::where, HasSubstr("byte 128")))));
 }
 
 TEST(FoundByFuzzing, MatlabVariableWithAnEndlessName) {
@@ -106,12 +93,9 @@ TEST(FoundByFuzzing, MatlabVariableWithAnEndlessName) {
     (void)read_mat_arrays(folder.write("name.mat", text));
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("3219587081 bytes are announced"),
-              std::string::npos)
-        << error.what();
+    EXPECT_THAT(error.what(), HasSubstr("3219587081 bytes are announced"));
     // Behind 128 of the header, 8 of the matrix, twice 16 of flags and size.
-    EXPECT_NE(error.where().find("byte 168"), std::string::npos)
-        << error.where();
+    EXPECT_THAT(error.where(), HasSubstr("byte 168"));
   }
 }
 
@@ -120,15 +104,12 @@ TEST(FoundByFuzzing, MatlabVariablesThatDoNotUnpack) {
   const testing::TemporaryFolder folder;
   for (const char* variable : {changed_byte, packed_long_name}) {
     const std::string text = std::string(124, ' ') + bytes(variable);
-    try {
-      (void)read_mat_arrays(folder.write("packed.mat", text));
-      ADD_FAILURE() << variable;
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find("does not unpack"),
-                std::string::npos)
-          << error.what();
-      EXPECT_NE(error.where().find("byte 128"), std::string::npos);
-    }
+    EXPECT_THAT(
+        [&] { (void)read_mat_arrays(folder.write("packed.mat", text)); },
+        Throws<InputError>(
+            AllOf(Property(&InputError::what, HasSubstr("does not unpack")),
+                  Property(&InputError::where, HasSubstr("byte 128")))))
+        << variable;
   }
 }
 

@@ -16,8 +16,7 @@
 #include "tests/acquisition/support/mutation.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/acquisition/support/uff_text.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <functional>
 
@@ -92,15 +91,6 @@ TEST_F(Fuzz, SoundFiles) {
       (void)read_audio(f);
     });
   }
-}
-
-std::string refusal_of(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 // Kept or not, what is wrong with the values is told alike.

@@ -3,8 +3,8 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/readers/mat_file.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/support/matchers.hpp"
 
-#include <gtest/gtest.h>
 #include <matio.h>
 
 #include <fstream>
@@ -142,15 +142,12 @@ TEST(MatDamage, PackedNumbersOfHdf5AreRefusedByName) {
       text.replace(i + 2, 4, "\xff\xff\xff\xff");
     }
   }
-  try {
-    const auto bad = folder.write("bad.mat", text);
-    (void)samples_of(read_mat_arrays(bad), "force", bad);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("\"force\" cannot be read"),
-              std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT(
+      [&] {
+        const auto bad = folder.write("bad.mat", text);
+        (void)samples_of(read_mat_arrays(bad), "force", bad);
+      },
+      Refuses("\"force\" cannot be read"));
 }
 
 }  // namespace

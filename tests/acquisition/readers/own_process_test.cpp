@@ -4,8 +4,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/readers/named_array.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <csignal>
 
@@ -18,13 +17,10 @@ class OwnProcess : public ::testing::Test {
   std::filesystem::path file_ = folder_.write("data", "x");
 
   std::string refusal(const std::function<void(std::FILE*)>& write) {
-    try {
+    return refusal_of([&] {
       in_own_process(
           file_, write, [](std::FILE* in) { (void)receive_arrays(in); });
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    });
   }
 };
 
@@ -52,7 +48,7 @@ TEST_F(OwnProcess, ARefusalIsThrownHere) {
     send_array({.name = "a"}, out);
     throw InputError("is odd", "there", "try this");
   });
-  EXPECT_NE(said.find("there: is odd (try this)"), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("there: is odd (try this)"));
 }
 
 TEST_F(OwnProcess, OneThatComesDownIsADamagedFile) {
@@ -61,8 +57,8 @@ TEST_F(OwnProcess, OneThatComesDownIsADamagedFile) {
       send_array({.name = "a"}, out);
       std::raise(signal);
     });
-    EXPECT_NE(said.find(file_.string()), std::string::npos) << said;
-    EXPECT_NE(said.find("is damaged"), std::string::npos) << said;
+    EXPECT_THAT(said, HasSubstr(file_.string()));
+    EXPECT_THAT(said, HasSubstr("is damaged"));
   }
 }
 

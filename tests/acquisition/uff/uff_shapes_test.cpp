@@ -4,8 +4,7 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <numbers>
 
@@ -50,24 +49,16 @@ TEST(UffGeometry, ReadsPointsLinesAndElements) {
 }
 
 TEST(UffGeometry, RefusesWithTheLine) {
-  const auto refusal = [](const std::string& text) -> std::string {
-    try {
-      (void)geometry_of(text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](const std::string& text) {
+    return refusal_of([&] { (void)geometry_of(text); });
   };
-  EXPECT_NE(refusal("    -1\n    15\n  1  2  3 not numbers\n    -1\n")
-                .find("line 1 of dataset 15"),
-            std::string::npos);
-  EXPECT_NE(refusal("    -1\n  2411\n         8         0\n    -1\n")
-                .find("ends within an entry"),
-            std::string::npos);
-  EXPECT_NE(refusal("    -1\n    82\n         1  16000000         8\nx\n"
-                    "         1\n    -1\n")
-                .find("ends within an entry"),
-            std::string::npos);
+  EXPECT_THAT(refusal("    -1\n    15\n  1  2  3 not numbers\n    -1\n"),
+              HasSubstr("line 1 of dataset 15"));
+  EXPECT_THAT(refusal("    -1\n  2411\n         8         0\n    -1\n"),
+              HasSubstr("ends within an entry"));
+  EXPECT_THAT(refusal("    -1\n    82\n         1  16000000         8\nx\n"
+                      "         1\n    -1\n"),
+              HasSubstr("ends within an entry"));
 }
 
 // A complex mode of the eigenvalue -3 + 4i: |lambda| 5 rad/s, damping 3/5.

@@ -2,9 +2,9 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/uff/write_uff_geometry.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include <sstream>
 
@@ -114,9 +114,8 @@ void refused(const std::string& text, const std::string& what) {
     (void)turned(g, {1, 3, 1});
     ADD_FAILURE() << "accepted, expected: " << what;
   } catch (const InputError& error) {
-    EXPECT_NE(error.fault().find(what), std::string::npos) << error.what();
-    EXPECT_NE(error.where().find("test.uff"), std::string::npos)
-        << error.what();
+    EXPECT_THAT(error.fault(), HasSubstr(what)) << error.what();
+    EXPECT_THAT(error.where(), HasSubstr("test.uff")) << error.what();
     EXPECT_GT(error.remedy().size(), 10U);
   }
 }

@@ -3,8 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "tests/modal/support/synthetic_frfs.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,12 +133,10 @@ TEST(BadFrfs, ValuesOfNoUnitAreRefused) {
   for (const double scale : {1e-200, 1e-100, 1e100, 1e200}) {
     signal::FrfSet set = four_modes();
     for (signal::Frf& frf : set.frfs) frf.H *= scale;
-    try {
-      (void)modal::identify_modes(set, {});
-      ADD_FAILURE() << scale;
-    } catch (const InputError& error) {
-      EXPECT_NE(error.remedy().find("unit"), std::string::npos);
-    }
+    EXPECT_THAT(
+        [&] { (void)modal::identify_modes(set, {}); },
+        Throws<InputError>(Property(&InputError::remedy, HasSubstr("unit"))))
+        << scale;
   }
 }
 

@@ -2,8 +2,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "tests/modal/support/synthetic_frfs.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,23 +58,18 @@ TEST(EditModes, SaysWhereThereIsNothingToDropOrAdd) {
   const signal::FrfSet frfs = four_modes();
   modal::IdentifyOptions options;
   options.edits = {{What::Drop, 50.0}};
-  try {
-    (void)modal::identify_modes(frfs, options);
-    FAIL() << "nothing is at 50 Hz";
-  } catch (const InputError& error) {
-    EXPECT_NE(error.remedy().find("41"), std::string::npos) << error.remedy();
-  }
+  EXPECT_THAT(
+      [&] { (void)modal::identify_modes(frfs, options); },
+      Throws<InputError>(Property(&InputError::remedy, HasSubstr("41"))));
   options.edits = {{What::Add, 41.0}};  // a mode is there, and no noise to fit
   EXPECT_THROW((void)modal::identify_modes(four_modes(0.0), options),
                InputError);
   for (const double beside : {101.0, 400.0, 1e300}) {
     options.edits = {{What::Add, beside}};
-    try {
-      (void)modal::identify_modes(frfs, options);
-      ADD_FAILURE() << beside;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.remedy(), "the lines go from 5 to 100 Hz");
-    }
+    EXPECT_THAT([&] { (void)modal::identify_modes(frfs, options); },
+                Throws<InputError>(Property(&InputError::remedy,
+                                            "the lines go from 5 to 100 Hz")))
+        << beside;
   }
 }
 
@@ -102,20 +96,16 @@ TEST(EditModes, ABandWithoutModesIsEmptyWithItsReason) {
   const modal::ModeSet found = modal::identify_modes(four_modes(), options);
   EXPECT_TRUE(found.modes.empty());
   ASSERT_FALSE(found.warnings.empty());
-  EXPECT_NE(found.warnings.back().find("no mode found"), std::string::npos);
+  EXPECT_THAT(found.warnings.back(), HasSubstr("no mode found"));
 }
 
 TEST(EditModes, ABandBesideTheFrfsIsRefusedWithTheirRange) {
   modal::IdentifyOptions options;
   options.band_hz = {400.0, 500.0};
-  try {
-    (void)modal::identify_modes(four_modes(), options);
-    FAIL() << "no line is there";
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.where(), "band");
-    EXPECT_NE(error.remedy().find("5 to 100 Hz"), std::string::npos)
-        << error.remedy();
-  }
+  EXPECT_THAT([&] { (void)modal::identify_modes(four_modes(), options); },
+              Throws<InputError>(AllOf(
+                  Property(&InputError::where, "band"),
+                  Property(&InputError::remedy, HasSubstr("5 to 100 Hz")))));
 }
 
 TEST(EditModes, HardChecksAreThoseOfTheOptions) {
@@ -127,8 +117,7 @@ TEST(EditModes, HardChecksAreThoseOfTheOptions) {
   options.least_mpc = 1.1;  // no shape has that
   const modal::ModeSet none = modal::identify_modes(frfs, options);
   EXPECT_TRUE(none.modes.empty());
-  EXPECT_NE(none.warnings.front().find("do not move in phase"),
-            std::string::npos);
+  EXPECT_THAT(none.warnings.front(), HasSubstr("do not move in phase"));
 }
 
 TEST(EditModes, LeastMpcIsThatOfTheShapesGiven) {

@@ -3,8 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "tests/modal/support/synthetic_frfs.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <cmath>
 #include <limits>
@@ -330,14 +329,10 @@ TEST(IdentifyModes, NamesTheLineThatIsMissing) {
   };
   frfs.s = without(frfs.s);
   for (signal::Frf& frf : frfs.frfs) frf.H = without(frf.H);
-  try {
-    (void)modal::identify_modes(frfs, {});
-    FAIL() << "30 Hz is missing";
-  } catch (const InputError& error) {
-    EXPECT_NE(error.where().find("29 Hz is followed by 31 Hz"),
-              std::string::npos)
-        << error.where();
-  }
+  EXPECT_THAT(
+      [&] { (void)modal::identify_modes(frfs, {}); },
+      Throws<InputError>(Property(&InputError::where,
+                                  HasSubstr("29 Hz is followed by 31 Hz"))));
 }
 
 TEST(IdentifyModes, RefusesUnevenLines) {

@@ -2,8 +2,7 @@
 #include "modal/identify/identify_modes.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "tests/modal/support/synthetic_frfs.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,8 +128,7 @@ TEST(Stitching, SaysWhatCannotBeScaledOrReached) {
       modal::identify_modes(measured(system, pairs, 0.0), {});
   EXPECT_FALSE(unscaled.scaled);
   ASSERT_FALSE(unscaled.warnings.empty());
-  EXPECT_NE(unscaled.warnings.front().find("no driving-point FRF"),
-            std::string::npos);
+  EXPECT_THAT(unscaled.warnings.front(), HasSubstr("no driving-point FRF"));
   // A set-up that shares no point with the others.
   pairs = both_ways();
   std::erase_if(pairs,

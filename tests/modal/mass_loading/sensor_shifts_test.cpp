@@ -6,9 +6,9 @@
 #include "signal/mass_removal/sensor_loads.hpp"
 #include "tests/modal/support/loaded_system.hpp"
 #include "tests/modal/support/synthetic_frfs.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
 
 #include <cmath>
 
@@ -133,8 +133,7 @@ TEST(SensorShifts, NamesTheCauseWithoutADrivingPoint) {
   ASSERT_FALSE(found.scaled);
   ASSERT_TRUE(found.shifts.has_value());
   EXPECT_EQ(found.shifts->cause, ShiftCause::SensorMass);
-  EXPECT_NE(statement(*found.shifts, {}).find("without a scale"),
-            std::string::npos);
+  EXPECT_THAT(statement(*found.shifts, {}), HasSubstr("without a scale"));
 }
 
 TEST(SensorShifts, NamesChannelsOfDifferentMass) {
@@ -143,10 +142,8 @@ TEST(SensorShifts, NamesChannelsOfDifferentMass) {
   shifts.masses = {{0.010, 0.001, 0.008, 0.012}, {0.02, 0.001, 0.018, 0.022}};
   shifts.sensors = {{1}, {2}};
   const std::string text = statement(shifts, {"hammer", "acc1", "acc2"});
-  EXPECT_NE(text.find("10 g (95 %: 8 to 12 g) of acc1"), std::string::npos)
-      << text;
-  EXPECT_NE(text.find("20 g (95 %: 18 to 22 g) of acc2"), std::string::npos)
-      << text;
+  EXPECT_THAT(text, HasSubstr("10 g (95 %: 8 to 12 g) of acc1"));
+  EXPECT_THAT(text, HasSubstr("20 g (95 %: 18 to 22 g) of acc2"));
 }
 
 /// Error of a set against the bare structure, each line over its rms.

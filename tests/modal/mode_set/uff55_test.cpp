@@ -1,8 +1,7 @@
 #include "modal/mode_set/uff55.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <sstream>
 
@@ -46,8 +45,8 @@ TEST(Uff55, HasItsNumbersInTheColumnsOfTheFormat) {
 TEST(Uff55, ModalBIsMinusPoleTimesModalA) {
   const std::string text = modes_as_uff(one_mode(), "A plate");
   // a = 250 j, b = -(-2 + 125 j) 250 j = 31250 + 500 j
-  EXPECT_NE(text.find("  0.00000E+00  2.50000E+02  3.12500E+04  5.00000E+02"),
-            std::string::npos);
+  EXPECT_THAT(
+      text, HasSubstr("  0.00000E+00  2.50000E+02  3.12500E+04  5.00000E+02"));
 }
 
 TEST(Uff55, SaysWhenItCannotBeWritten) {

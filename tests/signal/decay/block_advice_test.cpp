@@ -4,8 +4,7 @@
 
 #include "signal/estimate/estimate_frfs.hpp"
 #include "tests/signal/support/generated_test.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <cmath>
 #include <complex>
@@ -114,16 +113,14 @@ TEST(BlockAdvice, CountsTheHitsThatHaveRoom) {
   EXPECT_EQ(seen.advice->accepted, 3);
   EXPECT_EQ(seen.advice->with_room, 2);
   EXPECT_TRUE(seen.advice->every_run);
-  EXPECT_NE(statement(*seen.advice, 0.0).find("2 of 3 hits"),
-            std::string::npos);
+  EXPECT_THAT(statement(*seen.advice, 0.0), HasSubstr("2 of 3 hits"));
   o.gap = 4100;
   test = generate_test({mode_with(20.0, 3.0, o)}, o);
   test.bundle.band_hz = {5.0, 95.0};
   const Seen narrow = look(test);
   ASSERT_TRUE(narrow.advice);
   EXPECT_FALSE(narrow.advice->every_run);
-  EXPECT_NE(statement(*narrow.advice, 0.0).find("wait longer"),
-            std::string::npos);
+  EXPECT_THAT(statement(*narrow.advice, 0.0), HasSubstr("wait longer"));
 }
 
 TEST(BlockAdvice, HumIsNotTakenForAMode) {
@@ -134,7 +131,7 @@ TEST(BlockAdvice, HumIsNotTakenForAMode) {
   Seen seen = look(test);
   EXPECT_FALSE(seen.advice);
   EXPECT_NEAR(seen.lasting.hum_hz, 50.0, 1.0);
-  EXPECT_NE(hum_statement(seen.lasting).find("hum"), std::string::npos);
+  EXPECT_THAT(hum_statement(seen.lasting), HasSubstr("hum"));
   // A mode that lasts is found beside it.
   test = generate_test({mode_with(20.0, 3.0, o)}, o);
   test.bundle.band_hz = {5.0, 95.0};

@@ -2,8 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/signal/support/generated_test.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -198,9 +197,8 @@ TEST(EstimateFrfs, SaysWhereRunsOfOnePlacementDiffer) {
   const FrfSet set = estimate_frfs(test.bundle, test.recordings, test.hits, {});
   ASSERT_EQ(set.frfs.size(), 1U);
   ASSERT_FALSE(set.statements.empty());
-  EXPECT_NE(set.statements[0].find("runs 1, 2, 3, 4 and 5 measured the same"),
-            std::string::npos)
-      << set.statements[0];
+  EXPECT_THAT(set.statements[0],
+              HasSubstr("runs 1, 2, 3, 4 and 5 measured the same"));
 }
 
 TEST(EstimateFrfs, OffsetDriftAndHumDoNotReachTheLowLines) {

@@ -7,8 +7,7 @@
 #include "acquisition/readers/audio_file.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/signal/support/generated_test.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <chrono>
 
@@ -145,8 +144,8 @@ TEST_F(Replay, SaysWhereFilesOfTheSamePointDiffer) {
   const Replayed live = replay(test_.bundle, options_, {});
   ASSERT_FALSE(live.frfs.statements.empty());
   const std::string& said = live.frfs.statements.back();
-  EXPECT_NE(said.find("runs 1 and 2 measured the same"), std::string::npos);
-  EXPECT_NE(said.find("by a factor of"), std::string::npos) << said;
+  EXPECT_THAT(said, HasSubstr("runs 1 and 2 measured the same"));
+  EXPECT_THAT(said, HasSubstr("by a factor of"));
 }
 
 // The same records in a universal file: streamed, binary or text, they give
@@ -212,7 +211,7 @@ TEST_F(Replay, ProposesALongerBlockBeforeAnyWindow) {
       estimate_frfs(test_.bundle, lasting.recordings, live.hits, {});
   ASSERT_FALSE(whole.statements.empty());
   EXPECT_EQ(live.frfs.statements[0], whole.statements[0]);
-  EXPECT_NE(whole.statements[0].find("before any window"), std::string::npos);
+  EXPECT_THAT(whole.statements[0], HasSubstr("before any window"));
 }
 
 TEST_F(Replay, KeepsPaceWithTheSpeed) {
@@ -248,15 +247,11 @@ TEST_F(Replay, RefusesADeadChannelAtTheEnd) {
   samples.col(1).setZero();
   write();
   int seen = 0;
-  try {
-    (void)replay(test_.bundle, options_, [&](const LiveHit&) { ++seen; });
-    FAIL() << "nothing was averaged";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what())
-                  .find("channel \"acc1\" is dead: every sample is 0"),
-              std::string::npos)
-        << error.what();
-  }
+  EXPECT_THAT(
+      [&] {
+        (void)replay(test_.bundle, options_, [&](const LiveHit&) { ++seen; });
+      },
+      Refuses("channel \"acc1\" is dead: every sample is 0"));
   // Its last hits are in the piece that tells.
   EXPECT_GT(seen, 60);
   samples(samples.rows() - 1, 1) = 0.1;
@@ -276,9 +271,7 @@ TEST_F(Replay, RefusesWhatIsNotFiniteWithItsTime) {
     FAIL() << "not a number was averaged";
   } catch (const InputError& error) {
     // 100000 / 512 s.
-    EXPECT_NE(std::string(error.what()).find("at 195.312500 s"),
-              std::string::npos)
-        << error.what();
+    EXPECT_THAT(error.what(), HasSubstr("at 195.312500 s"));
   }
 }
 

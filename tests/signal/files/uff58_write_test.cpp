@@ -1,8 +1,7 @@
 // What is written as dataset 58, read back and by its columns.
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/signal/support/some_frfs.hpp"
-
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <sstream>
 
@@ -68,23 +67,24 @@ TEST(Uff58, TakesCarriageReturns) {
 TEST(Uff58, KeepsItsColumns) {
   // The columns of record 6 and 7, by the format's definition.
   const std::string text = written(some_set(0.0));
-  EXPECT_NE(
-      text.find("\n    4         1    0         0 NONE              12   3"
-                " NONE               3  -1\n"),
-      std::string::npos);
-  EXPECT_NE(text.find("\n         6         7         1  3.33333E-01  "
-                      "1.42857E-01  0.00000E+00\n"),
-            std::string::npos);
-  EXPECT_NE(text.find("\n        12    0    0    0 Acceleration         m/s^2"),
-            std::string::npos);
+  EXPECT_THAT(
+      text,
+      HasSubstr("\n    4         1    0         0 NONE              12   3"
+                " NONE               3  -1\n"));
+  EXPECT_THAT(text,
+              HasSubstr("\n         6         7         1  3.33333E-01  "
+                        "1.42857E-01  0.00000E+00\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("\n        12    0    0    0 Acceleration         m/s^2"));
   EXPECT_LT(text.find("   164\n"), text.find("    58\n"));
 }
 
 TEST(Uff58, WritesTheWindowAsQualifier) {
-  EXPECT_EQ(written(some_set(0.0)).find("  1858\n"), std::string::npos);
+  EXPECT_THAT(written(some_set(0.0)), Not(HasSubstr("  1858\n")));
   const std::string text = written(some_set(0.25));
-  EXPECT_NE(text.find("  1858\n"), std::string::npos);
-  EXPECT_NE(text.find("  2.5000000E-01\n"), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("  1858\n"));
+  EXPECT_THAT(text, HasSubstr("  2.5000000E-01\n"));
   FrfSet mixed = some_set(0.25);
   mixed.s(2) += 1.0;
   EXPECT_THROW((void)written(mixed), InputError);

@@ -36,18 +36,6 @@ TEST(Convert, DividesByS) {
   EXPECT_LT((back - A).tail(2).norm(), 1e-15);
 }
 
-TEST(Convert, VarianceGoesWithTheSquare) {
-  const Eigen::VectorXcd s = some_lines();
-  const Eigen::VectorXd v = Eigen::VectorXd::Constant(3, 2.0);
-  const Eigen::VectorXd r =
-      convert_variance(v, s, FrfForm::Accelerance, FrfForm::Receptance);
-  EXPECT_EQ(r(0), 0.0);
-  EXPECT_NEAR(r(1), 2.0 / (104.0 * 104.0), 1e-16);
-  const Eigen::VectorXd same =
-      convert_variance(v, s, FrfForm::Mobility, FrfForm::Mobility);
-  EXPECT_EQ(same, v);
-}
-
 TEST(Frac, IsOneForAFactorAndZeroForOrthogonal) {
   Eigen::VectorXcd a(2);
   a << complex(1e-200, 2e-200), complex(3e-200, 0.0);

@@ -3,9 +3,9 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "signal/frf_set/set_ups.hpp"
 #include "signal/mass_removal/sensor_loads.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <Eigen/Dense>
-#include <gtest/gtest.h>
 
 #include <complex>
 #include <numbers>
@@ -140,8 +140,7 @@ TEST(FreeFrfs, FreesARovingSensorWhereItsOwnPlaceWasHit) {
   EXPECT_EQ(freed.notes[0].by, FreedBy::Measurement);
   expect_bare(freed.frfs.frfs[0]);
   EXPECT_EQ(freed.notes[1].by, FreedBy::NotFreed);
-  EXPECT_NE(freed.notes[1].reason.find("2Z+ / 2Z+"), std::string::npos)
-      << freed.notes[1].reason;
+  EXPECT_THAT(freed.notes[1].reason, HasSubstr("2Z+ / 2Z+"));
   // As it was: nothing half done.
   EXPECT_EQ(freed.frfs.frfs[1].H, set.frfs[1].H);
 }

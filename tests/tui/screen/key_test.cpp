@@ -1,10 +1,9 @@
 #include "tui/screen/key.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tui/app/colon_command.hpp"
 #include "tui/app/key_script.hpp"
-
-#include <gtest/gtest.h>
 
 namespace tapfit::tui {
 namespace {
@@ -45,12 +44,10 @@ TEST(KeyScript, ReadsKeysAndDirectives) {
 
 TEST(KeyScript, NamesTheLineAtFault) {
   for (const char* bad : {"1\n<Foo>", "1\nresize 0 5", "1\nresize x"}) {
-    try {
-      (void)parse_key_script(bad);
-      FAIL() << bad;
-    } catch (const InputError& error) {
-      EXPECT_NE(error.where().find("line 2"), std::string::npos);
-    }
+    EXPECT_THAT(
+        [&] { (void)parse_key_script(bad); },
+        Throws<InputError>(Property(&InputError::where, HasSubstr("line 2"))))
+        << bad;
   }
   EXPECT_THROW((void)read_key_script("/nowhere/keys"), InputError);
 }

@@ -1,8 +1,7 @@
 #include "tui/widgets/plot.hpp"
 
+#include "tests/support/matchers.hpp"
 #include "tui/widgets/ticks.hpp"
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
@@ -67,13 +66,13 @@ TEST(Plot, TakesEmptyConstantAndSinglePointData) {
   plot.curves.push_back(curve({}, {}));
   EXPECT_NO_THROW(drawn(plot, 30, 8, false));
   plot.curves = {curve({1.0}, {5.0})};
-  EXPECT_NE(drawn(plot, 30, 8, true).find('*'), std::string::npos);
+  EXPECT_THAT(drawn(plot, 30, 8, true), HasSubstr("*"));
   plot.y.log = false;
   plot.curves = {curve({0.0, 1.0}, {3.0, 3.0})};
   const Ranges ranges = fit_ranges(plot);
   EXPECT_LT(ranges.y.lo, 3.0);
   EXPECT_GT(ranges.y.hi, 3.0);
-  EXPECT_NE(drawn(plot, 30, 8, true).find("****"), std::string::npos);
+  EXPECT_THAT(drawn(plot, 30, 8, true), HasSubstr("****"));
 }
 
 TEST(Plot, LeavesOutWhatIsNoNumber) {
@@ -84,8 +83,8 @@ TEST(Plot, LeavesOutWhatIsNoNumber) {
   for (const bool log : {false, true}) {
     plot.y.log = log;
     const std::string text = drawn(plot, 40, 10, false);
-    EXPECT_EQ(text.find("nan"), std::string::npos);
-    EXPECT_EQ(text.find("inf"), std::string::npos);
+    EXPECT_THAT(text, Not(HasSubstr("nan")));
+    EXPECT_THAT(text, Not(HasSubstr("inf")));
   }
   const Ranges ranges = fit_ranges(plot);
   EXPECT_TRUE(std::isfinite(ranges.y.lo) && std::isfinite(ranges.y.hi));
@@ -120,8 +119,8 @@ TEST(Plot, ShowsCursorMarkerAndShade) {
   plot.markers.push_back({2.0, U'v', {}});
   plot.shades.push_back({6.0, 8.0, {}});
   const std::string text = drawn(plot, 30, 8, true);
-  EXPECT_NE(text.find('v'), std::string::npos);
-  EXPECT_NE(text.find("| ......"), std::string::npos) << text;
+  EXPECT_THAT(text, HasSubstr("v"));
+  EXPECT_THAT(text, HasSubstr("| ......"));
 }
 
 std::vector<std::string> labels_of(const std::vector<Tick>& ticks) {

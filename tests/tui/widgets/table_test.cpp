@@ -1,6 +1,6 @@
 #include "tui/widgets/table.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 namespace tapfit::tui {
 namespace {
@@ -17,7 +17,7 @@ TEST(Table, ShowsTheSelectedRowHoweverFarDown) {
   const Table table = numbers(100);
   Screen screen(20, 5);
   draw_table(screen, screen.area(), table, {73, ""}, true);
-  EXPECT_NE(screen.to_text().find("▸row 73"), std::string::npos);
+  EXPECT_THAT(screen.to_text(), HasSubstr("▸row 73"));
 }
 
 // In reverse a full bar would look empty and an empty one full.

@@ -1,8 +1,7 @@
 #include "tui/widgets/wireframe.hpp"
 
+#include "tests/support/matchers.hpp"
 #include "tests/tui/support/fake_workbench.hpp"
-
-#include <gtest/gtest.h>
 
 namespace tapfit::tui {
 namespace {
@@ -41,8 +40,8 @@ TEST(Wireframe, DrawsMarksAtTheirGrids) {
   Screen screen(40, 12);
   draw_wireframe(screen, screen.area(), wire, scene, {});
   const std::string text = screen.to_text();
-  EXPECT_NE(text.find('@'), std::string::npos);
-  EXPECT_EQ(text.find('!'), std::string::npos);
+  EXPECT_THAT(text, HasSubstr("@"));
+  EXPECT_THAT(text, Not(HasSubstr("!")));
 }
 
 TEST(Wireframe, SeenFromAboveALongStripFillsTheWidth) {
@@ -72,7 +71,7 @@ TEST(Wireframe, TakesDegenerateStructures) {
   scene.marks = {{1, U'@', {}, ""}};
   scene.stems[1] = Eigen::Vector3d::Zero();
   draw_wireframe(screen, screen.area(), wireframe(deck), scene, {});
-  EXPECT_NE(screen.to_text().find('@'), std::string::npos);
+  EXPECT_THAT(screen.to_text(), HasSubstr("@"));
 }
 
 }  // namespace

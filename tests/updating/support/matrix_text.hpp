@@ -29,10 +29,4 @@ inline std::string matrix_market(const Eigen::MatrixXd& A) {
       entries);
 }
 
-/// Written to a file of the test's own and read back.
-inline SparseMatrix through_matrix_market(const std::string& name,
-                                          const Eigen::MatrixXd& A) {
-  return read_matrix_market(write_text(name + ".mtx", matrix_market(A)));
-}
-
 }  // namespace tapfit::structure

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
@@ -169,6 +170,51 @@ int property_of(const CardReader& card,
               "Add the property or correct the entry.");
   }
   return id;
+}
+
+/// A property or material with its id and place, the id taken.
+/// @param kind as in DeckBuilder::define
+template <typename Property>
+Property defined_by(DeckBuilder& builder,
+                    const CardReader& card,
+                    const std::string& kind,
+                    const char* meaning = "PID") {
+  Property p;
+  p.id = card.id(1, meaning);
+  builder.define(card, kind, p.id);
+  p.where = card.where();
+  return p;
+}
+
+/// An element with its id and place, the id taken.
+template <typename Element>
+Element claimed_by(DeckBuilder& builder, const CardReader& card) {
+  Element e;
+  e.id = card.id(1, "EID");
+  e.where = card.where();
+  builder.claim(card, e.id);
+  return e;
+}
+
+/// Reads the corners of a shell or solid from field 4 on, then the grids in the
+/// middle of its edges: 0 where one is blank, none where all are.
+template <typename Element>
+void read_corners(const DeckBuilder& builder,
+                  const CardReader& card,
+                  std::size_t corners,
+                  std::size_t edges,
+                  Element& e) {
+  for (std::size_t i = 0; i < corners; ++i) {
+    e.grids.push_back(existing_grid(builder, card, 3 + i));
+  }
+  for (std::size_t i = 0; i < edges; ++i) {
+    const std::size_t at = 3 + corners + i;
+    const bool none = card.integer_or(at, 0, "grid") == 0;
+    e.mids.push_back(none ? 0 : existing_grid(builder, card, at));
+  }
+  if (std::ranges::all_of(e.mids, [](int id) { return id == 0; })) {
+    e.mids.clear();
+  }
 }
 
 /// Cross section of a PBARL. @return empty for a type that is not known

@@ -1,7 +1,7 @@
 // CBUSH and PBUSH: stiffness and damping; axes from CID, GO or a vector; the
 // place S between the grids.
-#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <Eigen/Geometry>
@@ -67,13 +67,10 @@ void read_cbush(DeckBuilder& builder, const CardReader& card) {
   bush.id = card.id(1, "EID");
   builder.claim(card, bush.id);
   const int pid = card.integer_or(2, bush.id, "PID");
-  const auto property = builder.bush_properties.find(pid);
-  if (property == builder.bush_properties.end()) {
-    card.fail(fmt::format("PBUSH {} does not exist", pid),
-              "Add the property or correct the entry.");
-  }
-  bush.stiffness = property->second.stiffness;
-  bush.damping = property->second.damping;
+  const BushProperty& property = builder.bush_properties.at(
+      property_of(card, builder.bush_properties, pid, "PBUSH"));
+  bush.stiffness = property.stiffness;
+  bush.damping = property.damping;
   const Grid& a = builder.grid(card, card.id(3, "GA"));
   bush.grids[0] = a.id;
   Eigen::Vector3d along = Eigen::Vector3d::Zero();

@@ -89,25 +89,12 @@ struct ShellFields {
 void read_shell(DeckBuilder& builder,
                 const CardReader& card,
                 const ShellFields& fields) {
-  Shell shell;
-  shell.id = card.id(1, "EID");
-  shell.where = card.where();
-  builder.claim(card, shell.id);
+  auto shell = claimed_by<Shell>(builder, card);
   shell.property = property_of(card,
                                builder.deck.shell_properties,
                                card.integer_or(2, shell.id, "PID"),
                                "PSHELL");
-  for (std::size_t i = 0; i < fields.corners; ++i) {
-    shell.grids.push_back(existing_grid(builder, card, 3 + i));
-  }
-  for (std::size_t i = 0; i < fields.mids; ++i) {
-    const std::size_t at = 3 + fields.corners + i;
-    const bool none = card.integer_or(at, 0, "grid") == 0;
-    shell.mids.push_back(none ? 0 : existing_grid(builder, card, at));
-  }
-  if (std::ranges::all_of(shell.mids, [](int id) { return id == 0; })) {
-    shell.mids.clear();
-  }
+  read_corners(builder, card, fields.corners, fields.mids, shell);
   refuse_repeated(card, shell.all_grids());
   shell.theta_deg = material_angle(builder, card, fields.theta, shell.grids);
   shell.offset = card.real_or(fields.offset, 0.0, "ZOFFS");
@@ -184,10 +171,7 @@ void take_own_offsets(DeckBuilder& builder, const CardReader& card, Bar& bar) {
 }
 
 void read_bar(DeckBuilder& builder, const CardReader& card) {
-  Bar bar;
-  bar.id = card.id(1, "EID");
-  bar.where = card.where();
-  builder.claim(card, bar.id);
+  auto bar = claimed_by<Bar>(builder, card);
   bar.property = property_of(card,
                              builder.deck.bar_properties,
                              card.integer_or(2, bar.id, "PID"),
@@ -206,10 +190,7 @@ void read_bar(DeckBuilder& builder, const CardReader& card) {
 }
 
 void read_crod(DeckBuilder& builder, const CardReader& card) {
-  Rod rod;
-  rod.id = card.id(1, "EID");
-  rod.where = card.where();
-  builder.claim(card, rod.id);
+  auto rod = claimed_by<Rod>(builder, card);
   rod.property = property_of(card,
                              builder.deck.rod_properties,
                              card.integer_or(2, rod.id, "PID"),
@@ -221,10 +202,7 @@ void read_crod(DeckBuilder& builder, const CardReader& card) {
 }
 
 void read_conrod(DeckBuilder& builder, const CardReader& card) {
-  Rod rod;
-  rod.id = card.id(1, "EID");
-  rod.where = card.where();
-  builder.claim(card, rod.id);
+  auto rod = claimed_by<Rod>(builder, card);
   rod.property = -rod.id;
   rod.grids = {existing_grid(builder, card, 2),
                existing_grid(builder, card, 3)};

@@ -50,10 +50,7 @@ std::vector<Ply> read_plies(const CardReader& card, const PlyFields& fields) {
 void read_laminate(DeckBuilder& builder,
                    const CardReader& card,
                    const PlyFields& fields) {
-  ShellProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PSHELL", p.id);
-  p.where = card.where();
+  auto p = defined_by<ShellProperty>(builder, card, "PSHELL");
   p.plies = read_plies(card, fields);
   const std::string kind = upper(card.text(8));
   if (kind == "SYM") {

@@ -19,11 +19,7 @@ void refuse_negative_density(const CardReader& card, double rho) {
 }
 
 Material material_of(DeckBuilder& builder, const CardReader& card) {
-  Material m;
-  m.id = card.id(1, "MID");
-  builder.define(card, "material", m.id);
-  m.where = card.where();
-  return m;
+  return defined_by<Material>(builder, card, "material", "MID");
 }
 
 void warn_disagreement(DeckBuilder& builder,

@@ -18,10 +18,7 @@ void refuse_no_thickness(const CardReader& card, double thickness) {
 }
 
 void read_pshell(DeckBuilder& builder, const CardReader& card) {
-  ShellProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PSHELL", p.id);
-  p.where = card.where();
+  auto p = defined_by<ShellProperty>(builder, card, "PSHELL");
   p.membrane = card.integer_or(2, 0, "MID1");
   p.thickness = card.real(3, "T");
   p.bending = card.integer_or(4, 0, "MID2");
@@ -50,10 +47,7 @@ void refuse_negative(const CardReader& card, double value, const char* name) {
 }
 
 void read_prod(DeckBuilder& builder, const CardReader& card) {
-  RodProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PROD", p.id);
-  p.where = card.where();
+  auto p = defined_by<RodProperty>(builder, card, "PROD");
   p.material = card.id(2, "MID");
   p.area = card.real_or(3, 0.0, "A");
   p.J = card.real_or(4, 0.0, "J");
@@ -66,10 +60,7 @@ void read_prod(DeckBuilder& builder, const CardReader& card) {
 
 // OD, T, NSM; the mean diameter where OD2 differs.
 void read_ptube(DeckBuilder& builder, const CardReader& card) {
-  RodProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PROD", p.id);
-  p.where = card.where();
+  auto p = defined_by<RodProperty>(builder, card, "PROD");
   p.material = card.id(2, "MID");
   const double first = card.real(3, "OD");
   const double outer = 0.5 * (first + card.real_or(7, first, "OD2"));
@@ -87,10 +78,7 @@ void read_ptube(DeckBuilder& builder, const CardReader& card) {
 }
 
 void read_pshear(DeckBuilder& builder, const CardReader& card) {
-  ShellProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PSHELL", p.id);
-  p.where = card.where();
+  auto p = defined_by<ShellProperty>(builder, card, "PSHELL");
   p.panel = true;
   p.membrane = card.id(2, "MID");
   p.thickness = card.real(3, "T");
@@ -105,10 +93,7 @@ void read_pshear(DeckBuilder& builder, const CardReader& card) {
 }
 
 void read_psolid(DeckBuilder& builder, const CardReader& card) {
-  SolidProperty p;
-  p.id = card.id(1, "PID");
-  builder.define(card, "PSOLID", p.id);
-  p.where = card.where();
+  auto p = defined_by<SolidProperty>(builder, card, "PSOLID");
   p.material = card.id(2, "MID");
   const int system = card.integer_or(3, 0, "CORDM");
   p.in_element = system < 0;

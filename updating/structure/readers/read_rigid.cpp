@@ -10,14 +10,6 @@ namespace {
 
 const char* const kAll = "123456";
 
-RigidElement element_of(DeckBuilder& builder, const CardReader& card) {
-  RigidElement e;
-  e.id = card.id(1, "EID");
-  e.where = card.where();
-  builder.claim(card, e.id);
-  return e;
-}
-
 void add_dependent(DeckBuilder& builder,
                    const CardReader& card,
                    const Dependent& dependent,
@@ -61,7 +53,7 @@ std::size_t end_of_grids(const CardReader& card) {
 }
 
 void read_rbe2(DeckBuilder& builder, const CardReader& card) {
-  RigidElement e = element_of(builder, card);
+  auto e = claimed_by<RigidElement>(builder, card);
   e.independent = builder.grid(card, card.id(2, "GN")).id;
   const std::string components = card.components(3);
   if (components.empty()) {
@@ -83,7 +75,7 @@ bool leads(std::string components) {
 }
 
 void read_rbar(DeckBuilder& builder, const CardReader& card) {
-  RigidElement e = element_of(builder, card);
+  auto e = claimed_by<RigidElement>(builder, card);
   const std::string lead_a = card.components(4);
   const std::string lead_b = card.components(5);
   const bool from_a = leads(lead_a) && lead_b.empty();

@@ -13,25 +13,12 @@ void read_solid(DeckBuilder& builder,
                 const CardReader& card,
                 std::size_t corners,
                 std::size_t edges) {
-  Solid solid;
-  solid.id = card.id(1, "EID");
-  solid.where = card.where();
-  builder.claim(card, solid.id);
+  auto solid = claimed_by<Solid>(builder, card);
   solid.property = property_of(card,
                                builder.deck.solid_properties,
                                card.integer_or(2, solid.id, "PID"),
                                "PSOLID");
-  for (std::size_t i = 0; i < corners; ++i) {
-    solid.grids.push_back(existing_grid(builder, card, 3 + i));
-  }
-  for (std::size_t i = 0; i < edges; ++i) {
-    const std::size_t at = 3 + corners + i;
-    const bool none = card.integer_or(at, 0, "grid") == 0;
-    solid.mids.push_back(none ? 0 : existing_grid(builder, card, at));
-  }
-  if (std::ranges::all_of(solid.mids, [](int id) { return id == 0; })) {
-    solid.mids.clear();
-  }
+  read_corners(builder, card, corners, edges, solid);
   std::vector<int> grids = solid.all_grids();
   std::ranges::sort(grids);
   if (std::ranges::adjacent_find(grids) != grids.end()) {
