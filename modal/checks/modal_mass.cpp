@@ -17,6 +17,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr double far = 20.0;         // of z m from 1: no structure explains it
+constexpr double far_apart = 100.0;  // two sensors of one test
+
 struct Known {
   double factor;
   const char* words;
@@ -124,8 +127,7 @@ std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
 std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
                                          const signal::FrfSet& set,
                                          const ModeSet& modes,
-                                         double mass_kg,
-                                         const ModalMassLimits& limits) {
+                                         double mass_kg) {
   if (modes.modes.empty() || bundle.runs.empty()) return {};
   const std::vector<ChannelSize> sizes = channel_sizes(set, modes);
   if (sizes.empty()) return {};
@@ -133,7 +135,7 @@ std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
   std::vector<ChannelSize> off;
   for (const ChannelSize& one : sizes) {
     const double factor = one.z_per_kg * mass_kg;
-    if (mass_kg > 0.0 && (factor > limits.far || factor < 1.0 / limits.far)) {
+    if (mass_kg > 0.0 && (factor > far || factor < 1.0 / far)) {
       off.push_back(one);
     }
   }
@@ -165,7 +167,7 @@ std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
         one.z_per_kg /
         std::exp(log_sum / static_cast<double>(sizes.size() - 1));
     // Of two both are named; of more the one that differs.
-    if (factor < limits.between && factor > 1.0 / limits.between) continue;
+    if (factor < far_apart && factor > 1.0 / far_apart) continue;
     findings.push_back(against_others(bundle, one, factor));
     if (sizes.size() == 2) break;
   }

@@ -27,18 +27,12 @@ struct ChannelSize {
 [[nodiscard]] std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
                                                      const ModeSet& modes);
 
-struct ModalMassLimits {
-  double far = 20.0;       ///< factor of z m from 1 that no structure explains
-  double between = 100.0;  ///< factor between two sensors of one test
-};
-
 /// @param mass_kg of the structure; 0 where it is not known
 [[nodiscard]] std::vector<Finding> modal_mass_findings(
     const acquisition::TestBundle& bundle,
     const signal::FrfSet& set,
     const ModeSet& modes,
-    double mass_kg,
-    const ModalMassLimits& limits = {});
+    double mass_kg);
 
 /// "1000 (k for none, or mV for V)": what the nearest factors between units are
 /// called; empty where none lies within a factor of `within`.

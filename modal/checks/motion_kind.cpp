@@ -21,6 +21,11 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using complex = std::complex<double>;
 
+// Share that the right kind may leave, each line relative to its own size, and
+// of what accelerance of either sign leaves.
+constexpr double most_left = 0.2;
+constexpr double most_of_other = 0.5;
+
 MatrixXcd accelerance_terms(const VectorXcd& s, const VectorXcd& poles) {
   MatrixXcd terms(s.size(), poles.size() + 2);
   for (Index l = 0; l < s.size(); ++l) {
@@ -104,8 +109,7 @@ VectorXd nonnegative_fit(const MatrixXd& A, const VectorXd& b) {
 
 std::vector<Finding> motion_kind_findings(const acquisition::TestBundle& bundle,
                                           const signal::FrfSet& set,
-                                          const ModeSet& modes,
-                                          const MotionKindLimits& limits) {
+                                          const ModeSet& modes) {
   const VectorXcd poles = poles_of(modes);
   if (poles.size() == 0 || bundle.runs.empty()) return {};
   const VectorXcd beside = poles_beside(set.s);
@@ -126,7 +130,7 @@ std::vector<Finding> motion_kind_findings(const acquisition::TestBundle& bundle,
     const double accelerance = std::min(left_of(H, terms), left_of(-H, terms));
     const double receptance = std::min(left_of(as_displacement, terms),
                                        left_of(-as_displacement, terms));
-    if (receptance > limits.fits || receptance > limits.better * accelerance) {
+    if (receptance > most_left || receptance > most_of_other * accelerance) {
       continue;
     }
     told.insert(frf.channel);

@@ -31,19 +31,11 @@ namespace tapfit::modal {
 [[nodiscard]] Eigen::VectorXd nonnegative_fit(const Eigen::MatrixXd& A,
                                               const Eigen::VectorXd& b);
 
-struct MotionKindLimits {
-  /// Share that the right kind may leave, each line relative to its own size.
-  double fits = 0.2;
-  /// Of what accelerance of either sign leaves.
-  double better = 0.5;
-};
-
 /// Channels that measure displacement where acceleration was declared, as their
 /// driving points show.
 [[nodiscard]] std::vector<Finding> motion_kind_findings(
     const acquisition::TestBundle& bundle,
     const signal::FrfSet& set,
-    const ModeSet& modes,
-    const MotionKindLimits& limits = {});
+    const ModeSet& modes);
 
 }  // namespace tapfit::modal

@@ -23,6 +23,8 @@ Eigen::MatrixXd mac(const Eigen::MatrixXcd& U, const Eigen::MatrixXcd& V) {
   return result.cwiseMin(1.0);
 }
 
+Eigen::MatrixXd auto_mac(const Eigen::MatrixXcd& U) { return mac(U, U); }
+
 Eigen::MatrixXd mass_weighted_mac(const Eigen::MatrixXcd& U,
                                   const Eigen::MatrixXcd& V,
                                   const Eigen::MatrixXd& W) {

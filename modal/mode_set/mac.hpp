@@ -24,6 +24,12 @@ namespace tapfit::modal {
 [[nodiscard]] Eigen::MatrixXd mac(const Eigen::MatrixXcd& U,
                                   const Eigen::MatrixXcd& V);
 
+/// MAC of a set of shapes among themselves: large off its diagonal where the
+/// measured points cannot tell two modes apart.
+///
+/// @return p x p, symmetric, 1 on the diagonal
+[[nodiscard]] Eigen::MatrixXd auto_mac(const Eigen::MatrixXcd& U);
+
 /// MAC in the inner product u^H W v.
 ///
 /// @param W n_dof x n_dof, symmetric, positive definite: a model's mass matrix

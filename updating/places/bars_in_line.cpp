@@ -49,7 +49,7 @@ class Members {
  private:
   [[nodiscard]] Vector3d along(const Step& step) const {
     const auto position = [this](int grid) {
-      return deck_->grids[deck_->grid_index(grid)].position;
+      return deck_->grid(grid).position;
     };
     return (position(step.end()) - position(step.bar->grids[step.from]))
         .normalized();

@@ -17,10 +17,6 @@ using structure::Deck;
 // An element of two, three or four grids.
 using Corners = std::vector<int>;
 
-Vector3d grid_at(const Deck& deck, int id) {
-  return deck.grids[deck.grid_index(id)].position;
-}
-
 // Off the element by more than this part of a side it is on another one.
 std::optional<Shapes> shapes_within(const std::vector<Vector3d>& x,
                                     const Vector3d& at) {
@@ -28,12 +24,6 @@ std::optional<Shapes> shapes_within(const std::vector<Vector3d>& x,
   std::optional<Shapes> shapes = shapes_at(x, at);
   if (shapes && shapes->off > off * (x[1] - x[0]).norm()) return std::nullopt;
   return shapes;
-}
-
-std::vector<Vector3d> corners_of(const Deck& deck, const Corners& grids) {
-  std::vector<Vector3d> x;
-  for (const int id : grids) x.push_back(grid_at(deck, id));
-  return x;
 }
 
 // Elements that a grid is a corner of.
@@ -80,7 +70,7 @@ std::set<int> joined_to(const Deck& deck, int node) {
 }  // namespace
 
 Vector3d position_of(const Where& where, const Deck& deck) {
-  if (where.at.size() != 3) return grid_at(deck, where.node);
+  if (where.at.size() != 3) return deck.grid(where.node).position;
   return {where.at[0], where.at[1], where.at[2]};
 }
 
@@ -103,7 +93,7 @@ std::vector<MotionShare> motion_between(const Deck& deck,
   const Vector3d axis = Vector3d::Unit(component - 1);
   std::vector<MotionShare> shares;
   for (const Corners& grids : elements_at(deck, where.node)) {
-    const std::vector<Vector3d> x = corners_of(deck, grids);
+    const std::vector<Vector3d> x = deck.positions(grids);
     const std::optional<Shapes> shapes = shapes_within(x, at);
     if (!shapes) continue;
     const std::vector<CornerMotion> corners = motion_along(x, *shapes, axis);
@@ -128,7 +118,7 @@ std::vector<Where> moved_to(const Where& where,
   for (const int node : nodes) {
     Where tried = moved;
     tried.node = node;
-    const double far = (grid_at(deck, node) - at).norm();
+    const double far = (deck.grid(node).position - at).norm();
     if (far >= least || motion_between(deck, tried, 1).empty()) continue;
     least = far;
     moved = tried;
@@ -138,25 +128,25 @@ std::vector<Where> moved_to(const Where& where,
 }
 
 double sides_apart(const Where& where, int grid, const Deck& deck) {
-  const Vector3d from = grid_at(deck, where.node);
+  const Vector3d from = deck.grid(where.node).position;
   double side = 0.0;
   for (const int other : joined_to(deck, where.node)) {
     if (other == grid) return 1.0;
-    const double length = (grid_at(deck, other) - from).norm();
+    const double length = (deck.grid(other).position - from).norm();
     if (side == 0.0 || length < side) side = length;
   }
   if (side == 0.0) return 1.0;
-  return std::max(1.0, (grid_at(deck, grid) - from).norm() / side);
+  return std::max(1.0, (deck.grid(grid).position - from).norm() / side);
 }
 
 std::vector<Where> places_around(const Where& where,
                                  double step,
                                  const Deck& deck) {
   const Vector3d from = position_of(where, deck);
-  const Vector3d node = grid_at(deck, where.node);
+  const Vector3d node = deck.grid(where.node).position;
   std::vector<Where> places;
   for (const int other : joined_to(deck, where.node)) {
-    const Vector3d at = from + step * (grid_at(deck, other) - node);
+    const Vector3d at = from + step * (deck.grid(other).position - node);
     if (step >= 1.0) {
       // A surface need not go on straight so far.
       places.push_back(where);

@@ -53,7 +53,8 @@ CrackLine crack_line(const Deck& deck, const std::vector<int>& nodes) {
   std::map<int, double> length;
   for (const Edge& edge : line) {
     const double half =
-        0.5 * (position_of(deck, edge[1]) - position_of(deck, edge[0])).norm();
+        0.5 *
+        (deck.grid(edge[1]).position - deck.grid(edge[0]).position).norm();
     for (const int node : edge) {
       ++beside[node];
       length[node] += half;
@@ -120,7 +121,7 @@ std::vector<std::vector<int>> cracks_near(const Deck& deck,
   }
   const Net net = net_of(edges_of(deck));
   const Vector3d along =
-      (position_of(deck, nodes.back()) - position_of(deck, nodes.front()))
+      (deck.grid(nodes.back()).position - deck.grid(nodes.front()).position)
           .normalized();
   const int on = straight_on(deck, net, nodes.back(), along);
   const int back = straight_on(deck, net, nodes.front(), -along);

@@ -19,7 +19,7 @@ void add_elements(const Deck& deck,
   for (const auto& e : elements) {
     ElementCell cell{{e.id}, e.property, Vector3d::Zero()};
     for (const int grid : e.grids) {
-      cell.middle += deck.grids[deck.grid_index(grid)].position;
+      cell.middle += deck.grid(grid).position;
     }
     cell.middle /= static_cast<double>(e.grids.size());
     cells.push_back(std::move(cell));

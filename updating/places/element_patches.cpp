@@ -44,8 +44,7 @@ std::vector<Vector3d> edge_middles(const Deck& deck) {
   }
   std::vector<Vector3d> middles;
   for (const auto& [a, b] : edges) {
-    middles.emplace_back(0.5 * (deck.grids[deck.grid_index(a)].position +
-                                deck.grids[deck.grid_index(b)].position));
+    middles.emplace_back(0.5 * (deck.grid(a).position + deck.grid(b).position));
   }
   return middles;
 }

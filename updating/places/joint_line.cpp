@@ -25,7 +25,7 @@ std::optional<std::vector<int>> straight_path(const Deck& deck,
                                               int b) {
   std::vector<int> path = {a, b};
   const Vector3d along =
-      (position_of(deck, b) - position_of(deck, a)).normalized();
+      (deck.grid(b).position - deck.grid(a).position).normalized();
   while (!net.rim.contains(path.back())) {
     const int next = straight_on(deck, net, path.back(), along);
     if (next == 0) return std::nullopt;
@@ -41,7 +41,7 @@ bool in_line(const Deck& deck,
   both.insert(both.end(), b.begin(), b.end());
   const Ray ray = ray_of(deck, both);
   return std::all_of(both.begin(), both.end(), [&](int node) {
-    return on_ray(ray, position_of(deck, node));
+    return on_ray(ray, deck.grid(node).position);
   });
 }
 
@@ -105,7 +105,8 @@ JointLine shell_joint(const Deck& deck, const std::vector<int>& nodes) {
   for (const Edge& edge : line) {
     grids.insert(edge.begin(), edge.end());
     const double half =
-        0.5 * (position_of(deck, edge[1]) - position_of(deck, edge[0])).norm();
+        0.5 *
+        (deck.grid(edge[1]).position - deck.grid(edge[0]).position).norm();
     for (const int node : edge) length[node] += half;
   }
   JointLine joint;
@@ -139,7 +140,7 @@ JointLine bar_joint(const Deck& deck,
         std::find(bars.begin(), bars.end(), bar.id) != bars.end();
     if (!touches || !wanted) continue;
     const Vector3d along =
-        (position_of(deck, bar.grids[1]) - position_of(deck, bar.grids[0]))
+        (deck.grid(bar.grids[1]).position - deck.grid(bar.grids[0]).position)
             .normalized();
     const Vector3d axis = along.cross(Vector3d::Unit(component - 1));
     if (axis.norm() < 1e-3) return joint;

@@ -15,9 +15,7 @@ std::vector<int> nearest(int node,
                          const std::vector<Where>& places,
                          const structure::Deck& deck,
                          int count) {
-  const auto position = [&deck](int id) {
-    return deck.grids[deck.grid_index(id)].position;
-  };
+  const auto position = [&deck](int id) { return deck.grid(id).position; };
   std::vector<std::pair<double, int>> distance = {{0.0, node}};
   std::set<int> known = {node};
   for (const Where& place : places) {
@@ -47,7 +45,7 @@ double overlap(const std::vector<int>& a, const std::vector<int>& b) {
 Eigen::Vector3d middle(const structure::Deck& deck,
                        const std::vector<int>& grids) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const int id : grids) sum += deck.grids[deck.grid_index(id)].position;
+  for (const int id : grids) sum += deck.grid(id).position;
   return sum / static_cast<double>(grids.size());
 }
 

@@ -37,16 +37,6 @@ const std::vector<std::vector<std::size_t>>& faces_of(std::size_t corners) {
   return corners == 5 ? pyramid : tetrahedron;
 }
 
-Vector3d place_of_grid(const Deck& deck, int id) {
-  return deck.grids[deck.grid_index(id)].position;
-}
-
-std::vector<Vector3d> places_of(const Deck& deck, const std::vector<int>& ids) {
-  std::vector<Vector3d> x;
-  for (const int id : ids) x.push_back(place_of_grid(deck, id));
-  return x;
-}
-
 Vector3d mean_of(const std::vector<Vector3d>& x) {
   Vector3d sum = Vector3d::Zero();
   for (const Vector3d& p : x) sum += p;
@@ -71,8 +61,8 @@ MeshPart face_of(const Deck& deck,
                  const std::vector<std::size_t>& corners) {
   MeshPart face{MeshPart::Kind::Face, solid.id, {}, {}};
   for (const std::size_t c : corners) face.grids.push_back(solid.grids[c]);
-  const std::vector<Vector3d> x = places_of(deck, face.grids);
-  const Vector3d outward = mean_of(x) - mean_of(places_of(deck, solid.grids));
+  const std::vector<Vector3d> x = deck.positions(face.grids);
+  const Vector3d outward = mean_of(x) - mean_of(deck.positions(solid.grids));
   if (normal_of(x).dot(outward) < 0.0) {
     std::reverse(face.grids.begin(), face.grids.end());
   }
@@ -159,7 +149,7 @@ std::optional<std::pair<int, double>> nearest_grid(const Deck& deck,
 MeshSurface::MeshSurface(const Deck& deck) : deck_(&deck) {
   for (MeshPart& part : parts_of(deck)) {
     Placed placed{std::move(part), {}, {}, 0.0};
-    placed.x = places_of(deck, placed.part.grids);
+    placed.x = deck.positions(placed.part.grids);
     placed.middle = mean_of(placed.x);
     for (const Vector3d& x : placed.x) {
       placed.reach = std::max(placed.reach, (x - placed.middle).norm());
@@ -213,7 +203,7 @@ std::optional<PointOnMesh> MeshSurface::nearest(const Vector3d& at) const {
   if (best == nullptr) {
     if (!grid) return std::nullopt;
     return PointOnMesh{{MeshPart::Kind::Grid, grid->first, {grid->first}, {}},
-                       place_of_grid(*deck_, grid->first),
+                       deck_->grid(grid->first).position,
                        grid->second};
   }
   found.size = side_of(best->x);
@@ -229,7 +219,7 @@ std::optional<PointOnMesh> MeshSurface::nearest(const Vector3d& at) const {
 
 PointOnMesh MeshSurface::at_grid(int grid) const {
   PointOnMesh found;
-  found.foot = place_of_grid(*deck_, grid);
+  found.foot = deck_->grid(grid).position;
   found.part = {MeshPart::Kind::Grid, grid, {grid}, {}};
   const auto holds = [grid](const Placed& placed) {
     return straight_place(placed.part, placed.x, grid).has_value();
@@ -291,7 +281,7 @@ std::vector<Share> with_mids(const MeshPart& part, const Shapes& shapes) {
 class Followed {
  public:
   Followed(const PointOnMesh& point, const Deck& deck)
-      : part_(&point.part), x_(places_of(deck, point.part.grids)) {
+      : part_(&point.part), x_(deck.positions(point.part.grids)) {
     if (part_->kind == MeshPart::Kind::Grid) {
       shares_ = {{part_->grids.front(), 1.0}};
       return;

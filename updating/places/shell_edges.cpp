@@ -11,13 +11,9 @@ using Eigen::Vector3d;
 using structure::Deck;
 using structure::Shell;
 
-Vector3d position_of(const Deck& deck, int node) {
-  return deck.grids[deck.grid_index(node)].position;
-}
-
 Vector3d normal_of(const Deck& deck, const Shell& shell) {
   const auto at = [&](std::size_t k) {
-    return position_of(deck, shell.grids[k]);
+    return deck.grid(shell.grids[k]).position;
   };
   const std::size_t last = shell.grids.size() - 1;
   return (at(2) - at(0)).cross(at(last) - at(1)).normalized();
@@ -65,7 +61,7 @@ int straight_on(const Deck& deck,
   const auto inner = net.inner.find(from);
   if (inner == net.inner.end()) return next;
   for (const int c : inner->second) {
-    const Vector3d d = position_of(deck, c) - position_of(deck, from);
+    const Vector3d d = deck.grid(c).position - deck.grid(from).position;
     if (d.dot(along) > straight * d.norm()) next = c;
   }
   return next;
@@ -73,12 +69,12 @@ int straight_on(const Deck& deck,
 
 Ray ray_of(const Deck& deck, const std::vector<int>& nodes) {
   Ray ray;
-  ray.from = position_of(deck, nodes.front());
+  ray.from = deck.grid(nodes.front()).position;
   // The first and the farthest from it, then the farthest from that one.
   for (int pass = 0; pass < 2; ++pass) {
     Vector3d far = ray.from;
     for (const int node : nodes) {
-      const Vector3d x = position_of(deck, node);
+      const Vector3d x = deck.grid(node).position;
       if ((x - ray.from).norm() > (far - ray.from).norm()) far = x;
     }
     ray.along = ray.from - far;
@@ -101,8 +97,8 @@ std::set<Edge> edges_on(const Deck& deck, const Edges& edges, const Ray& ray) {
   std::set<Edge> line;
   for (const auto& [edge, shells] : edges) {
     if (shells.size() != 2) continue;
-    if (on_ray(ray, position_of(deck, edge[0])) &&
-        on_ray(ray, position_of(deck, edge[1]))) {
+    if (on_ray(ray, deck.grid(edge[0]).position) &&
+        on_ray(ray, deck.grid(edge[1]).position)) {
       line.insert(edge);
     }
   }

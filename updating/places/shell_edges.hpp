@@ -14,9 +14,6 @@
 
 namespace tapfit::updating {
 
-[[nodiscard]] Eigen::Vector3d position_of(const structure::Deck& deck,
-                                          int node);
-
 /// Unit vector across the mid-surface.
 [[nodiscard]] Eigen::Vector3d normal_of(const structure::Deck& deck,
                                         const structure::Shell& shell);

@@ -25,14 +25,6 @@ struct Block {
   Vector3d half = Vector3d::Zero();  ///< of its lengths
 };
 
-std::vector<Vector3d> corners(const Deck& deck, const auto& element) {
-  std::vector<Vector3d> at;
-  for (const int grid : element.grids) {
-    at.push_back(deck.grids[deck.grid_index(grid)].position);
-  }
-  return at;
-}
-
 // Rows are the axes.
 Eigen::Matrix3d axes_of(const std::vector<Vector3d>& at) {
   const Vector3d first = (at[1] - at[0]).normalized();
@@ -47,10 +39,10 @@ Eigen::Matrix3d axes_of(const std::vector<Vector3d>& at) {
 
 template <class Visit>
 void for_each_element(const Deck& deck, Visit visit) {
-  for (const auto& e : deck.shells) visit(e.id, corners(deck, e));
-  for (const auto& e : deck.bars) visit(e.id, corners(deck, e));
-  for (const auto& e : deck.rods) visit(e.id, corners(deck, e));
-  for (const auto& e : deck.solids) visit(e.id, corners(deck, e));
+  for (const auto& e : deck.shells) visit(e.id, deck.positions(e.grids));
+  for (const auto& e : deck.bars) visit(e.id, deck.positions(e.grids));
+  for (const auto& e : deck.rods) visit(e.id, deck.positions(e.grids));
+  for (const auto& e : deck.solids) visit(e.id, deck.positions(e.grids));
 }
 
 std::vector<Block> blocks_of(const Deck& deck, int first) {

@@ -89,7 +89,7 @@ std::map<int, GridMatrix> support_face(const Deck& deck,
       const int b = shell.grids[(k + 1) % n];
       if (!held.contains(a) || !held.contains(b)) continue;
       const double length =
-          (position_of(deck, a) - position_of(deck, b)).norm();
+          (deck.grid(a).position - deck.grid(b).position).norm();
       const Section section = section_of(deck, shell, 0.5 * length);
       add(a, section);
       add(b, section);

@@ -41,10 +41,10 @@ bool holds(const ConstraintAxes& axes, int node, int component) {
 
 // Axis (0..2) along which the points lie, or -1.
 int line_axis(const Deck& deck, const std::vector<int>& nodes) {
-  Eigen::Vector3d low = deck.grids[deck.grid_index(nodes[0])].position;
+  Eigen::Vector3d low = deck.grid(nodes[0]).position;
   Eigen::Vector3d high = low;
   for (const int node : nodes) {
-    const Eigen::Vector3d& x = deck.grids[deck.grid_index(node)].position;
+    const Eigen::Vector3d& x = deck.grid(node).position;
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
   }
@@ -149,7 +149,7 @@ SupportLine single_line(const Deck& deck,
   line.straight = axis >= 0;
   if (line.straight) {
     const auto along = [&deck, axis](int node) {
-      return deck.grids[deck.grid_index(node)].position(axis);
+      return deck.grid(node).position(axis);
     };
     std::sort(order.begin(), order.end(), [&along](int a, int b) {
       return along(a) < along(b);
@@ -292,7 +292,7 @@ std::vector<SupportPart> face_part(const Deck& deck,
       for (int b = a + 1; b <= 6; ++b) {
         const double coupled = S(a - 1, b - 1);
         if (std::abs(coupled) <= rounding * S.diagonal().maxCoeff()) continue;
-        if (!deck.grids[deck.grid_index(node)].axes.isIdentity()) return {};
+        if (!deck.grid(node).axes.isIdentity()) return {};
         face.push_back({node, a, coupled, 0.0, false, b});
       }
     }

@@ -30,19 +30,17 @@ struct Seen {
   Vector3d at;
 };
 
-Vector3d grid_at(const Deck& deck, int id) {
-  return deck.grids[deck.grid_index(id)].position;
-}
-
 Seen seen(const Where& where, const Deck& deck) {
-  if (where.nodes.empty()) return {{where.variant}, grid_at(deck, where.node)};
+  if (where.nodes.empty())
+    return {{where.variant}, deck.grid(where.node).position};
   Vector3d middle = Vector3d::Zero();
   for (const int node : where.nodes) {
-    middle += grid_at(deck, node) / static_cast<double>(where.nodes.size());
+    middle +=
+        deck.grid(node).position / static_cast<double>(where.nodes.size());
   }
   Seen line{{where.variant, std::bit_width(where.nodes.size())}, middle};
-  const Vector3d extent =
-      grid_at(deck, where.nodes.back()) - grid_at(deck, where.nodes.front());
+  const Vector3d extent = deck.grid(where.nodes.back()).position -
+                          deck.grid(where.nodes.front()).position;
   extent.cwiseAbs().maxCoeff(&line.kind.along);
   return line;
 }

@@ -198,7 +198,7 @@ TEST(ReadModesUff, ReadsWhatOtherProgramsWrite) {
   for (Eigen::Index k = 0; k < 10; ++k) {
     shapes.col(k) = permas.modes[static_cast<std::size_t>(k)].shape;
   }
-  const Eigen::MatrixXd own = mac(shapes, shapes);
+  const Eigen::MatrixXd own = auto_mac(shapes);
   for (Eigen::Index k = 0; k < 10; ++k) EXPECT_NEAR(own(k, k), 1.0, 1e-12);
 }
 

@@ -1,10 +1,9 @@
 #include "updating/places/bars_in_line.hpp"
 
-#include <gtest/gtest.h>
+#include "tests/support/matchers.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <gmock/gmock.h>
 #include <numbers>
 
 namespace tapfit::updating {
@@ -13,7 +12,6 @@ namespace {
 using structure::Deck;
 using testing::Contains;
 using testing::ElementsAre;
-using testing::Not;
 
 void add_grid(Deck& deck, int id, double x, double y) {
   structure::Grid grid;

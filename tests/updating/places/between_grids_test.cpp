@@ -30,7 +30,7 @@ struct Bending {
 
   [[nodiscard]] double at(const structure::Deck& deck,
                           const MotionShare& share) const {
-    const Vector3d x = deck.grids[deck.grid_index(share.node)].position;
+    const Vector3d x = deck.grid(share.node).position;
     if (share.component == 3) return w(x.x(), x.y());
     if (share.component == 4) return wy(x.x(), x.y());
     if (share.component == 5) return -wx(x.x(), x.y());
@@ -120,7 +120,7 @@ TEST(BetweenGrids, MotionAlongThePlaneIsLinear) {
   for (const MotionShare& share :
        motion_between(deck, place(1, 0.25, 0.5), 1)) {
     EXPECT_EQ(share.component, 1);
-    sum += share.weight * deck.grids[deck.grid_index(share.node)].position.x();
+    sum += share.weight * deck.grid(share.node).position.x();
   }
   EXPECT_NEAR(sum, 0.25, 1e-12);
 }

@@ -60,7 +60,7 @@ TEST_F(CrackLineTest, TakesElementsOfOneSideAlone) {
     if (std::ranges::find(crack.side, shell.id) == crack.side.end()) continue;
     double x = 0.0;
     for (const int id : shell.grids) {
-      x += 0.25 * deck_.grids[deck_.grid_index(id)].position.x();
+      x += 0.25 * deck_.grid(id).position.x();
     }
     sides.insert(x > 0.15 ? 1.0 : -1.0);
   }

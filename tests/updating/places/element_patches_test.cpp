@@ -1,11 +1,9 @@
 #include "updating/places/element_patches.hpp"
 
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
-#include <gmock/gmock.h>
 #include <set>
 
 namespace tapfit::updating {

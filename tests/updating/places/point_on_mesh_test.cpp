@@ -67,8 +67,8 @@ Deck block(bool quadratic) {
                                                    {8, 5}};
     int id = 9;
     for (const auto& [a, b] : edges) {
-      const Vector3d mid = 0.5 * (deck.grids[deck.grid_index(a)].position +
-                                  deck.grids[deck.grid_index(b)].position);
+      const Vector3d mid =
+          0.5 * (deck.grid(a).position + deck.grid(b).position);
       deck.grids.push_back({id, mid});
       solid.mids.push_back(id++);
     }
@@ -86,7 +86,7 @@ struct Field {
                            const std::vector<MotionShare>& shares) const {
     double total = 0.0;
     for (const MotionShare& share : shares) {
-      const Vector3d x = deck.grids[deck.grid_index(share.node)].position;
+      const Vector3d x = deck.grid(share.node).position;
       const int axis = (share.component - 1) % 3;
       total +=
           share.weight * (share.component > 3 ? turn(x)(axis) : u(x)(axis));
@@ -214,7 +214,7 @@ TEST(PointOnMesh, InTheMiddleOfACurvedSideItIsTheGrid) {
     deck.shells = {{1, 1, {1, 2, 3}}};
     deck.shells[0].mids = {4, 5, 6};
     for (const int grid : {4, 5, 6, 2}) {
-      const Vector3d at = deck.grids[deck.grid_index(grid)].position;
+      const Vector3d at = deck.grid(grid).position;
       const auto on = MeshSurface(deck).at_grid(grid);
       EXPECT_TRUE(on.normal.isApprox(Vector3d::UnitZ(), 1e-12)) << grid;
       const auto moved = motion_at(on, deck, at, Vector3d::UnitZ());

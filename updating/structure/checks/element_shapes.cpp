@@ -14,14 +14,6 @@ namespace {
 
 using Corner = Eigen::Vector3d;
 
-std::vector<Corner> corners_of(const Deck& deck, const Shell& shell) {
-  std::vector<Corner> corners;
-  for (const int grid : shell.grids) {
-    corners.push_back(deck.grids[deck.grid_index(grid)].position);
-  }
-  return corners;
-}
-
 // Corners of a quadrilateral lie in turn above and below its mean plane, all as
 // far: half of what the diagonals pass each other by.
 double warp(const std::vector<Corner>& corners) {
@@ -54,7 +46,7 @@ std::vector<std::string> element_shape_warnings(const Deck& deck) {
   std::vector<std::string> warped;
   std::vector<std::string> short_edged;
   for (const Shell& shell : deck.shells) {
-    const std::vector<Corner> corners = corners_of(deck, shell);
+    const std::vector<Corner> corners = deck.positions(shell.grids);
     const auto place = [&] {
       return card_place(deck, shell.where, fmt::format("shell {}", shell.id));
     };

@@ -6,7 +6,7 @@ namespace tapfit::structure {
 namespace {
 
 const Eigen::Matrix3d& axes_of(const Deck& deck, int grid) {
-  return deck.grids[deck.grid_index(grid)].axes;
+  return deck.grid(grid).axes;
 }
 
 }  // namespace

@@ -139,6 +139,20 @@ std::size_t Deck::element_count() const {
 std::vector<int> Shell::all_grids() const { return with_mids(grids, mids); }
 std::vector<int> Solid::all_grids() const { return with_mids(grids, mids); }
 
+std::vector<Eigen::Vector3d> Deck::positions(std::span<const int> ids) const {
+  std::vector<Eigen::Vector3d> at;
+  for (const int id : ids) at.push_back(grid(id).position);
+  return at;
+}
+
+Eigen::MatrixX3d Deck::position_rows(std::span<const int> ids) const {
+  Eigen::MatrixX3d X(std::ssize(ids), 3);
+  for (Eigen::Index i = 0; i < X.rows(); ++i) {
+    X.row(i) = grid(ids[static_cast<std::size_t>(i)]).position.transpose();
+  }
+  return X;
+}
+
 std::size_t Deck::grid_index(int id) const {
   const std::optional<std::size_t> index = find_grid(grids, id);
   if (!index) {

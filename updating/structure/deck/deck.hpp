@@ -17,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -327,6 +328,12 @@ struct Deck {
   /// Index into `grids`.
   /// @throws InputError for an id that is not there
   [[nodiscard]] std::size_t grid_index(int id) const;
+  [[nodiscard]] const Grid& grid(int id) const { return grids[grid_index(id)]; }
+  /// Where grids are, in the order of the ids [m].
+  [[nodiscard]] std::vector<Eigen::Vector3d> positions(
+      std::span<const int> ids) const;
+  /// The same, a row each.
+  [[nodiscard]] Eigen::MatrixX3d position_rows(std::span<const int> ids) const;
   [[nodiscard]] bool has_grid(int id) const;
 };
 

@@ -12,7 +12,7 @@ namespace {
 
 // Cosine between a grid's own axis and a basic one.
 double cosine(const Deck& deck, int node, int own, int basic) {
-  return deck.grids[deck.grid_index(node)].axes((basic - 1) % 3, own % 3);
+  return deck.grid(node).axes((basic - 1) % 3, own % 3);
 }
 
 std::string grid_card_at(const Deck& deck,
@@ -110,8 +110,7 @@ int free_grid(const Deck& deck, int offset) {
 
 std::string grid_card(
     const Deck& deck, int id, int like, const std::string& held, int axes) {
-  return grid_card_at(
-      deck, id, deck.grids[deck.grid_index(like)].position, held, axes);
+  return grid_card_at(deck, id, deck.grid(like).position, held, axes);
 }
 
 std::vector<std::string> grid_on_arm(const Deck& deck,

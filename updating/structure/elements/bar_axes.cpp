@@ -8,10 +8,8 @@
 namespace tapfit::structure {
 
 BarAxes bar_axes(const Deck& deck, const Bar& bar) {
-  const Eigen::Vector3d a =
-      deck.grids[deck.grid_index(bar.grids[0])].position + bar.offsets[0];
-  const Eigen::Vector3d b =
-      deck.grids[deck.grid_index(bar.grids[1])].position + bar.offsets[1];
+  const Eigen::Vector3d a = deck.grid(bar.grids[0]).position + bar.offsets[0];
+  const Eigen::Vector3d b = deck.grid(bar.grids[1]).position + bar.offsets[1];
   BarAxes axes;
   axes.length = (b - a).norm();
   const Eigen::Vector3d x = (b - a).normalized();

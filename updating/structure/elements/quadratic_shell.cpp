@@ -54,11 +54,7 @@ Surface surface_of(const Deck& deck, const Shell& shell) {
   s.corners = static_cast<Index>(shell.grids.size());
   for (const int id : shell.mids) s.has_mid.push_back(id != 0);
   s.grids = shell.all_grids();
-  s.X.resize(static_cast<Index>(s.grids.size()), 3);
-  for (std::size_t k = 0; k < s.grids.size(); ++k) {
-    s.X.row(static_cast<Index>(k)) =
-        deck.grids[deck.grid_index(s.grids[k])].position.transpose();
-  }
+  s.X = deck.position_rows(s.grids);
   const Eigen::RowVector3d middle = s.X.colwise().mean();
   s.X.rowwise() -= middle;
   return s;

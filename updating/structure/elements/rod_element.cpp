@@ -13,8 +13,7 @@ ElementMatrices rod_matrices(const Deck& deck, const Rod& rod) {
   const RodProperty& p = deck.rod_properties.at(rod.property);
   const Material& m = deck.materials.at(p.material);
   const Eigen::Vector3d side =
-      deck.grids[deck.grid_index(rod.grids[1])].position -
-      deck.grids[deck.grid_index(rod.grids[0])].position;
+      deck.grid(rod.grids[1]).position - deck.grid(rod.grids[0]).position;
   const double L = side.norm();
   if (!(L > 0.0)) {
     throw InputError("the rod has no length",

@@ -48,11 +48,7 @@ double rod_area(double factor, double t, double width) {
 ElementMatrices panel_matrices(const Deck& deck, const Shell& shell) {
   const ShellProperty& p = deck.shell_properties.at(shell.property);
   const Material& m = deck.materials.at(p.membrane);
-  Places X;
-  for (std::size_t k = 0; k < 4; ++k) {
-    X.row(static_cast<Index>(k)) =
-        deck.grids[deck.grid_index(shell.grids[k])].position.transpose();
-  }
+  const Places X = deck.position_rows(shell.grids);
   const Vector3d d1 = (X.row(2) - X.row(0)).transpose();
   const Vector3d d2 = (X.row(3) - X.row(1)).transpose();
   const Vector3d normal = d1.cross(d2);

@@ -30,12 +30,8 @@ struct Frame {
 }
 
 Frame make_frame(const Deck& deck, const Shell& shell) {
-  const Eigen::Index n = static_cast<Eigen::Index>(shell.grids.size());
-  Eigen::MatrixX3d X(n, 3);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const int id = shell.grids[static_cast<std::size_t>(i)];
-    X.row(i) = deck.grids[deck.grid_index(id)].position.transpose();
-  }
+  Eigen::MatrixX3d X = deck.position_rows(shell.grids);
+  const Eigen::Index n = X.rows();
   const Eigen::RowVector3d centre = X.colwise().mean();
   X.rowwise() -= centre;
   const Eigen::Vector3d d1 = (X.row(n == 4 ? 2 : 1) - X.row(0)).transpose();

@@ -42,11 +42,7 @@ Shape shape_of(const Deck& deck, const Solid& solid) {
   shape.corners = solid.grids.size();
   for (const int id : solid.mids) shape.has_mid.push_back(id != 0);
   shape.grids = solid.all_grids();
-  shape.X.resize(static_cast<Index>(shape.grids.size()), 3);
-  for (std::size_t k = 0; k < shape.grids.size(); ++k) {
-    shape.X.row(static_cast<Index>(k)) =
-        deck.grids[deck.grid_index(shape.grids[k])].position.transpose();
-  }
+  shape.X = deck.position_rows(shape.grids);
   // Far from the origin places would round off.
   const Eigen::RowVector3d middle = shape.X.colwise().mean();
   shape.X.rowwise() -= middle;

@@ -90,9 +90,7 @@ void SplitEdges::see_rigid(std::size_t k, double extent) {
   }
 }
 
-const Grid& SplitEdges::grid_of(int id) const {
-  return mesh_.deck.grids[mesh_.deck.grid_index(id)];
-}
+const Grid& SplitEdges::grid_of(int id) const { return mesh_.deck.grid(id); }
 
 int SplitEdges::add_grid(const std::vector<int>& between) {
   Grid grid;

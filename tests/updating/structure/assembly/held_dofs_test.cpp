@@ -1,17 +1,15 @@
 // Degrees of freedom that are held though no constraint names them.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 
 #include <cmath>
-#include <gmock/gmock.h>
 #include <numbers>
 
 namespace tapfit::structure {
 namespace {
-
-using testing::HasSubstr;
 
 DeckModes solved(const Deck& deck, Eigen::Index count = 20) {
   return deck_modes(deck, assemble(deck), count);

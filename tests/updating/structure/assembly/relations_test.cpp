@@ -1,13 +1,13 @@
 // MPC, RBE3, RBE1, RROD, RBAR with shared ends, scalar points and DMIG, against
 // closed forms and the definition.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/readers/scale_units.hpp"
 
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <gmock/gmock.h>
 
 namespace tapfit::structure {
 namespace {
@@ -15,7 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using ::testing::HasSubstr;
 
 const std::string kCorners =
     "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nGRID,3,,2.,1.,0.3\nGRID,4,,0.,1.,0.\n"

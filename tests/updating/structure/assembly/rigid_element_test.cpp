@@ -1,6 +1,7 @@
 // RBE2 and RBAR against closed forms and against models that say the same
 // without them.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
@@ -8,13 +9,10 @@
 
 #include <cmath>
 #include <fstream>
-#include <gmock/gmock.h>
 #include <map>
 
 namespace tapfit::structure {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr double kTwoPi = 2 * M_PI;
 // The same eigenproblem up to rounding of its products.

@@ -1,9 +1,8 @@
 // GRDSET, BAROR and BEAMOR.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/edit/release_constraints.hpp"
-
-#include <gmock/gmock.h>
 
 namespace tapfit::structure {
 namespace {
@@ -58,13 +57,13 @@ TEST(CardDefaults, ReleasedComponentsStayReleased) {
 }
 
 TEST(CardDefaults, SecondCardIsRefused) {
-  try {
-    static_cast<void>(deck_of("GRDSET,,,,,,,6\nGRDSET,,,,,,,5\nGRID,1\n"));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("model.bdf:2 GRDSET"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("model.bdf:1"));
-  }
+  EXPECT_THAT(
+      [&] {
+        static_cast<void>(deck_of("GRDSET,,,,,,,6\nGRDSET,,,,,,,5\nGRID,1\n"));
+      },
+      Throws<InputError>(AllOf(
+          Property(&InputError::what, testing::HasSubstr("model.bdf:2 GRDSET")),
+          Property(&InputError::what, testing::HasSubstr("model.bdf:1")))));
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
 #include "updating/structure/checks/doubled_parts.hpp"
 
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
-
-#include <gmock/gmock.h>
 
 namespace tapfit::structure {
 namespace {
-
-using testing::HasSubstr;
 
 // Two squares side by side on grids of their own.
 const std::string kOpen =

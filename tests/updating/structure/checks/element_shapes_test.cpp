@@ -1,8 +1,7 @@
 #include "updating/structure/checks/element_shapes.hpp"
 
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
-
-#include <gtest/gtest.h>
 
 namespace tapfit::structure {
 namespace {
@@ -35,15 +34,15 @@ TEST(ElementShapes, ThatAreWarpedAreNamedWithTheirCard) {
   EXPECT_TRUE(warnings(1.0, 1.0, 0.26).empty());
   const auto texts = warnings(1.0, 1.0, 0.32);
   ASSERT_EQ(texts.size(), 1U);
-  EXPECT_NE(texts[0].find("CQUAD4"), std::string::npos) << texts[0];
-  EXPECT_NE(texts[0].find("5 % of the diagonal"), std::string::npos);
+  EXPECT_THAT(texts[0], HasSubstr("CQUAD4"));
+  EXPECT_THAT(texts[0], HasSubstr("5 % of the diagonal"));
 }
 
 TEST(ElementShapes, WithAnEdgeOfNoLengthToSpeakOfAreNamed) {
   EXPECT_TRUE(warnings(0.05, 1.0, 0.0).empty());
   const auto texts = warnings(0.005, 1.0, 0.0);
   ASSERT_EQ(texts.size(), 1U);
-  EXPECT_NE(texts[0].find("1/100 of the longest"), std::string::npos);
+  EXPECT_THAT(texts[0], HasSubstr("1/100 of the longest"));
 }
 
 }  // namespace

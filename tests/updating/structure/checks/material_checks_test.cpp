@@ -1,14 +1,11 @@
 #include "updating/structure/checks/material_checks.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
-
-#include <gmock/gmock.h>
 
 namespace tapfit::structure {
 namespace {
-
-using testing::HasSubstr;
 
 Deck with_material(double E, double rho) {
   Deck deck;

@@ -158,7 +158,7 @@ TEST(PlateModes, FrameOfStripsIsNearThePapers) {
   const auto outside = [&](const Shell& shell) {
     Eigen::Vector3d c = Eigen::Vector3d::Zero();
     for (const int id : shell.grids) {
-      c += deck.grids[deck.grid_index(id)].position / 4.0;
+      c += deck.grid(id).position / 4.0;
     }
     const bool rail = c.y() < 0.06 || c.y() > 0.49;
     const bool bar =

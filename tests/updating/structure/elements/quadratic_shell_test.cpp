@@ -26,9 +26,8 @@ Deck quadratic(Deck deck) {
       const int b = shell.grids[(k + 1) % n];
       const auto [place, fresh] = middles.try_emplace(std::minmax(a, b), next);
       if (fresh) {
-        deck.grids.push_back({next++,
-                              0.5 * (deck.grids[deck.grid_index(a)].position +
-                                     deck.grids[deck.grid_index(b)].position)});
+        deck.grids.push_back(
+            {next++, 0.5 * (deck.grid(a).position + deck.grid(b).position)});
       }
       shell.mids.push_back(place->second);
     }
@@ -169,7 +168,7 @@ TEST(Laminate, Z0AndZoffsAreOneThing) {
     VectorXd u = VectorXd::Zero(24);
     const ElementMatrices e = shell_matrices(deck, deck.shells[0]);
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vector3d x = deck.grids[deck.grid_index(e.grids[k])].position;
+      const Vector3d x = deck.grid(e.grids[k]).position;
       u(6 * static_cast<Eigen::Index>(k) + 2) = 0.5 * x.x() * x.x();
       u(6 * static_cast<Eigen::Index>(k) + 4) = -x.x();
     }
@@ -228,7 +227,7 @@ TEST(ShearPanel, CarriesShearFlow) {
   const ElementMatrices e = shell_matrices(deck, deck.shells[0]);
   VectorXd u = VectorXd::Zero(24);
   for (std::size_t k = 0; k < 4; ++k) {
-    const Vector3d x = deck.grids[deck.grid_index(e.grids[k])].position;
+    const Vector3d x = deck.grid(e.grids[k]).position;
     u(6 * static_cast<Eigen::Index>(k)) = x.y();  // unit shear
   }
   const double expected = plate.material.G * 0.002;

@@ -128,8 +128,7 @@ Eigen::VectorXd rigid(const Deck& deck,
                       const Eigen::Vector3d& turn) {
   Eigen::VectorXd u(6 * static_cast<Eigen::Index>(shell.grids.size()));
   for (std::size_t i = 0; i < shell.grids.size(); ++i) {
-    const Eigen::Vector3d& p =
-        deck.grids[deck.grid_index(shell.grids[i])].position;
+    const Eigen::Vector3d& p = deck.grid(shell.grids[i]).position;
     u.segment<6>(6 * static_cast<Eigen::Index>(i)) << shift + turn.cross(p),
         turn;
   }

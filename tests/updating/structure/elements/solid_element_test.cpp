@@ -1,6 +1,7 @@
 // Solids: rigid motions strain nothing, constant strains are exact on distorted
 // meshes (patch test), mass, and closed forms of beams.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/elements/solid_shapes.hpp"
@@ -8,7 +9,6 @@
 #include <Eigen/Dense>
 
 #include <cmath>
-#include <gmock/gmock.h>
 #include <random>
 
 namespace tapfit::structure {
@@ -17,7 +17,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using ::testing::HasSubstr;
 
 constexpr double kE = 70e9;
 constexpr double kNu = 0.3;
@@ -234,13 +233,11 @@ TEST(SolidElement, InsideOutIsRefused) {
   Deck deck = single(4, false, 0.0);
   std::swap(deck.solids[0].grids[0], deck.solids[0].grids[1]);
   deck.solids[0].where = "model.bdf:7 CTETRA 1";
-  try {
-    static_cast<void>(solid_matrices(deck, deck.solids[0]));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("model.bdf:7 CTETRA 1"));
-    EXPECT_THAT(error.what(), HasSubstr("inside out"));
-  }
+  EXPECT_THAT(
+      [&] { static_cast<void>(solid_matrices(deck, deck.solids[0])); },
+      Throws<InputError>(
+          AllOf(Property(&InputError::what, HasSubstr("model.bdf:7 CTETRA 1")),
+                Property(&InputError::what, HasSubstr("inside out")))));
 }
 
 TEST(SolidElement, AnisotropicMaterialTurnsWithItsAxes) {

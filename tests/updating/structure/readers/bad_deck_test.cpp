@@ -1,16 +1,13 @@
 // Decks with a fault: the error or warning names the card, its line, the
 // remedy.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 
-#include <gmock/gmock.h>
-
 namespace tapfit::structure {
 namespace {
-
-using testing::HasSubstr;
 
 // Lines 1 to 6; elements follow from line 7.
 const std::string kGrids = R"(GRID,1,,0.,0.,0.

@@ -2,17 +2,14 @@
 #include "updating/structure/readers/output4.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 
 #include <Eigen/Core>
 
-#include <gmock/gmock.h>
-
 namespace tapfit::structure {
 namespace {
-
-using ::testing::HasSubstr;
 
 const std::string kDense =
     "       2       2       6       2KAA     1P,3E23.16\n"
@@ -51,13 +48,14 @@ TEST(Output4, DenseAndSparseColumns) {
 
 TEST(Output4, FaultsAreNamed) {
   const auto expect = [](const std::string& text, const std::string& what) {
-    try {
-      static_cast<void>(read_output4(write_text("bad.op4", text), 'K'));
-      ADD_FAILURE() << what;
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), HasSubstr(what));
-      EXPECT_THAT(error.where(), HasSubstr("bad.op4"));
-    }
+    EXPECT_THAT(
+        [&] {
+          static_cast<void>(read_output4(write_text("bad.op4", text), 'K'));
+        },
+        Throws<InputError>(
+            AllOf(Property(&InputError::what, HasSubstr(what)),
+                  Property(&InputError::where, HasSubstr("bad.op4")))))
+        << what;
   };
   expect(kDense.substr(0, kDense.find("       2       1")), "ends too soon");
   expect("       2       3       2       2KAA     1P,3E23.16\n", "no square");

@@ -1,16 +1,14 @@
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/edit/rescale_cards.hpp"
 
-#include <gmock/gmock.h>
-
 namespace tapfit::structure {
 namespace {
 
 using testing::Contains;
-using testing::HasSubstr;
 
 const std::string kPlate = R"(GRID,1,,0.,0.,0.
 GRID,2,,1.,0.,0.
@@ -22,12 +20,7 @@ MAT1,1,7.+10,,.3,2700.
 )";
 
 std::string error_of(const std::string& text) {
-  try {
-    static_cast<void>(deck_of(text));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal_of([&] { static_cast<void>(deck_of(text)); });
 }
 
 TEST(ParseReal, ReadsEveryWayOfWritingANumber) {

@@ -1,17 +1,15 @@
 // Sections of PBARL and PBEAML: area by hand, moments by summing small squares;
 // beams whose section changes.
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <cmath>
 #include <functional>
-#include <gmock/gmock.h>
 
 namespace tapfit::structure {
 namespace {
-
-using ::testing::HasSubstr;
 
 // Whether a place (y, z) is inside of a section.
 using Inside = std::function<bool(double, double)>;
