@@ -90,7 +90,7 @@ std::map<int, Vector3d> sheet_grids(const Deck& deck,
   std::map<int, Vector3d> grids;
   for (const structure::Shell& shell : deck.shells) {
     if (!own.contains(shell.id)) continue;
-    for (const int grid : shell.grids) grids[grid] = position_of(deck, grid);
+    for (const int grid : shell.grids) grids[grid] = deck.grid(grid).position;
   }
   return grids;
 }
@@ -108,7 +108,7 @@ Vector3d principal_axis(const Deck& deck,
     std::vector<Vector3d> x;
     Vector3d middle = Vector3d::Zero();
     for (const int grid : shell.grids) {
-      x.push_back(position_of(deck, grid));
+      x.push_back(deck.grid(grid).position);
       middle += x.back() / static_cast<double>(shell.grids.size());
     }
     const double part = (x.size() == 4 ? (x[2] - x[0]).cross(x[3] - x[1])
@@ -219,7 +219,7 @@ std::optional<AxialMember> axial_member(const Deck& deck,
   } else if (const std::vector<int> ends = line_ends(deck, own);
              !ends.empty() && !across) {
     const Vector3d side =
-        position_of(deck, ends[1]) - position_of(deck, ends[0]);
+        deck.grid(ends[1]).position - deck.grid(ends[0]).position;
     member.emplace();
     member->length = side.norm();
     member->axis = side.normalized();
