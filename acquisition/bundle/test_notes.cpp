@@ -16,7 +16,7 @@ namespace {
 using nlohmann::ordered_json;
 
 /// Of the fields that say how the test is worked out.
-constexpr std::array<std::string_view, 21> no_facts{"tapfit",
+constexpr std::array<std::string_view, 22> no_facts{"tapfit",
                                                     "title",
                                                     "model",
                                                     "units",
