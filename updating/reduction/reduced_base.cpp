@@ -2,9 +2,10 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/properties/uncertain_parts.hpp"
-#include "updating/reduction/added_range.hpp"
 #include "updating/reduction/base_error.hpp"
+#include "updating/reduction/change_range.hpp"
 #include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
@@ -47,25 +48,6 @@ constexpr double two_pi = 2.0 * std::numbers::pi;
 constexpr double exact_enough = 1e-6;
 constexpr std::size_t most_orders = 4;
 
-// Other coordinates of the same span: V Q.
-void turn(ReducedBase& base, const MatrixXd& Q) {
-  base.rows.turn(Q);
-  base.K = (Q.transpose() * base.K * Q).eval();
-  for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
-  for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
-  for (StiffnessTerm& term : base.terms) {
-    term.S = (Q.transpose() * term.S * Q).eval();
-    for (MatrixXd& part : term.S_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-    if (term.N.size() == 0) continue;
-    term.N = (Q.transpose() * term.N * Q).eval();
-    for (MatrixXd& part : term.N_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-  }
-}
-
 // Stiffness that elements keep, from all of it to next to none.
 constexpr ChangeRange loss_range = {1.0, 1.0, 0.04, 0.4, 1.0};
 
@@ -106,15 +88,10 @@ struct BaseBuilder::Impl {
   [[nodiscard]] Index rigid_count() const;
 
   void make_lean();
-  [[nodiscard]] ReducedBase extend(const Span& span,
-                                   const MatrixXd& extra,
-                                   const ReleasedSystem& released) const;
   [[nodiscard]] MatrixXd needed(const Span& span,
                                 const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
-  [[nodiscard]] ChangeRange spring_range(const ReleasedSystem& released,
-                                         const ScaledStiffness& own) const;
   /// What the parameter of a change may be.
   [[nodiscard]] ChangeRange range_of(const ReleasedSystem& released,
                                      const ScaledStiffness& own,
@@ -330,105 +307,16 @@ VectorXd BaseBuilder::Impl::pull() const {
   return largest;
 }
 
-// How stiff is stiff: to first order springs of stiffness k per metre lower
-// omega_r^2 by sum_i f_i^2 / (k length_i), f what the rigid structure's mode r
-// asks of them. Springs that several parameters share have their whole length.
-ChangeRange BaseBuilder::Impl::spring_range(const ReleasedSystem& released,
-                                            const ScaledStiffness& own) const {
-  VectorXd length = VectorXd::Zero(released.dofs());
-  for (const ScaledStiffness& part : released.scaled) {
-    if (part.change == own.change) length += part.S.diagonal();
-  }
-  MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.cols());
-  rigid.topRows(modes.rows()) = modes;
-  MatrixXd reaction = released.K * rigid;
-  if (system.T.size() > 0) {
-    // Of what follows a rigid element too.
-    reaction.topRows(system.dofs()) =
-        (system.T.transpose() * reaction.topRows(system.dofs())).eval();
-  }
-  const VectorXd held = own.S.diagonal();
-  double worst = 0.0;
-  for (Index r = 0; r < modes.cols(); ++r) {
-    if (modes_hz(r) > options.high_hz || modes_hz(r) < 1e-3) continue;
-    double sum = 0.0;
-    for (Index k = 0; k < held.size(); ++k) {
-      if (held(k) > 0.0) sum += std::pow(reaction(k, r), 2) / length(k);
-    }
-    worst = std::max(worst, sum / std::pow(two_pi * modes_hz(r), 2));
-  }
-  if (worst <= 0.0) worst = 1.0;
-  const double upper = worst / 1e-4;
-  // A hundredth of where the first order would leave no stiffness: a hinge.
-  return {0.0, upper, worst / 100.0, worst / 0.1, upper};
-}
-
 ChangeRange BaseBuilder::Impl::range_of(const ReleasedSystem& released,
                                         const ScaledStiffness& own,
                                         ChangeKind kind) const {
   if (kind == ChangeKind::Elements) return loss_range;
-  if (kind != ChangeKind::Preload) return spring_range(released, own);
+  const PlainModes plain_modes = {modes, modes_hz, options.high_hz};
+  if (kind != ChangeKind::Preload) {
+    return spring_range(released, own, plain_modes, system.T);
+  }
   const Index n = system.dofs();
-  return added_range(
-      own.S.topLeftCorner(n, n), modes, modes_hz, options.high_hz);
-}
-
-// The fixed basis and a few vectors more. Only products with the new vectors
-// are taken in the large space; what is known of the fixed ones is kept.
-ReducedBase BaseBuilder::Impl::extend(const Span& span,
-                                      const MatrixXd& extra,
-                                      const ReleasedSystem& released) const {
-  const Index n = system.dofs();
-  const MatrixXd& V = span.V;
-  const ReducedBase& fixed = span.base;
-  const MatrixXd R = beyond(released.M, V, extra);
-  const Index a = V.cols();
-  const Index b = R.cols();
-  const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
-    MatrixXd whole(a + b, a + b);
-    whole.topLeftCorner(a, a) = known;
-    whole.rightCols(b) = seen_through(V, R, A);
-    whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
-    return whole;
-  };
-  ReducedBase base;
-  base.rows = fixed.rows.with(R.topRows(6 * original_grids));
-  base.K = grow(fixed.K, released.K);
-  base.part_power = fixed.part_power;
-  for (std::size_t k = 0; k < released.parts.size(); ++k) {
-    base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
-    base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
-  }
-  const auto padded = [&](const MatrixXd& known) {
-    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
-    whole.topLeftCorner(a, a) = known;
-    return whole;
-  };
-  for (std::size_t k = 0; k < of_mesh.size(); ++k) {
-    const MatrixXd& K = fixed.K_part[released.parts.size() + k];
-    SparseMatrix beyond = of_mesh[k].beyond;
-    beyond.conservativeResize(released.dofs(), released.dofs());
-    base.K_part.push_back(of_mesh[k].beyond.size() > 0 ? grow(K, beyond)
-                                                       : padded(K));
-    base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
-  }
-  const auto through = [&](const SparseMatrix& A) {
-    return grow(seen_through(V, A.topLeftCorner(n, n)), A);
-  };
-  for (const ScaledStiffness& scaled : released.scaled) {
-    StiffnessTerm& term = base.terms.emplace_back();
-    term.parameter = scaled.parameter;
-    term.S = through(scaled.S);
-    const bool loses_mass = scaled.N.size() > 0;
-    if (loses_mass) term.N = through(scaled.N);
-    for (const UncertainPart& part : scaled.parts) {
-      term.part_power.push_back(part.power);
-      term.S_part.push_back(through(part.K));
-      if (loses_mass) term.N_part.push_back(through(part.M));
-    }
-  }
-  turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
-  return base;
+  return added_range(own.S.topLeftCorner(n, n), plain_modes);
 }
 
 // What a fixed basis lacks, as columns over the released dofs.
@@ -500,8 +388,11 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     own->M += lent;
   }
   const ReleasedSystem& released = own ? *own : m.plain;
-  ReducedBase base =
-      m.extend(span, m.needed(span, released, changes, fresh), released);
+  ReducedBase base = extended_base(span.V,
+                                   span.base,
+                                   m.needed(span, released, changes, fresh),
+                                   released,
+                                   m.of_mesh);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

@@ -1,5 +1,5 @@
 // Bounds of what is added to two modes of 10 and 30 Hz.
-#include "updating/reduction/added_range.hpp"
+#include "updating/reduction/change_range.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,10 +9,9 @@ namespace tapfit::updating {
 namespace {
 
 ChangeRange range_of(const Eigen::Matrix2d& S) {
-  return added_range(S.sparseView(),
-                     Eigen::Matrix2d::Identity(),
-                     Eigen::Vector2d(10.0, 30.0),
-                     100.0);
+  const Eigen::MatrixXd shapes = Eigen::Matrix2d::Identity();
+  const Eigen::VectorXd hz = Eigen::Vector2d(10.0, 30.0);
+  return added_range(S.sparseView(), {shapes, hz, 100.0});
 }
 
 double square(double hz) { return std::pow(2.0 * M_PI * hz, 2); }
