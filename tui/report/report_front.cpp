@@ -338,7 +338,7 @@ std::vector<Section> front_sections(const ReportData& data) {
   std::vector<Section> sections{std::move(first)};
   if (!data.model) {
     if (!data.modes.modes.empty()) {
-      sections.push_back({"What was identified", {mode_table(data.modes)}});
+      sections.push_back({"What was identified", {mode_rows(data.modes)}});
     }
     return sections;
   }

@@ -269,7 +269,7 @@ Section mode_section(const ReportData& data) {
   if (data.modes.modes.empty()) {
     section.parts.emplace_back(Paragraph{"No mode was identified."});
   } else if (data.model) {
-    section.parts.emplace_back(mode_table(data.modes));
+    section.parts.emplace_back(mode_rows(data.modes));
   }
   if (!data.modes.modes.empty() && !data.bundle.modes) {
     section.parts.emplace_back(Paragraph{
@@ -292,7 +292,7 @@ Section mode_section(const ReportData& data) {
 
 }  // namespace
 
-DataTable mode_table(const modal::ModeSet& modes) {
+DataTable mode_rows(const modal::ModeSet& modes) {
   const bool shapes = !modes.dofs.empty();
   const bool poles = std::ranges::any_of(
       modes.modes, [](const modal::Mode& m) { return m.cluster.poles > 0; });

@@ -11,6 +11,6 @@ namespace tapfit::tui {
 [[nodiscard]] std::vector<Section> measurement_sections(const ReportData& data);
 
 /// Frequencies and damping with their deviations, and what speaks for each.
-[[nodiscard]] DataTable mode_table(const modal::ModeSet& modes);
+[[nodiscard]] DataTable mode_rows(const modal::ModeSet& modes);
 
 }  // namespace tapfit::tui

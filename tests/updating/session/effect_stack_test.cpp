@@ -23,7 +23,7 @@ EffectRef mass_at(int node) {
 
 // The sample plate with 30 g on grid 9 and 20 g on grid 53, "measured" without
 // noise: with both the error is nothing, with one of them it is large.
-class EffectStackTest : public testing::Test, protected support::BasedPlate {
+class EffectStackTest : public ::testing::Test, protected support::BasedPlate {
  protected:
   EffectStackTest() {
     FitSetting fit;

@@ -37,7 +37,7 @@ std::string deck_text() {
 }
 
 fs::path made_bundle() {
-  const fs::path folder = fs::path(testing::TempDir()) / "tapfit-measured-beam";
+  const fs::path folder = fs::path(::testing::TempDir()) / "tapfit-measured-beam";
   fs::create_directories(folder);
   std::ofstream(folder / "model.bdf") << deck_text();
   // Grids every 25 mm, the hit points among them.

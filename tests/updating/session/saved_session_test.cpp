@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class SavedSessionTest : public testing::Test {
+class SavedSessionTest : public ::testing::Test {
  protected:
   SavedSessionTest() {
     fs::remove_all(folder_);
@@ -31,8 +31,8 @@ class SavedSessionTest : public testing::Test {
   }
 
   fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      testing::UnitTest::GetInstance()->current_test_info()->name();
+      fs::path(::testing::TempDir()) /
+      ::testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 SavedSession sample() {
