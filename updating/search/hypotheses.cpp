@@ -62,9 +62,11 @@ struct Kind {
   [[nodiscard]] bool is_joint() const {
     return effect->changes_stiffness() == ChangeKind::Joint;
   }
+  [[nodiscard]] const Hypothesis& likeliest() const {
+    return *std::min_element(found.begin(), found.end(), is_likelier);
+  }
   [[nodiscard]] double log_likelihood() const {
-    return std::min_element(found.begin(), found.end(), is_likelier)
-        ->fit.log_likelihood;
+    return likeliest().fit.log_likelihood;
   }
   [[nodiscard]] double error() const {
     return std::min_element(found.begin(), found.end(), less_error)
@@ -127,11 +129,7 @@ void climb_from_best(Kind& kind,
                      const HypothesisOptions& options,
                      const Progress& progress) {
   if (!kind.has_neighbours()) return;
-  const Hypothesis& best =
-      *std::min_element(kind.found.begin(), kind.found.end(), is_likelier);
-  if (!has_edges(best.own().where)) {
-    climb_places(kind.found, current, fitter, options.neighbours, progress);
-  }
+  climb_places(kind.found, current, fitter, options.neighbours, progress);
   if (kind.is_loss() && kind.error() > options.explained) {
     climb_shapes(kind.found, current, fitter, progress);
   }
@@ -186,8 +184,7 @@ std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
   std::vector<Where> places;
   for (const Kind& kind : kinds) {
     if (!kind.is_loss() || kind.error() > most_error) continue;
-    const Hypothesis& best =
-        *std::min_element(kind.found.begin(), kind.found.end(), is_likelier);
+    const Hypothesis& best = kind.likeliest();
     if (best.own().p.front() > next_to_all) continue;
     for (std::vector<int>& nodes :
          cracks_within(deck, best.own().where.elements)) {
@@ -234,12 +231,17 @@ void try_forms(std::vector<Kind>& kinds,
     if (kind.is_joint() && !formed.empty()) {
       climb_cracks(formed, current, fitter, progress);
     }
+    // The best patch of whole elements may be a layer too large.
+    if (kind.is_loss() && !formed.empty()) {
+      climb_shapes(formed, current, fitter, progress);
+    }
     for (Hypothesis& h : formed) {
       // Else it is the plain one under another name.
       const bool better = h.fit.log_likelihood > plain + clearly;
       if (better) kind.found.push_back(std::move(h));
     }
     if (kind.log_likelihood() <= plain || kind.is_joint()) continue;
+    if (has_edges(kind.likeliest().own().where)) continue;
     climb_from_best(kind, current, fitter, options, progress);
   }
 }

@@ -12,7 +12,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double pi = std::numbers::pi;
 const auto everywhere = [](const Eigen::Vector3d&) { return true; };
 
 void expect_near(const Eigen::VectorXd& hz,
@@ -55,7 +55,7 @@ TEST(Nafems, Fv2PinEndedDoubleCross) {
   Deck deck = steel_beam(square_section(0.125));
   deck.grids.push_back({1, {0, 0, 0}});
   for (int arm = 0; arm < 8; ++arm) {
-    const double angle = arm * kPi / 4;
+    const double angle = arm * pi / 4;
     add_beam(deck, 0, {5 * std::cos(angle), 5 * std::sin(angle), 0}, 4);
     deck.constraints.push_back({deck.grids.back().id, "12"});
   }
@@ -82,8 +82,8 @@ TEST(Nafems, Fv2PinEndedDoubleCross) {
 }
 
 TEST(Nafems, Fv4CantileverWithOffCentreMasses) {
-  const double I = kPi / 64 * std::pow(0.5, 4);
-  Deck deck = steel_beam({1, 1, kPi / 4 * 0.25, I, I, 0.0, 2 * I});
+  const double I = pi / 64 * std::pow(0.5, 4);
+  Deck deck = steel_beam({1, 1, pi / 4 * 0.25, I, I, 0.0, 2 * I});
   deck.grids.push_back({1, {0, 0, 0}});
   add_beam(deck, 0, {10, 0, 0}, 5);
   const int tip = deck.grids.back().id;
