@@ -46,7 +46,13 @@ Weighed weigh(const FormView& v, double kappa, double g) {
   A.diagonal().array() += 1.0 / (first_order * first_order);
   const VectorXd b = g * (v.slope - weighed.transpose() * v.along) + v.pull;
   result.step = -A.ldlt().solve(b);
-  result.square += b.dot(result.step);
+  const double gain = b.dot(result.step);
+  // What is left of a sum of squares is one: else the slopes are rounding.
+  if (result.square + gain > 0.0) {
+    result.square += gain;
+  } else {
+    result.step.setZero();
+  }
   return result;
 }
 

@@ -175,6 +175,18 @@ std::vector<std::vector<int>> stretched_patches(const std::vector<int>& patch,
   return result;
 }
 
+std::vector<int> inner_patch(std::vector<int> patch, const Deck& deck) {
+  const Stretch whole(patch, deck);
+  for (Index axis = 0; axis < 3; ++axis) {
+    for (const double sign : signs) {
+      if (whole.next_layer(axis, sign).empty()) continue;
+      std::vector<int> less = Stretch(patch, deck).shorter(axis, sign);
+      if (!less.empty()) patch = std::move(less);
+    }
+  }
+  return patch;
+}
+
 std::vector<std::vector<int>> layers_beside(const std::vector<int>& patch,
                                             const Deck& deck) {
   const Stretch stretch(patch, deck);

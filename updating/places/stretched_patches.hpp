@@ -18,6 +18,11 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<std::vector<int>> stretched_patches(
     const std::vector<int>& patch, const structure::Deck& deck);
 
+/// Without its outermost layer on every side that it may be longer on; the
+/// patch itself where nothing would be left.
+[[nodiscard]] std::vector<int> inner_patch(std::vector<int> patch,
+                                           const structure::Deck& deck);
+
 /// The layers themselves that a patch may be longer by, in the order of the
 /// sides; sides beyond which there is nothing have none.
 [[nodiscard]] std::vector<std::vector<int>> layers_beside(

@@ -168,11 +168,18 @@ void append_joint_parts(const std::vector<UncertainPart>& side,
   }
 }
 
+// What turns against the rest at a joint, and how.
+struct OpenJoint {
+  std::set<int> side;
+  SparseMatrix T;
+};
+
 // Cuts a joint open and returns the springs that hold it.
 Triplets cut_joint(const RefinedDeck& mesh,
                    const StiffnessChange& change,
                    const std::vector<UncertainProperty>& uncertain,
-                   ReleasedSystem& released) {
+                   ReleasedSystem& released,
+                   std::vector<OpenJoint>& joints) {
   const Cut joint = cut_of(mesh, change);
   const Index n = released.dofs();
   Triplets directions;
@@ -197,6 +204,7 @@ Triplets cut_joint(const RefinedDeck& mesh,
   append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
   append_joint_parts(
       uncertain_parts(mesh.deck, uncertain, wanted), T, released.parts);
+  joints.push_back({side, std::move(T)});
   return springs;
 }
 
@@ -214,28 +222,34 @@ void let_go(const std::vector<Triplets>& springs,
 }
 
 // The stiffness of elements, as it is and as properties change it; and their
-// mass where that is lost with it.
+// mass where that is lost with it. Those on the side of a joint turn with it.
 ScaledStiffness stiffness_of(const RefinedDeck& mesh,
                              const std::vector<UncertainProperty>& uncertain,
                              const std::vector<int>& elements,
                              bool thinned,
-                             Index dofs) {
+                             const std::vector<OpenJoint>& joints) {
   const std::vector<int> ids = mesh.pieces_of(elements);
   const std::set<int> own(ids.begin(), ids.end());
   const auto wanted = [&own](int id) { return own.contains(id); };
   ScaledStiffness scaled;
   scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
-  scaled.S.conservativeResize(dofs, dofs);
-  if (thinned) {
-    scaled.N = structure::assemble_mass(mesh.deck, wanted);
-    scaled.N.conservativeResize(dofs, dofs);
-  }
-  for (UncertainPart& part : uncertain_parts(mesh.deck, uncertain, wanted)) {
-    const bool has_mass = thinned && part.M.nonZeros() > 0;
-    if (part.K.nonZeros() == 0 && !has_mass) continue;
-    part.K.conservativeResize(dofs, dofs);
-    part.M.conservativeResize(dofs, dofs);
-    scaled.parts.push_back(std::move(part));
+  if (thinned) scaled.N = structure::assemble_mass(mesh.deck, wanted);
+  scaled.parts = uncertain_parts(mesh.deck, uncertain, wanted);
+  std::erase_if(scaled.parts, [thinned](const UncertainPart& part) {
+    return part.K.nonZeros() == 0 && !(thinned && part.M.nonZeros() > 0);
+  });
+  for (const OpenJoint& joint : joints) {
+    const auto turned = [&](int id) {
+      return own.contains(id) && joint.side.contains(id);
+    };
+    append_joint(
+        scaled.S, structure::assemble_stiffness(mesh.deck, turned), joint.T);
+    if (thinned) {
+      append_joint(
+          scaled.N, structure::assemble_mass(mesh.deck, turned), joint.T);
+    }
+    append_joint_parts(
+        uncertain_parts(mesh.deck, uncertain, turned), joint.T, scaled.parts);
   }
   return scaled;
 }
@@ -244,13 +258,14 @@ void append_elements(const RefinedDeck& mesh,
                      const std::vector<UncertainProperty>& uncertain,
                      const StiffnessChange& change,
                      std::size_t position,
+                     const std::vector<OpenJoint>& joints,
                      ReleasedSystem& released) {
   const Where& where = change.of.where;
   std::vector<std::vector<int>> groups = {where.elements};
   groups.insert(groups.end(), change.beside.begin(), change.beside.end());
   for (std::size_t p = 0; p < groups.size(); ++p) {
-    ScaledStiffness& scaled = released.scaled.emplace_back(stiffness_of(
-        mesh, uncertain, groups[p], takes_mass(where), released.dofs()));
+    ScaledStiffness& scaled = released.scaled.emplace_back(
+        stiffness_of(mesh, uncertain, groups[p], takes_mass(where), joints));
     scaled.change = position;
     scaled.parameter = p;
   }
@@ -283,6 +298,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
                        const Eigen::VectorXd& pulled) {
   ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
   std::vector<std::vector<Triplets>> springs;
+  std::vector<OpenJoint> joints;
   for (const StiffnessChange& change : changes) {
     springs.emplace_back();
     if (change.kind == ChangeKind::Support) {
@@ -290,7 +306,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       let_go(springs.back(), system, released);
     }
     if (change.kind == ChangeKind::Joint) {
-      springs.back() = {cut_joint(mesh, change, uncertain, released)};
+      springs.back() = {cut_joint(mesh, change, uncertain, released, joints)};
     }
   }
   std::sort(released.active.begin(), released.active.end());
@@ -299,7 +315,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       released.active.end());
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (changes[k].kind == ChangeKind::Elements) {
-      append_elements(mesh, uncertain, changes[k], k, released);
+      append_elements(mesh, uncertain, changes[k], k, joints, released);
     }
     if (changes[k].kind == ChangeKind::Preload) {
       append_preload(mesh, system, changes[k], k, released);

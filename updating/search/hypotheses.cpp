@@ -6,6 +6,7 @@
 #include "updating/fit/overall_progress.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
+#include "updating/places/stretched_patches.hpp"
 #include "updating/search/climb.hpp"
 #include "updating/search/screening.hpp"
 
@@ -194,6 +195,39 @@ std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
   return places;
 }
 
+// Else it is the plain one under another name.
+void take_better(std::vector<Hypothesis> formed, Kind& kind) {
+  const double plain = kind.log_likelihood();
+  for (Hypothesis& h : formed) {
+    const bool better = h.fit.log_likelihood > plain + clearly;
+    if (better) kind.found.push_back(std::move(h));
+  }
+}
+
+// The best patch with edges within elements, and, as it may be a layer too
+// large, what is inside of it.
+void try_edges(Kind& kind,
+               const Fit& current,
+               const Fitter& fitter,
+               const Progress& progress) {
+  const effects::Setting& setting = fitter.setting().setting;
+  Where where = kind.likeliest().own().where;
+  where.variant = takes_mass(where) ? pocket_edges : edges;
+  std::vector<PlacedEffect> tries = {placed(*kind.effect, where, setting)};
+  if (is_present(current, tries.front())) return;
+  std::vector<int> inner = inner_patch(where.elements, *setting.deck);
+  if (inner != where.elements) {
+    where.elements = std::move(inner);
+    tries.push_back(placed(*kind.effect, where, setting));
+  }
+  const double whole = kind.log_likelihood();
+  take_better(fit_each(current, tries, fitter, nullptr, progress), kind);
+  if (kind.log_likelihood() <= whole) return;
+  std::vector<Hypothesis> formed = {kind.likeliest()};
+  climb_shapes(formed, current, fitter, progress);
+  take_better(std::move(formed), kind);
+}
+
 // What does well where it was found may do better in another form: a mass with
 // an inertia, a clamp that varies along its line, elements that were thinned.
 // It may then do better beside.
@@ -216,10 +250,7 @@ void try_forms(std::vector<Kind>& kinds,
     if (places.empty()) continue;
     std::vector<PlacedEffect> tries;
     for (const Where& where : forms_of(*kind.effect, places, setting)) {
-      // They refine what is there: that of the best.
-      if (has_edges(where) && where.elements != places.front().elements) {
-        continue;
-      }
+      if (has_edges(where)) continue;  // of the best that there is, below
       PlacedEffect next = placed(*kind.effect, where, setting);
       if (acts(next, *current.model) && !is_present(current, next)) {
         tries.push_back(std::move(next));
@@ -231,18 +262,13 @@ void try_forms(std::vector<Kind>& kinds,
     if (kind.is_joint() && !formed.empty()) {
       climb_cracks(formed, current, fitter, progress);
     }
-    // The best patch of whole elements may be a layer too large.
-    if (kind.is_loss() && !formed.empty()) {
-      climb_shapes(formed, current, fitter, progress);
+    take_better(std::move(formed), kind);
+    if (kind.log_likelihood() > plain && !kind.is_joint()) {
+      climb_from_best(kind, current, fitter, options, progress);
     }
-    for (Hypothesis& h : formed) {
-      // Else it is the plain one under another name.
-      const bool better = h.fit.log_likelihood > plain + clearly;
-      if (better) kind.found.push_back(std::move(h));
+    if (kind.is_loss() && kind.error() > options.explained) {
+      try_edges(kind, current, fitter, progress);
     }
-    if (kind.log_likelihood() <= plain || kind.is_joint()) continue;
-    if (has_edges(kind.likeliest().own().where)) continue;
-    climb_from_best(kind, current, fitter, options, progress);
   }
 }
 

@@ -65,6 +65,15 @@ TEST(StretchedPatches, LayersBesideAreWhatLongerOnesHaveMore) {
             (std::vector<Patch>{{2}, {7}}));
 }
 
+TEST(StretchedPatches, InnerOnesLackTheOutermostLayers) {
+  const Deck deck = plate(Eigen::Matrix3d::Identity());
+  // Rows 2 to 4 of columns 2 to 5: at the edge of the plate nothing is taken.
+  EXPECT_EQ(inner_patch({8, 9, 10, 11, 14, 15, 16, 17, 20, 21, 22, 23}, deck),
+            (Patch{15, 16, 21, 22}));
+  EXPECT_EQ(inner_patch({1, 2, 3}, deck), (Patch{1, 2}));
+  EXPECT_EQ(inner_patch({8}, deck), (Patch{8}));
+}
+
 // One element can only grow, and at an edge to three sides only.
 TEST(StretchedPatches, EndWhereThePlateEnds) {
   const auto all = stretched_patches({2}, plate(Eigen::Matrix3d::Identity()));
