@@ -353,16 +353,16 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
             padded(added_modes(held, scaled.S.topLeftCorner(n, n), most)));
       }
       if (kind != ChangeKind::Elements) continue;
-      add_loss(scaled.S, scaled.N);
-      if (changes[c].beside.empty()) continue;
       if (all.S.size() == 0) {
+        add_loss(scaled.S, scaled.N);
         all = scaled;
       } else {
         all.S += scaled.S;
         if (all.N.size() > 0) all.N += scaled.N;
       }
     }
-    if (all.S.size() > 0) add_loss(all.S, all.N);
+    // With what is lost beside it: in between it runs smoothly.
+    if (!changes[c].beside.empty()) add_loss(all.S, all.N);
   }
   return join(blocks);
 }

@@ -220,12 +220,7 @@ void try_edges(Kind& kind,
     where.elements = std::move(inner);
     tries.push_back(placed(*kind.effect, where, setting));
   }
-  const double whole = kind.log_likelihood();
   take_better(fit_each(current, tries, fitter, nullptr, progress), kind);
-  if (kind.log_likelihood() <= whole) return;
-  std::vector<Hypothesis> formed = {kind.likeliest()};
-  climb_shapes(formed, current, fitter, progress);
-  take_better(std::move(formed), kind);
 }
 
 // What does well where it was found may do better in another form: a mass with

@@ -230,8 +230,9 @@ TEST_F(FrfModelTest, LossWithEdgesAgreesWithDirectSolve) {
     }
     const ModelState state = undamped(*fitter_, *model, {loss});
     const MatrixXcd H = model->respond(state, s_, false).H;
-    // See changed_motions.hpp.
-    EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 5e-4)
+    // As of one loss, see changed_motions.hpp, and what its layers, which are
+    // answered for together, do apart.
+    EXPECT_LT(difference(H, direct(weak, pairs_, {}, s_)), 1e-3)
         << "times " << left;
   }
 }
