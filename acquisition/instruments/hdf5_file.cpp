@@ -75,7 +75,7 @@ struct Shape {
     const int rank = space ? H5Sget_simple_extent_ndims(space.id()) : -1;
     if (rank < 0 || H5Sget_simple_extent_type(space.id()) == H5S_NULL) return;
     H5Sget_simple_extent_dims(space.id(), dims.data(), nullptr);
-    constexpr hsize_t longest_side = hsize_t{1} << 48U;
+    constexpr hsize_t longest_side = hsize_t{1} << 62U;
     int sides = 0;
     for (int k = 0; k < rank; ++k) {
       const hsize_t side = dims[static_cast<std::size_t>(k)];

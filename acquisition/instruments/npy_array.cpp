@@ -154,7 +154,7 @@ void read_npy_texts(ByteCursor& bytes,
 }
 
 // Beside a side of none, any other would pass for no value at all.
-constexpr std::uint64_t most_samples = std::uint64_t{1} << 48U;
+constexpr std::uint64_t most_samples = std::uint64_t{1} << 62U;
 
 // Rows and columns: those of one, before and between, do not count.
 std::optional<std::array<std::uint64_t, 2>> sides_of(

@@ -85,15 +85,20 @@ void add_rows(std::vector<NamedCells>& rows,
   }
 }
 
-/// What is empty may hold anything.
-bool leads_somewhere(const ordered_json& at, std::string_view path) {
-  if (path.empty() || at.empty()) return true;
+/// Whether a path leads on from there; unknown where all that it passes is
+/// empty, which may hold anything.
+std::optional<bool> leads_on(const ordered_json& at, std::string_view path) {
+  if (path.empty()) return at.is_structured();
   const std::string key(path.substr(0, path.find('.')));
   const std::string_view rest =
       path.substr(std::min(path.size(), key.size() + 1));
-  return std::ranges::any_of(at, [&](const ordered_json& one) {
-    return one.contains(key) && leads_somewhere(one[key], rest);
-  });
+  std::optional<bool> known;
+  for (const ordered_json& one : at) {
+    const std::optional<bool> leads =
+        one.contains(key) ? leads_on(one[key], rest) : false;
+    if (leads) known = *leads || known.value_or(false);
+  }
+  return known;
 }
 
 std::string text_of(const std::vector<NamedCells>& rows) {
@@ -134,7 +139,7 @@ std::string csv_table(std::string_view json, std::string_view table) {
   const std::string_view rest =
       table.substr(std::min(table.size(), first.size() + 1));
   if (!whole.contains(first) || !whole[first].is_structured() ||
-      !leads_somewhere(whole[first], rest)) {
+      !leads_on(whole[first], rest).value_or(true)) {
     throw InputError(
         fmt::format("there is no table \"{}\"", table),
         "--csv",

@@ -233,6 +233,16 @@ const std::vector<Freed>& all_freed() {
   return all;
 }
 
+// What is held at every grid keeps the model in its plane, or on its line, and
+// is no support.
+bool holds_everywhere(const Deck& deck, const ConstraintAxes& held, int c) {
+  return std::ranges::all_of(deck.grids, [&](const structure::Grid& grid) {
+    const auto own = held.held.find(grid.id);
+    return own != held.held.end() &&
+           own->second.find(static_cast<char>('0' + c)) != std::string::npos;
+  });
+}
+
 // All that is held in some components, as one part; none where nothing is.
 std::vector<SupportPart> freed_part(const Deck& deck,
                                     const std::vector<int>& nodes,
@@ -245,12 +255,16 @@ std::vector<SupportPart> freed_part(const Deck& deck,
                    0,
                    {}};
   part.line.length = 1.0;
+  std::vector<int> loose;
+  for (const int c : components) {
+    if (!holds_everywhere(deck, held, c)) loose.push_back(c);
+  }
   const double share = 1.0 / static_cast<double>(nodes.size());
   for (const int node : nodes) {
     const bool turned = held.turned.contains(node);
     const auto own = held.held.find(node);
     if (own == held.held.end() || (turned && !any_axes)) continue;
-    for (const int c : components) {
+    for (const int c : loose) {
       if (own->second.find(static_cast<char>('0' + c)) == std::string::npos) {
         continue;
       }

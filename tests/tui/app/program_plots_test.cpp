@@ -80,8 +80,6 @@ TEST_F(Plots, KeepThePointsOfTheirNames) {
 // What is not there yet is named, not denied.
 TEST(PlotsToCome, AreSaidToBeWorkedOut) {
   Program program(testing::fake_workbench(), {300, 60});
-  program.press(U'P');
-  EXPECT_TRUE(holds(program.draw().to_text(), "the bundle is opened"));
   program.press(U'1');
   wait_until_idle(program);
   for (const char32_t key : {U'P', U'y'}) {

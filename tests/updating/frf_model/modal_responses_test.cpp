@@ -182,24 +182,31 @@ TEST_F(ModalResponses, FormPatternsAreThoseOfDifferences) {
     const double off = i == j ? e : e * M_SQRT1_2;
     base.K(i, j) += off * omega(i) * omega(j);
     if (i != j) base.K(j, i) = base.K(i, j);
-    const FrfModel changed(std::move(base),
-                           model->setting(),
-                           fitter().setting().measured,
-                           fitter().setting().modes);
+    FrfModel changed(std::move(base),
+                     model->setting(),
+                     fitter().setting().measured,
+                     fitter().setting().modes);
+    changed.set_reference(state);
     return changed.respond(state, s, false).H;
   };
-  for (const auto& [i, j] :
-       std::vector<std::pair<Index, Index>>{{0, 0}, {2, 2}, {0, 1}, {1, 2}}) {
-    const MatrixXcd slope =
-        (response(i, j, h) - response(i, j, -h)) / (2.0 * h);
-    ASSERT_GT(slope.norm(), 0.0);
-    double nearest = 1e300;
-    for (const MatrixXcd& pattern : patterns) {
-      nearest = std::min(nearest, (pattern - slope).norm() / slope.norm());
+  int crossed = 0;
+  for (Index i = 0; i < 4; ++i) {
+    for (Index j = i; j < 4; ++j) {
+      const MatrixXcd slope =
+          (response(i, j, h) - response(i, j, -h)) / (2.0 * h);
+      // Modes across each other leave the points where they are.
+      if (slope.norm() == 0.0) continue;
+      crossed += i != j;
+      double nearest = 1e300;
+      for (const MatrixXcd& pattern : patterns) {
+        nearest = std::min(nearest, (pattern - slope).norm() / slope.norm());
+      }
+      // Of modes 10 % apart the guard against close ones takes 1 %.
+      EXPECT_LT(nearest, 0.03) << i << ", " << j;
+      if (i != j) break;  // farther ones have no pattern
     }
-    // Of modes 10 % apart the guard against close ones takes 1 %.
-    EXPECT_LT(nearest, 0.03) << i << ", " << j;
   }
+  EXPECT_GT(crossed, 0);
   // Eight modes, each with itself, with two neighbours at most; two in common.
   EXPECT_LE(patterns.size(), 8U + 8U * 2U + 2U);
 }
