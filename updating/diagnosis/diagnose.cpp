@@ -114,6 +114,9 @@ class Climb {
 
   /// Adds the best effect that earns its place; false where none does.
   bool step(bool first, const Progress& progress);
+  /// Takes back a first effect that was added for what it is worth beside
+  /// another, where no other followed.
+  void settle();
 
   [[nodiscard]] const Fit& current() const { return current_; }
   [[nodiscard]] double held_out_error() const { return held_out_; }
@@ -136,6 +139,12 @@ class Climb {
   bool try_to_add(bool first,
                   RungSearch::Depth depth,
                   const Progress& progress);
+  // Where a climb stands.
+  struct Stand {
+    Fit fit;
+    double held_out = 0.0;
+  };
+
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
       const Round& round, bool first, const Progress& progress) const;
@@ -146,6 +155,7 @@ class Climb {
   std::size_t already_;
   Fit current_;
   double held_out_;
+  std::optional<Stand> before_pair_;
   double data_ = 1.0;
   std::vector<Chosen> chosen_;
   std::vector<Candidate> candidates_;
@@ -193,6 +203,13 @@ bool Climb::step(bool first, const Progress& progress) {
   return try_to_add(first, Depth::LastResort, part_of(progress, 0.9, 1.0));
 }
 
+void Climb::settle() {
+  if (!before_pair_ || chosen_.size() != 1) return;
+  current_ = std::move(before_pair_->fit);
+  held_out_ = before_pair_->held_out;
+  chosen_.clear();
+}
+
 bool Climb::try_to_add(bool first,
                        RungSearch::Depth depth,
                        const Progress& progress) {
@@ -209,6 +226,9 @@ bool Climb::try_to_add(bool first,
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
+  worth.gain = added.log_evidence - round.none_evidence;
+  worth.share = share_to_reach(current_.result.error, options_);
+  if (!worth.earned()) before_pair_ = {current_, held_out_};
   passed_over_.clear();
   chosen_.push_back(search_.as_chosen(round, best));
   if (best != 0) {
@@ -301,6 +321,7 @@ Climbed climbed(const Fitter& fitter,
     if (!climb.step(rung == 0, numbered(part, "rung", rung + 1))) break;
     done = next;
   }
+  climb.settle();
   const Fit& found = climb.current();
   result.error_best = found.result.error;
   const double data = evidence_data(
