@@ -15,8 +15,8 @@ quiet=--quiet
   cmake --preset release >build/configure.log 2>&1 ||
     cmake --fresh --preset release --log-level=WARNING
   # As measured; the tests take as long again as the program.
-  minutes=12
-  [ "${1:-}" != tapfit ] || minutes=6
+  minutes=20
+  [ "${1:-}" != tapfit ] || minutes=10
   [ -e build/release/tapfit ] ||
     echo "Building tapfit: about $minutes minutes on two cores the first time ..."
   # shellcheck disable=SC2086 # no option at all where $quiet is empty

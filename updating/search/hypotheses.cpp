@@ -261,7 +261,9 @@ void try_forms(std::vector<Kind>& kinds,
     if (kind.log_likelihood() > plain && !kind.is_joint()) {
       climb_from_best(kind, current, fitter, options, progress);
     }
-    if (kind.is_loss() && kind.error() > options.explained) {
+    // They refine what nothing else explains better.
+    if (kind.is_loss() && kind.error() > options.explained &&
+        kind.error() <= least_error(kinds)) {
       try_edges(kind, current, fitter, progress);
     }
   }
