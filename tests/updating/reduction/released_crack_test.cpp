@@ -78,5 +78,27 @@ TEST(ReleasedCrack, HasTheModesOfADeckThatIsParted) {
   }
 }
 
+// Elements on the side of a crack part with it: all of them lose all of the
+// stiffness that there is but for the springs.
+TEST(ReleasedCrack, TakesTheStiffnessOfElementsBesideItWithIt) {
+  const Deck whole = support::plate_deck(true);
+  StiffnessChange crack;
+  crack.kind = ChangeKind::Joint;
+  crack.of.where.nodes = {6, 17, 28};
+  crack.of.where.variant = updating::crack;
+  StiffnessChange loss;
+  loss.kind = ChangeKind::Elements;
+  for (const structure::Shell& shell : whole.shells) {
+    loss.of.where.elements.push_back(shell.id);
+  }
+  loss.of.where.variant = pocket;
+  const ReleasedSystem released = release(
+      {whole, {}, {}}, structure::assemble(whole), {}, {}, {crack, loss});
+  ASSERT_EQ(released.scaled.size(), 2U);
+  const ScaledStiffness& lost = released.scaled.back();
+  EXPECT_LT((released.K - lost.S).norm(), 1e-12 * released.K.norm());
+  EXPECT_LT((released.M - lost.N).norm(), 1e-12 * released.M.norm());
+}
+
 }  // namespace
 }  // namespace tapfit::updating
