@@ -204,7 +204,7 @@ bool Climb::step(bool first, const Progress& progress) {
 }
 
 void Climb::settle() {
-  if (!before_pair_ || chosen_.size() != 1) return;
+  if (!before_pair_) return;
   current_ = std::move(before_pair_->fit);
   held_out_ = before_pair_->held_out;
   chosen_.clear();
@@ -228,6 +228,7 @@ bool Climb::try_to_add(bool first,
   if (!worth.earned()) return false;
   worth.gain = added.log_evidence - round.none_evidence;
   worth.share = share_to_reach(current_.result.error, options_);
+  before_pair_.reset();  // a second followed
   if (!worth.earned()) before_pair_ = {current_, held_out_};
   passed_over_.clear();
   chosen_.push_back(search_.as_chosen(round, best));

@@ -11,7 +11,6 @@
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/mesh_factors.hpp"
 #include "updating/reduction/released_system.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/assemble.hpp"
