@@ -56,6 +56,22 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
   return rungs;
 }
 
+ordered_json form_json(const updating::Diagnosis& diagnosis) {
+  ordered_json list = ordered_json::array();
+  for (const auto& form : diagnosis.model_form) {
+    list.push_back({{"form", form.form},
+                    {"where", {{"property", form.property}}},
+                    {"share",
+                     {{"value", form.share.value},
+                      {"lo95", form.share.lo95},
+                      {"hi95", form.share.hi95}}},
+                    {"probability", form.probability},
+                    {"error", form.error},
+                    {"card", form.card}});
+  }
+  return list;
+}
+
 ordered_json next_json(const updating::Diagnosis& diagnosis) {
   const auto effect = [](const updating::EffectRef& ref) {
     return placed_json("effect", ref.effect, ref.where);
@@ -175,6 +191,7 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
       {"candidates", std::move(candidates)},
       {"ladder", ladder_json(diagnosis.ladder)},
       {"model_parameters", model_parameters_json(diagnosis.model_parameters)},
+      {"model_form", form_json(diagnosis)},
       {"next_measurements", next_json(diagnosis)},
       {"set_up", set_up_json(diagnosis)},
       {"warnings", diagnosis.warnings}};
@@ -196,6 +213,9 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
     text += fmt::format("  model parameter {} {}\n",
                         updating::parameters_text({estimate}),
                         estimate.unit);
+  }
+  for (const auto& form : diagnosis.model_form) {
+    text += "  " + statement(form) + "\n";
   }
   text += next_text(diagnosis);
   for (const auto& warning : diagnosis.warnings) {

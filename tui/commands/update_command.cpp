@@ -72,6 +72,7 @@ std::string update_command(const CommandOptions& options,
   }
   updating::Diagnosis diagnosis = updating::diagnosis_of_named(
       session.ladder(progress), session.comparison(progress), parameters, held);
+  diagnosis.model_form = session.model_form(progress);
   diagnosis.set_up =
       updating::set_up_mistakes(diagnosis.ladder, session.bundle());
   for (const auto& mistake : diagnosis.set_up) {

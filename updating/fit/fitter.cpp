@@ -53,12 +53,9 @@ Fitter Fitter::with(FitSetting setting) const {
   return other;
 }
 
-void Fitter::set_mesh(const BaseBuilder& coarser,
-                      std::size_t factors,
-                      const Eigen::VectorXd& bias) {
+void Fitter::set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias) {
   coarser_ = &coarser;
   plain_coarser_ = Fitter(coarser, setting_).model_for({});
-  mesh_factors_ = factors;
   setting_.targets.back().mesh_bias = bias;
 }
 
@@ -120,7 +117,8 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   Ground ground{with_mesh_at(*before.model,
                              coarser,
                              state,
-                             setting_.uncertain_sd.size() - mesh_factors_),
+                             setting_.uncertain_sd.size() -
+                                 before.model->base().corrections.size()),
                 before.target};
   const bool changed = !before.model->base().terms.empty();
   if (changed) {

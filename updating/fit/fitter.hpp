@@ -125,12 +125,8 @@ class Fitter {
 
   /// What fits need to know of the mesh's error.
   /// @param coarser the deck's own mesh, where that of the base is split
-  /// @param factors how many of the last in FitSetting::uncertain_sd are the
-  ///   mesh's
   /// @param bias what the mesh may be off by, see Target::mesh_bias
-  void set_mesh(const BaseBuilder& coarser,
-                std::size_t factors,
-                const Eigen::VectorXd& bias);
+  void set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias);
 
   /// Where an effect may be in this setting, so far as a measurement could tell
   /// places apart; worked out when first asked for.
@@ -160,7 +156,6 @@ class Fitter {
   const BaseBuilder* builder_;
   const BaseBuilder* coarser_ = nullptr;
   std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
-  std::size_t mesh_factors_ = 0;
   FitSetting setting_;
 
   struct KnownPlaces {

@@ -33,7 +33,7 @@ ReducedBase extended_base(const MatrixXd& V,
                           const ReducedBase& fixed,
                           const MatrixXd& extra,
                           const ReleasedSystem& released,
-                          const std::vector<MeshFactor>& of_mesh) {
+                          const std::vector<CorrectionPart>& corrections) {
   const Index n = V.rows();
   const MatrixXd R = beyond(released.M, V, extra);
   const Index a = V.cols();
@@ -49,6 +49,7 @@ ReducedBase extended_base(const MatrixXd& V,
   base.rows = fixed.rows.with(R.topRows(fixed.rows.rows()));
   base.K = grow(fixed.K, released.K);
   base.part_power = fixed.part_power;
+  base.corrections = fixed.corrections;
   for (std::size_t k = 0; k < released.parts.size(); ++k) {
     base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
@@ -58,12 +59,12 @@ ReducedBase extended_base(const MatrixXd& V,
     whole.topLeftCorner(a, a) = known;
     return whole;
   };
-  for (std::size_t k = 0; k < of_mesh.size(); ++k) {
+  for (std::size_t k = 0; k < corrections.size(); ++k) {
     const MatrixXd& K = fixed.K_part[released.parts.size() + k];
-    SparseMatrix beyond = of_mesh[k].beyond;
+    SparseMatrix beyond = corrections[k].beyond;
     beyond.conservativeResize(released.dofs(), released.dofs());
-    base.K_part.push_back(of_mesh[k].beyond.size() > 0 ? grow(K, beyond)
-                                                       : padded(K));
+    base.K_part.push_back(corrections[k].beyond.size() > 0 ? grow(K, beyond)
+                                                           : padded(K));
     base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
   }
   const auto through = [&](const SparseMatrix& A) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
-#include "updating/reduction/mesh_factors.hpp"
+#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/released_system.hpp"
 
 #include <Eigen/Core>
@@ -21,12 +21,13 @@ void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 /// @param V n x r, M-orthonormal
 /// @param fixed the model seen through V
 /// @param extra released.dofs() x columns
-/// @param of_mesh the last of the fixed base's parts
+/// @param corrections the last of the fixed base's parts
 /// @return with a term for each of released.scaled; its K is diagonal
-[[nodiscard]] ReducedBase extended_base(const Eigen::MatrixXd& V,
-                                        const ReducedBase& fixed,
-                                        const Eigen::MatrixXd& extra,
-                                        const ReleasedSystem& released,
-                                        const std::vector<MeshFactor>& of_mesh);
+[[nodiscard]] ReducedBase extended_base(
+    const Eigen::MatrixXd& V,
+    const ReducedBase& fixed,
+    const Eigen::MatrixXd& extra,
+    const ReleasedSystem& released,
+    const std::vector<CorrectionPart>& corrections);
 
 }  // namespace tapfit::updating

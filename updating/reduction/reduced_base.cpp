@@ -1,15 +1,16 @@
 #include "updating/reduction/reduced_base.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/change_range.hpp"
 #include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
-#include "updating/reduction/mesh_factors.hpp"
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
@@ -76,7 +77,7 @@ struct BaseBuilder::Impl {
   double error = 0.0;  // of FRFs through the whole
   std::vector<std::string> warnings;
   std::optional<StaticAnswers> answers;
-  std::vector<MeshFactor> of_mesh;  // parts of the bases beyond the plain ones
+  std::vector<CorrectionPart> corrected;  // parts beyond the plain ones
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
@@ -85,6 +86,8 @@ struct BaseBuilder::Impl {
   [[nodiscard]] VectorXd pull() const;
   /// Of the modes, how many are a rigid body's; they come first.
   [[nodiscard]] Index rigid_count() const;
+  /// The modes where the bars shear that do not; none where all do.
+  [[nodiscard]] MeshModes sheared_modes() const;
 
   void make_lean();
   [[nodiscard]] MatrixXd needed(const Span& span,
@@ -175,26 +178,42 @@ BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 
-std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
+std::vector<Correction> BaseBuilder::hold_corrections(
+    const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.original_grids;
   ReducedBase& fixed = m.wide.base;
-  m.of_mesh = mesh_factors(m.mesh.deck,
-                           m.wide.V,
-                           {m.modes.topRows(known), m.modes_hz},
-                           {c.modes.topRows(known), c.modes_hz});
+  m.corrected = corrections(m.mesh.deck,
+                            m.wide.V,
+                            {{m.modes.topRows(known), m.modes_hz},
+                             {c.modes.topRows(known), c.modes_hz},
+                             m.sheared_modes()});
   const std::size_t first = m.uncertain.size();
-  const std::size_t all = first + m.of_mesh.size();
+  const std::size_t all = first + m.corrected.size();
   for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);
-  for (std::size_t k = 0; k < m.of_mesh.size(); ++k) {
+  for (std::size_t k = 0; k < m.corrected.size(); ++k) {
     fixed.part_power.emplace_back(all, 0);
     fixed.part_power.back()[first + k] = 1;
-    fixed.K_part.push_back(m.of_mesh[k].K);
-    fixed.M_part.push_back(m.of_mesh[k].M);
+    fixed.K_part.push_back(m.corrected[k].K);
+    fixed.M_part.push_back(m.corrected[k].M);
+    fixed.corrections.push_back(m.corrected[k].correction);
   }
   m.make_lean();
-  return m.of_mesh.size();
+  return fixed.corrections;
+}
+
+MeshModes BaseBuilder::Impl::sheared_modes() const {
+  const std::set<int> sections = shearless_sections(mesh.deck);
+  if (sections.empty()) return {};
+  const structure::System sheared =
+      structure::assemble(with_section_shear(mesh.deck, sections, 1.0));
+  const structure::Eigenmodes found =
+      structure::eigenmodes_up_to(motions.reduce(sheared.K),
+                                  motions.reduce(system.M),
+                                  options.reach * options.high_hz);
+  return {motions.expand(found.phi).topRows(6 * original_grids),
+          found.frequency_hz};
 }
 
 void BaseBuilder::Impl::make_lean() {
@@ -202,7 +221,8 @@ void BaseBuilder::Impl::make_lean() {
   lean_options.high_hz = options.high_hz;
   std::vector<double> sd;
   for (const auto& u : uncertain) sd.push_back(u.sd_percent / 100.0);
-  std::ranges::copy(mesh_factor_sd(of_mesh.size()), std::back_inserter(sd));
+  std::ranges::transform(
+      wide.base.corrections, std::back_inserter(sd), &Correction::sd);
   for (const double s : sd) {
     lean_options.spread.push_back(std::clamp(2.0 * s, 0.1, 1.0));
   }
@@ -391,7 +411,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                    span.base,
                                    m.needed(span, released, changes, fresh),
                                    released,
-                                   m.of_mesh);
+                                   m.corrected);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

@@ -1,0 +1,44 @@
+// What a deck is wrong by in form, as a finding: what it leaves out that is
+// missing in every structure, and the data show. It is fitted along with what
+// is uncertain in every model, so that no effect stands in for it; it is no
+// part of the verdict.
+//
+// Of a factor f with ln f ~ N(0, sd_0^2) before the data and N(t, sd^2) after
+// them, the data speak for f against the deck's own 1 by
+//
+//   p(0) / p(0 | data) = sd / sd_0 exp(t^2 / (2 sd^2))
+//
+// Source: J. M. Dickey, "The Weighted Likelihood Ratio, Linear Hypotheses on
+// Normal Location Parameters", Ann. Math. Statist. 42 (1971) (Savage's ratio).
+#pragma once
+
+#include "updating/fit/estimate.hpp"
+
+#include <string>
+#include <vector>
+
+namespace tapfit::structure {
+struct Deck;
+}
+
+namespace tapfit::updating {
+
+struct Fit;
+
+struct ModelForm {
+  std::string form;     ///< "section-shear"
+  int property = 0;     ///< of the bars that it concerns
+  Estimate share = {};  ///< of a solid section's shear, see section_shear.hpp
+  double probability = 0.0;  ///< against the deck as it stands
+  double error = 0.0;        ///< that is left with it
+  std::string card;          ///< mended, in the file's units: "PBAR,1,..."
+};
+
+/// One for each card, where it is more likely than not.
+[[nodiscard]] std::vector<ModelForm> model_form(const Fit& fit,
+                                                const structure::Deck& deck);
+
+/// "section-shear of PBAR 1: 1.02 (0.9 to 1.1) of a solid section's ...".
+[[nodiscard]] std::string statement(const ModelForm& form);
+
+}  // namespace tapfit::updating

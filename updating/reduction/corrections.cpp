@@ -1,0 +1,49 @@
+#include "updating/reduction/corrections.hpp"
+
+#include "updating/properties/section_shear.hpp"
+#include "updating/structure/mesh/edge_twist.hpp"
+
+namespace tapfit::updating {
+
+using Eigen::MatrixXd;
+
+namespace {
+
+// The limit of fine meshes is at 4/3 where convergence is quadratic, at 2 where
+// it is linear.
+constexpr double size_sd = 0.5;
+
+// Of the edges' layer anything between nothing and all may be missing, or too
+// much: evenly spread, sd 0.29.
+constexpr double edges_sd = 0.3;
+
+}  // namespace
+
+std::vector<CorrectionPart> corrections(const structure::Deck& deck,
+                                        const MatrixXd& V,
+                                        const CorrectedModes& modes) {
+  const auto in_base = [&V](const MatrixXd& of_modes) {
+    MatrixXd whole = MatrixXd::Zero(V.cols(), V.cols());
+    whole.topLeftCorner(of_modes.rows(), of_modes.cols()) = of_modes;
+    return whole;
+  };
+  const MeshShift size = mesh_shift(modes.split, modes.unsplit);
+  std::vector<CorrectionPart> parts = {
+      {{"mesh size", size_sd}, in_base(size.K), in_base(size.M)}};
+  const structure::SparseMatrix edges = -structure::edge_twist(deck);
+  MatrixXd K = V.transpose() * (edges * V);
+  if (!K.isZero(0.0)) {
+    parts.push_back(
+        {{"mesh edges", edges_sd}, std::move(K), in_base({}), edges});
+  }
+  if (modes.sheared.hz.size() > 0) {
+    // What would have to be added to stiffen them: the other way round.
+    const MeshShift shear = mesh_shift(modes.split, modes.sheared);
+    parts.push_back({{section_shear, section_shear_sd},
+                     in_base(-shear.K),
+                     in_base(-shear.M)});
+  }
+  return parts;
+}
+
+}  // namespace tapfit::updating
