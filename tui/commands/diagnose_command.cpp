@@ -59,15 +59,18 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
 ordered_json form_json(const updating::Diagnosis& diagnosis) {
   ordered_json list = ordered_json::array();
   for (const auto& form : diagnosis.model_form) {
+    ordered_json where = ordered_json::object();
+    if (form.property > 0) where["property"] = form.property;
+    if (!form.elements.empty()) where["elements"] = form.elements;
     list.push_back({{"form", form.form},
-                    {"where", {{"property", form.property}}},
+                    {"where", std::move(where)},
                     {"share",
                      {{"value", form.share.value},
                       {"lo95", form.share.lo95},
                       {"hi95", form.share.hi95}}},
                     {"probability", form.probability},
-                    {"error", form.error},
-                    {"card", form.card}});
+                    {"error", form.error}});
+    if (!form.card.empty()) list.back()["card"] = form.card;
   }
   return list;
 }

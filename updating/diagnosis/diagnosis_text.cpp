@@ -40,7 +40,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rivals, found, instead, besides)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Robustness, change, verdict, verdict_stands, parameters, largest_move_sd)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    ModelForm, form, property, share, probability, error, card)
+    ModelForm, form, property, elements, share, probability, error, card)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    verdict,
                                    error_base,

@@ -2,13 +2,16 @@
 
 #include "updating/fit/fitter.hpp"
 #include "updating/properties/section_shear.hpp"
+#include "updating/reduction/deck_forms.hpp"
 #include "updating/structure/deck/deck.hpp"
+#include "updating/structure/mesh/stiff_corners.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -49,42 +52,71 @@ std::string bar_card(const BarProperty& p, const Deck& deck, double k) {
       p.I12 / inertia);
 }
 
-}  // namespace
-
-std::vector<ModelForm> model_form(const Fit& fit, const Deck& deck) {
+// What the data say of a form; nothing where the deck as it stands is likelier.
+std::optional<ModelForm> told(const Fit& fit, std::size_t correction) {
   const std::vector<Correction>& known = fit.model->base().corrections;
   const std::vector<double>& factor = fit.result.state.factor;
-  const auto shear = std::ranges::find(
-      known, std::string_view(section_shear), &Correction::name);
-  if (shear == known.end()) return {};
-  const auto at = factor.size() - static_cast<std::size_t>(known.end() - shear);
+  const std::size_t at = factor.size() - known.size() + correction;
   const auto k = static_cast<Eigen::Index>(at);
   const Eigen::MatrixXd& covariance = fit.result.covariance;
   const double variance = k < covariance.rows() ? covariance(k, k) : 0.0;
   const double t = std::log(factor.at(at));
-  if (t <= 0.0 || !(variance > 0.0)) return {};
-  const double ratio = savage_ratio(t, std::sqrt(variance), shear->sd);
-  const double probability = std::isfinite(ratio) ? ratio / (1.0 + ratio) : 1.0;
+  if (t <= 0.0 || !(variance > 0.0)) return std::nullopt;
+  const double sd = std::sqrt(variance);
+  const double ratio = savage_ratio(t, sd, known[correction].sd);
+  ModelForm form;
+  form.form = known[correction].name;
+  form.share = share_of(t, sd);
+  form.probability = std::isfinite(ratio) ? ratio / (1.0 + ratio) : 1.0;
+  form.error = fit.result.error;
+  if (form.probability <= 0.5) return std::nullopt;
+  return form;
+}
+
+}  // namespace
+
+std::vector<ModelForm> model_form(const Fit& fit, const Deck& deck) {
+  const std::vector<Correction>& known = fit.model->base().corrections;
   std::vector<ModelForm> found;
-  if (probability <= 0.5) return found;
-  for (const int id : shearless_sections(deck)) {
-    const double k_shear = shear_coefficient(factor[at] - 1.0);
-    found.push_back({shear->name,
-                     id,
-                     share_of(t, std::sqrt(variance)),
-                     probability,
-                     fit.result.error,
-                     bar_card(deck.bar_properties.at(id), deck, k_shear)});
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const bool shear = known[k].name == section_shear;
+    if (!shear && known[k].name != corner_stiffness) continue;
+    std::optional<ModelForm> form = told(fit, k);
+    if (!form) continue;
+    if (!shear) {
+      for (const auto& [id, share] : structure::inside_corners(deck)) {
+        form->elements.push_back(id);
+      }
+      found.push_back(*std::move(form));
+      continue;
+    }
+    for (const int id : shearless_sections(deck)) {
+      form->property = id;
+      form->card = bar_card(deck.bar_properties.at(id),
+                            deck,
+                            shear_coefficient(form->share.value));
+      found.push_back(*form);
+    }
   }
   return found;
 }
 
 std::string statement(const ModelForm& form) {
+  const std::string what =
+      form.form == section_shear
+          ? fmt::format(
+                "PBAR {} has no K1 and K2, so that its bars do not "
+                "shear, but the structure does, as much as a solid "
+                "section times",
+                form.property)
+          : std::string(
+                "members bend up to where their lines cross, but in "
+                "the structure up to each other's face only; that "
+                "stiffening times");
   return fmt::format(
-      "the deck's form: PBAR {} has no K1 and K2, so that its bars do not "
-      "shear, but the structure does, {:.2g} ({:.2g} to {:.2g}) times as much "
-      "as a solid section (p = {:.2f}); it is fitted along",
-      form.property,
+      "the deck's form: {} {:.2g} ({:.2g} to {:.2g}; p = {:.2f}); it is fitted "
+      "along",
+      what,
       form.share.value,
       form.share.lo95,
       form.share.hi95,

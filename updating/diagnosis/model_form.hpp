@@ -26,19 +26,20 @@ namespace tapfit::updating {
 struct Fit;
 
 struct ModelForm {
-  std::string form;     ///< "section-shear"
-  int property = 0;     ///< of the bars that it concerns
-  Estimate share = {};  ///< of a solid section's shear, see section_shear.hpp
-  double probability = 0.0;  ///< against the deck as it stands
-  double error = 0.0;        ///< that is left with it
-  std::string card;          ///< mended, in the file's units: "PBAR,1,..."
+  std::string form;                ///< "section-shear", "corner-stiffness"
+  int property = 0;                ///< of the bars that do not shear
+  std::vector<int> elements = {};  ///< at the corners
+  Estimate share = {};             ///< 0: the deck's; 1: see deck_forms.hpp
+  double probability = 0.0;        ///< against the deck as it stands
+  double error = 0.0;              ///< that is left with it
+  std::string card = {};  ///< mended, in the file's units: "PBAR,1,..."
 };
 
-/// One for each card, where it is more likely than not.
+/// One for each card or form, where it is more likely than not.
 [[nodiscard]] std::vector<ModelForm> model_form(const Fit& fit,
                                                 const structure::Deck& deck);
 
-/// "section-shear of PBAR 1: 1.02 (0.9 to 1.1) of a solid section's ...".
+/// What is wrong, by how much and how surely, as a sentence.
 [[nodiscard]] std::string statement(const ModelForm& form);
 
 }  // namespace tapfit::updating

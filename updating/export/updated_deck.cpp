@@ -96,6 +96,7 @@ IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
   }
   constexpr std::size_t k1 = 17;  // of a PBAR, the name at 0
   for (const ModelForm& found : form) {
+    if (found.form != section_shear) continue;
     structure::CardScale sheared{"PBAR", found.property, {k1, k1 + 1}};
     sheared.value = shear_coefficient(found.share.value);
     result.scales.push_back(std::move(sheared));

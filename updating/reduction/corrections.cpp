@@ -1,6 +1,5 @@
 #include "updating/reduction/corrections.hpp"
 
-#include "updating/properties/section_shear.hpp"
 #include "updating/structure/mesh/edge_twist.hpp"
 
 namespace tapfit::updating {
@@ -36,12 +35,10 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
     parts.push_back(
         {{"mesh edges", edges_sd}, std::move(K), in_base({}), edges});
   }
-  if (modes.sheared.hz.size() > 0) {
-    // What would have to be added to stiffen them: the other way round.
-    const MeshShift shear = mesh_shift(modes.split, modes.sheared);
-    parts.push_back({{section_shear, section_shear_sd},
-                     in_base(-shear.K),
-                     in_base(-shear.M)});
+  for (const FormModes& form : modes.forms) {
+    // What would have to be taken off to leave it out: the other way round.
+    const MeshShift shift = mesh_shift(modes.split, form.modes);
+    parts.push_back({form.correction, in_base(-shift.K), in_base(-shift.M)});
   }
   return parts;
 }

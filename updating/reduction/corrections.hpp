@@ -7,8 +7,8 @@
 // is the split mesh; where the error falls with the square of the element, 4/3
 // is the limit of ever finer ones (Richardson's extrapolation). "mesh edges",
 // where shells have free edges, is one more than the share of the edges' layer
-// that the mesh lacks (edge_twist()). "section-shear", where bars do not shear,
-// is one more than their shear over a solid section's (section_shear.hpp).
+// that the mesh lacks (edge_twist()). The others are forms that the deck lacks
+// (deck_forms.hpp): at 1 it is the deck as it stands, at 2 the deck with it.
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
@@ -30,11 +30,17 @@ struct CorrectionPart {
   structure::SparseMatrix beyond = {};
 };
 
+/// The modes of the split deck with a form that it lacks.
+struct FormModes {
+  Correction correction;
+  MeshModes modes;
+};
+
 /// The modes that corrections are taken from, at the deck's own grids.
 struct CorrectedModes {
   MeshModes split;    ///< the base's first vectors
   MeshModes unsplit;  ///< of the deck's own elements
-  MeshModes sheared;  ///< as `split`, where its bars shear; none: they do
+  std::vector<FormModes> forms = {};
 };
 
 /// @param deck the split one

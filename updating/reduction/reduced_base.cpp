@@ -1,12 +1,12 @@
 #include "updating/reduction/reduced_base.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/change_range.hpp"
 #include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/corrections.hpp"
+#include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
@@ -86,8 +86,7 @@ struct BaseBuilder::Impl {
   [[nodiscard]] VectorXd pull() const;
   /// Of the modes, how many are a rigid body's; they come first.
   [[nodiscard]] Index rigid_count() const;
-  /// The modes where the bars shear that do not; none where all do.
-  [[nodiscard]] MeshModes sheared_modes() const;
+  [[nodiscard]] std::vector<FormModes> form_modes() const;
 
   void make_lean();
   [[nodiscard]] MatrixXd needed(const Span& span,
@@ -188,7 +187,7 @@ std::vector<Correction> BaseBuilder::hold_corrections(
                             m.wide.V,
                             {{m.modes.topRows(known), m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
-                             m.sheared_modes()});
+                             m.form_modes()});
   const std::size_t first = m.uncertain.size();
   const std::size_t all = first + m.corrected.size();
   for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);
@@ -203,17 +202,19 @@ std::vector<Correction> BaseBuilder::hold_corrections(
   return fixed.corrections;
 }
 
-MeshModes BaseBuilder::Impl::sheared_modes() const {
-  const std::set<int> sections = shearless_sections(mesh.deck);
-  if (sections.empty()) return {};
-  const structure::System sheared =
-      structure::assemble(with_section_shear(mesh.deck, sections, 1.0));
-  const structure::Eigenmodes found =
-      structure::eigenmodes_up_to(motions.reduce(sheared.K),
-                                  motions.reduce(system.M),
-                                  options.reach * options.high_hz);
-  return {motions.expand(found.phi).topRows(6 * original_grids),
-          found.frequency_hz};
+std::vector<FormModes> BaseBuilder::Impl::form_modes() const {
+  std::vector<FormModes> forms;
+  for (DeckForm& form : deck_forms(mesh.deck)) {
+    const structure::System other = structure::assemble(form.deck);
+    const structure::Eigenmodes found =
+        structure::eigenmodes_up_to(motions.reduce(other.K),
+                                    motions.reduce(system.M),
+                                    options.reach * options.high_hz);
+    forms.push_back({std::move(form.correction),
+                     {motions.expand(found.phi).topRows(6 * original_grids),
+                      found.frequency_hz}});
+  }
+  return forms;
 }
 
 void BaseBuilder::Impl::make_lean() {

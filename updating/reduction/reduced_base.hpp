@@ -75,8 +75,8 @@ class BaseBuilder {
                                   const std::vector<StiffnessChange>& changes,
                                   BaseUse use = BaseUse::Scan) const;
 
-  /// Gives the bases further factors, of what the mesh and sections that do not
-  /// shear do to the modes: see corrections().
+  /// Gives the bases further factors, of what the mesh does to the modes and of
+  /// forms that the deck lacks: see corrections().
   /// @param coarser the same deck, not split; call once, before build()
   std::vector<Correction> hold_corrections(const BaseBuilder& coarser);
 
