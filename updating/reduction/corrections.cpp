@@ -29,11 +29,11 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
   const MeshShift size = mesh_shift(modes.split, modes.unsplit);
   std::vector<CorrectionPart> parts = {
       {{"mesh size", size_sd}, in_base(size.K), in_base(size.M)}};
-  const structure::SparseMatrix edges = -structure::edge_twist(deck);
-  MatrixXd K = V.transpose() * (edges * V);
+  const structure::SparseMatrix twist = -structure::edge_twist(deck);
+  MatrixXd K = V.transpose() * (twist * V);
   if (!K.isZero(0.0)) {
     parts.push_back(
-        {{"mesh edges", edges_sd}, std::move(K), in_base({}), edges});
+        {{"mesh edges", edges_sd}, std::move(K), in_base({}), twist});
   }
   for (const FormModes& form : modes.forms) {
     // What would have to be taken off to leave it out: the other way round.
