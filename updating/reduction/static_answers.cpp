@@ -1,6 +1,7 @@
 #include "updating/reduction/static_answers.hpp"
 
 #include "updating/reduction/subspace.hpp"
+#include "updating/structure/solve/symmetric_product.hpp"
 
 namespace tapfit::updating {
 
@@ -34,7 +35,9 @@ MatrixXd StaticAnswers::to_points(const std::vector<int>& points,
     if (!felt.col(k).isZero(0.0)) moving.push_back(k);
   }
   std::vector<MatrixXd> all = {to(MatrixXd(forces(Eigen::all, moving)))};
-  while (all.size() < orders) all.push_back(to(system_.M * all.back()));
+  while (all.size() < orders) {
+    all.push_back(to(structure::symmetric_product(system_.M, all.back())));
+  }
   return join(all);
 }
 
