@@ -3,6 +3,8 @@
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
+#include <utility>
+
 namespace tapfit::updating {
 
 using Eigen::Index;
@@ -38,7 +40,7 @@ MatrixXd StaticAnswers::to_points(const std::vector<int>& points,
   while (all.size() < orders) {
     all.push_back(to(structure::symmetric_product(system_.M, all.back())));
   }
-  return join(all);
+  return join(std::move(all));
 }
 
 }  // namespace tapfit::updating
