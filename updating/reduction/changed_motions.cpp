@@ -117,9 +117,9 @@ MatrixXd constraint_modes(const HeldBase& base,
   MatrixXd psi = units;
   if (psi.cols() == 0) return psi;
   const SparseMatrix forces =
-      released.K * units + base.shift * (released.M * units);
+      *released.K * units + base.shift * (*released.M * units);
   psi.topRows(n) -= base.answers.to(MatrixXd(forces).topRows(n));
-  const MatrixXd Mpsi = symmetric_product(released.M, psi);
+  const MatrixXd Mpsi = symmetric_product(*released.M, psi);
   const MatrixXd Q = driven(base, Mpsi, forces.transpose() * psi);
   std::vector<MatrixXd> both;
   both.push_back(std::move(psi));

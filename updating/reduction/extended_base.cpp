@@ -32,7 +32,7 @@ ReducedBase extended_base(const MatrixXd& V,
                           MatrixXd extra,
                           const ReleasedSystem& released,
                           const std::vector<MeshFactor>& of_mesh) {
-  const MatrixXd R = beyond(released.M, V, std::move(extra));
+  const MatrixXd R = beyond(*released.M, V, std::move(extra));
   const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
@@ -43,10 +43,10 @@ ReducedBase extended_base(const MatrixXd& V,
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     return whole;
   };
-  const std::vector<UncertainPart>& parts = released.parts;
+  const std::vector<UncertainPart>& parts = *released.parts;
   ReducedBase base;
   base.rows = fixed.rows.with(R.topRows(fixed.rows.rows()));
-  base.K = grow(fixed.K, released.K);
+  base.K = grow(fixed.K, *released.K);
   base.part_power = fixed.part_power;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));

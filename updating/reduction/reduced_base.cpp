@@ -140,14 +140,10 @@ BaseBuilder::BaseBuilder(
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   m.answers.emplace(m.system, m.motions, m.shift);
-  m.plain = {m.system.K,
-             m.system.M,
-             uncertain_parts(m.mesh.deck, uncertain),
-             {},
-             m.motions.free};
+  m.plain = nothing_released(m.system, uncertain_parts(m.mesh.deck, uncertain));
   SolvedBase solved = kept_or_solved(options.cache,
                                      {m.system,
-                                      m.plain.parts,
+                                      *m.plain.parts,
                                       m.options.points,
                                       m.motions.size(),
                                       options.high_hz,
@@ -164,7 +160,7 @@ BaseBuilder::BaseBuilder(
   fixed.K = std::move(solved.K);
   fixed.K_part = std::move(solved.K_part);
   fixed.M_part = std::move(solved.M_part);
-  for (const UncertainPart& part : m.plain.parts) {
+  for (const UncertainPart& part : *m.plain.parts) {
     fixed.part_power.push_back(part.power);
   }
   m.make_lean();
@@ -287,7 +283,7 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
                               options.high_hz);
     if (solved.error <= exact_enough) break;
   }
-  for (const UncertainPart& part : plain.parts) {
+  for (const UncertainPart& part : *plain.parts) {
     solved.K_part.push_back(seen_through(V, part.K));
     solved.M_part.push_back(seen_through(V, part.M));
   }
@@ -373,15 +369,14 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   if (changes.empty() && fresh.empty()) return span.base;
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
-    own = release(
-        m.mesh, m.system, m.plain.parts, m.uncertain, changes, m.pulled);
+    own = release(m.mesh, m.system, m.plain, m.uncertain, changes, m.pulled);
     lend_mass(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {
     if (!own) own = m.plain;
     lent.conservativeResize(own->dofs(), own->dofs());
-    own->M += lent;
+    own->add_mass(lent);
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base = extended_base(span.V,
