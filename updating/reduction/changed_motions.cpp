@@ -7,7 +7,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -40,15 +39,14 @@ VectorXd shares(const HeldBase& base) {
   return (top / base.K.array().cwiseMax(top)).matrix();
 }
 
-// Columns of X turned so that X' N X is diagonal, largest first; those below
-// `least` of the largest, in the square root, are dropped.
-// @param gram X' N X
-MatrixXd leading(const MatrixXd& X, const MatrixXd& gram, double least) {
+// Eigenvectors of a matrix of products, largest first, without those whose
+// share is below `least` of the largest, in the square root.
+MatrixXd leading(const MatrixXd& gram, double least) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
   const VectorXd& d = solver.eigenvalues();
   const Index kept =
       (d.array() > least * least * std::max(d.maxCoeff(), 0.0)).count();
-  return X * solver.eigenvectors().rightCols(kept).rowwise().reverse();
+  return solver.eigenvectors().rightCols(kept).rowwise().reverse();
 }
 
 // What of q inertia drives most, from rigid springs (where q is as the force on
@@ -60,13 +58,10 @@ MatrixXd driven(const HeldBase& base, const MatrixXd& Mpsi, const MatrixXd& K) {
   const MatrixXd forces = Mpsi.topRows(base.V.rows()).transpose() * base.V *
                           shares(base).asDiagonal();
   const MatrixXd soft = K.ldlt().solve(forces);
-  MatrixXd both(soft.rows(), 2 * soft.cols());
-  both << soft / std::max(soft.norm(), 1e-300),
-      forces / std::max(forces.norm(), 1e-300);
-  const Eigen::HouseholderQR<MatrixXd> qr(
-      leading(both, both.transpose() * both, least));
-  const Index columns = std::min(qr.matrixQR().rows(), qr.matrixQR().cols());
-  return qr.householderQ() * MatrixXd::Identity(soft.rows(), columns);
+  const auto products = [](const MatrixXd& X) -> MatrixXd {
+    return X * X.transpose() / std::max(X.squaredNorm(), 1e-300);
+  };
+  return leading(products(soft) + products(forces), least);
 }
 
 // Of the energy in the elements.
@@ -80,7 +75,7 @@ MatrixXd strain_forces(const HeldBase& base, const SparseMatrix& S) {
   const MatrixXd SU = symmetric_product(elements.A, U);
   const MatrixXd energy = U.transpose() * SU;
   const double sign = energy.trace() < 0.0 ? -1.0 : 1.0;
-  return elements.spread(leading(SU, sign * energy, little), base.V.rows());
+  return elements.spread(SU * leading(sign * energy, little), base.V.rows());
 }
 
 // Of the structure as it is and of one whose stiffness is another, to each set
