@@ -5,6 +5,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cassert>
+#include <utility>
+
 namespace tapfit::updating {
 
 using Eigen::Index;
@@ -12,77 +15,64 @@ using Eigen::MatrixXd;
 using structure::SparseMatrix;
 
 void turn(ReducedBase& base, const MatrixXd& Q) {
+  assert(base.terms.empty());
+  const auto turn_one = [&Q](MatrixXd& A) {
+    // A property of stiffness has no mass, one of mass no stiffness.
+    A = A.isZero(0.0) ? MatrixXd(MatrixXd::Zero(Q.cols(), Q.cols()))
+                      : MatrixXd(Q.transpose() * A * Q);
+  };
   base.rows.turn(Q);
-  base.K = (Q.transpose() * base.K * Q).eval();
-  for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
-  for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
-  for (StiffnessTerm& term : base.terms) {
-    term.S = (Q.transpose() * term.S * Q).eval();
-    for (MatrixXd& part : term.S_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-    if (term.N.size() == 0) continue;
-    term.N = (Q.transpose() * term.N * Q).eval();
-    for (MatrixXd& part : term.N_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-  }
+  turn_one(base.K);
+  for (MatrixXd& part : base.K_part) turn_one(part);
+  for (MatrixXd& part : base.M_part) turn_one(part);
 }
 
 ReducedBase extended_base(const MatrixXd& V,
                           const ReducedBase& fixed,
-                          const MatrixXd& extra,
+                          MatrixXd extra,
                           const ReleasedSystem& released,
                           const std::vector<CorrectionPart>& corrections) {
-  const Index n = V.rows();
-  const MatrixXd R = beyond(released.M, V, extra);
+  const MatrixXd R = beyond(*released.M, V, std::move(extra));
   const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
-    MatrixXd whole(a + b, a + b);
+    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
+    if (A.nonZeros() == 0) return whole;
     whole.rightCols(b) = seen_through(V, R, A);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     return whole;
   };
+  const std::vector<UncertainPart>& parts = *released.parts;
   ReducedBase base;
   base.rows = fixed.rows.with(R.topRows(fixed.rows.rows()));
-  base.K = grow(fixed.K, released.K);
+  base.K = grow(fixed.K, *released.K);
   base.part_power = fixed.part_power;
   base.corrections = fixed.corrections;
-  for (std::size_t k = 0; k < released.parts.size(); ++k) {
-    base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
-    base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
+    base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
   }
-  const auto padded = [&](const MatrixXd& known) {
-    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
-    whole.topLeftCorner(a, a) = known;
-    return whole;
-  };
   for (std::size_t k = 0; k < corrections.size(); ++k) {
-    const MatrixXd& K = fixed.K_part[released.parts.size() + k];
-    SparseMatrix beyond = corrections[k].beyond;
-    beyond.conservativeResize(released.dofs(), released.dofs());
-    base.K_part.push_back(corrections[k].beyond.size() > 0 ? grow(K, beyond)
-                                                           : padded(K));
-    base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
+    const std::size_t part = parts.size() + k;
+    base.K_part.push_back(grow(fixed.K_part[part], corrections[k].beyond));
+    base.M_part.push_back(grow(fixed.M_part[part], {}));
   }
-  const auto through = [&](const SparseMatrix& A) {
-    return grow(seen_through(V, A.topLeftCorner(n, n)), A);
-  };
   for (const ScaledStiffness& scaled : released.scaled) {
     StiffnessTerm& term = base.terms.emplace_back();
     term.parameter = scaled.parameter;
-    term.S = through(scaled.S);
+    term.S = seen_through_all(V, R, scaled.S);
     const bool loses_mass = scaled.N.size() > 0;
-    if (loses_mass) term.N = through(scaled.N);
+    if (loses_mass) term.N = seen_through_all(V, R, scaled.N);
     for (const UncertainPart& part : scaled.parts) {
       term.part_power.push_back(part.power);
-      term.S_part.push_back(through(part.K));
-      if (loses_mass) term.N_part.push_back(through(part.M));
+      term.S_part.push_back(seen_through_all(V, R, part.K));
+      if (loses_mass) term.N_part.push_back(seen_through_all(V, R, part.M));
     }
   }
-  turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  if (base.terms.empty()) {
+    turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  }
   return base;
 }
 

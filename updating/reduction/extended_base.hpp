@@ -1,4 +1,4 @@
-// A reduced base with a few vectors more, and in other coordinates.
+// A reduced base with a few vectors more.
 //
 //   [V R]' A [V R],   R what the further vectors have beyond V
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace tapfit::updating {
 
-/// Other coordinates of the same span: V Q.
+/// Other coordinates of the same span, V Q, of a base without terms.
 void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 
 /// Only products with the new vectors are taken in the large space; what is
@@ -22,11 +22,13 @@ void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 /// @param fixed the model seen through V
 /// @param extra released.dofs() x columns
 /// @param corrections the last of the fixed base's parts
-/// @return with a term for each of released.scaled; its K is diagonal
+/// @return with a term for each of released.scaled. Without one K is diagonal;
+///   with one the modes are others for all that its parameter may be, and the
+///   coordinates are those of V, then those of R
 [[nodiscard]] ReducedBase extended_base(
     const Eigen::MatrixXd& V,
     const ReducedBase& fixed,
-    const Eigen::MatrixXd& extra,
+    Eigen::MatrixXd extra,
     const ReleasedSystem& released,
     const std::vector<CorrectionPart>& corrections);
 

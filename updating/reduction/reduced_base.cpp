@@ -12,6 +12,7 @@
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -22,6 +23,7 @@
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
 #include "updating/structure/solve/free_motions.hpp"
+#include "updating/structure/solve/symmetric_product.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -140,14 +142,10 @@ BaseBuilder::BaseBuilder(
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   m.answers.emplace(m.system, m.motions, m.shift);
-  m.plain = {m.system.K,
-             m.system.M,
-             uncertain_parts(m.mesh.deck, uncertain),
-             {},
-             m.motions.free};
+  m.plain = nothing_released(m.system, uncertain_parts(m.mesh.deck, uncertain));
   SolvedBase solved = kept_or_solved(options.cache,
                                      {m.system,
-                                      m.plain.parts,
+                                      *m.plain.parts,
                                       m.options.points,
                                       m.motions.size(),
                                       options.high_hz,
@@ -164,7 +162,7 @@ BaseBuilder::BaseBuilder(
   fixed.K = std::move(solved.K);
   fixed.K_part = std::move(solved.K_part);
   fixed.M_part = std::move(solved.M_part);
-  for (const UncertainPart& part : m.plain.parts) {
+  for (const UncertainPart& part : *m.plain.parts) {
     fixed.part_power.push_back(part.power);
   }
   m.make_lean();
@@ -293,10 +291,11 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
                        deck.path.string(),
                        "check units, supports and the points' directions");
     }
-    const MatrixXd projected = V.transpose() * (system.K * V);
+    const MatrixXd projected =
+        V.transpose() * structure::symmetric_product(system.K, V);
     V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
             .eval();
-    solved.K = V.transpose() * (system.K * V);
+    solved.K = V.transpose() * structure::symmetric_product(system.K, V);
     solved.error = base_error(system,
                               *answers,
                               V,
@@ -305,15 +304,15 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
                               options.high_hz);
     if (solved.error <= exact_enough) break;
   }
-  for (const UncertainPart& part : plain.parts) {
-    solved.K_part.emplace_back(V.transpose() * (part.K * V));
-    solved.M_part.emplace_back(V.transpose() * (part.M * V));
+  for (const UncertainPart& part : *plain.parts) {
+    solved.K_part.push_back(seen_through(V, part.K));
+    solved.M_part.push_back(seen_through(V, part.M));
   }
   return solved;
 }
 
 VectorXd BaseBuilder::Impl::pull() const {
-  MatrixXd reaction = system.K * modes;
+  MatrixXd reaction = structure::symmetric_product(system.K, modes);
   // Of what follows a rigid element too.
   if (system.T.size() > 0) reaction = (system.T.transpose() * reaction).eval();
   const MatrixXd seen = modes(options.points, Eigen::all);
@@ -344,23 +343,18 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
                                    const ReleasedSystem& released,
                                    const std::vector<StiffnessChange>& changes,
                                    const std::vector<int>& fresh) const {
-  const auto padded = [&released](const MatrixXd& block) {
-    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
-    whole.topRows(block.rows()) = block;
-    return whole;
-  };
   const VectorXd stiffness = span.base.K.diagonal();
   const HeldBase held = {
       system, motions, *answers, span.V, stiffness, shift, options.high_hz};
-  std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
+  std::vector<MatrixXd> blocks;
+  if (!fresh.empty()) blocks.push_back(answers->to_points(fresh));
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   const Index n = system.dofs();
   const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
-    const SparseMatrix own = S.topLeftCorner(n, n);
-    blocks.push_back(padded(loss_modes(held, own, loss_range.lower)));
-    if (N.size() == 0) return;
-    blocks.push_back(padded(
-        thinned_modes(held, own, N.topLeftCorner(n, n), loss_range.lower)));
+    SparseMatrix own_mass;
+    if (N.size() > 0) own_mass = N.topLeftCorner(n, n);
+    blocks.push_back(
+        loss_modes(held, S.topLeftCorner(n, n), own_mass, loss_range.lower));
   };
   for (std::size_t c = 0; c < changes.size(); ++c) {
     const ChangeKind kind = changes[c].kind;
@@ -369,8 +363,7 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
       if (scaled.change != c) continue;
       if (kind == ChangeKind::Preload) {
         const double most = range_of(released, scaled, kind).upper;
-        blocks.push_back(
-            padded(added_modes(held, scaled.S.topLeftCorner(n, n), most)));
+        blocks.push_back(added_modes(held, scaled.S.topLeftCorner(n, n), most));
       }
       if (kind != ChangeKind::Elements) continue;
       if (all.S.size() == 0) {
@@ -384,7 +377,7 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
     // With what is lost beside it: in between it runs smoothly.
     if (!changes[c].beside.empty()) add_loss(all.S, all.N);
   }
-  return join(blocks);
+  return join(std::move(blocks));
 }
 
 ReducedBase BaseBuilder::build(const std::vector<int>& points,
@@ -397,15 +390,14 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   if (changes.empty() && fresh.empty()) return span.base;
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
-    own = release(
-        m.mesh, m.system, m.plain.parts, m.uncertain, changes, m.pulled);
+    own = release(m.mesh, m.system, m.plain, m.uncertain, changes, m.pulled);
     lend_mass(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {
     if (!own) own = m.plain;
     lent.conservativeResize(own->dofs(), own->dofs());
-    own->M += lent;
+    own->add_mass(lent);
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base = extended_base(span.V,
