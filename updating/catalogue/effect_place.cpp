@@ -51,8 +51,7 @@ bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
 
 // Whose place is told by names, which may be numbers too.
 bool sits_on_channels(const effects::Effect& effect) {
-  return effect.entry() == effects::Entry::Measurement ||
-         effect.name().starts_with("sensor-");
+  return effect.sits() == effects::Sits::OnChannels;
 }
 
 // Throws where a place is not the one grid that an effect sits at.
@@ -61,12 +60,10 @@ void check_grid(const effects::Effect& effect,
                 const std::string& text) {
   const std::vector<std::string> parts = parts_of(place);
   const bool one_grid = parts.size() == 1 && is_grid(parts[0]);
-  const bool at_a_grid =
-      dynamic_cast<const effects::PointEffect*>(&effect) != nullptr;
   // What follows a grid is taken for a form.
   const bool other =
       parts.size() > 1 && is_grid(parts[0]) && !is_grid(parts[1]);
-  if (!at_a_grid || place.empty() || one_grid || other) return;
+  if (!effect.sits_at_grid() || place.empty() || one_grid || other) return;
   throw InputError(is_grid(parts[0])
                        ? fmt::format("{} sits at one grid", effect.name())
                        : fmt::format("\"{}\" is no grid", parts[0]),

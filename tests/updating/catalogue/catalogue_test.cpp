@@ -29,27 +29,27 @@ class EveryEffect : public ::testing::Test {
 
 TEST_F(EveryEffect, HasANameOfItsOwn) {
   std::set<std::string> names;
-  for (const auto& effect : catalogue()) names.insert(effect->name());
+  for (const Effect* effect : catalogue()) names.insert(effect->name());
   EXPECT_EQ(names.size(), catalogue().size());
 }
 
 TEST_F(EveryEffect, HasItsPage) {
   const std::filesystem::path pages =
       std::filesystem::path(TAPFIT_SOURCE_DIR) / "docs" / "effects";
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     EXPECT_TRUE(std::filesystem::exists(pages / (effect->name() + ".md")))
         << effect->name();
   }
 }
 
 TEST_F(EveryEffect, HasAPlaceOnAClampedPlate) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     EXPECT_FALSE(effect->places(setting_).empty()) << effect->name();
   }
 }
 
 TEST_F(EveryEffect, StartsWithinItsBounds) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).front();
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
       EXPECT_GT(spec.lower, 0.0) << effect->name() << ' ' << spec.name;
@@ -61,7 +61,7 @@ TEST_F(EveryEffect, StartsWithinItsBounds) {
 
 TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
   const std::complex<double> s(40.0, 900.0);
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).front();
     std::vector<double> p;
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
@@ -90,7 +90,7 @@ TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
 }
 
 TEST_F(EveryEffect, HasCardsOrAComment) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).back();
     std::vector<double> p;
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {

@@ -1,7 +1,6 @@
 #include "updating/set_up/sheet_place.hpp"
 
-#include "updating/set_up/direction_wrong.hpp"
-#include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@ namespace {
 
 using Parts = std::vector<std::string>;
 
-const PointMislabelled point;
+const Effect& point = point_mislabelled();
 
 TEST(SheetPlace, IsAChannelTwoGridsAndRuns) {
   const Where where =
@@ -74,12 +73,12 @@ TEST(SheetPlace, MayBeAPointOfTheTestsOwn) {
   where.nodes = {-3};
   where.variant = "+X";
   EXPECT_EQ(sheet_place_text(where), "acc1:P3:+X");
-  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, DirectionWrong()), where);
+  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, direction_wrong()), where);
 }
 
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
   const Where where =
-      read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());
+      read_sheet_place({"acc1", "8", "-X", "run3"}, direction_wrong());
   EXPECT_EQ(where.nodes, std::vector{8});
   EXPECT_EQ(where.node, 0);
   EXPECT_EQ(where.variant, "-X");
