@@ -20,9 +20,7 @@ class Swaps : public ::testing::Test {
   }
 
   void swap(const std::string& a, const std::string& b) {
-    Where where;
-    where.channels = {a, b};
-    channel_swap().correct(where, written_, sheet_);
+    channel_swap().correct({.channels = {a, b}}, written_, sheet_);
   }
   [[nodiscard]] Dof at(std::size_t sensor) const {
     return sheet_.runs.at(2).sensors.at(sensor).dof;
@@ -59,10 +57,7 @@ TEST_F(Swaps, TwiceAreNone) {
 }
 
 TEST_F(Swaps, KeepWhatWasPutRightBefore) {
-  Where where;
-  where.channels = {"acc2"};
-  where.nodes = {36};
-  where.node = 33;
+  const Where where{.node = 33, .nodes = {36}, .channels = {"acc2"}};
   point_mislabelled().correct(where, written_, sheet_);
   swap("acc1", "acc2");
   EXPECT_EQ(at(0), (Dof{33, 3, -1}));

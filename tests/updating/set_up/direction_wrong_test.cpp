@@ -15,8 +15,7 @@ class Directions : public ::testing::Test {
   [[nodiscard]] bool tries(const std::vector<std::string>& channels,
                            int grid,
                            const std::string& direction) const {
-    Where where;
-    where.channels = channels;
+    Where where{.channels = channels};
     if (grid != 0) where.nodes = {grid};
     where.variant = direction;
     const std::vector<Where> all =
@@ -64,9 +63,7 @@ TEST_F(Directions, OfATriaxialSensorAreAllItsTurns) {
   EXPECT_EQ(std::ranges::count(all, three, &Where::channels), 23)
       << "24 turns bring axes onto axes, one of which is none";
   ASSERT_TRUE(tries(three, 0, "XYZ=+Y-X+Z"));
-  Where quarter;
-  quarter.channels = three;
-  quarter.variant = "XYZ=+Y-X+Z";
+  const Where quarter{.channels = three, .variant = "XYZ=+Y-X+Z"};
   acquisition::TestBundle sheet = bundle_;
   direction_wrong().correct(quarter, bundle_, sheet);
   const std::vector<acquisition::Placement>& is = sheet.runs[2].sensors;
@@ -100,9 +97,7 @@ TEST_F(Directions, TurnRoundAtOnePointOfAChannelThatMoves) {
 }
 
 TEST_F(Directions, AreCorrectedOnTheSheet) {
-  Where where;
-  where.channels = {"acc2"};
-  where.variant = "+X";
+  const Where where{.channels = {"acc2"}, .variant = "+X"};
   EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: -Z -> "
                                      "+X"});
@@ -115,9 +110,7 @@ TEST_F(Directions, AtAPointOfTheTestsOwnAreSaidAsVectors) {
   skew.axes << 0.8, 0.0, 0.6, 0.0, 1.0, 0.0, -0.6, 0.0, 0.8;
   bundle_.points = {skew};
   for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
-  Where where;
-  where.channels = {"acc2"};
-  where.variant = "+X";
+  const Where where{.channels = {"acc2"}, .variant = "+X"};
   EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: "
                                      "[-0.6, 0, -0.8] -> [0.8, 0, -0.6]"});

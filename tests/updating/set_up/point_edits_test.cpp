@@ -21,16 +21,10 @@ class PointEdits : public ::testing::Test {
   }
   static Where of(const std::vector<std::string>& channels,
                   const std::string& variant = {}) {
-    Where where;
-    where.channels = channels;
-    where.variant = variant;
-    return where;
+    return {.channels = channels, .variant = variant};
   }
   static Where at(const std::string& channel, int written, int real) {
-    Where where = of({channel});
-    where.nodes = {written};
-    where.node = real;
-    return where;
+    return {.node = real, .nodes = {written}, .channels = {channel}};
   }
 
   acquisition::TestBundle bundle_ = support::plate_bundle();

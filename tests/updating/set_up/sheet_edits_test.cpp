@@ -19,29 +19,23 @@ Edits edits(const Effect& effect,
 
 TEST(SheetEdits, NameRunPlaceAndGrids) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"hammer"};
-  where.nodes = {28};  // of the fourth run
-  where.node = 30;
+  // Grid 28 is hit in the fourth run.
+  const Where where{.node = 30, .nodes = {28}, .channels = {"hammer"}};
   EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[3].hammer.node: 28 -> 30"});
 }
 
 TEST(SheetEdits, AreOneForRunsAlike) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc2"};
-  where.nodes = {36};
-  where.node = 33;
-  where.runs = {1, 4, 5, 6};
+  const Where where{
+      .node = 33, .nodes = {36}, .channels = {"acc2"}, .runs = {1, 4, 5, 6}};
   EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
 }
 
 TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc1", "acc2"};
+  const Where where{.channels = {"acc1", "acc2"}};
   EXPECT_EQ(edits(channel_swap(), where, bundle),
             (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
                    "runs[0-5].sensors[0].node: 11 -> 36",
@@ -53,8 +47,7 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
 TEST(SheetEdits, OfASensitivityCountInWhateverUnitTheFileHas) {
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.channels[1].sensitivity = 0.1 / 9.80665;
-  Where where;
-  where.channels = {"acc1"};
+  Where where{.channels = {"acc1"}};
   EXPECT_EQ(edits(channel_polarity(), where, bundle),
             Edits{"channels[1].sensitivity: other sign"});
   where.variant = "9.807";
@@ -74,9 +67,7 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
   g.unit_to_si = 9.80665;
   g.sensitivity = 0.1;
   g.full_scale_volts = 5.0;
-  Where where;
-  where.channels = {"acc1"};
-  where.variant = "integrated";
+  const Where where{.channels = {"acc1"}, .variant = "integrated"};
   EXPECT_EQ(edits(unit_factor(), where, bundle),
             (Edits{"channels[1].quantity: acceleration -> velocity",
                    "channels[1].unit: g -> m/s",
@@ -90,8 +81,7 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
 
 TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.nodes = {1, 12};
+  Where where{.nodes = {1, 12}};
   const auto released = [&](const std::string& variant) {
     where.variant = variant;
     return edits(support_mismatch(), where, bundle);
@@ -107,8 +97,7 @@ TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc1"};
+  Where where{.channels = {"acc1"}};
   EXPECT_TRUE(edits(channel_gain(), where, bundle).empty());
   where.variant = "10";
   where.runs = {4};

@@ -11,10 +11,7 @@ namespace tapfit::effects {
 namespace {
 
 Where reading(const std::string& slip) {
-  Where where;
-  where.channels = {"acc1"};
-  where.variant = slip;
-  return where;
+  return {.channels = {"acc1"}, .variant = slip};
 }
 
 std::complex<double> read_by(const std::string& slip,
