@@ -22,7 +22,7 @@ std::complex<double> coupling(std::complex<double> s,
 
 class Absorber final : public DirectedEffect {
  public:
-  Absorber() : DirectedEffect("absorber", Law::Own) {}
+  Absorber() : DirectedEffect("absorber", "vibration absorber", Law::Own) {}
 
   std::vector<ParameterSpec> parameters(const Where&,
                                         const Setting& setting) const override {

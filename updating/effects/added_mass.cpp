@@ -25,6 +25,7 @@ class AddedMass final : public PointEffect {
  public:
   AddedMass()
       : PointEffect({.name = "added-mass",
+                     .words = "added mass",
                      .sits = Sits::AtGrid,
                      .law = Law::Mass,
                      .forms = {"rotary"}}) {}

@@ -18,8 +18,8 @@ class DampingLaw final : public Effect {
  public:
   DampingLaw()
       : Effect({.name = "damping-law",
+                .words = "law of damping",
                 .entry = Entry::Damping,
-                .sits = Sits::Everywhere,
                 .law = Law::Own}) {}
 
   std::vector<Where> places(const Setting&) const override { return {Where{}}; }

@@ -8,7 +8,7 @@ namespace {
 
 class Dashpot final : public DirectedEffect {
  public:
-  Dashpot() : DirectedEffect("dashpot", Law::Damper) {}
+  Dashpot() : DirectedEffect("dashpot", "damper to ground", Law::Damper) {}
 
   std::vector<ParameterSpec> parameters(const Where&,
                                         const Setting& setting) const override {

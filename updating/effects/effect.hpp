@@ -89,7 +89,8 @@ enum class Entry {
 enum class Sits {
   AtGrid,         ///< any that can move
   AlongAxis,      ///< the same, along one axis
-  InModel,        ///< lines, members, elements or supports
+  OnElements,     ///< of the model, by their ids
+  OnLine,         ///< grids of a seam or of a support
   OnChannels,     ///< of sensors or hammers, told by their names
   AtSheetPoints,  ///< channels, at a grid there, in some runs or all
   Everywhere,
@@ -106,8 +107,9 @@ enum class Law {
 /// What is the same of an effect at all its places.
 struct EffectKind {
   std::string name;
+  std::string words;             ///< in reports: "mass of the sensors"
   Entry entry = Entry::LowRank;  ///< Stiffness where it changes that
-  Sits sits = Sits::InModel;
+  Sits sits = Sits::Everywhere;
   Law law = Law::Spring;
   std::optional<updating::ChangeKind> changes_stiffness = std::nullopt;
   bool is_mistake = false;
@@ -128,6 +130,7 @@ class Effect {
   virtual ~Effect() = default;
 
   [[nodiscard]] const std::string& name() const { return kind_.name; }
+  [[nodiscard]] const std::string& words() const { return kind_.words; }
   [[nodiscard]] Entry entry() const {
     return changes_stiffness() ? Entry::Stiffness : kind_.entry;
   }

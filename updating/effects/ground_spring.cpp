@@ -11,7 +11,8 @@ namespace {
 
 class GroundSpring final : public DirectedEffect {
  public:
-  GroundSpring() : DirectedEffect("ground-spring", Law::Spring) {}
+  GroundSpring()
+      : DirectedEffect("ground-spring", "spring to ground", Law::Spring) {}
 
   std::vector<ParameterSpec> parameters(const Where& where,
                                         const Setting& setting) const override {

@@ -30,6 +30,8 @@ class Joint final : public Effect {
  public:
   Joint()
       : Effect({.name = "joint",
+                .words = "joint that gives",
+                .sits = Sits::OnLine,
                 .changes_stiffness = updating::ChangeKind::Joint,
                 .forms = {updating::crack}}) {}
 

@@ -31,8 +31,9 @@ const std::string axes = "XYZ";
 
 }  // namespace
 
-DirectedEffect::DirectedEffect(std::string name, Law law)
+DirectedEffect::DirectedEffect(std::string name, std::string words, Law law)
     : PointEffect({.name = std::move(name),
+                   .words = std::move(words),
                    .sits = Sits::AlongAxis,
                    .law = law,
                    .forms = {"X", "Y", "Z"}}) {}

@@ -20,7 +20,7 @@ class PointEffect : public Effect {
 /// "Z" names it; empty for the direction mostly measured.
 class DirectedEffect : public PointEffect {
  public:
-  DirectedEffect(std::string name, Law law);
+  DirectedEffect(std::string name, std::string words, Law law);
   /// Every grid along the direction mostly measured, then along the others.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;

@@ -18,6 +18,8 @@ class Prestress final : public Effect {
   // Besides none of the variants: a tension along the member.
   Prestress()
       : Effect({.name = "prestress",
+                .words = "axial force in a member",
+                .sits = Sits::OnElements,
                 .changes_stiffness = updating::ChangeKind::Preload,
                 .variants = {"compression", "across", "across-compression"}}) {}
 

@@ -12,6 +12,7 @@ class SensorCable final : public Effect {
  public:
   SensorCable()
       : Effect({.name = "sensor-cable",
+                .words = "pull of the sensor cables",
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}
 

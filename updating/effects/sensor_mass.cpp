@@ -24,6 +24,7 @@ class SensorMass final : public Effect {
  public:
   SensorMass()
       : Effect({.name = "sensor-mass",
+                .words = "mass of the sensors",
                 .sits = Sits::OnChannels,
                 .law = Law::Mass,
                 .forms = {"each", "rotary"}}) {}

@@ -75,6 +75,8 @@ class SoftSupport final : public Effect {
   SoftSupport()
       : Effect(
             {.name = "soft-support",
+             .words = "support that gives",
+             .sits = Sits::OnLine,
              .changes_stiffness = updating::ChangeKind::Support,
              .forms = {
                  "face", "both", "rotation-varying", "translation-varying"}}) {}

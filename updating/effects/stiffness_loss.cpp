@@ -29,6 +29,8 @@ class StiffnessLoss final : public Effect {
   StiffnessLoss()
       : Effect(
             {.name = "stiffness-loss",
+             .words = "loss of stiffness",
+             .sits = Sits::OnElements,
              .changes_stiffness = updating::ChangeKind::Elements,
              .forms = {
                  updating::pocket, updating::edges, updating::pocket_edges}}) {}

@@ -18,6 +18,7 @@ class ChannelDelay final : public Effect {
  public:
   ChannelDelay()
       : Effect({.name = "channel-delay",
+                .words = "delay of a channel",
                 .entry = Entry::Measurement,
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}

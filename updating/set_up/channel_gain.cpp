@@ -12,6 +12,7 @@ class ChannelGain final : public Effect {
  public:
   ChannelGain()
       : Effect({.name = "channel-gain",
+                .words = "wrong sensitivity of a channel",
                 .entry = Entry::Measurement,
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}

@@ -12,6 +12,7 @@ class ChannelPolarity final : public Effect {
  public:
   ChannelPolarity()
       : Effect({.name = "channel-polarity",
+                .words = "wrong polarity of a channel",
                 .entry = Entry::Measurement,
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}

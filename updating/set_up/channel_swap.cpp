@@ -14,6 +14,7 @@ class ChannelSwap final : public SheetMistake {
  public:
   ChannelSwap()
       : SheetMistake({.name = "channel-swap",
+                      .words = "two channels swapped",
                       .entry = Entry::Measurement,
                       .sits = Sits::OnChannels,
                       .law = Law::Own}) {}

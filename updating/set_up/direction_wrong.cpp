@@ -110,6 +110,7 @@ class DirectionWrong final : public SheetMistake {
  public:
   DirectionWrong()
       : SheetMistake({.name = "direction-wrong",
+                      .words = "direction other than written down",
                       .entry = Entry::Measurement,
                       .sits = Sits::AtSheetPoints,
                       .law = Law::Own,

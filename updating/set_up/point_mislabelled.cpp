@@ -12,6 +12,7 @@ class PointMislabelled final : public SheetMistake {
  public:
   PointMislabelled()
       : SheetMistake({.name = "point-mislabelled",
+                      .words = "point that was elsewhere than written down",
                       .entry = Entry::Measurement,
                       .sits = Sits::AtSheetPoints,
                       .law = Law::Own,

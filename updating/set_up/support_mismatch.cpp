@@ -27,6 +27,8 @@ class SupportMismatch final : public Effect {
  public:
   SupportMismatch()
       : Effect({.name = "support-mismatch",
+                .words = "support that was not there",
+                .sits = Sits::OnLine,
                 .changes_stiffness = updating::ChangeKind::Support,
                 .is_mistake = true,
                 .variants = updating::freed_variants()}) {}

@@ -108,6 +108,7 @@ class UnitFactor final : public SheetMistake {
  public:
   UnitFactor()
       : SheetMistake({.name = "unit-factor",
+                      .words = "channel in another unit than written down",
                       .entry = Entry::Measurement,
                       .sits = Sits::AtSheetPoints,
                       .law = Law::Own,

@@ -29,8 +29,14 @@ class EveryEffect : public ::testing::Test {
 
 TEST_F(EveryEffect, HasANameOfItsOwn) {
   std::set<std::string> names;
-  for (const Effect* effect : catalogue()) names.insert(effect->name());
+  std::set<std::string> words;
+  for (const Effect* effect : catalogue()) {
+    names.insert(effect->name());
+    words.insert(effect->words());
+    EXPECT_FALSE(effect->words().empty()) << effect->name();
+  }
   EXPECT_EQ(names.size(), catalogue().size());
+  EXPECT_EQ(words.size(), catalogue().size());
 }
 
 TEST_F(EveryEffect, HasItsPage) {
