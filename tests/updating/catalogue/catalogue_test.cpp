@@ -95,6 +95,23 @@ TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
   }
 }
 
+// One mass for each channel, and a mass with its inertia: s^2 p_k each.
+TEST_F(EveryEffect, MassesHaveALawEach) {
+  const std::complex<double> s(40.0, 900.0);
+  const std::vector<double> p = {0.02, 0.05};
+  for (const char* name : {"sensor-mass", "added-mass"}) {
+    const Effect& mass = find(name);
+    for (const std::size_t k : {0U, 1U}) {
+      // Rounding.
+      EXPECT_LT(std::abs(mass.law(s, p, k) / (s * s) - p[k]), 1e-15) << name;
+      EXPECT_LT(std::abs(mass.law_derivative(s, p, k, k) / (s * s) - 1.0),
+                1e-14)
+          << name;
+      EXPECT_EQ(mass.law_derivative(s, p, k, 1 - k), 0.0) << name;
+    }
+  }
+}
+
 TEST_F(EveryEffect, HasCardsOrAComment) {
   for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).back();
