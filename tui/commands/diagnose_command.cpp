@@ -1,5 +1,6 @@
 #include "tui/commands/diagnose_command.hpp"
 
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"

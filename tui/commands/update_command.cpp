@@ -1,6 +1,7 @@
 #include "tui/commands/update_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/options/hand_choices.hpp"

@@ -65,9 +65,8 @@ const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   if (fresh) {
     if (setting_.modes && !effect.shows_in_modes()) return it->second;
     it->second = effect.places(setting_.setting);
-    const bool anywhere =
-        dynamic_cast<const effects::PointEffect*>(&effect) != nullptr ||
-        effect.changes_stiffness() == ChangeKind::Joint;
+    const bool anywhere = effect.sits_at_grid() ||
+                          effect.changes_stiffness() == ChangeKind::Joint;
     if (anywhere) it->second = told_apart(it->second, *setting_.setting.deck);
   }
   return it->second;

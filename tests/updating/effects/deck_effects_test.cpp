@@ -122,9 +122,7 @@ class DeckEffects : public ::testing::Test {
 PlacedEffect at_node(const std::string& name,
                      int node,
                      const std::vector<double>& p) {
-  Where where;
-  where.node = node;
-  return {&effects::find(name), where, p};
+  return {&effects::find(name), {.node = node}, p};
 }
 
 double difference(const MatrixXcd& a, const MatrixXcd& b) {

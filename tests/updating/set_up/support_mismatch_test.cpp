@@ -1,6 +1,5 @@
-#include "updating/set_up/support_mismatch.hpp"
-
 #include "tests/updating/support/plate_model.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -45,9 +44,9 @@ class TurnedSupport : public updating::PlateModel {
 };
 
 TEST_F(TurnedSupport, IsFreeOfWhatItHoldsAlongItsOwnAxes) {
-  const std::vector<Where> places = SupportMismatch().places(setting());
+  const std::vector<Where> places = support_mismatch().places(setting());
   EXPECT_EQ(std::ranges::count(places, corner_), 1);
-  const auto released = SupportMismatch().released(corner_, setting());
+  const auto released = support_mismatch().released(corner_, setting());
   ASSERT_EQ(released.size(), 1U);
   EXPECT_EQ(released[0].grid, 55);
   EXPECT_EQ(released[0].components, "3");
