@@ -67,8 +67,9 @@ MatrixXd driven(const HeldBase& base,
                 const ReleasedSystem& released,
                 const MatrixXd& psi) {
   constexpr double least = 1e-2;
-  const MatrixXd Mpsi = released.M * psi;
-  const MatrixXd K = psi.transpose() * (released.K * psi + base.shift * Mpsi);
+  const MatrixXd Mpsi = structure::product(released.M, psi);
+  const MatrixXd K = psi.transpose() *
+                     (structure::product(released.K, psi) + base.shift * Mpsi);
   const MatrixXd forces = Mpsi.topRows(base.V.rows()).transpose() * base.V *
                           shares(base).asDiagonal();
   const MatrixXd soft = K.ldlt().solve(forces);
@@ -88,12 +89,13 @@ MatrixXd constraint_modes(const HeldBase& base,
   const Index n = base.system.dofs();
   MatrixXd psi = unit_motions(base, released);
   if (psi.cols() == 0) return psi;
-  const MatrixXd forces = released.K * psi + base.shift * (released.M * psi);
+  const MatrixXd forces = structure::product(released.K, psi) +
+                          base.shift * structure::product(released.M, psi);
   psi.topRows(n) -= base.answers.to(forces.topRows(n));
   const MatrixXd lead = psi * driven(base, released, psi);
   MatrixXd inertia = MatrixXd::Zero(released.dofs(), lead.cols());
   inertia.topRows(n) =
-      base.answers.to(MatrixXd((released.M * lead).topRows(n)));
+      base.answers.to(structure::product(released.M, lead).topRows(n));
   return join({psi, inertia});
 }
 

@@ -61,7 +61,7 @@ Acting acting(const SparseMatrix& A, std::vector<Index> dofs) {
 MatrixXd seen_through(const MatrixXd& V, const SparseMatrix& A) {
   const Acting few = acting(A, acted_dofs(A));
   const MatrixXd rows = few.rows_of(V);
-  return rows.transpose() * (few.A * rows);
+  return rows.transpose() * structure::product(few.A, rows);
 }
 
 MatrixXd seen_through(const MatrixXd& V,
@@ -70,12 +70,12 @@ MatrixXd seen_through(const MatrixXd& V,
   MatrixXd both(V.cols() + R.cols(), R.cols());
   std::vector<Index> dofs = acted_dofs(A);
   if (2 * static_cast<Index>(dofs.size()) > A.rows()) {
-    const MatrixXd AR = A * R;
+    const MatrixXd AR = structure::product(A, R);
     both << V.transpose() * AR.topRows(V.rows()), R.transpose() * AR;
   } else {
     const Acting few = acting(A, std::move(dofs));
     const MatrixXd rows = few.rows_of(R);
-    const MatrixXd AR = few.A * rows;
+    const MatrixXd AR = structure::product(few.A, rows);
     both << few.rows_of(V).transpose() * AR, rows.transpose() * AR;
   }
   return both;

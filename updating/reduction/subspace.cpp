@@ -25,7 +25,7 @@ MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
   // Twice, because a residual vector nearly inside the modes' span loses
   // digits the first time.
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd gram = V.transpose() * (M * V);
+    const MatrixXd gram = V.transpose() * structure::product(M, V);
     const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
     const VectorXd& d = solver.eigenvalues();
     const double limit = least * d.maxCoeff();
@@ -57,7 +57,7 @@ MatrixXd beyond(const SparseMatrix& M,
   MatrixXd R = columns;
   const Index n = V.rows();  // the released degrees of freedom follow
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd MR = (M * R).topRows(n);
+    const MatrixXd MR = structure::product(M, R).topRows(n);
     R.topRows(n) -= V * (V.transpose() * MR);
   }
   // What is left of a vector that V holds already is rounding.

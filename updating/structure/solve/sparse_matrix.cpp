@@ -23,4 +23,12 @@ SparseMatrix extract(const SparseMatrix& A, const std::vector<int>& indices) {
   return result;
 }
 
+Eigen::MatrixXd product(const SparseMatrix& A, const Eigen::MatrixXd& X) {
+  using Rows =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Rows rows = X;
+  const Rows AX = A * rows;
+  return AX;
+}
+
 }  // namespace tapfit::structure
