@@ -14,8 +14,9 @@ using structure::SparseMatrix;
 MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
   // A vector that is nothing (a patch that no mode strains) has no direction.
   std::vector<Index> moving;
+  const MatrixXd MV = structure::product(M, V);
   for (Index k = 0; k < V.cols(); ++k) {
-    const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
+    const double norm = std::sqrt(V.col(k).dot(MV.col(k)));
     if (!(norm > 0.0)) continue;
     V.col(k) /= norm;
     moving.push_back(k);
