@@ -22,10 +22,23 @@ using Eigen::Index;
 namespace {
 
 // What the structure's modes have without the effects that damp some of them
-// on top: of the modes fitted the middle one.
-double typical(const ModelState& state) {
-  return state.zeta.size() == 0 ? state.zeta_other
-                                : acquisition::median(state.zeta);
+// on top: of the modes fitted the middle one. Modes that show nowhere stay
+// where they were taken to be, and say nothing.
+double typical(const UpdateResult& result) {
+  constexpr double told = 0.5;  // of the prior's standard deviation
+  const ModelState& state = result.state;
+  const auto first = static_cast<Index>(state.factor.size());
+  const Eigen::MatrixXd& covariance = result.covariance;
+  std::vector<double> seen;
+  for (Index q = 0; q < state.zeta.size(); ++q) {
+    const Index k = first + q;
+    const bool known = k < covariance.rows() && covariance(k, k) > 0.0 &&
+                       std::sqrt(covariance(k, k)) < told * result.prior.sd(k);
+    if (known) seen.push_back(state.zeta(q));
+  }
+  if (seen.empty()) return state.zeta_other;
+  return acquisition::median(Eigen::Map<Eigen::VectorXd>(
+      seen.data(), static_cast<Index>(seen.size())));
 }
 
 }  // namespace
@@ -299,7 +312,7 @@ class Fitter::Course {
   // within the scatter of ratios there is no telling.
   bool take_damping() {
     ModelState& state = result_.state;
-    const double now = typical(state);
+    const double now = typical(result_);
     if (std::abs(std::log(now / state.zeta_other)) <
         0.2 * fitter_->setting_.damping_spread) {
       return false;
