@@ -37,8 +37,7 @@ double typical(const UpdateResult& result) {
     if (known) seen.push_back(state.zeta(q));
   }
   if (seen.empty()) return state.zeta_other;
-  return acquisition::median(Eigen::Map<Eigen::VectorXd>(
-      seen.data(), static_cast<Index>(seen.size())));
+  return acquisition::median(seen);
 }
 
 }  // namespace
