@@ -19,9 +19,12 @@ namespace {
 using structure::BarProperty;
 using structure::Deck;
 
-// Of ln f at 0 of the deck as it stands against what the data leave.
-double savage_ratio(double t, double sd, double prior_sd) {
-  return sd / prior_sd * std::exp(0.5 * t * t / (sd * sd));
+// How likely 0 is before over how likely it is after.
+double savage_ratio(double t, double sd, const Correction& before) {
+  const double prior = before.mean / before.sd;
+  const double posterior = t / sd;
+  return sd / before.sd *
+         std::exp(0.5 * (posterior * posterior - prior * prior));
 }
 
 Estimate share_of(double t, double sd) {
@@ -52,7 +55,12 @@ std::string bar_card(const BarProperty& p, const Deck& deck, double k) {
       p.I12 / inertia);
 }
 
-// What the data say of a form; nothing where the deck as it stands is likelier.
+// Twenty to one: strong evidence (R. E. Kass, A. E. Raftery, J. Am. Stat.
+// Assoc. 90, 1995).
+constexpr double clear = 20.0 / 21.0;
+
+// What the data say of a form; nothing where they do not tell it from the deck
+// as it stands.
 std::optional<ModelForm> told(const Fit& fit, std::size_t correction) {
   const std::vector<Correction>& known = fit.model->base().corrections;
   const std::vector<double>& factor = fit.result.state.factor;
@@ -63,13 +71,13 @@ std::optional<ModelForm> told(const Fit& fit, std::size_t correction) {
   const double t = std::log(factor.at(at));
   if (t <= 0.0 || !(variance > 0.0)) return std::nullopt;
   const double sd = std::sqrt(variance);
-  const double ratio = savage_ratio(t, sd, known[correction].sd);
+  const double ratio = savage_ratio(t, sd, known[correction]);
   ModelForm form;
   form.form = known[correction].name;
   form.share = share_of(t, sd);
   form.probability = std::isfinite(ratio) ? ratio / (1.0 + ratio) : 1.0;
   form.error = fit.result.error;
-  if (form.probability <= 0.5) return std::nullopt;
+  if (form.probability <= clear) return std::nullopt;
   return form;
 }
 

@@ -3,10 +3,10 @@
 // is uncertain in every model, so that no effect stands in for it; it is no
 // part of the verdict.
 //
-// Of a factor f with ln f ~ N(0, sd_0^2) before the data and N(t, sd^2) after
+// Of a factor f with ln f ~ N(t_0, sd_0^2) before the data and N(t, sd^2) after
 // them, the data speak for f against the deck's own 1 by
 //
-//   p(0) / p(0 | data) = sd / sd_0 exp(t^2 / (2 sd^2))
+//   p(0) / p(0 | data) = sd / sd_0 exp(t^2 / (2 sd^2) - t_0^2 / (2 sd_0^2))
 //
 // Source: J. M. Dickey, "The Weighted Likelihood Ratio, Linear Hypotheses on
 // Normal Location Parameters", Ann. Math. Statist. 42 (1971) (Savage's ratio).
@@ -35,7 +35,7 @@ struct ModelForm {
   std::string card = {};  ///< mended, in the file's units: "PBAR,1,..."
 };
 
-/// One for each card or form, where it is more likely than not.
+/// One for each card or form, where the evidence is strong.
 [[nodiscard]] std::vector<ModelForm> model_form(const Fit& fit,
                                                 const structure::Deck& deck);
 

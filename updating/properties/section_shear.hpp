@@ -18,10 +18,6 @@ namespace tapfit::updating {
 /// Its name as a correction of the model and in results.
 inline constexpr const char* section_shear = "section-shear";
 
-/// What is known of ln(1 + s) before anything is measured, around 0: from no
-/// shear over a solid section's, ln 2, to that of a thin wall, ln 3.5.
-inline constexpr double section_shear_sd = 0.7;
-
 /// Properties of bars that do not shear, ascending.
 [[nodiscard]] std::set<int> shearless_sections(const structure::Deck& deck);
 

@@ -14,7 +14,8 @@ namespace tapfit::updating {
 /// A factor that is fitted along with what is uncertain, see corrections.hpp.
 struct Correction {
   std::string name;
-  double sd = 0.0;  ///< of ln f, around 0, before anything is measured
+  double sd = 0.0;    ///< of ln f, before anything is measured
+  double mean = 0.0;  ///< likewise
 };
 
 struct ReducedBase {
