@@ -1,6 +1,5 @@
 #include "updating/fit/fitter.hpp"
 
-#include "acquisition/samples/statistics.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -22,22 +22,31 @@ using Eigen::Index;
 namespace {
 
 // What the structure's modes have without the effects that damp some of them
-// on top: of the modes fitted the middle one. Modes that show nowhere stay
-// where they were taken to be, and say nothing.
+// on top: of the modes fitted the middle one, each by the share of its prior's
+// variance that the data took off. Modes that show nowhere say nothing.
 double typical(const UpdateResult& result) {
-  constexpr double told = 0.5;  // of the prior's standard deviation
   const ModelState& state = result.state;
   const auto first = static_cast<Index>(state.factor.size());
   const Eigen::MatrixXd& covariance = result.covariance;
-  std::vector<double> seen;
+  std::vector<std::pair<double, double>> seen;  // ratio, share
+  double half = 0.0;
   for (Index q = 0; q < state.zeta.size(); ++q) {
     const Index k = first + q;
-    const bool known = k < covariance.rows() && covariance(k, k) > 0.0 &&
-                       std::sqrt(covariance(k, k)) < told * result.prior.sd(k);
-    if (known) seen.push_back(state.zeta(q));
+    if (k >= covariance.rows()) break;
+    const double prior = result.prior.sd(k) * result.prior.sd(k);
+    const double share = std::clamp(1.0 - covariance(k, k) / prior, 0.0, 1.0);
+    seen.emplace_back(state.zeta(q), share);
+    half += 0.5 * share;
   }
-  if (seen.empty()) return state.zeta_other;
-  return acquisition::median(seen);
+  constexpr double nothing = 1e-3;
+  if (half < nothing) return state.zeta_other;
+  std::ranges::sort(seen);
+  double sum = 0.0;
+  for (const auto& [zeta, share] : seen) {
+    sum += share;
+    if (sum >= half) return zeta;
+  }
+  return state.zeta_other;
 }
 
 }  // namespace
