@@ -8,8 +8,8 @@
 namespace tapfit::modal {
 namespace {
 
-constexpr int kFiner = 3;  // widths are an eighth of the distance
-constexpr std::size_t kMostKnown = 1000;  // ten or so for each mode
+constexpr int kFiner = 3;                // widths are an eighth of the distance
+constexpr std::size_t kMostKnown = 500;  // ten or so for each mode
 
 }  // namespace
 

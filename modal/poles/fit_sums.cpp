@@ -51,7 +51,7 @@ FitSums fit_sums(const Eigen::VectorXcd& s,
   x.middleRows(H.cols(), basis.cols()) = basis.transpose();
   x.bottomRows(1) = s.cwiseProduct(s).transpose();
   const Eigen::VectorXcd s2 = s.cwiseProduct(s).conjugate();
-  x = x * power.cwiseProduct(s2).asDiagonal();
+  x.array().rowwise() *= power.cwiseProduct(s2).transpose().array();
   sums.lines = CauchySums(std::move(x));
   return sums;
 }
