@@ -41,6 +41,11 @@ Deck two_legs(double degrees, double rigid) {
           ",,,{},0.,{}\n", rigid * std::sin(a), rigid * std::cos(a));
     }
   }
+  // Arms weigh nothing: what they replace stays at the corner.
+  if (rigid > 0.0) {
+    text += fmt::format(
+        "CONM2,99,{},,{}\n", per_leg + 1, 2.0 * rigid * depth * depth * 7850.0);
+  }
   text += fmt::format(
       "PBAR,1,1,{0},{1},{1},2e-8\n", depth * depth, std::pow(depth, 4) / 12.0);
   return deck_of(text + "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n");
