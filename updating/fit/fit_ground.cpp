@@ -129,11 +129,10 @@ FitGround prepare_fits(const SolvedModel& model,
                        const Progress& progress) {
   FitGround ground;
   FitSetting setting = fit_setting(test, model.builder, progress);
-  setting.uncertain_mean.resize(setting.uncertain_sd.size());
-  for (const Correction& correction : model.corrections) {
-    setting.uncertain_sd.push_back(correction.sd);
-    setting.uncertain_mean.push_back(correction.mean);
-  }
+  setting.corrections = model.corrections;
+  std::ranges::transform(model.corrections,
+                         std::back_inserter(setting.uncertain_sd),
+                         &Correction::sd);
   ground.contour = setting.contour;
   ground.properties = property_names(*test.setting.bundle, *test.setting.deck);
   if (setting.modes) {

@@ -36,10 +36,10 @@ struct FitSetting {
   std::shared_ptr<const ModalData> modes = nullptr;
   std::string contour;               ///< the last target's line, in words
   std::vector<double> uncertain_sd;  ///< of ln factor
-  std::vector<double> uncertain_mean = {};  ///< likewise; 0 where none is given
-  double damping_ratio = 0.01;              ///< typical, as identified
-  double damping_spread = 0.5;              ///< prior sd of ln zeta
-  double form_allowance = 1.0;              ///< see FormView
+  std::vector<Correction> corrections = {};  ///< the last of these
+  double damping_ratio = 0.01;               ///< typical, as identified
+  double damping_spread = 0.5;               ///< prior sd of ln zeta
+  double form_allowance = 1.0;               ///< see FormView
 };
 
 struct Fit {

@@ -14,8 +14,10 @@ namespace tapfit::updating {
 /// A factor that is fitted along with what is uncertain, see corrections.hpp.
 struct Correction {
   std::string name;
-  double sd = 0.0;    ///< of ln f, before anything is measured
-  double mean = 0.0;  ///< likewise
+  double sd = 0.0;  ///< of ln f, before anything is measured
+  double mean = 0.0;
+  double lower = -1.0;
+  double upper = 1.0;
 };
 
 struct ReducedBase {
