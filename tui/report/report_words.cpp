@@ -35,7 +35,7 @@ constexpr std::array<Name, 21> effect_names{{
     {"point-mislabelled", "point that was elsewhere than written down"},
     {"direction-wrong", "direction other than written down"},
     {"unit-factor", "channel in another unit than written down"},
-    {"support-mismatch", "support that was not there"},
+    {"support-mismatch", "support other than in the model"},
     {"nonlinearity", "nonlinear behaviour"},
     {"base", "model as delivered"},
 }};

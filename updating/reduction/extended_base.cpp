@@ -1,5 +1,7 @@
 #include "updating/reduction/extended_base.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 
@@ -28,6 +30,26 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
     }
   }
 }
+
+namespace {
+
+void hold(const std::vector<int>& dofs,
+          const MatrixXd& V,
+          const MatrixXd& R,
+          ReducedBase& base) {
+  if (dofs.empty()) return;
+  MatrixXd rows(static_cast<Index>(dofs.size()), V.cols() + R.cols());
+  rows << V(dofs, Eigen::all), R(dofs, Eigen::all);
+  const MatrixXd Q = motions_without(rows);
+  if (Q.cols() == 0) {
+    throw InputError("nothing of the model moves in reach of the band",
+                     "where it is held",
+                     "hold fewer of its grids");
+  }
+  turn(base, Q);
+}
+
+}  // namespace
 
 ReducedBase extended_base(const MatrixXd& V,
                           const ReducedBase& fixed,
@@ -81,6 +103,7 @@ ReducedBase extended_base(const MatrixXd& V,
       if (loses_mass) term.N_part.push_back(through(part.M));
     }
   }
+  hold(released.held, V, R, base);
   turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
   return base;
 }

@@ -1,6 +1,8 @@
 // A reduced base with a few vectors more, and in other coordinates.
 //
 //   [V R]' A [V R],   R what the further vectors have beyond V
+//
+// Where degrees of freedom are held besides, of this what leaves them at rest.
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
@@ -23,6 +25,7 @@ void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 /// @param extra released.dofs() x columns
 /// @param of_mesh the last of the fixed base's parts
 /// @return with a term for each of released.scaled; its K is diagonal
+/// @throws InputError where nothing is left that moves
 [[nodiscard]] ReducedBase extended_base(const Eigen::MatrixXd& V,
                                         const ReducedBase& fixed,
                                         const Eigen::MatrixXd& extra,
