@@ -16,7 +16,7 @@ namespace {
 
 using Name = std::pair<std::string_view, const char*>;
 
-constexpr std::array<Name, 21> effect_names{{
+constexpr std::array<Name, 22> effect_names{{
     {"sensor-mass", "mass of the sensors"},
     {"sensor-cable", "pull of the sensor cables"},
     {"soft-support", "support that gives"},
@@ -36,6 +36,7 @@ constexpr std::array<Name, 21> effect_names{{
     {"direction-wrong", "direction other than written down"},
     {"unit-factor", "channel in another unit than written down"},
     {"support-mismatch", "support other than in the model"},
+    {"card-swap", "numbers of the deck written down wrongly"},
     {"nonlinearity", "nonlinear behaviour"},
     {"base", "model as delivered"},
 }};

@@ -177,6 +177,13 @@ BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 
+BaseBuilder BaseBuilder::for_deck(const structure::Deck& deck) const {
+  BaseOptions options = impl_->options;
+  options.split = false;
+  options.cache.reset();
+  return {deck, impl_->uncertain, options, Progress{}};
+}
+
 std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
