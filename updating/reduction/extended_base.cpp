@@ -47,6 +47,7 @@ void hold(const std::vector<int>& dofs,
                      "hold fewer of its grids");
   }
   turn(base, Q);
+  base.rows.set_at_rest(dofs);
 }
 
 }  // namespace
