@@ -116,11 +116,9 @@ bool SupportMismatch::takes(const std::string& form,
 
 std::vector<Where> SupportMismatch::places(const Setting& setting) const {
   if (setting.deck == nullptr) return {};
-  std::vector<Where> result = places_freed(setting, updating::freed_variants());
-  for (Where& where : places_held(*setting.deck)) {
-    result.push_back(std::move(where));
-  }
-  return result;
+  std::vector<Where> supports =
+      places_freed(setting, updating::freed_variants());
+  return supports.empty() ? places_held(*setting.deck) : supports;
 }
 
 std::vector<structure::Constraint> SupportMismatch::released(

@@ -25,7 +25,9 @@ class SupportMismatch final : public StiffnessEffect {
   [[nodiscard]] bool is_mistake() const override { return true; }
   /// All supports, then each connected group of constrained grids, free, free
   /// to turn, and free to move along each axis; those that hold anything so.
-  /// Then each of clamp_places(), held and held as by a hinge.
+  /// Of a deck that nothing holds each of clamp_places(), held and held as by a
+  /// hinge: that a structure is held elsewhere than in its deck, besides, is
+  /// tried by name.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
   [[nodiscard]] std::vector<std::string> variants() const override;

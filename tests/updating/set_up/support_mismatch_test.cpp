@@ -111,13 +111,24 @@ TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
   EXPECT_TRUE(SupportMismatch().released(root_, free_setting()).empty());
 }
 
-// Hinged in the deck: what is held besides are the turns.
-TEST_F(MissingSupport, IsNoPlaceWhereTheDeckHoldsAsMuch) {
-  for (const int node : root_.nodes) free_.constraints.push_back({node, "123"});
+TEST_F(MissingSupport, IsNotLookedForWhereTheDeckIsHeld) {
+  free_.constraints.push_back({55, "3"});
+  const std::vector<Where> places = SupportMismatch().places(free_setting());
+  EXPECT_FALSE(places.empty());
+  EXPECT_TRUE(std::ranges::none_of(places, updating::is_held));
+}
+
+// A plate that the deck keeps from all but bending: a hinge along Z.
+TEST_F(MissingSupport, HoldsNothingThatIsHeldEverywhere) {
+  for (const structure::Grid& grid : free_.grids) {
+    free_.constraints.push_back({grid.id, "126"});
+  }
   const std::vector<Where> places = SupportMismatch().places(free_setting());
   EXPECT_EQ(std::ranges::count(places, root_), 1);
-  root_.variant = "held-translations";
-  EXPECT_EQ(std::ranges::count(places, root_), 0);
+  EXPECT_EQ(places.size(), 22U);
+  const auto fresh = updating::newly_held(free_, root_);
+  ASSERT_EQ(fresh.size(), 5U);
+  EXPECT_EQ(fresh[0].components, "345");
 }
 
 TEST_F(MissingSupport, CardsHoldItWhenReadBack) {
