@@ -14,18 +14,18 @@ namespace {
 
 using Places = std::vector<std::vector<int>>;
 
-bool has(const Places& places, const std::vector<int>& nodes) {
+bool tries(const Places& places, const std::vector<int>& nodes) {
   return std::ranges::count(places, nodes) == 1;
 }
 
 TEST(ClampPlaces, OfAPlateAreItsEdgesAndCorners) {
   const Places places = clamp_places(support::plate_deck(false));
-  EXPECT_TRUE(has(places, {1, 12, 23, 34, 45}));
-  EXPECT_TRUE(has(places, {11, 22, 33, 44, 55}));
-  EXPECT_TRUE(has(places, {1, 11, 12, 22, 23, 33, 34, 44, 45, 55}));
-  EXPECT_TRUE(has(places, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
-  EXPECT_TRUE(has(places, {1, 11, 45, 55}));
-  EXPECT_TRUE(has(places, {1, 45}));
+  EXPECT_TRUE(tries(places, {1, 12, 23, 34, 45}));
+  EXPECT_TRUE(tries(places, {11, 22, 33, 44, 55}));
+  EXPECT_TRUE(tries(places, {1, 11, 12, 22, 23, 33, 34, 44, 45, 55}));
+  EXPECT_TRUE(tries(places, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  EXPECT_TRUE(tries(places, {1, 11, 45, 55}));
+  EXPECT_TRUE(tries(places, {1, 45}));
   // Four edges, two pairs that face each other, the corners of each edge and
   // all of them.
   EXPECT_EQ(places.size(), 11U);
@@ -37,8 +37,8 @@ TEST(ClampPlaces, HoldNothingThatTheDeckHolds) {
   for (const std::vector<int>& nodes : places) {
     for (const int node : nodes) EXPECT_NE(node % 11, 1) << node;
   }
-  EXPECT_TRUE(has(places, {11, 22, 33, 44, 55}));
-  EXPECT_TRUE(has(places, {2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  EXPECT_TRUE(tries(places, {11, 22, 33, 44, 55}));
+  EXPECT_TRUE(tries(places, {2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
 }
 
 // A frame of bars: two feet, a beam across.
@@ -54,10 +54,10 @@ TEST(ClampPlaces, OfAFrameAreItsFeetTogetherAndEach) {
                structure::make_bar(3, 1, 5, 3),
                structure::make_bar(4, 1, 3, 4)};
   const Places places = clamp_places(deck);
-  EXPECT_TRUE(has(places, {1, 4}));
-  EXPECT_TRUE(has(places, {1}));
-  EXPECT_TRUE(has(places, {4}));
-  EXPECT_TRUE(has(places, {1, 2}));  // a leg, on its side
+  EXPECT_TRUE(tries(places, {1, 4}));
+  EXPECT_TRUE(tries(places, {1}));
+  EXPECT_TRUE(tries(places, {4}));
+  EXPECT_TRUE(tries(places, {1, 2}));  // a leg, on its side
   for (const std::vector<int>& nodes : places) EXPECT_LE(nodes.size(), 2U);
 }
 
@@ -74,7 +74,7 @@ TEST(ClampPlaces, AroundAHoleAreOne) {
     deck.shells.push_back({1 + k, 1, {1 + k, 11 + k, 11 + next, 1 + next}});
     hole.push_back(1 + k);
   }
-  EXPECT_TRUE(has(clamp_places(deck), hole));
+  EXPECT_TRUE(tries(clamp_places(deck), hole));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace tapfit::updating {
 namespace {
 
-Where edge(const std::vector<int>& nodes, const std::string& variant) {
+Where held_along(const std::vector<int>& nodes, const std::string& variant) {
   Where where;
   where.nodes = nodes;
   where.variant = variant;
@@ -21,10 +21,10 @@ TEST(HeldSupport, HoldsWhatItsVariantSays) {
   const structure::Deck deck = support::plate_deck(true);
   EXPECT_EQ(held_components("held"), "123456");
   EXPECT_EQ(held_components("free"), "");
-  EXPECT_TRUE(is_held(edge({11}, "held-Z")));
-  EXPECT_FALSE(is_held(edge({11}, "free-Z")));
+  EXPECT_TRUE(is_held(held_along({11}, "held-Z")));
+  EXPECT_FALSE(is_held(held_along({11}, "free-Z")));
   // Grid 1 is clamped, grid 11 is not.
-  const auto fresh = newly_held(deck, edge({1, 11}, "held-translations"));
+  const auto fresh = newly_held(deck, held_along({1, 11}, "held-translations"));
   ASSERT_EQ(fresh.size(), 1U);
   EXPECT_EQ(fresh[0].node, 11);
   EXPECT_EQ(fresh[0].components, "123");
@@ -52,8 +52,9 @@ TEST(HeldSupport, OnASplitMeshHoldsWhatConstraintsWould) {
     const structure::RefinedDeck mesh = structure::refine_mesh(deck);
     std::set<int> all = fixed(mesh.deck);
     // From grid 1, which the deck clamps, to the tip.
-    EXPECT_GT(held_dofs(mesh, edge(along, variant)).size(), 50U);
-    for (const int dof : held_dofs(mesh, edge(along, variant))) all.insert(dof);
+    EXPECT_GT(held_dofs(mesh, held_along(along, variant)).size(), 50U);
+    for (const int dof : held_dofs(mesh, held_along(along, variant)))
+      all.insert(dof);
     EXPECT_EQ(all, fixed(structure::refine_mesh(held).deck)) << variant;
   }
 }

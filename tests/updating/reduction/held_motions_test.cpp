@@ -21,7 +21,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-StiffnessChange held(const std::vector<int>& nodes, const std::string& how) {
+StiffnessChange holding(const std::vector<int>& nodes, const std::string& how) {
   StiffnessChange change;
   change.kind = ChangeKind::Support;
   change.of.effect = "support-mismatch";
@@ -90,23 +90,24 @@ class HeldBeam : public ::testing::Test {
 
 TEST_F(HeldBeam, AtOneEndIsACantilever) {
   EXPECT_TRUE(builder_->is_free());
-  expect_roots(held({1}, "held"), {1.87510407, 4.69409113, 7.85475744});
+  expect_roots(holding({1}, "held"), {1.87510407, 4.69409113, 7.85475744});
 }
 
 TEST_F(HeldBeam, AtBothEndsIsClampedTwice) {
-  expect_roots(held({1, 21}, "held"), {4.73004074, 7.85320462});
+  expect_roots(holding({1, 21}, "held"), {4.73004074, 7.85320462});
 }
 
 TEST_F(HeldBeam, OnTwoHingesIsPinned) {
   constexpr double pi = std::numbers::pi;
-  expect_roots(held({1, 21}, "held-translations"), {pi, 2.0 * pi});
+  expect_roots(holding({1, 21}, "held-translations"), {pi, 2.0 * pi});
 }
 
 // The hinge leaves one rigid motion.
 TEST_F(HeldBeam, AlongOneAxisAtOneEndStillSwings) {
-  const VectorXd hz = frequencies(builder_->build({}, {held({1}, "held-Z")}));
+  const VectorXd hz =
+      frequencies(builder_->build({}, {holding({1}, "held-Z")}));
   EXPECT_LT(hz(0), 1e-3 * hz(1));
-  expect_roots(held({1, 21}, "held-Z"), {std::numbers::pi});
+  expect_roots(holding({1, 21}, "held-Z"), {std::numbers::pi});
 }
 
 // The deck of a plate that is clamped, and that of the same plate free and held
@@ -124,7 +125,7 @@ TEST(HeldMotions, OfAPlateAreThoseOfADeckThatHoldsIt) {
     };
     const VectorXd clamped = frequencies(base_of(true, {}));
     const ReducedBase base =
-        base_of(false, {held({1, 12, 23, 34, 45}, "held")});
+        base_of(false, {holding({1, 12, 23, 34, 45}, "held")});
     EXPECT_TRUE(base.rows.row(6 * 11 + 2).isZero(0.0)) << "grid 12";
     EXPECT_GT(base.rows.row(6 * 10 + 2).norm(), 0.1) << "grid 11";
     const VectorXd found = frequencies(base);
