@@ -86,11 +86,6 @@ std::string_view last_part(std::string_view name) {
   return at == std::string_view::npos ? name : name.substr(at + 1);
 }
 
-std::string_view first_part(std::string_view name) {
-  const std::size_t at = name.find_last_of(separators);
-  return at == std::string_view::npos ? std::string_view() : name.substr(0, at);
-}
-
 UsualName usual_name(std::string_view name) {
   const std::string plain = plain_letters(last_part(name));
   for (const Spelling& spelling : usual_spellings) {

@@ -19,9 +19,6 @@ enum class UsualName {
 /// The last part of a name: "fs" of "run.fs", "run/fs", "acc@fs".
 [[nodiscard]] std::string_view last_part(std::string_view name);
 
-/// The name without its last part: "run" of "run.fs".
-[[nodiscard]] std::string_view first_part(std::string_view name);
-
 /// Blanks, dashes, underscores, upper and lower case do not matter.
 [[nodiscard]] UsualName usual_name(std::string_view name);
 

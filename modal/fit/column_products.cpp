@@ -100,7 +100,7 @@ Eigen::MatrixXd of_poles(const Curves& curves,
   const Index n = poles.size();
   Eigen::MatrixXd result(2 * n, 2 * n);
   for (Index r = 0; r < n; ++r) {
-    for (Index c = 0; c < n; ++c) {
+    for (Index c = p == q ? r : 0; c < n; ++c) {
       const auto a = static_cast<std::size_t>(r);
       const auto b = static_cast<std::size_t>(c);
       const double sigma = curves.sigma;
@@ -108,9 +108,12 @@ Eigen::MatrixXd of_poles(const Curves& curves,
       const Complex gh = product(sigma, own[a], other[b], p, q);
       const Complex hg = product(sigma, other[a], own[b], p, q);
       const Complex hh = product(sigma, other[a], other[b], p, q);
-      result.block<2, 2>(2 * r, 2 * c) << (gg + gh + hg + hh).real(),
-          -(gg - gh + hg - hh).imag(), (gg + gh - hg - hh).imag(),
-          (gg - gh - hg + hh).real();
+      Eigen::Matrix2d block;
+      block << (gg + gh + hg + hh).real(), -(gg - gh + hg - hh).imag(),
+          (gg + gh - hg - hh).imag(), (gg - gh - hg + hh).real();
+      result.block<2, 2>(2 * r, 2 * c) = block;
+      // Among themselves they are symmetric.
+      if (p == q) result.block<2, 2>(2 * c, 2 * r) = block.transpose();
     }
   }
   return result;

@@ -167,11 +167,15 @@ Eigen::MatrixXd correlated_gram(const Eigen::MatrixXcd& x, double ratio) {
 Noise weighted_noise(const Curves& curves,
                      const ModalFit& fit,
                      NoiseFrom from) {
-  const Eigen::MatrixXcd H = fitted_accelerance(curves, fit);
-  const Eigen::MatrixXd left = (curves.H - H).cwiseAbs2();
+  Eigen::MatrixXd left;
+  Eigen::MatrixXd fitted;
+  {
+    const Eigen::MatrixXcd H = fitted_accelerance(curves, fit);
+    left = (curves.H - H).cwiseAbs2();
+    if (from == NoiseFrom::AllLines) fitted = H.cwiseAbs2();
+  }
   Eigen::MatrixXd power = power_near(curves, left);
   if (from == NoiseFrom::AllLines) {
-    const Eigen::MatrixXd fitted = H.cwiseAbs2();
     const double shared =
         std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
     power = power.cwiseMax(

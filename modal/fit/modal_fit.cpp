@@ -97,12 +97,15 @@ ModalFit refine_poles(const Curves& curves,
 }
 
 double relative_misfit(const Curves& curves, const Eigen::MatrixXcd& H) {
-  const auto size = [&curves](const Eigen::MatrixXcd& X) {
-    return (curves.weights.line.asDiagonal() * X *
-            curves.weights.frf.asDiagonal())
-        .norm();
-  };
-  return size(curves.H - H) / size(curves.H);
+  const auto& [v, u] = curves.weights;
+  double left = 0.0;
+  double all = 0.0;
+  for (Index f = 0; f < curves.count(); ++f) {
+    const auto measured = curves.H.col(f);
+    left += u(f) * u(f) * v.cwiseProduct(measured - H.col(f)).squaredNorm();
+    all += u(f) * u(f) * v.cwiseProduct(measured).squaredNorm();
+  }
+  return std::sqrt(left / all);
 }
 
 }  // namespace tapfit::modal

@@ -10,11 +10,17 @@ namespace tapfit::modal {
 Eigen::MatrixXd pole_covariance(const Curves& curves,
                                 const ModalFit& fit,
                                 NoiseFrom from) {
+  if (fit.poles.size() == 0) return {};
+  return pole_covariance(curves, fit, weighted_noise(curves, fit, from));
+}
+
+Eigen::MatrixXd pole_covariance(const Curves& curves,
+                                const ModalFit& fit,
+                                const Noise& noise) {
   const Eigen::Index modes = fit.poles.size();
   if (modes == 0) return {};
   const LinearFit linear = fit_linear(curves, fit.poles);
   const PoleStep step = pole_step(curves, fit.poles, linear);
-  const Noise noise = weighted_noise(curves, fit, from);
   const Eigen::MatrixXcd X =
       noise.per_line.asDiagonal() *
       unstack(projected_derivatives(curves, fit.poles, linear));

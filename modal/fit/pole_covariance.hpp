@@ -20,4 +20,9 @@ namespace tapfit::modal {
     const ModalFit& fit,
     NoiseFrom from = NoiseFrom::NearLines);
 
+/// The same where the noise is known already.
+[[nodiscard]] Eigen::MatrixXd pole_covariance(const Curves& curves,
+                                              const ModalFit& fit,
+                                              const Noise& noise);
+
 }  // namespace tapfit::modal

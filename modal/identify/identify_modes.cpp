@@ -245,9 +245,11 @@ Identified identified_in_common(const Curves& curves,
                                 ModeSet& set) {
   Identified found;
   found.fit = std::move(selection.fit);
-  found.covariance = pole_covariance(curves, found.fit, NoiseFrom::AllLines);
-  found.residue_variance =
-      residue_variance(curves, found.fit, NoiseFrom::AllLines);
+  {
+    const Noise noise = weighted_noise(curves, found.fit, NoiseFrom::AllLines);
+    found.covariance = pole_covariance(curves, found.fit, noise);
+    found.residue_variance = residue_variance(curves, found.fit, noise);
+  }
   found.H = fitted_accelerance(curves, found.fit);
   take_apart(curves, set.scaled, options, found, set.warnings);
   warn_about_unresolved(selection.unresolved, set.warnings);
@@ -307,7 +309,6 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
           : identified_in_common(curves, std::move(selection), options, set);
   if (found.fit.poles.size() > 0) {
     add_modes(curves, graph, found, set);
-    set.fitted = fitted_frfs(frfs, curves, found.H);
     set.synthesis_error = relative_misfit(curves, found.H);
     warn_about_misfit(set.synthesis_error, set.warnings);
     add_clusters(stabilisation.tracks, set);
@@ -316,6 +317,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
         !by_set_up
             ? unrefined_fit(curves, stabilisation.tracks, found.fit.poles)
             : runs->unrefined_H);
+    set.fitted = fitted_frfs(frfs, curves, found.H);
   } else {
     set.synthesis_error = 1.0;
     set.unrefined_error = 1.0;

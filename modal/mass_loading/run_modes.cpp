@@ -372,10 +372,10 @@ RunModes empty_modes(const Curves& curves,
 /// All of the set-ups as one.
 RunModes joined(const Curves& curves, SetUpFits parts) {
   for (SetUpFit& own : parts.fits) {
-    own.residue_variance =
-        residue_variance(own.curves, own.fit, NoiseFrom::AllLines);
-    own.pole_covariance =
-        pole_covariance(own.curves, own.fit, NoiseFrom::AllLines);
+    const Noise noise =
+        weighted_noise(own.curves, own.fit, NoiseFrom::AllLines);
+    own.residue_variance = residue_variance(own.curves, own.fit, noise);
+    own.pole_covariance = pole_covariance(own.curves, own.fit, noise);
   }
   const auto count = static_cast<Index>(parts.groups.size());
   RunModes result = empty_modes(curves, parts.fits, count);

@@ -13,10 +13,14 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr Index kBlock = 32;  // lines of the smallest blocks
-constexpr Index kTerms = 14;  // of the expansion
-// |w| of a pole in the next block but one is 0.172; its 14th power is 2e-11.
+constexpr Index kBlock = 64;  // lines of the smallest blocks
+constexpr Index kTerms = 16;  // of a block's moments
+// |w| of a pole in the next block but one is 0.172; its 16th power is 6e-13.
 constexpr double kFar = 0.175;
+// Powers around a place. The lines are ten times as far as it reaches: what is
+// left out is 1e-12, of the derivative 1e-10.
+constexpr Index kOrder = 12;
+constexpr double kTurn = 2.0 * std::numbers::pi / kOrder;
 
 /// T_j(u) of each u: kTerms x u.size().
 Eigen::MatrixXd chebyshev(const Eigen::RowVectorXd& u) {
@@ -71,42 +75,41 @@ Eigen::MatrixXcd joined(const Eigen::MatrixXcd& halves) {
   return result;
 }
 
-/// Factors of some rows in S1 and S2, real and imaginary: n x 4.
-Eigen::MatrixX4d as_factors(const Eigen::VectorXcd& first,
-                            const Eigen::VectorXcd& second) {
-  Eigen::MatrixX4d result(first.size(), 4);
-  result << first.real(), first.imag(), second.real(), second.imag();
+/// Places on a circle around c: kOrder of them.
+Eigen::RowVectorXcd around(const Complex& c, double radius) {
+  Eigen::RowVectorXcd places(kOrder);
+  for (Index i = 0; i < kOrder; ++i) {
+    places(i) = c + std::polar(radius, kTurn * static_cast<double>(i));
+  }
+  return places;
+}
+
+/// Coefficients of the powers of z from values at its kOrder roots of unity.
+Eigen::MatrixXcd to_powers() {
+  Eigen::MatrixXcd result(kOrder, kOrder);
+  for (Index i = 0; i < kOrder; ++i) {
+    for (Index l = 0; l < kOrder; ++l) {
+      const auto turns = static_cast<double>(i * l % kOrder);
+      result(i, l) =
+          std::polar(1.0 / static_cast<double>(kOrder), -kTurn * turns);
+    }
+  }
   return result;
 }
 
-/// sum += x c for some rows from one on, four columns of c, reading x once.
-template <int rows>
-void add_rows(const Eigen::Ref<const Eigen::MatrixXd>& x,
-              const Eigen::MatrixX4d& c,
-              Index from,
-              Eigen::MatrixX4d& sum) {
-  using Rows = Eigen::Array<double, rows, 1>;
-  Rows total[4];
-  for (Index i = 0; i < 4; ++i) total[i] = sum.col(i).segment<rows>(from);
-  for (Index k = 0; k < x.cols(); ++k) {
-    const Rows value = x.col(k).template segment<rows>(from);
-    for (Index i = 0; i < 4; ++i) total[i] += c(k, i) * value;
-  }
-  for (Index i = 0; i < 4; ++i) sum.col(i).segment<rows>(from) = total[i];
-}
-
-/// The same for all rows, of which there are an even number.
+/// sum += x c, real and imaginary parts of c side by side in sum.
 void add_product(const Eigen::Ref<const Eigen::MatrixXd>& x,
-                 const Eigen::MatrixX4d& c,
-                 Eigen::MatrixX4d& sum) {
-  Index from = 0;
-  for (; from + 8 <= x.rows(); from += 8) add_rows<8>(x, c, from, sum);
-  for (; from < x.rows(); from += 2) add_rows<2>(x, c, from, sum);
+                 const Eigen::MatrixXcd& c,
+                 Eigen::MatrixXd& sum) {
+  Eigen::MatrixXd parts(c.rows(), 2 * c.cols());
+  parts << c.real(), c.imag();
+  sum.noalias() += x * parts;
 }
 
 }  // namespace
 
-CauchySums::CauchySums(Eigen::MatrixXcd x) : x_(std::move(x)) {
+CauchySums::CauchySums(Eigen::MatrixXcd x)
+    : x_(std::move(x)), cells_(std::make_shared<CauchyCells>()) {
   const Index blocks = (x_.cols() + kBlock - 1) / kBlock;
   Eigen::RowVectorXd u(kBlock);
   for (Index k = 0; k < kBlock; ++k) {
@@ -130,30 +133,32 @@ CauchySums::CauchySums(Eigen::MatrixXcd x) : x_(std::move(x)) {
 }
 
 void CauchySums::add_lines(Index block,
-                           const Complex& a,
-                           Eigen::MatrixX4d& sum) const {
+                           const Eigen::RowVectorXcd& a,
+                           Eigen::MatrixXd& sum) const {
   const Index begin = block * kBlock;
   const Index lines = std::min(kBlock, x_.cols() - begin);
-  Eigen::VectorXcd once(lines);
+  Eigen::MatrixXcd factors(lines, a.size());
   for (Index k = 0; k < lines; ++k) {
-    once(k) = 1.0 / (static_cast<double>(begin + k) - a);
+    factors.row(k) = (static_cast<double>(begin + k) - a.array()).inverse();
   }
-  add_product(as_real(x_).middleCols(begin, lines),
-              as_factors(once, once.cwiseProduct(once)),
-              sum);
+  add_product(as_real(x_).middleCols(begin, lines), factors, sum);
 }
 
 void CauchySums::add(const Block& block,
-                     const Complex& a,
-                     Eigen::MatrixX4d& sum) const {
+                     const Eigen::RowVectorXcd& a,
+                     Eigen::MatrixXd& sum) const {
   const auto [level, b] = block;
   const double half = 0.5 * static_cast<double>(kBlock << level);
-  // p and w; of the two roots the one with |w| < 1.
-  const Complex p = a / half - static_cast<double>(2 * b + 1);
-  Complex q = std::sqrt(p * p - 1.0);
-  if (std::norm(p - q) > std::norm(p + q)) q = -q;
-  const Complex w = 1.0 / (p + q);
-  if (std::norm(w) > kFar * kFar) {
+  // q and w; of the two roots the one with |w| < 1.
+  Eigen::RowVectorXcd q(a.size());
+  Eigen::RowVectorXcd w(a.size());
+  for (Index i = 0; i < a.size(); ++i) {
+    const Complex p = a(i) / half - static_cast<double>(2 * b + 1);
+    q(i) = std::sqrt(p * p - 1.0);
+    if (std::norm(p - q(i)) > std::norm(p + q(i))) q(i) = -q(i);
+    w(i) = 1.0 / (p + q(i));
+  }
+  if (w.cwiseAbs2().maxCoeff() > kFar * kFar) {
     if (level == 0) {
       add_lines(b, a, sum);
       return;
@@ -164,29 +169,41 @@ void CauchySums::add(const Block& block,
     }
     return;
   }
-  // The derivative to p of -2 w^j / q is 2 w^j (j + p / q) / q^2.
-  Eigen::VectorXcd first(kTerms);
-  Eigen::VectorXcd second(kTerms);
-  Complex power = -1.0 / (half * q);
-  for (Index j = 0; j < kTerms; ++j) {
-    first(j) = (j == 0 ? 1.0 : 2.0) * power;
-    second(j) = -first(j) * (static_cast<double>(j) + p / q) / (half * q);
-    power *= w;
+  Eigen::MatrixXcd factors(kTerms, a.size());
+  factors.row(0) = -(half * q).cwiseInverse();
+  factors.row(1) = 2.0 * factors.row(0).cwiseProduct(w);
+  for (Index j = 2; j < kTerms; ++j) {
+    factors.row(j) = factors.row(j - 1).cwiseProduct(w);
   }
-  add_product(as_real(moments_[level]).middleCols(b * kTerms, kTerms),
-              as_factors(first, second),
-              sum);
+  add_product(
+      as_real(moments_[level]).middleCols(b * kTerms, kTerms), factors, sum);
+}
+
+Eigen::MatrixXcd CauchySums::expanded(const CauchyCell& cell) const {
+  static const Eigen::MatrixXcd to_terms = to_powers();
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(2 * x_.rows(), 2 * kOrder);
+  add({moments_.size() - 1, 0}, around(cell.centre(), cell.radius()), sum);
+  const Eigen::Map<const Eigen::MatrixXcd> parts(
+      reinterpret_cast<const Complex*>(sum.data()), x_.rows(), 2 * kOrder);
+  return (parts.leftCols(kOrder) +
+          Complex(0.0, 1.0) * parts.rightCols(kOrder)) *
+         to_terms;
 }
 
 CauchySums::Pair CauchySums::at(const Complex& a) const {
-  Eigen::MatrixX4d sum = Eigen::MatrixX4d::Zero(2 * x_.rows(), 4);
-  add({moments_.size() - 1, 0}, a, sum);
-  const Complex j(0.0, 1.0);
-  const auto column = [&](Index c) {
-    return Eigen::Map<const Eigen::VectorXcd>(
-        reinterpret_cast<const Complex*>(sum.col(c).data()), x_.rows());
-  };
-  return {column(0) + j * column(1), column(2) + j * column(3)};
+  const CauchyCell cell = CauchyCell::of(a, static_cast<double>(x_.cols() - 1));
+  const CauchyCells::Powers powers =
+      cells_->find(cell, [&] { return expanded(cell); });
+  const Complex z = (a - cell.centre()) / cell.radius();
+  Eigen::VectorXcd first(kOrder);
+  Eigen::VectorXcd second(kOrder);
+  first(0) = 1.0;
+  second(0) = 0.0;
+  for (Index i = 1; i < kOrder; ++i) {
+    first(i) = first(i - 1) * z;
+    second(i) = first(i - 1) * (static_cast<double>(i) / cell.radius());
+  }
+  return {*powers * first, *powers * second};
 }
 
 }  // namespace tapfit::modal

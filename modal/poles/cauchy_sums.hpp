@@ -9,8 +9,10 @@
 //   1 / (u - p) = -1/q sum_j' 2 w^j T_j(u),  q = sqrt(p^2 - 1),  w = p - q
 //
 // with u in [-1, 1] over the block and p the pole there (the first term halved,
-// |w| < 1). Blocks double in size with their distance, so that a pole costs
-// O(log n) rows instead of n.
+// |w| < 1). Blocks double in size with their distance, so that a place costs
+// O(log n) rows instead of n. Around a place S1 is a power series, of which S2
+// is the derivative; its coefficients come from S1 on a circle and are kept, so
+// that poles that hardly move cost a few rows (cauchy_cells.hpp).
 //
 // Source: A. Dutt, M. Gu, V. Rokhlin, "Fast algorithms for polynomial
 // interpolation, integration, and differentiation", SIAM J. Numer. Anal. 33(5),
@@ -18,9 +20,12 @@
 // Polynomials", 2003, sec. 5.2.
 #pragma once
 
+#include "modal/poles/cauchy_cells.hpp"
+
 #include <Eigen/Core>
 
 #include <complex>
+#include <memory>
 #include <vector>
 
 namespace tapfit::modal {
@@ -48,18 +53,24 @@ class CauchySums {
     Eigen::Index index = 0;
   };
 
-  // To S1 and S2, real and imaginary parts of the factors apart: 2 m x 4.
+  // To S1 at several places near each other: 2 m x 2 n_places, real and
+  // imaginary parts of the factors apart.
   void add(const Block& block,
-           const std::complex<double>& a,
-           Eigen::MatrixX4d& sum) const;
+           const Eigen::RowVectorXcd& a,
+           Eigen::MatrixXd& sum) const;
   void add_lines(Eigen::Index block,
-                 const std::complex<double>& a,
-                 Eigen::MatrixX4d& sum) const;
+                 const Eigen::RowVectorXcd& a,
+                 Eigen::MatrixXd& sum) const;
+
+  /// Coefficients of S1 around a square's middle, in units of its radius:
+  /// m x order.
+  [[nodiscard]] Eigen::MatrixXcd expanded(const CauchyCell& cell) const;
 
   Eigen::MatrixXcd x_;
   /// By level, the moments sum_k T_j(u_k) x_k of its blocks side by side:
   /// m x (terms n_blocks).
   std::vector<Eigen::MatrixXcd> moments_;
+  std::shared_ptr<CauchyCells> cells_;
 };
 
 }  // namespace tapfit::modal

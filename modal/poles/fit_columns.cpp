@@ -29,22 +29,21 @@ Eigen::MatrixXcd unstack(const Eigen::MatrixXd& x) {
 Eigen::MatrixXcd pole_columns(const Eigen::VectorXcd& s,
                               const Eigen::VectorXcd& poles,
                               int power) {
+  const Eigen::ArrayXcd twice = 2.0 * s.array().square();
   Eigen::MatrixXcd columns(s.size(), 2 * poles.size());
   for (Index r = 0; r < poles.size(); ++r) {
-    for (Index k = 0; k < s.size(); ++k) {
-      // g and h over their common denominator.
-      const Complex t = s(k) - poles(r).real();
-      const double w = poles(r).imag();
-      const Complex d = 1.0 / (t * t + w * w);
-      if (power == 1) {
-        const Complex c = 2.0 * s(k) * s(k) * d;
-        columns(k, 2 * r) = t * c;
-        columns(k, 2 * r + 1) = -w * c;
-      } else {
-        const Complex c = 2.0 * s(k) * s(k) * d * d;
-        columns(k, 2 * r) = (t * t - w * w) * c;
-        columns(k, 2 * r + 1) = -2.0 * w * t * c;
-      }
+    // g and h over their common denominator.
+    const Eigen::ArrayXcd t = s.array() - poles(r).real();
+    const double w = poles(r).imag();
+    const Eigen::ArrayXcd d = (t.square() + w * w).inverse();
+    if (power == 1) {
+      const Eigen::ArrayXcd c = twice * d;
+      columns.col(2 * r) = t * c;
+      columns.col(2 * r + 1) = -w * c;
+    } else {
+      const Eigen::ArrayXcd c = twice * d.square();
+      columns.col(2 * r) = (t.square() - w * w) * c;
+      columns.col(2 * r + 1) = -2.0 * w * t * c;
     }
   }
   return columns;

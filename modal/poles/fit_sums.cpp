@@ -15,10 +15,14 @@ constexpr Eigen::Index kColumns = 40;  // of a model of some 15 modes
 }  // namespace
 
 SeparableWeights separate_weights(const Eigen::MatrixXd& weight) {
-  const Eigen::MatrixXd logs = weight.array().log();
-  const Eigen::VectorXd per_frf = logs.colwise().mean().transpose();
-  const double mean = per_frf.mean();
-  return {(logs.rowwise().mean().array() - mean).exp(), per_frf.array().exp()};
+  Eigen::ArrayXd per_line = Eigen::ArrayXd::Zero(weight.rows());
+  Eigen::ArrayXd per_frf(weight.cols());
+  for (Eigen::Index f = 0; f < weight.cols(); ++f) {
+    const Eigen::ArrayXd logs = weight.col(f).array().log();
+    per_line += logs / static_cast<double>(weight.cols());
+    per_frf(f) = logs.mean();
+  }
+  return {(per_line - per_frf.mean()).exp(), per_frf.exp()};
 }
 
 FitSums fit_sums(const Eigen::VectorXcd& s,
@@ -47,7 +51,7 @@ FitSums fit_sums(const Eigen::VectorXcd& s,
   x.middleRows(H.cols(), basis.cols()) = basis.transpose();
   x.bottomRows(1) = s.cwiseProduct(s).transpose();
   const Eigen::VectorXcd s2 = s.cwiseProduct(s).conjugate();
-  x = x * power.cwiseProduct(s2).asDiagonal();
+  x.array().rowwise() *= power.cwiseProduct(s2).transpose().array();
   sums.lines = CauchySums(std::move(x));
   return sums;
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -96,16 +98,25 @@ bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
 /// The best of all fits with one mode more; none where no place has one.
 ///
 /// @param in_vain places that need not be tried again; grows
-std::optional<ModalFit> with_one_more(const Curves& curves,
-                                      const ModalFit& fit,
-                                      const IdentifyOptions& options,
-                                      std::vector<Complex>& in_vain) {
+/// @param tried told of the share of places
+std::optional<ModalFit> with_one_more(
+    const Curves& curves,
+    const ModalFit& fit,
+    const IdentifyOptions& options,
+    std::vector<Complex>& in_vain,
+    const std::function<void(double)>& tried) {
   std::vector<Complex> places = hiding_places(curves, fit);
   std::erase_if(places, [&in_vain](const Complex& place) {
     return is_known(in_vain, place);
   });
   std::vector<std::optional<ModalFit>> trials(places.size());
+  std::mutex telling;
+  std::size_t begun = 0;
   for_each_parallel(places.size(), [&](std::size_t k) {
+    {
+      const std::lock_guard lock(telling);
+      tried(static_cast<double>(begun++) / static_cast<double>(places.size()));
+    }
     trials[k] = with_mode_at(curves, fit, places[k], options);
   });
   std::optional<ModalFit> best;
@@ -128,8 +139,11 @@ ModalFit add_overlapped(const Curves& curves,
   bool found = false;
   std::vector<Complex> in_vain;
   for (int k = 0; k < kMostMissed; ++k) {
-    progress("hidden modes", static_cast<double>(k) / kMostMissed);
-    std::optional<ModalFit> next = with_one_more(curves, fit, options, in_vain);
+    const auto tell = [&progress, k](double share) {
+      progress("hidden modes", (k + share) / kMostMissed);
+    };
+    std::optional<ModalFit> next =
+        with_one_more(curves, fit, options, in_vain, tell);
     if (!next) break;
     fit = std::move(*next);
     found = true;

@@ -45,10 +45,9 @@ Selection select_from_orders(const Curves& curves,
                              const Progress& progress) {
   Selection best = select_modes(
       curves, lasting_poles(curves, tracks, orders.size()), options, progress);
-  const Progress quiet{{}, progress.stop};
   for (int most = largest(orders) / 2; most >= kLeastOrder; most /= 2) {
     const std::vector<OrderPoles> low =
-        plscf_poles(curves, matrix, most, quiet);
+        plscf_poles(curves, matrix, most, progress);
     const Eigen::VectorXcd lasting =
         lasting_poles(curves,
                       stabilise(low,
@@ -61,7 +60,7 @@ Selection select_from_orders(const Curves& curves,
       return is_new(curves, best.fit, pole);
     });
     if (!any_new) continue;
-    Selection trial = select_modes(curves, lasting, options, quiet);
+    Selection trial = select_modes(curves, lasting, options, progress);
     if (explains_more(trial.fit, best.fit)) best = std::move(trial);
   }
   best.fit = add_overlapped(curves, std::move(best.fit), options, progress);

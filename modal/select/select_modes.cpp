@@ -124,11 +124,14 @@ bool is_convincing(const Curves& curves, const ModalFit& fit, Index r) {
 /// example one that hardly moves the references.
 ModalFit recover_missed(const Curves& curves,
                         ModalFit fit,
-                        const IdentifyOptions& options) {
+                        const IdentifyOptions& options,
+                        const Progress& progress) {
   constexpr double kPeak = 1.5;
+  constexpr int kInVain = 6;
   Eigen::VectorXd open = Eigen::VectorXd::Ones(curves.lines());
   int failures = 0;
-  while (failures < 6) {
+  while (failures < kInVain) {
+    progress("missed modes", static_cast<double>(failures) / kInVain);
     Index line = 0;
     if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < kPeak) {
       break;
@@ -246,7 +249,7 @@ Selection select_modes(const Curves& curves,
     drop_unresolved(curves, selection);
   }
   const std::vector<Complex> told = selection.unresolved;
-  fit = recover_missed(curves, std::move(fit), options);
+  fit = recover_missed(curves, std::move(fit), options, progress);
   drop_unresolved(curves, selection);
   // What was only tried is not worth telling.
   selection.unresolved = told;

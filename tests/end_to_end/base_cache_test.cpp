@@ -1,5 +1,6 @@
 // The solved base that one run keeps for the next.
 #include "tests/end_to_end/run_program.hpp"
+#include "tests/end_to_end/small_bundle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,17 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class BaseCacheTest : public ::testing::Test {
+class BaseCacheTest : public WithCache {
  protected:
-  void SetUp() override {
-    ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-    ::unsetenv("TAPFIT_NO_CACHE");
-  }
-  void TearDown() override {
-    ::unsetenv("XDG_CACHE_HOME");
-    ::setenv("TAPFIT_NO_CACHE", "1", 1);
-  }
-
   [[nodiscard]] static std::string compared() {
     const ProgramResult result = run_tapfit(
         "compare '" TAPFIT_SOURCE_DIR "/recordings/solar-panel-frame' --json");
@@ -32,20 +24,18 @@ class BaseCacheTest : public ::testing::Test {
     return result.out;
   }
   [[nodiscard]] std::size_t files() const {
-    if (!fs::exists(folder_ / "tapfit")) return 0;
-    const fs::directory_iterator all(folder_ / "tapfit");
+    if (!fs::exists(cache() / "tapfit")) return 0;
+    const fs::directory_iterator all(cache() / "tapfit");
     return static_cast<std::size_t>(std::count_if(
         begin(all), end(all), [](const fs::directory_entry& entry) {
           return entry.path().extension() == ".matrices";
         }));
   }
-
-  const fs::path folder_ = fresh_folder() / "cache";
 };
 
 // What one run found is there for the next, as long as nothing changed.
 TEST_F(BaseCacheTest, ADiagnosisIsKeptUntilSomethingChanges) {
-  const fs::path bundle = folder_.parent_path() / "bundle";
+  const fs::path bundle = fresh_folder() / "bundle";
   ASSERT_EQ(run_tapfit("simulate '" + bundle.string() +
                        "' --structure portal --effect none --runs 3 --hits 2")
                 .exit_status,
@@ -78,9 +68,9 @@ TEST_F(BaseCacheTest, ResultsAreTheSameToTheBitWithAndWithout) {
   ::unsetenv("TAPFIT_NO_CACHE");
   EXPECT_EQ(compared(), without);
   EXPECT_EQ(files(), 2U);  // the mesh and the split mesh
-  EXPECT_TRUE(fs::exists(folder_ / "tapfit" / "fftw-wisdom"));
+  EXPECT_TRUE(fs::exists(cache() / "tapfit" / "fftw-wisdom"));
   EXPECT_EQ(compared(), without);
-  for (const auto& entry : fs::directory_iterator(folder_ / "tapfit")) {
+  for (const auto& entry : fs::directory_iterator(cache() / "tapfit")) {
     std::ofstream(entry.path()) << "neither a base nor wisdom";
   }
   EXPECT_EQ(compared(), without);

@@ -1,6 +1,7 @@
 // The written report: the command and the key write the same file, it stands by
 // itself, and parameters of rungs on the way are not in it.
 #include "tests/end_to_end/run_program.hpp"
+#include "tests/end_to_end/small_bundle.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -66,19 +67,10 @@ std::string reported(const fs::path& bundle, const fs::path& file) {
   return read_file(file);
 }
 
-/// A small virtual test with 50 g hidden at grid 200.
-fs::path small_bundle() {
-  const fs::path bundle = fresh_folder() / "ladder";
-  const auto made = run_tapfit(
-      fmt::format("simulate '{}' --structure ladder --seed 5 --runs 6 --hits 3 "
-                  "--effect added-mass@200=0.05",
-                  bundle.string()));
-  EXPECT_EQ(made.exit_status, 0) << made.err;
-  return bundle;
-}
+class Report : public WithCache {};
 
-TEST(Report, TheCommandAndTheKeyWriteTheSame) {
-  const fs::path bundle = small_bundle();
+TEST_F(Report, TheCommandAndTheKeyWriteTheSame) {
+  const fs::path bundle = copy_of_small_bundle();
   play(bundle, "7\nwait\nw\nwait\n");
   const std::string html = read_file(bundle / "report.html");
   expect_sound(html);
@@ -90,8 +82,8 @@ TEST(Report, TheCommandAndTheKeyWriteTheSame) {
 }
 
 // Added by hand, two effects: the mass changes as the spring comes in.
-TEST(Report, HoldsFinalValuesOfWhatWasAddedByHand) {
-  const fs::path bundle = small_bundle();
+TEST_F(Report, HoldsFinalValuesOfWhatWasAddedByHand) {
+  const fs::path bundle = copy_of_small_bundle();
   play(bundle,
        "6\nwait\n:add dashpot@150<Enter>\nwait\n"
        ":add added-mass@200<Enter>\nwait\n7\nwait\nw\nwait\n");
@@ -122,7 +114,7 @@ TEST(Report, HoldsFinalValuesOfWhatWasAddedByHand) {
 }
 
 // There are no recordings to be read.
-TEST(Report, OfReadyFrfsIsWrittenByTheKeyToo) {
+TEST_F(Report, OfReadyFrfsIsWrittenByTheKeyToo) {
   const fs::path bundle = fresh_folder() / "truss";
   fs::copy(fs::path(TAPFIT_SOURCE_DIR) / "recordings" / "paper-truss", bundle);
   play(bundle, "7\nwait\nw\nwait\n");
@@ -133,7 +125,7 @@ TEST(Report, OfReadyFrfsIsWrittenByTheKeyToo) {
   EXPECT_EQ(html, reported(bundle, bundle / "other.html"));
 }
 
-TEST(Report, OfFrequenciesAloneHasNoShapes) {
+TEST_F(Report, OfFrequenciesAloneHasNoShapes) {
   const fs::path bundle = fresh_folder() / "frequencies";
   fs::create_directories(bundle);
   write_file(bundle / "modes.csv",
@@ -145,8 +137,8 @@ TEST(Report, OfFrequenciesAloneHasNoShapes) {
   EXPECT_FALSE(holds(html, "Mode shapes"));
 }
 
-TEST(Report, WithoutAModelEndsWithTheModes) {
-  const fs::path bundle = small_bundle();
+TEST_F(Report, WithoutAModelEndsWithTheModes) {
+  const fs::path bundle = copy_of_small_bundle();
   auto test = nlohmann::ordered_json::parse(read_file(bundle / "test.json"));
   test.erase("model");
   test.erase("uncertain");

@@ -1,4 +1,5 @@
 #include "tests/end_to_end/run_program.hpp"
+#include "tests/end_to_end/small_bundle.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -13,41 +14,30 @@ bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// A small virtual test with 50 g hidden at grid 200, and keys played on it.
-class SmallTest {
- public:
-  SmallTest() {
-    const auto made = run_tapfit(fmt::format(
-        "simulate '{}' --structure ladder --seed 5 --runs 6 --hits 3 "
-        "--effect added-mass@200=0.05",
-        bundle().string()));
-    EXPECT_EQ(made.exit_status, 0) << made.err;
-  }
-
-  [[nodiscard]] std::filesystem::path bundle() const {
-    return folder_ / "ladder";
-  }
+/// Keys played on the small test.
+class Screens : public WithCache {
+ protected:
+  [[nodiscard]] const std::filesystem::path& bundle() const { return bundle_; }
   [[nodiscard]] std::string replay(const std::string& keys) const {
-    write_file(folder_ / "keys.txt", keys);
-    const auto seen = run_tapfit(fmt::format("'{}' --keys '{}'",
-                                             bundle().string(),
-                                             (folder_ / "keys.txt").string()));
+    const std::filesystem::path script = fresh_folder() / "keys.txt";
+    write_file(script, keys);
+    const auto seen = run_tapfit(
+        fmt::format("'{}' --keys '{}'", bundle_.string(), script.string()));
     EXPECT_EQ(seen.exit_status, 0) << seen.err;
     return seen.out;
   }
 
  private:
-  std::filesystem::path folder_ = fresh_folder();
+  std::filesystem::path bundle_ = copy_of_small_bundle();
 };
 
 // All seven screens of the program itself.
-TEST(Screens, KeysWalkFromRecordingToReport) {
-  const SmallTest test;
+TEST_F(Screens, KeysWalkFromRecordingToReport) {
   std::string script;
   for (const char* key : {"1", "2", "3", "4", "5", "a", "6", "7", "u"}) {
     script += fmt::format("{}\nwait\nscreen\n", key);
   }
-  const std::string seen = test.replay(script);
+  const std::string seen = replay(script);
   for (const char* words : {"run 1 of 6",
                             "|H| [(m/s",
                             "MAC",
@@ -62,70 +52,66 @@ TEST(Screens, KeysWalkFromRecordingToReport) {
 
 // What was undone is done again after the program was left and started anew,
 // and the report that a key writes is the one that the command line writes.
-TEST(Screens, WorkOutlivesTheProgram) {
-  const SmallTest test;
+TEST_F(Screens, WorkOutlivesTheProgram) {
   const std::string undone =
-      test.replay("6\nwait\n:add added-mass@200<Enter>\nwait\nu\nwait\n");
+      replay("6\nwait\n:add added-mass@200<Enter>\nwait\nu\nwait\n");
   EXPECT_TRUE(holds(undone, "undone")) << undone;
-  const std::string redone = test.replay("6\nwait\n<C-r>\nwait\n");
+  const std::string redone = replay("6\nwait\n<C-r>\nwait\n");
   EXPECT_TRUE(holds(redone, "1 effect added: error")) << redone;
-  const std::string there = test.replay("6\nwait\n");
+  const std::string there = replay("6\nwait\n");
   EXPECT_TRUE(holds(there, "1 effect added: error")) << there;
-  EXPECT_TRUE(holds(test.replay("6\nwait\n<C-r>\nwait\n"), "nothing to redo"));
+  EXPECT_TRUE(holds(replay("6\nwait\n<C-r>\nwait\n"), "nothing to redo"));
 
-  EXPECT_TRUE(holds(test.replay("7\nwait\nw\nwait\n"), "written: "));
-  const std::filesystem::path bundle = test.bundle();
-  const auto session = run_tapfit(fmt::format(
-      "session '{}' -o '{}'", bundle.string(), (bundle / "r.html").string()));
+  EXPECT_TRUE(holds(replay("7\nwait\nw\nwait\n"), "written: "));
+  const auto session = run_tapfit(fmt::format("session '{}' -o '{}'",
+                                              bundle().string(),
+                                              (bundle() / "r.html").string()));
   ASSERT_EQ(session.exit_status, 0) << session.err;
   EXPECT_TRUE(holds(session.out, "as saved")) << session.out;
-  const std::string report = read_file(bundle / "report.html");
+  const std::string report = read_file(bundle() / "report.html");
   EXPECT_TRUE(holds(report, "+ added mass (node 200)")) << report;
-  EXPECT_EQ(report, read_file(bundle / "r.html"));
+  EXPECT_EQ(report, read_file(bundle() / "r.html"));
 }
 
 // S as soon as the fit runs, with nothing before it in the queue: it ends with
 // its first step.
-TEST(Screens, AKeptFitOutlivesTheProgram) {
-  const SmallTest test;
+TEST_F(Screens, AKeptFitOutlivesTheProgram) {
   const std::string kept =
-      test.replay("6\nwait\n:add added-mass@200\nwait\n<Enter>S\nwait\n");
+      replay("6\nwait\n:add added-mass@200\nwait\n<Enter>S\nwait\n");
   EXPECT_TRUE(holds(kept, ", kept early")) << kept;
   const auto headline = [](const std::string& screen) {
     return screen.substr(0, screen.find("kept early")).substr(100);
   };
-  const std::string again = test.replay("6\nwait\n");
+  const std::string again = replay("6\nwait\n");
   EXPECT_EQ(headline(again), headline(kept));
-  const std::string redone = test.replay("6\nwait\nu\nwait\n<C-r>\nwait\n");
+  const std::string redone = replay("6\nwait\nu\nwait\n<C-r>\nwait\n");
   EXPECT_EQ(headline(redone), headline(kept));
-  EXPECT_TRUE(holds(test.replay("7\nwait\n"), "stopped early, after 1 step"));
+  EXPECT_TRUE(holds(replay("7\nwait\n"), "stopped early, after 1 step"));
   const auto session =
-      run_tapfit(fmt::format("session '{}'", test.bundle().string()));
+      run_tapfit(fmt::format("session '{}'", bundle().string()));
   ASSERT_EQ(session.exit_status, 0) << session.err;
   EXPECT_TRUE(holds(session.out, "stopped early, after 1 step")) << session.out;
   EXPECT_TRUE(holds(session.out, "\nas saved")) << session.out;
   // Added anew it goes on to its end.
   const std::string whole =
-      test.replay("6\nwait\nu\nwait\n:add added-mass@200<Enter>\nwait\n");
+      replay("6\nwait\nu\nwait\n:add added-mass@200<Enter>\nwait\n");
   EXPECT_FALSE(holds(whole, "kept")) << whole;
 }
 
-TEST(Screens, AHitTakenBackIsOverruledAgainAfterARestart) {
-  const SmallTest test;
-  const std::string back = test.replay("1\nwait\n \nwait\nu\nwait\n");
+TEST_F(Screens, AHitTakenBackIsOverruledAgainAfterARestart) {
+  const std::string back = replay("1\nwait\n \nwait\nu\nwait\n");
   EXPECT_TRUE(holds(back, "back to automatic")) << back;
-  const std::string again = test.replay("1\nwait\n<C-r>\nwait\n");
+  const std::string again = replay("1\nwait\n<C-r>\nwait\n");
   EXPECT_TRUE(holds(again, "run 1, hit 1: overruled again")) << again;
   EXPECT_TRUE(holds(again, "manually")) << again;
 }
 
-TEST(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
-  const SmallTest test;
-  const std::string act = test.replay("1\nwait\ntt \nwait\n");
+TEST_F(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
+  const std::string act = replay("1\nwait\ntt \nwait\n");
   EXPECT_TRUE(holds(act, "2 hits overruled")) << act;
-  const std::string back = test.replay("1\nwait\nu\nwait\n");
+  const std::string back = replay("1\nwait\nu\nwait\n");
   EXPECT_TRUE(holds(back, "2 hits: back to automatic")) << back;
-  const std::string again = test.replay("1\nwait\n<C-r>\nwait\n");
+  const std::string again = replay("1\nwait\n<C-r>\nwait\n");
   EXPECT_TRUE(holds(again, "2 hits: overruled again")) << again;
 }
 

@@ -1,6 +1,7 @@
 // The program in a terminal: what people do to terminals while work runs.
 #include "tests/end_to_end/pseudo_terminal.hpp"
 #include "tests/end_to_end/run_program.hpp"
+#include "tests/end_to_end/small_bundle.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -22,28 +23,7 @@ using Clock = PseudoTerminal::Clock;
 constexpr const char* main_screen = "\033[?1049l";
 constexpr const char* mouse_off = "1000l";
 
-/// A small virtual test; made once, since it takes a second.
-const std::filesystem::path& small_bundle() {
-  static const std::filesystem::path bundle = [] {
-    const std::filesystem::path folder =
-        scratch_folder("terminal-bundle") / "test";
-    const auto made = run_tapfit(fmt::format(
-        "simulate '{}' --structure ladder --seed 5 --runs 6 --hits 3 "
-        "--effect added-mass@200=0.05",
-        folder.string()));
-    if (made.exit_status != 0) throw std::runtime_error(made.err);
-    return folder;
-  }();
-  return bundle;
-}
-
-std::string copy_of_bundle() {
-  const std::filesystem::path bundle = fresh_folder() / "bundle";
-  std::filesystem::remove_all(bundle);
-  std::filesystem::copy(
-      small_bundle(), bundle, std::filesystem::copy_options::recursive);
-  return bundle.string();
-}
+std::string copy_of_bundle() { return copy_of_small_bundle().string(); }
 
 TEST(Terminal, IsAsItWasAfterQuitting) {
   PseudoTerminal terminal({copy_of_bundle()});
@@ -298,7 +278,8 @@ struct KeyWaits {
 
 /// Waits of keys typed while a diagnosis runs, through all of its stages but
 /// for at most so long [ms]. What is typed after ':' is echoed, and nothing
-/// else changes on that screen.
+/// else changes on that screen. Between rounds the cores are the diagnosis's:
+/// drawing without a pause makes it twice as long.
 KeyWaits waits_of_keys(std::chrono::seconds at_most) {
   PseudoTerminal terminal({copy_of_bundle()},
                           {.columns = 200, .rows = 50, .environment = {}});
@@ -335,6 +316,7 @@ KeyWaits waits_of_keys(std::chrono::seconds at_most) {
   while (terminal.shows("Esc stops it", milliseconds(200)) &&
          Clock::now() < last) {
     type_a_round();
+    EXPECT_FALSE(terminal.ends(milliseconds(30)));
   }
   const double others = busy_s() - used_s(terminal.program()) - busy;
   const double length =

@@ -130,7 +130,7 @@ std::vector<std::string> completions(std::string_view text,
   const std::string before(text.substr(0, begin));
   const std::string_view rest = text.substr(begin);
   const std::size_t at = rest.find('@');
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
     const std::string name = effect->name();
     if (at == std::string_view::npos) {
       if (name.starts_with(rest)) found.push_back(before + name);

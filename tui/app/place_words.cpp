@@ -67,9 +67,7 @@ std::vector<std::string> all_words(const Effect& effect,
   }
   const bool of_channels = effect.entry() == effects::Entry::Measurement;
   if (setting.deck == nullptr && !of_channels) return {};
-  const bool of_elements =
-      kind == ChangeKind::Elements || kind == ChangeKind::Preload;
-  if (of_elements) return element_ids(setting);
+  if (effect.sits() == effects::Sits::OnElements) return element_ids(setting);
   if (kind == ChangeKind::Joint) return grid_ids(setting);
   return catalogue_places(effect, setting);
 }

@@ -1,6 +1,5 @@
-#include "tui/commands/calibrate_command.hpp"
-
 #include "signal/checks/calibration_findings.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/finding_text.hpp"
 #include "tui/report/text_table.hpp"

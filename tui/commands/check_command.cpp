@@ -1,7 +1,6 @@
-#include "tui/commands/check_command.hpp"
-
 #include "acquisition/foundation/input_error.hpp"
 #include "signal/checks/frf_quality.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/report/finding_text.hpp"
 #include "tui/report/point_places.hpp"
 #include "tui/report/text_table.hpp"

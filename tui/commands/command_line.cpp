@@ -1,33 +1,10 @@
 #include "tui/commands/command_line.hpp"
 
-#include "tui/commands/calibrate_command.hpp"
-#include "tui/commands/check_command.hpp"
-#include "tui/commands/compare_command.hpp"
-#include "tui/commands/diagnose_command.hpp"
-#include "tui/commands/doctor_command.hpp"
-#include "tui/commands/export_command.hpp"
-#include "tui/commands/free_masses.hpp"
-#include "tui/commands/frf_command.hpp"
-#include "tui/commands/hits_command.hpp"
-#include "tui/commands/import_command.hpp"
-#include "tui/commands/mac_command.hpp"
-#include "tui/commands/model_command.hpp"
-#include "tui/commands/modes_command.hpp"
-#include "tui/commands/replay_command.hpp"
-#include "tui/commands/report_command.hpp"
-#include "tui/commands/run_command.hpp"
-#include "tui/commands/session_command.hpp"
-#include "tui/commands/signature_command.hpp"
-#include "tui/commands/uff_command.hpp"
-#include "tui/commands/update_command.hpp"
-#include "tui/options/export_options.hpp"
-#include "tui/options/fit_options.hpp"
-#include "tui/options/frf_options.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
-#include "tui/options/import_options.hpp"
 #include "tui/options/library_versions.hpp"
 #include "tui/options/misspelt.hpp"
-#include "tui/options/modes_options.hpp"
+#include "tui/options/option_groups.hpp"
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
 #include "tui/practice/challenge_command.hpp"
@@ -55,10 +32,10 @@ enum Extra : unsigned {
   DeckFile = 2,
   Output = 4,
   Effects = 8,
-  TextOnly = 128,
   Modes = 16,
   Node = 32,
   SavedFile = 64,
+  TextOnly = 128,
   Free = 256,
   Regularisation = 512,
   Identify = 1024,
@@ -195,12 +172,6 @@ void add_inside(CLI::App& command, CommandOptions& options) {
                    "Refuse a test that reads from outside its folder");
 }
 
-void add_force(CLI::App& command, CommandOptions& options) {
-  command.add_flag("--force",
-                   options.force,
-                   "Replace files that are there; never what the test reads");
-}
-
 /// One of the tables that the JSON holds, the command's own where none is
 /// named.
 void add_formats(CLI::App& command,
@@ -222,62 +193,62 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
+  const auto has = [&entry](unsigned extra) {
+    return (entry.extras & extra) != 0;
+  };
   if (entry.input != nullptr) {
     command->add_option(entry.input, options.input)->required();
     add_inside(*command, options);
   }
-  if ((entry.extras & TextOnly) == 0) add_formats(*command, entry, options);
-  if ((entry.extras & Uff) != 0) {
+  if (!has(TextOnly)) add_formats(*command, entry, options);
+  if (has(Uff)) {
     command->add_option("--uff", options.uff, "Universal file to write");
   }
-  if ((entry.extras & DeckFile) != 0) add_export_options(*command, options);
-  if ((entry.extras & Output) != 0) {
+  if (has(DeckFile)) add_export_options(*command, options);
+  if (has(Output)) {
     command->add_option("-o,--output", options.output, "Where to write");
   }
-  if ((entry.extras & (Uff | DeckFile | Output | Identify)) != 0) {
-    add_force(*command, options);
+  if (has(Uff | DeckFile | Output | Identify)) {
+    command->add_flag("--force",
+                      options.force,
+                      "Replace files that are there; never what the test "
+                      "reads");
   }
-  if ((entry.extras & SavedFile) != 0) {
+  if (has(SavedFile)) {
     command->add_option(
         "--file", options.saved, "Saved session (BUNDLE/session.json)");
   }
-  if ((entry.extras & Effects) != 0) add_effects(*command, options);
-  if ((entry.extras & Free) != 0) add_free_masses(*command, options);
-  if ((entry.extras & Regularisation) != 0) {
-    add_regularisation(*command, options);
-  }
-  if ((entry.extras & Mac) != 0) {
+  if (has(Effects)) add_effects(*command, options);
+  if (has(Free)) add_free_masses(*command, options);
+  if (has(Regularisation)) add_regularisation(*command, options);
+  if (has(Mac)) {
     command->add_option("OTHER", options.other, "Modes to compare with");
   }
-  if ((entry.extras & Identify) != 0) {
-    add_modes_options(*command, options.identification);
-  }
-  if ((entry.extras & ByHand) != 0) {
-    add_mode_choices(*command, options.by_hand);
-  }
-  if ((entry.extras & Robustness) != 0) {
+  if (has(Identify)) add_modes_options(*command, options.identification);
+  if (has(ByHand)) add_mode_choices(*command, options.by_hand);
+  if (has(Robustness)) {
     command->add_flag("--robustness",
                       options.robustness,
                       "What becomes of the verdict when a prior, the allowance "
                       "for form or a run is changed or left out");
   }
-  if ((entry.extras & Pairs) != 0) add_pair_choices(*command, options.by_hand);
-  if ((entry.extras & (Mass | BodyMass)) != 0) {
+  if (has(Pairs)) add_pair_choices(*command, options.by_hand);
+  if (has(Mass | BodyMass)) {
     command
         ->add_option(
             "--mass", options.mass_kg, "Of the free body with its sensors [kg]")
-        ->required((entry.extras & Mass) != 0)
+        ->required(has(Mass))
         ->check(CLI::PositiveNumber);
   }
-  if ((entry.extras & Speed) != 0) {
+  if (has(Speed)) {
     command
         ->add_option("--speed",
                      options.speed,
                      "Times real time; 0 (default): as fast as it goes")
         ->check(CLI::NonNegativeNumber);
   }
-  if ((entry.extras & Estimate) != 0) add_estimate(*command, options.frf);
-  if ((entry.extras & Modes) != 0) {
+  if (has(Estimate)) add_estimate(*command, options.frf);
+  if (has(Modes)) {
     command->add_option("--modes", options.modes, "How many modes")
         ->check(CLI::Range(1, 10000));
     command->add_option("--ignore-card",
@@ -285,7 +256,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
                         "Leaves cards of this name out, though they carry "
                         "stiffness, mass or a constraint");
   }
-  if ((entry.extras & Node) != 0) {
+  if (has(Node)) {
     command->add_option("NODE", options.node, "Grid id; none for a map of all")
         ->check(CLI::Range(1, 99999999));
   }

@@ -1,4 +1,4 @@
-// The room tui/commands. The command line: one pair per command, all through
+// The room tui/commands. The command line: one file per command, all through
 // one table.
 // In:  argv.
 // Out: What a command prints.

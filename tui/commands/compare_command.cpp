@@ -1,5 +1,6 @@
 #include "tui/commands/compare_command.hpp"
 
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/report/point_places.hpp"
 #include "tui/report/report_words.hpp"

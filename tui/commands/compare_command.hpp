@@ -2,7 +2,6 @@
 #pragma once
 
 #include "signal/frf_set/frf_set.hpp"
-#include "tui/options/command.hpp"
 #include "updating/comparison/comparison.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,9 +27,5 @@ namespace tapfit::tui {
 /// A table of paired modes; measured modes without a partner are left out.
 [[nodiscard]] std::string pairs_text(
     const std::vector<updating::ModePair>& pairs);
-
-/// @throws InputError (also for a bundle without a model), Stopped
-[[nodiscard]] std::string compare_command(const CommandOptions& options,
-                                          const Progress& progress);
 
 }  // namespace tapfit::tui

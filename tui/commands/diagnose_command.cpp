@@ -1,5 +1,6 @@
 #include "tui/commands/diagnose_command.hpp"
 
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
@@ -54,6 +55,25 @@ ordered_json ladder_json(const std::vector<updating::Rung>& ladder) {
     rungs.push_back(std::move(json));
   }
   return rungs;
+}
+
+ordered_json form_json(const updating::Diagnosis& diagnosis) {
+  ordered_json list = ordered_json::array();
+  for (const auto& form : diagnosis.model_form) {
+    ordered_json where = ordered_json::object();
+    if (form.property > 0) where["property"] = form.property;
+    if (!form.elements.empty()) where["elements"] = form.elements;
+    list.push_back({{"form", form.form},
+                    {"where", std::move(where)},
+                    {"share",
+                     {{"value", form.share.value},
+                      {"lo95", form.share.lo95},
+                      {"hi95", form.share.hi95}}},
+                    {"probability", form.probability},
+                    {"error", form.error}});
+    if (!form.card.empty()) list.back()["card"] = form.card;
+  }
+  return list;
 }
 
 ordered_json next_json(const updating::Diagnosis& diagnosis) {
@@ -175,6 +195,7 @@ ordered_json diagnosis_json(const std::filesystem::path& bundle,
       {"candidates", std::move(candidates)},
       {"ladder", ladder_json(diagnosis.ladder)},
       {"model_parameters", model_parameters_json(diagnosis.model_parameters)},
+      {"model_form", form_json(diagnosis)},
       {"next_measurements", next_json(diagnosis)},
       {"set_up", set_up_json(diagnosis)},
       {"warnings", diagnosis.warnings}};
@@ -196,6 +217,9 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
     text += fmt::format("  model parameter {} {}\n",
                         updating::parameters_text({estimate}),
                         estimate.unit);
+  }
+  for (const auto& form : diagnosis.model_form) {
+    text += "  " + statement(form) + "\n";
   }
   text += next_text(diagnosis);
   for (const auto& warning : diagnosis.warnings) {

@@ -1,10 +1,12 @@
 // tapfit diagnose: what is missing from the model.
 #pragma once
 
-#include "tui/options/command.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 
 #include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
+#include <string>
 
 namespace tapfit::tui {
 
@@ -18,9 +20,5 @@ namespace tapfit::tui {
 [[nodiscard]] std::string diagnosis_text(const updating::Diagnosis& diagnosis);
 /// The same without the verdict.
 [[nodiscard]] std::string findings_text(const updating::Diagnosis& diagnosis);
-
-/// @throws InputError (also for a bundle without a model), Stopped
-[[nodiscard]] std::string diagnose_command(const CommandOptions& options,
-                                           const Progress& progress);
 
 }  // namespace tapfit::tui

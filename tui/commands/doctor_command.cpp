@@ -1,5 +1,6 @@
 #include "tui/commands/doctor_command.hpp"
 
+#include "tui/commands/commands.hpp"
 #include "tui/options/library_versions.hpp"
 #include "tui/screen/text.hpp"
 

@@ -2,7 +2,6 @@
 // means, and what to do where it has not.
 #pragma once
 
-#include "tui/options/command.hpp"
 #include "tui/options/surroundings.hpp"
 
 #include <string>
@@ -19,8 +18,5 @@ struct HealthCheck {
 };
 
 [[nodiscard]] std::vector<HealthCheck> health_checks(const Surroundings& here);
-
-[[nodiscard]] std::string doctor_command(const CommandOptions& options,
-                                         const Progress& progress);
 
 }  // namespace tapfit::tui

@@ -1,7 +1,6 @@
-#include "tui/commands/export_command.hpp"
-
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/uff/write_uff_geometry.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "updating/export/measured_uff.hpp"
 #include "updating/export/shapes_vtu.hpp"

@@ -1,7 +1,6 @@
-#include "tui/commands/frf_command.hpp"
-
 #include "signal/checks/hit_coherence.hpp"
 #include "signal/files/uff58.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/commands/free_masses.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/options/standard_streams.hpp"

@@ -1,6 +1,5 @@
-#include "tui/commands/hits_command.hpp"
-
 #include "signal/estimate/estimate_frfs.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/hits_text.hpp"
 #include "updating/session/session.hpp"

@@ -1,7 +1,7 @@
-#include "tui/commands/import_command.hpp"
-
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/import/import_recordings.hpp"
 #include "acquisition/import/propose_import.hpp"
+#include "tui/commands/commands.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 
@@ -63,6 +63,45 @@ std::vector<std::string> split_at_commas(const std::string& text) {
     if (comma == std::string::npos) return parts;
     begin = comma + 1;
   }
+}
+
+// Reads "COLUMN@POINT[,KEY=VALUE ...]", for example
+// "2@12Z+,unit=g,name=acc1,mass_kg=0.02". Keys: name, unit, volts_per_unit,
+// mass_kg, flip.
+ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
+  const std::vector<std::string> parts = split_at_commas(text);
+  const std::size_t at = parts.front().rfind('@');
+  const auto dof = at == std::string::npos
+                       ? std::nullopt
+                       : parse_dof(parts.front().substr(at + 1));
+  if (!dof || dof->node < 1) {
+    throw spec_error(text, "names no point of the structure");
+  }
+
+  ImportChannel channel;
+  channel.column = parts.front().substr(0, at);
+  channel.channel = channel.column;
+  channel.quantity = quantity;
+  channel.dof = *dof;
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const std::size_t equals = parts[k].find('=');
+    const std::string value =
+        equals == std::string::npos ? "" : parts[k].substr(equals + 1);
+    set_key(channel, text, parts[k].substr(0, equals), value);
+  }
+  return channel;
+}
+
+// Reads "FILE" or "FILE@POINT", the point where this file's blows fell.
+ImportFile parse_import_file(const std::string& text) {
+  const std::size_t at = text.rfind('@');
+  if (at != std::string::npos) {
+    const auto dof = parse_dof(text.substr(at + 1));
+    if (dof && dof->node > 0) {
+      return {.file = text.substr(0, at), .hammer = dof};
+    }
+  }
+  return {.file = text, .hammer = std::nullopt};
 }
 
 // What the command line says; what it leaves open is empty.
@@ -173,41 +212,6 @@ std::string plain_text(const acquisition::TestBundle& bundle,
 }
 
 }  // namespace
-
-ImportChannel parse_import_channel(const std::string& text, Quantity quantity) {
-  const std::vector<std::string> parts = split_at_commas(text);
-  const std::size_t at = parts.front().rfind('@');
-  const auto dof = at == std::string::npos
-                       ? std::nullopt
-                       : parse_dof(parts.front().substr(at + 1));
-  if (!dof || dof->node < 1) {
-    throw spec_error(text, "names no point of the structure");
-  }
-
-  ImportChannel channel;
-  channel.column = parts.front().substr(0, at);
-  channel.channel = channel.column;
-  channel.quantity = quantity;
-  channel.dof = *dof;
-  for (std::size_t k = 1; k < parts.size(); ++k) {
-    const std::size_t equals = parts[k].find('=');
-    const std::string value =
-        equals == std::string::npos ? "" : parts[k].substr(equals + 1);
-    set_key(channel, text, parts[k].substr(0, equals), value);
-  }
-  return channel;
-}
-
-ImportFile parse_import_file(const std::string& text) {
-  const std::size_t at = text.rfind('@');
-  if (at != std::string::npos) {
-    const auto dof = parse_dof(text.substr(at + 1));
-    if (dof && dof->node > 0) {
-      return {.file = text.substr(0, at), .hammer = dof};
-    }
-  }
-  return {.file = text, .hammer = std::nullopt};
-}
 
 std::string import_command(const CommandOptions& options,
                            const Progress& progress) {

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/read_modes_file.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/report/text_table.hpp"
 #include "tui/workbench/pair_words.hpp"
 

@@ -3,7 +3,6 @@
 
 #include "modal/mode_set/mode_set.hpp"
 #include "modal/mode_set/pairing.hpp"
-#include "tui/options/command.hpp"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -26,9 +25,5 @@ namespace tapfit::tui {
 [[nodiscard]] std::string mac_text(const modal::ModeSet& first,
                                    const modal::ModeSet& second,
                                    const std::vector<modal::Pair>& by_hand);
-
-/// @throws InputError
-[[nodiscard]] std::string mac_command(const CommandOptions& options,
-                                      const Progress& progress);
 
 }  // namespace tapfit::tui

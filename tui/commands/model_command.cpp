@@ -1,7 +1,6 @@
-#include "tui/commands/model_command.hpp"
-
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -14,10 +13,18 @@
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {
+namespace {
 
 using nlohmann::ordered_json;
 
-namespace {
+struct ModelSummary {
+  std::size_t grids = 0;
+  std::size_t elements = 0;
+  std::size_t dofs = 0;  // free ones
+  double mass_kg = 0.0;
+  Eigen::VectorXd frequency_hz;
+  std::vector<std::string> warnings;
+};
 
 // The model of a bundle, or a deck by itself.
 structure::Deck read_any_model(const CommandOptions& options) {
@@ -51,8 +58,6 @@ ModelSummary summarise(const structure::Deck& deck, int count) {
   return summary;
 }
 
-}  // namespace
-
 ordered_json model_json(const ModelSummary& summary) {
   return {{"grids", summary.grids},
           {"elements", summary.elements},
@@ -82,6 +87,8 @@ std::string model_text(const ModelSummary& summary) {
   }
   return text;
 }
+
+}  // namespace
 
 std::string model_command(const CommandOptions& options,
                           const Progress& progress) {

@@ -1,11 +1,10 @@
-#include "tui/commands/modes_command.hpp"
-
 #include "acquisition/bundle/channel_names.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "modal/mode_set/synthesis.hpp"
 #include "modal/mode_set/uff55.hpp"
 #include "signal/checks/frac.hpp"
 #include "signal/files/uff58.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/diagram_text.hpp"

@@ -1,12 +1,9 @@
-#include "tui/commands/replay_command.hpp"
-
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/hits/readable_recordings.hpp"
 #include "signal/estimate/replay.hpp"
 #include "signal/files/uff58.hpp"
-#include "tui/commands/frf_command.hpp"
-#include "tui/commands/hits_command.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"

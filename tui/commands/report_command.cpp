@@ -1,5 +1,4 @@
-#include "tui/commands/report_command.hpp"
-
+#include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/session_report.hpp"

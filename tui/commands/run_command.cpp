@@ -1,11 +1,7 @@
-#include "tui/commands/run_command.hpp"
-
 #include "acquisition/bundle/channel_names.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
-#include "tui/commands/frf_command.hpp"
-#include "tui/commands/hits_command.hpp"
-#include "tui/commands/modes_command.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/frf_text.hpp"

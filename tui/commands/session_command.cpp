@@ -1,11 +1,11 @@
-#include "tui/commands/session_command.hpp"
-
 #include "acquisition/foundation/output_file.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/session_report.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/added_effect.hpp"
+#include "updating/session/saved_session.hpp"
 #include "updating/session/session_file.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +18,7 @@ namespace {
 // Fits of the same data by the same program end within rounding.
 constexpr double same = 1e-6;
 
-}  // namespace
-
+// Rungs with error, mean frequency error and mean MAC of the paired modes.
 std::string session_text(const updating::SavedSession& session) {
   std::string text;
   for (const updating::OverruledHit& hit :
@@ -58,6 +57,7 @@ std::string session_text(const updating::SavedSession& session) {
   return text;
 }
 
+// What differs in the errors of two ladders; empty where nothing does.
 std::string differences(const updating::SavedSession& then,
                         const updating::SavedSession& now) {
   if (then.ladder.empty()) return {};
@@ -78,6 +78,8 @@ std::string differences(const updating::SavedSession& then,
   }
   return text;
 }
+
+}  // namespace
 
 std::string session_command(const CommandOptions& options,
                             const Progress& progress) {

@@ -1,6 +1,5 @@
-#include "tui/commands/signature_command.hpp"
-
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/localisation/signature.hpp"
@@ -12,6 +11,7 @@
 #include <algorithm>
 
 namespace tapfit::tui {
+namespace {
 
 using nlohmann::ordered_json;
 
@@ -93,6 +93,8 @@ std::string signature_map_text(const std::vector<updating::GridShare>& map) {
              map.size()) +
          table.text();
 }
+
+}  // namespace
 
 std::string signature_command(const CommandOptions& options,
                               const Progress& progress) {

@@ -1,5 +1,3 @@
-#include "tui/commands/uff_command.hpp"
-
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/utf8.hpp"
@@ -8,6 +6,7 @@
 #include "acquisition/uff/uff_shapes.hpp"
 #include "acquisition/uff/uff_systems.hpp"
 #include "acquisition/uff/uff_units.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>

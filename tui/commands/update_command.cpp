@@ -1,6 +1,7 @@
 #include "tui/commands/update_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/commands/compare_command.hpp"
 #include "tui/commands/diagnose_command.hpp"
 #include "tui/options/hand_choices.hpp"
@@ -72,6 +73,7 @@ std::string update_command(const CommandOptions& options,
   }
   updating::Diagnosis diagnosis = updating::diagnosis_of_named(
       session.ladder(progress), session.comparison(progress), parameters, held);
+  diagnosis.model_form = session.model_form(progress);
   diagnosis.set_up =
       updating::set_up_mistakes(diagnosis.ladder, session.bundle());
   for (const auto& mistake : diagnosis.set_up) {

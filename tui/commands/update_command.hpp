@@ -11,8 +11,4 @@ namespace tapfit::tui {
 [[nodiscard]] updating::UpdateChoice update_choice(
     const CommandOptions& options);
 
-/// @throws InputError for an unknown effect or a place it cannot take; Stopped
-[[nodiscard]] std::string update_command(const CommandOptions& options,
-                                         const Progress& progress);
-
 }  // namespace tapfit::tui

@@ -1,6 +1,5 @@
-#include "tui/options/fit_options.hpp"
-
 #include "acquisition/foundation/input_error.hpp"
+#include "tui/options/option_groups.hpp"
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/residual/line_rule.hpp"
 

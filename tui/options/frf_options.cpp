@@ -1,6 +1,5 @@
-#include "tui/options/frf_options.hpp"
-
 #include "signal/mass_removal/named_masses.hpp"
+#include "tui/options/option_groups.hpp"
 
 namespace tapfit::tui {
 namespace {

@@ -1,4 +1,4 @@
-#include "tui/options/import_options.hpp"
+#include "tui/options/option_groups.hpp"
 
 namespace tapfit::tui {
 

@@ -1,4 +1,4 @@
-#include "tui/options/modes_options.hpp"
+#include "tui/options/option_groups.hpp"
 
 #include <cmath>
 #include <cstdlib>

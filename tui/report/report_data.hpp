@@ -20,7 +20,7 @@ struct ModelResults {
   updating::Comparison before;
   updating::Comparison after;
   std::vector<updating::Rung> ladder;  ///< base first
-  /// Of the last model: uncertain properties, the mesh's corrections, then the
+  /// Of the last model: uncertain properties, the model's corrections, then the
   /// parameters of each effect under "EFFECT NAME".
   std::vector<updating::Estimate> parameters;
   std::optional<updating::Diagnosis> diagnosis;  ///< of the base model

@@ -1,10 +1,11 @@
 #include "tui/report/report_words.hpp"
 
 #include "tui/screen/number.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/effects/effect_ref.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
@@ -14,33 +15,6 @@
 namespace tapfit::tui {
 namespace {
 
-using Name = std::pair<std::string_view, const char*>;
-
-constexpr std::array<Name, 22> effect_names{{
-    {"sensor-mass", "mass of the sensors"},
-    {"sensor-cable", "pull of the sensor cables"},
-    {"soft-support", "support that gives"},
-    {"added-mass", "added mass"},
-    {"ground-spring", "spring to ground"},
-    {"dashpot", "damper to ground"},
-    {"stiffness-loss", "loss of stiffness"},
-    {"joint", "joint that gives"},
-    {"prestress", "axial force in a member"},
-    {"absorber", "vibration absorber"},
-    {"damping-law", "law of damping"},
-    {"channel-gain", "wrong sensitivity of a channel"},
-    {"channel-delay", "delay of a channel"},
-    {"channel-polarity", "wrong polarity of a channel"},
-    {"channel-swap", "two channels swapped"},
-    {"point-mislabelled", "point that was elsewhere than written down"},
-    {"direction-wrong", "direction other than written down"},
-    {"unit-factor", "channel in another unit than written down"},
-    {"support-mismatch", "support other than in the model"},
-    {"card-swap", "numbers of the deck written down wrongly"},
-    {"nonlinearity", "nonlinear behaviour"},
-    {"base", "model as delivered"},
-}};
-
 std::string replaced(std::string text,
                      std::string_view what,
                      std::string_view by) {
@@ -49,6 +23,16 @@ std::string replaced(std::string text,
     text.replace(at, what.size(), by);
   }
   return text;
+}
+
+std::string words_of(const std::string& name) {
+  if (name == "base") return "model as delivered";
+  if (name == updating::nonlinearity) return "nonlinear behaviour";
+  if (name == "card-swap") return "numbers of the deck written down wrongly";
+  for (const effects::Effect* effect : effects::catalogue()) {
+    if (effect->name() == name) return effect->words();
+  }
+  return replaced(name, "-", " ");
 }
 
 struct Prefix {
@@ -70,8 +54,9 @@ Prefix prefix_of(const std::string& unit, double value) {
   std::string written = replaced(unit, "N m", "N·m");
   written = replaced(written, "N s", "N·s");
   written = replaced(written, "kg m", "kg·m");
+  using Power = std::pair<std::string_view, std::string_view>;
   for (const auto& [plain, power] :
-       {Name{"^2", "²"}, Name{"^3", "³"}, Name{"^4", "⁴"}}) {
+       {Power{"^2", "²"}, Power{"^3", "³"}, Power{"^4", "⁴"}}) {
     written = replaced(written, plain, power);
   }
   return {1.0, written == "1" ? std::string() : written};
@@ -101,12 +86,8 @@ std::string effect_words(const std::string& effect) {
   std::string text;
   for (std::size_t at = 0; at <= effect.size();) {
     const std::size_t end = std::min(effect.find('|', at), effect.size());
-    const std::string one = effect.substr(at, end - at);
-    std::string words = replaced(one, "-", " ");
-    for (const auto& [name, plain] : effect_names) {
-      if (name == one) words = plain;
-    }
-    text += (text.empty() ? "" : " or ") + words;
+    text +=
+        (text.empty() ? "" : " or ") + words_of(effect.substr(at, end - at));
     at = end + 1;
   }
   return text;

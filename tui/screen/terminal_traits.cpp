@@ -33,6 +33,7 @@ TerminalTraits look_at_terminal() {
   traits.places_cursor = is_able("cup");
   traits.colours = std::max(tigetnum("colors"), 0);
   traits.mouse = is_able("kmous");
+  del_curterm(cur_term);
   return traits;
 }
 

@@ -2,26 +2,9 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/nearest_word.hpp"
-#include "updating/effects/absorber.hpp"
-#include "updating/effects/added_mass.hpp"
-#include "updating/effects/damping_law.hpp"
-#include "updating/effects/dashpot.hpp"
 #include "updating/effects/effect_ref.hpp"
-#include "updating/effects/ground_spring.hpp"
-#include "updating/effects/joint.hpp"
-#include "updating/effects/prestress.hpp"
-#include "updating/effects/sensor_cable.hpp"
-#include "updating/effects/sensor_mass.hpp"
-#include "updating/effects/soft_support.hpp"
-#include "updating/effects/stiffness_loss.hpp"
-#include "updating/set_up/channel_delay.hpp"
-#include "updating/set_up/channel_gain.hpp"
-#include "updating/set_up/channel_polarity.hpp"
-#include "updating/set_up/channel_swap.hpp"
-#include "updating/set_up/direction_wrong.hpp"
-#include "updating/set_up/point_mislabelled.hpp"
-#include "updating/set_up/support_mismatch.hpp"
-#include "updating/set_up/unit_factor.hpp"
+#include "updating/effects/effects.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <fmt/format.h>
 
@@ -29,34 +12,22 @@
 
 namespace tapfit::effects {
 
-std::span<const std::unique_ptr<const Effect>> catalogue() {
-  static const std::array<std::unique_ptr<const Effect>, 19> effects = {
-      std::make_unique<const SensorMass>(),
-      std::make_unique<const SoftSupport>(),
-      std::make_unique<const AddedMass>(),
-      std::make_unique<const GroundSpring>(),
-      std::make_unique<const Dashpot>(),
-      std::make_unique<const SensorCable>(),
-      std::make_unique<const StiffnessLoss>(),
-      std::make_unique<const Joint>(),
-      std::make_unique<const Prestress>(),
-      std::make_unique<const Absorber>(),
-      std::make_unique<const ChannelGain>(),
-      std::make_unique<const ChannelDelay>(),
-      std::make_unique<const ChannelPolarity>(),
-      std::make_unique<const ChannelSwap>(),
-      std::make_unique<const PointMislabelled>(),
-      std::make_unique<const DirectionWrong>(),
-      std::make_unique<const UnitFactor>(),
-      std::make_unique<const SupportMismatch>(),
-      std::make_unique<const DampingLaw>(),
+std::span<const Effect* const> catalogue() {
+  static const std::array effects = {
+      &sensor_mass(),      &soft_support(), &added_mass(),
+      &ground_spring(),    &dashpot(),      &sensor_cable(),
+      &stiffness_loss(),   &joint(),        &prestress(),
+      &absorber(),         &channel_gain(), &channel_delay(),
+      &channel_polarity(), &channel_swap(), &point_mislabelled(),
+      &direction_wrong(),  &unit_factor(),  &support_mismatch(),
+      &damping_law(),
   };
   return effects;
 }
 
 const Effect& find(const std::string& name) {
   std::vector<std::string> known;
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     if (effect->name() == name) return *effect;
     known.push_back(effect->name());
   }

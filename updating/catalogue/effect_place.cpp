@@ -52,8 +52,7 @@ bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
 
 // Whose place is told by names, which may be numbers too.
 bool sits_on_channels(const effects::Effect& effect) {
-  return effect.entry() == effects::Entry::Measurement ||
-         effect.name().starts_with("sensor-");
+  return effect.sits() == effects::Sits::OnChannels;
 }
 
 // Throws where a place is not the one grid that an effect sits at.
@@ -62,12 +61,10 @@ void check_grid(const effects::Effect& effect,
                 const std::string& text) {
   const std::vector<std::string> parts = parts_of(place);
   const bool one_grid = parts.size() == 1 && is_grid(parts[0]);
-  const bool at_a_grid =
-      dynamic_cast<const effects::PointEffect*>(&effect) != nullptr;
   // What follows a grid is taken for a form.
   const bool other =
       parts.size() > 1 && is_grid(parts[0]) && !is_grid(parts[1]);
-  if (!at_a_grid || place.empty() || one_grid || other) return;
+  if (!effect.sits_at_grid() || place.empty() || one_grid || other) return;
   throw InputError(is_grid(parts[0])
                        ? fmt::format("{} sits at one grid", effect.name())
                        : fmt::format("\"{}\" is no grid", parts[0]),
@@ -78,9 +75,8 @@ void check_grid(const effects::Effect& effect,
 }
 
 bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
-  return std::all_of(some.begin(), some.end(), [&all](int id) {
-    return std::find(all.begin(), all.end(), id) != all.end();
-  });
+  return std::ranges::all_of(
+      some, [&all](int id) { return std::ranges::find(all, id) != all.end(); });
 }
 
 // Any elements of the deck may have lost stiffness, not only the patches that
@@ -88,12 +84,12 @@ bool holds_all(const std::vector<int>& all, const std::vector<int>& some) {
 bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
   const auto known = [&deck](int id) {
     const auto is = [id](const auto& e) { return e.id == id; };
-    return std::any_of(deck.shells.begin(), deck.shells.end(), is) ||
-           std::any_of(deck.bars.begin(), deck.bars.end(), is) ||
-           std::any_of(deck.rods.begin(), deck.rods.end(), is) ||
-           std::any_of(deck.solids.begin(), deck.solids.end(), is);
+    return std::ranges::any_of(deck.shells, is) ||
+           std::ranges::any_of(deck.bars, is) ||
+           std::ranges::any_of(deck.rods, is) ||
+           std::ranges::any_of(deck.solids, is);
   };
-  return std::all_of(ids.begin(), ids.end(), known);
+  return std::ranges::all_of(ids, known);
 }
 
 // Of the lines that hold the grids named, the shortest; empty where no grid is
@@ -124,10 +120,7 @@ bool has_variant(const effects::Effect& effect, const std::string& word) {
 }
 
 bool same_channels(const Where& want, const Where& where) {
-  return std::is_permutation(want.channels.begin(),
-                             want.channels.end(),
-                             where.channels.begin(),
-                             where.channels.end());
+  return std::ranges::is_permutation(want.channels, where.channels);
 }
 
 // A place that is what was asked for, or that needs no asking. An effect that
@@ -168,11 +161,8 @@ std::string missing_part(const Where& where, const effects::Setting& s) {
   for (const std::string& name : where.channels) {
     const auto& known = s.bundle->channels;
     const bool found =
-        std::any_of(known.begin(),
-                    known.end(),
-                    [&name](const acquisition::Channel& channel) {
-                      return channel.name == name;
-                    });
+        std::ranges::find(known, name, &acquisition::Channel::name) !=
+        known.end();
     if (!found) return fmt::format("the test has no channel \"{}\"", name);
   }
   return effects::fault_of_runs(where, *s.bundle);
@@ -233,11 +223,8 @@ bool names_sheet_place(const effects::Effect& effect,
 
 // What is written behind the @, for example.
 std::string example_place(const effects::Effect& effect) {
-  const auto kind = effect.changes_stiffness();
-  if (kind == ChangeKind::Elements || kind == ChangeKind::Preload) {
-    return "60:61";
-  }
-  if (kind == ChangeKind::Joint) return "34:35";
+  if (effect.sits() == effects::Sits::OnElements) return "60:61";
+  if (effect.changes_stiffness() == ChangeKind::Joint) return "34:35";
   if (effect.takes_any_grid()) return "acc1:8:6";
   if (effect.at_sheet_points()) return "acc1:" + effect.variants().front();
   return "201";
@@ -320,9 +307,7 @@ EffectRef parse_effect(const std::string& text) {
   check_grid(effect, place, text);
   const std::vector<int> numbers =
       sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
-  const bool of_elements =
-      kind == ChangeKind::Elements || kind == ChangeKind::Preload;
-  if (!numbers.empty() && of_elements) {
+  if (!numbers.empty() && effect.sits() == effects::Sits::OnElements) {
     ref.where.elements = numbers;
     std::sort(ref.where.elements.begin(), ref.where.elements.end());
   } else if (!numbers.empty() && kind) {
@@ -389,8 +374,7 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
       effects::can_carry(*s.deck, want)) {
     return placed(effect, want, s);
   }
-  const bool local = kind == ChangeKind::Elements ||
-                     kind == ChangeKind::Joint || kind == ChangeKind::Preload;
+  const bool local = kind && kind != ChangeKind::Support;
   const bool any_grid = effect.takes_any_grid();
   const bool at_sheet = effect.at_sheet_points();
   if (any_grid && want.nodes.empty()) want.nodes = only_grid(places, want);

@@ -342,6 +342,7 @@ Climbed climbed(const Fitter& fitter,
                    result.error_best,
                    climb.held_out_error());
   result.model_parameters = property_estimates(likeliest, options.properties);
+  result.model_form = model_form(likeliest, *fitter.setting().setting.deck);
   warn_of_bounds(result);
   for (const Chosen& it : climb.chosen()) {
     if (it.extent) result.warnings.push_back(statement(*it.extent));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/foundation/dof.hpp"
+#include "updating/diagnosis/model_form.hpp"
 #include "updating/diagnosis/rivals.hpp"
 #include "updating/effects/effect_ref.hpp"
 #include "updating/fit/estimate.hpp"
@@ -73,6 +74,7 @@ struct Diagnosis {
   std::vector<Candidate> candidates;       ///< most probable first
   std::vector<Rung> ladder;                ///< without the base
   std::vector<Estimate> model_parameters;  ///< "E:1" and so on
+  std::vector<ModelForm> model_form = {};  ///< no part of verdict or ladder
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
   /// Of the ladder, put right there; then what the deck says wrongly, in place

@@ -39,6 +39,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rivals, found, instead, besides)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Robustness, change, verdict, verdict_stands, parameters, largest_move_sd)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
+    ModelForm, form, property, elements, share, probability, error, card)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    verdict,
                                    error_base,
@@ -51,6 +53,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Diagnosis,
                                    candidates,
                                    ladder,
                                    model_parameters,
+                                   model_form,
                                    next,
                                    set_up,
                                    warnings,

@@ -1,4 +1,4 @@
-// The room updating/effects. The catalogue of physical effects, one pair for
+// The room updating/effects. The catalogue of physical effects, one file for
 // each, all by one interface.
 // In:  Deck, bundle and a place.
 // Out: Parameters with bounds, dynamic stiffness and its derivative, cards.
@@ -13,6 +13,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/constants.hpp"
 #include "updating/effects/change_kind.hpp"
 #include "updating/places/between_grids.hpp"
 #include "updating/places/location.hpp"
@@ -22,6 +23,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::effects {
@@ -43,6 +45,10 @@ struct Setting {
   /// How a structure hangs that the model leaves free, where that is known and
   /// the measurement does not tell; else null.
   std::shared_ptr<const Suspension> suspension = nullptr;
+
+  /// The band's ends [rad/s].
+  [[nodiscard]] double low() const { return two_pi * low_hz; }
+  [[nodiscard]] double high() const { return two_pi * high_hz; }
 };
 
 /// A positive parameter, fitted in its logarithm.
@@ -53,6 +59,11 @@ struct ParameterSpec {
   double upper = 0.0;
   double sign = 1.0;  ///< -1: the value reported is the parameter's negative
 };
+
+/// One that starts in the middle of its bounds, as logarithms go.
+[[nodiscard]] ParameterSpec spread(std::string name,
+                                   double lower,
+                                   double upper);
 
 /// One degree of freedom that the effect acts on.
 struct ActedDof {
@@ -74,6 +85,39 @@ enum class Entry {
   Damping,      ///< of every mode, in place of a ratio for each
 };
 
+/// What its places are.
+enum class Sits {
+  AtGrid,         ///< any that can move
+  AlongAxis,      ///< the same, along one axis
+  OnElements,     ///< of the model, by their ids
+  OnLine,         ///< grids of a seam or of a support
+  OnChannels,     ///< of sensors or hammers, told by their names
+  AtSheetPoints,  ///< channels, at a grid there, in some runs or all
+  Everywhere,
+};
+
+/// How its parameters enter the law of their group.
+enum class Law {
+  Spring,  ///< p
+  Damper,  ///< s p
+  Mass,    ///< s^2 p
+  Own,     ///< as the effect says, or not at all: 1
+};
+
+/// What is the same of an effect at all its places.
+struct EffectKind {
+  std::string name;
+  std::string words;             ///< in reports: "mass of the sensors"
+  Entry entry = Entry::LowRank;  ///< Stiffness where it changes that
+  Sits sits = Sits::Everywhere;
+  Law law = Law::Spring;
+  std::optional<updating::ChangeKind> changes_stiffness = std::nullopt;
+  bool is_mistake = false;
+  bool takes_any_grid = false;
+  std::vector<std::string> forms = {};
+  std::vector<std::string> variants = {};
+};
+
 /// 2 zeta omega of a mode [1/s], and its derivative by omega.
 struct ModeDamping {
   double c = 0.0;
@@ -82,32 +126,50 @@ struct ModeDamping {
 
 class Effect {
  public:
+  explicit Effect(EffectKind kind) : kind_(std::move(kind)) {}
   virtual ~Effect() = default;
 
-  [[nodiscard]] virtual std::string name() const = 0;
-  /// One line for the screens: what it is and how it shows.
-  [[nodiscard]] virtual std::string physics() const = 0;
-  [[nodiscard]] virtual Entry entry() const { return Entry::LowRank; }
+  [[nodiscard]] const std::string& name() const { return kind_.name; }
+  [[nodiscard]] const std::string& words() const { return kind_.words; }
+  [[nodiscard]] Entry entry() const {
+    return changes_stiffness() ? Entry::Stiffness : kind_.entry;
+  }
+  [[nodiscard]] Sits sits() const { return kind_.sits; }
+  [[nodiscard]] bool sits_at_grid() const {
+    return sits() == Sits::AtGrid || sits() == Sits::AlongAxis;
+  }
+  [[nodiscard]] bool at_sheet_points() const {
+    return sits() == Sits::AtSheetPoints;
+  }
 
   /// Whether it is a mistake of the set-up, sheet, channels or supports, not of
   /// the structure.
-  [[nodiscard]] virtual bool is_mistake() const {
-    return entry() == Entry::Measurement;
+  [[nodiscard]] bool is_mistake() const {
+    return kind_.is_mistake || entry() == Entry::Measurement;
   }
 
   /// Which, for Entry::Stiffness; its parameters scale the parts of that
   /// change.
-  [[nodiscard]] virtual std::optional<updating::ChangeKind> changes_stiffness()
-      const {
-    return std::nullopt;
+  [[nodiscard]] std::optional<updating::ChangeKind> changes_stiffness() const {
+    return kind_.changes_stiffness;
   }
 
   /// Every place where it may sit.
   [[nodiscard]] virtual std::vector<Where> places(
       const Setting& setting) const = 0;
+  /// Whether `places` leave Where::node open, which may then be any grid but
+  /// that of Where::nodes.
+  [[nodiscard]] bool takes_any_grid() const { return kind_.takes_any_grid; }
+  /// What Where::variant may be, where one is part of every place and none of
+  /// the forms.
+  [[nodiscard]] const std::vector<std::string>& variants() const {
+    return kind_.variants;
+  }
   /// Forms that it takes at its places only when asked for by name, or when the
   /// plain one has been found there; see Where::variant.
-  [[nodiscard]] virtual std::vector<std::string> forms() const { return {}; }
+  [[nodiscard]] const std::vector<std::string>& forms() const {
+    return kind_.forms;
+  }
   /// Whether it can take one of its forms at one of its places.
   [[nodiscard]] virtual bool takes(const std::string& /*form*/,
                                    const Where& /*place*/,
@@ -115,7 +177,9 @@ class Effect {
     return true;
   }
   [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
-      const Where& where, const Setting& setting) const = 0;
+      const Where& /*where*/, const Setting& /*setting*/) const {
+    return {};
+  }
 
   /// Whether there are things of these sizes: each may be within its bounds and
   /// the two be none.
@@ -125,9 +189,13 @@ class Effect {
   }
 
   /// Degrees of freedom it acts on while one run is measured (a sensor's mass
-  /// moves with the sensor). Empty for Entry::Measurement and Entry::Damping.
+  /// moves with the sensor). Those of Entry::LowRank alone.
   [[nodiscard]] virtual std::vector<ActedDof> acts_on(
-      const Where& where, const Setting& setting, std::size_t run) const = 0;
+      const Where& /*where*/,
+      const Setting& /*setting*/,
+      std::size_t /*run*/) const {
+    return {};
+  }
 
   /// For Entry::Measurement: turns the points and directions of a sheet into
   /// those that were hit and measured. What other mistakes have changed in it
@@ -136,16 +204,6 @@ class Effect {
   virtual void correct(const Where& /*where*/,
                        const acquisition::TestBundle& /*written*/,
                        acquisition::TestBundle& /*sheet*/) const {}
-
-  /// Whether its places are points of the sheet: channels, at a grid there, in
-  /// some runs or all.
-  [[nodiscard]] virtual bool at_sheet_points() const { return false; }
-  /// What Where::variant may be, where one is part of every place and none of
-  /// the forms.
-  [[nodiscard]] virtual std::vector<std::string> variants() const { return {}; }
-  /// Whether `places` leave Where::node open, which may then be any grid but
-  /// that of Where::nodes.
-  [[nodiscard]] virtual bool takes_any_grid() const { return false; }
 
   /// For Entry::Measurement: the group of the law that FRFs go through whose
   /// response (or hammer) is on the channel.
@@ -160,14 +218,21 @@ class Effect {
   }
 
   /// law(s; p), in N/m (N m/rad for rotations) per unit weight; for
-  /// Entry::Measurement the factor on the channel's FRFs.
+  /// Entry::Measurement the factor on the channel's FRFs. Parameter k is that
+  /// of group k, but for Law::Own.
   [[nodiscard]] virtual std::complex<double> law(std::complex<double> s,
                                                  const std::vector<double>& p,
-                                                 std::size_t group) const = 0;
+                                                 std::size_t group) const;
+  /// d law / d p_k.
+  [[nodiscard]] virtual std::complex<double> law_derivative(
+      std::complex<double> s,
+      const std::vector<double>& p,
+      std::size_t group,
+      std::size_t k) const;
   /// Whether parameter k adds p_k (stiffness_k + s^2 mass_k) to the law: a
   /// spring or a mass.
   [[nodiscard]] virtual bool is_lossless(std::size_t /*k*/) const {
-    return false;
+    return kind_.law == Law::Spring || kind_.law == Law::Mass;
   }
   /// Whether undamped frequencies and shapes tell of it: it changes stiffness
   /// or mass, and neither damps nor sits in a channel.
@@ -175,12 +240,6 @@ class Effect {
     const bool point = entry() == Entry::LowRank && is_lossless(0);
     return point || changes_stiffness().has_value();
   }
-  /// d law / d p_k.
-  [[nodiscard]] virtual std::complex<double> law_derivative(
-      std::complex<double> s,
-      const std::vector<double>& p,
-      std::size_t group,
-      std::size_t k) const = 0;
 
   /// A derived result worth reporting besides the parameters themselves: the
   /// sum of factor_k p_k (for example per metre -> total).
@@ -214,6 +273,9 @@ class Effect {
       const Where& where,
       const Setting& setting,
       const std::vector<double>& p) const = 0;
+
+ private:
+  EffectKind kind_;
 };
 
 }  // namespace tapfit::effects

@@ -1,11 +1,12 @@
-#include "updating/effects/joint.hpp"
-
+// A joint that gives: along a line of grids the elements on one side turn
+// against the rest, held by a spring, k per metre of line. A bolted or bonded
+// seam, a weld that did not take. Its form "crack" parts them over some of the
+// line's grids, held by k per area of the two faces: next to nothing for a
+// crack that is open, more for one that is bonded or rubs.
+#include "updating/effects/effects.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/joint_line.hpp"
-
-#include <cmath>
-#include <numbers>
 
 namespace tapfit::effects {
 namespace {
@@ -25,56 +26,70 @@ double turn_of(const Where& where, const Setting& setting) {
   return turn;
 }
 
+class Joint final : public Effect {
+ public:
+  Joint()
+      : Effect({.name = "joint",
+                .words = "joint that gives",
+                .sits = Sits::OnLine,
+                .changes_stiffness = updating::ChangeKind::Joint,
+                .forms = {updating::crack}}) {}
+
+  // Each straight line across shells, lines in line with each other together,
+  // each place where bars meet.
+  std::vector<Where> places(const Setting& setting) const override {
+    std::vector<Where> result;
+    if (setting.deck == nullptr) return result;
+    for (const updating::JointPlace& place :
+         updating::joint_places(*setting.deck)) {
+      result.push_back({.nodes = place.nodes});
+      if (place.bar != 0) result.back().elements = {place.bar};
+    }
+    return result;
+  }
+
+  // A crack at a line of shells.
+  bool takes(const std::string& form,
+             const Where& place,
+             const Setting& setting) const override {
+    return form == updating::crack && setting.deck != nullptr &&
+           !updating::crack_line(*setting.deck, place.nodes).grids.empty();
+  }
+
+  std::vector<ParameterSpec> parameters(const Where& where,
+                                        const Setting& setting) const override {
+    // As for a soft support; the base narrows it to what shows.
+    const bool is_crack = where.variant == updating::crack;
+    const double length =
+        is_crack ? turn_of(where, setting) : length_of(where, setting);
+    const double m = setting.mass_kg;
+    return {spread(is_crack ? "bed_stiffness_n_per_m3"
+                            : "rotational_stiffness_nm_per_rad_per_m",
+                   1e-3 * m * setting.low() * setting.low() / length,
+                   1e3 * m * setting.high() * setting.high() / length)};
+  }
+
+  std::vector<Derived> derived(const Where& where,
+                               const Setting& setting) const override {
+    // Of a crack the faces' stiffness is all there is to tell.
+    if (where.variant == updating::crack) return {};
+    return {{"rotational_stiffness_nm_per_rad", {length_of(where, setting)}}};
+  }
+
+  // Of what the elements on one side need besides: see joint_cards.hpp.
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const override {
+    return joint_cards(where, setting, p[0]).added;
+  }
+};
+
 }  // namespace
 
-std::vector<Where> Joint::places(const Setting& setting) const {
-  std::vector<Where> result;
-  if (setting.deck == nullptr) return result;
-  for (const updating::JointPlace& place :
-       updating::joint_places(*setting.deck)) {
-    Where where;
-    where.nodes = place.nodes;
-    if (place.bar != 0) where.elements = {place.bar};
-    result.push_back(where);
-  }
-  return result;
-}
-
-bool Joint::takes(const std::string& form,
-                  const Where& place,
-                  const Setting& setting) const {
-  return form == updating::crack && setting.deck != nullptr &&
-         !updating::crack_line(*setting.deck, place.nodes).grids.empty();
-}
-
-std::vector<ParameterSpec> Joint::parameters(const Where& where,
-                                             const Setting& setting) const {
-  // As for a soft support; the base narrows it to what shows.
-  const bool is_crack = where.variant == updating::crack;
-  const double length =
-      is_crack ? turn_of(where, setting) : length_of(where, setting);
-  const double low = 2.0 * std::numbers::pi * setting.low_hz;
-  const double high = 2.0 * std::numbers::pi * setting.high_hz;
-  const double lower = 1e-3 * setting.mass_kg * low * low / length;
-  const double upper = 1e3 * setting.mass_kg * high * high / length;
-  return {{is_crack ? "bed_stiffness_n_per_m3"
-                    : "rotational_stiffness_nm_per_rad_per_m",
-           std::sqrt(lower * upper),
-           lower,
-           upper}};
-}
-
-std::vector<Effect::Derived> Joint::derived(const Where& where,
-                                            const Setting& setting) const {
-  // Of a crack the faces' stiffness is all there is to tell.
-  if (where.variant == updating::crack) return {};
-  return {{"rotational_stiffness_nm_per_rad", {length_of(where, setting)}}};
-}
-
-std::vector<std::string> Joint::bulk_data(const Where& where,
-                                          const Setting& setting,
-                                          const std::vector<double>& p) const {
-  return joint_cards(where, setting, p[0]).added;
+const Effect& joint() {
+  static const Joint effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

@@ -20,9 +20,7 @@ std::vector<Where> PointEffect::places(const Setting& setting) const {
   }
   for (const structure::Grid& grid : setting.deck->grids) {
     if (grid.id < 0 || held.contains(grid.id)) continue;
-    Where where;
-    where.node = grid.id;
-    result.push_back(where);
+    result.push_back({.node = grid.id});
   }
   return result;
 }
@@ -32,6 +30,13 @@ namespace {
 const std::string axes = "XYZ";
 
 }  // namespace
+
+DirectedEffect::DirectedEffect(std::string name, std::string words, Law law)
+    : PointEffect({.name = std::move(name),
+                   .words = std::move(words),
+                   .sits = Sits::AlongAxis,
+                   .law = law,
+                   .forms = {"X", "Y", "Z"}}) {}
 
 std::vector<Where> DirectedEffect::places(const Setting& setting) const {
   const std::vector<Where> grids = PointEffect::places(setting);

@@ -10,6 +10,7 @@ namespace tapfit::effects {
 /// Base of the effects that act at one grid.
 class PointEffect : public Effect {
  public:
+  using Effect::Effect;
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
 };
@@ -19,12 +20,10 @@ class PointEffect : public Effect {
 /// "Z" names it; empty for the direction mostly measured.
 class DirectedEffect : public PointEffect {
  public:
+  DirectedEffect(std::string name, std::string words, Law law);
   /// Every grid along the direction mostly measured, then along the others.
   [[nodiscard]] std::vector<Where> places(
       const Setting& setting) const override;
-  [[nodiscard]] std::vector<std::string> forms() const override {
-    return {"X", "Y", "Z"};
-  }
   /// Other axes are places of their own, not forms of what was found.
   [[nodiscard]] bool takes(const std::string&,
                            const Where&,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace tapfit::effects {
@@ -16,27 +17,45 @@ const MeasuringPoint* point_of(const structure::Deck& deck, int node) {
   return point == deck.measuring.end() ? nullptr : &*point;
 }
 
+// In the order of the channel table.
+std::vector<Where> on_each(const std::set<std::size_t>& channels,
+                           const Setting& setting) {
+  std::vector<Where> result;
+  for (const std::size_t channel : channels) {
+    result.push_back({.channels = {setting.bundle->channels[channel].name}});
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Where> sensor_places(const Setting& setting) {
-  // In the order of the channel table.
   std::set<std::size_t> used;
   for (const acquisition::Run& run : setting.bundle->runs) {
     for (const acquisition::Placement& p : run.sensors) used.insert(p.channel);
   }
-  Where all;
-  for (const std::size_t channel : used) {
-    all.channels.push_back(setting.bundle->channels[channel].name);
-  }
-  std::vector<Where> result;
-  if (all.channels.empty()) return result;
-  result.push_back(all);
-  if (all.channels.size() == 1) return result;
-  for (const std::string& channel : all.channels) {
-    Where one;
-    one.channels = {channel};
+  const std::vector<Where> each = on_each(used, setting);
+  if (each.size() < 2) return each;
+  std::vector<Where> result(1);
+  for (const Where& one : each) {
+    result.front().channels.push_back(one.channels.front());
     result.push_back(one);
   }
+  return result;
+}
+
+std::vector<Where> hammer_places(const Setting& setting) {
+  std::set<std::size_t> used;
+  for (const acquisition::Run& run : setting.bundle->runs) {
+    used.insert(run.hammer.channel);
+  }
+  return on_each(used, setting);
+}
+
+std::vector<Where> channel_places(const Setting& setting) {
+  std::vector<Where> result = sensor_places(setting);
+  std::erase_if(result, [](const Where& w) { return w.channels.size() > 1; });
+  std::ranges::copy(hammer_places(setting), std::back_inserter(result));
   return result;
 }
 

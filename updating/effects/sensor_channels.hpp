@@ -1,4 +1,4 @@
-// Channels that sensors are on, and where they sit in a run.
+// Channels that sensors and hammers are on, and where sensors sit in a run.
 #pragma once
 
 #include "updating/effects/effect.hpp"
@@ -11,6 +11,12 @@ namespace tapfit::effects {
 
 /// All sensor channels together, then each alone where there are several.
 [[nodiscard]] std::vector<Where> sensor_places(const Setting& setting);
+
+/// Each hammer channel alone.
+[[nodiscard]] std::vector<Where> hammer_places(const Setting& setting);
+
+/// Each sensor channel, then each hammer channel.
+[[nodiscard]] std::vector<Where> channel_places(const Setting& setting);
 
 /// A sensor of the run on one of the channels of `where`.
 struct PlacedSensor {

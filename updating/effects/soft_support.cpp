@@ -1,13 +1,14 @@
-#include "updating/effects/soft_support.hpp"
-
+// A support that gives way: the constrained rotation (about the clamp's line)
+// or translation is released and held by springs, k per metre of clamp. Its
+// forms have both, a k that runs linearly from one end of the line to the
+// other, or one k per area of the face (support_face.hpp).
+#include "updating/effects/effects.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace tapfit::effects {
@@ -69,137 +70,150 @@ std::vector<Spring> springs_of(const std::vector<updating::SupportPart>& parts,
   return springs;
 }
 
+class SoftSupport final : public Effect {
+ public:
+  SoftSupport()
+      : Effect(
+            {.name = "soft-support",
+             .words = "support that gives",
+             .sits = Sits::OnLine,
+             .changes_stiffness = updating::ChangeKind::Support,
+             .forms = {
+                 "face", "both", "rotation-varying", "translation-varying"}}) {}
+
+  // Each connected group of constrained grids, and all of them together; the
+  // rotation and the translation of each that is held.
+  std::vector<Where> places(const Setting& setting) const override {
+    std::vector<Where> result;
+    if (setting.deck == nullptr) return result;
+    std::vector<std::vector<int>> groups =
+        updating::support_groups(*setting.deck);
+    if (groups.size() > 1) {
+      std::vector<int> all;
+      for (const std::vector<int>& group : groups) {
+        all.insert(all.end(), group.begin(), group.end());
+      }
+      groups.push_back(all);
+    }
+    for (const std::vector<int>& group : groups) {
+      for (const char* variant : {"rotation", "translation"}) {
+        Where where{.nodes = group, .variant = variant};
+        if (!parts_of(where, setting).empty()) result.push_back(where);
+      }
+    }
+    return result;
+  }
+
+  bool takes(const std::string& form,
+             const Where& place,
+             const Setting& setting) const override {
+    const bool any = form == "both" || form == "face";
+    if (!any && !form.starts_with(place.variant)) return false;
+    Where where = place;
+    where.variant = form;
+    return !parts_of(where, setting).empty();
+  }
+
+  std::vector<ParameterSpec> parameters(const Where& where,
+                                        const Setting& setting) const override {
+    // The scale at which a support is as soft as the structure's inertia is
+    // heavy at the band's ends; the fit starts from a scan over this range.
+    const double low = setting.low();
+    const double high = setting.high();
+    std::vector<ParameterSpec> specs;
+    for (const updating::SupportPart& part : parts_of(where, setting)) {
+      const bool is_face = part.motion == SupportMotion::Face;
+      // A face gives in its turn first.
+      const double held = is_face ? part.turn : part.line.length;
+      const double size = part.motion == SupportMotion::Translation ? 1.0 : 0.1;
+      const double per_length = setting.mass_kg * size / held;
+      specs.push_back(spread(parameter_name(part),
+                             1e-2 * low * low * per_length,
+                             1e4 * high * high * per_length));
+    }
+    return specs;
+  }
+
+  std::vector<Derived> derived(const Where& where,
+                               const Setting& setting) const override {
+    std::vector<Derived> totals;
+    const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+    const auto add =
+        [&](const std::string& name, std::size_t k, double factor) {
+          if (totals.empty() || totals.back().name != name) {
+            totals.push_back({name, std::vector<double>(parts.size(), 0.0)});
+          }
+          totals.back().factors[k] = factor;
+        };
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const updating::SupportPart& part = parts[k];
+      if (part.motion != SupportMotion::Face) {
+        add(total_name(part.motion), k, part.line.length);
+        continue;
+      }
+      for (const auto& [motion, whole] :
+           {std::pair{SupportMotion::Rotation, part.turn},
+            std::pair{SupportMotion::Translation, area_of(part)}}) {
+        add(total_name(motion), k, whole);
+        add(total_name(motion) + "_per_m", k, whole / part.line.length);
+      }
+    }
+    return totals;
+  }
+
+  std::vector<structure::Constraint> released(
+      const Where& where, const Setting& setting) const override {
+    std::vector<structure::Constraint> result;
+    const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+    for (const Spring& spring :
+         springs_of(parts, std::vector<double>(parts.size(), 1.0))) {
+      if (spring.with != 0) continue;
+      const auto own =
+          card_component(*setting.deck, spring.node, spring.component);
+      if (own) result.push_back({spring.node, std::to_string(*own)});
+    }
+    return result;
+  }
+
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const override {
+    std::vector<std::string> cards;
+    int offset = 0;
+    const auto append = [&](const std::vector<std::string>& more) {
+      cards.insert(cards.end(), more.begin(), more.end());
+      offset += static_cast<int>(more.size());
+    };
+    for (const auto& [node, component, with, stiffness] :
+         springs_of(parts_of(where, setting), p)) {
+      if (with != 0) {
+        append(structure::coupling_spring_cards(
+            *setting.deck, offset, node, {component, with}, stiffness));
+        continue;
+      }
+      if (!card_component(*setting.deck, node, component)) {
+        cards.push_back(fmt::format(
+            "$ grid {}: no component along its axes (CD) is the one released; "
+            "give it CD 0, then a CELAS2 of {:.4g} {} on component {}",
+            node,
+            stiffness,
+            component > 3 ? "N m/rad" : "N/m",
+            component));
+        continue;
+      }
+      append(ground_spring_cards(
+          *setting.deck, offset, node, component, stiffness));
+    }
+    return cards;
+  }
+};
+
 }  // namespace
 
-std::vector<Where> SoftSupport::places(const Setting& setting) const {
-  std::vector<Where> result;
-  if (setting.deck == nullptr) return result;
-  std::vector<std::vector<int>> groups =
-      updating::support_groups(*setting.deck);
-  if (groups.size() > 1) {
-    std::vector<int> all;
-    for (const std::vector<int>& group : groups) {
-      all.insert(all.end(), group.begin(), group.end());
-    }
-    groups.push_back(all);
-  }
-  for (const std::vector<int>& group : groups) {
-    for (const char* variant : {"rotation", "translation"}) {
-      Where where;
-      where.nodes = group;
-      where.variant = variant;
-      if (!parts_of(where, setting).empty()) result.push_back(where);
-    }
-  }
-  return result;
-}
-
-std::vector<std::string> SoftSupport::forms() const {
-  return {"face", "both", "rotation-varying", "translation-varying"};
-}
-
-bool SoftSupport::takes(const std::string& form,
-                        const Where& place,
-                        const Setting& setting) const {
-  const bool any = form == "both" || form == "face";
-  if (!any && !form.starts_with(place.variant)) return false;
-  Where where = place;
-  where.variant = form;
-  return !parts_of(where, setting).empty();
-}
-
-std::vector<ParameterSpec> SoftSupport::parameters(
-    const Where& where, const Setting& setting) const {
-  // The scale at which a support is as soft as the structure's inertia is
-  // heavy at the band's ends; the fit starts from a scan over this range.
-  const double low = 2.0 * std::numbers::pi * setting.low_hz;
-  const double high = 2.0 * std::numbers::pi * setting.high_hz;
-  std::vector<ParameterSpec> specs;
-  for (const updating::SupportPart& part : parts_of(where, setting)) {
-    const bool is_face = part.motion == SupportMotion::Face;
-    // A face gives in its turn first.
-    const double held = is_face ? part.turn : part.line.length;
-    const double size = part.motion == SupportMotion::Translation ? 1.0 : 0.1;
-    const double per_length = setting.mass_kg * size / held;
-    const double lower = 1e-2 * low * low * per_length;
-    const double upper = 1e4 * high * high * per_length;
-    specs.push_back(
-        {parameter_name(part), std::sqrt(lower * upper), lower, upper});
-  }
-  return specs;
-}
-
-std::vector<Effect::Derived> SoftSupport::derived(
-    const Where& where, const Setting& setting) const {
-  std::vector<Derived> totals;
-  const std::vector<updating::SupportPart> parts = parts_of(where, setting);
-  const auto add = [&](const std::string& name, std::size_t k, double factor) {
-    if (totals.empty() || totals.back().name != name) {
-      totals.push_back({name, std::vector<double>(parts.size(), 0.0)});
-    }
-    totals.back().factors[k] = factor;
-  };
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const updating::SupportPart& part = parts[k];
-    if (part.motion != SupportMotion::Face) {
-      add(total_name(part.motion), k, part.line.length);
-      continue;
-    }
-    for (const auto& [motion, whole] :
-         {std::pair{SupportMotion::Rotation, part.turn},
-          std::pair{SupportMotion::Translation, area_of(part)}}) {
-      add(total_name(motion), k, whole);
-      add(total_name(motion) + "_per_m", k, whole / part.line.length);
-    }
-  }
-  return totals;
-}
-
-std::vector<structure::Constraint> SoftSupport::released(
-    const Where& where, const Setting& setting) const {
-  std::vector<structure::Constraint> result;
-  const std::vector<updating::SupportPart> parts = parts_of(where, setting);
-  for (const Spring& spring :
-       springs_of(parts, std::vector<double>(parts.size(), 1.0))) {
-    if (spring.with != 0) continue;
-    const auto own =
-        card_component(*setting.deck, spring.node, spring.component);
-    if (own) result.push_back({spring.node, std::to_string(*own)});
-  }
-  return result;
-}
-
-std::vector<std::string> SoftSupport::bulk_data(
-    const Where& where,
-    const Setting& setting,
-    const std::vector<double>& p) const {
-  std::vector<std::string> cards;
-  int offset = 0;
-  const auto append = [&](const std::vector<std::string>& more) {
-    cards.insert(cards.end(), more.begin(), more.end());
-    offset += static_cast<int>(more.size());
-  };
-  for (const auto& [node, component, with, stiffness] :
-       springs_of(parts_of(where, setting), p)) {
-    if (with != 0) {
-      append(structure::coupling_spring_cards(
-          *setting.deck, offset, node, {component, with}, stiffness));
-      continue;
-    }
-    if (!card_component(*setting.deck, node, component)) {
-      cards.push_back(fmt::format(
-          "$ grid {}: no component along its axes (CD) is the one released; "
-          "give it CD 0, then a CELAS2 of {:.4g} {} on component {}",
-          node,
-          stiffness,
-          component > 3 ? "N m/rad" : "N/m",
-          component));
-      continue;
-    }
-    append(
-        ground_spring_cards(*setting.deck, offset, node, component, stiffness));
-  }
-  return cards;
+const Effect& soft_support() {
+  static const SoftSupport effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

@@ -1,5 +1,6 @@
 #include "updating/effects/stiffness_loss.hpp"
 
+#include "updating/effects/effects.hpp"
 #include "updating/places/element_patches.hpp"
 #include "updating/places/stretched_patches.hpp"
 
@@ -15,52 +16,72 @@ double mass_left(double p) { return std::cbrt(p); }
 
 double mass_left_slope(double p) { return std::cbrt(p) / (3.0 * p); }
 
-std::vector<Where> StiffnessLoss::places(const Setting& setting) const {
-  std::vector<Where> result;
-  if (setting.deck == nullptr) return result;
-  for (std::vector<int>& patch : updating::element_patches(*setting.deck)) {
-    Where where;
-    where.elements = std::move(patch);
-    result.push_back(std::move(where));
-  }
-  return result;
-}
-
 std::vector<std::vector<int>> weakened_beside(const Where& where,
                                               const structure::Deck& deck) {
   if (!updating::has_edges(where)) return {};
   return updating::layers_beside(where.elements, deck);
 }
 
-std::vector<ParameterSpec> StiffnessLoss::parameters(
-    const Where& where, const Setting& setting) const {
-  std::vector<ParameterSpec> specs = {{"factor", 0.5, 0.04, 1.0}};
-  const std::size_t edges = weakened_beside(where, *setting.deck).size();
-  for (std::size_t edge = 1; edge <= edges; ++edge) {
-    specs.push_back({fmt::format("edge_{}_factor", edge), 0.9, 0.04, 1.0});
-  }
-  return specs;
-}
+namespace {
 
-std::vector<std::string> StiffnessLoss::bulk_data(
-    const Where& where,
-    const Setting& setting,
-    const std::vector<double>& p) const {
-  const auto line = [&where](const std::vector<int>& elements, double left) {
-    return fmt::format(
-        "$ Stiffness of elements {} times {:.4g}{}: they have a "
-        "property and material of their own above",
-        fmt::join(elements, ", "),
-        left,
-        updating::takes_mass(where)
-            ? fmt::format(", mass times {:.4g}", mass_left(left))
-            : "");
-  };
-  std::vector<std::string> lines = {line(where.elements, p.front())};
-  for (const auto& layer : weakened_beside(where, *setting.deck)) {
-    lines.push_back(line(layer, p[lines.size()]));
+class StiffnessLoss final : public Effect {
+ public:
+  StiffnessLoss()
+      : Effect(
+            {.name = "stiffness-loss",
+             .words = "loss of stiffness",
+             .sits = Sits::OnElements,
+             .changes_stiffness = updating::ChangeKind::Elements,
+             .forms = {
+                 updating::pocket, updating::edges, updating::pocket_edges}}) {}
+
+  // Each element, patches of growing size around it, whole properties.
+  std::vector<Where> places(const Setting& setting) const override {
+    std::vector<Where> result;
+    if (setting.deck == nullptr) return result;
+    for (std::vector<int>& patch : updating::element_patches(*setting.deck)) {
+      result.push_back({.elements = std::move(patch)});
+    }
+    return result;
   }
-  return lines;
+
+  std::vector<ParameterSpec> parameters(const Where& where,
+                                        const Setting& setting) const override {
+    std::vector<ParameterSpec> specs = {{"factor", 0.5, 0.04, 1.0}};
+    const std::size_t edges = weakened_beside(where, *setting.deck).size();
+    for (std::size_t edge = 1; edge <= edges; ++edge) {
+      specs.push_back({fmt::format("edge_{}_factor", edge), 0.9, 0.04, 1.0});
+    }
+    return specs;
+  }
+
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>& p) const override {
+    const auto line = [&where](const std::vector<int>& elements, double left) {
+      return fmt::format(
+          "$ Stiffness of elements {} times {:.4g}{}: they have a "
+          "property and material of their own above",
+          fmt::join(elements, ", "),
+          left,
+          updating::takes_mass(where)
+              ? fmt::format(", mass times {:.4g}", mass_left(left))
+              : "");
+    };
+    std::vector<std::string> lines = {line(where.elements, p.front())};
+    for (const auto& layer : weakened_beside(where, *setting.deck)) {
+      lines.push_back(line(layer, p[lines.size()]));
+    }
+    return lines;
+  }
+};
+
+}  // namespace
+
+const Effect& stiffness_loss() {
+  static const StiffnessLoss effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

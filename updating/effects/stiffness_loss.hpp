@@ -4,8 +4,10 @@
 // it ends within elements, of each layer beside it a factor of its own is left.
 #pragma once
 
-#include "updating/effects/stiffness_effect.hpp"
 #include "updating/places/location.hpp"
+#include "updating/structure/deck/deck.hpp"
+
+#include <vector>
 
 namespace tapfit::effects {
 
@@ -18,31 +20,6 @@ namespace tapfit::effects {
 /// Elements that each parameter after the first scales: with edges the layers
 /// beside its own, else none.
 [[nodiscard]] std::vector<std::vector<int>> weakened_beside(
-    const Where& where, const structure::Deck& deck);
-
-class StiffnessLoss final : public StiffnessEffect {
- public:
-  [[nodiscard]] std::string name() const override { return "stiffness-loss"; }
-  [[nodiscard]] std::string physics() const override {
-    return "elements with less stiffness; lowers the modes that strain them, "
-           "in proportion to the strain energy there";
-  }
-  [[nodiscard]] std::optional<updating::ChangeKind> changes_stiffness()
-      const override {
-    return updating::ChangeKind::Elements;
-  }
-  [[nodiscard]] std::vector<std::string> forms() const override {
-    return {updating::pocket, updating::edges, updating::pocket_edges};
-  }
-  /// Each element, patches of growing size around it, whole properties.
-  [[nodiscard]] std::vector<Where> places(
-      const Setting& setting) const override;
-  [[nodiscard]] std::vector<ParameterSpec> parameters(
-      const Where& where, const Setting& setting) const override;
-  [[nodiscard]] std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
-      const std::vector<double>& p) const override;
-};
+    const updating::Where& where, const structure::Deck& deck);
 
 }  // namespace tapfit::effects

@@ -7,6 +7,7 @@
 #include "updating/effects/stiffness_loss.hpp"
 #include "updating/fit/fit_setting.hpp"
 #include "updating/properties/property_cards.hpp"
+#include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
@@ -81,7 +82,8 @@ struct IdentifiedCards {
 
 IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
                                  const structure::Deck& deck,
-                                 const std::vector<Estimate>& identified) {
+                                 const std::vector<Estimate>& identified,
+                                 const std::vector<ModelForm>& form) {
   IdentifiedCards result;
   for (const auto& uncertain : bundle.uncertain) {
     const PropertyLaw law =
@@ -91,6 +93,14 @@ IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
     result.scales.push_back(
         property_card(deck, uncertain, found->value / law.nominal));
     result.estimates.push_back(*found);
+  }
+  constexpr std::size_t k1 = 17;  // of a PBAR, the name at 0
+  for (const ModelForm& found : form) {
+    if (found.form != section_shear) continue;
+    structure::CardScale sheared{"PBAR", found.property, {k1, k1 + 1}};
+    sheared.value = shear_coefficient(found.share.value);
+    result.scales.push_back(std::move(sheared));
+    result.estimates.push_back(found.share);
   }
   return result;
 }
@@ -190,14 +200,16 @@ std::vector<std::string> effect_cards(
 UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
                          const structure::Deck& deck,
                          const std::vector<Candidate>& added_effects,
-                         const std::vector<Estimate>& identified) {
+                         const std::vector<Estimate>& identified,
+                         const std::vector<ModelForm>& form) {
   const effects::Setting setting = setting_of(bundle, deck);
   std::vector<structure::Constraint> released;
   for (const auto& added : added_effects) {
     const auto out = effects::find(added.effect).released(added.where, setting);
     released.insert(released.end(), out.begin(), out.end());
   }
-  const IdentifiedCards cards = identified_cards(bundle, deck, identified);
+  const IdentifiedCards cards =
+      identified_cards(bundle, deck, identified, form);
   const structure::WeakenCards weak(deck,
                                     weak_elements(added_effects, setting));
   EffectCards written = cards_of(added_effects, bundle, deck);
@@ -243,8 +255,11 @@ void write_updated_deck(Session& session,
       diagnosis_of_named(session.ladder(progress),
                          session.comparison(progress),
                          session.model_parameters(progress));
-  UpdatedDeck updated = updated_deck(
-      session.bundle(), deck, named.candidates, named.model_parameters);
+  UpdatedDeck updated = updated_deck(session.bundle(),
+                                     deck,
+                                     named.candidates,
+                                     named.model_parameters,
+                                     session.model_form(progress));
   structure::Deck changed = deck;
   changed.cards = std::move(updated.lines);
   structure::write_deck(changed, updated.added, path);

@@ -33,12 +33,14 @@ struct UpdatedDeck {
 
 /// @param added_effects with the values that all of them together have
 /// @param identified uncertain properties
+/// @param form what the deck leaves out, put on its cards
 /// @throws InputError for a deck that cannot be read again
 [[nodiscard]] UpdatedDeck updated_deck(
     const acquisition::TestBundle& bundle,
     const structure::Deck& deck,
     const std::vector<Candidate>& added_effects,
-    const std::vector<Estimate>& identified);
+    const std::vector<Estimate>& identified,
+    const std::vector<ModelForm>& form = {});
 
 /// @throws InputError for a bundle without a deck, a file that cannot be
 ///   written; Stopped

@@ -3,7 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/mode_choices.hpp"
-#include "updating/reduction/mesh_factors.hpp"
+#include "updating/reduction/corrections.hpp"
 #include "updating/residual/mesh_error.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 
@@ -115,11 +115,11 @@ SolvedModel solve_model(const structure::Deck& deck,
                         structure::can_refine(deck);
   options.split = has_mesh && 4 * deck.grids.size() <= refined_grid_limit;
   SolvedModel model{
-      BaseBuilder(deck, bundle.uncertain, options, progress), {}, 0};
+      BaseBuilder(deck, bundle.uncertain, options, progress), {}, {}};
   if (options.split) {
     options.split = false;
     model.coarse.emplace(deck, bundle.uncertain, options, progress);
-    model.mesh_factors = model.builder.hold_mesh_error(*model.coarse);
+    model.corrections = model.builder.hold_corrections(*model.coarse);
   }
   return model;
 }
@@ -129,8 +129,11 @@ FitGround prepare_fits(const SolvedModel& model,
                        const Progress& progress) {
   FitGround ground;
   FitSetting setting = fit_setting(test, model.builder, progress);
-  std::ranges::copy(mesh_factor_sd(model.mesh_factors),
-                    std::back_inserter(setting.uncertain_sd));
+  setting.uncertain_mean.resize(setting.uncertain_sd.size());
+  for (const Correction& correction : model.corrections) {
+    setting.uncertain_sd.push_back(correction.sd);
+    setting.uncertain_mean.push_back(correction.mean);
+  }
   ground.contour = setting.contour;
   ground.properties = property_names(*test.setting.bundle, *test.setting.deck);
   if (setting.modes) {
@@ -151,7 +154,7 @@ FitGround prepare_fits(const SolvedModel& model,
     const Eigen::VectorXd bias = mesh_error(
         *base.model, *coarse.model_for({}), base.result.state, target);
     ground.floor_mesh = bias.norm();
-    ground.fitter->set_mesh(*model.coarse, model.mesh_factors, bias);
+    ground.fitter->set_mesh(*model.coarse, bias);
   }
   return ground;
 }

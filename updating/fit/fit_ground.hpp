@@ -18,7 +18,7 @@ namespace tapfit::updating {
 struct SolvedModel {
   BaseBuilder builder;                ///< split where that is affordable
   std::optional<BaseBuilder> coarse;  ///< the deck's own elements, if split
-  std::size_t mesh_factors = 0;       ///< of `builder`, if split
+  std::vector<Correction> corrections = {};  ///< of `builder`, if split
 
   [[nodiscard]] const BaseBuilder& unsplit() const {
     return coarse ? *coarse : builder;

@@ -1,6 +1,5 @@
 #include "updating/fit/fitter.hpp"
 
-#include "acquisition/samples/statistics.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
@@ -14,6 +13,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -22,10 +22,31 @@ using Eigen::Index;
 namespace {
 
 // What the structure's modes have without the effects that damp some of them
-// on top: of the modes fitted the middle one.
-double typical(const ModelState& state) {
-  return state.zeta.size() == 0 ? state.zeta_other
-                                : acquisition::median(state.zeta);
+// on top: of the modes fitted the middle one, each by the share of its prior's
+// variance that the data took off. Modes that show nowhere say nothing.
+double typical(const UpdateResult& result) {
+  const ModelState& state = result.state;
+  const auto first = static_cast<Index>(state.factor.size());
+  const Eigen::MatrixXd& covariance = result.covariance;
+  std::vector<std::pair<double, double>> seen;  // ratio, share
+  double half = 0.0;
+  for (Index q = 0; q < state.zeta.size(); ++q) {
+    const Index k = first + q;
+    if (k >= covariance.rows()) break;
+    const double prior = result.prior.sd(k) * result.prior.sd(k);
+    const double share = std::clamp(1.0 - covariance(k, k) / prior, 0.0, 1.0);
+    seen.emplace_back(state.zeta(q), share);
+    half += 0.5 * share;
+  }
+  constexpr double nothing = 1e-3;
+  if (half < nothing) return state.zeta_other;
+  std::ranges::sort(seen);
+  double sum = 0.0;
+  for (const auto& [zeta, share] : seen) {
+    sum += share;
+    if (sum >= half) return zeta;
+  }
+  return state.zeta_other;
 }
 
 }  // namespace
@@ -53,12 +74,9 @@ Fitter Fitter::with(FitSetting setting) const {
   return other;
 }
 
-void Fitter::set_mesh(const BaseBuilder& coarser,
-                      std::size_t factors,
-                      const Eigen::VectorXd& bias) {
+void Fitter::set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias) {
   coarser_ = &coarser;
   plain_coarser_ = Fitter(coarser, setting_).model_for({});
-  mesh_factors_ = factors;
   setting_.targets.back().mesh_bias = bias;
 }
 
@@ -68,9 +86,8 @@ const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   if (fresh) {
     if (setting_.modes && !effect.shows_in_modes()) return it->second;
     it->second = effect.places(setting_.setting);
-    const bool anywhere =
-        dynamic_cast<const effects::PointEffect*>(&effect) != nullptr ||
-        effect.changes_stiffness() == ChangeKind::Joint;
+    const bool anywhere = effect.sits_at_grid() ||
+                          effect.changes_stiffness() == ChangeKind::Joint;
     if (anywhere) it->second = told_apart(it->second, *setting_.setting.deck);
   }
   return it->second;
@@ -134,7 +151,8 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   Ground ground{with_mesh_at(*before.model,
                              coarser,
                              state,
-                             setting_.uncertain_sd.size() - mesh_factors_),
+                             setting_.uncertain_sd.size() -
+                                 before.model->base().corrections.size()),
                 before.target};
   if (change_stiffness(state.effects)) {
     ground.target.mesh_bias =
@@ -315,7 +333,7 @@ class Fitter::Course {
   // within the scatter of ratios there is no telling.
   bool take_damping() {
     ModelState& state = result_.state;
-    const double now = typical(state);
+    const double now = typical(result_);
     if (std::abs(std::log(now / state.zeta_other)) <
         0.2 * fitter_->setting_.damping_spread) {
       return false;

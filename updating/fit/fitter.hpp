@@ -36,9 +36,10 @@ struct FitSetting {
   std::shared_ptr<const ModalData> modes = nullptr;
   std::string contour;               ///< the last target's line, in words
   std::vector<double> uncertain_sd;  ///< of ln factor
-  double damping_ratio = 0.01;       ///< typical, as identified
-  double damping_spread = 0.5;       ///< prior sd of ln zeta
-  double form_allowance = 1.0;       ///< see FormView
+  std::vector<double> uncertain_mean = {};  ///< likewise; 0 where none is given
+  double damping_ratio = 0.01;              ///< typical, as identified
+  double damping_spread = 0.5;              ///< prior sd of ln zeta
+  double form_allowance = 1.0;              ///< see FormView
 };
 
 struct Fit {
@@ -130,12 +131,8 @@ class Fitter {
 
   /// What fits need to know of the mesh's error.
   /// @param coarser the deck's own mesh, where that of the base is split
-  /// @param factors how many of the last in FitSetting::uncertain_sd are the
-  ///   mesh's
   /// @param bias what the mesh may be off by, see Target::mesh_bias
-  void set_mesh(const BaseBuilder& coarser,
-                std::size_t factors,
-                const Eigen::VectorXd& bias);
+  void set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias);
 
   /// Where an effect may be in this setting, so far as a measurement could tell
   /// places apart; worked out when first asked for.
@@ -166,7 +163,6 @@ class Fitter {
   const BaseBuilder* builder_;
   const BaseBuilder* coarser_ = nullptr;
   std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
-  std::size_t mesh_factors_ = 0;
   FitSetting setting_;
 
   struct KnownPlaces {

@@ -39,8 +39,11 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
   prior.lower = Eigen::VectorXd::Constant(n, -infinite);
   prior.upper = Eigen::VectorXd::Constant(n, infinite);
   Index k = 0;
+  const std::vector<double>& mean = setting_.uncertain_mean;
   for (const double sd : setting_.uncertain_sd) {
     prior.sd(k) = sd;
+    const auto at = static_cast<std::size_t>(k);
+    if (at < mean.size()) prior.mean(k) = mean[at];
     prior.lower(k) = -1.0;
     prior.upper(k) = 1.0;
     ++k;

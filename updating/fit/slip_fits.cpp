@@ -16,8 +16,10 @@ SlipFit fit_of(const structure::Deck& deck,
                const Progress& progress) {
   FitSetting setting = like.setting();
   setting.setting.deck = &deck;
-  // The mesh's factors come last, and belong to the split mesh.
-  setting.uncertain_sd.resize(setting.setting.bundle->uncertain.size());
+  // Those of corrections come last, and belong to the split mesh.
+  const std::size_t own = setting.setting.bundle->uncertain.size();
+  setting.uncertain_sd.resize(own);
+  setting.uncertain_mean.resize(own);
   const BaseBuilder builder = like.builder().for_deck(deck);
   const Fitter fitter(builder, std::move(setting));
   const Fit fit = fitter.fit({}, fitter.model_for({}), {{}, progress.stop});

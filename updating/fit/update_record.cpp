@@ -2,7 +2,6 @@
 
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/prior_l_curve.hpp"
-#include "updating/reduction/mesh_factors.hpp"
 
 #include <fmt/format.h>
 
@@ -23,20 +22,24 @@ struct Named {
   std::vector<Index> shown;  // all but the damping
 };
 
-Named named_parameters(const ModelState& state,
+Named named_parameters(const Fit& fit,
                        const effects::Setting& setting,
                        const std::vector<PropertyName>& properties) {
+  const ModelState& state = fit.result.state;
+  const std::vector<Correction>& corrections = fit.model->base().corrections;
   Named all;
   const auto add = [&all](std::string name, double unit, bool shown) {
     if (shown) all.shown.push_back(static_cast<Index>(all.name.size()));
     all.name.push_back(std::move(name));
     all.unit.push_back(unit);
   };
+  const std::size_t own = state.factor.size() - corrections.size();
   for (std::size_t k = 0; k < state.factor.size(); ++k) {
-    const bool own = k < properties.size();
-    add(own ? properties[k].name : mesh_factor_name(k - properties.size()),
-        own ? properties[k].nominal : 1.0,
-        true);
+    if (k >= own) {
+      add(corrections[k - own].name, 1.0, true);
+    } else {
+      add(properties.at(k).name, properties[k].nominal, true);
+    }
   }
   for (Index q = 0; q < state.zeta.size(); ++q) {
     add(fmt::format("damping of mode {}", q + 1), 1.0, false);
@@ -102,7 +105,7 @@ UpdateRecord record_of(const Fit& fit,
                        const std::vector<PropertyName>& names,
                        const std::string& lines) {
   const UpdateResult& result = fit.result;
-  Named named = named_parameters(result.state, setting, names);
+  Named named = named_parameters(fit, setting, names);
   // What was held is no parameter of the fit.
   std::erase_if(named.shown, [&result](Index k) {
     return k < result.covariance.rows() && !(result.covariance(k, k) > 0.0);

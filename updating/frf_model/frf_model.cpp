@@ -132,7 +132,8 @@ BaseModes FrfModel::base_modes(const ModelState& state) const {
     if (term.N.size() == 0) continue;
     M += mass_change_of(term, state) * term.mass_at(state.factor);
   }
-  return solve_modes(K, M);
+  // A base that holds changes of stiffness has not the coordinates of modes.
+  return solve_modes(K, M, base_.terms.empty());
 }
 
 std::vector<PairEnds> FrfModel::ends(const TestAsDone& done) const {

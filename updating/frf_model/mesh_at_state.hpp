@@ -9,7 +9,7 @@
 
 namespace tapfit::updating {
 
-/// The model with its first mesh factor (mesh_factors.hpp) taken from the modes
+/// The model with its first correction (corrections.hpp) taken from the modes
 /// that both meshes have at this state, in place of those without effects.
 ///
 /// @param model of the finer mesh; its base holds that factor

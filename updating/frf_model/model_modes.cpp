@@ -29,9 +29,9 @@ std::vector<std::size_t> by_frequency(const VectorXd& omega) {
 
 }  // namespace
 
-BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M) {
+BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M, bool in_modes) {
   BaseModes modes;
-  if (M.isIdentity(1e-14) && is_diagonal(K)) {
+  if (in_modes && M.isIdentity(1e-14) && is_diagonal(K)) {
     // Modes in their first order: a common factor does not change places.
     modes.omega = K.diagonal().cwiseMax(0.0).cwiseSqrt();
     modes.phi = MatrixXd::Identity(K.rows(), K.cols());

@@ -17,8 +17,11 @@ struct BaseModes {
 };
 
 /// @param K, M r x r, M positive definite
+/// @param in_modes where M = I and K is diagonal but for rounding beside its
+///   largest entries, the coordinates may be taken for the modes
 [[nodiscard]] BaseModes solve_modes(const Eigen::MatrixXd& K,
-                                    const Eigen::MatrixXd& M);
+                                    const Eigen::MatrixXd& M,
+                                    bool in_modes = true);
 
 /// Stiffness and mass in the coordinates of modes, r x r.
 struct ModalMatrices {

@@ -6,6 +6,7 @@
 #include "updating/measurement/usual_modes.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -32,10 +33,12 @@ signal::FrfSet sample(const signal::FrfSet& set,
   for (std::size_t k = 0; k < few; ++k) {
     kept.insert(places[k * (places.size() - 1) / (few - 1)]);
   }
-  signal::FrfSet part = set;
-  std::erase_if(part.frfs, [&kept](const signal::Frf& frf) {
-    return !kept.contains(frf.response.node);
-  });
+  signal::FrfSet part;
+  part.s = set.s;
+  std::ranges::copy_if(
+      set.frfs, std::back_inserter(part.frfs), [&kept](const signal::Frf& frf) {
+        return kept.contains(frf.response.node);
+      });
   return part;
 }
 
@@ -90,11 +93,11 @@ std::optional<ReadyFrfs> moved_frfs(const signal::FrfSet& set,
 
 ReadyFrfs read_ready_frfs(acquisition::TestBundle& bundle,
                           const Progress& progress) {
-  const signal::FrfSet set = read_bundle_frfs(bundle).set;
-  ReadyFrfs stayed = laid_out(set, bundle, Sensors::Stayed, progress);
+  ReadyFrfs stayed =
+      laid_out(read_bundle_frfs(bundle).set, bundle, Sensors::Stayed, progress);
   acquisition::TestBundle moving = bundle;
   std::optional<ReadyFrfs> moved =
-      stayed.modes ? moved_frfs(set, moving, *stayed.modes, progress)
+      stayed.modes ? moved_frfs(stayed.set, moving, *stayed.modes, progress)
                    : std::nullopt;
   if (moved) {
     bundle = std::move(moving);

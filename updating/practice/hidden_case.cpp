@@ -171,7 +171,8 @@ class Draw {
     const auto squares = [&](double k) {
       const BaseModes modes =
           solve_modes(base.K + (k - term.included) * term.S,
-                      Eigen::MatrixXd::Identity(base.size(), base.size()));
+                      Eigen::MatrixXd::Identity(base.size(), base.size()),
+                      false);
       Eigen::VectorXd ascending = modes.omega.cwiseAbs2();
       std::sort(ascending.begin(), ascending.end());
       return Eigen::VectorXd(

@@ -44,18 +44,21 @@ struct Kind {
   Assemble assemble;
 };
 
-// Elements on which the same properties act; these multiply there.
+// Elements that count on which the same properties act; these multiply there.
 struct Group {
   std::vector<std::size_t> properties;
   std::set<int> elements;
 };
 
 std::vector<Group> grouped(const std::vector<PropertyLaw>& laws,
-                           const std::vector<int>& degree) {
+                           const std::vector<int>& degree,
+                           const std::function<bool(int)>& wanted) {
   std::map<int, std::vector<std::size_t>> of_element;
   for (std::size_t j = 0; j < laws.size(); ++j) {
     if (degree[j] == 0) continue;
-    for (const int id : laws[j].elements) of_element[id].push_back(j);
+    for (const int id : laws[j].elements) {
+      if (wanted(id)) of_element[id].push_back(j);
+    }
   }
   std::map<std::vector<std::size_t>, std::set<int>> alike;
   for (const auto& [id, properties] : of_element) {
@@ -73,13 +76,10 @@ struct Expander {
   const std::vector<UncertainProperty>& uncertain;
   const Kind& kind;
   const Group& group;
-  const std::function<bool(int)>& wanted;
 
   [[nodiscard]] Expansion expand(const Deck& deck, std::size_t k) const {
     if (k == group.properties.size()) {
-      const auto own = [this](int id) {
-        return group.elements.contains(id) && wanted(id);
-      };
+      const auto own = [this](int id) { return group.elements.contains(id); };
       return {{Powers(uncertain.size(), 0), kind.assemble(deck, own)}};
     }
     const std::size_t j = group.properties[k];
@@ -109,8 +109,8 @@ Expansion expansion(const Deck& deck,
                     const Kind& kind,
                     const std::function<bool(int)>& wanted) {
   Expansion all;
-  for (const Group& group : grouped(laws, kind.degree)) {
-    const Expander expander{uncertain, kind, group, wanted};
+  for (const Group& group : grouped(laws, kind.degree, wanted)) {
+    const Expander expander{uncertain, kind, group};
     Expansion own = expander.expand(deck, 0);
     const Powers nominal(uncertain.size(), 0);
     const double size = own.at(nominal).norm();

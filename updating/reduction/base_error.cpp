@@ -1,5 +1,7 @@
 #include "updating/reduction/base_error.hpp"
 
+#include "updating/structure/solve/symmetric_product.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +30,8 @@ double base_error(const structure::System& system,
   if (moving.empty()) return 0.0;
   const auto count = static_cast<Index>(moving.size());
   const MatrixXd rows = V(moving, Eigen::all);
-  const MatrixXd KV = system.K * V;
-  const MatrixXd MV = system.M * V;
+  const MatrixXd KV = structure::symmetric_product(system.K, V);
+  const MatrixXd MV = structure::symmetric_product(system.M, V);
   double worst = 0.0;
   for (const double part : {0.3, 0.65, 1.0}) {
     const std::complex<double> s =

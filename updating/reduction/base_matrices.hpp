@@ -6,9 +6,17 @@
 
 #include <Eigen/Core>
 
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
+
+/// A factor that is fitted along with what is uncertain, see corrections.hpp.
+struct Correction {
+  std::string name;
+  double sd = 0.0;    ///< of ln f, before anything is measured
+  double mean = 0.0;  ///< likewise
+};
 
 struct ReducedBase {
   PointRows rows;     ///< of V, for the deck's own grids
@@ -17,7 +25,8 @@ struct ReducedBase {
   std::vector<std::vector<int>> part_power;
   std::vector<Eigen::MatrixXd> K_part;  ///< one per power, r x r
   std::vector<Eigen::MatrixXd> M_part;
-  std::vector<StiffnessTerm> terms;  ///< of the changes asked for
+  std::vector<Correction> corrections;  ///< the last factors of the parts
+  std::vector<StiffnessTerm> terms;     ///< of the changes asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
 };

@@ -1,11 +1,14 @@
 #include "updating/reduction/change_range.hpp"
 
 #include "acquisition/foundation/constants.hpp"
+#include "updating/reduction/seen_through.hpp"
+#include "updating/structure/solve/free_motions.hpp"
 
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace tapfit::updating {
 
@@ -17,25 +20,30 @@ ChangeRange spring_range(const ReleasedSystem& released,
                          const ScaledStiffness& own,
                          const PlainModes& modes,
                          const structure::SparseMatrix& T) {
-  VectorXd length = VectorXd::Zero(released.dofs());
-  for (const ScaledStiffness& part : released.scaled) {
-    if (part.change == own.change) length += part.S.diagonal();
+  std::vector<int> held;
+  std::vector<double> length;
+  for (int k = 0; k < static_cast<int>(own.S.cols()); ++k) {
+    if (!(own.S.coeff(k, k) > 0.0)) continue;
+    held.push_back(k);
+    double whole = 0.0;
+    for (const ScaledStiffness& part : released.scaled) {
+      if (part.change == own.change) whole += part.S.coeff(k, k);
+    }
+    length.push_back(whole);
   }
-  MatrixXd rigid = MatrixXd::Zero(released.dofs(), modes.hz.size());
-  rigid.topRows(modes.shapes.rows()) = modes.shapes;
-  MatrixXd reaction = released.K * rigid;
-  if (T.size() > 0) {
-    // Of what follows a rigid element too.
-    reaction.topRows(T.rows()) =
-        (T.transpose() * reaction.topRows(T.rows())).eval();
-  }
-  const VectorXd held = own.S.diagonal();
+  // What holds them feels of the rigid structure's modes, with what follows a
+  // rigid element: the forces of unit motions, on few degrees of freedom, say.
+  const structure::SparseMatrix forces =
+      *released.K * structure::unit_motions(T, held, released.dofs());
+  const structure::SparseMatrix felt =
+      forces.topRows(modes.shapes.rows()).transpose();
   double worst = 0.0;
   for (Index r = 0; r < modes.hz.size(); ++r) {
     if (modes.hz(r) > modes.high_hz || modes.hz(r) < 1e-3) continue;
+    const VectorXd reaction = felt * modes.shapes.col(r);
     double sum = 0.0;
-    for (Index k = 0; k < held.size(); ++k) {
-      if (held(k) > 0.0) sum += std::pow(reaction(k, r), 2) / length(k);
+    for (std::size_t k = 0; k < held.size(); ++k) {
+      sum += std::pow(reaction(static_cast<Index>(k)), 2) / length[k];
     }
     worst = std::max(worst, sum / std::pow(two_pi * modes.hz(r), 2));
   }
@@ -49,7 +57,7 @@ ChangeRange added_range(const structure::SparseMatrix& S,
                         const PlainModes& modes) {
   // Of what buckles the structure: its frequency is then a third.
   constexpr double nearly = 0.9;
-  MatrixXd energy = modes.shapes.transpose() * (S * modes.shapes);
+  MatrixXd energy = seen_through(modes.shapes, S);
   double most = 0.0;
   for (Index r = 0; r < modes.hz.size(); ++r) {
     // What the whole does as a rigid body strains nothing.

@@ -49,9 +49,11 @@ struct HeldBase {
 /// Of elements that soften to a share `least` of their stiffness S; costs a
 /// factorisation. FRFs through a base with them are good to 5e-4 down to 4 %
 /// of the stiffness and 5e-5 at half of it.
-/// @return n x columns, orthonormal in M
+/// @param N mass that the elements lose with it, n x n; 0 x 0: none
+/// @return n x columns; those of S orthonormal in M, and those of N
 [[nodiscard]] Eigen::MatrixXd loss_modes(const HeldBase& base,
                                          const structure::SparseMatrix& S,
+                                         const structure::SparseMatrix& N,
                                          double least);
 
 /// Of a stiffness S that is added, of one sign, up to `most` times; costs a
@@ -61,12 +63,5 @@ struct HeldBase {
 [[nodiscard]] Eigen::MatrixXd added_modes(const HeldBase& base,
                                           const structure::SparseMatrix& S,
                                           double most);
-
-/// What the mass of elements that are thinned drives besides.
-/// @param N n x n, mass of the elements
-[[nodiscard]] Eigen::MatrixXd thinned_modes(const HeldBase& base,
-                                            const structure::SparseMatrix& S,
-                                            const structure::SparseMatrix& N,
-                                            double least);
 
 }  // namespace tapfit::updating

@@ -7,6 +7,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cassert>
+#include <utility>
+
 namespace tapfit::updating {
 
 using Eigen::Index;
@@ -14,83 +17,77 @@ using Eigen::MatrixXd;
 using structure::SparseMatrix;
 
 void turn(ReducedBase& base, const MatrixXd& Q) {
+  assert(base.terms.empty());
+  const auto turn_one = [&Q](MatrixXd& A) {
+    // A property of stiffness has no mass, one of mass no stiffness.
+    A = A.isZero(0.0) ? MatrixXd(MatrixXd::Zero(Q.cols(), Q.cols()))
+                      : MatrixXd(Q.transpose() * A * Q);
+  };
   base.rows.turn(Q);
-  base.K = (Q.transpose() * base.K * Q).eval();
-  for (MatrixXd& part : base.K_part) part = (Q.transpose() * part * Q).eval();
-  for (MatrixXd& part : base.M_part) part = (Q.transpose() * part * Q).eval();
-  for (StiffnessTerm& term : base.terms) {
-    term.S = (Q.transpose() * term.S * Q).eval();
-    for (MatrixXd& part : term.S_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-    if (term.N.size() == 0) continue;
-    term.N = (Q.transpose() * term.N * Q).eval();
-    for (MatrixXd& part : term.N_part) {
-      part = (Q.transpose() * part * Q).eval();
-    }
-  }
+  turn_one(base.K);
+  for (MatrixXd& part : base.K_part) turn_one(part);
+  for (MatrixXd& part : base.M_part) turn_one(part);
 }
 
 namespace {
 
-void hold(const std::vector<int>& dofs,
-          const MatrixXd& V,
-          const MatrixXd& R,
-          ReducedBase& base) {
-  if (dofs.empty()) return;
+// The coordinates that leave what is held at rest.
+MatrixXd at_rest(const std::vector<int>& dofs,
+                 const MatrixXd& V,
+                 const MatrixXd& R) {
   MatrixXd rows(static_cast<Index>(dofs.size()), V.cols() + R.cols());
   rows << V(dofs, Eigen::all), R(dofs, Eigen::all);
-  const MatrixXd Q = motions_without(rows);
+  MatrixXd Q = motions_without(rows);
   if (Q.cols() == 0) {
     throw InputError("nothing of the model moves in reach of the band",
                      "where it is held",
                      "hold fewer of its grids");
   }
-  turn(base, Q);
-  base.rows.set_at_rest(dofs);
+  return Q;
 }
 
 }  // namespace
 
 ReducedBase extended_base(const MatrixXd& V,
                           const ReducedBase& fixed,
-                          const MatrixXd& extra,
+                          MatrixXd extra,
                           const ReleasedSystem& released,
-                          const std::vector<MeshFactor>& of_mesh) {
-  const Index n = V.rows();
-  const MatrixXd R = beyond(released.M, V, extra);
+                          const std::vector<CorrectionPart>& corrections) {
+  const MatrixXd R = beyond(*released.M, V, std::move(extra));
   const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
-    MatrixXd whole(a + b, a + b);
+    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
+    if (A.nonZeros() == 0) return whole;
     whole.rightCols(b) = seen_through(V, R, A);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     return whole;
   };
+  const std::vector<UncertainPart>& parts = *released.parts;
   ReducedBase base;
   base.rows = fixed.rows.with(R.topRows(fixed.rows.rows()));
-  base.K = grow(fixed.K, released.K);
+  base.K = grow(fixed.K, *released.K);
   base.part_power = fixed.part_power;
-  for (std::size_t k = 0; k < released.parts.size(); ++k) {
-    base.K_part.push_back(grow(fixed.K_part[k], released.parts[k].K));
-    base.M_part.push_back(grow(fixed.M_part[k], released.parts[k].M));
+  base.corrections = fixed.corrections;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
+    base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
   }
-  const auto padded = [&](const MatrixXd& known) {
-    MatrixXd whole = MatrixXd::Zero(a + b, a + b);
-    whole.topLeftCorner(a, a) = known;
-    return whole;
-  };
-  for (std::size_t k = 0; k < of_mesh.size(); ++k) {
-    const MatrixXd& K = fixed.K_part[released.parts.size() + k];
-    SparseMatrix beyond = of_mesh[k].beyond;
-    beyond.conservativeResize(released.dofs(), released.dofs());
-    base.K_part.push_back(of_mesh[k].beyond.size() > 0 ? grow(K, beyond)
-                                                       : padded(K));
-    base.M_part.push_back(padded(fixed.M_part[released.parts.size() + k]));
+  for (std::size_t k = 0; k < corrections.size(); ++k) {
+    const std::size_t part = parts.size() + k;
+    base.K_part.push_back(grow(fixed.K_part[part], corrections[k].beyond));
+    base.M_part.push_back(grow(fixed.M_part[part], {}));
+  }
+  MatrixXd left;
+  if (!released.held.empty()) {
+    left = at_rest(released.held, V, R);
+    turn(base, left);
+    base.rows.set_at_rest(released.held);
   }
   const auto through = [&](const SparseMatrix& A) {
-    return grow(seen_through(V, A.topLeftCorner(n, n)), A);
+    MatrixXd seen = seen_through_all(V, R, A);
+    return left.size() == 0 ? seen : MatrixXd(left.transpose() * seen * left);
   };
   for (const ScaledStiffness& scaled : released.scaled) {
     StiffnessTerm& term = base.terms.emplace_back();
@@ -104,8 +101,9 @@ ReducedBase extended_base(const MatrixXd& V,
       if (loses_mass) term.N_part.push_back(through(part.M));
     }
   }
-  hold(released.held, V, R, base);
-  turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  if (base.terms.empty()) {
+    turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+  }
   return base;
 }
 

@@ -1,4 +1,4 @@
-// A reduced base with a few vectors more, and in other coordinates.
+// A reduced base with a few vectors more.
 //
 //   [V R]' A [V R],   R what the further vectors have beyond V
 //
@@ -6,7 +6,7 @@
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
-#include "updating/reduction/mesh_factors.hpp"
+#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/released_system.hpp"
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@
 
 namespace tapfit::updating {
 
-/// Other coordinates of the same span: V Q.
+/// Other coordinates of the same span, V Q, of a base without terms.
 void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 
 /// Only products with the new vectors are taken in the large space; what is
@@ -23,13 +23,17 @@ void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 /// @param V n x r, M-orthonormal
 /// @param fixed the model seen through V
 /// @param extra released.dofs() x columns
-/// @param of_mesh the last of the fixed base's parts
-/// @return with a term for each of released.scaled; its K is diagonal
+/// @param corrections the last of the fixed base's parts
+/// @return with a term for each of released.scaled. Without one K is diagonal;
+///   with one the modes are others for all that its parameter may be, and the
+///   coordinates are those of V, then those of R, or of what is held what these
+///   leave
 /// @throws InputError where nothing is left that moves
-[[nodiscard]] ReducedBase extended_base(const Eigen::MatrixXd& V,
-                                        const ReducedBase& fixed,
-                                        const Eigen::MatrixXd& extra,
-                                        const ReleasedSystem& released,
-                                        const std::vector<MeshFactor>& of_mesh);
+[[nodiscard]] ReducedBase extended_base(
+    const Eigen::MatrixXd& V,
+    const ReducedBase& fixed,
+    Eigen::MatrixXd extra,
+    const ReleasedSystem& released,
+    const std::vector<CorrectionPart>& corrections);
 
 }  // namespace tapfit::updating

@@ -13,15 +13,14 @@ SparseMatrix lent_mass(const SparseMatrix& stiffness,
                        double high_hz) {
   constexpr double above = 1e4;
   const double square = std::pow(2.0 * std::numbers::pi * above * high_hz, 2);
-  const Eigen::VectorXd K = stiffness.diagonal();
-  const Eigen::VectorXd M = mass.diagonal();
   std::vector<Eigen::Triplet<double>> lent;
   for (const int i : dofs) {
-    if (M(i) != 0.0 || !(K(i) > 0.0)) continue;
-    lent.emplace_back(i, i, K(i) / square);
+    const double K = stiffness.coeff(i, i);
+    if (mass.coeff(i, i) != 0.0 || !(K > 0.0)) continue;
+    lent.emplace_back(i, i, K / square);
   }
   if (lent.empty()) return {};
-  SparseMatrix added(M.size(), M.size());
+  SparseMatrix added(mass.rows(), mass.cols());
   added.setFromTriplets(lent.begin(), lent.end());
   return added;
 }

@@ -24,7 +24,7 @@ constexpr double same_mode = 0.5;
 // coarser mesh hardly has.
 constexpr double largest_change = 0.3;
 
-// Of the modal mass that may be taken off: with f of mesh_factors() up to 2.7
+// Of the modal mass that may be taken off: with f of corrections() up to 2.7
 // what is left must stay positive.
 constexpr double largest_mass = 0.5;
 

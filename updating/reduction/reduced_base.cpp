@@ -6,13 +6,15 @@
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/change_range.hpp"
 #include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/corrections.hpp"
+#include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
-#include "updating/reduction/mesh_factors.hpp"
 #include "updating/reduction/released_system.hpp"
+#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/static_answers.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -23,6 +25,7 @@
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
 #include "updating/structure/solve/free_motions.hpp"
+#include "updating/structure/solve/symmetric_product.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -78,7 +81,7 @@ struct BaseBuilder::Impl {
   double error = 0.0;  // of FRFs through the whole
   std::vector<std::string> warnings;
   std::optional<StaticAnswers> answers;
-  std::vector<MeshFactor> of_mesh;  // parts of the bases beyond the plain ones
+  std::vector<CorrectionPart> corrected;  // parts beyond the plain ones
 
   [[nodiscard]] SolvedBase solve(const structure::Deck& deck,
                                  const Progress& progress) const;
@@ -87,6 +90,7 @@ struct BaseBuilder::Impl {
   [[nodiscard]] VectorXd pull() const;
   /// Of the modes, how many are a rigid body's; they come first.
   [[nodiscard]] Index rigid_count() const;
+  [[nodiscard]] std::vector<FormModes> form_modes() const;
 
   void make_lean();
   [[nodiscard]] MatrixXd needed(const Span& span,
@@ -140,14 +144,10 @@ BaseBuilder::BaseBuilder(
   }
   m.shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   m.answers.emplace(m.system, m.motions, m.shift);
-  m.plain = {m.system.K,
-             m.system.M,
-             uncertain_parts(m.mesh.deck, uncertain),
-             {},
-             m.motions.free};
+  m.plain = nothing_released(m.system, uncertain_parts(m.mesh.deck, uncertain));
   SolvedBase solved = kept_or_solved(options.cache,
                                      {m.system,
-                                      m.plain.parts,
+                                      *m.plain.parts,
                                       m.options.points,
                                       m.motions.size(),
                                       options.high_hz,
@@ -164,7 +164,7 @@ BaseBuilder::BaseBuilder(
   fixed.K = std::move(solved.K);
   fixed.K_part = std::move(solved.K_part);
   fixed.M_part = std::move(solved.M_part);
-  for (const UncertainPart& part : m.plain.parts) {
+  for (const UncertainPart& part : *m.plain.parts) {
     fixed.part_power.push_back(part.power);
   }
   m.make_lean();
@@ -184,26 +184,44 @@ BaseBuilder BaseBuilder::for_deck(const structure::Deck& deck) const {
   return {deck, impl_->uncertain, options, Progress{}};
 }
 
-std::size_t BaseBuilder::hold_mesh_error(const BaseBuilder& coarser) {
+std::vector<Correction> BaseBuilder::hold_corrections(
+    const BaseBuilder& coarser) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.original_grids;
   ReducedBase& fixed = m.wide.base;
-  m.of_mesh = mesh_factors(m.mesh.deck,
-                           m.wide.V,
-                           {m.modes.topRows(known), m.modes_hz},
-                           {c.modes.topRows(known), c.modes_hz});
+  m.corrected = corrections(m.mesh.deck,
+                            m.wide.V,
+                            {{m.modes.topRows(known), m.modes_hz},
+                             {c.modes.topRows(known), c.modes_hz},
+                             m.form_modes()});
   const std::size_t first = m.uncertain.size();
-  const std::size_t all = first + m.of_mesh.size();
+  const std::size_t all = first + m.corrected.size();
   for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);
-  for (std::size_t k = 0; k < m.of_mesh.size(); ++k) {
+  for (std::size_t k = 0; k < m.corrected.size(); ++k) {
     fixed.part_power.emplace_back(all, 0);
     fixed.part_power.back()[first + k] = 1;
-    fixed.K_part.push_back(m.of_mesh[k].K);
-    fixed.M_part.push_back(m.of_mesh[k].M);
+    fixed.K_part.push_back(m.corrected[k].K);
+    fixed.M_part.push_back(m.corrected[k].M);
+    fixed.corrections.push_back(m.corrected[k].correction);
   }
   m.make_lean();
-  return m.of_mesh.size();
+  return fixed.corrections;
+}
+
+std::vector<FormModes> BaseBuilder::Impl::form_modes() const {
+  std::vector<FormModes> forms;
+  for (DeckForm& form : deck_forms(mesh.deck)) {
+    const structure::System other = structure::assemble(form.deck);
+    const structure::Eigenmodes found =
+        structure::eigenmodes_up_to(motions.reduce(other.K),
+                                    motions.reduce(system.M),
+                                    options.reach * options.high_hz);
+    forms.push_back({std::move(form.correction),
+                     {motions.expand(found.phi).topRows(6 * original_grids),
+                      found.frequency_hz}});
+  }
+  return forms;
 }
 
 void BaseBuilder::Impl::make_lean() {
@@ -211,7 +229,8 @@ void BaseBuilder::Impl::make_lean() {
   lean_options.high_hz = options.high_hz;
   std::vector<double> sd;
   for (const auto& u : uncertain) sd.push_back(u.sd_percent / 100.0);
-  std::ranges::copy(mesh_factor_sd(of_mesh.size()), std::back_inserter(sd));
+  std::ranges::transform(
+      wide.base.corrections, std::back_inserter(sd), &Correction::sd);
   for (const double s : sd) {
     lean_options.spread.push_back(std::clamp(2.0 * s, 0.1, 1.0));
   }
@@ -281,10 +300,11 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
                        deck.path.string(),
                        "check units, supports and the points' directions");
     }
-    const MatrixXd projected = V.transpose() * (system.K * V);
+    const MatrixXd projected =
+        V.transpose() * structure::symmetric_product(system.K, V);
     V = (V * Eigen::SelfAdjointEigenSolver<MatrixXd>(projected).eigenvectors())
             .eval();
-    solved.K = V.transpose() * (system.K * V);
+    solved.K = V.transpose() * structure::symmetric_product(system.K, V);
     solved.error = base_error(system,
                               *answers,
                               V,
@@ -293,15 +313,15 @@ SolvedBase BaseBuilder::Impl::solve(const structure::Deck& deck,
                               options.high_hz);
     if (solved.error <= exact_enough) break;
   }
-  for (const UncertainPart& part : plain.parts) {
-    solved.K_part.emplace_back(V.transpose() * (part.K * V));
-    solved.M_part.emplace_back(V.transpose() * (part.M * V));
+  for (const UncertainPart& part : *plain.parts) {
+    solved.K_part.push_back(seen_through(V, part.K));
+    solved.M_part.push_back(seen_through(V, part.M));
   }
   return solved;
 }
 
 VectorXd BaseBuilder::Impl::pull() const {
-  MatrixXd reaction = system.K * modes;
+  MatrixXd reaction = structure::symmetric_product(system.K, modes);
   // Of what follows a rigid element too.
   if (system.T.size() > 0) reaction = (system.T.transpose() * reaction).eval();
   const MatrixXd seen = modes(options.points, Eigen::all);
@@ -332,26 +352,21 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
                                    const ReleasedSystem& released,
                                    const std::vector<StiffnessChange>& changes,
                                    const std::vector<int>& fresh) const {
-  const auto padded = [&released](const MatrixXd& block) {
-    MatrixXd whole = MatrixXd::Zero(released.dofs(), block.cols());
-    whole.topRows(block.rows()) = block;
-    return whole;
-  };
   const VectorXd stiffness = span.base.K.diagonal();
   const HeldBase held = {
       system, motions, *answers, span.V, stiffness, shift, options.high_hz};
-  std::vector<MatrixXd> blocks = {padded(answers->to_points(fresh))};
+  std::vector<MatrixXd> blocks;
+  if (!fresh.empty()) blocks.push_back(answers->to_points(fresh));
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
   if (!released.held.empty()) {
-    blocks.push_back(padded(held_modes(held, released.held)));
+    blocks.push_back(held_modes(held, released.held));
   }
   const Index n = system.dofs();
   const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
-    const SparseMatrix own = S.topLeftCorner(n, n);
-    blocks.push_back(padded(loss_modes(held, own, loss_range.lower)));
-    if (N.size() == 0) return;
-    blocks.push_back(padded(
-        thinned_modes(held, own, N.topLeftCorner(n, n), loss_range.lower)));
+    SparseMatrix own_mass;
+    if (N.size() > 0) own_mass = N.topLeftCorner(n, n);
+    blocks.push_back(
+        loss_modes(held, S.topLeftCorner(n, n), own_mass, loss_range.lower));
   };
   for (std::size_t c = 0; c < changes.size(); ++c) {
     const ChangeKind kind = changes[c].kind;
@@ -360,8 +375,7 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
       if (scaled.change != c) continue;
       if (kind == ChangeKind::Preload) {
         const double most = range_of(released, scaled, kind).upper;
-        blocks.push_back(
-            padded(added_modes(held, scaled.S.topLeftCorner(n, n), most)));
+        blocks.push_back(added_modes(held, scaled.S.topLeftCorner(n, n), most));
       }
       if (kind != ChangeKind::Elements) continue;
       if (all.S.size() == 0) {
@@ -375,7 +389,7 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
     // With what is lost beside it: in between it runs smoothly.
     if (!changes[c].beside.empty()) add_loss(all.S, all.N);
   }
-  return join(blocks);
+  return join(std::move(blocks));
 }
 
 ReducedBase BaseBuilder::build(const std::vector<int>& points,
@@ -393,22 +407,21 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   if (changes.empty() && fresh.empty()) return span.base;
   std::optional<ReleasedSystem> own;  // where it is not the plain one
   if (!changes.empty()) {
-    own = release(
-        m.mesh, m.system, m.plain.parts, m.uncertain, changes, m.pulled);
+    own = release(m.mesh, m.system, m.plain, m.uncertain, changes, m.pulled);
     lend_mass(m.motions.free, m.options.high_hz, *own);
   }
   SparseMatrix lent = lent_mass(m.system, fresh, m.options.high_hz);
   if (lent.size() > 0) {
     if (!own) own = m.plain;
     lent.conservativeResize(own->dofs(), own->dofs());
-    own->M += lent;
+    own->add_mass(lent);
   }
   const ReleasedSystem& released = own ? *own : m.plain;
   ReducedBase base = extended_base(span.V,
                                    span.base,
                                    m.needed(span, released, changes, fresh),
                                    released,
-                                   m.of_mesh);
+                                   m.corrected);
   for (std::size_t k = 0; k < base.terms.size(); ++k) {
     const ScaledStiffness& scaled = released.scaled[k];
     const StiffnessChange& change = changes[scaled.change];

@@ -80,11 +80,10 @@ class BaseBuilder {
                                   const std::vector<StiffnessChange>& changes,
                                   BaseUse use = BaseUse::Scan) const;
 
-  /// Gives the bases further factors, of what the mesh does to the modes: see
-  /// mesh_factors().
+  /// Gives the bases further factors, of what the mesh does to the modes and of
+  /// forms that the deck lacks: see corrections().
   /// @param coarser the same deck, not split; call once, before build()
-  /// @return how many
-  std::size_t hold_mesh_error(const BaseBuilder& coarser);
+  std::vector<Correction> hold_corrections(const BaseBuilder& coarser);
 
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -21,6 +22,11 @@ using structure::Deck;
 using structure::RefinedDeck;
 using structure::SparseMatrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
+
+template <typename T>
+std::shared_ptr<const T> shared(T value) {
+  return std::make_shared<const T>(std::move(value));
+}
 
 int dof_index(const Deck& deck, int node, int component) {
   return 6 * static_cast<int>(deck.grid_index(node)) + component - 1;
@@ -79,8 +85,10 @@ std::vector<Triplets> support_springs(const Deck& deck,
   return springs;
 }
 
-// Appends the columns of a joint to a matrix: [A, A_B T; sym, T' A_B T].
-void append_joint(SparseMatrix& A, const SparseMatrix& side, SparseMatrix T) {
+// A matrix with the columns of a joint behind: [A, A_B T; sym, T' A_B T].
+SparseMatrix with_joint(const SparseMatrix& A,
+                        const SparseMatrix& side,
+                        SparseMatrix T) {
   const Index n = A.rows();
   const Index m = T.cols();
   T.conservativeResize(n, m);
@@ -102,8 +110,9 @@ void append_joint(SparseMatrix& A, const SparseMatrix& side, SparseMatrix T) {
   put(AT, 0, n);
   put(SparseMatrix(AT.transpose()), n, 0);
   put(TAT, n, n);
-  A.resize(n + m, n + m);
-  A.setFromTriplets(all.begin(), all.end());
+  SparseMatrix whole(n + m, n + m);
+  whole.setFromTriplets(all.begin(), all.end());
+  return whole;
 }
 
 // A motion that elements on one side have besides that of their grid, and how
@@ -158,16 +167,20 @@ Cut cut_of(const RefinedDeck& mesh, const StiffnessChange& change) {
 }
 
 // A part that the side has not is nothing there.
-void append_joint_parts(const std::vector<UncertainPart>& side,
-                        const SparseMatrix& T,
-                        std::vector<UncertainPart>& parts) {
+std::vector<UncertainPart> parts_with_joint(
+    const std::vector<UncertainPart>& parts,
+    const std::vector<UncertainPart>& side,
+    const SparseMatrix& T) {
   const SparseMatrix none(T.rows(), T.rows());
-  for (UncertainPart& part : parts) {
+  std::vector<UncertainPart> result;
+  for (const UncertainPart& part : parts) {
     const auto own = std::ranges::find(side, part.power, &UncertainPart::power);
     const bool found = own != side.end();
-    append_joint(part.K, found ? own->K : none, T);
-    append_joint(part.M, found ? own->M : none, T);
+    result.push_back({part.power,
+                      with_joint(part.K, found ? own->K : none, T),
+                      with_joint(part.M, found ? own->M : none, T)});
   }
+  return result;
 }
 
 // What turns against the rest at a joint, and how.
@@ -202,10 +215,12 @@ Triplets cut_joint(const RefinedDeck& mesh,
   T.setFromTriplets(directions.begin(), directions.end());
   const std::set<int> side(joint.side.begin(), joint.side.end());
   const auto wanted = [&side](int id) { return side.contains(id); };
-  append_joint(released.K, structure::assemble_stiffness(mesh.deck, wanted), T);
-  append_joint(released.M, structure::assemble_mass(mesh.deck, wanted), T);
-  append_joint_parts(
-      uncertain_parts(mesh.deck, uncertain, wanted), T, released.parts);
+  released.K = shared(with_joint(
+      *released.K, structure::assemble_stiffness(mesh.deck, wanted), T));
+  released.M = shared(
+      with_joint(*released.M, structure::assemble_mass(mesh.deck, wanted), T));
+  released.parts = shared(parts_with_joint(
+      *released.parts, uncertain_parts(mesh.deck, uncertain, wanted), T));
   joints.push_back({side, std::move(T)});
   return springs;
 }
@@ -244,14 +259,14 @@ ScaledStiffness stiffness_of(const RefinedDeck& mesh,
     const auto turned = [&](int id) {
       return own.contains(id) && joint.side.contains(id);
     };
-    append_joint(
+    scaled.S = with_joint(
         scaled.S, structure::assemble_stiffness(mesh.deck, turned), joint.T);
     if (thinned) {
-      append_joint(
+      scaled.N = with_joint(
           scaled.N, structure::assemble_mass(mesh.deck, turned), joint.T);
     }
-    append_joint_parts(
-        uncertain_parts(mesh.deck, uncertain, turned), joint.T, scaled.parts);
+    scaled.parts = parts_with_joint(
+        scaled.parts, uncertain_parts(mesh.deck, uncertain, turned), joint.T);
   }
   return scaled;
 }
@@ -292,13 +307,26 @@ void append_preload(const RefinedDeck& mesh,
 
 }  // namespace
 
+void ReleasedSystem::add_mass(const SparseMatrix& more) {
+  M = shared(SparseMatrix(*M + more));
+}
+
+ReleasedSystem nothing_released(const structure::System& system,
+                                std::vector<UncertainPart> parts) {
+  return {shared(SparseMatrix(system.K)),
+          shared(SparseMatrix(system.M)),
+          shared(std::move(parts)),
+          {},
+          system.free_dofs()};
+}
+
 ReleasedSystem release(const RefinedDeck& mesh,
                        const structure::System& system,
-                       const std::vector<UncertainPart>& parts,
+                       const ReleasedSystem& plain,
                        const std::vector<UncertainProperty>& uncertain,
                        const std::vector<StiffnessChange>& changes,
                        const Eigen::VectorXd& pulled) {
-  ReleasedSystem released{system.K, system.M, parts, {}, system.free_dofs()};
+  ReleasedSystem released = plain;
   std::vector<std::vector<Triplets>> springs;
   std::vector<OpenJoint> joints;
   for (const StiffnessChange& change : changes) {
@@ -348,8 +376,9 @@ void lend_mass(const std::vector<int>& free,
     const bool held = std::ranges::binary_search(released.held, i);
     if (loose || held || acted(i) != 0.0) changed.push_back(i);
   }
-  const SparseMatrix lent = lent_mass(released.K, released.M, changed, high_hz);
-  if (lent.size() > 0) released.M += lent;
+  const SparseMatrix lent =
+      lent_mass(*released.K, *released.M, changed, high_hz);
+  if (lent.size() > 0) released.add_mass(lent);
 }
 
 }  // namespace tapfit::updating

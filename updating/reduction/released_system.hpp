@@ -17,6 +17,7 @@
 #include "updating/structure/mesh/refined_deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace tapfit::updating {
@@ -31,29 +32,36 @@ struct ScaledStiffness {
   structure::SparseMatrix N = {};  ///< mass that goes with it; 0 x 0: none
 };
 
+/// Copies share the matrices: most changes leave them as they are.
 struct ReleasedSystem {
-  structure::SparseMatrix K;
-  structure::SparseMatrix M;
-  std::vector<UncertainPart> parts;
-  std::vector<ScaledStiffness> scaled;  ///< change after change
-  std::vector<int> active;              ///< degrees of freedom that can move
+  std::shared_ptr<const structure::SparseMatrix> K;
+  std::shared_ptr<const structure::SparseMatrix> M;
+  std::shared_ptr<const std::vector<UncertainPart>> parts;
+  std::vector<ScaledStiffness> scaled = {};  ///< change after change
+  std::vector<int> active = {};  ///< degrees of freedom that can move
   /// Of the system's, those that are held besides (held_motions.hpp): K and M
   /// have them as if they were free.
   std::vector<int> held = {};
 
-  [[nodiscard]] Eigen::Index dofs() const { return K.rows(); }
+  [[nodiscard]] Eigen::Index dofs() const { return K->rows(); }
+  void add_mass(const structure::SparseMatrix& more);
 };
+
+/// Nothing released.
+/// @param parts its uncertain parts, as from uncertain_parts()
+[[nodiscard]] ReleasedSystem nothing_released(const structure::System& system,
+                                              std::vector<UncertainPart> parts);
 
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices
-/// @param parts its uncertain parts, as from uncertain_parts()
+/// @param plain the same, with nothing released
 /// @param pulled how hard the modes pull at what holds each degree of freedom,
 ///   relative [N or N m]: where a support gives way, translations that nothing
 ///   pulls at stay held; empty: not known
 [[nodiscard]] ReleasedSystem release(
     const structure::RefinedDeck& mesh,
     const structure::System& system,
-    const std::vector<UncertainPart>& parts,
+    const ReleasedSystem& plain,
     const std::vector<acquisition::UncertainProperty>& uncertain,
     const std::vector<StiffnessChange>& changes,
     const Eigen::VectorXd& pulled = {});

@@ -1,31 +1,34 @@
 #include "updating/reduction/seen_through.hpp"
 
+#include "updating/structure/solve/symmetric_product.hpp"
+
 #include <utility>
-#include <vector>
 
 namespace tapfit::updating {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using structure::SparseMatrix;
+using structure::symmetric_product;
+
+MatrixXd Acting::rows_of(const MatrixXd& X) const {
+  MatrixXd rows = MatrixXd::Zero(A.rows(), X.cols());
+  for (std::size_t k = 0; k < dofs.size(); ++k) {
+    if (dofs[k] >= X.rows()) break;
+    rows.row(static_cast<Index>(k)) = X.row(dofs[k]);
+  }
+  return rows;
+}
+
+MatrixXd Acting::spread(const MatrixXd& rows, Index n) const {
+  MatrixXd X = MatrixXd::Zero(n, rows.cols());
+  for (std::size_t k = 0; k < dofs.size(); ++k) {
+    X.row(dofs[k]) = rows.row(static_cast<Index>(k));
+  }
+  return X;
+}
 
 namespace {
-
-// What a symmetric matrix acts on, and its part there.
-struct Acting {
-  std::vector<Index> dofs;
-  SparseMatrix A;
-
-  // Rows of X there, zero behind its last one.
-  [[nodiscard]] MatrixXd rows_of(const MatrixXd& X) const {
-    MatrixXd rows = MatrixXd::Zero(A.rows(), X.cols());
-    for (std::size_t k = 0; k < dofs.size(); ++k) {
-      if (dofs[k] >= X.rows()) break;
-      rows.row(static_cast<Index>(k)) = X.row(dofs[k]);
-    }
-    return rows;
-  }
-};
 
 std::vector<Index> acted_dofs(const SparseMatrix& A) {
   std::vector<Index> dofs;
@@ -58,10 +61,10 @@ Acting acting(const SparseMatrix& A, std::vector<Index> dofs) {
 
 }  // namespace
 
+Acting acting(const SparseMatrix& A) { return acting(A, acted_dofs(A)); }
+
 MatrixXd seen_through(const MatrixXd& V, const SparseMatrix& A) {
-  const Acting few = acting(A, acted_dofs(A));
-  const MatrixXd rows = few.rows_of(V);
-  return rows.transpose() * (few.A * rows);
+  return seen_through_all(V, MatrixXd(V.rows(), 0), A);
 }
 
 MatrixXd seen_through(const MatrixXd& V,
@@ -70,15 +73,25 @@ MatrixXd seen_through(const MatrixXd& V,
   MatrixXd both(V.cols() + R.cols(), R.cols());
   std::vector<Index> dofs = acted_dofs(A);
   if (2 * static_cast<Index>(dofs.size()) > A.rows()) {
-    const MatrixXd AR = A * R;
-    both << V.transpose() * AR.topRows(V.rows()), R.transpose() * AR;
+    const MatrixXd AR = symmetric_product(A, R.topRows(A.rows()));
+    both.topRows(V.cols()).noalias() = V.transpose() * AR.topRows(V.rows());
+    both.bottomRows(R.cols()).noalias() = R.topRows(A.rows()).transpose() * AR;
   } else {
     const Acting few = acting(A, std::move(dofs));
     const MatrixXd rows = few.rows_of(R);
-    const MatrixXd AR = few.A * rows;
+    const MatrixXd AR = symmetric_product(few.A, rows);
     both << few.rows_of(V).transpose() * AR, rows.transpose() * AR;
   }
   return both;
+}
+
+MatrixXd seen_through_all(const MatrixXd& V,
+                          const MatrixXd& R,
+                          const SparseMatrix& A) {
+  const Acting few = acting(A);
+  MatrixXd rows(few.A.rows(), V.cols() + R.cols());
+  rows << few.rows_of(V), few.rows_of(R);
+  return rows.transpose() * symmetric_product(few.A, rows);
 }
 
 }  // namespace tapfit::updating

@@ -7,20 +7,43 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace tapfit::updating {
 
+/// A symmetric matrix on no more than what it acts on.
+struct Acting {
+  std::vector<Eigen::Index> dofs;  ///< ascending
+  structure::SparseMatrix A;       ///< dofs square
+
+  /// Rows of X there, zero behind its last one.
+  [[nodiscard]] Eigen::MatrixXd rows_of(const Eigen::MatrixXd& X) const;
+  /// The opposite: `rows` there, zero elsewhere, n x columns.
+  [[nodiscard]] Eigen::MatrixXd spread(const Eigen::MatrixXd& rows,
+                                       Eigen::Index n) const;
+};
+
+[[nodiscard]] Acting acting(const structure::SparseMatrix& A);
+
 /// @param V n x a
-/// @param A n x n, symmetric
+/// @param A m x m, symmetric, m >= n; what it does behind n is nothing to V
 /// @return V' A V, a x a
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const structure::SparseMatrix& A);
 
 /// @param V n x a, zero on the degrees of freedom that follow
 /// @param R m x b, m >= n
-/// @param A m x m, symmetric
+/// @param A symmetric, of n to m rows; zero behind its last one
 /// @return [V R]' A R, (a + b) x b
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const Eigen::MatrixXd& R,
                                            const structure::SparseMatrix& A);
+
+/// The same matrix through all of them, where A acts on few degrees of freedom.
+/// @return [V R]' A [V R], (a + b) square
+[[nodiscard]] Eigen::MatrixXd seen_through_all(
+    const Eigen::MatrixXd& V,
+    const Eigen::MatrixXd& R,
+    const structure::SparseMatrix& A);
 
 }  // namespace tapfit::updating

@@ -1,6 +1,9 @@
 #include "updating/reduction/static_answers.hpp"
 
 #include "updating/reduction/subspace.hpp"
+#include "updating/structure/solve/symmetric_product.hpp"
+
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -34,8 +37,10 @@ MatrixXd StaticAnswers::to_points(const std::vector<int>& points,
     if (!felt.col(k).isZero(0.0)) moving.push_back(k);
   }
   std::vector<MatrixXd> all = {to(MatrixXd(forces(Eigen::all, moving)))};
-  while (all.size() < orders) all.push_back(to(system_.M * all.back()));
-  return join(all);
+  while (all.size() < orders) {
+    all.push_back(to(structure::symmetric_product(system_.M, all.back())));
+  }
+  return join(std::move(all));
 }
 
 }  // namespace tapfit::updating

@@ -1,8 +1,12 @@
 #include "updating/reduction/subspace.hpp"
 
+#include "updating/structure/solve/symmetric_product.hpp"
+
 #include <Eigen/Eigenvalues>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -10,62 +14,87 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using structure::SparseMatrix;
+using structure::symmetric_product;
 
-MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
-  // A vector that is nothing (a patch that no mode strains) has no direction.
-  std::vector<Index> moving;
-  for (Index k = 0; k < V.cols(); ++k) {
-    const double norm = std::sqrt(V.col(k).dot(M * V.col(k)));
-    if (!(norm > 0.0)) continue;
-    V.col(k) /= norm;
-    moving.push_back(k);
-  }
-  V = MatrixXd(V(Eigen::all, moving));
-  if (moving.empty()) return V;
-  // Twice, because a residual vector nearly inside the modes' span loses
-  // digits the first time.
-  for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd gram = V.transpose() * (M * V);
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
-    const VectorXd& d = solver.eigenvalues();
-    const double limit = least * d.maxCoeff();
-    Index first = 0;
-    while (d(first) < limit) ++first;
-    const Index kept = d.size() - first;
-    const MatrixXd Q = solver.eigenvectors().rightCols(kept);
-    const VectorXd scale = d.tail(kept).cwiseSqrt().cwiseInverse();
-    V = (V * Q * scale.asDiagonal()).eval();
-  }
-  return V;
+namespace {
+
+// W with W' G W = I for the vectors' products G = V' M V: V W is orthonormal.
+// A vector that is nothing (a patch that no mode strains) has no direction.
+MatrixXd made_orthonormal(const MatrixXd& gram, double least) {
+  const VectorXd unit = gram.diagonal().unaryExpr([](double square) {
+    return square > 0.0 ? 1.0 / std::sqrt(square) : 0.0;
+  });
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      MatrixXd(unit.asDiagonal() * gram * unit.asDiagonal()));
+  const VectorXd& d = solver.eigenvalues();
+  const Index kept = (d.array() > least * std::max(d.maxCoeff(), 0.0)).count();
+  return unit.asDiagonal() * solver.eigenvectors().rightCols(kept) *
+         d.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-MatrixXd join(const std::vector<MatrixXd>& blocks) {
+// @param MV M V
+MatrixXd orthonormal(const SparseMatrix& M,
+                     MatrixXd V,
+                     const MatrixXd& MV,
+                     double least) {
+  if (V.cols() == 0) return V;
+  V = (V * made_orthonormal(V.transpose() * MV, least)).eval();
+  if (V.cols() == 0) return V;
+  // Again, because a residual vector nearly inside the modes' span loses digits
+  // the first time.
+  const MatrixXd gram = V.transpose() * symmetric_product(M, V);
+  return V * made_orthonormal(gram, least);
+}
+
+}  // namespace
+
+MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
+  const MatrixXd MV = symmetric_product(M, V);
+  return orthonormal(M, std::move(V), MV, least);
+}
+
+MatrixXd join(std::vector<MatrixXd> blocks) {
+  Index rows = 0;
   Index columns = 0;
-  for (const MatrixXd& block : blocks) columns += block.cols();
-  MatrixXd V(blocks.front().rows(), columns);
+  for (const MatrixXd& block : blocks) {
+    rows = std::max(rows, block.rows());
+    columns += block.cols();
+  }
+  for (MatrixXd& block : blocks) {
+    const bool alone = block.rows() == rows && block.cols() == columns;
+    if (alone) return std::move(block);
+  }
+  MatrixXd V(rows, columns);
   Index at = 0;
   for (const MatrixXd& block : blocks) {
-    V.middleCols(at, block.cols()) = block;
+    V.middleCols(at, block.cols()).topRows(block.rows()) = block;
+    V.middleCols(at, block.cols()).bottomRows(rows - block.rows()).setZero();
     at += block.cols();
   }
   return V;
 }
 
-MatrixXd beyond(const SparseMatrix& M,
-                const MatrixXd& V,
-                const MatrixXd& columns) {
-  MatrixXd R = columns;
+MatrixXd beyond(const SparseMatrix& M, const MatrixXd& V, MatrixXd columns) {
+  MatrixXd& R = columns;
+  const VectorXd whole = R.colwise().norm();
   const Index n = V.rows();  // the released degrees of freedom follow
+  MatrixXd MR;
   for (int pass = 0; pass < 2; ++pass) {
-    const MatrixXd MR = (M * R).topRows(n);
-    R.topRows(n) -= V * (V.transpose() * MR);
+    MR = symmetric_product(M, R);
+    R.topRows(n).noalias() -= V * (V.transpose() * MR.topRows(n));
   }
   // What is left of a vector that V holds already is rounding.
   std::vector<Index> kept;
   for (Index k = 0; k < R.cols(); ++k) {
-    if (R.col(k).norm() > 1e-8 * columns.col(k).norm()) kept.push_back(k);
+    if (R.col(k).norm() > 1e-8 * whole(k)) kept.push_back(k);
   }
-  return orthonormalise(M, MatrixXd(R(Eigen::all, kept)), 1e-12);
+  if (static_cast<Index>(kept.size()) < R.cols()) {
+    R = MatrixXd(R(Eigen::all, kept));
+    MR = MatrixXd(MR(Eigen::all, kept));
+  }
+  // What the second pass took off R since is in V's span, to which R is
+  // orthogonal: R' MR is as if taken now.
+  return orthonormal(M, std::move(R), MR, 1e-12);
 }
 
 }  // namespace tapfit::updating

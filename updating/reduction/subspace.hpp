@@ -9,8 +9,8 @@
 
 namespace tapfit::updating {
 
-/// Blocks of equal height side by side.
-[[nodiscard]] Eigen::MatrixXd join(const std::vector<Eigen::MatrixXd>& blocks);
+/// Blocks side by side; shorter ones are zero below their last row.
+[[nodiscard]] Eigen::MatrixXd join(std::vector<Eigen::MatrixXd> blocks);
 
 /// Basis of the columns' span, orthonormal in M. Directions whose share of the
 /// (normalised) columns is below `least` in the square are dropped.
@@ -25,6 +25,6 @@ namespace tapfit::updating {
 /// @param V may be shorter than M: the rows that it lacks are zero
 [[nodiscard]] Eigen::MatrixXd beyond(const structure::SparseMatrix& M,
                                      const Eigen::MatrixXd& V,
-                                     const Eigen::MatrixXd& columns);
+                                     Eigen::MatrixXd columns);
 
 }  // namespace tapfit::updating

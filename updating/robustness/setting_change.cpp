@@ -29,11 +29,12 @@ void add_priors(const FitSetting& setting,
       changes.push_back(std::move(change));
     }
   };
-  std::vector<std::size_t> of_mesh;
+  std::vector<std::size_t> corrections;
   for (std::size_t k = 0; k < setting.uncertain_sd.size(); ++k) {
-    k < properties.size() ? add(properties[k].name, {k}) : of_mesh.push_back(k);
+    k < properties.size() ? add(properties[k].name, {k})
+                          : corrections.push_back(k);
   }
-  if (!of_mesh.empty()) add("the mesh's corrections", of_mesh);
+  if (!corrections.empty()) add("the model's corrections", corrections);
   if (setting.targets.back().is_modal()) return;  // damping is no datum
   for (const double factor : {half, twice}) {
     SettingChange change{fmt::format("prior of damping {}", word(factor))};

@@ -33,10 +33,10 @@ std::vector<Screened> screen_clamps(const Fit& current,
                                     const MisfitScan& misfit,
                                     const Eigen::MatrixXcd& now) {
   std::vector<Screened> result;
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
     if (effect->changes_stiffness() != ChangeKind::Support) continue;
     for (const Where& where : fitter.places(*effect)) {
-      PlacedEffect support{effect.get(), where, {}};
+      PlacedEffect support{effect, where, {}};
       if (!is_held(where) || is_present(current, support)) continue;
       result.push_back({std::move(support)});
     }

@@ -110,7 +110,7 @@ std::vector<Screened> screen_mistakes(const Fit& current,
   const effects::Setting& setting = current.model->setting();
   PointScan scan(current, target, misfit, measured);
   std::vector<Screened> result;
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
     if (!is_screened_mistake(*effect, setting)) continue;
     if (effect->takes_any_grid()) {
       add_elsewhere(*effect, setting, scan, result);

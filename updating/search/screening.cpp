@@ -49,11 +49,10 @@ struct Places {
 
 // The axes along which a point effect is felt: a directed one along its own,
 // others along all that were tested, of which one tells most.
-std::vector<int> felt_along(const effects::PointEffect& effect,
+std::vector<int> felt_along(const effects::Effect& effect,
                             const Where& where,
                             const effects::Setting& setting) {
-  const bool directed =
-      dynamic_cast<const effects::DirectedEffect*>(&effect) != nullptr;
+  const bool directed = effect.sits() == effects::Sits::AlongAxis;
   if (directed || setting.components.empty()) {
     return {effects::component_of(where, setting)};
   }
@@ -64,11 +63,10 @@ std::vector<int> felt_along(const effects::PointEffect& effect,
 void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
   const effects::Setting& setting = fitter.setting().setting;
   std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
-  for (const auto& effect : effects::catalogue()) {
-    const auto* point = dynamic_cast<const effects::PointEffect*>(effect.get());
-    if (point == nullptr) continue;
-    for (const Where& where : fitter.places(*point)) {
-      for (const int along : felt_along(*point, where, setting)) {
+  for (const effects::Effect* effect : effects::catalogue()) {
+    if (!effect->sits_at_grid()) continue;
+    for (const Where& where : fitter.places(*effect)) {
+      for (const int along : felt_along(*effect, where, setting)) {
         MatrixXd row = source.grid(where.node, along);
         // A plane model does not move out of its plane.
         if (along != setting.component && row.isZero(0.0)) continue;
@@ -78,9 +76,9 @@ void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
           places.points.emplace_back();
           places.scanned.grids.push_back(std::move(row));
         }
-        const bool single = point->parameters(where, setting).size() == 1;
+        const bool single = effect->parameters(where, setting).size() == 1;
         Places::Kinds& kinds = places.points[it->second];
-        (single ? kinds.simple : kinds.detailed).push_back({point, where, {}});
+        (single ? kinds.simple : kinds.detailed).push_back({effect, where, {}});
       }
     }
   }
@@ -128,7 +126,7 @@ Places all_places(const FrfModel& model, const Fitter& fitter) {
   PlaceRows source(model);
   Places places;
   add_points(fitter, source, places);
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
     const auto change = effect->changes_stiffness();
     if (change == ChangeKind::Elements) {
       add_losses(*effect, fitter, source, places);
@@ -140,7 +138,7 @@ Places all_places(const FrfModel& model, const Fitter& fitter) {
     for (const Where& where : fitter.places(*effect)) {
       MatrixXd rows = source.joint(where);
       if (rows.rows() == 0) continue;
-      places.wide.push_back({effect.get(), where});
+      places.wide.push_back({effect, where});
       places.scanned.sums.push_back({places.scanned.parts.size()});
       places.scanned.parts.push_back(std::move(rows));
     }
@@ -270,15 +268,14 @@ class Screening {
   // sensors and channels. Every size is worked out, none estimated.
   [[nodiscard]] std::vector<Screened> few() const {
     std::vector<PlacedEffect> candidates;
-    for (const auto& effect : effects::catalogue()) {
+    for (const effects::Effect* effect : effects::catalogue()) {
       if (effect->changes_stiffness() ||
           effect->entry() == effects::Entry::Damping ||
-          dynamic_cast<const effects::PointEffect*>(effect.get()) != nullptr ||
-          is_screened_mistake(*effect, setting_)) {
+          effect->sits_at_grid() || is_screened_mistake(*effect, setting_)) {
         continue;
       }
       for (const Where& place : fitter_->places(*effect)) {
-        candidates.push_back({effect.get(), place, {}});
+        candidates.push_back({effect, place, {}});
       }
     }
     std::vector<Screened> result(candidates.size());

@@ -128,14 +128,14 @@ std::vector<Planned> planned_fits(const Fit& current,
                                   const Fitter& fitter,
                                   const HypothesisOptions& options) {
   std::vector<Planned> result;
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
     Planned plan;
-    plan.effect = effect.get();
+    plan.effect = effect;
     plan.tries = worth_fitting(*effect, current, screened, fitter, options);
     const Fit* known = options.known;
-    if (known != nullptr && known->effects.back().effect == effect.get()) {
+    if (known != nullptr && known->effects.back().effect == effect) {
       plan.known = known;
       std::erase_if(plan.tries, [known](const PlacedEffect& e) {
         return e.where == known->effects.back().where;

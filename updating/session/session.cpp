@@ -434,4 +434,9 @@ std::vector<Estimate> Session::model_parameters(const Progress& progress) {
       impl_->current(), impl_->ground->properties, impl_->setting());
 }
 
+std::vector<ModelForm> Session::model_form(const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  return updating::model_form(impl_->current(), deck(progress));
+}
+
 }  // namespace tapfit::updating

@@ -134,6 +134,9 @@ class Session {
   /// Parameters of the current model, uncertain base ones included.
   std::vector<Estimate> model_parameters(const Progress& progress = {});
 
+  /// What the deck of the current model is wrong by in form.
+  std::vector<ModelForm> model_form(const Progress& progress = {});
+
   /// How each of the ladder's fits came about: no base rung.
   std::vector<UpdateRecord> update_records(const Progress& progress = {});
   /// What of the model stands in the way of comparing it: mechanisms, a floor

@@ -1,42 +1,58 @@
-#include "updating/set_up/channel_polarity.hpp"
+// A channel with its sign turned round (a sensor glued upside down, swapped
+// leads): its FRFs times -1.
+#include "updating/effects/sensor_channels.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <fmt/format.h>
 
 namespace tapfit::effects {
+namespace {
 
-std::vector<ParameterSpec> ChannelPolarity::parameters(const Where&,
-                                                       const Setting&) const {
-  return {};
-}
+class ChannelPolarity final : public Effect {
+ public:
+  ChannelPolarity()
+      : Effect({.name = "channel-polarity",
+                .words = "wrong polarity of a channel",
+                .entry = Entry::Measurement,
+                .sits = Sits::OnChannels,
+                .law = Law::Own}) {}
 
-std::complex<double> ChannelPolarity::law(std::complex<double>,
-                                          const std::vector<double>&,
-                                          std::size_t) const {
-  return -1.0;
-}
-
-std::complex<double> ChannelPolarity::law_derivative(std::complex<double>,
-                                                     const std::vector<double>&,
-                                                     std::size_t,
-                                                     std::size_t) const {
-  return 0.0;
-}
-
-void ChannelPolarity::correct(const Where& where,
-                              const acquisition::TestBundle&,
-                              acquisition::TestBundle& sheet) const {
-  for (acquisition::Channel& channel : sheet.channels) {
-    const bool own = channel.name == where.channels.front();
-    if (own) channel.sensitivity = -channel.sensitivity;
+  std::vector<Where> places(const Setting& setting) const override {
+    return channel_places(setting);
   }
-}
 
-std::vector<std::string> ChannelPolarity::bulk_data(
-    const Where& where, const Setting&, const std::vector<double>&) const {
-  return {
-      fmt::format("$ Channel {} has the wrong sign; the model is not at "
-                  "fault",
-                  where.channels.front())};
+  std::complex<double> law(std::complex<double>,
+                           const std::vector<double>&,
+                           std::size_t) const override {
+    return -1.0;
+  }
+
+  // The sensitivity's sign.
+  void correct(const Where& where,
+               const acquisition::TestBundle&,
+               acquisition::TestBundle& sheet) const override {
+    for (acquisition::Channel& channel : sheet.channels) {
+      const bool own = channel.name == where.channels.front();
+      if (own) channel.sensitivity = -channel.sensitivity;
+    }
+  }
+
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting&,
+      const std::vector<double>&) const override {
+    return {
+        fmt::format("$ Channel {} has the wrong sign; the model is not at "
+                    "fault",
+                    where.channels.front())};
+  }
+};
+
+}  // namespace
+
+const Effect& channel_polarity() {
+  static const ChannelPolarity effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

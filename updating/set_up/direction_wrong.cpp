@@ -1,6 +1,9 @@
-#include "updating/set_up/direction_wrong.hpp"
-
+// A sensor or a blow along another axis than the sheet has it, or the other way
+// round: X written for Z. What has several directions, a triaxial sensor, was
+// turned as one body: by one of the 23 turns that bring axes onto axes.
 #include "updating/effects/sensor_channels.hpp"
+#include "updating/set_up/mistakes.hpp"
+#include "updating/set_up/sheet_mistake.hpp"
 #include "updating/set_up/sheet_points.hpp"
 
 #include <Eigen/Geometry>
@@ -97,44 +100,59 @@ void add_directions(const Where& where,
   }
 }
 
-}  // namespace
-
-std::vector<std::string> DirectionWrong::variants() const {
+std::vector<std::string> all_directions() {
   std::vector<std::string> all = basic_axes();
   for (std::string& turned : quarter_turns()) all.push_back(std::move(turned));
   return all;
 }
 
-std::vector<Where> DirectionWrong::places(const Setting& setting) const {
-  const acquisition::TestBundle& sheet = *setting.bundle;
-  std::vector<Where> whole = sensor_places(setting);
-  std::set<std::size_t> hammers;
-  for (const acquisition::Run& run : sheet.runs) {
-    hammers.insert(run.hammer.channel);
-  }
-  for (const std::size_t channel : hammers) {
-    whole.emplace_back();
-    whole.back().channels = {sheet.channels[channel].name};
-  }
-  std::vector<Where> result;
-  for (const Where& where : whole) {
-    add_directions(where, false, sheet, result);
-  }
-  for (const Where& point : written_points(setting)) {
-    Where channels = point;
-    channels.nodes.clear();
-    if (directions_of(channels, sheet).grids.size() < 2) continue;
-    add_directions(point, true, sheet, result);
-  }
-  return result;
-}
+class DirectionWrong final : public SheetMistake {
+ public:
+  DirectionWrong()
+      : SheetMistake({.name = "direction-wrong",
+                      .words = "direction other than written down",
+                      .entry = Entry::Measurement,
+                      .sits = Sits::AtSheetPoints,
+                      .law = Law::Own,
+                      .variants = all_directions()}) {}
 
-void DirectionWrong::correct(const Where& where,
-                             const acquisition::TestBundle& written,
-                             acquisition::TestBundle& sheet) const {
-  for_each_meant(where, written, sheet, [&](acquisition::Placement& p) {
-    p.dof = put_right(p.dof, where.variant);
-  });
+  // Each channel, all sensors together, and each point of a channel that is
+  // moved, in every direction but the one written, "+X"; where several are
+  // written, in every other turn of them all, "XYZ=+Y-X+Z": what X, Y and Z of
+  // the sheet are in truth. A channel that has the wrong sign everywhere is
+  // ChannelPolarity.
+  std::vector<Where> places(const Setting& setting) const override {
+    const acquisition::TestBundle& sheet = *setting.bundle;
+    std::vector<Where> whole = sensor_places(setting);
+    const std::vector<Where> hammers = hammer_places(setting);
+    whole.insert(whole.end(), hammers.begin(), hammers.end());
+    std::vector<Where> result;
+    for (const Where& where : whole) {
+      add_directions(where, false, sheet, result);
+    }
+    for (const Where& point : written_points(setting)) {
+      Where channels = point;
+      channels.nodes.clear();
+      if (directions_of(channels, sheet).grids.size() < 2) continue;
+      add_directions(point, true, sheet, result);
+    }
+    return result;
+  }
+
+  void correct(const Where& where,
+               const acquisition::TestBundle& written,
+               acquisition::TestBundle& sheet) const override {
+    for_each_meant(where, written, sheet, [&](acquisition::Placement& p) {
+      p.dof = put_right(p.dof, where.variant);
+    });
+  }
+};
+
+}  // namespace
+
+const Effect& direction_wrong() {
+  static const DirectionWrong effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

@@ -1,8 +1,14 @@
-#include "updating/set_up/support_mismatch.hpp"
-
+// Supports of the model that are not those of the test.
+//
+// One that the structure did not have: the test hung free, or was pinned where
+// the deck clamps. What the deck holds is released and held by nothing.
+//
+// One that the deck does not have: the test was clamped or stood on something
+// where the deck is free. What moves there is held (held_motions.hpp).
 #include "updating/places/clamp_places.hpp"
 #include "updating/places/held_support.hpp"
 #include "updating/places/support_line.hpp"
+#include "updating/set_up/mistakes.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 #include "updating/structure/edit/hold_cards.hpp"
 
@@ -40,9 +46,7 @@ std::vector<Where> places_freed(const Setting& setting,
   for (const std::vector<int>& group : groups) {
     std::size_t most = 0;
     for (const std::string& variant : variants) {
-      Where where;
-      where.nodes = group;
-      where.variant = variant;
+      Where where{.nodes = group, .variant = variant};
       const std::size_t count = freed(where, setting).size();
       // What frees all that is held is the same under another name.
       if (count == 0 || count == most) continue;
@@ -74,9 +78,7 @@ std::vector<Where> places_held(const structure::Deck& deck) {
     std::string known;  // what holds no more is the same under another name
     for (const std::string& variant : {hinge, clamp}) {
       if (variant == clamp && !has_turns(deck, nodes)) continue;
-      Where where;
-      where.nodes = nodes;
-      where.variant = variant;
+      Where where{.nodes = nodes, .variant = variant};
       std::string all;
       for (const auto& grid : updating::newly_held(deck, where)) {
         all += fmt::format("{}:{} ", grid.node, grid.components);
@@ -89,15 +91,14 @@ std::vector<Where> places_held(const structure::Deck& deck) {
   return result;
 }
 
-}  // namespace
-
-std::vector<std::string> SupportMismatch::variants() const {
+std::vector<std::string> mismatch_variants() {
   std::vector<std::string> all = updating::freed_variants();
   all.insert(all.end(), {clamp, hinge});
   return all;
 }
 
-std::vector<std::string> SupportMismatch::forms() const {
+// Held along one axis only, where a hinge does well.
+std::vector<std::string> held_along_one() {
   std::vector<std::string> single = updating::held_variants();
   std::erase_if(single, [](const std::string& variant) {
     return variant == clamp || variant == hinge;
@@ -105,51 +106,75 @@ std::vector<std::string> SupportMismatch::forms() const {
   return single;
 }
 
-bool SupportMismatch::takes(const std::string& form,
-                            const Where& place,
-                            const Setting& setting) const {
-  if (place.variant != hinge) return false;
-  Where where = place;
-  where.variant = form;
-  return !updating::newly_held(*setting.deck, where).empty();
-}
+class SupportMismatch final : public Effect {
+ public:
+  SupportMismatch()
+      : Effect({.name = "support-mismatch",
+                .words = "support other than in the model",
+                .sits = Sits::OnLine,
+                .changes_stiffness = updating::ChangeKind::Support,
+                .is_mistake = true,
+                .forms = held_along_one(),
+                .variants = mismatch_variants()}) {}
 
-std::vector<Where> SupportMismatch::places(const Setting& setting) const {
-  if (setting.deck == nullptr) return {};
-  std::vector<Where> supports =
-      places_freed(setting, updating::freed_variants());
-  return supports.empty() ? places_held(*setting.deck) : supports;
-}
+  bool takes(const std::string& form,
+             const Where& place,
+             const Setting& setting) const override {
+    if (place.variant != hinge) return false;
+    Where where = place;
+    where.variant = form;
+    return !updating::newly_held(*setting.deck, where).empty();
+  }
 
-std::vector<structure::Constraint> SupportMismatch::released(
-    const Where& where, const Setting& setting) const {
-  std::vector<structure::Constraint> result;
-  if (updating::is_held(where)) return result;
-  for (const updating::SupportDof& dof : freed(where, setting)) {
-    const std::optional<int> own =
-        dof.own_axes ? dof.component
-                     : card_component(*setting.deck, dof.node, dof.component);
-    if (own) result.push_back({dof.node, std::to_string(*own)});
+  // All supports, then each connected group of constrained grids, free, free to
+  // turn, and free to move along each axis; those that hold anything so. Of a
+  // deck that nothing holds each of clamp_places(), held and held as by a
+  // hinge: that a structure is held elsewhere than in its deck, besides, is
+  // tried by name.
+  std::vector<Where> places(const Setting& setting) const override {
+    if (setting.deck == nullptr) return {};
+    std::vector<Where> supports =
+        places_freed(setting, updating::freed_variants());
+    return supports.empty() ? places_held(*setting.deck) : supports;
   }
-  return result;
-}
 
-std::vector<std::string> SupportMismatch::bulk_data(
-    const Where& where,
-    const Setting& setting,
-    const std::vector<double>&) const {
-  if (!updating::is_held(where)) {
-    return {fmt::format("$ Not held in the test: {}", describe(where))};
+  std::vector<structure::Constraint> released(
+      const Where& where, const Setting& setting) const override {
+    std::vector<structure::Constraint> result;
+    if (updating::is_held(where)) return result;
+    for (const updating::SupportDof& dof : freed(where, setting)) {
+      const std::optional<int> own =
+          dof.own_axes ? dof.component
+                       : card_component(*setting.deck, dof.node, dof.component);
+      if (own) result.push_back({dof.node, std::to_string(*own)});
+    }
+    return result;
   }
-  std::vector<structure::Constraint> fresh;
-  for (const auto& grid : updating::newly_held(*setting.deck, where)) {
-    fresh.push_back({grid.node, grid.components});
+
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting& setting,
+      const std::vector<double>&) const override {
+    if (!updating::is_held(where)) {
+      return {fmt::format("$ Not held in the test: {}", describe(where))};
+    }
+    std::vector<structure::Constraint> fresh;
+    for (const auto& grid : updating::newly_held(*setting.deck, where)) {
+      fresh.push_back({grid.node, grid.components});
+    }
+    std::vector<std::string> cards = hold_cards(*setting.deck, fresh);
+    cards.insert(cards.begin(),
+                 fmt::format("$ Held in the test (case control: SPC = {})",
+                             constraint_set(*setting.deck)));
+    return cards;
   }
-  std::vector<std::string> cards = hold_cards(*setting.deck, fresh);
-  cards.insert(cards.begin(),
-               fmt::format("$ Held in the test (case control: SPC = {})",
-                           constraint_set(*setting.deck)));
-  return cards;
+};
+
+}  // namespace
+
+const Effect& support_mismatch() {
+  static const SupportMismatch effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

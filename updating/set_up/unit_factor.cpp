@@ -1,6 +1,10 @@
-#include "updating/set_up/unit_factor.hpp"
-
+// A channel in another unit than the sheet says: kN for N, g for m/s^2, pounds,
+// inches, a range switch a decade off, or velocity where acceleration is meant.
+// Its FRFs are multiplied by a known factor, or by s to a power. In one run
+// only, with those of its placement, where the range was changed there.
 #include "updating/effects/sensor_channels.hpp"
+#include "updating/set_up/mistakes.hpp"
+#include "updating/set_up/sheet_mistake.hpp"
 #include "updating/set_up/sheet_points.hpp"
 
 #include <fmt/format.h>
@@ -63,6 +67,12 @@ const std::vector<UnitSlip>& slips() {
   return all;
 }
 
+std::vector<std::string> slip_names() {
+  std::vector<std::string> names;
+  for (const UnitSlip& slip : slips()) names.push_back(slip.name);
+  return names;
+}
+
 const UnitSlip& slip_of(const Where& where) {
   const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
   assert(found != slips().end());
@@ -94,89 +104,98 @@ acquisition::Quantity quantity_of(const std::string& channel,
   return found->quantity;
 }
 
-}  // namespace
+class UnitFactor final : public SheetMistake {
+ public:
+  UnitFactor()
+      : SheetMistake({.name = "unit-factor",
+                      .words = "channel in another unit than written down",
+                      .entry = Entry::Measurement,
+                      .sits = Sits::AtSheetPoints,
+                      .law = Law::Own,
+                      .variants = slip_names()}) {}
 
-std::vector<std::string> UnitFactor::variants() const {
-  std::vector<std::string> names;
-  for (const UnitSlip& slip : slips()) names.push_back(slip.name);
-  return names;
-}
-
-std::vector<Where> UnitFactor::places(const Setting& setting) const {
-  const acquisition::TestBundle& sheet = *setting.bundle;
-  std::vector<Where> whole;
-  std::vector<Where> single;
-  std::vector<Where> channels = ChannelEffect::places(setting);
-  const std::vector<Where> sensors = sensor_places(setting);
-  if (sensors.size() > 1) channels.insert(channels.begin(), sensors.front());
-  for (const Where& channel : channels) {
-    const acquisition::Quantity written =
-        quantity_of(channel.channels.front(), sheet);
-    const std::vector<std::vector<int>> averages =
-        averaged_runs(channel, sheet);
-    for (const UnitSlip& slip : slips()) {
-      if (slip.power != 0 && !motion_behind(written, slip.power)) continue;
-      whole.push_back(channel);
-      whole.back().variant = slip.name;
-      // What a sensor measures does not change from run to run.
-      const bool all = channel.channels.size() > 1;
-      if (slip.power != 0 || all || averages.size() < 2) continue;
-      for (const std::vector<int>& runs : averages) {
-        single.push_back(whole.back());
-        single.back().runs = runs;
+  // All sensors together and each channel with each factor that it may read too
+  // much by (Where::variant), in all runs, then one channel in the runs of one
+  // placement, which are averaged.
+  std::vector<Where> places(const Setting& setting) const override {
+    const acquisition::TestBundle& sheet = *setting.bundle;
+    std::vector<Where> whole;
+    std::vector<Where> single;
+    std::vector<Where> channels = channel_places(setting);
+    const std::vector<Where> sensors = sensor_places(setting);
+    if (sensors.size() > 1) channels.insert(channels.begin(), sensors.front());
+    for (const Where& channel : channels) {
+      const acquisition::Quantity written =
+          quantity_of(channel.channels.front(), sheet);
+      const std::vector<std::vector<int>> averages =
+          averaged_runs(channel, sheet);
+      for (const UnitSlip& slip : slips()) {
+        if (slip.power != 0 && !motion_behind(written, slip.power)) continue;
+        whole.push_back(channel);
+        whole.back().variant = slip.name;
+        // What a sensor measures does not change from run to run.
+        const bool all = channel.channels.size() > 1;
+        if (slip.power != 0 || all || averages.size() < 2) continue;
+        for (const std::vector<int>& runs : averages) {
+          single.push_back(whole.back());
+          single.back().runs = runs;
+        }
       }
     }
+    whole.insert(whole.end(), single.begin(), single.end());
+    return whole;
   }
-  whole.insert(whole.end(), single.begin(), single.end());
-  return whole;
-}
 
-std::vector<Effect::Fixed> UnitFactor::fixed(const Where& where) const {
-  const UnitSlip& slip = slip_of(where);
-  if (slip.power != 0) return {};
-  return {{"factor", slip.factor}};
-}
+  std::vector<Fixed> fixed(const Where& where) const override {
+    const UnitSlip& slip = slip_of(where);
+    if (slip.power != 0) return {};
+    return {{"factor", slip.factor}};
+  }
 
-std::size_t UnitFactor::passed_as(const Where& where, bool hammer) const {
-  const auto at = static_cast<std::size_t>(&slip_of(where) - slips().data());
-  return 2 * at + (hammer ? 1 : 0);
-}
+  // Twice the factor's position; one more for the hammer.
+  std::size_t passed_as(const Where& where, bool hammer) const override {
+    const auto at = static_cast<std::size_t>(&slip_of(where) - slips().data());
+    return 2 * at + (hammer ? 1 : 0);
+  }
 
-std::complex<double> UnitFactor::law(std::complex<double> s,
-                                     const std::vector<double>&,
-                                     std::size_t group) const {
-  const UnitSlip& slip = slips().at(group / 2);
-  const std::complex<double> read = slip.factor * std::pow(s, slip.power);
-  return group % 2 == 0 ? read : 1.0 / read;
-}
+  std::complex<double> law(std::complex<double> s,
+                           const std::vector<double>&,
+                           std::size_t group) const override {
+    const UnitSlip& slip = slips().at(group / 2);
+    const std::complex<double> read = slip.factor * std::pow(s, slip.power);
+    return group % 2 == 0 ? read : 1.0 / read;
+  }
 
-void UnitFactor::correct(const Where& where,
-                         const acquisition::TestBundle&,
-                         acquisition::TestBundle& sheet) const {
-  if (!where.runs.empty()) return;
-  const UnitSlip& slip = slip_of(where);
-  for (acquisition::Channel& channel : sheet.channels) {
-    if (std::ranges::find(where.channels, channel.name) ==
-        where.channels.end()) {
-      continue;
+  // A sensitivity, or what is measured, then in its SI unit; nothing for
+  // single runs, which have the same sensitivity on the sheet as the others.
+  void correct(const Where& where,
+               const acquisition::TestBundle&,
+               acquisition::TestBundle& sheet) const override {
+    if (!where.runs.empty()) return;
+    const UnitSlip& slip = slip_of(where);
+    for (acquisition::Channel& channel : sheet.channels) {
+      if (std::ranges::find(where.channels, channel.name) ==
+          where.channels.end()) {
+        continue;
+      }
+      channel.sensitivity *= slip.factor;
+      if (slip.power == 0) continue;
+      const auto real = motion_behind(channel.quantity, slip.power);
+      if (!real) continue;
+      // What was written is no unit of that: volts per SI unit stay the same.
+      channel.quantity = real->quantity;
+      channel.sensitivity /= channel.unit_to_si;
+      channel.unit = real->si_unit;
+      channel.unit_to_si = 1.0;
     }
-    channel.sensitivity *= slip.factor;
-    if (slip.power == 0) continue;
-    const auto real = motion_behind(channel.quantity, slip.power);
-    if (!real) continue;
-    // What was written is no unit of that: volts per SI unit stay the same.
-    channel.quantity = real->quantity;
-    channel.sensitivity /= channel.unit_to_si;
-    channel.unit = real->si_unit;
-    channel.unit_to_si = 1.0;
   }
-}
+};
 
-std::vector<std::string> UnitFactor::bulk_data(
-    const Where& where, const Setting&, const std::vector<double>&) const {
-  return {fmt::format("$ The sheet is at fault, not the model: {}, {}",
-                      name(),
-                      describe(where))};
+}  // namespace
+
+const Effect& unit_factor() {
+  static const UnitFactor effect;
+  return effect;
 }
 
 }  // namespace tapfit::effects

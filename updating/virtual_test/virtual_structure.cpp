@@ -110,8 +110,11 @@ void cut_joint(const VirtualModel& model,
   change.of.where.nodes = effect.numbers();
   system.K = structure.K;
   system.M = structure.M;
-  const ReleasedSystem cut =
-      release({fine, model.children, {}}, system, {}, {}, {change});
+  const ReleasedSystem cut = release({fine, model.children, {}},
+                                     system,
+                                     nothing_released(system, {}),
+                                     {},
+                                     {change});
   if (cut.dofs() == static_cast<Eigen::Index>(system.dofs())) {
     throw InputError(
         fmt::format("nothing turns at grids {}", fmt::join(effect.places, ":")),
@@ -119,8 +122,8 @@ void cut_joint(const VirtualModel& model,
         "Name two or more grids of a straight line of mesh edges across "
         "shells, or one grid where bars across the tested direction meet.");
   }
-  structure.K = cut.K + effect.values[0] * cut.scaled.front().S;
-  structure.M = cut.M;
+  structure.K = *cut.K + effect.values[0] * cut.scaled.front().S;
+  structure.M = *cut.M;
   for (const int dof : cut.active) {
     if (dof >= static_cast<int>(system.dofs())) {
       add_free(dof, structure.motions);

@@ -1,6 +1,6 @@
 #include "tui/commands/command_line.hpp"
 
-#include "tui/commands/run_command.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/commands/update_command.hpp"
 #include "tui/paper/paper_command.hpp"
 

@@ -1,6 +1,5 @@
 #include "tui/commands/diagnose_command.hpp"
 
-#include "tui/commands/update_command.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/ladder_text.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"

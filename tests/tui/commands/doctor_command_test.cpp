@@ -1,6 +1,8 @@
 // What is said of where the program runs.
 #include "tui/commands/doctor_command.hpp"
 
+#include "tui/commands/commands.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 

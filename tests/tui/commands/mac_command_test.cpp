@@ -3,7 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/read_modes_file.hpp"
 #include "modal/mode_set/read_modes_json.hpp"
-#include "tui/commands/modes_command.hpp"
+#include "tui/commands/commands.hpp"
 #include "tui/report/modes_text.hpp"
 #include "tui/workbench/pair_words.hpp"
 

@@ -1,8 +1,7 @@
 // What `tapfit uff` prints of a file.
-#include "tui/commands/uff_command.hpp"
-
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/acquisition/support/uff_text.hpp"
+#include "tui/commands/commands.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

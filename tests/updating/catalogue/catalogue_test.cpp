@@ -29,27 +29,33 @@ class EveryEffect : public ::testing::Test {
 
 TEST_F(EveryEffect, HasANameOfItsOwn) {
   std::set<std::string> names;
-  for (const auto& effect : catalogue()) names.insert(effect->name());
+  std::set<std::string> words;
+  for (const Effect* effect : catalogue()) {
+    names.insert(effect->name());
+    words.insert(effect->words());
+    EXPECT_FALSE(effect->words().empty()) << effect->name();
+  }
   EXPECT_EQ(names.size(), catalogue().size());
+  EXPECT_EQ(words.size(), catalogue().size());
 }
 
 TEST_F(EveryEffect, HasItsPage) {
   const std::filesystem::path pages =
       std::filesystem::path(TAPFIT_SOURCE_DIR) / "docs" / "effects";
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     EXPECT_TRUE(std::filesystem::exists(pages / (effect->name() + ".md")))
         << effect->name();
   }
 }
 
 TEST_F(EveryEffect, HasAPlaceOnAClampedPlate) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     EXPECT_FALSE(effect->places(setting_).empty()) << effect->name();
   }
 }
 
 TEST_F(EveryEffect, StartsWithinItsBounds) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).front();
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
       EXPECT_GT(spec.lower, 0.0) << effect->name() << ' ' << spec.name;
@@ -61,7 +67,7 @@ TEST_F(EveryEffect, StartsWithinItsBounds) {
 
 TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
   const std::complex<double> s(40.0, 900.0);
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).front();
     std::vector<double> p;
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
@@ -89,8 +95,25 @@ TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
   }
 }
 
+// One mass for each channel, and a mass with its inertia: s^2 p_k each.
+TEST_F(EveryEffect, MassesHaveALawEach) {
+  const std::complex<double> s(40.0, 900.0);
+  const std::vector<double> p = {0.02, 0.05};
+  for (const char* name : {"sensor-mass", "added-mass"}) {
+    const Effect& mass = find(name);
+    for (const std::size_t k : {0U, 1U}) {
+      // Rounding.
+      EXPECT_LT(std::abs(mass.law(s, p, k) / (s * s) - p[k]), 1e-15) << name;
+      EXPECT_LT(std::abs(mass.law_derivative(s, p, k, k) / (s * s) - 1.0),
+                1e-14)
+          << name;
+      EXPECT_EQ(mass.law_derivative(s, p, k, 1 - k), 0.0) << name;
+    }
+  }
+}
+
 TEST_F(EveryEffect, HasCardsOrAComment) {
-  for (const auto& effect : catalogue()) {
+  for (const Effect* effect : catalogue()) {
     const Where where = effect->places(setting_).back();
     std::vector<double> p;
     for (const ParameterSpec& spec : effect->parameters(where, setting_)) {

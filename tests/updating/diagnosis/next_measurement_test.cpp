@@ -16,7 +16,7 @@ constexpr double floor = 0.01;
 
 // The sample plate, measured along its middle (grids 23 to 33) alone: it is
 // its own mirror image there, and sees no torsion.
-class NextMeasurementTest : public testing::Test {
+class NextMeasurementTest : public ::testing::Test {
  protected:
   NextMeasurementTest()
       : deck_(support::plate_deck(true)), bundle_(support::plate_bundle()) {

@@ -122,9 +122,7 @@ class DeckEffects : public ::testing::Test {
 PlacedEffect at_node(const std::string& name,
                      int node,
                      const std::vector<double>& p) {
-  Where where;
-  where.node = node;
-  return {&effects::find(name), where, p};
+  return {&effects::find(name), {.node = node}, p};
 }
 
 double difference(const MatrixXcd& a, const MatrixXcd& b) {
@@ -366,16 +364,17 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
   change.kind = ChangeKind::Joint;
   change.component = 1;
   change.of.where = joint.where;
+  const structure::System system = structure::assemble(whole->deck);
   const ReleasedSystem released = release({whole->deck, {}, {}},
-                                          structure::assemble(whole->deck),
-                                          {},
+                                          system,
+                                          nothing_released(system, {}),
                                           {},
                                           {change});
   const structure::SparseMatrix K =
-      released.K + joint.p[0] * released.scaled.front().S;
+      *released.K + joint.p[0] * released.scaled.front().S;
   const Eigen::VectorXd direct =
       structure::eigenmodes(structure::extract(K, released.active),
-                            structure::extract(released.M, released.active),
+                            structure::extract(*released.M, released.active),
                             8)
           .frequency_hz;
   const Eigen::VectorXd read = structure::modes_of(jointed, 8).frequency_hz;

@@ -48,10 +48,7 @@ MatrixXd expected(const Deck& deck, const std::map<int, double>& tension) {
 }
 
 Where at(const std::vector<int>& elements, const std::string& variant = "") {
-  Where where;
-  where.elements = elements;
-  where.variant = variant;
-  return where;
+  return {.elements = elements, .variant = variant};
 }
 
 Preload preload_of(const Deck& deck, const Where& where) {

@@ -1,8 +1,7 @@
 // A pulled bar: where it may be, what it is written as, and that the deck then
 // has what the model had.
-#include "updating/effects/prestress.hpp"
-
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/effects/effects.hpp"
 #include "updating/effects/preload.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +36,7 @@ Setting setting_of(const structure::Deck& deck) {
 TEST(Prestress, IsPulledWhereAnEndIsLooseAndPushedWhereNoneIs) {
   const structure::Deck loose =
       structure::deck_of(bar_text(false) + "ENDDATA\n");
-  const Prestress effect;
+  const Effect& effect = prestress();
   const std::vector<Where> wire = effect.places(setting_of(loose));
   ASSERT_EQ(wire.size(), 1U);
   EXPECT_EQ(wire[0].elements, (std::vector<int>{1, 2, 3, 4}));
@@ -59,7 +58,7 @@ TEST(Prestress, IsPulledWhereAnEndIsLooseAndPushedWhereNoneIs) {
 TEST(Prestress, DeckHasTheStiffnessOfTheModel) {
   const structure::Deck deck =
       structure::deck_of(bar_text(false) + "ENDDATA\n");
-  const Prestress effect;
+  const Effect& effect = prestress();
   const Where where = effect.places(setting_of(deck)).front();
   std::string text = bar_text(false);
   for (const std::string& card :
@@ -79,7 +78,7 @@ TEST(Prestress, DeckHasTheStiffnessOfTheModel) {
 TEST(Prestress, SecondMatrixIsLeftToTheUser) {
   structure::Deck deck = structure::deck_of(bar_text(false) + "ENDDATA\n");
   deck.stiffness_terms.push_back({{1, 1}, {3, 3}, 5.0});
-  const Prestress effect;
+  const Effect& effect = prestress();
   for (const std::string& card :
        effect.bulk_data(effect.places(setting_of(deck)).front(),
                         setting_of(deck),

@@ -1,6 +1,5 @@
-#include "updating/effects/sensor_cable.hpp"
-
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/effects/effects.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +19,9 @@ TEST(SensorCable, CardsOfASkewOneAreAlongTheClosestAxis) {
   deck.measuring = {point};
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.runs.front().sensors = {{1, {-5, 3, 1}}};
-  Where where;
-  where.channels = {"acc1"};
+  const Where where{.channels = {"acc1"}};
   std::string text;
-  for (const std::string& card : SensorCable().bulk_data(
+  for (const std::string& card : sensor_cable().bulk_data(
            where, support::plate_setting(bundle, deck), {100.0, 1.0})) {
     text += card + "\n";
   }

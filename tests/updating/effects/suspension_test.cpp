@@ -48,10 +48,9 @@ class HungFree : public ::testing::Test {
 
   [[nodiscard]] ParameterSpec spring(int node,
                                      const std::vector<double>& at = {}) const {
-    Where where;
-    where.node = node;
-    where.at = at;
-    return find("ground-spring").parameters(where, setting_).front();
+    return find("ground-spring")
+        .parameters({.node = node, .at = at}, setting_)
+        .front();
   }
 
   structure::Deck deck_ = structure::deck_of(hung_text(""));

@@ -330,9 +330,6 @@ TEST(UpdateRecordTest, NamesParametersAndCorrelatesThem) {
       fit, test.fitter().setting().setting, {{"E:1", "Pa", 70e9}}, "lines");
   EXPECT_EQ(record.parameters,
             (std::vector<std::string>{"E:1", "added-mass mass_kg"}));
-  // What is no property of the deck is the mesh's.
-  EXPECT_EQ(record_of(fit, test.fitter().setting().setting, {}, "").parameters,
-            (std::vector<std::string>{"mesh size", "added-mass mass_kg"}));
   ASSERT_EQ(record.steps.size(), fit.result.history.size());
   EXPECT_EQ(record.steps.back().values(0), 70e9 * fit.result.state.factor[0]);
   EXPECT_TRUE(record.confounded.empty());

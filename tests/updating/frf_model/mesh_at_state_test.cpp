@@ -59,7 +59,7 @@ TEST_F(MeshAtState, ForetellsTheMeshSplitTwice) {
   const structure::Deck split = structure::refine_mesh(deck).deck;
   const BaseBuilder coarse = builder(deck, false);
   BaseBuilder fine = builder(deck, true);
-  const std::size_t factors = fine.hold_mesh_error(coarse);
+  const std::size_t factors = fine.hold_corrections(coarse).size();
   const BaseBuilder finest = builder(split, true);
 
   ModelState state;

@@ -91,7 +91,8 @@ TEST_F(ModelModesTest, LosslessLawsAreSpringsAndMasses) {
       EXPECT_LT(std::abs(law - sum), 1e-12 * std::abs(law)) << effect.name();
     }
   };
-  for (const auto& effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects::catalogue()) {
+    if (effect->changes_stiffness()) continue;
     for (const Where& where : effect->places(setting_)) {
       std::vector<double> p;
       for (const auto& spec : effect->parameters(where, setting_)) {

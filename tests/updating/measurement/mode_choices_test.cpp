@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace tapfit::updating {
 namespace {
 
@@ -29,20 +31,22 @@ TEST(ModeChoices, APairTakesThePlaceOfThoseItContradicts) {
 /// A portal of bars, nothing hidden: modes at 6.92, 18.45, 44.90, 61.48 Hz.
 class ChosenModes : public ::testing::Test {
  protected:
-  ChosenModes() {
+  static void SetUpTestSuite() {
+    folder_.emplace();
     VirtualBundleSpec spec;
     spec.structure = "portal";
     spec.seed = 5;
     spec.points = 4;
     spec.hits = 3;
-    make_virtual_bundle(spec, folder_.path() / "test");
+    make_virtual_bundle(spec, folder_->path() / "test");
   }
+  static void TearDownTestSuite() { folder_.reset(); }
 
-  const tapfit::testing::TemporaryFolder folder_;
+  static inline std::optional<tapfit::testing::TemporaryFolder> folder_;
 };
 
 TEST_F(ChosenModes, AreUsedByAllThatFollowsAndCanBeUndone) {
-  Session session(folder_.path() / "test");
+  Session session(folder_->path() / "test");
   const std::size_t all = session.modes().modes.size();
   ASSERT_GE(all, 6U);
   const double error = session.base_comparison().error;
@@ -72,7 +76,7 @@ TEST_F(ChosenModes, AreUsedByAllThatFollowsAndCanBeUndone) {
 }
 
 TEST_F(ChosenModes, PairsByHandStandAndSurviveAnEditOfTheModes) {
-  Session session(folder_.path() / "test");
+  Session session(folder_->path() / "test");
   const auto& modes = session.modes().modes;
   const double second = modes[1].frequency_hz;
   const double third = modes[2].frequency_hz;
@@ -109,7 +113,7 @@ TEST_F(ChosenModes, AreTakenUpFromASavedSession) {
   SavedSession saved;
   saved.modes.band_hz = {10.0, 100.0};
   saved.modes.edits = {{What::Drop, 44.9}};
-  Session session(folder_.path() / "test");
+  Session session(folder_->path() / "test");
   session.take_up(saved);
   for (const modal::Mode& mode : session.modes().modes) {
     EXPECT_GT(mode.frequency_hz, 10.0);
@@ -121,7 +125,7 @@ TEST_F(ChosenModes, AreTakenUpFromASavedSession) {
 
 // The model's own modes are one to one in its mass at measured points.
 TEST_F(ChosenModes, WeightedMacTellsModesApartThatPlainMacConfuses) {
-  Session session(folder_.path() / "test");
+  Session session(folder_->path() / "test");
   const Comparison& c = session.base_comparison();
   ASSERT_EQ(c.weighted_mac.rows(), c.mac.rows());
   ASSERT_EQ(c.weighted_mac.cols(), c.mac.cols());

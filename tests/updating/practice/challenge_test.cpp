@@ -91,7 +91,7 @@ std::map<std::string, std::string> bytes_in(const fs::path& folder) {
 TEST(Challenge, SameSeedSameBytesOnHoweverManyThreads) {
   const fs::path root = fs::path(testing::TempDir()) / "tapfit-challenge-bytes";
   fs::remove_all(root);
-  VirtualBundleSpec spec = draw_challenge(ChallengeLevel::Hard, 3, "plate");
+  VirtualBundleSpec spec = draw_challenge(ChallengeLevel::Hard, 3, "portal");
   spec.points = 3;
   spec.hits = 1;
   make_virtual_bundle(spec, root / "many");

@@ -87,6 +87,30 @@ TEST(UncertainPartsTest, PolynomialsAreExact) {
   expect_reassembled(deck, uncertain, factor, 1e-12);
 }
 
+TEST(UncertainPartsTest, OfSomeElementsAreTheseElementsAlone) {
+  const Deck deck = stiffened_plate();
+  const std::vector<UncertainProperty> uncertain = {
+      {"material", 1, "E"}, {"property", 1, "t"}, {"material", 2, "E"}};
+  const std::vector<double> factor = {1.2, 0.9, 1.4};
+  Deck scaled = deck;
+  for (std::size_t j = 0; j < uncertain.size(); ++j) {
+    scale_property(scaled, uncertain[j], factor[j]);
+  }
+  const auto shells = [](int id) { return id == 3 || id == 4; };
+  const auto with_bar = [](int id) { return id == 4 || id == 103; };
+  for (const auto wanted : {+shells, +with_bar}) {
+    const SparseMatrix nominal = structure::assemble_stiffness(deck, wanted);
+    SparseMatrix K = nominal;
+    for (const UncertainPart& part : uncertain_parts(deck, uncertain, wanted)) {
+      K += part_coefficient(part.power, factor) * part.K;
+      // No shell is of the second material.
+      EXPECT_TRUE(part.power[2] == 0 || wanted(103));
+    }
+    const SparseMatrix left = K - structure::assemble_stiffness(scaled, wanted);
+    EXPECT_LT(left.norm(), 1e-12 * nominal.norm());
+  }
+}
+
 TEST(UncertainPartsTest, RationalPropertiesAreCloseInTheirRange) {
   Deck deck = stiffened_plate();
   deck.shell_properties[1].shear = 1;

@@ -26,33 +26,39 @@ class LeanSpan : public ::testing::Test {
                          {"property", 1, "t", 5.0}};
   }
 
-  [[nodiscard]] Eigen::MatrixXcd respond(
-      BaseUse use, const std::vector<double>& factor) const {
-    const effects::Setting setting = support::plate_setting(bundle_, deck_);
-    const BaseBuilder builder(deck_,
-                              bundle_.uncertain,
-                              support::plate_base(bundle_, deck_),
-                              Progress{});
-    const FrfModel model(
-        builder.build({}, {}, use), setting, support::plate_pairs(bundle_, s_));
-    ModelState state;
-    state.factor = factor;
+  [[nodiscard]] BaseBuilder builder() const {
+    return {deck_,
+            bundle_.uncertain,
+            support::plate_base(bundle_, deck_),
+            Progress{}};
+  }
+  [[nodiscard]] FrfModel model(const ReducedBase& base) const {
+    return {base, setting_, support::plate_pairs(bundle_, s_)};
+  }
+  [[nodiscard]] Eigen::MatrixXcd respond(const FrfModel& model,
+                                         const ModelState& state) const {
     return model.respond(state, s_, false).H;
   }
 
   structure::Deck deck_ = support::plate_deck(true);
   acquisition::TestBundle bundle_ = support::plate_bundle();
+  effects::Setting setting_ = support::plate_setting(bundle_, deck_);
   Eigen::VectorXcd s_ = damped_line({10.0, 400.0}, 2.0, {0.03, 80});
 };
 
 // The whole base is exact to 1e-6 as the deck is; where properties differ it
 // is what the lean one is compared with.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
+  const BaseBuilder bases = builder();
+  const FrfModel wide = model(bases.build({}, {}, BaseUse::Scan));
+  const FrfModel narrow = model(bases.build({}, {}, BaseUse::Fit));
   const std::vector<std::vector<double>> states = {
       {1.0, 1.0, 1.0, 1.0}, {1.3, 0.8, 1.2, 0.95}, {0.7, 1.4, 0.7, 1.1}};
   for (const std::vector<double>& factor : states) {
-    const Eigen::MatrixXcd whole = respond(BaseUse::Scan, factor);
-    const Eigen::MatrixXcd lean = respond(BaseUse::Fit, factor);
+    ModelState state;
+    state.factor = factor;
+    const Eigen::MatrixXcd whole = respond(wide, state);
+    const Eigen::MatrixXcd lean = respond(narrow, state);
     // A hundredth of the scatter of a careful test.
     EXPECT_LT((lean - whole).norm(), 1e-4 * whole.norm()) << factor[0];
   }
@@ -61,11 +67,7 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
 // What gives way, from next to nothing to all of it, at changed properties,
 // too.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
-  const effects::Setting setting = support::plate_setting(bundle_, deck_);
-  const BaseBuilder builder(deck_,
-                            bundle_.uncertain,
-                            support::plate_base(bundle_, deck_),
-                            Progress{});
+  const BaseBuilder bases = builder();
   Where patch;
   patch.elements = {12, 13, 14, 22, 23, 24};
   Where line;
@@ -77,21 +79,16 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
        {std::tuple{"stiffness-loss", ChangeKind::Elements, patch},
         std::tuple{"joint", ChangeKind::Joint, line},
         std::tuple{"soft-support", ChangeKind::Support, clamp}}) {
-    const StiffnessChange change{kind, {name, where}, setting.component};
-    const auto respond_to = [&](BaseUse use, double p) {
-      const FrfModel model(builder.build({}, {change}, use),
-                           setting,
-                           support::plate_pairs(bundle_, s_));
+    const StiffnessChange change{kind, {name, where}, setting_.component};
+    const FrfModel wide = model(bases.build({}, {change}, BaseUse::Scan));
+    const FrfModel narrow = model(bases.build({}, {change}, BaseUse::Fit));
+    const StiffnessTerm& term = narrow.base().terms.front();
+    for (const double p : {term.lower, term.start, 0.9 * term.upper}) {
       ModelState state;
       state.factor = {1.2, 0.8, 1.1, 0.95};
       state.effects = {{&effects::find(name), where, {p}}};
-      return model.respond(state, s_, false).H;
-    };
-    const StiffnessTerm term =
-        builder.build({}, {change}, BaseUse::Fit).terms.front();
-    for (const double p : {term.lower, term.start, 0.9 * term.upper}) {
-      const Eigen::MatrixXcd whole = respond_to(BaseUse::Scan, p);
-      const Eigen::MatrixXcd lean = respond_to(BaseUse::Fit, p);
+      const Eigen::MatrixXcd whole = respond(wide, state);
+      const Eigen::MatrixXcd lean = respond(narrow, state);
       // What loss_modes() is good to.
       EXPECT_LT((lean - whole).norm(), 5e-4 * whole.norm()) << name << ' ' << p;
     }
@@ -101,12 +98,9 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
 // Its size is what every evaluation of a fit costs, cubed.
 TEST_F(LeanSpan, IsSmallerThanTheBase) {
   bundle_.uncertain = {{"property", 1, "t", 5.0}};
-  const BaseBuilder builder(deck_,
-                            bundle_.uncertain,
-                            support::plate_base(bundle_, deck_),
-                            Progress{});
-  EXPECT_LT(builder.build({}, {}, BaseUse::Fit).size(),
-            builder.build({}, {}, BaseUse::Scan).size());
+  const BaseBuilder bases = builder();
+  EXPECT_LT(bases.build({}, {}, BaseUse::Fit).size(),
+            bases.build({}, {}, BaseUse::Scan).size());
 }
 
 }  // namespace

@@ -52,5 +52,31 @@ TEST(SeenThrough, HoldsWhatIsReleasedBehindTheBase) {
   }
 }
 
+// A matrix of the structure before anything was released.
+TEST(SeenThrough, TakesAMatrixThatEndsBeforeTheVectors) {
+  const MatrixXd V = MatrixXd::Random(26, 5);
+  const MatrixXd R = MatrixXd::Random(30, 3);
+  for (const auto& dofs : {std::vector<int>{3, 25}, first(26)}) {
+    const SparseMatrix A = on(dofs, 26);
+    const MatrixXd AR = A * MatrixXd(R.topRows(26));
+    MatrixXd expected(8, 3);
+    expected << V.transpose() * AR, R.topRows(26).transpose() * AR;
+    EXPECT_LT((seen_through(V, R, A) - expected).norm(), 1e-13);
+  }
+}
+
+TEST(SeenThrough, IsTheWholeProductOfWhatActsOnFewDofs) {
+  const MatrixXd V = MatrixXd::Random(26, 5);
+  const MatrixXd R = MatrixXd::Random(30, 3);
+  MatrixXd whole = MatrixXd::Zero(30, 8);
+  whole.topLeftCorner(26, 5) = V;
+  whole.rightCols(3) = R;
+  for (const auto& dofs : {std::vector<int>{}, std::vector<int>{3, 25, 28}}) {
+    const SparseMatrix A = on(dofs);
+    const MatrixXd expected = whole.transpose() * (A * whole);
+    EXPECT_LT((seen_through_all(V, R, A) - expected).norm(), 1e-13);
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::updating

@@ -35,18 +35,19 @@ std::vector<std::string> words_of(std::size_t runs) {
 }
 
 TEST(SettingChanges, AreOfEachThingThatWasAssumed) {
-  EXPECT_EQ(words_of(2),
-            (std::vector<std::string>{"prior of E:1 halved",
-                                      "prior of E:1 doubled",
-                                      "prior of the mesh's corrections halved",
-                                      "prior of the mesh's corrections doubled",
-                                      "prior of damping halved",
-                                      "prior of damping doubled",
-                                      "E:1 held at the deck's value",
-                                      "allowance for form halved",
-                                      "allowance for form doubled",
-                                      "run 1 left out",
-                                      "run 2 left out"}));
+  EXPECT_EQ(
+      words_of(2),
+      (std::vector<std::string>{"prior of E:1 halved",
+                                "prior of E:1 doubled",
+                                "prior of the model's corrections halved",
+                                "prior of the model's corrections doubled",
+                                "prior of damping halved",
+                                "prior of damping doubled",
+                                "E:1 held at the deck's value",
+                                "allowance for form halved",
+                                "allowance for form doubled",
+                                "run 1 left out",
+                                "run 2 left out"}));
   // A single run cannot be left out.
   EXPECT_EQ(words_of(1).size(), 9U);
 }
@@ -58,14 +59,15 @@ TEST(SettingChanges, OfModesLeaveDampingAndRunsAlone) {
   for (const auto& change : setting_changes(setting, properties)) {
     words.push_back(change.what);
   }
-  EXPECT_EQ(words,
-            (std::vector<std::string>{"prior of E:1 halved",
-                                      "prior of E:1 doubled",
-                                      "prior of the mesh's corrections halved",
-                                      "prior of the mesh's corrections doubled",
-                                      "E:1 held at the deck's value",
-                                      "allowance for form halved",
-                                      "allowance for form doubled"}));
+  EXPECT_EQ(
+      words,
+      (std::vector<std::string>{"prior of E:1 halved",
+                                "prior of E:1 doubled",
+                                "prior of the model's corrections halved",
+                                "prior of the model's corrections doubled",
+                                "E:1 held at the deck's value",
+                                "allowance for form halved",
+                                "allowance for form doubled"}));
 }
 
 TEST(SettingChanges, ManyRunsGoInTenGroupsThatHoldEachOnce) {
@@ -94,7 +96,7 @@ TEST(SettingChanges, AreCarriedOut) {
   };
   EXPECT_EQ(under("prior of E:1 halved").uncertain_sd,
             (std::vector<double>{0.015, 0.1, 0.2}));
-  EXPECT_EQ(under("prior of the mesh's corrections doubled").uncertain_sd,
+  EXPECT_EQ(under("prior of the model's corrections doubled").uncertain_sd,
             (std::vector<double>{0.03, 0.2, 0.4}));
   EXPECT_EQ(under("prior of damping doubled").damping_spread,
             2.0 * setting.damping_spread);

@@ -1,7 +1,5 @@
-#include "updating/set_up/channel_swap.hpp"
-
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,9 +20,7 @@ class Swaps : public ::testing::Test {
   }
 
   void swap(const std::string& a, const std::string& b) {
-    Where where;
-    where.channels = {a, b};
-    ChannelSwap().correct(where, written_, sheet_);
+    channel_swap().correct({.channels = {a, b}}, written_, sheet_);
   }
   [[nodiscard]] Dof at(std::size_t sensor) const {
     return sheet_.runs.at(2).sensors.at(sensor).dof;
@@ -61,11 +57,8 @@ TEST_F(Swaps, TwiceAreNone) {
 }
 
 TEST_F(Swaps, KeepWhatWasPutRightBefore) {
-  Where where;
-  where.channels = {"acc2"};
-  where.nodes = {36};
-  where.node = 33;
-  PointMislabelled().correct(where, written_, sheet_);
+  const Where where{.node = 33, .nodes = {36}, .channels = {"acc2"}};
+  point_mislabelled().correct(where, written_, sheet_);
   swap("acc1", "acc2");
   EXPECT_EQ(at(0), (Dof{33, 3, -1}));
   EXPECT_EQ(at(1), of_acc1);

@@ -1,6 +1,5 @@
-#include "updating/set_up/direction_wrong.hpp"
-
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/set_up/mistakes.hpp"
 #include "updating/set_up/sheet_edits.hpp"
 
 #include <Eigen/LU>
@@ -16,12 +15,11 @@ class Directions : public ::testing::Test {
   [[nodiscard]] bool tries(const std::vector<std::string>& channels,
                            int grid,
                            const std::string& direction) const {
-    Where where;
-    where.channels = channels;
+    Where where{.channels = channels};
     if (grid != 0) where.nodes = {grid};
     where.variant = direction;
     const std::vector<Where> all =
-        DirectionWrong().places(support::plate_setting(bundle_, deck_));
+        direction_wrong().places(support::plate_setting(bundle_, deck_));
     return std::ranges::find(all, where) != all.end();
   }
 
@@ -51,7 +49,7 @@ TEST_F(Directions, AreAllOthersOfAChannel) {
 TEST_F(Directions, OfSeveralAreTurnedTogether) {
   const std::vector<std::string> both = {"acc1", "acc2"};
   const std::vector<Where> all =
-      DirectionWrong().places(support::plate_setting(bundle_, deck_));
+      direction_wrong().places(support::plate_setting(bundle_, deck_));
   EXPECT_EQ(std::ranges::count(all, both, &Where::channels), 4)
       << "Z along X or Y, either way; along -Z is the hammer's polarity";
   EXPECT_FALSE(tries(both, 0, "+X"));
@@ -61,15 +59,13 @@ TEST_F(Directions, OfATriaxialSensorAreAllItsTurns) {
   make_triaxial();
   const std::vector<std::string> three = {"acc1", "acc2", "acc3"};
   const std::vector<Where> all =
-      DirectionWrong().places(support::plate_setting(bundle_, deck_));
+      direction_wrong().places(support::plate_setting(bundle_, deck_));
   EXPECT_EQ(std::ranges::count(all, three, &Where::channels), 23)
       << "24 turns bring axes onto axes, one of which is none";
   ASSERT_TRUE(tries(three, 0, "XYZ=+Y-X+Z"));
-  Where quarter;
-  quarter.channels = three;
-  quarter.variant = "XYZ=+Y-X+Z";
+  const Where quarter{.channels = three, .variant = "XYZ=+Y-X+Z"};
   acquisition::TestBundle sheet = bundle_;
-  DirectionWrong().correct(quarter, bundle_, sheet);
+  direction_wrong().correct(quarter, bundle_, sheet);
   const std::vector<acquisition::Placement>& is = sheet.runs[2].sensors;
   EXPECT_EQ(is[0].dof, (Dof{11, 2, 1}));
   EXPECT_EQ(is[1].dof, (Dof{11, 1, -1}));
@@ -80,10 +76,10 @@ TEST_F(Directions, OfATriaxialSensorAreAllItsTurns) {
 TEST_F(Directions, StayAtRightAnglesToEachOther) {
   make_triaxial();
   for (const Where& where :
-       DirectionWrong().places(support::plate_setting(bundle_, deck_))) {
+       direction_wrong().places(support::plate_setting(bundle_, deck_))) {
     if (where.channels.size() < 3) continue;
     acquisition::TestBundle sheet = bundle_;
-    DirectionWrong().correct(where, bundle_, sheet);
+    direction_wrong().correct(where, bundle_, sheet);
     Eigen::Matrix3d axes;
     for (int k = 0; k < 3; ++k) {
       const Dof& dof = sheet.runs[0].sensors[static_cast<std::size_t>(k)].dof;
@@ -101,10 +97,8 @@ TEST_F(Directions, TurnRoundAtOnePointOfAChannelThatMoves) {
 }
 
 TEST_F(Directions, AreCorrectedOnTheSheet) {
-  Where where;
-  where.channels = {"acc2"};
-  where.variant = "+X";
-  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
+  const Where where{.channels = {"acc2"}, .variant = "+X"};
+  EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: -Z -> "
                                      "+X"});
 }
@@ -116,14 +110,12 @@ TEST_F(Directions, AtAPointOfTheTestsOwnAreSaidAsVectors) {
   skew.axes << 0.8, 0.0, 0.6, 0.0, 1.0, 0.0, -0.6, 0.0, 0.8;
   bundle_.points = {skew};
   for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
-  Where where;
-  where.channels = {"acc2"};
-  where.variant = "+X";
-  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
+  const Where where{.channels = {"acc2"}, .variant = "+X"};
+  EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: "
                                      "[-0.6, 0, -0.8] -> [0.8, 0, -0.6]"});
   bundle_.points[0].system = 7;
-  EXPECT_EQ(sheet_edits(DirectionWrong(), where, bundle_, bundle_),
+  EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: "
                                      "-Z of system 7 -> +X of system 7"});
 }

@@ -1,6 +1,5 @@
-#include "updating/set_up/point_mislabelled.hpp"
-
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +11,7 @@ namespace {
 class Mislabelled : public ::testing::Test {
  protected:
   [[nodiscard]] std::vector<Where> places() const {
-    return PointMislabelled().places(support::plate_setting(bundle_, deck_));
+    return point_mislabelled().places(support::plate_setting(bundle_, deck_));
   }
 
   structure::Deck deck_ = support::plate_deck(true);

@@ -1,12 +1,7 @@
 #include "updating/set_up/sheet_edits.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/set_up/channel_gain.hpp"
-#include "updating/set_up/channel_polarity.hpp"
-#include "updating/set_up/channel_swap.hpp"
-#include "updating/set_up/point_mislabelled.hpp"
-#include "updating/set_up/support_mismatch.hpp"
-#include "updating/set_up/unit_factor.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,30 +19,24 @@ Edits edits(const Effect& effect,
 
 TEST(SheetEdits, NameRunPlaceAndGrids) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"hammer"};
-  where.nodes = {28};  // of the fourth run
-  where.node = 30;
-  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
+  // Grid 28 is hit in the fourth run.
+  const Where where{.node = 30, .nodes = {28}, .channels = {"hammer"}};
+  EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[3].hammer.node: 28 -> 30"});
 }
 
 TEST(SheetEdits, AreOneForRunsAlike) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc2"};
-  where.nodes = {36};
-  where.node = 33;
-  where.runs = {1, 4, 5, 6};
-  EXPECT_EQ(edits(PointMislabelled(), where, bundle),
+  const Where where{
+      .node = 33, .nodes = {36}, .channels = {"acc2"}, .runs = {1, 4, 5, 6}};
+  EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
 }
 
 TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc1", "acc2"};
-  EXPECT_EQ(edits(ChannelSwap(), where, bundle),
+  const Where where{.channels = {"acc1", "acc2"}};
+  EXPECT_EQ(edits(channel_swap(), where, bundle),
             (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
                    "runs[0-5].sensors[0].node: 11 -> 36",
                    "runs[0-5].sensors[1].direction: -Z -> +Z",
@@ -58,15 +47,14 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
 TEST(SheetEdits, OfASensitivityCountInWhateverUnitTheFileHas) {
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.channels[1].sensitivity = 0.1 / 9.80665;
-  Where where;
-  where.channels = {"acc1"};
-  EXPECT_EQ(edits(ChannelPolarity(), where, bundle),
+  Where where{.channels = {"acc1"}};
+  EXPECT_EQ(edits(channel_polarity(), where, bundle),
             Edits{"channels[1].sensitivity: other sign"});
   where.variant = "9.807";
-  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+  EXPECT_EQ(edits(unit_factor(), where, bundle),
             Edits{"channels[1].sensitivity: times 9.807"});
   where.variant = "1/1000";
-  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+  EXPECT_EQ(edits(unit_factor(), where, bundle),
             Edits{"channels[1].sensitivity: times 0.001"});
 }
 
@@ -79,15 +67,13 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
   g.unit_to_si = 9.80665;
   g.sensitivity = 0.1;
   g.full_scale_volts = 5.0;
-  Where where;
-  where.channels = {"acc1"};
-  where.variant = "integrated";
-  EXPECT_EQ(edits(UnitFactor(), where, bundle),
+  const Where where{.channels = {"acc1"}, .variant = "integrated"};
+  EXPECT_EQ(edits(unit_factor(), where, bundle),
             (Edits{"channels[1].quantity: acceleration -> velocity",
                    "channels[1].unit: g -> m/s",
                    "channels[1].sensitivity: 0.010197 V/(m/s)"}));
   acquisition::TestBundle sheet = bundle;
-  UnitFactor().correct(where, bundle, sheet);
+  unit_factor().correct(where, bundle, sheet);
   EXPECT_NEAR(sheet.channels[1].full_scale_si(), g.full_scale_si(), 1e-12);
   EXPECT_EQ(acquisition::find_unit(sheet.channels[1].unit)->quantity,
             sheet.channels[1].quantity);
@@ -95,11 +81,10 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
 
 TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.nodes = {1, 12};
+  Where where{.nodes = {1, 12}};
   const auto released = [&](const std::string& variant) {
     where.variant = variant;
-    return edits(SupportMismatch(), where, bundle);
+    return edits(support_mismatch(), where, bundle);
   };
   EXPECT_EQ(released("free"),
             Edits{"model: release components 123456 (basic axes) at nodes 1, "
@@ -114,12 +99,11 @@ TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where;
-  where.channels = {"acc1"};
-  EXPECT_TRUE(edits(ChannelGain(), where, bundle).empty());
+  Where where{.channels = {"acc1"}};
+  EXPECT_TRUE(edits(channel_gain(), where, bundle).empty());
   where.variant = "10";
   where.runs = {4};
-  EXPECT_TRUE(edits(UnitFactor(), where, bundle).empty());
+  EXPECT_TRUE(edits(unit_factor(), where, bundle).empty());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "updating/set_up/sheet_place.hpp"
 
-#include "updating/set_up/direction_wrong.hpp"
-#include "updating/set_up/point_mislabelled.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +9,7 @@ namespace {
 
 using Parts = std::vector<std::string>;
 
-const PointMislabelled point;
+const Effect& point = point_mislabelled();
 
 TEST(SheetPlace, IsAChannelTwoGridsAndRuns) {
   const Where where =
@@ -37,11 +36,10 @@ TEST(SheetPlace, TakesTheFirstNumberForAChannel) {
 }
 
 TEST(SheetPlace, IsReadBackAsItIsWritten) {
-  Where where;
-  where.channels = {"acc1", "acc2"};
-  where.nodes = {8};
-  where.node = 6;
-  where.runs = {1, 2, 3, 5, 8, 9};
+  const Where where{.node = 6,
+                    .nodes = {8},
+                    .channels = {"acc1", "acc2"},
+                    .runs = {1, 2, 3, 5, 8, 9}};
   const std::string text = sheet_place_text(where);
   EXPECT_EQ(text, "acc1:acc2:8:6:run1-3:run5:run8-9");
   EXPECT_EQ(read_sheet_place(
@@ -58,9 +56,7 @@ TEST(SheetPlace, HasEachRunOnceInTheirOrder) {
 
 // As it is offered while it is typed.
 TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
-  Where where;
-  where.channels = {"acc1"};
-  where.nodes = {8};
+  Where where{.nodes = {8}, .channels = {"acc1"}};
   EXPECT_EQ(sheet_place_text(where), "acc1:8:");
   EXPECT_EQ(read_sheet_place({"acc1", "8", ""}, point), where);
   where.runs = {2};
@@ -69,17 +65,14 @@ TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
 }
 
 TEST(SheetPlace, MayBeAPointOfTheTestsOwn) {
-  Where where;
-  where.channels = {"acc1"};
-  where.nodes = {-3};
-  where.variant = "+X";
+  const Where where{.nodes = {-3}, .channels = {"acc1"}, .variant = "+X"};
   EXPECT_EQ(sheet_place_text(where), "acc1:P3:+X");
-  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, DirectionWrong()), where);
+  EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, direction_wrong()), where);
 }
 
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
   const Where where =
-      read_sheet_place({"acc1", "8", "-X", "run3"}, DirectionWrong());
+      read_sheet_place({"acc1", "8", "-X", "run3"}, direction_wrong());
   EXPECT_EQ(where.nodes, std::vector{8});
   EXPECT_EQ(where.node, 0);
   EXPECT_EQ(where.variant, "-X");

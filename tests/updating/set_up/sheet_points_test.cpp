@@ -15,10 +15,7 @@ class SheetPoints : public ::testing::Test {
     return written_points(support::plate_setting(bundle_, deck_));
   }
   static Where at(const std::vector<std::string>& channels, int grid) {
-    Where where;
-    where.channels = channels;
-    where.nodes = {grid};
-    return where;
+    return {.nodes = {grid}, .channels = channels};
   }
 
   structure::Deck deck_ = support::plate_deck(true);

@@ -1,8 +1,7 @@
-#include "updating/set_up/support_mismatch.hpp"
-
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/plate_model.hpp"
 #include "updating/places/held_support.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -49,9 +48,9 @@ class TurnedSupport : public updating::PlateModel {
 };
 
 TEST_F(TurnedSupport, IsFreeOfWhatItHoldsAlongItsOwnAxes) {
-  const std::vector<Where> places = SupportMismatch().places(setting());
+  const std::vector<Where> places = support_mismatch().places(setting());
   EXPECT_EQ(std::ranges::count(places, corner_), 1);
-  const auto released = SupportMismatch().released(corner_, setting());
+  const auto released = support_mismatch().released(corner_, setting());
   ASSERT_EQ(released.size(), 1U);
   EXPECT_EQ(released[0].grid, 55);
   EXPECT_EQ(released[0].components, "3");
@@ -101,19 +100,19 @@ TEST_F(MissingSupport, HeldIsThePlateThatHasIt) {
 }
 
 TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
-  const std::vector<Where> places = SupportMismatch().places(free_setting());
+  const std::vector<Where> places = support_mismatch().places(free_setting());
   EXPECT_EQ(std::ranges::count(places, root_), 1);
   root_.variant = "held-translations";
   EXPECT_EQ(std::ranges::count(places, root_), 1);
   // A hinge and a clamp at each of clamp_places(), nothing to be released.
   EXPECT_EQ(places.size(), 22U);
-  EXPECT_TRUE(SupportMismatch().takes("held-Z", root_, free_setting()));
-  EXPECT_TRUE(SupportMismatch().released(root_, free_setting()).empty());
+  EXPECT_TRUE(support_mismatch().takes("held-Z", root_, free_setting()));
+  EXPECT_TRUE(support_mismatch().released(root_, free_setting()).empty());
 }
 
 TEST_F(MissingSupport, IsNotLookedForWhereTheDeckIsHeld) {
   free_.constraints.push_back({55, "3"});
-  const std::vector<Where> places = SupportMismatch().places(free_setting());
+  const std::vector<Where> places = support_mismatch().places(free_setting());
   EXPECT_FALSE(places.empty());
   EXPECT_TRUE(std::ranges::none_of(places, updating::is_held));
 }
@@ -123,7 +122,7 @@ TEST_F(MissingSupport, HoldsNothingThatIsHeldEverywhere) {
   for (const structure::Grid& grid : free_.grids) {
     free_.constraints.push_back({grid.id, "126"});
   }
-  const std::vector<Where> places = SupportMismatch().places(free_setting());
+  const std::vector<Where> places = support_mismatch().places(free_setting());
   EXPECT_EQ(std::ranges::count(places, root_), 1);
   EXPECT_EQ(places.size(), 22U);
   const auto fresh = updating::newly_held(free_, root_);
@@ -132,7 +131,7 @@ TEST_F(MissingSupport, HoldsNothingThatIsHeldEverywhere) {
 }
 
 TEST_F(MissingSupport, CardsHoldItWhenReadBack) {
-  const auto cards = SupportMismatch().bulk_data(root_, free_setting(), {});
+  const auto cards = support_mismatch().bulk_data(root_, free_setting(), {});
   std::string text;
   for (const int node : root_.nodes)
     text += fmt::format("GRID,{},,0.,0.,0.\n", node);

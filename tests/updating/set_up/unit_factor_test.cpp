@@ -1,6 +1,5 @@
-#include "updating/set_up/unit_factor.hpp"
-
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +11,13 @@ namespace tapfit::effects {
 namespace {
 
 Where reading(const std::string& slip) {
-  Where where;
-  where.channels = {"acc1"};
-  where.variant = slip;
-  return where;
+  return {.channels = {"acc1"}, .variant = slip};
 }
 
 std::complex<double> read_by(const std::string& slip,
                              bool hammer,
                              std::complex<double> s) {
-  const UnitFactor effect;
+  const Effect& effect = unit_factor();
   return effect.law(s, {}, effect.passed_as(reading(slip), hammer));
 }
 
@@ -40,7 +36,7 @@ TEST(UnitFactor, IntegratesOverS) {
 }
 
 TEST(UnitFactor, HasEachFactorOnce) {
-  const UnitFactor effect;
+  const Effect& effect = unit_factor();
   std::set<std::string> names;
   std::vector<double> logs;
   for (const std::string& slip : effect.variants()) {
@@ -62,7 +58,7 @@ TEST(UnitFactor, IsSoughtInAllRunsAndInEach) {
   const structure::Deck deck = support::plate_deck(true);
   const acquisition::TestBundle bundle = support::plate_bundle();
   const std::vector<Where> places =
-      UnitFactor().places(support::plate_setting(bundle, deck));
+      unit_factor().places(support::plate_setting(bundle, deck));
   Where single = reading("10");
   EXPECT_EQ(std::ranges::count(places, single), 1);
   single.runs = {6};
@@ -82,7 +78,7 @@ TEST(UnitFactor, IsSoughtInTheRunsOfEachAverage) {
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.runs[5].hammer.dof = bundle.runs[1].hammer.dof;
   const auto places = [&] {
-    return UnitFactor().places(support::plate_setting(bundle, deck));
+    return unit_factor().places(support::plate_setting(bundle, deck));
   };
   Where single = reading("10");
   single.runs = {2, 6};

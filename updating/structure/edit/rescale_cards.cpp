@@ -7,11 +7,16 @@
 namespace tapfit::structure {
 namespace {
 
-// Multiplies what a scale names; false where there is no such number.
+// Multiplies or sets what a scale names; false where there is no such number.
 bool rescale(Card& card, const CardScale& scale) {
   bool changed = false;
   for (const std::size_t at : scale.fields) {
-    if (at >= card.fields.size()) continue;
+    if (scale.value) {
+      if (at >= card.fields.size()) card.fields.resize(at + 1);
+      card.fields[at] = fmt::format("{:.8E}", *scale.value);
+      changed = true;
+    }
+    if (scale.value || at >= card.fields.size()) continue;
     const auto value = parse_real(card.fields[at]);
     if (!value) continue;
     card.fields[at] = fmt::format("{:.8E}", *value * scale.factor);

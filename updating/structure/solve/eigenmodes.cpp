@@ -6,6 +6,7 @@
 #include "updating/structure/solve/factor.hpp"
 #include "updating/structure/solve/shift_invert.hpp"
 #include "updating/structure/solve/sturm_count.hpp"
+#include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Dense>
 #include <Spectra/SymGEigsShiftSolver.h>
@@ -159,8 +160,8 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
 Pairs polish(const SparseMatrix& K,
              const SparseMatrix& M,
              const Eigen::MatrixXd& phi) {
-  const Eigen::MatrixXd k = phi.transpose() * (K * phi);
-  const Eigen::MatrixXd m = phi.transpose() * (M * phi);
+  const Eigen::MatrixXd k = phi.transpose() * symmetric_product(K, phi);
+  const Eigen::MatrixXd m = phi.transpose() * symmetric_product(M, phi);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(
       0.5 * (k + k.transpose()), 0.5 * (m + m.transpose()));
   return {ritz.eigenvalues(), phi * ritz.eigenvectors()};

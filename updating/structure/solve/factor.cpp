@@ -63,10 +63,19 @@ struct Factor::Impl {
   Impl& operator=(const Impl&) = delete;
   ~Impl() { cholmod_free_factor(&L, &common); }
 
-  void factor(const SparseMatrix& A) {
-    cholmod_sparse a = view(A);
-    L = cholmod_analyze(&a, &common);
+  // @param order as by Perm of another factor; null: one is looked for
+  void analyse(cholmod_sparse& a, int* order) {
+    if (order != nullptr) {
+      common.nmethods = 1;
+      common.method[0].ordering = CHOLMOD_GIVEN;
+    }
+    L = cholmod_analyze_p(&a, order, nullptr, 0, &common);
     if (L == nullptr) out_of_memory();
+  }
+
+  void factor(const SparseMatrix& A, int* order) {
+    cholmod_sparse a = view(A);
+    analyse(a, order);
     cholmod_factorize(&a, L, &common);
     if (common.status == CHOLMOD_OK && L->minor == L->n) return;
     // Not positive definite: L D L' without pivoting, on the same ordering.
@@ -74,8 +83,7 @@ struct Factor::Impl {
     common.status = CHOLMOD_OK;
     common.supernodal = CHOLMOD_SIMPLICIAL;
     common.final_ll = 0;
-    L = cholmod_analyze(&a, &common);
-    if (L == nullptr) out_of_memory();
+    analyse(a, order);
     cholmod_factorize(&a, L, &common);
     if (L->minor != L->n) {
       throw SingularMatrix(static_cast<const int*>(L->Perm)[L->minor]);
@@ -122,13 +130,24 @@ struct Factor::Impl {
 };
 
 Factor::Factor(const SparseMatrix& A) : impl_(std::make_unique<Impl>()) {
+  take(A, nullptr);
+}
+
+Factor::Factor(const SparseMatrix& A, const Factor& like)
+    : impl_(std::make_unique<Impl>()) {
+  take(A, &like);
+}
+
+void Factor::take(const SparseMatrix& A, const Factor* like) {
   if (A.rows() == 0) return;
+  int* order = nullptr;
+  if (like != nullptr) order = static_cast<int*>(like->impl_->L->Perm);
   if (!A.isCompressed()) {
     SparseMatrix packed = A;
     packed.makeCompressed();
-    impl_->factor(packed);
+    impl_->factor(packed, order);
   } else {
-    impl_->factor(A);
+    impl_->factor(A, order);
   }
   impl_->check_pivots(A);
 }

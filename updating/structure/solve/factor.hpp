@@ -29,6 +29,10 @@ class Factor {
   /// @throws SingularMatrix when A cannot be factored (a mechanism, a loose
   ///   part)
   explicit Factor(const SparseMatrix& A);
+  /// The same, eliminated in the order of another one: as good and quicker
+  /// where the two have their entries at the same places.
+  /// @param like of as many rows
+  Factor(const SparseMatrix& A, const Factor& like);
   ~Factor();
   Factor(Factor&&) noexcept;
   Factor& operator=(Factor&&) noexcept;
@@ -42,6 +46,8 @@ class Factor {
 
  private:
   struct Impl;
+  void take(const SparseMatrix& A, const Factor* like);
+
   std::unique_ptr<Impl> impl_;
 };
 

@@ -26,24 +26,30 @@ Eigen::MatrixXd FreeMotions::project(const Eigen::MatrixXd& forces) const {
 }
 
 FreeMotions free_motions(const System& system) {
-  return free_motions(system.T, system.free_dofs(), system.dofs());
+  FreeMotions motions{system.free_dofs(), system.dofs(), {}};
+  if (system.T.size() > 0) {
+    motions.T = unit_motions(system.T, motions.free, motions.dofs);
+  }
+  return motions;
 }
 
-FreeMotions free_motions(const SparseMatrix& T,
-                         std::vector<int> free,
-                         Eigen::Index dofs) {
-  FreeMotions motions{std::move(free), dofs, {}};
-  if (T.size() == 0) return motions;
+SparseMatrix unit_motions(const SparseMatrix& T,
+                          const std::vector<int>& of,
+                          Eigen::Index dofs) {
   std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < motions.free.size(); ++k) {
-    for (SparseMatrix::InnerIterator it(T, motions.free[k]); it; ++it) {
-      entries.emplace_back(
-          static_cast<int>(it.row()), static_cast<int>(k), it.value());
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const auto column = static_cast<int>(k);
+    if (of[k] >= T.cols()) {
+      entries.emplace_back(of[k], column, 1.0);
+      continue;
+    }
+    for (SparseMatrix::InnerIterator it(T, of[k]); it; ++it) {
+      entries.emplace_back(static_cast<int>(it.row()), column, it.value());
     }
   }
-  motions.T.resize(dofs, motions.size());
-  motions.T.setFromTriplets(entries.begin(), entries.end());
-  return motions;
+  SparseMatrix units(dofs, static_cast<Eigen::Index>(of.size()));
+  units.setFromTriplets(entries.begin(), entries.end());
+  return units;
 }
 
 }  // namespace tapfit::structure

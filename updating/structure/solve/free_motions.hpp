@@ -33,10 +33,13 @@ struct FreeMotions {
 
 [[nodiscard]] FreeMotions free_motions(const System& system);
 
-/// Of other entries of q than those that are free.
-/// @param T dofs square, as System::T
-[[nodiscard]] FreeMotions free_motions(const SparseMatrix& T,
-                                       std::vector<int> free,
-                                       Eigen::Index dofs);
+/// u where one entry of q is 1 and all others are 0.
+/// @param T as System::T; entries of q behind its last stand for themselves
+/// @param of which entries
+/// @param dofs rows of the result
+/// @return dofs x one per entry
+[[nodiscard]] SparseMatrix unit_motions(const SparseMatrix& T,
+                                        const std::vector<int>& of,
+                                        Eigen::Index dofs);
 
 }  // namespace tapfit::structure

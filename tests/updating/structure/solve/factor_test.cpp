@@ -50,6 +50,18 @@ TEST(Factor, AnswersOnSeveralThreadsAtOnce) {
   EXPECT_LT(*std::ranges::max_element(error), 1e-9);
 }
 
+// In an order that is not this matrix's own: any does.
+TEST(Factor, AnswersInTheOrderOfAnother) {
+  constexpr Index n = 200;
+  SparseMatrix ring = row_of_springs(n);
+  ring.coeffRef(0, n / 2) = ring.coeffRef(n / 2, 0) = -1e-3;
+  const Factor factor(row_of_springs(n), Factor(ring));
+  for (const Index k : {Index{0}, n / 3, n - 1}) {
+    const VectorXd u = factor.solve(VectorXd::Unit(n, k));
+    EXPECT_LT((u - pulled_at(k, n)).lpNorm<Eigen::Infinity>(), 1e-9);
+  }
+}
+
 TEST(Factor, RefusesAMechanism) {
   SparseMatrix K = row_of_springs(3);
   K.coeffRef(0, 0) = K.coeffRef(2, 2) = 1.0;  // the walls are gone

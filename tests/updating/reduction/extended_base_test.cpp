@@ -1,0 +1,115 @@
+// Extended bases against the definition: matrices between their own vectors.
+#include "updating/reduction/extended_base.hpp"
+
+#include "updating/reduction/subspace.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using structure::SparseMatrix;
+
+constexpr Index model_dofs = 30;
+
+// B' B of random rows on some degrees of freedom.
+SparseMatrix random_elements(Index first, Index count) {
+  const MatrixXd B = MatrixXd::Random(count + 2, count);
+  MatrixXd A = MatrixXd::Zero(model_dofs, model_dofs);
+  A.block(first, first, count, count) = B.transpose() * B;
+  return A.sparseView();
+}
+
+// Vectors of the model with nothing added, their K diagonal, and two parts: one
+// of stiffness, one of mass.
+class ExtendedBase : public ::testing::Test {
+ protected:
+  ExtendedBase() {
+    const SparseMatrix K = random_elements(0, model_dofs);
+    SparseMatrix M(model_dofs, model_dofs);
+    M.setIdentity();
+    M += random_elements(0, 8);
+    const SparseMatrix none(model_dofs, model_dofs);
+    released_.K = std::make_shared<const SparseMatrix>(K);
+    released_.M = std::make_shared<const SparseMatrix>(M);
+    released_.parts = std::make_shared<const std::vector<UncertainPart>>(
+        std::vector<UncertainPart>{{{1, 0}, random_elements(0, 25), none},
+                                   {{0, 1}, none, random_elements(4, 20)}});
+    V_ = orthonormalise(M, MatrixXd::Random(model_dofs, 5), 1e-10);
+    const MatrixXd reduced = V_.transpose() * (K * V_);
+    V_ *= Eigen::SelfAdjointEigenSolver<MatrixXd>(reduced).eigenvectors();
+    fixed_.rows = PointRows(V_);
+    fixed_.K = V_.transpose() * (K * V_);
+    for (const UncertainPart& part : *released_.parts) {
+      fixed_.part_power.push_back(part.power);
+      fixed_.K_part.push_back(V_.transpose() * (part.K * V_));
+      fixed_.M_part.push_back(V_.transpose() * (part.M * V_));
+    }
+  }
+
+  ReducedBase extended() const {
+    return extended_base(
+        V_, fixed_, MatrixXd::Random(model_dofs, 3), released_, {});
+  }
+
+  // How far a reduced matrix is off what it stands for.
+  static double off(const MatrixXd& reduced,
+                    const MatrixXd& W,
+                    const SparseMatrix& A) {
+    const MatrixXd AW = A * W;
+    return (reduced - W.transpose() * AW).norm() / (1.0 + A.norm());
+  }
+
+  void expect_seen_through_own_vectors(const ReducedBase& base) const {
+    const MatrixXd W = base.rows.all();
+    ASSERT_EQ(W.cols(), 8);
+    EXPECT_LT(off(MatrixXd::Identity(8, 8), W, *released_.M), 1e-12);
+    EXPECT_LT(off(base.K, W, *released_.K), 1e-12);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const UncertainPart& part = (*released_.parts)[k];
+      EXPECT_LT(off(base.K_part[k], W, part.K), 1e-12);
+      EXPECT_LT(off(base.M_part[k], W, part.M), 1e-12);
+    }
+  }
+
+  ReleasedSystem released_;
+  MatrixXd V_;
+  ReducedBase fixed_;
+};
+
+TEST_F(ExtendedBase, IsTurnedToItsModesWhereNothingChanges) {
+  const ReducedBase base = extended();
+  expect_seen_through_own_vectors(base);
+  MatrixXd beside = base.K;
+  beside.diagonal().setZero();
+  EXPECT_LT(beside.norm(), 1e-13 * base.K.norm());
+}
+
+TEST_F(ExtendedBase, HoldsTheTermsOfAChange) {
+  const SparseMatrix none(model_dofs, model_dofs);
+  released_.scaled.push_back({0,
+                              1,
+                              random_elements(10, 4),
+                              {{{1, 0}, random_elements(10, 4), none}},
+                              random_elements(12, 3)});
+  const ScaledStiffness& scaled = released_.scaled.front();
+  const ReducedBase base = extended();
+  expect_seen_through_own_vectors(base);
+  const MatrixXd W = base.rows.all();
+  ASSERT_EQ(base.terms.size(), 1U);
+  const StiffnessTerm& term = base.terms.front();
+  EXPECT_EQ(term.parameter, 1U);
+  EXPECT_LT(off(term.S, W, scaled.S), 1e-12);
+  EXPECT_LT(off(term.N, W, scaled.N), 1e-12);
+  EXPECT_LT(off(term.S_part[0], W, scaled.parts[0].K), 1e-12);
+  EXPECT_TRUE(term.N_part[0].isZero(0.0));
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,124 @@
+#include "updating/structure/mesh/stiff_corners.hpp"
+
+#include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
+#include "updating/structure/solve/eigenmodes.hpp"
+#include "updating/structure/solve/free_motions.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tapfit::structure {
+namespace {
+
+constexpr double depth = 0.02;
+constexpr double pitch = 0.025;
+constexpr int per_leg = 8;
+
+// Two legs of square bar at an angle, in the plane x-z, clamped at the first's
+// foot; `rigid` metres of each leg at the corner are rigid arms.
+Deck two_legs(double degrees, double rigid) {
+  const double a = degrees * std::acos(-1.0) / 180.0;
+  std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
+  for (int i = 0; i <= 2 * per_leg; ++i) {
+    const double first = pitch * std::min(i, per_leg);
+    const double second = pitch * std::max(i - per_leg, 0);
+    text += fmt::format("GRID,{},,{},0.,{},,246\n",
+                        i + 1,
+                        second * std::sin(a),
+                        first + second * std::cos(a));
+  }
+  for (int i = 1; i <= 2 * per_leg; ++i) {
+    text += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i, i, i + 1);
+    if (rigid > 0.0 && i == per_leg) {
+      text += fmt::format(",,,,,,0.,0.,{}\n", -rigid);
+    }
+    if (rigid > 0.0 && i == per_leg + 1) {
+      text += fmt::format(
+          ",,,{},0.,{}\n", rigid * std::sin(a), rigid * std::cos(a));
+    }
+  }
+  // Arms weigh nothing: what they replace stays at the corner.
+  if (rigid > 0.0) {
+    text += fmt::format(
+        "CONM2,99,{},,{}\n", per_leg + 1, 2.0 * rigid * depth * depth * 7850.0);
+  }
+  text += fmt::format(
+      "PBAR,1,1,{0},{1},{1},2e-8\n", depth * depth, std::pow(depth, 4) / 12.0);
+  return deck_of(text + "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n");
+}
+
+Eigen::VectorXd frequencies(const Deck& deck) {
+  const System system = assemble(deck);
+  const FreeMotions motions = free_motions(system);
+  return eigenmodes(motions.reduce(system.K), motions.reduce(system.M), 3)
+      .frequency_hz;
+}
+
+TEST(StiffCorners, BarsEndAtTheOthersFace) {
+  const std::map<int, double> inside = inside_corners(two_legs(90.0, 0.0));
+  ASSERT_EQ(inside.size(), 2U);
+  EXPECT_NEAR(inside.at(per_leg), 0.5 * depth / pitch, 1e-12);
+  EXPECT_NEAR(inside.at(per_leg + 1), 0.5 * depth / pitch, 1e-12);
+}
+
+// Split, half of the zone's bars lie wholly inside.
+TEST(StiffCorners, ReachOverSeveralBarsOfAFineMesh) {
+  const Deck split = refine_mesh(two_legs(90.0, 0.0)).deck;
+  const Deck again = refine_mesh(split).deck;
+  double length = 0.0;
+  for (const auto& [id, share] : inside_corners(again)) {
+    length += share * 0.25 * pitch;
+  }
+  // One of them cannot be rigid as a whole.
+  EXPECT_NEAR(length, depth, 2.0 * 0.1 * 0.25 * pitch + 1e-9);
+}
+
+TEST(StiffCorners, AreNoneWhereBarsGoOn) {
+  EXPECT_TRUE(inside_corners(two_legs(0.0, 0.0)).empty());
+  EXPECT_TRUE(inside_corners(two_legs(15.0, 0.0)).empty());
+}
+
+// As stiff as rigid arms of the same length make the frame.
+TEST(StiffCorners, StiffenAsRigidArmsDo) {
+  const Deck plain = two_legs(90.0, 0.0);
+  const Eigen::VectorXd as_it_is = frequencies(plain);
+  const Eigen::VectorXd stiff =
+      frequencies(with_stiff_corners(plain, inside_corners(plain)));
+  const Eigen::VectorXd arms = frequencies(two_legs(90.0, 0.5 * depth));
+  for (Eigen::Index r = 0; r < 2; ++r) {
+    EXPECT_GT(stiff(r), 1.005 * as_it_is(r)) << r;
+    // Where in the bar it is rigid matters by half its length over the leg's.
+    EXPECT_NEAR(stiff(r) - as_it_is(r),
+                arms(r) - as_it_is(r),
+                0.25 * (arms(r) - as_it_is(r)))
+        << r;
+  }
+}
+
+// Two strips of shells that meet at a right angle: the row beside the fold lies
+// inside by half the thickness; its mass and plane stiffness stay.
+TEST(StiffCorners, ShellsBendUpToTheOthersFace) {
+  const Deck deck = deck_of(
+      "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,.1,0.,0.\nGRID,3,,.2,0.,0.\n"
+      "GRID,4,,.2,0.,.1\nGRID,11,,0.,.1,0.\nGRID,12,,.1,.1,0.\n"
+      "GRID,13,,.2,.1,0.\nGRID,14,,.2,.1,.1\n"
+      "CQUAD4,1,1,1,2,12,11\nCQUAD4,2,1,2,3,13,12\nCQUAD4,3,1,3,4,14,13\n"
+      "PSHELL,1,1,.01,1,,1\nMAT1,1,7.+10,,.3,2700.\nENDDATA\n");
+  const std::map<int, double> inside = inside_corners(deck);
+  ASSERT_EQ(inside.size(), 2U);
+  EXPECT_NEAR(inside.at(2), 0.05, 1e-12);
+  EXPECT_NEAR(inside.at(3), 0.05, 1e-12);
+  const Deck stiff = with_stiff_corners(deck, inside);
+  const ShellProperty& p = stiff.shell_properties.at(stiff.shells[1].property);
+  EXPECT_EQ(p.membrane, 1);
+  EXPECT_NEAR(stiff.materials.at(p.bending).E, 7e10 / 0.95, 1.0);
+  EXPECT_EQ(total_mass(stiff, assemble(stiff)),
+            total_mass(deck, assemble(deck)));
+}
+
+}  // namespace
+}  // namespace tapfit::structure
