@@ -138,6 +138,32 @@ TEST(HeldMotions, OfAPlateAreThoseOfADeckThatHoldsIt) {
   }
 }
 
+// The same, elements at the edge softened besides: to half their stiffness.
+TEST(HeldMotions, GoWithElementsThatSoften) {
+  const acquisition::TestBundle bundle = support::plate_bundle();
+  const auto softened = [&](bool clamped, std::vector<StiffnessChange> all) {
+    const structure::Deck deck = support::plate_deck(clamped);
+    BaseOptions options = support::plate_base(bundle, deck);
+    options.split = false;
+    StiffnessChange& loss = all.emplace_back();
+    loss.of.effect = "stiffness-loss";
+    for (const std::size_t k : {0U, 1U, 2U}) {
+      loss.of.where.elements.push_back(deck.shells.at(k).id);
+    }
+    const BaseBuilder builder(deck, {}, options, Progress{});
+    ReducedBase base = builder.build({}, all, BaseUse::Scan);
+    EXPECT_EQ(base.terms.size(), 1U);
+    base.K -= 0.5 * base.terms.front().S;
+    return frequencies(base);
+  };
+  const VectorXd clamped = softened(true, {});
+  const VectorXd found =
+      softened(false, {holding({1, 12, 23, 34, 45}, "held")});
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    EXPECT_NEAR(found(k) / clamped(k), 1.0, 1e-4) << k;
+  }
+}
+
 TEST(HeldMotions, MoveNoneOfTheRows) {
   MatrixXd rows = MatrixXd::Random(4, 7);
   rows.row(3) = rows.row(0) - 2.0 * rows.row(1);
