@@ -31,10 +31,10 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
 
 namespace {
 
-// The coordinates that leave what is held at rest.
-MatrixXd at_rest(const std::vector<int>& dofs,
-                 const MatrixXd& V,
-                 const MatrixXd& R) {
+// Coordinates in which what is held stays at rest.
+MatrixXd coordinates_left(const std::vector<int>& dofs,
+                          const MatrixXd& V,
+                          const MatrixXd& R) {
   MatrixXd rows(static_cast<Index>(dofs.size()), V.cols() + R.cols());
   rows << V(dofs, Eigen::all), R(dofs, Eigen::all);
   MatrixXd Q = motions_without(rows);
@@ -81,7 +81,7 @@ ReducedBase extended_base(const MatrixXd& V,
   }
   MatrixXd left;
   if (!released.held.empty()) {
-    left = at_rest(released.held, V, R);
+    left = coordinates_left(released.held, V, R);
     turn(base, left);
     base.rows.set_at_rest(released.held);
   }
