@@ -19,7 +19,7 @@ SlipFit fit_of(const structure::Deck& deck,
   // Those of corrections come last, and belong to the split mesh.
   const std::size_t own = setting.setting.bundle->uncertain.size();
   setting.uncertain_sd.resize(own);
-  setting.uncertain_mean.resize(own);
+  setting.corrections.clear();
   const BaseBuilder builder = like.builder().for_deck(deck);
   const Fitter fitter(builder, std::move(setting));
   const Fit fit = fitter.fit({}, fitter.model_for({}), {{}, progress.stop});
