@@ -79,6 +79,11 @@ class Fitter {
       const std::vector<PlacedEffect>& effects,
       BaseUse use = BaseUse::Fit) const;
 
+  /// The same on the deck's own mesh where that of the base is split: a base
+  /// that costs little, for a first look.
+  [[nodiscard]] std::shared_ptr<const FrfModel> coarse_model_for(
+      const std::vector<PlacedEffect>& effects) const;
+
   /// Fits effects' parameters, uncertain properties and damping together. The
   /// modes beyond those fitted have the ratio that is typical of these, without
   /// what the effects add: it is taken anew as they become known.
@@ -134,6 +139,7 @@ class Fitter {
   [[nodiscard]] const std::vector<Where>& places(
       const effects::Effect& effect) const;
 
+  [[nodiscard]] const BaseBuilder& builder() const { return *builder_; }
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 

@@ -1,6 +1,7 @@
 #include "updating/reduction/reduced_base.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/reduction/change_range.hpp"
@@ -8,6 +9,7 @@
 #include "updating/reduction/corrections.hpp"
 #include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/extended_base.hpp"
+#include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
@@ -174,6 +176,13 @@ BaseBuilder::BaseBuilder(
 BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
+
+BaseBuilder BaseBuilder::for_deck(const structure::Deck& deck) const {
+  BaseOptions options = impl_->options;
+  options.split = false;
+  options.cache.reset();
+  return {deck, impl_->uncertain, options, Progress{}};
+}
 
 std::vector<Correction> BaseBuilder::hold_corrections(
     const BaseBuilder& coarser) {
@@ -349,6 +358,9 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
   std::vector<MatrixXd> blocks;
   if (!fresh.empty()) blocks.push_back(answers->to_points(fresh));
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  if (!released.held.empty()) {
+    blocks.push_back(held_modes(held, released.held));
+  }
   const Index n = system.dofs();
   const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
     SparseMatrix own_mass;
@@ -384,7 +396,12 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                const std::vector<StiffnessChange>& changes,
                                BaseUse use) const {
   const Impl& m = *impl_;
-  const Impl::Span& span = use == BaseUse::Fit ? m.lean : m.wide;
+  // Held elsewhere, a structure has modes that a lean span is not made for.
+  const bool elsewhere = std::ranges::any_of(
+      changes,
+      [](const StiffnessChange& change) { return is_held(change.of.where); });
+  const bool lean = use == BaseUse::Fit && !elsewhere;
+  const Impl::Span& span = lean ? m.lean : m.wide;
   std::vector<int> fresh;
   std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
   if (changes.empty() && fresh.empty()) return span.base;

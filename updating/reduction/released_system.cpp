@@ -2,12 +2,14 @@
 
 #include "updating/effects/preload.hpp"
 #include "updating/places/crack_line.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/places/joint_line.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -329,7 +331,10 @@ ReleasedSystem release(const RefinedDeck& mesh,
   std::vector<OpenJoint> joints;
   for (const StiffnessChange& change : changes) {
     springs.emplace_back();
-    if (change.kind == ChangeKind::Support) {
+    if (is_held(change.of.where)) {
+      std::ranges::copy(held_dofs(mesh, change.of.where),
+                        std::back_inserter(released.held));
+    } else if (change.kind == ChangeKind::Support) {
       springs.back() = support_springs(mesh.deck, change, pulled);
       let_go(springs.back(), system, released);
     }
@@ -337,6 +342,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       springs.back() = {cut_joint(mesh, change, uncertain, released, joints)};
     }
   }
+  std::sort(released.held.begin(), released.held.end());
   std::sort(released.active.begin(), released.active.end());
   released.active.erase(
       std::unique(released.active.begin(), released.active.end()),
@@ -367,7 +373,8 @@ void lend_mass(const std::vector<int>& free,
   std::vector<int> changed;
   for (const int i : released.active) {
     const bool loose = !std::ranges::binary_search(free, i);
-    if (loose || acted(i) != 0.0) changed.push_back(i);
+    const bool held = std::ranges::binary_search(released.held, i);
+    if (loose || held || acted(i) != 0.0) changed.push_back(i);
   }
   const SparseMatrix lent =
       lent_mass(*released.K, *released.M, changed, high_hz);
