@@ -137,12 +137,6 @@ std::shared_ptr<const FrfModel> Fitter::coarser_for(
              : plain_coarser_;
 }
 
-std::shared_ptr<const FrfModel> Fitter::coarse_model_for(
-    const std::vector<PlacedEffect>& effects) const {
-  return coarser_ == nullptr ? model_for(effects)
-                             : Fitter(*coarser_, setting_).model_for(effects);
-}
-
 // What the mesh does to the modes as they have become: all fits alike, so that
 // none is better for that alone.
 Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,

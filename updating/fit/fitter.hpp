@@ -79,11 +79,6 @@ class Fitter {
       const std::vector<PlacedEffect>& effects,
       BaseUse use = BaseUse::Fit) const;
 
-  /// The same on the deck's own mesh where that of the base is split: a base
-  /// that costs little, for a first look.
-  [[nodiscard]] std::shared_ptr<const FrfModel> coarse_model_for(
-      const std::vector<PlacedEffect>& effects) const;
-
   /// Fits effects' parameters, uncertain properties and damping together. The
   /// modes beyond those fitted have the ratio that is typical of these, without
   /// what the effects add: it is taken anew as they become known.

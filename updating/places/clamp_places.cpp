@@ -28,7 +28,7 @@ constexpr double on_plane = 1e-3;
 // eight elements, not around a corner.
 constexpr double goes_on = 0.7;
 
-// Each is a base of its own: of so many free edges the longest.
+// Of so many free edges the longest.
 constexpr std::size_t most_edges = 12;
 
 // All grids of the structure's elements, and which are in one with which.

@@ -261,7 +261,8 @@ class Screening {
   }
 
   [[nodiscard]] std::vector<Screened> clamps() const {
-    return screen_clamps(*current_, *fitter_, *target_, scan_, now_);
+    return promising_clamps(
+        screen_clamps(*current_, *fitter_, *target_, scan_, now_), scan_);
   }
 
   // Effects at few places, which the model as it is can respond to: those of
