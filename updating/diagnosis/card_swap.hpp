@@ -11,7 +11,8 @@
 namespace tapfit::updating {
 
 /// Tries the deck's likely slips (card_slips.hpp) where no effect by itself
-/// comes near the floor.
+/// comes near the floor: through the deck's own base, and the best two, where
+/// they leave clearly less than the deck as it is, in bases of their own.
 ///
 /// @param fitter of a deck without effects
 /// @param found what effects alone explain

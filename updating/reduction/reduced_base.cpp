@@ -8,6 +8,7 @@
 #include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/corrections.hpp"
 #include "updating/reduction/deck_forms.hpp"
+#include "updating/reduction/deck_through_base.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/kept_base.hpp"
@@ -182,6 +183,14 @@ BaseBuilder BaseBuilder::for_deck(const structure::Deck& deck) const {
   options.split = false;
   options.cache.reset();
   return {deck, impl_->uncertain, options, Progress{}};
+}
+
+ReducedBase BaseBuilder::through_base(const structure::Deck& deck) const {
+  const Impl& m = *impl_;
+  return deck_through_base(
+      m.options.split ? structure::refine_mesh(deck).deck : deck,
+      m.uncertain,
+      {m.wide.V, m.wide.base.rows, m.options.points, m.options.high_hz});
 }
 
 std::vector<Correction> BaseBuilder::hold_corrections(

@@ -23,7 +23,7 @@ constexpr std::size_t most_clamps = 2;
 // Of the logarithm of a frequency: what modes_held() may be off by, and steps
 // in which the widest line still tells two apart.
 constexpr double own_scatter = 0.05;
-constexpr double step = 0.05;
+constexpr double scale_step = 0.05;
 
 // By what frequencies are tried: all within two standard deviations of what the
 // uncertain properties and the modes' own scatter make of them.
@@ -35,9 +35,10 @@ std::vector<double> scales(const FitSetting& setting) {
     variance += std::pow(0.5 * setting.uncertain_sd[k], 2);
   }
   const auto most =
-      static_cast<int>(std::ceil(2.0 * std::sqrt(variance) / step));
+      static_cast<int>(std::ceil(2.0 * std::sqrt(variance) / scale_step));
   std::vector<double> result;
-  for (int k = -most; k <= most; ++k) result.push_back(std::exp(k * step));
+  for (int k = -most; k <= most; ++k)
+    result.push_back(std::exp(k * scale_step));
   return result;
 }
 

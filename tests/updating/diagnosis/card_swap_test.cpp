@@ -4,6 +4,7 @@
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/fit/slip_fits.hpp"
 #include "updating/measurement/damped_line.hpp"
+#include "updating/search/screened.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +84,11 @@ class CardSwap : public ::testing::Test {
 
 TEST_F(CardSwap, OfExchangedModuliIsFound) {
   measure(wooden_plate(11e9, 0.8e9), wooden_plate(0.8e9, 11e9));
-  const SlipFits fits = fit_slips(*fitter_, {});
+  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), {});
+  ASSERT_EQ(screened.slips.size(), 3U);
+  // The deck's vectors are short of what the moduli exchanged make of them.
+  EXPECT_LT(screened.slips[0].error, worth_it * screened.plain.error);
+  const SlipFits fits = fit_slips(*fitter_, card_slips(deck_), {});
   ASSERT_EQ(fits.slips.size(), 3U);
   // The noise, of 1 % in either part.
   EXPECT_LT(fits.slips[0].error, 0.03);
@@ -107,6 +112,12 @@ TEST_F(CardSwap, IsNoneWhereTheCardsAreRight) {
   const structure::Deck deck = wooden_plate(11e9, 0.8e9);
   measure(deck, deck);
   EXPECT_FALSE(found());
+  // None is worth a base.
+  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), {});
+  ASSERT_EQ(screened.slips.size(), 3U);
+  for (const SlipFit& slip : screened.slips) {
+    EXPECT_GT(slip.error, screened.plain.error) << slip.edit;
+  }
 }
 
 }  // namespace
