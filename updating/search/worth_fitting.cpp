@@ -101,6 +101,8 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     const bool promising =
         s.error <= options.promising * screened.front().error;
     if (!promising && !(few && is_preload)) break;
+    const bool held = is_held(s.placed.where);
+    if (held && s.error > rival_error * screened.front().error) break;
     if (is_new(s)) tries.push_back(s.placed);
   }
   // The grid that explains most whatever the law: sizes far from the model's
