@@ -6,6 +6,7 @@
 #include "updating/fit/fit_watch.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/residual/mesh_error.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 

@@ -12,6 +12,7 @@
 #include "updating/measurement/measurement.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/reduction/base_error.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/robustness/robustness.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_stack.hpp"
@@ -173,9 +174,9 @@ Comparison Session::Impl::compare_now(const Fit& fit) {
   c.floor_noise = ground->floor_noise;
   c.floor_mesh = ground->floor_mesh;
   const double data =
-      evidence_data(ground->fitter->target(),
-                    fit.result.residual,
-                    static_cast<int>(test.modes({}).modes.size()));
+      independent_data(ground->fitter->target(),
+                       fit.result.residual,
+                       static_cast<int>(test.modes({}).modes.size()));
   c.floor_form = form_share(fit, data, c.floor_noise).error;
   c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
   c.contour = ground->contour;
