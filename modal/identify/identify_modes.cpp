@@ -7,7 +7,7 @@
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/fit/shapes.hpp"
 #include "modal/identify/mode_warnings.hpp"
-#include "modal/mass_loading/run_modes.hpp"
+#include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "modal/mode_set/complexity.hpp"
 #include "modal/poles/curves.hpp"
@@ -130,7 +130,7 @@ void add_modes(const Curves& curves,
 /// being many. Every value counts by its own weight here, also on the flanks
 /// of one FRF's resonance where others are large.
 bool is_better(const Curves& curves,
-               const RunModes& own,
+               const MultiSetupModes& own,
                const ModalFit& common) {
   const auto left = [&curves](const Eigen::MatrixXcd& H) {
     return curves.weight.cwiseProduct(curves.H - H).norm();
@@ -143,7 +143,7 @@ bool is_better(const Curves& curves,
   return apart <= 0.5 * together || (fewer && apart < 2.0 * together);
 }
 
-Identified of_set_ups(const RunModes& runs) {
+Identified of_set_ups(const MultiSetupModes& runs) {
   Identified found;
   found.fit.poles = runs.poles;
   found.fit.residues = runs.residues;
@@ -227,7 +227,7 @@ void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
 }
 
 /// Each set-up's own poles, which the sensors move.
-Identified identified_by_set_up(const RunModes& runs, ModeSet& set) {
+Identified identified_by_set_up(const MultiSetupModes& runs, ModeSet& set) {
   if (runs.poles.size() > 0) {
     set.warnings.push_back(fmt::format(
         "frequencies move by up to {:.2g} % between set-ups of the sensors; "
@@ -294,7 +294,8 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   set.diagram = stabilisation.diagram;
   Selection selection = select_from_orders(
       curves, matrix, orders, stabilisation.tracks, options, progress);
-  std::optional<RunModes> runs = identify_per_set_up(curves, options, progress);
+  std::optional<MultiSetupModes> runs =
+      identify_per_set_up(curves, options, progress);
   const bool by_set_up =
       runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit);
   if (by_set_up) {

@@ -67,7 +67,8 @@ std::optional<std::vector<Index>> rows_of_sensor(
 
 /// Modes whose mean frequency lies in the band; those beside it are known too
 /// poorly to tell of shifts.
-std::vector<Index> modes_in_band(const Curves& curves, const RunModes& runs) {
+std::vector<Index> modes_in_band(const Curves& curves,
+                                 const MultiSetupModes& runs) {
   std::vector<Index> kept;
   for (Index r = 0; r < runs.poles.size(); ++r) {
     const double omega = std::abs(runs.poles(r));
@@ -79,7 +80,7 @@ std::vector<Index> modes_in_band(const Curves& curves, const RunModes& runs) {
   return kept;
 }
 
-void fill_poles(const RunModes& runs,
+void fill_poles(const MultiSetupModes& runs,
                 const std::vector<Index>& kept,
                 ShiftData& data) {
   const auto set_ups = static_cast<Index>(runs.set_ups.size());
@@ -103,7 +104,7 @@ void fill_poles(const RunModes& runs,
 /// The set-up with a driving point, and the shapes at the hammer's point in all
 /// set-ups that were hit there and nowhere else.
 void fill_hammer(const Curves& curves,
-                 const RunModes& runs,
+                 const MultiSetupModes& runs,
                  const std::vector<Dof>& dofs,
                  const Eigen::MatrixXcd& shapes,
                  ShiftData& data) {
@@ -205,7 +206,7 @@ std::string mass_statement(const PoleShifts& shifts,
 std::optional<PoleShifts> sensor_shifts(const signal::FrfSet& frfs,
                                         const Curves& curves,
                                         const ShapeGraph& graph,
-                                        const RunModes& runs) {
+                                        const MultiSetupModes& runs) {
   ShiftData data;
   data.scaled = graph.scaled;
   const std::vector<Index> kept = modes_in_band(curves, runs);

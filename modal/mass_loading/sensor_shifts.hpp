@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modal/fit/shapes.hpp"
-#include "modal/mass_loading/run_modes.hpp"
+#include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mode_set/pole_shifts.hpp"
 #include "modal/poles/curves.hpp"
 
@@ -25,7 +25,7 @@ namespace tapfit::modal {
     const signal::FrfSet& frfs,
     const Curves& curves,
     const ShapeGraph& graph,
-    const RunModes& runs);
+    const MultiSetupModes& runs);
 
 /// Whether there are shifts and they are more than noise.
 [[nodiscard]] bool is_telling(const std::optional<PoleShifts>& shifts);

@@ -28,7 +28,7 @@ namespace tapfit::modal {
 /// The set-ups' fits, and which modes of them are one.
 struct SetUpFits;
 
-struct RunModes {
+struct MultiSetupModes {
   Eigen::VectorXcd poles;    ///< mean over set-ups [rad/s]
   Eigen::VectorXcd scatter;  ///< sd over set-ups: of Re + j of Im [rad/s]
   Eigen::VectorXd frequency_range;   ///< (largest - smallest) / mean
@@ -49,7 +49,7 @@ struct RunModes {
 ///
 /// @return empty when there is one set-up only, when one shows no mode or no
 /// mode is in two of them
-[[nodiscard]] std::optional<RunModes> identify_per_set_up(
+[[nodiscard]] std::optional<MultiSetupModes> identify_per_set_up(
     const Curves& curves,
     const IdentifyOptions& options,
     const Progress& progress);
@@ -60,8 +60,8 @@ struct RunModes {
 ///
 /// @throws InputError of mode_to_drop(); of add_pole() in the first set-up
 ///   where no set-up takes the pole
-[[nodiscard]] RunModes edited(const Curves& curves,
-                              const std::vector<PoleEdit>& edits,
-                              const RunModes& modes);
+[[nodiscard]] MultiSetupModes edited(const Curves& curves,
+                                     const std::vector<PoleEdit>& edits,
+                                     const MultiSetupModes& modes);
 
 }  // namespace tapfit::modal
