@@ -80,4 +80,17 @@ ChangeRange added_range(const structure::SparseMatrix& S,
   return range;
 }
 
+ChangeRange range_of(const ReleasedSystem& released,
+                     const ScaledStiffness& own,
+                     ChangeKind kind,
+                     const PlainModes& modes,
+                     const structure::System& system) {
+  if (kind == ChangeKind::Elements) return loss_range;
+  if (kind != ChangeKind::Preload) {
+    return spring_range(released, own, modes, system.T);
+  }
+  const Index n = system.dofs();
+  return added_range(own.S.topLeftCorner(n, n), modes);
+}
+
 }  // namespace tapfit::updating
