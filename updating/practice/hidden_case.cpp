@@ -6,7 +6,7 @@
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/places/element_patches.hpp"
 #include "updating/places/joint_line.hpp"
-#include "updating/places/support_line.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/reduction/reduced_base.hpp"
 #include "updating/virtual_test/virtual_habit.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
@@ -195,10 +195,8 @@ class Draw {
     StiffnessChange change;
     change.kind = ChangeKind::Support;
     change.component = setup_.component;
-    for (const std::vector<int>& group : support_groups(deck())) {
-      change.of.where.nodes.insert(
-          change.of.where.nodes.end(), group.begin(), group.end());
-    }
+    const std::vector<std::vector<int>> supports = support_choices(deck());
+    if (!supports.empty()) change.of.where.nodes = supports.back();
     change.of.where.variant = variant;
     return change;
   }

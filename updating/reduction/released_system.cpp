@@ -3,6 +3,7 @@
 #include "updating/effects/preload.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/joint_line.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/structure/assembly/assemble.hpp"
