@@ -41,44 +41,39 @@ class SupportMismatch final : public Effect {
     if (setting.deck == nullptr) return result;
     std::vector<std::vector<int>> groups =
         updating::support_choices(*setting.deck);
-    std::ranges::rotate(groups,
-                        groups.empty() ? groups.end() : groups.end() - 1);
+    if (!groups.empty()) std::ranges::rotate(groups, groups.end() - 1);
     for (const std::vector<int>& group : groups) {
-      all.insert(all.end(), group.begin(), group.end());
+      std::size_t most = 0;
+      for (const std::string& variant : variants()) {
+        Where where{.nodes = group, .variant = variant};
+        const std::size_t count = freed(where, setting).size();
+        // What frees all that is held is the same under another name.
+        if (count == 0 || count == most) continue;
+        most = std::max(most, count);
+        result.push_back(std::move(where));
+      }
     }
-    groups.insert(groups.begin(), all);
+    return result;
   }
-  for (const std::vector<int>& group : groups) {
-    std::size_t most = 0;
-    for (const std::string& variant : variants()) {
-      Where where{.nodes = group, .variant = variant};
-      const std::size_t count = freed(where, setting).size();
-      // What frees all that is held is the same under another name.
-      if (count == 0 || count == most) continue;
-      most = std::max(most, count);
-      result.push_back(std::move(where));
+
+  std::vector<structure::Constraint> released(
+      const Where& where, const Setting& setting) const override {
+    std::vector<structure::Constraint> result;
+    for (const updating::SupportDof& dof : freed(where, setting)) {
+      const std::optional<int> own =
+          dof.own_axes ? dof.component
+                       : card_component(*setting.deck, dof.node, dof.component);
+      if (own) result.push_back({dof.node, std::to_string(*own)});
     }
+    return result;
   }
-  return result;
-}
 
-std::vector<structure::Constraint>
-released(const Where& where, const Setting& setting) const override {
-  std::vector<structure::Constraint> result;
-  for (const updating::SupportDof& dof : freed(where, setting)) {
-    const std::optional<int> own =
-        dof.own_axes ? dof.component
-                     : card_component(*setting.deck, dof.node, dof.component);
-    if (own) result.push_back({dof.node, std::to_string(*own)});
+  std::vector<std::string> bulk_data(
+      const Where& where,
+      const Setting&,
+      const std::vector<double>&) const override {
+    return {fmt::format("$ Not held in the test: {}", describe(where))};
   }
-  return result;
-}
-
-std::vector<std::string> bulk_data(const Where& where,
-                                   const Setting&,
-                                   const std::vector<double>&) const override {
-  return {fmt::format("$ Not held in the test: {}", describe(where))};
-}
 };
 
 }  // namespace
