@@ -1,14 +1,11 @@
-// Hammer tests of plates and strips given by their modes, written as bundles,
-// and mistakes made in them one at a time: of the sheet, of the front end, of
-// the files. Exact but for the noise (generated_structure.hpp).
+// Hammer tests of plates given by their modes, written as bundles. Exact but
+// for the noise (generated_structure.hpp).
 #pragma once
 
 #include "acquisition/bundle/recording.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 
 #include <filesystem>
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace tapfit::updating::testing {
@@ -36,17 +33,5 @@ struct PlainOptions {
 /// Writes test.json and the recordings as sound files.
 void write_bundle(const SheetAndRecords& test,
                   const std::filesystem::path& folder);
-
-/// One mistake.
-struct Mistake {
-  std::string name;
-  /// Some finding that is no note must hold all of these words; one "|" parts
-  /// alternatives.
-  std::vector<std::string> words;
-  /// @param size 0 just visible ... 1 gross
-  std::function<void(SheetAndRecords&, const PlainOptions&, double size)> make;
-};
-
-[[nodiscard]] const std::vector<Mistake>& mistakes();
 
 }  // namespace tapfit::updating::testing
