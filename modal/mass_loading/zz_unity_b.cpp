@@ -1,7 +1,0 @@
-#include "modal/mass_loading/explain_shifts.cpp"
-#include "modal/mass_loading/loaded_frf_model.cpp"
-#include "modal/mass_loading/mass_from_shifts.cpp"
-#include "modal/mass_loading/multi_setup_identification.cpp"
-#include "modal/mass_loading/sensor_shifts.cpp"
-#include "modal/mass_loading/shift_table.cpp"
-#include "modal/mass_loading/unloaded_modes.cpp"
