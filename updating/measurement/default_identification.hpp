@@ -13,7 +13,7 @@ namespace tapfit::updating {
 /// @param band_hz of the lines; else all
 /// @return none where modes cannot be told, from a few lines say: FRFs there
 ///   are
-[[nodiscard]] std::optional<modal::ModeSet> usual_modes(
+[[nodiscard]] std::optional<modal::ModeSet> default_identification(
     const signal::FrfSet& frfs,
     const std::optional<std::array<double, 2>>& band_hz,
     const Progress& progress);

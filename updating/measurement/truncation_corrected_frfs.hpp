@@ -19,7 +19,7 @@
 
 namespace tapfit::updating {
 
-struct LastingFrfs {
+struct TruncationCorrectedFrfs {
   signal::FrfSet set;
   Eigen::VectorXcd poles;  ///< of modes that outlast the block [rad/s]
   /// As identified from all lines of `set`, where that was done.
@@ -31,7 +31,7 @@ struct LastingFrfs {
 /// identified, none is.
 ///
 /// @throws InputError as of signal::estimate_frfs
-[[nodiscard]] LastingFrfs estimate_lasting_frfs(
+[[nodiscard]] TruncationCorrectedFrfs estimate_truncation_corrected_frfs(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,

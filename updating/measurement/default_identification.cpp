@@ -1,11 +1,11 @@
-#include "updating/measurement/usual_modes.hpp"
+#include "updating/measurement/default_identification.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/identify/identify_modes.hpp"
 
 namespace tapfit::updating {
 
-std::optional<modal::ModeSet> usual_modes(
+std::optional<modal::ModeSet> default_identification(
     const signal::FrfSet& frfs,
     const std::optional<std::array<double, 2>>& band_hz,
     const Progress& progress) {

@@ -1,5 +1,5 @@
 // FRFs of modes that outlast the block, their poles identified on the way.
-#include "updating/measurement/lasting_frfs.hpp"
+#include "updating/measurement/truncation_corrected_frfs.hpp"
 
 #include "tests/signal/support/scale_error.hpp"
 
@@ -27,14 +27,14 @@ std::vector<TestMode> modes_with(double time_constants,
   return modes;
 }
 
-TEST(LastingFrfs, AreRightWithoutAWindowFromASingleHit) {
+TEST(TruncationCorrectedFrfs, AreRightWithoutAWindowFromASingleHit) {
   GeneratedOptions o;
   for (const double time_constants : {6.0, 3.0}) {
     const auto modes = modes_with(time_constants, o);
     GeneratedTest test = signal::generate_test(modes, o);
     test.bundle.band_hz = {5.0, 100.0};
-    const LastingFrfs found =
-        estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+    const TruncationCorrectedFrfs found = estimate_truncation_corrected_frfs(
+        test.bundle, test.recordings, test.hits, {});
     ASSERT_EQ(found.poles.size(), 2);
     signal::FrfOptions options;
     options.window.end_value = 1.0;
@@ -45,13 +45,14 @@ TEST(LastingFrfs, AreRightWithoutAWindowFromASingleHit) {
   }
 }
 
-TEST(LastingFrfs, SayWhatWasDone) {
+TEST(TruncationCorrectedFrfs, SayWhatWasDone) {
   GeneratedOptions o;
   const auto modes = modes_with(3.0, o);
   GeneratedTest test = signal::generate_test(modes, o);
   const auto said = [&] {
-    const auto set =
-        estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {}).set;
+    const auto set = estimate_truncation_corrected_frfs(
+                         test.bundle, test.recordings, test.hits, {})
+                         .set;
     return std::ranges::count_if(set.statements, [](const std::string& words) {
       return words.starts_with("2 modes (") &&
              words.find("have not decayed") != std::string::npos;
@@ -64,28 +65,29 @@ TEST(LastingFrfs, SayWhatWasDone) {
 }
 
 // A test that names no band is followed as far as its hits excite.
-TEST(LastingFrfs, AreFollowedWithoutABandUpToWhereHitsReach) {
+TEST(TruncationCorrectedFrfs, AreFollowedWithoutABandUpToWhereHitsReach) {
   GeneratedOptions o;
   const auto modes = modes_with(3.0, o);
   GeneratedTest test = signal::generate_test(modes, o);
   ASSERT_FALSE(test.bundle.band_hz);
   test.hits.usable_bandwidth_hz = 100.0;
-  LastingFrfs found =
-      estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  TruncationCorrectedFrfs found = estimate_truncation_corrected_frfs(
+      test.bundle, test.recordings, test.hits, {});
   EXPECT_EQ(found.poles.size(), 2);
   EXPECT_FALSE(found.modes) << "they are not of all lines";
   test.hits.usable_bandwidth_hz = 45.0;
-  found = estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  found = estimate_truncation_corrected_frfs(
+      test.bundle, test.recordings, test.hits, {});
   ASSERT_EQ(found.poles.size(), 1);
   EXPECT_NEAR(found.poles(0).imag(), 2.0 * std::numbers::pi * 20.0, 0.1);
 }
 
-TEST(LastingFrfs, AreThereWhereTooFewLinesTellModes) {
+TEST(TruncationCorrectedFrfs, AreThereWhereTooFewLinesTellModes) {
   GeneratedOptions o;
   GeneratedTest test = signal::generate_test(modes_with(3.0, o), o);
   test.bundle.band_hz = {19.9, 20.3};
-  const LastingFrfs found =
-      estimate_lasting_frfs(test.bundle, test.recordings, test.hits, {});
+  const TruncationCorrectedFrfs found = estimate_truncation_corrected_frfs(
+      test.bundle, test.recordings, test.hits, {});
   EXPECT_LT(found.set.lines(), 8);
   EXPECT_FALSE(found.modes);
   EXPECT_EQ(found.poles.size(), 0);

@@ -1,8 +1,8 @@
-#include "updating/measurement/lasting_frfs.hpp"
+#include "updating/measurement/truncation_corrected_frfs.hpp"
 
 #include "signal/estimate/estimate_frfs.hpp"
-#include "updating/measurement/slow_poles.hpp"
-#include "updating/measurement/usual_modes.hpp"
+#include "updating/measurement/default_identification.hpp"
+#include "updating/measurement/undecayed_poles.hpp"
 
 #include <array>
 #include <optional>
@@ -21,13 +21,13 @@ std::optional<std::array<double, 2>> excited_band(
 
 }  // namespace
 
-LastingFrfs estimate_lasting_frfs(
+TruncationCorrectedFrfs estimate_truncation_corrected_frfs(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,
     const Progress& progress) {
   constexpr int passes = 6;
-  LastingFrfs result;
+  TruncationCorrectedFrfs result;
   signal::FrfOptions options;
   const auto estimate = [&] {
     return signal::estimate_frfs(bundle, recordings, hits, options, progress);
@@ -36,10 +36,10 @@ LastingFrfs estimate_lasting_frfs(
   const auto band = excited_band(bundle, hits);
   for (int pass = 0; pass < passes; ++pass) {
     std::optional<modal::ModeSet> modes =
-        usual_modes(result.set, band, progress);
+        default_identification(result.set, band, progress);
     if (!modes) break;
-    Eigen::VectorXcd poles = slow_poles(*modes, hits);
-    if (at_rest(result.poles, poles)) {
+    Eigen::VectorXcd poles = undecayed_poles(*modes, hits);
+    if (have_converged(result.poles, poles)) {
       if (!band) result.modes = std::move(modes);
       break;
     }

@@ -1,4 +1,4 @@
-#include "updating/measurement/slow_poles.hpp"
+#include "updating/measurement/undecayed_poles.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace tapfit::updating {
 
-Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
-                            const acquisition::HitSet& hits) {
+Eigen::VectorXcd undecayed_poles(const modal::ModeSet& modes,
+                                 const acquisition::HitSet& hits) {
   const double block_s = static_cast<double>(hits.block) / hits.sample_rate_hz;
   std::vector<std::complex<double>> poles;
   const auto add = [&](const std::complex<double>& pole) {
@@ -24,7 +24,8 @@ Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
                                       static_cast<Eigen::Index>(poles.size()));
 }
 
-bool at_rest(const Eigen::VectorXcd& before, const Eigen::VectorXcd& after) {
+bool have_converged(const Eigen::VectorXcd& before,
+                    const Eigen::VectorXcd& after) {
   if (before.size() != after.size()) return false;
   const Eigen::ArrayXd moved = (after - before).cwiseAbs().array();
   return (moved <= 0.01 * after.real().cwiseAbs().array()).all();

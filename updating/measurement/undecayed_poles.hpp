@@ -10,12 +10,12 @@ namespace tapfit::updating {
 
 /// Poles of which more than a thousandth is left when the block ends [rad/s],
 /// also of modes that ring too much for their damping to be resolved.
-[[nodiscard]] Eigen::VectorXcd slow_poles(const modal::ModeSet& modes,
-                                          const acquisition::HitSet& hits);
+[[nodiscard]] Eigen::VectorXcd undecayed_poles(const modal::ModeSet& modes,
+                                               const acquisition::HitSet& hits);
 
 /// Whether two sets of poles differ by less than matters for what they predict
 /// of a decay: a hundredth of the half bandwidth.
-[[nodiscard]] bool at_rest(const Eigen::VectorXcd& before,
-                           const Eigen::VectorXcd& after);
+[[nodiscard]] bool have_converged(const Eigen::VectorXcd& before,
+                                  const Eigen::VectorXcd& after);
 
 }  // namespace tapfit::updating
