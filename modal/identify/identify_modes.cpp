@@ -17,7 +17,7 @@
 #include "modal/poles/pole_clusters.hpp"
 #include "modal/poles/stabilisation.hpp"
 #include "modal/select/edit_poles.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 #include "modal/select/repeated_poles.hpp"
 #include "modal/select/select_from_orders.hpp"
 #include "modal/select/unrefined_fit.hpp"

@@ -5,8 +5,8 @@
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/double_poles.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -342,9 +342,9 @@ ModalFit at_rest_by_one_reference(const Curves& curves, ModalFit fit) {
   return refine_in_reach(curves, fit.poles, 20);
 }
 
-ModalFit unite_untold(const Curves& curves,
-                      ModalFit fit,
-                      std::vector<Complex>& shifting) {
+ModalFit merge_unresolved_poles(const Curves& curves,
+                                ModalFit fit,
+                                std::vector<Complex>& shifting) {
   const FrfMatrix matrix = arrange_frfs(curves);
   std::optional<ModalFit> united;
   do {

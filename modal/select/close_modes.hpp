@@ -54,7 +54,7 @@ inline constexpr double kApart = 3.0;
 ///
 /// @param shifting takes up poles that one reference shows as two, so near each
 ///   other that FRFs of slightly different poles would look the same
-[[nodiscard]] ModalFit unite_untold(
+[[nodiscard]] ModalFit merge_unresolved_poles(
     const Curves& curves,
     ModalFit fit,
     std::vector<std::complex<double>>& shifting);

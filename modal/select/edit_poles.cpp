@@ -4,7 +4,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/select/close_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include "acquisition/samples/statistics.hpp"
 #include "modal/poles/frf_matrix.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 #include "modal/select/split_poles.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "modal/select/needed_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <cmath>

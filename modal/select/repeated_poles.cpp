@@ -7,8 +7,8 @@
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/close_modes.hpp"
 #include "modal/select/double_poles.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>

@@ -1,6 +1,6 @@
 #include "modal/select/select_from_orders.hpp"
 
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 #include "modal/select/overlapped_modes.hpp"
 
 #include <algorithm>

@@ -7,9 +7,9 @@
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/select/close_modes.hpp"
+#include "modal/select/lost_pole_recovery.hpp"
 #include "modal/select/needed_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
-#include "modal/select/strayed_poles.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -242,10 +242,10 @@ Selection select_modes(const Curves& curves,
   fit = refine_in_reach(curves, lasting, 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
   if (fit.poles.size() > 0) {
-    add_neighbours(curves, fit);
+    add_out_of_band_modes(curves, fit);
     fit = refine_in_reach(curves, fit.poles, 20);
     fit = drop_weak(curves, std::move(fit), options, progress);
-    fit = return_strayed(curves, lasting, std::move(fit), options);
+    fit = recover_lost_poles(curves, lasting, std::move(fit), options);
     drop_unresolved(curves, selection);
   }
   const std::vector<Complex> told = selection.unresolved;
@@ -255,14 +255,14 @@ Selection select_modes(const Curves& curves,
   selection.unresolved = told;
   fit = at_rest_by_one_reference(curves, std::move(fit));
   drop_complex(curves, options, selection);
-  fit = unite_untold(curves, std::move(fit), selection.shifting);
+  fit = merge_unresolved_poles(curves, std::move(fit), selection.shifting);
   const Index before = fit.poles.size();
   fit = separate_close(curves, std::move(fit), options);
   // What stood for the modes that were hidden is needed no more.
   if (fit.poles.size() > before) {
     fit = drop_weak(curves, std::move(fit), options, progress);
   }
-  fit = unite_untold(curves, std::move(fit), selection.shifting);
+  fit = merge_unresolved_poles(curves, std::move(fit), selection.shifting);
   // One that a mode stands for now was not left out.
   std::erase_if(selection.unresolved, [&fit](const Complex& left_out) {
     return std::ranges::any_of(fit.poles, [&](const Complex& pole) {

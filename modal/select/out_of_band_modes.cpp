@@ -1,4 +1,4 @@
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +92,7 @@ ModalFit refine_in_reach(const Curves& curves,
   }
 }
 
-void add_neighbours(const Curves& curves, ModalFit& fit) {
+void add_out_of_band_modes(const Curves& curves, ModalFit& fit) {
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
   if (curves.lines() < 60) return;

@@ -35,6 +35,6 @@ namespace tapfit::modal {
                                        int iterations);
 
 /// Adds poles above and below the band where the misfit falls clearly.
-void add_neighbours(const Curves& curves, ModalFit& fit);
+void add_out_of_band_modes(const Curves& curves, ModalFit& fit);
 
 }  // namespace tapfit::modal

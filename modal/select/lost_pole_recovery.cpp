@@ -1,7 +1,7 @@
-#include "modal/select/strayed_poles.hpp"
+#include "modal/select/lost_pole_recovery.hpp"
 
 #include "modal/select/needed_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <complex>
@@ -32,10 +32,10 @@ bool is_there(const Curves& curves,
 
 }  // namespace
 
-ModalFit return_strayed(const Curves& curves,
-                        const Eigen::VectorXcd& lasting,
-                        ModalFit fit,
-                        const IdentifyOptions& options) {
+ModalFit recover_lost_poles(const Curves& curves,
+                            const Eigen::VectorXcd& lasting,
+                            ModalFit fit,
+                            const IdentifyOptions& options) {
   for (Index r = 0; r < lasting.size(); ++r) {
     const Complex pole = lasting(r);
     if (!in_band(curves, pole) || is_there(curves, lasting, r, fit)) continue;

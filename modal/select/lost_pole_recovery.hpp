@@ -17,9 +17,9 @@ namespace tapfit::modal {
 ///
 /// @param lasting poles of the diagram that last over its orders [rad/s]
 /// @param fit refined from those, with the poles beside the band
-[[nodiscard]] ModalFit return_strayed(const Curves& curves,
-                                      const Eigen::VectorXcd& lasting,
-                                      ModalFit fit,
-                                      const IdentifyOptions& options);
+[[nodiscard]] ModalFit recover_lost_poles(const Curves& curves,
+                                          const Eigen::VectorXcd& lasting,
+                                          ModalFit fit,
+                                          const IdentifyOptions& options);
 
 }  // namespace tapfit::modal
