@@ -124,7 +124,7 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
 
 /// Share of each line's noise that the residues and terms follow: the mean of
 /// its two rows' squares in Q.
-Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd leverage(const WeightedFrfs& curves, const ModalFit& fit) {
   const LinearFit linear = fit_linear(curves, fit.poles);
   return 0.5 * unstack(orthonormal_columns(curves, fit.poles, linear))
                    .rowwise()
@@ -144,7 +144,8 @@ Eigen::VectorXd mean_over_lines(const Eigen::VectorXd& x) {
 }
 
 /// E|e|^2 of each value as the few lines around it tell: n_lines x n_frfs.
-Eigen::MatrixXd power_near(const Curves& curves, const Eigen::MatrixXd& left) {
+Eigen::MatrixXd power_near(const WeightedFrfs& curves,
+                           const Eigen::MatrixXd& left) {
   Eigen::MatrixXd power(left.rows(), left.cols());
   const auto operations = 30.0 * static_cast<double>(left.size());
   for_each_parallel(
@@ -164,7 +165,7 @@ Eigen::MatrixXd correlated_gram(const Eigen::MatrixXcd& x, double ratio) {
   return 0.5 * own.transpose() * stack(correlate(x, ratio));
 }
 
-Noise weighted_noise(const Curves& curves,
+Noise weighted_noise(const WeightedFrfs& curves,
                      const ModalFit& fit,
                      NoiseFrom from) {
   Eigen::MatrixXd left;

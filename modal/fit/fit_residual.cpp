@@ -28,7 +28,9 @@ Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
 
 /// Calls work(begin, count) for all lines, some at a time, on all cores.
 template <typename Work>
-void for_lines(const Curves& curves, const ModalFit& fit, const Work& work) {
+void for_lines(const WeightedFrfs& curves,
+               const ModalFit& fit,
+               const Work& work) {
   const Index chunks = (curves.lines() + kLinesAtOnce - 1) / kLinesAtOnce;
   const double operations =
       8.0 * static_cast<double>(curves.lines() * curves.count() *
@@ -48,7 +50,7 @@ bool meets(const std::vector<LineRange>& ranges, Index begin, Index count) {
 
 }  // namespace
 
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
+Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
                                     const ModalFit& fit,
                                     Index begin,
                                     Index count) {
@@ -56,7 +58,8 @@ Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
                  coefficients_of(fit));
 }
 
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves, const ModalFit& fit) {
+Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
+                                    const ModalFit& fit) {
   Eigen::MatrixXcd H(curves.lines(), curves.count());
   const Eigen::MatrixXd coefficients = coefficients_of(fit);
   for_lines(curves, fit, [&](Index begin, Index count) {
@@ -68,7 +71,7 @@ Eigen::MatrixXcd fitted_accelerance(const Curves& curves, const ModalFit& fit) {
   return H;
 }
 
-Eigen::VectorXd left_per_line(const Curves& curves,
+Eigen::VectorXd left_per_line(const WeightedFrfs& curves,
                               const ModalFit& fit,
                               const std::vector<LineRange>& wanted) {
   Eigen::VectorXd power = Eigen::VectorXd::Zero(curves.lines());

@@ -33,7 +33,7 @@ Eigen::VectorXcd moved(const Eigen::VectorXcd& poles,
   return result;
 }
 
-ModalFit finish(const Curves& curves,
+ModalFit finish(const WeightedFrfs& curves,
                 const Eigen::VectorXcd& poles,
                 const LinearFit& linear) {
   const Index modes = poles.size();
@@ -61,11 +61,12 @@ ModalFit finish(const Curves& curves,
 
 }  // namespace
 
-ModalFit fit_residues(const Curves& curves, const Eigen::VectorXcd& poles) {
+ModalFit fit_residues(const WeightedFrfs& curves,
+                      const Eigen::VectorXcd& poles) {
   return finish(curves, poles, fit_linear(curves, poles));
 }
 
-ModalFit refine_poles(const Curves& curves,
+ModalFit refine_poles(const WeightedFrfs& curves,
                       const Eigen::VectorXcd& start,
                       int iterations) {
   Eigen::VectorXcd poles = start;
@@ -96,7 +97,7 @@ ModalFit refine_poles(const Curves& curves,
   return finish(curves, poles, linear);
 }
 
-double relative_misfit(const Curves& curves, const Eigen::MatrixXcd& H) {
+double relative_misfit(const WeightedFrfs& curves, const Eigen::MatrixXcd& H) {
   const auto& [v, u] = curves.weights;
   double left = 0.0;
   double all = 0.0;

@@ -10,12 +10,12 @@
 #include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "modal/mode_set/complexity.hpp"
-#include "modal/poles/curves.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/poles/lines_in_band.hpp"
 #include "modal/poles/plscf.hpp"
 #include "modal/poles/pole_clusters.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 #include "modal/select/edit_poles.hpp"
 #include "modal/select/out_of_band_modes.hpp"
 #include "modal/select/repeated_poles.hpp"
@@ -64,7 +64,7 @@ Mode make_mode(const Complex& pole,
 
 /// The fit on the lines and with the sign of each FRF given.
 std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
-                                          const Curves& curves,
+                                          const WeightedFrfs& curves,
                                           const Eigen::MatrixXcd& H) {
   std::vector<Eigen::VectorXcd> fitted(frfs.frfs.size(),
                                        Eigen::VectorXcd::Zero(frfs.lines()));
@@ -99,7 +99,7 @@ std::vector<SetUpPoles> keep(const std::vector<SetUpPoles>& all,
 }
 
 /// Fills all that comes from the fit; poles beside the band are left out.
-void add_modes(const Curves& curves,
+void add_modes(const WeightedFrfs& curves,
                const ShapeGraph& graph,
                const Identified& found,
                ModeSet& set) {
@@ -129,7 +129,7 @@ void add_modes(const Curves& curves,
 /// as little with fewer of them: common poles can follow moving ones only by
 /// being many. Every value counts by its own weight here, also on the flanks
 /// of one FRF's resonance where others are large.
-bool is_better(const Curves& curves,
+bool is_better(const WeightedFrfs& curves,
                const MultiSetupModes& own,
                const ModalFit& common) {
   const auto left = [&curves](const Eigen::MatrixXcd& H) {
@@ -172,7 +172,7 @@ Eigen::VectorXcd distinct(const Eigen::VectorXcd& poles) {
 }
 
 /// Puts in place of each pole the modes that its residues hold.
-void take_apart(const Curves& curves,
+void take_apart(const WeightedFrfs& curves,
                 bool scaled,
                 const IdentifyOptions& options,
                 Identified& found,
@@ -239,7 +239,7 @@ Identified identified_by_set_up(const MultiSetupModes& runs, ModeSet& set) {
 }
 
 /// Poles that all FRFs have in common.
-Identified identified_in_common(const Curves& curves,
+Identified identified_in_common(const WeightedFrfs& curves,
                                 Selection selection,
                                 const IdentifyOptions& options,
                                 ModeSet& set) {
@@ -280,7 +280,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
                        const IdentifyOptions& options,
                        const Progress& progress) {
   ModeSet set;
-  const Curves curves = prepare_curves(
+  const WeightedFrfs curves = prepare_frfs(
       options.band_hz ? lines_in_band(frfs, *options.band_hz) : frfs,
       set.warnings);
   const ShapeGraph graph = shape_graph(curves, set.warnings);

@@ -73,7 +73,7 @@ void summarise(const std::vector<SetUpFit>& fits,
 }
 
 /// Room for so many modes, none of them found in any set-up yet.
-MultiSetupModes empty_modes(const Curves& curves,
+MultiSetupModes empty_modes(const WeightedFrfs& curves,
                             const std::vector<SetUpFit>& fits,
                             Index count) {
   MultiSetupModes result;
@@ -98,7 +98,7 @@ MultiSetupModes empty_modes(const Curves& curves,
 }
 
 /// All of the set-ups as one.
-MultiSetupModes joined(const Curves& curves, SetUpFits parts) {
+MultiSetupModes joined(const WeightedFrfs& curves, SetUpFits parts) {
   for (SetUpFit& own : parts.fits) estimate_uncertainty(own);
   const auto count = static_cast<Index>(parts.groups.size());
   MultiSetupModes result = empty_modes(curves, parts.fits, count);
@@ -111,7 +111,7 @@ MultiSetupModes joined(const Curves& curves, SetUpFits parts) {
 
 }  // namespace
 
-bool sensors_rove(const Curves& curves) {
+bool sensors_rove(const WeightedFrfs& curves) {
   const std::set<std::size_t> all(curves.set_up.begin(), curves.set_up.end());
   std::map<Dof, std::set<std::size_t>> seen;
   for (std::size_t f = 0; f < curves.set_up.size(); ++f) {
@@ -123,7 +123,7 @@ bool sensors_rove(const Curves& curves) {
 }
 
 std::optional<MultiSetupModes> identify_per_set_up(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const IdentifyOptions& options,
     const Progress& progress) {
   if (std::ranges::all_of(curves.set_up,
@@ -141,7 +141,7 @@ std::optional<MultiSetupModes> identify_per_set_up(
   return joined(curves, {std::move(fits), std::move(groups)});
 }
 
-MultiSetupModes edited(const Curves& curves,
+MultiSetupModes edited(const WeightedFrfs& curves,
                        const std::vector<PoleEdit>& edits,
                        const MultiSetupModes& modes) {
   if (edits.empty()) return modes;

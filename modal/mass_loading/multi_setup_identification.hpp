@@ -43,14 +43,14 @@ struct MultiSetupModes {
 
 /// True when no sensor point is measured in more than half of the set-ups,
 /// of which there are several.
-[[nodiscard]] bool sensors_rove(const Curves& curves);
+[[nodiscard]] bool sensors_rove(const WeightedFrfs& curves);
 
 /// Identifies every set-up by itself and joins the modes.
 ///
 /// @return empty when there is one set-up only, when one shows no mode or no
 /// mode is in two of them
 [[nodiscard]] std::optional<MultiSetupModes> identify_per_set_up(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const IdentifyOptions& options,
     const Progress& progress);
 
@@ -60,7 +60,7 @@ struct MultiSetupModes {
 ///
 /// @throws InputError of mode_to_drop(); of add_pole() in the first set-up
 ///   where no set-up takes the pole
-[[nodiscard]] MultiSetupModes edited(const Curves& curves,
+[[nodiscard]] MultiSetupModes edited(const WeightedFrfs& curves,
                                      const std::vector<PoleEdit>& edits,
                                      const MultiSetupModes& modes);
 

@@ -4,7 +4,7 @@
 #include "modal/fit/shapes.hpp"
 #include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mode_set/pole_shifts.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <optional>
 #include <string>
@@ -23,7 +23,7 @@ namespace tapfit::modal {
 ///   the sensors' points
 [[nodiscard]] std::optional<PoleShifts> sensor_shifts(
     const signal::FrfSet& frfs,
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ShapeGraph& graph,
     const MultiSetupModes& runs);
 

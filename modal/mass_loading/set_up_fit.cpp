@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-SetUpFit fit_set_up(const Curves& curves,
+SetUpFit fit_set_up(const WeightedFrfs& curves,
                     std::size_t set_up,
                     const std::vector<Index>& frfs,
                     const IdentifyOptions& options,
@@ -26,8 +26,8 @@ SetUpFit fit_set_up(const Curves& curves,
   SetUpFit result;
   result.set_up = set_up;
   result.frfs = frfs;
-  result.curves = select_curves(curves, frfs);
-  const Curves& part = result.curves;
+  result.curves = select_frfs(curves, frfs);
+  const WeightedFrfs& part = result.curves;
   const FrfMatrix matrix = arrange_frfs(part);
   const std::vector<OrderPoles> orders =
       plscf_poles(part, matrix, options.max_order, progress);
@@ -43,7 +43,7 @@ SetUpFit fit_set_up(const Curves& curves,
 
 }  // namespace
 
-std::vector<SetUpFit> fit_set_ups(const Curves& curves,
+std::vector<SetUpFit> fit_set_ups(const WeightedFrfs& curves,
                                   const IdentifyOptions& options,
                                   const Progress& progress) {
   std::map<std::size_t, std::vector<Index>> frfs;

@@ -4,9 +4,9 @@
 
 #include "acquisition/foundation/progress.hpp"
 #include "modal/fit/modal_fit.hpp"
-#include "modal/poles/curves.hpp"
 #include "modal/poles/identify_options.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -18,7 +18,7 @@ namespace tapfit::modal {
 struct SetUpFit {
   std::size_t set_up = 0;
   std::vector<Eigen::Index> frfs;
-  Curves curves;  ///< those FRFs
+  WeightedFrfs curves;  ///< those FRFs
   std::vector<Track> tracks;
   ModalFit fit;
   Eigen::MatrixXd residue_variance;  ///< E|dR|^2; see estimate_uncertainty()
@@ -27,7 +27,7 @@ struct SetUpFit {
 
 /// All set-ups in their order, several at a time. Their uncertainty is not
 /// estimated yet.
-[[nodiscard]] std::vector<SetUpFit> fit_set_ups(const Curves& curves,
+[[nodiscard]] std::vector<SetUpFit> fit_set_ups(const WeightedFrfs& curves,
                                                 const IdentifyOptions& options,
                                                 const Progress& progress);
 

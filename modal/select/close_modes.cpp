@@ -32,7 +32,7 @@ constexpr double kTrusted = 0.3;       // half bandwidths, for the covariance
 constexpr double kOneReference = 0.5;  // half bandwidths, two by one reference
 
 /// Error of each pole's residues as a share of them, weighted.
-Eigen::VectorXd residue_error(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd residue_error(const WeightedFrfs& curves, const ModalFit& fit) {
   const auto u = fit.frf_weight.asDiagonal();
   const Eigen::MatrixXd deviation =
       residue_variance(curves, fit).cwiseMax(0.0).cwiseSqrt();
@@ -57,7 +57,7 @@ double nearest_distance(const ModalFit& fit, Index r) {
 }
 
 /// Whether the last poles are apart and each with a shape that can be read.
-bool are_known(const Curves& curves, const ModalFit& fit, Index count) {
+bool are_known(const WeightedFrfs& curves, const ModalFit& fit, Index count) {
   if (residue_error(curves, fit).tail(count).maxCoeff() > kReadable) {
     return false;
   }
@@ -94,7 +94,7 @@ bool look_like_a_shift(const FrfMatrix& matrix,
 
 /// Pairs of poles in the band that may be one, nearest first: not told apart,
 /// or too near for the covariance to be trusted.
-std::vector<Pair> doubtful_pairs(const Curves& curves,
+std::vector<Pair> doubtful_pairs(const WeightedFrfs& curves,
                                  const FrfMatrix& matrix,
                                  const ModalFit& fit) {
   std::vector<std::pair<double, Pair>> pairs;
@@ -128,7 +128,7 @@ struct LeftOver {
   double values = 0.0;  ///< real ones
 };
 
-LeftOver left_over_near(const Curves& curves,
+LeftOver left_over_near(const WeightedFrfs& curves,
                         const ModalFit& fit,
                         const Complex& pole) {
   const double reach =
@@ -141,7 +141,7 @@ LeftOver left_over_near(const Curves& curves,
 }
 
 /// Whether other poles have moved to do what one of two did.
-bool take_over(const Curves& curves,
+bool take_over(const WeightedFrfs& curves,
                const Eigen::VectorXcd& before,
                const Eigen::VectorXcd& after) {
   for (Index r = 0; r < before.size(); ++r) {
@@ -155,7 +155,7 @@ bool take_over(const Curves& curves,
 }
 
 /// Whether two poles explain the FRFs around them clearly better than one fit.
-bool two_are_needed(const Curves& curves,
+bool two_are_needed(const WeightedFrfs& curves,
                     const ModalFit& two,
                     const ModalFit& one,
                     const Complex& pole) {
@@ -190,7 +190,7 @@ Complex between(const ModalFit& fit, Index q, Index r) {
 }
 
 /// A fit with one pole, the last, in place of two; none where two are needed.
-std::optional<ModalFit> as_one_pole(const Curves& curves,
+std::optional<ModalFit> as_one_pole(const WeightedFrfs& curves,
                                     const FrfMatrix& matrix,
                                     const ModalFit& fit,
                                     const Pair& pair) {
@@ -217,7 +217,7 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
 }
 
 /// The poles in the band within a bandwidth of pole r, which is in it.
-std::vector<Index> within_bandwidth(const Curves& curves,
+std::vector<Index> within_bandwidth(const WeightedFrfs& curves,
                                     const ModalFit& fit,
                                     Index r) {
   std::vector<Index> group;
@@ -230,7 +230,7 @@ std::vector<Index> within_bandwidth(const Curves& curves,
 }
 
 /// A fit with one pole, the last, in place of a group's.
-ModalFit as_one(const Curves& curves,
+ModalFit as_one(const WeightedFrfs& curves,
                 const ModalFit& fit,
                 const std::vector<Index>& group) {
   Eigen::VectorXcd rest = fit.poles;
@@ -245,7 +245,7 @@ ModalFit as_one(const Curves& curves,
 
 /// Poles found put in place of the last one of a fit, and refined; none where
 /// one is no mode, or they leave their place without clearly explaining more.
-std::optional<ModalFit> with_poles(const Curves& curves,
+std::optional<ModalFit> with_poles(const WeightedFrfs& curves,
                                    const ModalFit& one,
                                    const Eigen::VectorXcd& found,
                                    const IdentifyOptions& options) {
@@ -282,7 +282,7 @@ bool is_crowded(const ModalFit& fit, Index r) {
   return false;
 }
 
-bool stands_alone(const Curves& curves, const ModalFit& fit, Index r) {
+bool stands_alone(const WeightedFrfs& curves, const ModalFit& fit, Index r) {
   if (!is_crowded(fit, r)) return true;
   if (residue_error(curves, fit)(r) > kReadable) return false;
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
@@ -309,7 +309,7 @@ bool are_told_apart(const Eigen::MatrixXd& covariance,
   return kApart * std::sqrt(variance) <= d.squaredNorm();
 }
 
-ModalFit separate_close(const Curves& curves,
+ModalFit separate_close(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options) {
   const FrfMatrix matrix = arrange_frfs(curves);
@@ -337,12 +337,12 @@ ModalFit separate_close(const Curves& curves,
   return fit;
 }
 
-ModalFit at_rest_by_one_reference(const Curves& curves, ModalFit fit) {
+ModalFit at_rest_by_one_reference(const WeightedFrfs& curves, ModalFit fit) {
   if (fit.poles.size() == 0 || arrange_frfs(curves).references > 1) return fit;
   return refine_in_reach(curves, fit.poles, 20);
 }
 
-ModalFit merge_unresolved_poles(const Curves& curves,
+ModalFit merge_unresolved_poles(const WeightedFrfs& curves,
                                 ModalFit fit,
                                 std::vector<Complex>& shifting) {
   const FrfMatrix matrix = arrange_frfs(curves);

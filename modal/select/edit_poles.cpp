@@ -44,7 +44,8 @@ Complex start_near(const std::vector<Track>& tracks,
 
 /// Frequency [Hz] of the pole within a bandwidth that the last one of a fit is
 /// not told apart from.
-std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
+std::optional<double> untold_from(const WeightedFrfs& curves,
+                                  const ModalFit& fit) {
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   const Index last = fit.poles.size() - 1;
   for (Index r = 0; r < last; ++r) {
@@ -73,7 +74,7 @@ Index mode_to_drop(const Eigen::ArrayXd& omega, double hz) {
   return nearest;
 }
 
-void drop_pole(const Curves& curves, Index pole, ModalFit& fit) {
+void drop_pole(const WeightedFrfs& curves, Index pole, ModalFit& fit) {
   Eigen::VectorXcd rest(fit.poles.size() - 1);
   rest << fit.poles.head(pole), fit.poles.tail(rest.size() - pole);
   fit = fit_residues(curves, rest);
@@ -84,7 +85,7 @@ void drop_pole(const Curves& curves, Index pole, ModalFit& fit) {
   if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
 }
 
-void add_pole(const Curves& curves,
+void add_pole(const WeightedFrfs& curves,
               const std::vector<Track>& tracks,
               double hz,
               ModalFit& fit) {
@@ -132,7 +133,7 @@ void add_pole(const Curves& curves,
   fit = std::move(trial);
 }
 
-void edit_poles(const Curves& curves,
+void edit_poles(const WeightedFrfs& curves,
                 const std::vector<Track>& tracks,
                 const std::vector<PoleEdit>& edits,
                 ModalFit& fit) {

@@ -14,12 +14,12 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// How far a pole moves that is only refined [rad/s].
-double reach(const Curves& curves, const Complex& pole) {
+double reach(const WeightedFrfs& curves, const Complex& pole) {
   return std::max(-pole.real(), curves.spacing);
 }
 
 /// Whether one of the fit's poles is lasting pole r and no other.
-bool is_there(const Curves& curves,
+bool is_there(const WeightedFrfs& curves,
               const Eigen::VectorXcd& lasting,
               Index r,
               const ModalFit& fit) {
@@ -32,7 +32,7 @@ bool is_there(const Curves& curves,
 
 }  // namespace
 
-ModalFit recover_lost_poles(const Curves& curves,
+ModalFit recover_lost_poles(const WeightedFrfs& curves,
                             const Eigen::VectorXcd& lasting,
                             ModalFit fit,
                             const IdentifyOptions& options) {

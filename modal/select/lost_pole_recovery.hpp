@@ -17,7 +17,7 @@ namespace tapfit::modal {
 ///
 /// @param lasting poles of the diagram that last over its orders [rad/s]
 /// @param fit refined from those, with the poles beside the band
-[[nodiscard]] ModalFit recover_lost_poles(const Curves& curves,
+[[nodiscard]] ModalFit recover_lost_poles(const WeightedFrfs& curves,
                                           const Eigen::VectorXcd& lasting,
                                           ModalFit fit,
                                           const IdentifyOptions& options);

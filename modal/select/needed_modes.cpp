@@ -25,7 +25,7 @@ constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
 
 }  // namespace
 
-Index weakest_mode(const Curves& curves,
+Index weakest_mode(const WeightedFrfs& curves,
                    const ModalFit& fit,
                    const IdentifyOptions& options) {
   const FrfMatrix matrix = arrange_frfs(curves);
@@ -47,7 +47,7 @@ Index weakest_mode(const Curves& curves,
   return worst;
 }
 
-double usual_damping(const Curves& curves, const ModalFit& fit) {
+double usual_damping(const WeightedFrfs& curves, const ModalFit& fit) {
   std::vector<double> ratios;
   for (const Complex& pole : fit.poles) {
     if (!in_band(curves, pole)) continue;
@@ -56,7 +56,7 @@ double usual_damping(const Curves& curves, const ModalFit& fit) {
   return ratios.empty() ? 0.005 : acquisition::median(ratios);
 }
 
-bool are_needed(const Curves& curves,
+bool are_needed(const WeightedFrfs& curves,
                 const ModalFit& fit,
                 const IdentifyOptions& options) {
   return weakest_mode(curves, fit, options) < 0;

@@ -10,7 +10,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-bool ran_away(const Curves& curves, const Complex& pole) {
+bool ran_away(const WeightedFrfs& curves, const Complex& pole) {
   constexpr double far = 4.0;
   const double omega = std::abs(pole);
   return far * omega < curves.s(0).imag() ||
@@ -19,7 +19,7 @@ bool ran_away(const Curves& curves, const Complex& pole) {
 
 /// Tries one more pole outside the band, started at omega; keeps it when the
 /// misfit falls clearly and the pole stays outside.
-bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
+bool add_outside(const WeightedFrfs& curves, double omega, ModalFit& fit) {
   Eigen::VectorXcd poles(fit.poles.size() + 1);
   poles << fit.poles, Complex(-0.01 * omega, omega);
   ModalFit trial = refine_poles(curves, poles, 15);
@@ -41,13 +41,13 @@ bool add_outside(const Curves& curves, double omega, ModalFit& fit) {
 
 }  // namespace
 
-bool in_band(const Curves& curves, const Complex& pole) {
+bool in_band(const WeightedFrfs& curves, const Complex& pole) {
   const double omega = std::abs(pole);
   return omega >= curves.s(0).imag() &&
          omega <= curves.s(curves.lines() - 1).imag();
 }
 
-bool far_outside(const Curves& curves, const Complex& pole) {
+bool far_outside(const WeightedFrfs& curves, const Complex& pole) {
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
   const double margin = 0.05 * (high - low);
@@ -55,7 +55,7 @@ bool far_outside(const Curves& curves, const Complex& pole) {
   return omega < low - margin || omega > high + margin;
 }
 
-std::pair<Index, Index> lines_within(const Curves& curves,
+std::pair<Index, Index> lines_within(const WeightedFrfs& curves,
                                      const Complex& pole,
                                      double reach) {
   const Eigen::ArrayXd off = (curves.s.imag().array() - pole.imag()).abs();
@@ -74,13 +74,13 @@ Eigen::VectorXcd without(const Eigen::VectorXcd& poles, Index leave_out) {
   return result;
 }
 
-ModalFit by_frequency(const Curves& curves, const ModalFit& fit) {
+ModalFit by_frequency(const WeightedFrfs& curves, const ModalFit& fit) {
   Eigen::VectorXcd poles = fit.poles;
   std::ranges::sort(poles, {}, [](const Complex& p) { return std::abs(p); });
   return fit_residues(curves, poles);
 }
 
-ModalFit refine_in_reach(const Curves& curves,
+ModalFit refine_in_reach(const WeightedFrfs& curves,
                          Eigen::VectorXcd poles,
                          int iterations) {
   for (;;) {
@@ -92,7 +92,7 @@ ModalFit refine_in_reach(const Curves& curves,
   }
 }
 
-void add_out_of_band_modes(const Curves& curves, ModalFit& fit) {
+void add_out_of_band_modes(const WeightedFrfs& curves, ModalFit& fit) {
   const double low = curves.s(0).imag();
   const double high = curves.s(curves.lines() - 1).imag();
   if (curves.lines() < 60) return;

@@ -25,7 +25,8 @@ constexpr double kHeavy = 0.05;     // damping ratio that hides modes anywhere
 constexpr int kMostPlaces = 4;      // between two poles
 constexpr double kSamePlace = 0.1;  // half bandwidths
 
-std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
+std::vector<Complex> modes_in_band(const WeightedFrfs& curves,
+                                   const ModalFit& fit) {
   std::vector<Complex> poles;
   for (const Complex& pole : fit.poles) {
     if (in_band(curves, pole)) poles.push_back(pole);
@@ -36,7 +37,8 @@ std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
 
 /// Where a mode could hide: between two poles whose resonances would reach it,
 /// and between the outer ones and the ends of the band.
-std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
+std::vector<Complex> hiding_places(const WeightedFrfs& curves,
+                                   const ModalFit& fit) {
   const std::vector<Complex> poles = modes_in_band(curves, fit);
   std::vector<Complex> places;
   if (poles.empty()) return places;
@@ -63,7 +65,7 @@ std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
 }
 
 /// Least F of the modes in the band.
-double least_significance(const Curves& curves, const ModalFit& fit) {
+double least_significance(const WeightedFrfs& curves, const ModalFit& fit) {
   double least = kSurelyThere;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (!in_band(curves, fit.poles(r))) continue;
@@ -73,7 +75,7 @@ double least_significance(const Curves& curves, const ModalFit& fit) {
 }
 
 /// The fit with a mode more at a place, where the FRFs need it.
-std::optional<ModalFit> with_mode_at(const Curves& curves,
+std::optional<ModalFit> with_mode_at(const WeightedFrfs& curves,
                                      const ModalFit& fit,
                                      const Complex& place,
                                      const IdentifyOptions& options) {
@@ -100,7 +102,7 @@ bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
 /// @param in_vain places that need not be tried again; grows
 /// @param tried told of the share of places
 std::optional<ModalFit> with_one_more(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ModalFit& fit,
     const IdentifyOptions& options,
     std::vector<Complex>& in_vain,
@@ -132,7 +134,7 @@ std::optional<ModalFit> with_one_more(
 
 }  // namespace
 
-ModalFit add_overlapped(const Curves& curves,
+ModalFit add_overlapped(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options,
                         const Progress& progress) {

@@ -41,7 +41,7 @@ struct Sides {
   MatrixXcd of_references;  ///< n_references x n_modes
 };
 
-Sides sides_of(const Curves& curves, const FrfMatrix& matrix) {
+Sides sides_of(const WeightedFrfs& curves, const FrfMatrix& matrix) {
   const auto& first = matrix.rows.front();
   const auto dof = [](const std::vector<Dof>& dofs, Index f) {
     return dofs[static_cast<std::size_t>(f)];
@@ -115,7 +115,7 @@ void make_orthogonal(Sides& sides) {
 
 /// Products of the shapes for every FRF; empty where one has a point that the
 /// matrix has not.
-MatrixXcd products(const Curves& curves, const Sides& sides) {
+MatrixXcd products(const WeightedFrfs& curves, const Sides& sides) {
   std::map<Dof, Eigen::RowVectorXcd> output;
   std::map<Dof, Eigen::RowVectorXcd> reference;
   for (std::size_t o = 0; o < sides.outputs.size(); ++o) {
@@ -177,7 +177,7 @@ std::optional<Sides> any_basis(const PoleExpansion& expansion,
 }
 
 /// What a fit leaves within the half-power bandwidth, over what is there.
-double misfit_at(const Curves& curves,
+double misfit_at(const WeightedFrfs& curves,
                  const ModalFit& fit,
                  const Complex& pole) {
   const double reach =
@@ -192,7 +192,7 @@ double misfit_at(const Curves& curves,
 
 /// Modes that the residues hold beside what the fit leaves: unlike noise that
 /// may have a shape, such as that of a mode next to it that was missed.
-Index modes_in(const Curves& curves,
+Index modes_in(const WeightedFrfs& curves,
                const ModalFit& fit,
                Index r,
                const PoleExpansion& expansion) {
@@ -207,7 +207,7 @@ Index modes_in(const Curves& curves,
 
 /// Shapes in the residues of pole r that no pole close to it has: what
 /// near poles take of each other's residues is no second shape.
-Index shapes_of_its_own(const Curves& curves,
+Index shapes_of_its_own(const WeightedFrfs& curves,
                         const FrfMatrix& matrix,
                         const ModalFit& fit,
                         Index r) {
@@ -224,7 +224,7 @@ Index shapes_of_its_own(const Curves& curves,
 }
 
 /// Whether poles are where the expansion holds and none fails a hard check.
-bool may_be_modes(const Curves& curves,
+bool may_be_modes(const WeightedFrfs& curves,
                   const Complex& around,
                   const Eigen::VectorXcd& poles,
                   const IdentifyOptions& options) {
@@ -246,7 +246,7 @@ bool stand_out(const PoleExpansion& expansion) {
 
 }  // namespace
 
-ModesOfPole modes_of_pole(const Curves& curves,
+ModesOfPole modes_of_pole(const WeightedFrfs& curves,
                           const ModalFit& fit,
                           Index r,
                           bool scaled,

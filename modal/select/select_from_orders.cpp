@@ -21,7 +21,9 @@ int largest(const std::vector<OrderPoles>& orders) {
 }
 
 /// Whether a pole lies further than its half bandwidth from all of a fit.
-bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
+bool is_new(const WeightedFrfs& curves,
+            const ModalFit& fit,
+            const Complex& pole) {
   if (!in_band(curves, pole)) return false;
   return std::ranges::none_of(fit.poles, [&pole](const Complex& known) {
     return std::abs(known - pole) < -pole.real();
@@ -37,7 +39,7 @@ bool explains_more(const ModalFit& fit, const ModalFit& other) {
 
 }  // namespace
 
-Selection select_from_orders(const Curves& curves,
+Selection select_from_orders(const WeightedFrfs& curves,
                              const FrfMatrix& matrix,
                              const std::vector<OrderPoles>& orders,
                              const std::vector<Track>& tracks,

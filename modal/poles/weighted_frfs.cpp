@@ -1,4 +1,4 @@
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
@@ -218,7 +218,7 @@ Dof positive(Dof dof) {
   return dof;
 }
 
-void sum_up(Curves& curves) {
+void sum_up(WeightedFrfs& curves) {
   curves.power = curves.H.colwise().squaredNorm().transpose();
   curves.weights = separate_weights(curves.weight);
   curves.sums = fit_sums(curves.s, curves.H, curves.weights);
@@ -226,14 +226,14 @@ void sum_up(Curves& curves) {
 
 }  // namespace
 
-Curves prepare_curves(const signal::FrfSet& frfs,
-                      std::vector<std::string>& warnings) {
+WeightedFrfs prepare_frfs(const signal::FrfSet& frfs,
+                          std::vector<std::string>& warnings) {
   check_lines(frfs.s);
   // Nothing can be divided by s^2 on the line s = 0.
   const Eigen::Index skip = std::abs(frfs.s(0).imag()) > 0.0 ? 0 : 1;
   const Eigen::Index lines = frfs.lines() - skip;
   const std::vector<std::size_t> set_up = signal::set_ups(frfs);
-  Curves curves;
+  WeightedFrfs curves;
   curves.s = frfs.s.tail(lines);
   curves.sigma = curves.s(0).real();
   curves.spacing = (curves.s(lines - 1) - curves.s(0)).imag() /
@@ -283,9 +283,9 @@ Curves prepare_curves(const signal::FrfSet& frfs,
   return curves;
 }
 
-Curves select_curves(const Curves& curves,
-                     const std::vector<Eigen::Index>& indices) {
-  Curves part;
+WeightedFrfs select_frfs(const WeightedFrfs& curves,
+                         const std::vector<Eigen::Index>& indices) {
+  WeightedFrfs part;
   part.s = curves.s;
   part.sigma = curves.sigma;
   part.spacing = curves.spacing;

@@ -17,7 +17,7 @@
 
 namespace tapfit::modal {
 
-struct Curves {
+struct WeightedFrfs {
   Eigen::VectorXcd s;    ///< lines [rad/s], without s = 0
   double sigma = 0.0;    ///< Re(s), the same on all lines [rad/s]
   double spacing = 0.0;  ///< between lines [rad/s]
@@ -46,11 +46,11 @@ struct Curves {
 /// @throws InputError for fewer than 8 lines, lines that are not evenly spaced
 ///   or not of one sigma, values that are not finite or beyond 1e-60 and 1e60,
 ///   no FRF left
-[[nodiscard]] Curves prepare_curves(const signal::FrfSet& frfs,
-                                    std::vector<std::string>& warnings);
+[[nodiscard]] WeightedFrfs prepare_frfs(const signal::FrfSet& frfs,
+                                        std::vector<std::string>& warnings);
 
 /// The FRFs given by index only.
-[[nodiscard]] Curves select_curves(const Curves& curves,
-                                   const std::vector<Eigen::Index>& indices);
+[[nodiscard]] WeightedFrfs select_frfs(
+    const WeightedFrfs& curves, const std::vector<Eigen::Index>& indices);
 
 }  // namespace tapfit::modal
