@@ -1,8 +1,8 @@
 #include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/frf_model.hpp"
-#include "updating/frf_model/modal_sums.hpp"
-#include "updating/frf_model/recording_chain.hpp"
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/measurement_chain.hpp"
+#include "updating/frf_model/modal_superposition.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <cmath>
 #include <complex>
@@ -32,7 +32,7 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
       MatrixXcd::Ones(s.size(), static_cast<Index>(pairs_.size())), {}};
   record(pairs_, shared, s, chain);
   std::vector<Walk> result;
-  for (const RunLines& lines : walks(shared)) {
+  for (const RunResponse& lines : walks(shared)) {
     Walk walk;
     walk.pairs = lines.pairs;
     walk.recorded.resize(s.size(), static_cast<Index>(lines.pairs.size()));
@@ -89,7 +89,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
   ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
   record(pairs_, shared, s, chain);
   const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : walks(shared)) {
+  for (const RunResponse& lines : walks(shared)) {
     for (Index l = 0; l < s.size(); ++l) {
       const VectorXcd g = flexible.col(l);
       MatrixXcd coupled;
@@ -142,10 +142,10 @@ ModelResponse FrfModel::respond(ModalState& shared,
     out.dH.assign(static_cast<std::size_t>(state.parameters()),
                   MatrixXcd::Zero(s.size(), n));
   }
-  const std::vector<RunLines> all = walks(shared);
+  const std::vector<RunResponse> all = walks(shared);
   const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : all) {
-    sum_modes(lines, s, flexible, out);
+  for (const RunResponse& lines : all) {
+    superpose_modes(lines, s, flexible, out);
   }
   record(pairs_, shared, s, out);
   return out;

@@ -1,6 +1,6 @@
 // H of a small system whose matrices depend on a parameter f, by the modes and
 // by solving it.
-#include "updating/frf_model/mode_turn.hpp"
+#include "updating/frf_model/modal_derivatives.hpp"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ VectorXcd own_stiffness(const VectorXd& omega,
   return (l + s * d).array() + s * s;
 }
 
-MatrixXcd by_turning(const ModeTurn& turn,
+MatrixXcd by_turning(const ModalDerivative& turn,
                      const VectorXcd& z,
                      const MatrixXd& R,
                      complex<double> s) {
@@ -44,7 +44,7 @@ MatrixXcd by_turning(const ModeTurn& turn,
   return change;
 }
 
-TEST(ModeTurn, IsExactWhereModesHaveOneFrequency) {
+TEST(ModalDerivative, IsExactWhereModesHaveOneFrequency) {
   const Index n = 6;
   // Two rigid, two of one frequency, two all but so.
   VectorXd omega(n);
@@ -53,7 +53,7 @@ TEST(ModeTurn, IsExactWhereModesHaveOneFrequency) {
   const MatrixXd dM = symmetric(n, 2);
   const MatrixXd R = symmetric(n, 3).leftCols(3);
   const VectorXd none = VectorXd::Zero(n);
-  const ModeTurn turn(
+  const ModalDerivative turn(
       MatrixXd::Identity(n, n), omega, {none, none}, dK, dM, 8.0);
   for (const complex<double> s :
        {complex<double>(0.1, 2.0), complex<double>(0.2, 7.5)}) {
@@ -66,7 +66,7 @@ TEST(ModeTurn, IsExactWhereModesHaveOneFrequency) {
   }
 }
 
-TEST(ModeTurn, TakesModalDampingAlong) {
+TEST(ModalDerivative, TakesModalDampingAlong) {
   const Index n = 5;
   VectorXd omega(n);
   omega << 1.0, 2.0, 3.5, 4.0, 9.0;
@@ -88,12 +88,12 @@ TEST(ModeTurn, TakesModalDampingAlong) {
   const double h = 1e-5;
   const MatrixXcd difference = (H(h) - H(-h)) / (2.0 * h);
   const VectorXd d = 2.0 * zeta.cwiseProduct(omega);
-  const ModeTurn turn(MatrixXd::Identity(n, n),
-                      omega,
-                      {d, zeta.cwiseQuotient(omega)},
-                      dK,
-                      dM,
-                      3.0);
+  const ModalDerivative turn(MatrixXd::Identity(n, n),
+                             omega,
+                             {d, zeta.cwiseQuotient(omega)},
+                             dK,
+                             dM,
+                             3.0);
   const MatrixXcd change = by_turning(turn, own_stiffness(omega, d, s), R, s);
   // Central differences: h^2 times a third derivative.
   EXPECT_LT((change - difference).norm(), 1e-7 * difference.norm());

@@ -1,4 +1,4 @@
-#include "updating/frf_model/mode_turn.hpp"
+#include "updating/frf_model/modal_derivatives.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,12 +26,12 @@ MatrixXd in_modes(const MatrixXd& phi, const MatrixXd& of_base) {
 
 }  // namespace
 
-ModeTurn::ModeTurn(const MatrixXd& phi,
-                   const VectorXd& omega,
-                   const DampingOfModes& damping,
-                   const MatrixXd& dK,
-                   const MatrixXd& dM,
-                   double largest)
+ModalDerivative::ModalDerivative(const MatrixXd& phi,
+                                 const VectorXd& omega,
+                                 const DampingOfModes& damping,
+                                 const MatrixXd& dK,
+                                 const MatrixXd& dM,
+                                 double largest)
     : A_(in_modes(phi, dM)) {
   const MatrixXd k = in_modes(phi, dK);
   const VectorXd l = omega.cwiseAbs2();
@@ -61,10 +61,10 @@ ModeTurn::ModeTurn(const MatrixXd& phi,
   A_.diagonal() = -0.5 * of_mass;
 }
 
-void ModeTurn::take_close(complex<double> s,
-                          const MatrixXcd& Xo,
-                          const MatrixXcd& Xi,
-                          MatrixXcd& change) const {
+void ModalDerivative::take_close(complex<double> s,
+                                 const MatrixXcd& Xo,
+                                 const MatrixXcd& Xi,
+                                 MatrixXcd& change) const {
   for (const Close& p : close_) {
     const complex<double> z = p.k + s * (p.c + s * p.m);
     change.noalias() -= z * Xo.row(p.i).transpose() * Xi.row(p.j);

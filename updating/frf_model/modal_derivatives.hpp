@@ -22,17 +22,17 @@ struct DampingOfModes {
   Eigen::VectorXd slope;  ///< d d / d lambda
 };
 
-class ModeTurn {
+class ModalDerivative {
  public:
   /// @param phi the modes in the base's coordinates, omega theirs [rad/s]
   /// @param dK, dM by the parameter, in the base's coordinates; zero: 0 x 0
   /// @param largest the largest |s| that will be asked for [rad/s]
-  ModeTurn(const Eigen::MatrixXd& phi,
-           const Eigen::VectorXd& omega,
-           const DampingOfModes& damping,
-           const Eigen::MatrixXd& dK,
-           const Eigen::MatrixXd& dM,
-           double largest);
+  ModalDerivative(const Eigen::MatrixXd& phi,
+                  const Eigen::VectorXd& omega,
+                  const DampingOfModes& damping,
+                  const Eigen::MatrixXd& dK,
+                  const Eigen::MatrixXd& dM,
+                  double largest);
 
   /// A' R: what modal rows change by. @param R modes x any
   [[nodiscard]] Eigen::MatrixXd turned(const Eigen::MatrixXd& R) const {

@@ -1,4 +1,4 @@
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <Eigen/LU>
 
@@ -25,12 +25,12 @@ MatrixXcd flexibility(const ModalState& shared, const VectorXcd& s) {
 }
 
 // Passive effects on a line with sigma > 0 keep the core regular.
-MatrixXcd RunLines::coupling(complex<double> s,
-                             const MatrixXcd& receptance) const {
+MatrixXcd RunResponse::coupling(complex<double> s,
+                                const MatrixXcd& receptance) const {
   const Index k = B.cols();
   VectorXcd D(k);
   for (Index a = 0; a < k; ++a) {
-    const Actor& actor = actors[static_cast<std::size_t>(a)];
+    const CoupledDof& actor = actors[static_cast<std::size_t>(a)];
     if (!actor.effect) {
       D(a) = s;
       continue;
@@ -43,9 +43,9 @@ MatrixXcd RunLines::coupling(complex<double> s,
   return D.asDiagonal() * core.inverse();
 }
 
-MatrixXcd RunLines::columns(const VectorXcd& g,
-                            const MatrixXcd& coupled,
-                            const MatrixXd& points) const {
+MatrixXcd RunResponse::columns(const VectorXcd& g,
+                               const MatrixXcd& coupled,
+                               const MatrixXd& points) const {
   MatrixXcd X = g.asDiagonal() * points;
   if (B.cols() == 0) return X;
   const MatrixXcd u = coupled * (B.transpose() * X);

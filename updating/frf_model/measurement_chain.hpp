@@ -2,7 +2,7 @@
 // channels, not in the structure. Internal to frf_model.
 #pragma once
 
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <Eigen/Core>
 

@@ -2,8 +2,8 @@
 // coordinates of the model's own modes. Internal to frf_model.
 #pragma once
 
-#include "updating/frf_model/constant_changes.hpp"
-#include "updating/frf_model/mode_turn.hpp"
+#include "updating/frf_model/modal_derivatives.hpp"
+#include "updating/frf_model/modal_modifications.hpp"
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
@@ -18,7 +18,7 @@
 namespace tapfit::updating {
 
 /// A degree of freedom acted on, with the effect that does.
-struct Actor {
+struct CoupledDof {
   std::optional<std::size_t> effect;  ///< none: the deck's own dashpots, s
   std::size_t group = 0;
   double weight = 1.0;
@@ -26,7 +26,7 @@ struct Actor {
 
 /// What a parameter does to the modes, and its position in pack().
 struct TurningParameter {
-  ModeTurn turn;
+  ModalDerivative turn;
   std::size_t column = 0;
   double scale = 1.0;  ///< d / d ln p = p d / d p
 };
@@ -37,9 +37,9 @@ struct ModalState {
   TestAsDone done;
   BaseModes modes;
   DampingOfModes damping;
-  std::vector<int> owner;               ///< of state->zeta, of each mode; or -1
-  std::vector<ConstantChange> changes;  ///< what is in the modes
-  std::vector<PlacedEffect> beside;     ///< the effects without that
+  std::vector<int> owner;  ///< of state->zeta, of each mode; or -1
+  std::vector<ModalModification> changes;  ///< what is in the modes
+  std::vector<PlacedEffect> beside;        ///< the effects without that
   std::vector<TurningParameter> turning;
   std::vector<std::size_t> first;  ///< column of each effect's parameters
   std::size_t first_zeta = 0;
@@ -49,9 +49,9 @@ struct ModalState {
 [[nodiscard]] Eigen::MatrixXcd flexibility(const ModalState& shared,
                                            const Eigen::VectorXcd& s);
 
-struct RunLines {
+struct RunResponse {
   const ModalState* shared = nullptr;
-  std::vector<Actor> actors;
+  std::vector<CoupledDof> actors;
   Eigen::MatrixXd B;  ///< modes x actors
   std::vector<WalkedPair> pairs;
   Eigen::MatrixXd responses;   ///< modes x response points

@@ -20,7 +20,7 @@ namespace tapfit::updating {
                                            const ReducedBase& base);
 
 /// What a unit of a parameter adds to the base's matrices, r x r; 0 x 0: none.
-struct ConstantChange {
+struct ModalModification {
   std::size_t effect = 0;     ///< of the state
   std::size_t parameter = 0;  ///< of the effect
   Eigen::MatrixXd dK;         ///< [1/s^2] per unit of the parameter
@@ -29,14 +29,14 @@ struct ConstantChange {
 
 /// The state's effects without the springs and masses that go into the modes:
 /// their parameters are zero.
-[[nodiscard]] std::vector<PlacedEffect> beside_modes(
+[[nodiscard]] std::vector<PlacedEffect> outside_modal_basis(
     const ModelState& state,
     const effects::Setting& setting,
     const std::vector<std::size_t>& runs);
 
 /// Of every parameter of the state that goes into the modes.
 /// @param runs the measured ones
-[[nodiscard]] std::vector<ConstantChange> constant_changes(
+[[nodiscard]] std::vector<ModalModification> modal_modifications(
     const ModelState& state,
     const effects::Setting& setting,
     const std::vector<std::size_t>& runs,

@@ -1,4 +1,4 @@
-#include "updating/frf_model/constant_changes.hpp"
+#include "updating/frf_model/modal_modifications.hpp"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ void add_unit(const PlacedEffect& placed,
               const effects::Setting& setting,
               std::size_t run,
               const ReducedBase& base,
-              ConstantChange& change) {
+              ModalModification& change) {
   for (const effects::ActedDof& dof :
        placed.effect->acts_on(placed.where, setting, run)) {
     const VectorXd b = acted_row(dof, *setting.deck, base).transpose();
@@ -65,9 +65,10 @@ bool stays(const PlacedEffect& placed,
 
 }  // namespace
 
-std::vector<PlacedEffect> beside_modes(const ModelState& state,
-                                       const effects::Setting& setting,
-                                       const std::vector<std::size_t>& runs) {
+std::vector<PlacedEffect> outside_modal_basis(
+    const ModelState& state,
+    const effects::Setting& setting,
+    const std::vector<std::size_t>& runs) {
   std::vector<PlacedEffect> rest = state.effects;
   for (PlacedEffect& placed : rest) {
     if (!stays(placed, setting, runs)) continue;
@@ -78,12 +79,12 @@ std::vector<PlacedEffect> beside_modes(const ModelState& state,
   return rest;
 }
 
-std::vector<ConstantChange> constant_changes(
+std::vector<ModalModification> modal_modifications(
     const ModelState& state,
     const effects::Setting& setting,
     const std::vector<std::size_t>& runs,
     const ReducedBase& base) {
-  std::vector<ConstantChange> changes;
+  std::vector<ModalModification> changes;
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     if (!stays(placed, setting, runs)) continue;

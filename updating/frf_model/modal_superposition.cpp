@@ -1,4 +1,4 @@
-#include "updating/frf_model/modal_sums.hpp"
+#include "updating/frf_model/modal_superposition.hpp"
 
 #include <complex>
 #include <utility>
@@ -43,7 +43,7 @@ class SumOfModes {
 // reference and every actor.
 class RowProducts {
  public:
-  explicit RowProducts(const RunLines& lines)
+  explicit RowProducts(const RunResponse& lines)
       : actors_(lines.B.cols()),
         responses_(lines.responses.cols()),
         references_(lines.references.cols()) {
@@ -62,7 +62,7 @@ class RowProducts {
   /// modes x products
   [[nodiscard]] MatrixXd plain() const { return products(rows_, rows_); }
   /// What they change by where the modes turn.
-  [[nodiscard]] MatrixXd turned(const ModeTurn& turn) const {
+  [[nodiscard]] MatrixXd turned(const ModalDerivative& turn) const {
     const MatrixXd t = turn.turned(rows_);
     return products(t, rows_) + products(rows_, t);
   }
@@ -109,7 +109,7 @@ struct Loaded {
 // What the run's derivatives share.
 class Sums {
  public:
-  Sums(const RunLines& lines, const VectorXcd& s, const MatrixXcd& flexible)
+  Sums(const RunResponse& lines, const VectorXcd& s, const MatrixXcd& flexible)
       : lines_(lines),
         s_(s),
         flexible_(flexible),
@@ -127,9 +127,9 @@ class Sums {
  private:
   // c_o' S c_i of every pair with c = (e; -u), lines x pairs.
   [[nodiscard]] MatrixXcd closed(const MatrixXcd& sums) const;
-  void take_close(const ModeTurn& turn, MatrixXcd& change) const;
+  void take_close(const ModalDerivative& turn, MatrixXcd& change) const;
 
-  const RunLines& lines_;
+  const RunResponse& lines_;
   const VectorXcd& s_;
   const MatrixXcd& flexible_;
   RowProducts products_;
@@ -242,7 +242,7 @@ void Sums::derive_law(ModelResponse& out) const {
 void Sums::derive_effects(ModelResponse& out) const {
   const ModalState& shared = *lines_.shared;
   for (std::size_t a = 0; a < lines_.actors.size(); ++a) {
-    const Actor& actor = lines_.actors[a];
+    const CoupledDof& actor = lines_.actors[a];
     if (!actor.effect) continue;
     // What is in the modes is zero here, and so is its slope.
     const PlacedEffect& placed = shared.beside[*actor.effect];
@@ -265,7 +265,7 @@ void Sums::derive_effects(ModelResponse& out) const {
 }
 
 // Of modes too close to each other to be told by their turn.
-void Sums::take_close(const ModeTurn& turn, MatrixXcd& change) const {
+void Sums::take_close(const ModalDerivative& turn, MatrixXcd& change) const {
   for (Index at = 0; at < s_.size(); ++at) {
     const Loaded& now = loaded_[static_cast<std::size_t>(at)];
     const auto g = flexible_.col(at).asDiagonal();
@@ -302,10 +302,10 @@ void Sums::derive_turning(ModelResponse& out) const {
 
 }  // namespace
 
-void sum_modes(const RunLines& lines,
-               const VectorXcd& s,
-               const MatrixXcd& flexible,
-               ModelResponse& out) {
+void superpose_modes(const RunResponse& lines,
+                     const VectorXcd& s,
+                     const MatrixXcd& flexible,
+                     ModelResponse& out) {
   Sums sums(lines, s, flexible);
   sums.respond(out);
   if (out.dH.empty()) return;

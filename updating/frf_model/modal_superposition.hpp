@@ -15,7 +15,7 @@
 // Internal to frf_model.
 #pragma once
 
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <Eigen/Core>
 
@@ -25,9 +25,9 @@ namespace tapfit::updating {
 /// made.
 ///
 /// @param flexible modes x lines, see flexibility()
-void sum_modes(const RunLines& lines,
-               const Eigen::VectorXcd& s,
-               const Eigen::MatrixXcd& flexible,
-               ModelResponse& out);
+void superpose_modes(const RunResponse& lines,
+                     const Eigen::VectorXcd& s,
+                     const Eigen::MatrixXcd& flexible,
+                     ModelResponse& out);
 
 }  // namespace tapfit::updating

@@ -1,4 +1,4 @@
-#include "updating/frf_model/recording_chain.hpp"
+#include "updating/frf_model/measurement_chain.hpp"
 
 #include <algorithm>
 #include <complex>

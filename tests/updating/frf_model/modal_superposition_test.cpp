@@ -1,4 +1,4 @@
-#include "updating/frf_model/modal_sums.hpp"
+#include "updating/frf_model/modal_superposition.hpp"
 
 #include "updating/catalogue/catalogue.hpp"
 
@@ -30,7 +30,7 @@ struct SumsOfTwelve {
   static constexpr Index modes = 12;
   ModelState state;
   ModalState shared;
-  RunLines lines;
+  RunResponse lines;
   VectorXcd s = VectorXcd::LinSpaced(9, {20.0, 300.0}, {25.0, 5000.0});
 
   SumsOfTwelve(bool law, bool loaded) {
@@ -70,12 +70,12 @@ struct SumsOfTwelve {
     constexpr std::size_t columns = 3;
     for (std::size_t k = 0; k < 2; ++k) {
       const MatrixXd dM = k == 0 ? MatrixXd() : symmetric(modes);
-      shared.turning.push_back({ModeTurn(shared.modes.phi,
-                                         shared.modes.omega,
-                                         shared.damping,
-                                         1e6 * symmetric(modes),
-                                         dM,
-                                         5000.0),
+      shared.turning.push_back({ModalDerivative(shared.modes.phi,
+                                                shared.modes.omega,
+                                                shared.damping,
+                                                1e6 * symmetric(modes),
+                                                dM,
+                                                5000.0),
                                 columns + k,
                                 0.7 + static_cast<double>(k)});
     }
@@ -102,13 +102,13 @@ class OneByOne {
   OneByOne(const SumsOfTwelve& test, Index at)
       : test_(test), s_(test.s(at)), at_(at) {
     const VectorXd& w = test.shared.modes.omega;
-    const RunLines& lines = test.lines;
+    const RunResponse& lines = test.lines;
     MatrixXcd Z = MatrixXcd::Zero(w.size(), w.size());
     Z.diagonal() =
         (s_ * s_ + s_ * test.shared.damping.d.array() + w.array().square());
     D_.resize(lines.B.cols());
     for (Index a = 0; a < D_.size(); ++a) {
-      const Actor& actor = lines.actors[static_cast<std::size_t>(a)];
+      const CoupledDof& actor = lines.actors[static_cast<std::size_t>(a)];
       D_(a) = s_;
       if (!actor.effect) continue;
       const PlacedEffect& placed = test.shared.beside[*actor.effect];
@@ -151,7 +151,7 @@ class OneByOne {
   }
 
   void of_turning(const TurningParameter& p, ModelResponse& out) const {
-    const RunLines& lines = test_.lines;
+    const RunResponse& lines = test_.lines;
     const MatrixXd to = p.turn.turned(lines.responses);
     const MatrixXd ti = p.turn.turned(lines.references);
     const MatrixXd tB = p.turn.turned(lines.B);
@@ -208,9 +208,9 @@ TEST_P(ModalSums, AreWhatTheLinesGiveOneByOne) {
     OneByOne(test, at).respond(one_by_one);
   }
   ModelResponse at_once = test.blank(true);
-  sum_modes(test.lines, test.s, flexible, at_once);
+  superpose_modes(test.lines, test.s, flexible, at_once);
   ModelResponse alone = test.blank(false);
-  sum_modes(test.lines, test.s, flexible, alone);
+  superpose_modes(test.lines, test.s, flexible, alone);
   // The same in another order; the absorber's own lines make it less exact.
   EXPECT_LT((at_once.H - one_by_one.H).norm(), 1e-12 * one_by_one.H.norm());
   EXPECT_EQ(alone.H, at_once.H);
