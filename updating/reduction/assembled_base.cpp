@@ -48,7 +48,7 @@ AssembledBase::AssembledBase(
   progress("model: assembling", 0.0);
   system = structure::assemble(mesh.deck);
   if (const structure::SparseMatrix lent =
-          lent_mass(system, options.points, options.high_hz);
+          regularising_mass(system, options.points, options.high_hz);
       lent.size() > 0) {
     system.M += lent;
   }

@@ -6,7 +6,7 @@
 #include "updating/reduction/base_options.hpp"
 #include "updating/reduction/corrections.hpp"
 #include "updating/reduction/released_system.hpp"
-#include "updating/reduction/static_answers.hpp"
+#include "updating/reduction/residual_flexibility.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/mesh/refined_deck.hpp"
 #include "updating/structure/solve/free_motions.hpp"
@@ -38,7 +38,7 @@ struct AssembledBase {
   structure::FreeMotions motions;  ///< u = T q
   double mass = 0.0;               ///< [kg]
   double shift = 0.0;  ///< K + shift M gives static answers [rad^2/s^2]
-  std::optional<StaticAnswers> answers;
+  std::optional<ResidualFlexibility> answers;
   ReleasedSystem plain;  ///< the model with nothing released
 };
 

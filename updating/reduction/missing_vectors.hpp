@@ -2,8 +2,8 @@
 // of the stiffness make of the structure.
 #pragma once
 
+#include "updating/reduction/basis_enrichment.hpp"
 #include "updating/reduction/change_range.hpp"
-#include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 

@@ -2,11 +2,11 @@
 
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/assembled_base.hpp"
+#include "updating/reduction/base_cache.hpp"
+#include "updating/reduction/basis_enrichment.hpp"
 #include "updating/reduction/change_range.hpp"
-#include "updating/reduction/changed_motions.hpp"
 #include "updating/reduction/corrections.hpp"
 #include "updating/reduction/extended_base.hpp"
-#include "updating/reduction/kept_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/missing_vectors.hpp"
@@ -239,9 +239,10 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
                   m.model.uncertain,
                   changes,
                   m.pulled);
-    lend_mass(m.model.motions.free, m.model.options.high_hz, *own);
+    add_regularising_mass(m.model.motions.free, m.model.options.high_hz, *own);
   }
-  SparseMatrix lent = lent_mass(m.model.system, fresh, m.model.options.high_hz);
+  SparseMatrix lent =
+      regularising_mass(m.model.system, fresh, m.model.options.high_hz);
   if (lent.size() > 0) {
     if (!own) own = m.model.plain;
     lent.conservativeResize(own->dofs(), own->dofs());

@@ -49,7 +49,7 @@ SolvedBase solve_base(const AssembledBase& model,
   for (std::size_t orders = 2; orders <= most_orders; ++orders) {
     V = join(
         {u,
-         beyond(
+         m_orthogonal_complement(
              system.M, u, model.answers->to_points(options.points, orders))});
     if (V.cols() == 0) {
       throw InputError("no mode is in reach of the band, no point moves",

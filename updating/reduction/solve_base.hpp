@@ -4,7 +4,7 @@
 
 #include "acquisition/foundation/progress.hpp"
 #include "updating/reduction/assembled_base.hpp"
-#include "updating/reduction/kept_base.hpp"
+#include "updating/reduction/base_cache.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 namespace tapfit::updating {

@@ -59,7 +59,7 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
     const ModelState state =
         undamped_state(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
-    // See changed_motions.hpp.
+    // See basis_enrichment.hpp.
     EXPECT_LT(difference(H, direct_frfs(weak, pairs_, {}, s_)), 5e-4)
         << "factor " << factor;
   }
@@ -93,7 +93,7 @@ TEST_F(FrfModelTest, LossWithEdgesAgreesWithDirectSolve) {
     }
     const ModelState state = undamped_state(*fitter_, *model, {loss});
     const MatrixXcd H = model->respond(state, s_, false).H;
-    // As of one loss, see changed_motions.hpp, and what its layers, which are
+    // As of one loss, see basis_enrichment.hpp, and what its layers, which are
     // answered for together, do apart.
     EXPECT_LT(difference(H, direct_frfs(weak, pairs_, {}, s_)), 1e-3)
         << "times " << left;
@@ -123,8 +123,8 @@ TEST_F(FrfModelTest, PocketAgreesWithDirectSolve) {
     const ModelState state =
         undamped_state(*fitter_, *model, {{&effect, where, {factor}}});
     const MatrixXcd H = model->respond(state, s_, false).H;
-    // See changed_motions.hpp; and the shear of a thin plate goes with t, which
-    // is 1e-3 of its bending here.
+    // See basis_enrichment.hpp; and the shear of a thin plate goes with t,
+    // which is 1e-3 of its bending here.
     EXPECT_LT(difference(H, direct_frfs(thin, pairs_, {}, s_)), 3e-3)
         << "factor " << factor;
   }

@@ -25,7 +25,7 @@ TEST_F(FrfModelTest, SoftSupportAgreesWithDirectSolveFromStiffToSoft) {
     const ModelState state = undamped_state(*fitter_, *model, {clamp(k)});
     const MatrixXcd H = model->respond(state, s_, false).H;
     const MatrixXcd exact = direct_frfs(deck_, pairs_, {}, s_, rotations, k);
-    // What the basis is made for, see changed_motions.hpp.
+    // What the basis is made for, see basis_enrichment.hpp.
     EXPECT_LT(difference(H, exact), 1e-6) << "k = " << k;
   }
 }

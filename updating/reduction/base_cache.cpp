@@ -1,4 +1,4 @@
-#include "updating/reduction/kept_base.hpp"
+#include "updating/reduction/base_cache.hpp"
 
 #include "updating/cache/program_stamp.hpp"
 

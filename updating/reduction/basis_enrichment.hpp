@@ -19,7 +19,7 @@
 #pragma once
 
 #include "updating/reduction/released_system.hpp"
-#include "updating/reduction/static_answers.hpp"
+#include "updating/reduction/residual_flexibility.hpp"
 #include "updating/structure/solve/free_motions.hpp"
 
 #include <Eigen/Core>
@@ -32,7 +32,7 @@ namespace tapfit::updating {
 struct HeldBase {
   const structure::System& system;
   const structure::FreeMotions& motions;
-  const StaticAnswers& answers;
+  const ResidualFlexibility& answers;
   const Eigen::MatrixXd& V;  ///< n x r, M-orthonormal
   const Eigen::VectorXd& K;  ///< r, V' K V is diagonal [rad^2/s^2]
   double shift = 0.0;        ///< of the answers [rad^2/s^2]

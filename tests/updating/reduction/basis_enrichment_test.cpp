@@ -1,6 +1,6 @@
 // Bases for changes of the stiffness against direct solves of the whole
 // changed model, over all that the change may be.
-#include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/basis_enrichment.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/fit/fitter.hpp"

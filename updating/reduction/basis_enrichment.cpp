@@ -1,4 +1,4 @@
-#include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/basis_enrichment.hpp"
 
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"

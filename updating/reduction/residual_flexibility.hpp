@@ -20,13 +20,13 @@ namespace tapfit::updating {
 
 /// The matrix is factored when an answer is first asked for, on whatever
 /// thread that is: a base that was kept needs it only for effects.
-class StaticAnswers {
+class ResidualFlexibility {
  public:
   /// @param system, motions must outlive this
   /// @param shift [rad^2/s^2]
-  StaticAnswers(const structure::System& system,
-                const structure::FreeMotions& motions,
-                double shift)
+  ResidualFlexibility(const structure::System& system,
+                      const structure::FreeMotions& motions,
+                      double shift)
       : system_(system), motions_(motions), shift_(shift) {}
 
   /// @param forces f, n x columns

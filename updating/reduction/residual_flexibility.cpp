@@ -1,4 +1,4 @@
-#include "updating/reduction/static_answers.hpp"
+#include "updating/reduction/residual_flexibility.hpp"
 
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
@@ -10,7 +10,7 @@ namespace tapfit::updating {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-const structure::Factor& StaticAnswers::factor() const {
+const structure::Factor& ResidualFlexibility::factor() const {
   std::call_once(once_, [this] {
     const structure::SparseMatrix A =
         motions_.reduce(system_.K) + shift_ * motions_.reduce(system_.M);
@@ -19,13 +19,13 @@ const structure::Factor& StaticAnswers::factor() const {
   return *factor_;
 }
 
-MatrixXd StaticAnswers::to(const MatrixXd& forces) const {
+MatrixXd ResidualFlexibility::to(const MatrixXd& forces) const {
   if (forces.cols() == 0) return MatrixXd::Zero(system_.dofs(), 0);
   return motions_.expand(factor().solve(motions_.project(forces)));
 }
 
-MatrixXd StaticAnswers::to_points(const std::vector<int>& points,
-                                  std::size_t orders) const {
+MatrixXd ResidualFlexibility::to_points(const std::vector<int>& points,
+                                        std::size_t orders) const {
   MatrixXd forces =
       MatrixXd::Zero(system_.dofs(), static_cast<Index>(points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {

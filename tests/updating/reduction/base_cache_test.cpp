@@ -1,4 +1,4 @@
-#include "updating/reduction/kept_base.hpp"
+#include "updating/reduction/base_cache.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/reduction/reduced_base.hpp"
