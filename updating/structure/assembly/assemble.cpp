@@ -2,10 +2,10 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
-#include "updating/structure/assembly/held_dofs.hpp"
-#include "updating/structure/assembly/idle_turns.hpp"
+#include "updating/structure/assembly/autospc.hpp"
+#include "updating/structure/assembly/multipoint_constraints.hpp"
 #include "updating/structure/assembly/negative_cards.hpp"
-#include "updating/structure/assembly/rigid_motion.hpp"
+#include "updating/structure/assembly/null_rotations.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
@@ -191,11 +191,11 @@ System assemble(const Deck& deck) {
     system.M += deck.given->M;
   }
   const ConstraintAxes axes = constraint_axes(deck);
-  system.T = rigid_motion(deck, axes);
+  system.T = multipoint_constraints(deck, axes);
   system.fixed = fixed_dofs(deck, axes);
   system.inactive = without_stiffness(deck, system);
   refuse_negative_cards(deck, system);
-  for (const int dof : idle_turns(deck, system)) {
+  for (const int dof : null_rotations(deck, system)) {
     system.inactive[static_cast<std::size_t>(dof)] = true;
   }
   return system;

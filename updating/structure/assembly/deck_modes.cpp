@@ -1,7 +1,7 @@
 #include "updating/structure/assembly/deck_modes.hpp"
 
 #include "updating/structure/assembly/assemble.hpp"
-#include "updating/structure/assembly/held_dofs.hpp"
+#include "updating/structure/assembly/autospc.hpp"
 #include "updating/structure/cards/error_notes.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
@@ -178,7 +178,7 @@ DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
 std::vector<std::string> mechanism_warnings(const Deck& deck,
                                             const System& system,
                                             const MatrixXd& phi) {
-  std::vector<std::string> warnings = held_dof_warnings(deck, system);
+  std::vector<std::string> warnings = autospc_warnings(deck, system);
   const FreeMotions motions = free_motions(system);
   const MatrixXd loose =
       motions_without_stiffness(motions.reduce(system.K), phi);

@@ -1,4 +1,4 @@
-#include "updating/structure/mesh/edge_twist.hpp"
+#include "updating/structure/mesh/free_edge_layer.hpp"
 
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/elements/shell_section.hpp"
@@ -76,7 +76,7 @@ ShellSection with_layers(const ShellSection& section,
 
 }  // namespace
 
-SparseMatrix edge_twist(const Deck& deck) {
+SparseMatrix free_edge_layer(const Deck& deck) {
   std::vector<Eigen::Triplet<double>> entries;
   for (const auto& [shell, sides] : free_sides(deck)) {
     // Others have no layer of this kind, or are told from their corners only.

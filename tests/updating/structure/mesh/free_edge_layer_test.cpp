@@ -1,4 +1,4 @@
-#include "updating/structure/mesh/edge_twist.hpp"
+#include "updating/structure/mesh/free_edge_layer.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -36,7 +36,7 @@ TEST(EdgeTwist, TakesALayerOffEveryEdge) {
   const double delta = plate.thickness / std::sqrt(10.0);
   const double whole = 4.0 * D66 * plate.a * plate.b;
   EXPECT_NEAR(u.dot(assemble(deck).K * u), whole, 1e-9 * whole);
-  EXPECT_NEAR(u.dot(edge_twist(deck) * u),
+  EXPECT_NEAR(u.dot(free_edge_layer(deck) * u),
               4.0 * D66 * delta * 2.0 * (plate.a + plate.b),
               1e-9 * whole);
 }
@@ -60,7 +60,7 @@ TEST(EdgeTwist, FollowsTheMaterialsAxes) {
   const double along_y = std::sqrt(D66 / (plate.material.G2z * shear));
   const double expected =
       4.0 * D66 * 2.0 * (along_x * plate.a + along_y * plate.b);
-  EXPECT_NEAR(u.dot(edge_twist(deck) * u), expected, 1e-9 * expected);
+  EXPECT_NEAR(u.dot(free_edge_layer(deck) * u), expected, 1e-9 * expected);
 }
 
 // Lines that resolve the layer at both ends of [0, length]: 1/8 of the
@@ -79,7 +79,7 @@ std::vector<double> graded(double length, double thickness, double most) {
 
 double first_twist_hz(const Deck& deck, double layers) {
   System system = assemble(deck);
-  system.K -= layers * edge_twist(deck);
+  system.K -= layers * free_edge_layer(deck);
   const FreeMotions motions = free_motions(system);
   const Eigenmodes modes =
       eigenmodes(motions.reduce(system.K), motions.reduce(system.M), 8);
@@ -128,7 +128,7 @@ TEST(EdgeTwist, GivesACoarseStripTheTorsionOfAFineOne) {
 
 TEST(EdgeTwist, IsNothingWithoutTransverseShear) {
   const Plate plate{.shear = false};
-  EXPECT_EQ(edge_twist(plate_deck(plate, 4, 4)).nonZeros(), 0);
+  EXPECT_EQ(free_edge_layer(plate_deck(plate, 4, 4)).nonZeros(), 0);
 }
 
 // At most a quarter of an element: twist stays resisted there.
@@ -138,7 +138,7 @@ TEST(EdgeTwist, LeavesFineElementsMostOfTheirTwist) {
   const VectorXd u = twisted(deck);
   const double D66 = plate.material.G * std::pow(plate.thickness, 3) / 12.0;
   EXPECT_NEAR(
-      u.dot(edge_twist(deck) * u), 4.0 * D66 * 0.0025 * 0.4, 1e-9 * D66);
+      u.dot(free_edge_layer(deck) * u), 4.0 * D66 * 0.0025 * 0.4, 1e-9 * D66);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "updating/structure/assembly/idle_turns.hpp"
+#include "updating/structure/assembly/null_rotations.hpp"
 
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -41,7 +41,7 @@ SparseMatrix scaled(const SparseMatrix& A, double added) {
 
 }  // namespace
 
-std::vector<int> idle_turns(const Deck& deck, const System& system) {
+std::vector<int> null_rotations(const Deck& deck, const System& system) {
   // A line of n grids ends in a pivot of n times what is added.
   constexpr double kAdded = 1e-13;
   constexpr double kIdle = 1e-10;

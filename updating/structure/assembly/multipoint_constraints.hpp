@@ -25,7 +25,7 @@ namespace tapfit::structure {
 ///   grids, where u = q
 /// @throws InputError for a component that follows two elements, that follows
 ///   itself round a ring, or that is held besides
-[[nodiscard]] Eigen::SparseMatrix<double> rigid_motion(
+[[nodiscard]] Eigen::SparseMatrix<double> multipoint_constraints(
     const Deck& deck, const ConstraintAxes& axes);
 
 }  // namespace tapfit::structure

@@ -1,4 +1,4 @@
-#include "updating/structure/assembly/rigid_motion.hpp"
+#include "updating/structure/assembly/multipoint_constraints.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 
@@ -230,8 +230,8 @@ void add_component(const Eigen::Matrix<double, 6, 1>& direction,
 
 }  // namespace
 
-Eigen::SparseMatrix<double> rigid_motion(const Deck& deck,
-                                         const ConstraintAxes& axes) {
+Eigen::SparseMatrix<double> multipoint_constraints(const Deck& deck,
+                                                   const ConstraintAxes& axes) {
   if (deck.rigids.empty() && deck.relations.empty() && axes.turned.empty()) {
     return {};
   }

@@ -21,7 +21,7 @@ namespace tapfit::structure {
 
 /// One sentence when some of the inactive entries of q carry mass or inertia:
 /// these motions are lost to the model. Another when idle turns are held.
-[[nodiscard]] std::vector<std::string> held_dof_warnings(const Deck& deck,
-                                                         const System& system);
+[[nodiscard]] std::vector<std::string> autospc_warnings(const Deck& deck,
+                                                        const System& system);
 
 }  // namespace tapfit::structure

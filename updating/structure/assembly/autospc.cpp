@@ -1,4 +1,4 @@
-#include "updating/structure/assembly/held_dofs.hpp"
+#include "updating/structure/assembly/autospc.hpp"
 
 #include "updating/structure/checks/attached_grids.hpp"
 #include "updating/structure/deck/card_places.hpp"
@@ -153,7 +153,7 @@ void warn_lost(const Deck& deck,
       at % 6 + 1));
 }
 
-// Entries that have stiffness and are held all the same: idle_turns().
+// Entries that have stiffness and are held all the same: null_rotations().
 void warn_idle_turns(const Deck& deck,
                      const System& system,
                      std::vector<std::string>& warnings) {
@@ -193,8 +193,8 @@ std::vector<bool> without_stiffness(const Deck& deck, const System& system) {
   return without;
 }
 
-std::vector<std::string> held_dof_warnings(const Deck& deck,
-                                           const System& system) {
+std::vector<std::string> autospc_warnings(const Deck& deck,
+                                          const System& system) {
   std::vector<std::string> warnings;
   warn_lost(deck, system, warnings);
   warn_idle_turns(deck, system, warnings);

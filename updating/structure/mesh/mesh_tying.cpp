@@ -1,4 +1,4 @@
-#include "updating/structure/mesh/seams.hpp"
+#include "updating/structure/mesh/mesh_tying.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -27,6 +27,6 @@ namespace tapfit::structure {
 /// element's twist at most a quarter for each side: finer meshes see the layer
 /// themselves.
 /// Zero for shells without transverse shear, and where there are none.
-[[nodiscard]] SparseMatrix edge_twist(const Deck& deck);
+[[nodiscard]] SparseMatrix free_edge_layer(const Deck& deck);
 
 }  // namespace tapfit::structure

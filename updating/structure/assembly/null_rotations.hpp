@@ -20,7 +20,7 @@ namespace tapfit::structure {
 /// Looked for among grids without shells, whose rotations always carry
 /// stiffness.
 /// @param system all but this done; without negative stiffness
-[[nodiscard]] std::vector<int> idle_turns(const Deck& deck,
-                                          const System& system);
+[[nodiscard]] std::vector<int> null_rotations(const Deck& deck,
+                                              const System& system);
 
 }  // namespace tapfit::structure
