@@ -73,14 +73,15 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
   if (stages_->diagnosis) return *stages_->diagnosis;
   const Comparison& base = base_comparison(progress);
   const Fit& now = stages_->current();
-  stages_->diagnosis = stages_->keeper(now.effects.size()).kept_or_made([&] {
-    return diagnose_test(*stages_->ground,
-                         now,
-                         base,
-                         stages_->measured(),
-                         model_warnings(progress),
-                         progress);
-  });
+  stages_->diagnosis =
+      stages_->cached_diagnosis(now.effects.size()).kept_or_made([&] {
+        return diagnose_test(*stages_->ground,
+                             now,
+                             base,
+                             stages_->measured(),
+                             model_warnings(progress),
+                             progress);
+      });
   return *stages_->diagnosis;
 }
 
@@ -90,14 +91,15 @@ const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
       *stages_->ground, base_comparison(progress), stages_->measured());
   stages_->diagnosis->robustness = robustness(
       *stages_->ground->fitter, options, *stages_->diagnosis, progress);
-  stages_->keeper(stages_->current().effects.size()).keep(*stages_->diagnosis);
+  stages_->cached_diagnosis(stages_->current().effects.size())
+      .keep(*stages_->diagnosis);
   return *stages_->diagnosis;
 }
 
 std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
                                                   const Progress& progress) {
   stages_->prepare_fit(progress);
-  return stages_->keeper(effects).load();
+  return stages_->cached_diagnosis(effects).load();
 }
 
 Signature Session::signature(int node, const Progress& progress) {

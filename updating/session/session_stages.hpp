@@ -9,8 +9,8 @@
 #include "updating/fit/plain_fit.hpp"
 #include "updating/fit/rung.hpp"
 #include "updating/measurement/measurement.hpp"
+#include "updating/session/diagnosis_cache.hpp"
 #include "updating/session/effect_stack.hpp"
-#include "updating/session/kept_diagnosis.hpp"
 
 #include <optional>
 #include <vector>
@@ -60,7 +60,7 @@ struct SessionStages {
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
   [[nodiscard]] Comparison compare_now(const Fit& fit);
   /// With the first so many effects.
-  [[nodiscard]] DiagnosisKeeper keeper(std::size_t effects);
+  [[nodiscard]] DiagnosisCache cached_diagnosis(std::size_t effects);
 
  private:
   void stack_waiting(const Progress& progress);

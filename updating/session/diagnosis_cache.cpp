@@ -1,4 +1,4 @@
-#include "updating/session/kept_diagnosis.hpp"
+#include "updating/session/diagnosis_cache.hpp"
 
 #include "acquisition/foundation/input_file.hpp"
 #include "updating/cache/content_digest.hpp"
@@ -130,10 +130,10 @@ MatrixXd as_matrix(const std::string& text) {
 
 }  // namespace
 
-DiagnosisKeeper::DiagnosisKeeper(std::optional<MatrixCache> cache,
-                                 const DiagnosisContent& content,
-                                 const EffectHistory& history,
-                                 std::size_t effects) {
+DiagnosisCache::DiagnosisCache(std::optional<MatrixCache> cache,
+                               const DiagnosisContent& content,
+                               const EffectHistory& history,
+                               std::size_t effects) {
   const std::optional<std::string> stamp = program_stamp();
   if (!cache || !stamp) return;
   cache_ = std::move(cache);
@@ -150,7 +150,7 @@ DiagnosisKeeper::DiagnosisKeeper(std::optional<MatrixCache> cache,
   key_ = digest.digest();
 }
 
-std::optional<Diagnosis> DiagnosisKeeper::load() const {
+std::optional<Diagnosis> DiagnosisCache::load() const {
   if (!cache_) return std::nullopt;
   const auto kept = cache_->load(key_);
   if (!kept || kept->size() != 1) return std::nullopt;
@@ -161,12 +161,12 @@ std::optional<Diagnosis> DiagnosisKeeper::load() const {
   return diagnosis_from(text);
 }
 
-void DiagnosisKeeper::keep(const Diagnosis& diagnosis) const {
+void DiagnosisCache::keep(const Diagnosis& diagnosis) const {
   const std::optional<std::string> text = as_text(diagnosis);
   if (cache_ && text) cache_->store(key_, {as_matrix(*text)});
 }
 
-Diagnosis DiagnosisKeeper::kept_or_made(
+Diagnosis DiagnosisCache::kept_or_made(
     const std::function<Diagnosis()>& make) const {
   if (std::optional<Diagnosis> kept = load()) return *std::move(kept);
   Diagnosis diagnosis = make();

@@ -31,15 +31,15 @@ struct DiagnosisContent {
 };
 
 /// The place of one diagnosis on disk.
-class DiagnosisKeeper {
+class DiagnosisCache {
  public:
   /// @param cache empty: nothing is found and nothing kept
   /// @param history of the model's effects
   /// @param effects how many of those that are on, from the first
-  DiagnosisKeeper(std::optional<MatrixCache> cache,
-                  const DiagnosisContent& content,
-                  const EffectHistory& history,
-                  std::size_t effects);
+  DiagnosisCache(std::optional<MatrixCache> cache,
+                 const DiagnosisContent& content,
+                 const EffectHistory& history,
+                 std::size_t effects);
 
   /// @return none where none was kept, or what was is damaged
   [[nodiscard]] std::optional<Diagnosis> load() const;

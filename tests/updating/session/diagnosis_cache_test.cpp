@@ -1,6 +1,6 @@
 // A diagnosis is kept under all that it follows from: of a test that consists
 // of modes their points and the pairs set by hand, too.
-#include "updating/session/kept_diagnosis.hpp"
+#include "updating/session/diagnosis_cache.hpp"
 
 #include "tests/acquisition/support/temporary_folder.hpp"
 
@@ -23,7 +23,7 @@ class KeptDiagnosis : public ::testing::Test {
     modes_.modes[0].shape = Eigen::Vector2cd(1.0, 2.0);
   }
 
-  [[nodiscard]] DiagnosisKeeper keeper() const {
+  [[nodiscard]] DiagnosisCache cached_diagnosis() const {
     return {MatrixCache{folder_.path() / "cache"},
             {bundle_, deck_, frfs_, modes_, pairs_},
             {},
@@ -32,7 +32,7 @@ class KeptDiagnosis : public ::testing::Test {
   void keep() const {
     Diagnosis diagnosis;
     diagnosis.verdict = "none";
-    keeper().keep(diagnosis);
+    cached_diagnosis().keep(diagnosis);
   }
 
   tapfit::testing::TemporaryFolder folder_;
@@ -44,9 +44,9 @@ class KeptDiagnosis : public ::testing::Test {
 };
 
 TEST_F(KeptDiagnosis, IsFoundAgainWhereNothingChanged) {
-  EXPECT_FALSE(keeper().load());
+  EXPECT_FALSE(cached_diagnosis().load());
   keep();
-  const auto kept = keeper().load();
+  const auto kept = cached_diagnosis().load();
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->verdict, "none");
 }
@@ -54,23 +54,23 @@ TEST_F(KeptDiagnosis, IsFoundAgainWhereNothingChanged) {
 TEST_F(KeptDiagnosis, IsNotThatOfShapesAtOtherPoints) {
   keep();
   modes_.dofs[1].node = 15;
-  EXPECT_FALSE(keeper().load());
+  EXPECT_FALSE(cached_diagnosis().load());
   modes_.dofs[1] = {14, 2, 1};
-  EXPECT_FALSE(keeper().load());
+  EXPECT_FALSE(cached_diagnosis().load());
 }
 
 TEST_F(KeptDiagnosis, IsOfThePairsWhereModesAreTheData) {
   keep();
   pairs_ = {{10.0, 1}};
-  EXPECT_FALSE(keeper().load());
+  EXPECT_FALSE(cached_diagnosis().load());
   keep();
   pairs_[0].model = 2;
-  EXPECT_FALSE(keeper().load());
+  EXPECT_FALSE(cached_diagnosis().load());
   // FRFs are compared without pairs.
   bundle_.modes.reset();
   keep();
   pairs_.clear();
-  EXPECT_TRUE(keeper().load());
+  EXPECT_TRUE(cached_diagnosis().load());
 }
 
 }  // namespace
