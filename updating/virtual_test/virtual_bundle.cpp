@@ -5,11 +5,11 @@
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/virtual_test/ground_truth.hpp"
 #include "updating/virtual_test/virtual_channels.hpp"
 #include "updating/virtual_test/virtual_records.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
 #include "updating/virtual_test/virtual_sheet.hpp"
-#include "updating/virtual_test/virtual_truth.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -129,12 +129,12 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
   write_model(setup, output.file("model.bdf"));
   acquisition::write_file(output.file("test.json"),
                           acquisition::test_bundle_text(bundle, folder));
-  write_truth(spec,
-              setup,
-              structure,
-              records.first,
-              factor,
-              output.file(truth_file_of(spec)));
+  write_ground_truth(spec,
+                     setup,
+                     structure,
+                     records.first,
+                     factor,
+                     output.file(truth_file_of(spec)));
   output.commit();
 
   VirtualBundleResult result = summary_of(setup, records.first);

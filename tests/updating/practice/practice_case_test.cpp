@@ -1,6 +1,6 @@
-#include "updating/practice/hidden_case.hpp"
+#include "updating/practice/practice_case.hpp"
 
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,17 +11,17 @@ namespace tapfit::updating {
 namespace {
 
 TEST(HiddenCase, SameSeedHidesTheSame) {
-  const VirtualBundleSpec a = draw_hidden_case("added-mass", 7);
-  const VirtualBundleSpec b = draw_hidden_case("added-mass", 7);
+  const VirtualBundleSpec a = draw_practice_case("added-mass", 7);
+  const VirtualBundleSpec b = draw_practice_case("added-mass", 7);
   EXPECT_EQ(a.structure, b.structure);
   ASSERT_EQ(a.effects.size(), 1U);
   EXPECT_EQ(a.effects[0].places, b.effects[0].places);
   EXPECT_EQ(a.effects[0].values, b.effects[0].values);
-  EXPECT_TRUE(draw_hidden_case("none", 7).effects.empty());
+  EXPECT_TRUE(draw_practice_case("none", 7).effects.empty());
 }
 
 TEST(HiddenCase, PairsHideTwo) {
-  const auto spec = draw_hidden_case("added-mass+channel-gain", 3);
+  const auto spec = draw_practice_case("added-mass+channel-gain", 3);
   ASSERT_EQ(spec.effects.size(), 2U);
   EXPECT_EQ(spec.effects[0].name, "added-mass");
   EXPECT_EQ(spec.effects[1].name, "channel-gain");
@@ -29,15 +29,16 @@ TEST(HiddenCase, PairsHideTwo) {
 
 TEST(HiddenCase, TakesTheStructureThatIsAskedFor) {
   for (const std::string& name : virtual_structures()) {
-    EXPECT_EQ(draw_hidden_case("none", 7, name).structure, name);
+    EXPECT_EQ(draw_practice_case("none", 7, name).structure, name);
   }
-  EXPECT_EQ(draw_hidden_case("soft-support", 7, "portal").structure, "portal");
+  EXPECT_EQ(draw_practice_case("soft-support", 7, "portal").structure,
+            "portal");
 }
 
 TEST(HiddenCase, EveryKindCanBeHiddenInThePortal) {
   // The structure of bars: no shell edges for joints, supports and patches.
-  for (const std::string& kind : hidden_kinds()) {
-    const VirtualBundleSpec spec = draw_hidden_case(kind, 7, "portal");
+  for (const std::string& kind : practice_kinds()) {
+    const VirtualBundleSpec spec = draw_practice_case(kind, 7, "portal");
     const auto joined = std::count(kind.begin(), kind.end(), '+');
     EXPECT_EQ(spec.effects.size(),
               kind == "none" ? 0U : static_cast<std::size_t>(joined) + 1U)
@@ -49,8 +50,8 @@ TEST(HiddenCase, EveryKindCanBeHiddenInThePortal) {
 }
 
 TEST(HiddenCase, WhatIsDrawnCanBeWrittenDownAndReadAgain) {
-  for (const std::string& kind : hidden_kinds()) {
-    for (const VirtualEffect& effect : draw_hidden_case(kind, 11).effects) {
+  for (const std::string& kind : practice_kinds()) {
+    for (const VirtualEffect& effect : draw_practice_case(kind, 11).effects) {
       const std::string text = virtual_effect_text(effect);
       EXPECT_EQ(parse_virtual_effect(text), effect) << text;
     }
@@ -59,7 +60,7 @@ TEST(HiddenCase, WhatIsDrawnCanBeWrittenDownAndReadAgain) {
 
 TEST(HiddenCase, FormsAreDrawnAsTheirNamesSay) {
   const auto drawn = [](const std::string& kind) {
-    return draw_hidden_case(kind, 7).effects.at(0);
+    return draw_practice_case(kind, 7).effects.at(0);
   };
   const VirtualEffect moving = drawn("moving-soft-support");
   EXPECT_EQ(moving.name, "soft-support");

@@ -1,4 +1,4 @@
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/virtual_test/virtual_panel.hpp"
@@ -10,46 +10,46 @@ namespace tapfit::updating {
 namespace {
 
 // @param split elements of the truth along a side of the model's
-VirtualHabit panel_habit(const Panel& panel, int split) {
+StructurePreset panel_preset(const Panel& panel, int split) {
   const PanelMesh model = mesh_panel(panel, 1);
   PanelMesh fine = mesh_panel(panel, split);
-  VirtualHabit habit;
-  habit.title = panel.title;
-  habit.cards = panel_cards(panel, model);
-  habit.model = {model.deck, std::move(fine.deck), std::move(fine.children)};
-  return habit;
+  StructurePreset preset;
+  preset.title = panel.title;
+  preset.cards = panel_cards(panel, model);
+  preset.model = {model.deck, std::move(fine.deck), std::move(fine.children)};
+  return preset;
 }
 
-VirtualHabit frame() {
-  VirtualHabit habit = panel_habit(frame_panel(), 3);
-  habit.band_hz = {1.0, 55.0};
-  habit.peak_n = 15.0;
-  habit.sensors = {{0.90, 0.0, 0.0}, {0.90, 0.55, 0.0}};
-  return habit;
+StructurePreset frame() {
+  StructurePreset preset = panel_preset(frame_panel(), 3);
+  preset.band_hz = {1.0, 55.0};
+  preset.peak_n = 15.0;
+  preset.sensors = {{0.90, 0.0, 0.0}, {0.90, 0.55, 0.0}};
+  return preset;
 }
 
-VirtualHabit ladder() {
-  VirtualHabit habit = panel_habit(ladder_panel(), 3);
-  habit.band_hz = {2.0, 120.0};
-  habit.peak_n = 25.0;
-  return habit;
+StructurePreset ladder() {
+  StructurePreset preset = panel_preset(ladder_panel(), 3);
+  preset.band_hz = {2.0, 120.0};
+  preset.peak_n = 25.0;
+  return preset;
 }
 
-VirtualHabit plate() {
-  VirtualHabit habit = panel_habit(plate_panel(), 2);
-  habit.band_hz = {30.0, 600.0};
-  habit.peak_n = 60.0;
-  return habit;
+StructurePreset plate() {
+  StructurePreset preset = panel_preset(plate_panel(), 2);
+  preset.band_hz = {30.0, 600.0};
+  preset.peak_n = 60.0;
+  return preset;
 }
 
-VirtualHabit portal() {
-  VirtualHabit habit;
-  habit.title = portal_title;
-  habit.model = split_twice(portal_deck());
-  habit.cards = portal_cards();
-  habit.band_hz = {4.0, 220.0};
-  habit.peak_n = 80.0;
-  return habit;
+StructurePreset portal() {
+  StructurePreset preset;
+  preset.title = portal_title;
+  preset.model = split_twice(portal_deck());
+  preset.cards = portal_cards();
+  preset.band_hz = {4.0, 220.0};
+  preset.peak_n = 80.0;
+  return preset;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ const std::vector<std::string>& virtual_structures() {
   return names;
 }
 
-std::optional<VirtualHabit> habit_of(const std::string& structure) {
+std::optional<StructurePreset> preset_of(const std::string& structure) {
   if (structure == "frame") return frame();
   if (structure == "ladder") return ladder();
   if (structure == "plate") return plate();

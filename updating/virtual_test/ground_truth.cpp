@@ -1,4 +1,4 @@
-#include "updating/virtual_test/virtual_truth.hpp"
+#include "updating/virtual_test/ground_truth.hpp"
 
 #include "acquisition/foundation/output_file.hpp"
 
@@ -68,12 +68,12 @@ std::string joined_names(const VirtualStructure& structure) {
 
 }  // namespace
 
-void write_truth(const VirtualBundleSpec& spec,
-                 const VirtualSetup& setup,
-                 const VirtualStructure& structure,
-                 const ReducedTruth& truth,
-                 double modulus_factor,
-                 const std::filesystem::path& file) {
+void write_ground_truth(const VirtualBundleSpec& spec,
+                        const VirtualSetup& setup,
+                        const VirtualStructure& structure,
+                        const ReducedTruth& truth,
+                        double modulus_factor,
+                        const std::filesystem::path& file) {
   const auto& materials = setup.model.model.materials;
   json document{
       {"seed", spec.seed},

@@ -1,4 +1,4 @@
-#include "updating/practice/hidden_verdict.hpp"
+#include "updating/practice/score_diagnosis.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
 
@@ -29,26 +29,30 @@ Diagnosis finding(const std::string& name, int node, double value) {
 TEST(Judge, TellsKindPlaceAndSize) {
   const structure::Deck deck = support::plate_deck(true);
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
-  const Verdict right = judge(hidden, finding("added-mass", 30, 0.051), deck);
+  const DiagnosisScore right =
+      score_diagnosis(hidden, finding("added-mass", 30, 0.051), deck);
   EXPECT_TRUE(right.right_kind);
   EXPECT_TRUE(right.right_place);
   EXPECT_NEAR(right.size_error, 0.02, 1e-12);
   EXPECT_EQ(right.intervals_hold, 1);
   // The next grid is one element away, grid 28 two.
-  EXPECT_TRUE(judge(hidden, finding("added-mass", 29, 0.05), deck).right_place);
+  EXPECT_TRUE(score_diagnosis(hidden, finding("added-mass", 29, 0.05), deck)
+                  .right_place);
+  EXPECT_FALSE(score_diagnosis(hidden, finding("added-mass", 28, 0.05), deck)
+                   .right_place);
   EXPECT_FALSE(
-      judge(hidden, finding("added-mass", 28, 0.05), deck).right_place);
-  EXPECT_FALSE(judge(hidden, finding("dashpot", 30, 0.05), deck).right_kind);
+      score_diagnosis(hidden, finding("dashpot", 30, 0.05), deck).right_kind);
 }
 
 TEST(Judge, OutsideTheCatalogueUnexplainedIsRight) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec strut;
   strut.effects = {{"strut", {"30", "20"}, {1e4}}};
-  EXPECT_FALSE(judge(strut, finding("added-mass", 30, 0.05), deck).right_kind);
+  EXPECT_FALSE(
+      score_diagnosis(strut, finding("added-mass", 30, 0.05), deck).right_kind);
   Diagnosis honest;
   honest.verdict = "unexplained";
-  EXPECT_TRUE(judge(strut, honest, deck).right());
+  EXPECT_TRUE(score_diagnosis(strut, honest, deck).right());
 }
 
 TEST(Judge, NoneIsRightOnlyWhereNothingIsHidden) {
@@ -57,13 +61,14 @@ TEST(Judge, NoneIsRightOnlyWhereNothingIsHidden) {
   none.verdict = "none";
   none.error_best = 0.02;
   none.floor = 0.019;
-  EXPECT_TRUE(judge({}, none, deck).right());
+  EXPECT_TRUE(score_diagnosis({}, none, deck).right());
   none.error_best = 0.03;
-  EXPECT_FALSE(judge({}, none, deck).right()) << "above the floor";
-  EXPECT_FALSE(judge(hiding("added-mass", "30", 0.05), none, deck).honest);
+  EXPECT_FALSE(score_diagnosis({}, none, deck).right()) << "above the floor";
+  EXPECT_FALSE(
+      score_diagnosis(hiding("added-mass", "30", 0.05), none, deck).honest);
   Diagnosis alarm;
   alarm.verdict = "unexplained";
-  EXPECT_FALSE(judge({}, alarm, deck).honest) << "nothing is missing";
+  EXPECT_FALSE(score_diagnosis({}, alarm, deck).honest) << "nothing is missing";
 }
 
 TEST(Judge, SizeIsRightWithinFivePercentOrItsInterval) {
@@ -71,24 +76,27 @@ TEST(Judge, SizeIsRightWithinFivePercentOrItsInterval) {
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
   // finding() states +-0.002: 6 % off and outside, 4 % off, 6 % with a wide
   // interval.
-  EXPECT_FALSE(
-      judge(hidden, finding("added-mass", 30, 0.053), deck).right_size);
-  EXPECT_TRUE(judge(hidden, finding("added-mass", 30, 0.052), deck).right_size);
+  EXPECT_FALSE(score_diagnosis(hidden, finding("added-mass", 30, 0.053), deck)
+                   .right_size);
+  EXPECT_TRUE(score_diagnosis(hidden, finding("added-mass", 30, 0.052), deck)
+                  .right_size);
   Diagnosis unsure = finding("added-mass", 30, 0.053);
   unsure.ladder[0].parameters[0].lo95 = 0.049;
-  EXPECT_TRUE(judge(hidden, unsure, deck).right_size);
+  EXPECT_TRUE(score_diagnosis(hidden, unsure, deck).right_size);
 }
 
 TEST(Judge, AGroupThatHoldsTheHiddenKindIsHonestNotRight) {
   const structure::Deck deck = support::plate_deck(true);
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
-  const Verdict group =
-      judge(hidden, finding("sensor-mass|added-mass", 30, 0.05), deck);
+  const DiagnosisScore group = score_diagnosis(
+      hidden, finding("sensor-mass|added-mass", 30, 0.05), deck);
   EXPECT_FALSE(group.right_kind);
   EXPECT_TRUE(group.honest);
-  EXPECT_FALSE(judge(hidden, finding("dashpot|joint", 30, 0.05), deck).honest);
   EXPECT_FALSE(
-      judge(hidden, finding("added-mass+dashpot", 30, 0.05), deck).honest);
+      score_diagnosis(hidden, finding("dashpot|joint", 30, 0.05), deck).honest);
+  EXPECT_FALSE(
+      score_diagnosis(hidden, finding("added-mass+dashpot", 30, 0.05), deck)
+          .honest);
 }
 
 TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
@@ -98,7 +106,7 @@ TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
   Diagnosis found;
   found.verdict = "none";
   found.error_best = found.floor = 0.01;
-  EXPECT_FALSE(judge(hidden, found, deck).right_kind) << "not seen";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_kind) << "not seen";
   found.verdict = "point-mislabelled";
   Rung rung;
   rung.added = found.verdict;
@@ -106,10 +114,11 @@ TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
   rung.where.nodes = {27};
   rung.where.node = 30;
   found.ladder = {rung};
-  EXPECT_TRUE(judge(hidden, found, deck).right());
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right());
   found.ladder[0].where.node = 28;
-  EXPECT_FALSE(judge(hidden, found, deck).right()) << "two elements away";
-  EXPECT_FALSE(judge({}, found, deck).right()) << "nobody erred";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right())
+      << "two elements away";
+  EXPECT_FALSE(score_diagnosis({}, found, deck).right()) << "nobody erred";
 }
 
 TEST(Judge, SupportMustTurnEverywhere) {
@@ -121,12 +130,12 @@ TEST(Judge, SupportMustTurnEverywhere) {
   rung.parameters[0].name = "rotational_stiffness_nm_per_rad_per_m";
   rung.where.variant = "rotation";
   rung.where.nodes = {1, 12, 23, 34, 45};  // the clamped edge of plate_deck()
-  EXPECT_TRUE(judge(hidden, found, deck).right_place);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_place);
   rung.where.nodes = {1, 12};
-  EXPECT_FALSE(judge(hidden, found, deck).right_place);
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_place);
   rung.where.nodes = {1, 12, 23, 34, 45};
   rung.where.variant = "translation";
-  EXPECT_FALSE(judge(hidden, found, deck).right_place);
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_place);
 }
 
 TEST(Judge, ASupportThatMovesTooHasBothSizes) {
@@ -149,21 +158,22 @@ TEST(Judge, ASupportThatMovesTooHasBothSizes) {
                      estimate("rotational_stiffness_nm_per_rad", 1.0),
                      estimate("translational_stiffness_n_per_m", 1.0)};
   rung.where.variant = "rotation";
-  EXPECT_FALSE(judge(hidden, found, deck).right_place) << "moves too";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_place) << "moves too";
   rung.where.variant = "both";
-  EXPECT_TRUE(judge(hidden, found, deck).right_place);
-  EXPECT_TRUE(judge(hidden, found, deck).right_size);
-  EXPECT_NEAR(judge(hidden, found, deck).size_error, 0.02, 1e-12);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_place);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_size);
+  EXPECT_NEAR(score_diagnosis(hidden, found, deck).size_error, 0.02, 1e-12);
   rung.parameters[1].value = 6e4;
-  EXPECT_FALSE(judge(hidden, found, deck).right_size);
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size);
 
   hidden.effects = {{"soft-support", {}, {5e4}, "translation"}};
   rung.where.variant = "translation";
   rung.parameters = {estimate("translational_stiffness_n_per_m_per_m", 5.1e4)};
-  EXPECT_TRUE(judge(hidden, found, deck).right_place);
-  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_place);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_size);
   rung.where.variant = "rotation";
-  EXPECT_FALSE(judge(hidden, found, deck).right_place) << "it does not turn";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_place)
+      << "it does not turn";
 }
 
 TEST(Judge, UnequalSensorsHaveASizeEach) {
@@ -173,15 +183,16 @@ TEST(Judge, UnequalSensorsHaveASizeEach) {
   Diagnosis found = finding("sensor-mass", 0, 0.01);
   Rung& rung = found.ladder[0];
   rung.where.channels = {"acc1", "acc2"};
-  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "one for both";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size)
+      << "one for both";
   rung.where.variant = "each";
   rung.parameters = {{"mass_kg.acc1", 0.0102, 1e-4, 0.0098, 0.0104},
                      {"mass_kg.acc2", 0.0199, 1e-4, 0.0195, 0.0203}};
-  EXPECT_TRUE(judge(hidden, found, deck).right_size);
-  EXPECT_EQ(judge(hidden, found, deck).intervals_hold, 2);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_size);
+  EXPECT_EQ(score_diagnosis(hidden, found, deck).intervals_hold, 2);
   rung.parameters[1].value = 0.015;
   rung.parameters[1].hi95 = 0.016;
-  EXPECT_FALSE(judge(hidden, found, deck).right_size);
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size);
 }
 
 TEST(Judge, AnUnevenSupportHasTwoSizes) {
@@ -193,15 +204,16 @@ TEST(Judge, AnUnevenSupportHasTwoSizes) {
   rung.where.nodes = {1, 12, 23, 34, 45};
   rung.where.variant = "rotation-varying";
   rung.parameters[0].name = "rotational_stiffness_nm_per_rad_per_m.1";
-  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "one alone";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size) << "one alone";
   Estimate last = rung.parameters[0];
   last.name = "rotational_stiffness_nm_per_rad_per_m.45";
   last.value = last.lo95 = last.hi95 = 10.0;
   rung.parameters.push_back(last);
-  EXPECT_TRUE(judge(hidden, found, deck).right_size);
+  EXPECT_TRUE(score_diagnosis(hidden, found, deck).right_size);
   rung.parameters[1].value = rung.parameters[1].hi95 = 20.0;
   rung.parameters[1].lo95 = 19.0;
-  EXPECT_FALSE(judge(hidden, found, deck).right_size) << "twice too stiff";
+  EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size)
+      << "twice too stiff";
 }
 
 }  // namespace

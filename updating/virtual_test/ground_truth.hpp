@@ -22,11 +22,11 @@ namespace tapfit::updating {
 ///
 /// @param truth of the first run (with roving sensors the masses move)
 /// @throws InputError when the file cannot be written
-void write_truth(const VirtualBundleSpec& spec,
-                 const VirtualSetup& setup,
-                 const VirtualStructure& structure,
-                 const ReducedTruth& truth,
-                 double modulus_factor,
-                 const std::filesystem::path& file);
+void write_ground_truth(const VirtualBundleSpec& spec,
+                        const VirtualSetup& setup,
+                        const VirtualStructure& structure,
+                        const ReducedTruth& truth,
+                        double modulus_factor,
+                        const std::filesystem::path& file);
 
 }  // namespace tapfit::updating

@@ -1,4 +1,4 @@
-#include "updating/practice/hidden_verdict.hpp"
+#include "updating/practice/score_diagnosis.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +134,7 @@ bool holds_all(const std::vector<std::string>& hidden,
 
 void judge_size(const VirtualEffect& effect,
                 const Rung& rung,
-                Verdict& verdict) {
+                DiagnosisScore& verdict) {
   const std::vector<Estimate> found = counterparts(effect, rung);
   // Of other effects the first value is their size.
   const std::size_t sizes =
@@ -157,7 +157,7 @@ void judge_size(const VirtualEffect& effect,
 }
 
 // Where nothing of the catalogue is hidden there is no place and no size.
-void judge_kind_only(const std::string& asked, Verdict& verdict) {
+void judge_kind_only(const std::string& asked, DiagnosisScore& verdict) {
   verdict.right_kind = verdict.found == asked;
   verdict.honest = verdict.right_kind;
   verdict.right_place = verdict.right_size = verdict.right_kind;
@@ -168,7 +168,7 @@ void judge_kind_only(const std::string& asked, Verdict& verdict) {
 void judge_wrong_grid(const VirtualEffect& hidden,
                       const Diagnosis& diagnosis,
                       const Deck& deck,
-                      Verdict& verdict) {
+                      DiagnosisScore& verdict) {
   const std::vector<int> grids = hidden.numbers();
   const auto& found = diagnosis.ladder;
   verdict.right_kind = verdict.found == "point-mislabelled" &&
@@ -185,10 +185,10 @@ void judge_wrong_grid(const VirtualEffect& hidden,
 
 }  // namespace
 
-Verdict judge(const VirtualBundleSpec& hidden,
-              const Diagnosis& diagnosis,
-              const Deck& deck) {
-  Verdict verdict;
+DiagnosisScore score_diagnosis(const VirtualBundleSpec& hidden,
+                               const Diagnosis& diagnosis,
+                               const Deck& deck) {
+  DiagnosisScore verdict;
   verdict.found = diagnosis.verdict;
   verdict.error = diagnosis.error_best;
   verdict.floor = diagnosis.floor;

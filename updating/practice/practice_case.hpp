@@ -23,18 +23,18 @@ namespace tapfit::updating {
 /// "strut", a spring between two grids, and "drift", a stiffness that changes
 /// while the test goes on; and "wrong-grid", a hit point that is written down
 /// elsewhere.
-[[nodiscard]] const std::vector<std::string>& hidden_kinds();
+[[nodiscard]] const std::vector<std::string>& practice_kinds();
 
 /// Whether the structure can hide it: the plate hangs free and has no support
 /// to give.
-/// @param kind one of hidden_kinds(), or any pair of them joined with "+"
+/// @param kind one of practice_kinds(), or any pair of them joined with "+"
 /// @param structure one of virtual_structures()
 [[nodiscard]] bool can_hide(const std::string& structure,
                             const std::string& kind);
 
 /// @param kind as above
 /// @param structure one of virtual_structures(); empty: drawn
-[[nodiscard]] VirtualBundleSpec draw_hidden_case(
+[[nodiscard]] VirtualBundleSpec draw_practice_case(
     const std::string& kind,
     std::uint64_t seed,
     const std::string& structure = {});

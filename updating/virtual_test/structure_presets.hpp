@@ -13,7 +13,7 @@
 
 namespace tapfit::updating {
 
-struct VirtualHabit {
+struct StructurePreset {
   std::string title;
   VirtualModel model;
   std::vector<std::string> cards;  ///< of the engineer's model, bulk data
@@ -26,7 +26,7 @@ struct VirtualHabit {
 [[nodiscard]] const std::vector<std::string>& virtual_structures();
 
 /// @return empty for a name that is none of virtual_structures()
-[[nodiscard]] std::optional<VirtualHabit> habit_of(
+[[nodiscard]] std::optional<StructurePreset> preset_of(
     const std::string& structure);
 
 /// A deck as the engineer has it, and with every element split twice.

@@ -10,7 +10,7 @@
 namespace tapfit::updating {
 
 /// How a diagnosis compares with what was hidden.
-struct Verdict {
+struct DiagnosisScore {
   /// "none", "a", "a+b"; "strut" and "drift" should be unexplained.
   std::string hidden;
   std::string found;  ///< the diagnosis's verdict
@@ -35,8 +35,8 @@ struct Verdict {
 };
 
 /// @param deck the engineer's model that the diagnosis was made with
-[[nodiscard]] Verdict judge(const VirtualBundleSpec& hidden,
-                            const Diagnosis& diagnosis,
-                            const structure::Deck& deck);
+[[nodiscard]] DiagnosisScore score_diagnosis(const VirtualBundleSpec& hidden,
+                                             const Diagnosis& diagnosis,
+                                             const structure::Deck& deck);
 
 }  // namespace tapfit::updating

@@ -1,4 +1,4 @@
-#include "updating/practice/hidden_case.hpp"
+#include "updating/practice/practice_case.hpp"
 
 #include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
@@ -8,7 +8,7 @@
 #include "updating/places/joint_line.hpp"
 #include "updating/places/support_groups.hpp"
 #include "updating/reduction/reduced_base.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 #include "updating/virtual_test/virtual_setup.hpp"
 
 #include <algorithm>
@@ -136,7 +136,7 @@ class Draw {
     }
     throw InputError("no such effect to hide: " + name,
                      "hidden case",
-                     "take one of hidden_kinds()");
+                     "take one of practice_kinds()");
   }
 
  private:
@@ -320,7 +320,7 @@ class Draw {
 
 }  // namespace
 
-const std::vector<std::string>& hidden_kinds() {
+const std::vector<std::string>& practice_kinds() {
   static const std::vector<std::string> kinds = {"none",
                                                  "sensor-mass",
                                                  "soft-support",
@@ -353,9 +353,9 @@ bool can_hide(const std::string& structure, const std::string& kind) {
   return structure != "plate" || kind.find("soft-support") == std::string::npos;
 }
 
-VirtualBundleSpec draw_hidden_case(const std::string& kind,
-                                   std::uint64_t seed,
-                                   const std::string& structure) {
+VirtualBundleSpec draw_practice_case(const std::string& kind,
+                                     std::uint64_t seed,
+                                     const std::string& structure) {
   SeededRandom random(seed, "structure");
   std::vector<std::string> structures = virtual_structures();
   std::erase_if(structures, [&kind](const std::string& name) {
