@@ -74,7 +74,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
   const Comparison& base = base_comparison(progress);
   const Fit& now = stages_->current();
   stages_->diagnosis =
-      stages_->cached_diagnosis(now.effects.size()).kept_or_made([&] {
+      stages_->diagnosis_cache(now.effects.size()).kept_or_made([&] {
         return diagnose_test(*stages_->ground,
                              now,
                              base,
@@ -91,7 +91,7 @@ const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
       *stages_->ground, base_comparison(progress), stages_->measured());
   stages_->diagnosis->robustness = robustness(
       *stages_->ground->fitter, options, *stages_->diagnosis, progress);
-  stages_->cached_diagnosis(stages_->current().effects.size())
+  stages_->diagnosis_cache(stages_->current().effects.size())
       .keep(*stages_->diagnosis);
   return *stages_->diagnosis;
 }
@@ -99,7 +99,7 @@ const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
 std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
                                                   const Progress& progress) {
   stages_->prepare_fit(progress);
-  return stages_->cached_diagnosis(effects).load();
+  return stages_->diagnosis_cache(effects).load();
 }
 
 Signature Session::signature(int node, const Progress& progress) {

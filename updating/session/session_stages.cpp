@@ -66,7 +66,7 @@ Fit SessionStages::fit_now(const std::vector<PlacedEffect>& effects,
 
 // Fits asked for in another way, and what is uncertain fitted before any
 // effect, end elsewhere.
-DiagnosisCache SessionStages::cached_diagnosis(std::size_t effects) {
+DiagnosisCache SessionStages::diagnosis_cache(std::size_t effects) {
   const bool usual = !choice.is_plain() &&
                      (stack->fits().size() != 2 || !current().effects.empty());
   return {usual ? user_cache() : std::nullopt,

@@ -60,7 +60,7 @@ struct SessionStages {
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
   [[nodiscard]] Comparison compare_now(const Fit& fit);
   /// With the first so many effects.
-  [[nodiscard]] DiagnosisCache cached_diagnosis(std::size_t effects);
+  [[nodiscard]] DiagnosisCache diagnosis_cache(std::size_t effects);
 
  private:
   void stack_waiting(const Progress& progress);

@@ -26,7 +26,7 @@ Diagnosis finding(const std::string& name, int node, double value) {
   return diagnosis;
 }
 
-TEST(Judge, TellsKindPlaceAndSize) {
+TEST(ScoreDiagnosis, TellsKindPlaceAndSize) {
   const structure::Deck deck = support::plate_deck(true);
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
   const DiagnosisScore right =
@@ -44,7 +44,7 @@ TEST(Judge, TellsKindPlaceAndSize) {
       score_diagnosis(hidden, finding("dashpot", 30, 0.05), deck).right_kind);
 }
 
-TEST(Judge, OutsideTheCatalogueUnexplainedIsRight) {
+TEST(ScoreDiagnosis, OutsideTheCatalogueUnexplainedIsRight) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec strut;
   strut.effects = {{"strut", {"30", "20"}, {1e4}}};
@@ -55,7 +55,7 @@ TEST(Judge, OutsideTheCatalogueUnexplainedIsRight) {
   EXPECT_TRUE(score_diagnosis(strut, honest, deck).right());
 }
 
-TEST(Judge, NoneIsRightOnlyWhereNothingIsHidden) {
+TEST(ScoreDiagnosis, NoneIsRightOnlyWhereNothingIsHidden) {
   const structure::Deck deck = support::plate_deck(true);
   Diagnosis none;
   none.verdict = "none";
@@ -71,7 +71,7 @@ TEST(Judge, NoneIsRightOnlyWhereNothingIsHidden) {
   EXPECT_FALSE(score_diagnosis({}, alarm, deck).honest) << "nothing is missing";
 }
 
-TEST(Judge, SizeIsRightWithinFivePercentOrItsInterval) {
+TEST(ScoreDiagnosis, SizeIsRightWithinFivePercentOrItsInterval) {
   const structure::Deck deck = support::plate_deck(true);
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
   // finding() states +-0.002: 6 % off and outside, 4 % off, 6 % with a wide
@@ -85,7 +85,7 @@ TEST(Judge, SizeIsRightWithinFivePercentOrItsInterval) {
   EXPECT_TRUE(score_diagnosis(hidden, unsure, deck).right_size);
 }
 
-TEST(Judge, AGroupThatHoldsTheHiddenKindIsHonestNotRight) {
+TEST(ScoreDiagnosis, AGroupThatHoldsTheHiddenKindIsHonestNotRight) {
   const structure::Deck deck = support::plate_deck(true);
   const VirtualBundleSpec hidden = hiding("added-mass", "30", 0.05);
   const DiagnosisScore group = score_diagnosis(
@@ -99,7 +99,7 @@ TEST(Judge, AGroupThatHoldsTheHiddenKindIsHonestNotRight) {
           .honest);
 }
 
-TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
+TEST(ScoreDiagnosis, WrongGridMustBeNamedAndNothingElse) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;
   hidden.effects = {{"wrong-grid", {"30", "27"}, {}}};
@@ -121,7 +121,7 @@ TEST(Judge, WrongGridMustBeNamedAndNothingElse) {
   EXPECT_FALSE(score_diagnosis({}, found, deck).right()) << "nobody erred";
 }
 
-TEST(Judge, SupportMustTurnEverywhere) {
+TEST(ScoreDiagnosis, SupportMustTurnEverywhere) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;
   hidden.effects = {{"soft-support", {}, {100.0}}};
@@ -138,7 +138,7 @@ TEST(Judge, SupportMustTurnEverywhere) {
   EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_place);
 }
 
-TEST(Judge, ASupportThatMovesTooHasBothSizes) {
+TEST(ScoreDiagnosis, ASupportThatMovesTooHasBothSizes) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;
   hidden.effects = {{"soft-support", {}, {100.0, 5e4}, "both"}};
@@ -176,7 +176,7 @@ TEST(Judge, ASupportThatMovesTooHasBothSizes) {
       << "it does not turn";
 }
 
-TEST(Judge, UnequalSensorsHaveASizeEach) {
+TEST(ScoreDiagnosis, UnequalSensorsHaveASizeEach) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;
   hidden.effects = {{"sensor-mass", {}, {0.01, 0.02}}};
@@ -195,7 +195,7 @@ TEST(Judge, UnequalSensorsHaveASizeEach) {
   EXPECT_FALSE(score_diagnosis(hidden, found, deck).right_size);
 }
 
-TEST(Judge, AnUnevenSupportHasTwoSizes) {
+TEST(ScoreDiagnosis, AnUnevenSupportHasTwoSizes) {
   const structure::Deck deck = support::plate_deck(true);
   VirtualBundleSpec hidden;
   hidden.effects = {{"soft-support", {}, {100.0, 10.0}}};

@@ -23,7 +23,7 @@ class KeptDiagnosis : public ::testing::Test {
     modes_.modes[0].shape = Eigen::Vector2cd(1.0, 2.0);
   }
 
-  [[nodiscard]] DiagnosisCache cached_diagnosis() const {
+  [[nodiscard]] DiagnosisCache diagnosis_cache() const {
     return {MatrixCache{folder_.path() / "cache"},
             {bundle_, deck_, frfs_, modes_, pairs_},
             {},
@@ -32,7 +32,7 @@ class KeptDiagnosis : public ::testing::Test {
   void keep() const {
     Diagnosis diagnosis;
     diagnosis.verdict = "none";
-    cached_diagnosis().keep(diagnosis);
+    diagnosis_cache().keep(diagnosis);
   }
 
   tapfit::testing::TemporaryFolder folder_;
@@ -44,9 +44,9 @@ class KeptDiagnosis : public ::testing::Test {
 };
 
 TEST_F(KeptDiagnosis, IsFoundAgainWhereNothingChanged) {
-  EXPECT_FALSE(cached_diagnosis().load());
+  EXPECT_FALSE(diagnosis_cache().load());
   keep();
-  const auto kept = cached_diagnosis().load();
+  const auto kept = diagnosis_cache().load();
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->verdict, "none");
 }
@@ -54,23 +54,23 @@ TEST_F(KeptDiagnosis, IsFoundAgainWhereNothingChanged) {
 TEST_F(KeptDiagnosis, IsNotThatOfShapesAtOtherPoints) {
   keep();
   modes_.dofs[1].node = 15;
-  EXPECT_FALSE(cached_diagnosis().load());
+  EXPECT_FALSE(diagnosis_cache().load());
   modes_.dofs[1] = {14, 2, 1};
-  EXPECT_FALSE(cached_diagnosis().load());
+  EXPECT_FALSE(diagnosis_cache().load());
 }
 
 TEST_F(KeptDiagnosis, IsOfThePairsWhereModesAreTheData) {
   keep();
   pairs_ = {{10.0, 1}};
-  EXPECT_FALSE(cached_diagnosis().load());
+  EXPECT_FALSE(diagnosis_cache().load());
   keep();
   pairs_[0].model = 2;
-  EXPECT_FALSE(cached_diagnosis().load());
+  EXPECT_FALSE(diagnosis_cache().load());
   // FRFs are compared without pairs.
   bundle_.modes.reset();
   keep();
   pairs_.clear();
-  EXPECT_TRUE(cached_diagnosis().load());
+  EXPECT_TRUE(diagnosis_cache().load());
 }
 
 }  // namespace
