@@ -109,9 +109,9 @@ double common_proportion(const Eigen::VectorXd& followed,
 
 /// x with every line's neighbours added as they are correlated.
 Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
-  constexpr Index kReach = 24;
+  constexpr Index reach = 24;
   Eigen::MatrixXcd result = x;
-  for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
+  for (Index d = 1; d <= std::min(reach, x.rows() - 1); ++d) {
     const Complex rho =
         1.0 /
         (1.0 + Complex(0.0, 1.0) * static_cast<double>(d) / (2.0 * ratio));
@@ -133,11 +133,11 @@ Eigen::VectorXd leverage(const WeightedFrfs& curves, const ModalFit& fit) {
 
 /// Mean over a line and five on each side, fewer at the ends.
 Eigen::VectorXd mean_over_lines(const Eigen::VectorXd& x) {
-  constexpr Index kReach = 5;
+  constexpr Index reach = 5;
   Eigen::VectorXd result(x.size());
   for (Index k = 0; k < x.size(); ++k) {
-    const Index begin = std::max<Index>(0, k - kReach);
-    const Index end = std::min(x.size(), k + kReach + 1);
+    const Index begin = std::max<Index>(0, k - reach);
+    const Index end = std::min(x.size(), k + reach + 1);
     result(k) = x.segment(begin, end - begin).mean();
   }
   return result;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kLinesAtOnce = 64;  // what they need stays in the cache
+constexpr Index lines_at_once = 64;  // what they need stays in the cache
 
 /// Rows of Re and Im of each residue, then of each term: n_columns x n_frfs.
 Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
@@ -31,14 +31,14 @@ template <typename Work>
 void for_lines(const WeightedFrfs& curves,
                const ModalFit& fit,
                const Work& work) {
-  const Index chunks = (curves.lines() + kLinesAtOnce - 1) / kLinesAtOnce;
+  const Index chunks = (curves.lines() + lines_at_once - 1) / lines_at_once;
   const double operations =
       8.0 * static_cast<double>(curves.lines() * curves.count() *
                                 (fit.poles.size() + fit.terms.cols()));
   for_each_parallel(
       static_cast<std::size_t>(chunks), operations, [&](std::size_t k) {
-        const Index begin = static_cast<Index>(k) * kLinesAtOnce;
-        work(begin, std::min(kLinesAtOnce, curves.lines() - begin));
+        const Index begin = static_cast<Index>(k) * lines_at_once;
+        work(begin, std::min(lines_at_once, curves.lines() - begin));
       });
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kAtRest = 1e-9;     // relative step of the poles
-constexpr double kNoGain = 1e-10;    // of the cost, far less than the noise
-constexpr double kMostDamped = 1e4;  // in units of the normal matrix's diagonal
+constexpr double at_rest = 1e-9;     // relative step of the poles
+constexpr double no_gain = 1e-10;    // of the cost, far less than the noise
+constexpr double most_damped = 1e4;  // in units of the normal matrix's diagonal
 
 /// Poles moved by a step, each of them at most half of its way to where it
 /// would have no damping or no frequency: one that heads there must not hold up
@@ -77,10 +77,10 @@ ModalFit refine_poles(const WeightedFrfs& curves,
     bool moved_on = false;
     double relative = 1.0;
     for (double factor = 10.0;
-         mu < kMostDamped && relative > kAtRest && !moved_on;
+         mu < most_damped && relative > at_rest && !moved_on;
          mu *= factor, factor *= 10.0) {
       const Eigen::VectorXd x = damped_solve(step, mu);
-      if (step.gradient.dot(x) < kNoGain * linear.misfit) break;
+      if (step.gradient.dot(x) < no_gain * linear.misfit) break;
       const Eigen::VectorXcd next = moved(poles, x, curves.sigma);
       if (!next.allFinite()) continue;
       relative =
@@ -92,7 +92,7 @@ ModalFit refine_poles(const WeightedFrfs& curves,
       moved_on = true;
       mu = std::max(0.1 * mu / factor, 1e-9);
     }
-    if (!moved_on || relative < kAtRest) break;
+    if (!moved_on || relative < at_rest) break;
   }
   return finish(curves, poles, linear);
 }

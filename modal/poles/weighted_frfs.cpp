@@ -14,9 +14,9 @@
 namespace tapfit::modal {
 namespace {
 
-constexpr Eigen::Index kFewestLines = 8;
-constexpr double kSmallest = 1e-60;  // its fourth power is still a number
-constexpr double kModelFloor = 0.01;
+constexpr Eigen::Index fewest_lines = 8;
+constexpr double smallest = 1e-60;  // its fourth power is still a number
+constexpr double model_floor = 0.01;
 
 /// Mean over 2 half + 1 lines, fewer at the ends.
 Eigen::VectorXd running_mean(const Eigen::VectorXd& x, Eigen::Index half) {
@@ -75,7 +75,7 @@ Eigen::VectorXd running_median(const Eigen::VectorXd& x, Eigen::Index half) {
 }
 
 void check_lines(const Eigen::VectorXcd& s) {
-  if (s.size() < kFewestLines) {
+  if (s.size() < fewest_lines) {
     throw InputError(
         fmt::format("only {} frequency lines to identify modes from", s.size()),
         "FRFs",
@@ -121,7 +121,7 @@ bool usable(const signal::Frf& frf,
                      "check the recording behind it, or leave it out");
   }
   const double largest = frf.H.cwiseAbs().maxCoeff();
-  if (largest > 0.0 && !(largest > kSmallest && largest < 1.0 / kSmallest)) {
+  if (largest > 0.0 && !(largest > smallest && largest < 1.0 / smallest)) {
     throw InputError(fmt::format("the largest value is {:.1g}", largest),
                      "FRF " + signal::name(frf),
                      "check its unit: no structure has such an accelerance, "
@@ -195,9 +195,9 @@ Eigen::VectorXd weights(const Eigen::VectorXcd& H,
   const Eigen::VectorXd noise = running_mean(variance, 2);
   const Eigen::VectorXd level = running_mean(H.cwiseAbs2(), wide);
   const double least = 1e-6 * H.cwiseAbs2().mean();
-  return (noise + kModelFloor * kModelFloor * level)
+  return (noise + model_floor * model_floor * level)
       .array()
-      .max(kModelFloor * kModelFloor * least)
+      .max(model_floor * model_floor * least)
       .rsqrt()
       .matrix();
 }

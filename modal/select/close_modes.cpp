@@ -23,13 +23,13 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kReadable = 0.2;  // error of a shape: MAC 0.96
-constexpr double kNeeded = 4.0;    // F of a pole's residues, as in select_modes
+constexpr double readable = 0.2;  // error of a shape: MAC 0.96
+constexpr double needed = 4.0;    // F of a pole's residues, as in select_modes
 // Half bandwidths: the expansion of nearer poles around one is off by the
 // square of it, their residues by the noise over it.
-constexpr double kOnePole = 0.1;
-constexpr double kTrusted = 0.3;       // half bandwidths, for the covariance
-constexpr double kOneReference = 0.5;  // half bandwidths, two by one reference
+constexpr double one_pole = 0.1;
+constexpr double trusted = 0.3;        // half bandwidths, for the covariance
+constexpr double one_reference = 0.5;  // half bandwidths, two by one reference
 
 /// Error of each pole's residues as a share of them, weighted.
 Eigen::VectorXd residue_error(const WeightedFrfs& curves, const ModalFit& fit) {
@@ -58,7 +58,7 @@ double nearest_distance(const ModalFit& fit, Index r) {
 
 /// Whether the last poles are apart and each with a shape that can be read.
 bool are_known(const WeightedFrfs& curves, const ModalFit& fit, Index count) {
-  if (residue_error(curves, fit).tail(count).maxCoeff() > kReadable) {
+  if (residue_error(curves, fit).tail(count).maxCoeff() > readable) {
     return false;
   }
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
@@ -89,7 +89,7 @@ bool look_like_a_shift(const FrfMatrix& matrix,
                        const ModalFit& fit,
                        const Pair& pair) {
   return matrix.references < 2 &&
-         distance(fit, pair.first, pair.second) < kOneReference;
+         distance(fit, pair.first, pair.second) < one_reference;
 }
 
 /// Pairs of poles in the band that may be one, nearest first: not told apart,
@@ -109,9 +109,9 @@ std::vector<Pair> doubtful_pairs(const WeightedFrfs& curves,
         continue;
       }
       const double apart = distance(fit, q, r);
-      const bool known = apart > kTrusted &&
+      const bool known = apart > trusted &&
                          !look_like_a_shift(matrix, fit, {q, r}) &&
-                         std::max(error(q), error(r)) < kReadable &&
+                         std::max(error(q), error(r)) < readable &&
                          are_told_apart(covariance, fit, q, r);
       if (apart < 1.0 && !known) pairs.push_back({apart, {q, r}});
     }
@@ -166,7 +166,7 @@ bool two_are_needed(const WeightedFrfs& curves,
   const double shared =
       std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
   const double noise = shared * of_two.sum / std::max(of_two.values, 1.0);
-  return of_one.sum - of_two.sum > kNeeded * parameters * noise;
+  return of_one.sum - of_two.sum > needed * parameters * noise;
 }
 
 /// Whether poles of their own serve better than the expansion of one. Its modes
@@ -177,7 +177,7 @@ bool are_apart_in(const PoleExpansion& expansion, double half) {
   if (expansion.residues.rank < 2) return false;
   const double apart = extent(expansion.apart);
   const double left_out = apart * apart / half;
-  const bool far = apart > kOnePole * half;
+  const bool far = apart > one_pole * half;
   const bool clean = 10.0 * expansion.deviation < left_out;
   return apart > kApart * expansion.deviation && (far || clean);
 }
@@ -203,7 +203,7 @@ std::optional<ModalFit> as_one_pole(const WeightedFrfs& curves,
   if (take_over(curves, rest, one.poles)) return {};
   if (look_like_a_shift(matrix, fit, pair)) return one;
   // Too near a third there is no expansion that could take the two apart again.
-  if (matrix.references > 1 && (nearest_distance(one, last) < kTrusted ||
+  if (matrix.references > 1 && (nearest_distance(one, last) < trusted ||
                                 !stands_alone(curves, one, last))) {
     return {};
   }
@@ -284,7 +284,7 @@ bool is_crowded(const ModalFit& fit, Index r) {
 
 bool stands_alone(const WeightedFrfs& curves, const ModalFit& fit, Index r) {
   if (!is_crowded(fit, r)) return true;
-  if (residue_error(curves, fit)(r) > kReadable) return false;
+  if (residue_error(curves, fit)(r) > readable) return false;
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   for (Index q = 0; q < fit.poles.size(); ++q) {
     if (q == r || !are_close(fit, q, r)) continue;

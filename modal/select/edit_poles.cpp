@@ -20,8 +20,8 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
-constexpr double kNear = 0.02;          // relative
+constexpr double least_share = 1e-4;    // of |H| at an added pole
+constexpr double near = 0.02;           // relative
 constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
 
 /// The pole of the steadiest track near a frequency that is no mode yet.
@@ -31,7 +31,7 @@ Complex start_near(const std::vector<Track>& tracks,
   Complex start(-kUsualDamping * omega, omega);
   int most = 0;
   for (const Track& track : tracks) {
-    if (std::abs(std::abs(track.pole) - omega) > 0.25 * kNear * omega) continue;
+    if (std::abs(std::abs(track.pole) - omega) > 0.25 * near * omega) continue;
     const bool taken =
         fit.poles.size() > 0 &&
         (fit.poles.array() - track.pole).abs().minCoeff() < 1e-4 * omega;
@@ -64,7 +64,7 @@ Index mode_to_drop(const Eigen::ArrayXd& omega, double hz) {
   Index nearest = 0;
   const bool any = omega.size() > 0;
   if (any) (omega - wanted).abs().minCoeff(&nearest);
-  if (!any || std::abs(omega(nearest) - wanted) > kNear * wanted) {
+  if (!any || std::abs(omega(nearest) - wanted) > near * wanted) {
     throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
                      "modes",
                      any ? fmt::format("the nearest is at {:.6g} Hz",
@@ -82,7 +82,7 @@ void drop_pole(const WeightedFrfs& curves, Index pole, ModalFit& fit) {
   ModalFit refined = refine_poles(curves, rest, 10);
   // A pole that goes where one was taken out would bring it back.
   const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
-  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
+  if ((moved <= near * rest.array().abs()).all()) fit = std::move(refined);
 }
 
 void add_pole(const WeightedFrfs& curves,
@@ -101,7 +101,7 @@ void add_pole(const WeightedFrfs& curves,
   poles << fit.poles, start_near(tracks, fit, omega);
   ModalFit trial = refine_poles(curves, poles, 20);
   const Complex last = trial.poles(trial.poles.size() - 1);
-  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > kNear * omega) {
+  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > near * omega) {
     throw InputError(
         fmt::format("no pole can be fitted at {:.6g} Hz: it goes to {:.6g} Hz, "
                     "damping {:.2g}",
@@ -112,7 +112,7 @@ void add_pole(const WeightedFrfs& curves,
         "choose a frequency at which the stabilisation diagram has poles");
   }
   const double share = trial.contribution(trial.poles.size() - 1);
-  if (share < kLeastShare) {
+  if (share < least_share) {
     throw InputError(
         fmt::format("a pole put in at {:.6g} Hz carries {:.1g} of the FRFs "
                     "there: nothing is left to fit",

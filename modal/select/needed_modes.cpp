@@ -19,9 +19,9 @@ using Eigen::Index;
 
 constexpr double kLeastSignificance =
     4.0;  // F that a mode's residues must earn
-constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
+constexpr double least_contribution = 0.02;  // of |H| at the mode's frequency
 // A weaker mode counts where it is surely there.
-constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
+constexpr double faintest_contribution = 0.0003;  // 70 dB below the others
 
 }  // namespace
 
@@ -33,11 +33,11 @@ Index weakest_mode(const WeightedFrfs& curves,
   double least = 1.0;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (far_outside(curves, fit.poles(r))) continue;
-    const double faint = std::min(fit.significance(r) / kSurelyThere,
-                                  fit.contribution(r) / kFaintestContribution);
+    const double faint = std::min(fit.significance(r) / surely_there,
+                                  fit.contribution(r) / faintest_contribution);
     double worth =
         std::min(fit.significance(r) / kLeastSignificance,
-                 std::max(fit.contribution(r) / kLeastContribution, faint));
+                 std::max(fit.contribution(r) / least_contribution, faint));
     if (is_impossible(fit.poles(r), options)) worth = 0.0;
     if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
     if (worth >= least) continue;

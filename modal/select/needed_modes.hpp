@@ -11,7 +11,7 @@ namespace tapfit::modal {
 
 /// F of a mode that no ripple of leakage or of noise stands in for: what the
 /// fit leaves without it is ten times the noise.
-inline constexpr double kSurelyThere = 100.0;
+inline constexpr double surely_there = 100.0;
 
 /// The mode that the FRFs need least, of those that they do not need at all or
 /// that fail a hard check; -1 where there is none.

@@ -19,11 +19,11 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr int kMostMissed = 4;
+constexpr int most_missed = 4;
 constexpr double kReach = 3.0;      // half bandwidths from one mode to the next
-constexpr double kHeavy = 0.05;     // damping ratio that hides modes anywhere
-constexpr int kMostPlaces = 4;      // between two poles
-constexpr double kSamePlace = 0.1;  // half bandwidths
+constexpr double heavy = 0.05;      // damping ratio that hides modes anywhere
+constexpr int most_places = 4;      // between two poles
+constexpr double same_place = 0.1;  // half bandwidths
 
 std::vector<Complex> modes_in_band(const WeightedFrfs& curves,
                                    const ModalFit& fit) {
@@ -45,12 +45,12 @@ std::vector<Complex> hiding_places(const WeightedFrfs& curves,
   const double zeta = usual_damping(curves, fit);
   const auto look = [&](double low, double high) {
     const double half = 0.5 * zeta * (low + high);  // bandwidth
-    const bool reached = high - low < 2.0 * kReach * half || zeta > kHeavy;
+    const bool reached = high - low < 2.0 * kReach * half || zeta > heavy;
     if (!reached || half < 3.0 * curves.spacing) return;
     const int count = std::clamp(
         static_cast<int>(std::lround((high - low) / (2.0 * kReach * half))),
         1,
-        kMostPlaces);
+        most_places);
     for (int k = 1; k <= count; ++k) {
       const double omega = low + (high - low) * k / (count + 1);
       places.emplace_back(-zeta * omega, omega);
@@ -66,7 +66,7 @@ std::vector<Complex> hiding_places(const WeightedFrfs& curves,
 
 /// Least F of the modes in the band.
 double least_significance(const WeightedFrfs& curves, const ModalFit& fit) {
-  double least = kSurelyThere;
+  double least = surely_there;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (!in_band(curves, fit.poles(r))) continue;
     least = std::min(least, fit.significance(r));
@@ -93,7 +93,7 @@ std::optional<ModalFit> with_mode_at(const WeightedFrfs& curves,
 /// Whether a place was in vain before: modes far from it do not change that.
 bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
   return std::ranges::any_of(in_vain, [&place](const Complex& other) {
-    return std::abs(other - place) < -kSamePlace * place.real();
+    return std::abs(other - place) < -same_place * place.real();
   });
 }
 
@@ -140,9 +140,9 @@ ModalFit add_overlapped(const WeightedFrfs& curves,
                         const Progress& progress) {
   bool found = false;
   std::vector<Complex> in_vain;
-  for (int k = 0; k < kMostMissed; ++k) {
+  for (int k = 0; k < most_missed; ++k) {
     const auto tell = [&progress, k](double share) {
-      progress("hidden modes", (k + share) / kMostMissed);
+      progress("hidden modes", (k + share) / most_missed);
     };
     std::optional<ModalFit> next =
         with_one_more(curves, fit, options, in_vain, tell);

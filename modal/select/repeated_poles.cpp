@@ -29,9 +29,9 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr double kOverMisfit = 3.0;  // of a shape, as a share of the FRFs
+constexpr double over_misfit = 3.0;  // of a shape, as a share of the FRFs
 constexpr double kInPhase = 0.8;     // MPC of each shape
-constexpr double kReciprocal = 0.3;  // asymmetry of X X'
+constexpr double reciprocal = 0.3;   // asymmetry of X X'
 
 /// The two sides of a complete matrix of FRFs, and shapes on them.
 struct Sides {
@@ -95,7 +95,7 @@ bool join(Sides& sides) {
   const Eigen::ColPivHouseholderQR<MatrixXcd> solver(A_d);
   if (solver.rank() < A.cols()) return false;
   const MatrixXcd G = solver.solve(B_d);
-  if ((G - G.transpose()).norm() > kReciprocal * G.norm()) return false;
+  if ((G - G.transpose()).norm() > reciprocal * G.norm()) return false;
   const MatrixXcd X = (0.5 * (G + G.transpose())).sqrt();
   if (!X.allFinite()) return false;
   A = (A * X).eval();
@@ -201,7 +201,7 @@ Index modes_in(const WeightedFrfs& curves,
   const double misfit = misfit_at(curves, both, fit.poles(r));
   const Eigen::VectorXd values = expansion.residues.svd.singularValues();
   const bool is_clear =
-      values(expansion.residues.rank - 1) > kOverMisfit * misfit * values(0);
+      values(expansion.residues.rank - 1) > over_misfit * misfit * values(0);
   return is_clear ? expansion.residues.rank : 1;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLeastOrder = 20;  // for most of the orders to mean something
-constexpr double kClearlyLess = 0.5;  // of the misfit, squared
+constexpr int least_order = 20;  // for most of the orders to mean something
+constexpr double clearly_less = 0.5;  // of the misfit, squared
 
 int largest(const std::vector<OrderPoles>& orders) {
   return orders.empty() ? 0 : orders.back().order;
@@ -34,7 +34,7 @@ bool is_new(const WeightedFrfs& curves,
 /// a mode: noise that is not white can be followed a good way by some poles.
 bool explains_more(const ModalFit& fit, const ModalFit& other) {
   if (fit.poles.size() == 0) return false;
-  return other.poles.size() == 0 || fit.misfit < kClearlyLess * other.misfit;
+  return other.poles.size() == 0 || fit.misfit < clearly_less * other.misfit;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Selection select_from_orders(const WeightedFrfs& curves,
                              const Progress& progress) {
   Selection best = select_modes(
       curves, lasting_poles(curves, tracks, orders.size()), options, progress);
-  for (int most = largest(orders) / 2; most >= kLeastOrder; most /= 2) {
+  for (int most = largest(orders) / 2; most >= least_order; most /= 2) {
     const std::vector<OrderPoles> low =
         plscf_poles(curves, matrix, most, progress);
     const Eigen::VectorXcd lasting =

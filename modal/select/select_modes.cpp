@@ -22,7 +22,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
+constexpr double surely = 1.5;  // of residues in phase, over what is asked
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -126,14 +126,14 @@ ModalFit recover_missed(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options,
                         const Progress& progress) {
-  constexpr double kPeak = 1.5;
-  constexpr int kInVain = 6;
+  constexpr double peak = 1.5;
+  constexpr int in_vain = 6;
   Eigen::VectorXd open = Eigen::VectorXd::Ones(curves.lines());
   int failures = 0;
-  while (failures < kInVain) {
-    progress("missed modes", static_cast<double>(failures) / kInVain);
+  while (failures < in_vain) {
+    progress("missed modes", static_cast<double>(failures) / in_vain);
     Index line = 0;
-    if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < kPeak) {
+    if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < peak) {
       break;
     }
     const double omega = curves.s(line).imag();
@@ -215,7 +215,7 @@ void drop_complex(const WeightedFrfs& curves,
       if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
       // Residues are products of two values of the shape: hardly ever are they
       // more in phase than it is, and they are at hand.
-      if (in_phase(fit.residues.col(r), options) >= kSurely) continue;
+      if (in_phase(fit.residues.col(r), options) >= surely) continue;
       const double worth = in_phase(mode_shapes(graph,
                                                 fit.residues.col(r),
                                                 fit.poles.segment(r, 1),

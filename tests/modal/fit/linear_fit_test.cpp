@@ -1,5 +1,6 @@
 #include "modal/fit/linear_fit.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "modal/fit/fit_residual.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/fit/pole_step.hpp"
@@ -7,14 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace tapfit::modal {
 namespace {
 
 using Eigen::Index;
-
-constexpr double two_pi_ = 2.0 * std::numbers::pi;
 
 /// Nine FRFs of five modes in the band and 1 % noise.
 ///
@@ -38,7 +35,7 @@ Eigen::VectorXcd start_poles() {
   Eigen::VectorXcd poles(6);
   const double hz[] = {18.0, 36.0, 55.0, 55.2, 70.0, 90.0};
   for (Index r = 0; r < poles.size(); ++r) {
-    poles(r) = two_pi_ * hz[r] * std::complex<double>(-0.01, 1.0);
+    poles(r) = two_pi * hz[r] * std::complex<double>(-0.01, 1.0);
   }
   return poles;
 }

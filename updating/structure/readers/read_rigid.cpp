@@ -19,7 +19,7 @@
 namespace tapfit::structure {
 namespace {
 
-const char* const kAll = "123456";
+const char* const all = "123456";
 
 void add_dependent(DeckBuilder& builder,
                    const CardReader& card,
@@ -145,7 +145,7 @@ void read_shared_rbar(DeckBuilder& builder, const CardReader& card) {
 
 bool leads(std::string components) {
   std::sort(components.begin(), components.end());
-  return components == kAll;
+  return components == all;
 }
 
 void read_rbar(DeckBuilder& builder, const CardReader& card) {
@@ -159,7 +159,7 @@ void read_rbar(DeckBuilder& builder, const CardReader& card) {
   }
   e.independent = builder.grid(card, card.id(from_a ? 2 : 3, "G")).id;
   std::string follow = card.components(from_a ? 7 : 6);
-  if (follow.empty()) follow = kAll;
+  if (follow.empty()) follow = all;
   add_dependent(builder, card, {card.id(from_a ? 3 : 2, "G"), follow}, e);
   builder.deck.rigids.push_back(e);
 }

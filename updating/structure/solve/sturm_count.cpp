@@ -16,10 +16,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kPanel = 32;  // columns eliminated before a block product
-constexpr double kRounding = 1e-14;  // of the diagonal a pivot started from
+constexpr Index kPanel = 32;        // columns eliminated before a block product
+constexpr double rounding = 1e-14;  // of the diagonal a pivot started from
 // The matrix counted differs from A by eps times this much of its diagonal.
-constexpr double kGrowth = 1e6;
+constexpr double growth = 1e6;
 
 class Counter {
  public:
@@ -45,7 +45,7 @@ class Counter {
       if (!eliminate(s, front)) return std::nullopt;
       hand_on(s, front);
     }
-    const bool tame = (growth_.array() <= kGrowth * diagonal_.array()).all();
+    const bool tame = (growth_.array() <= growth * diagonal_.array()).all();
     return tame ? std::optional<Index>(negative_) : std::nullopt;
   }
 
@@ -122,7 +122,7 @@ class Counter {
     const Index below = front.rows() - k;
     const double d = front(k, k);
     const int* row = rows(s).first;
-    if (!(std::abs(d) > kRounding * diagonal_(row[k]))) return false;
+    if (!(std::abs(d) > rounding * diagonal_(row[k]))) return false;
     if (d < 0.0) ++negative_;
     LD.tail(below) = front.col(k).tail(below);
     front.col(k).tail(below - 1) /= d;

@@ -331,7 +331,7 @@ std::vector<std::string> warnings_of(const std::string& text) {
 }
 
 // A chain of two bars along x with a pin between them, on top of kGrids.
-const std::string kChain =
+const std::string chain =
     "GRID,11,,0.,0.,3.\nGRID,12,,1.,0.,3.\nGRID,13,,2.,0.,3.\n"
     "PBAR,2,1,1.-4,1.-9,1.-9,2.-9\nCBAR,21,2,11,12,0.,0.,1.\n"
     "CONM2,31,11,,1.\n,1.\nCONM2,32,13,,1.\n,1.\n";
@@ -340,9 +340,9 @@ TEST(BadDeck, MechanismIsNamedWhereItMoves) {
   const std::string held = "SPC1,1,123456,11\n";
   const std::string whole = "CBAR,22,2,12,13,0.,0.,1.\n";
   const std::string pinned = "CBAR,22,2,12,13,0.,0.,1.\n,56\n";
-  EXPECT_TRUE(warnings_of(kGrids + kChain + held + whole).empty());
+  EXPECT_TRUE(warnings_of(kGrids + chain + held + whole).empty());
   const std::vector<std::string> found =
-      warnings_of(kGrids + kChain + held + pinned);
+      warnings_of(kGrids + chain + held + pinned);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found[0], HasSubstr("2 motions without stiffness"));
   EXPECT_THAT(found[0], HasSubstr("GRID 13, component"));
@@ -355,7 +355,7 @@ TEST(BadDeck, FreeStructureIsNoMechanismButTwoPartsAre) {
   // Held in its plane: three rigid motions are left, and are allowed.
   EXPECT_TRUE(warnings_of(kGrids + plate + "SPC1,1,126,1,THRU,4\n").empty());
   const std::vector<std::string> found =
-      warnings_of(kGrids + plate + kChain + "CBAR,22,2,12,13,0.,0.,1.\n");
+      warnings_of(kGrids + plate + chain + "CBAR,22,2,12,13,0.,0.,1.\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found[0], HasSubstr("6 motions without stiffness"));
 }
