@@ -30,7 +30,7 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   const MatrixXcd flexible = flexibility(shared, s);
   ModelResponse chain{
       MatrixXcd::Ones(s.size(), static_cast<Index>(pairs_.size())), {}};
-  record(pairs_, shared, s, chain);
+  apply_chain(pairs_, shared, s, chain);
   std::vector<Walk> result;
   for (const RunResponse& lines : walks(shared)) {
     Walk walk;
@@ -87,7 +87,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
   const VectorXd w2 = w.cwiseAbs2();
   const VectorXd order = (w / top).cwiseMin(reach);
   ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
-  record(pairs_, shared, s, chain);
+  apply_chain(pairs_, shared, s, chain);
   const MatrixXcd flexible = flexibility(shared, s);
   for (const RunResponse& lines : walks(shared)) {
     for (Index l = 0; l < s.size(); ++l) {
@@ -147,7 +147,7 @@ ModelResponse FrfModel::respond(ModalState& shared,
   for (const RunResponse& lines : all) {
     superpose_modes(lines, s, flexible, out);
   }
-  record(pairs_, shared, s, out);
+  apply_chain(pairs_, shared, s, out);
   return out;
 }
 
@@ -164,7 +164,7 @@ std::vector<MatrixXcd> FrfModel::recorded_at_sizes(
   for (const std::vector<double>& size : sizes) {
     last.p = size;
     ModelResponse out{H, {}};
-    record_through(pairs_, last, 0, s, out);
+    apply_channel_effect(pairs_, last, 0, s, out);
     result.push_back(std::move(out.H));
   }
   return result;

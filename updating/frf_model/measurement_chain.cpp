@@ -58,11 +58,11 @@ bool is_passed_on(const effects::Setting& setting,
       with.setting.bundle->runs, without.setting.bundle->runs, same_points);
 }
 
-void record_through(const std::vector<MeasuredPair>& pairs,
-                    const PlacedEffect& placed,
-                    std::size_t first,
-                    const Eigen::VectorXcd& s,
-                    ModelResponse& out) {
+void apply_channel_effect(const std::vector<MeasuredPair>& pairs,
+                          const PlacedEffect& placed,
+                          std::size_t first,
+                          const Eigen::VectorXcd& s,
+                          ModelResponse& out) {
   const std::vector<std::string>& channels = placed.where.channels;
   const auto faulty = [&channels](const std::string& name) {
     return std::find(channels.begin(), channels.end(), name) != channels.end();
@@ -82,15 +82,15 @@ void record_through(const std::vector<MeasuredPair>& pairs,
   }
 }
 
-void record(const std::vector<MeasuredPair>& pairs,
-            const ModalState& shared,
-            const Eigen::VectorXcd& s,
-            ModelResponse& out) {
+void apply_chain(const std::vector<MeasuredPair>& pairs,
+                 const ModalState& shared,
+                 const Eigen::VectorXcd& s,
+                 ModelResponse& out) {
   const ModelState& state = *shared.state;
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
     if (!is_fault(placed)) continue;
-    record_through(pairs, placed, shared.first[e], s, out);
+    apply_channel_effect(pairs, placed, shared.first[e], s, out);
   }
 }
 

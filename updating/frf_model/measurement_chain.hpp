@@ -18,16 +18,16 @@ namespace tapfit::updating {
 /// Multiplies the FRFs of an effect's channels in its runs, and their
 /// derivatives.
 /// @param first column of the effect's parameters in dH
-void record_through(const std::vector<MeasuredPair>& pairs,
-                    const PlacedEffect& placed,
-                    std::size_t first,
-                    const Eigen::VectorXcd& s,
-                    ModelResponse& out);
+void apply_channel_effect(const std::vector<MeasuredPair>& pairs,
+                          const PlacedEffect& placed,
+                          std::size_t first,
+                          const Eigen::VectorXcd& s,
+                          ModelResponse& out);
 
 /// The same for all channels at fault.
-void record(const std::vector<MeasuredPair>& pairs,
-            const ModalState& shared,
-            const Eigen::VectorXcd& s,
-            ModelResponse& out);
+void apply_chain(const std::vector<MeasuredPair>& pairs,
+                 const ModalState& shared,
+                 const Eigen::VectorXcd& s,
+                 ModelResponse& out);
 
 }  // namespace tapfit::updating
