@@ -17,7 +17,7 @@ using Eigen::Index;
 
 constexpr double significant = 0.01;
 // Of the half bandwidth: a pole that moves by less changes no FRF visibly.
-constexpr double kVisible = 0.1;
+constexpr double visible_share = 0.1;
 constexpr double mostly = 0.8;  // of the squared shifts, to be their cause
 
 /// The hypotheses as least squares fits, all with one covariance.
@@ -91,7 +91,7 @@ bool visible(const ShiftData& data,
              const WeightedFit& still) {
   for (Index i = 0; i < table.rows(); ++i) {
     const double zeta = data.damping(table.mode[static_cast<std::size_t>(i)]);
-    if (std::abs(still.left(i)) > kVisible * zeta) return true;
+    if (std::abs(still.left(i)) > visible_share * zeta) return true;
   }
   return false;
 }

@@ -27,7 +27,7 @@ using acquisition::UffDataset;
 using acquisition::UffShape;
 
 constexpr int normal = 2;          // analysis types
-constexpr int kComplex = 3;        // of first order
+constexpr int complex_first = 3;   // of first order
 constexpr int complex_second = 7;  // of second order
 
 /// One mode as it stands in the file.
@@ -39,7 +39,7 @@ struct Raw {
 
 /// Why a dataset holds no mode; empty where it does.
 std::string fault(const UffShape& shape) {
-  if (shape.analysis != normal && shape.analysis != kComplex &&
+  if (shape.analysis != normal && shape.analysis != complex_first &&
       shape.analysis != complex_second) {
     return fmt::format("analysis type {} is no mode", shape.analysis);
   }

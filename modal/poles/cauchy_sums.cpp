@@ -13,8 +13,8 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr Index kBlock = 64;  // lines of the smallest blocks
-constexpr Index terms = 16;   // of a block's moments
+constexpr Index smallest_block = 64;  // lines of the smallest blocks
+constexpr Index terms = 16;           // of a block's moments
 // |w| of a pole in the next block but one is 0.172; its 16th power is 6e-13.
 constexpr double far = 0.175;
 // Powers around a place. The lines are ten times as far as it reaches: what is
@@ -110,10 +110,11 @@ void add_product(const Eigen::Ref<const Eigen::MatrixXd>& x,
 
 CauchySums::CauchySums(Eigen::MatrixXcd x)
     : x_(std::move(x)), cells_(std::make_shared<CauchyCells>()) {
-  const Index blocks = (x_.cols() + kBlock - 1) / kBlock;
-  Eigen::RowVectorXd u(kBlock);
-  for (Index k = 0; k < kBlock; ++k) {
-    u(k) = 2.0 * static_cast<double>(k) / static_cast<double>(kBlock) - 1.0;
+  const Index blocks = (x_.cols() + smallest_block - 1) / smallest_block;
+  Eigen::RowVectorXd u(smallest_block);
+  for (Index k = 0; k < smallest_block; ++k) {
+    u(k) = 2.0 * static_cast<double>(k) / static_cast<double>(smallest_block) -
+           1.0;
   }
   const Eigen::MatrixXd T = chebyshev(u).transpose();
   Eigen::MatrixXcd moments(x_.rows(), blocks * terms);
@@ -121,9 +122,10 @@ CauchySums::CauchySums(Eigen::MatrixXcd x)
   const auto pieces = static_cast<std::size_t>(blocks);
   for_each_parallel(pieces, operations, [&](std::size_t k) {
     const auto b = static_cast<Index>(k);
-    const Index lines = std::min(kBlock, x_.cols() - b * kBlock);
+    const Index lines =
+        std::min(smallest_block, x_.cols() - b * smallest_block);
     as_real(moments).middleCols(b * terms, terms).noalias() =
-        as_real(std::as_const(x_)).middleCols(b * kBlock, lines) *
+        as_real(std::as_const(x_)).middleCols(b * smallest_block, lines) *
         T.topRows(lines);
   });
   moments_.push_back(std::move(moments));
@@ -135,8 +137,8 @@ CauchySums::CauchySums(Eigen::MatrixXcd x)
 void CauchySums::add_lines(Index block,
                            const Eigen::RowVectorXcd& a,
                            Eigen::MatrixXd& sum) const {
-  const Index begin = block * kBlock;
-  const Index lines = std::min(kBlock, x_.cols() - begin);
+  const Index begin = block * smallest_block;
+  const Index lines = std::min(smallest_block, x_.cols() - begin);
   Eigen::MatrixXcd factors(lines, a.size());
   for (Index k = 0; k < lines; ++k) {
     factors.row(k) = (static_cast<double>(begin + k) - a.array()).inverse();
@@ -148,7 +150,7 @@ void CauchySums::add(const Block& block,
                      const Eigen::RowVectorXcd& a,
                      Eigen::MatrixXd& sum) const {
   const auto [level, b] = block;
-  const double half = 0.5 * static_cast<double>(kBlock << level);
+  const double half = 0.5 * static_cast<double>(smallest_block << level);
   // q and w; of the two roots the one with |w| < 1.
   Eigen::RowVectorXcd q(a.size());
   Eigen::RowVectorXcd w(a.size());

@@ -137,12 +137,12 @@ Eigen::VectorXcd companion_roots(const Eigen::MatrixXd& A) {
 /// The guesses given, and for the others places on a circle inside, which no
 /// symmetry of the roots shares.
 Eigen::ArrayXcd first_guess(const Eigen::VectorXcd& start, Index count) {
-  constexpr double kTurn = 2.399963;  // golden angle [rad]
+  constexpr double golden_angle = 2.399963;  // golden angle [rad]
   const Index given = std::min(start.size(), count);
   Eigen::ArrayXcd z(count);
   z.head(given) = start.head(given);
   for (Index i = given; i < count; ++i) {
-    z(i) = std::polar(0.9, 0.7 + kTurn * static_cast<double>(i));
+    z(i) = std::polar(0.9, 0.7 + golden_angle * static_cast<double>(i));
   }
   return z;
 }

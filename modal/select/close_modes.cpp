@@ -179,7 +179,7 @@ bool are_apart_in(const PoleExpansion& expansion, double half) {
   const double left_out = apart * apart / half;
   const bool far = apart > one_pole * half;
   const bool clean = 10.0 * expansion.deviation < left_out;
-  return apart > kApart * expansion.deviation && (far || clean);
+  return apart > least_separation_sd * expansion.deviation && (far || clean);
 }
 
 /// Between two poles, nearer to the one that the FRFs show more of.
@@ -306,7 +306,7 @@ bool are_told_apart(const Eigen::MatrixXd& covariance,
       block(r, r) + block(q, q) - block(r, q) - block(q, r);
   // Along the line between them.
   const double variance = std::max(0.0, d.dot(spread * d));
-  return kApart * std::sqrt(variance) <= d.squaredNorm();
+  return least_separation_sd * std::sqrt(variance) <= d.squaredNorm();
 }
 
 ModalFit separate_close(const WeightedFrfs& curves,

@@ -14,7 +14,7 @@
 namespace tapfit::modal {
 
 /// Standard deviations that tell two poles apart.
-inline constexpr double kApart = 3.0;
+inline constexpr double least_separation_sd = 3.0;
 
 /// Whether two poles are within half a bandwidth, the wider one's.
 [[nodiscard]] bool are_close(const ModalFit& fit,

@@ -13,9 +13,9 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kStep = 1e-2;  // half bandwidths, for the derivative
+constexpr double derivative_step = 1e-2;  // half bandwidths, for the derivative
 
-double step_at(const Complex& pole) { return -kStep * pole.real(); }
+double step_at(const Complex& pole) { return -derivative_step * pole.real(); }
 
 }  // namespace
 

@@ -20,15 +20,15 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double least_share = 1e-4;    // of |H| at an added pole
-constexpr double near = 0.02;           // relative
-constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
+constexpr double least_share = 1e-4;          // of |H| at an added pole
+constexpr double near = 0.02;                 // relative
+constexpr double usual_damping_ratio = 0.01;  // where the diagram tells of none
 
 /// The pole of the steadiest track near a frequency that is no mode yet.
 Complex start_near(const std::vector<Track>& tracks,
                    const ModalFit& fit,
                    double omega) {
-  Complex start(-kUsualDamping * omega, omega);
+  Complex start(-usual_damping_ratio * omega, omega);
   int most = 0;
   for (const Track& track : tracks) {
     if (std::abs(std::abs(track.pole) - omega) > 0.25 * near * omega) continue;

@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kLeastSignificance =
+constexpr double least_significance_of_mode =
     4.0;  // F that a mode's residues must earn
 constexpr double least_contribution = 0.02;  // of |H| at the mode's frequency
 // A weaker mode counts where it is surely there.
@@ -36,7 +36,7 @@ Index weakest_mode(const WeightedFrfs& curves,
     const double faint = std::min(fit.significance(r) / surely_there,
                                   fit.contribution(r) / faintest_contribution);
     double worth =
-        std::min(fit.significance(r) / kLeastSignificance,
+        std::min(fit.significance(r) / least_significance_of_mode,
                  std::max(fit.contribution(r) / least_contribution, faint));
     if (is_impossible(fit.poles(r), options)) worth = 0.0;
     if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);

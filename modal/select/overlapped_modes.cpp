@@ -20,7 +20,8 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 constexpr int most_missed = 4;
-constexpr double kReach = 3.0;      // half bandwidths from one mode to the next
+constexpr double reach_of_mode =
+    3.0;                            // half bandwidths from one mode to the next
 constexpr double heavy = 0.05;      // damping ratio that hides modes anywhere
 constexpr int most_places = 4;      // between two poles
 constexpr double same_place = 0.1;  // half bandwidths
@@ -45,12 +46,14 @@ std::vector<Complex> hiding_places(const WeightedFrfs& curves,
   const double zeta = usual_damping(curves, fit);
   const auto look = [&](double low, double high) {
     const double half = 0.5 * zeta * (low + high);  // bandwidth
-    const bool reached = high - low < 2.0 * kReach * half || zeta > heavy;
+    const bool reached =
+        high - low < 2.0 * reach_of_mode * half || zeta > heavy;
     if (!reached || half < 3.0 * curves.spacing) return;
-    const int count = std::clamp(
-        static_cast<int>(std::lround((high - low) / (2.0 * kReach * half))),
-        1,
-        most_places);
+    const int count =
+        std::clamp(static_cast<int>(std::lround((high - low) /
+                                                (2.0 * reach_of_mode * half))),
+                   1,
+                   most_places);
     for (int k = 1; k <= count; ++k) {
       const double omega = low + (high - low) * k / (count + 1);
       places.emplace_back(-zeta * omega, omega);

@@ -30,8 +30,8 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 
 constexpr double over_misfit = 3.0;  // of a shape, as a share of the FRFs
-constexpr double kInPhase = 0.8;     // MPC of each shape
-constexpr double reciprocal = 0.3;   // asymmetry of X X'
+constexpr double least_mpc_of_repeated = 0.8;  // MPC of each shape
+constexpr double reciprocal = 0.3;             // asymmetry of X X'
 
 /// The two sides of a complete matrix of FRFs, and shapes on them.
 struct Sides {
@@ -138,8 +138,10 @@ MatrixXcd products(const WeightedFrfs& curves, const Sides& sides) {
 
 bool move_in_phase(const Sides& sides) {
   for (Index k = 0; k < sides.of_outputs.cols(); ++k) {
-    if (phase_collinearity(sides.of_outputs.col(k)) < kInPhase) return false;
-    if (phase_collinearity(sides.of_references.col(k)) < kInPhase) return false;
+    if (phase_collinearity(sides.of_outputs.col(k)) < least_mpc_of_repeated)
+      return false;
+    if (phase_collinearity(sides.of_references.col(k)) < least_mpc_of_repeated)
+      return false;
   }
   return true;
 }
@@ -238,7 +240,7 @@ bool stand_out(const PoleExpansion& expansion) {
   for (Index k = 0; k < expansion.apart.size(); ++k) {
     for (Index l = 0; l < k; ++l) {
       const double apart = std::abs(expansion.apart(k) - expansion.apart(l));
-      if (apart < kApart * expansion.deviation) return false;
+      if (apart < least_separation_sd * expansion.deviation) return false;
     }
   }
   return true;

@@ -41,11 +41,11 @@ Eigen::VectorXcd found_under_one(const modal::WeightedFrfs& curves) {
 // expansion's error is of second order in that, times a few for shapes that
 // are not orthogonal.
 TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
-  constexpr double kApart = 1e-4;
+  constexpr double separation = 1e-4;
   std::mt19937_64 random(1);
   for (const Index count : {2, 3}) {
     const test::SyntheticSystem system =
-        test::close_modes(count, kApart, random);
+        test::close_modes(count, separation, random);
     const Eigen::VectorXcd found =
         found_under_one(curves_of(system, {0, 1, 2}, 0.0, random));
     ASSERT_EQ(found.size(), count);
@@ -55,7 +55,7 @@ TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
     for (Index r = 0; r < count; ++r) {
       EXPECT_NEAR(hz[static_cast<std::size_t>(r)],
                   system.frequency_hz(r),
-                  0.1 * kApart * 50.0);
+                  0.1 * separation * 50.0);
     }
   }
 }

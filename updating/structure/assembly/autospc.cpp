@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kRounding = 1e-12;
+constexpr double rounding_share = 1e-12;
 
 // The diagonal of T' A T.
 VectorXd own_diagonal(const SparseMatrix& A, const SparseMatrix& T) {
@@ -63,7 +63,7 @@ class SpringShares {
       most = std::max(most, part * part);
     }
     for (const auto& [q, part] : along) {
-      if (part * part <= kRounding * largest[q % 6 < 3 ? 0 : 1]) continue;
+      if (part * part <= rounding_share * largest[q % 6 < 3 ? 0 : 1]) continue;
       shares_(q) += std::abs(stiffness) * part * part;
     }
   }
@@ -118,7 +118,7 @@ Lost lost_motions(const Deck& deck, const System& system) {
   for (Index i = 0; i < mass.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     if (!system.inactive[at] || system.fixed[at] || !without[at]) continue;
-    if (!(mass(i) > kRounding * beside(i))) continue;
+    if (!(mass(i) > rounding_share * beside(i))) continue;
     if (!deck.given && !attached.contains(deck.grids[at / 6].id)) continue;
     if (lost.count++ == 0) lost.first = i;
     ++lost.grids[at % 6];
@@ -186,9 +186,10 @@ std::vector<bool> without_stiffness(const Deck& deck, const System& system) {
   std::vector<bool> without(static_cast<std::size_t>(own.size()), false);
   for (Index i = 0; i < own.size(); ++i) {
     const double stiffness = std::abs(own(i));
-    const bool sprung = springs(i) > 0.0 && stiffness > kRounding * springs(i);
+    const bool sprung =
+        springs(i) > 0.0 && stiffness > rounding_share * springs(i);
     without[static_cast<std::size_t>(i)] =
-        !(stiffness > kRounding * beside(i)) && !sprung;
+        !(stiffness > rounding_share * beside(i)) && !sprung;
   }
   return without;
 }

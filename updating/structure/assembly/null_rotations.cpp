@@ -43,8 +43,8 @@ SparseMatrix scaled(const SparseMatrix& A, double added) {
 
 std::vector<int> null_rotations(const Deck& deck, const System& system) {
   // A line of n grids ends in a pivot of n times what is added.
-  constexpr double kAdded = 1e-13;
-  constexpr double kIdle = 1e-10;
+  constexpr double added_share = 1e-13;
+  constexpr double idle_share = 1e-10;
   const FreeMotions motions = free_motions(system);
   const std::vector<int> places = loose_rotations(deck, motions.free);
   if (places.empty()) return {};
@@ -56,9 +56,9 @@ std::vector<int> null_rotations(const Deck& deck, const System& system) {
   }
   std::vector<int> idle;
   try {
-    const VectorXd pivots = Factor(scaled(A, kAdded)).pivots();
+    const VectorXd pivots = Factor(scaled(A, added_share)).pivots();
     for (Index k = 0; k < pivots.size(); ++k) {
-      if (pivots(k) > kIdle) continue;
+      if (pivots(k) > idle_share) continue;
       const int place = places[static_cast<std::size_t>(k)];
       idle.push_back(motions.free[static_cast<std::size_t>(place)]);
     }

@@ -369,13 +369,14 @@ ElementMatrices quadratic_matrices(const Deck& deck,
   if (shell.grids.size() == 3) return triangle_matrices(deck, shell, section);
   const Surface s = surface_of(deck, shell);
   const auto n = static_cast<Index>(s.grids.size());
-  constexpr Index kInner = 3;
-  MatrixXd K = surface_membrane(deck, shell, section, s, 6 * n + kInner) +
-               surface_bending(deck, shell, section, s, 6 * n + kInner);
+  constexpr Index inner_motions = 3;
+  MatrixXd K =
+      surface_membrane(deck, shell, section, s, 6 * n + inner_motions) +
+      surface_bending(deck, shell, section, s, 6 * n + inner_motions);
   // Without stiffness in its plane nothing holds the middle's turn about n.
-  const double least = 1e-9 * K.diagonal().tail<kInner>().maxCoeff();
-  K.diagonal().tail<kInner>().array() += least;
-  return {s.grids, condensed(K, kInner), mass(deck, shell, section, s)};
+  const double least = 1e-9 * K.diagonal().tail<inner_motions>().maxCoeff();
+  K.diagonal().tail<inner_motions>().array() += least;
+  return {s.grids, condensed(K, inner_motions), mass(deck, shell, section, s)};
 }
 
 }  // namespace tapfit::structure

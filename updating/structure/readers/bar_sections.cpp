@@ -277,7 +277,7 @@ bool always(const Dimensions& /*d*/) { return true; }
 
 const std::map<std::string, Shape>& shapes() {
   using D = const Dimensions&;
-  static const std::map<std::string, Shape> kShapes{
+  static const std::map<std::string, Shape> known_shapes{
       {"ROD", {1, always, [](D d) { return tube(d[0], 0.0); }}},
       {"TUBE",
        {2,
@@ -330,7 +330,7 @@ const std::map<std::string, Shape>& shapes() {
       {"HAT",
        {4, [](D d) { return 2.0 * d[1] < d[0] && 2.0 * d[1] < d[2]; }, hat}},
       {"HEXA", {3, [](D d) { return 2.0 * d[0] < d[1]; }, hexagon}}};
-  return kShapes;
+  return known_shapes;
 }
 
 }  // namespace

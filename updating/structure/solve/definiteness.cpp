@@ -7,7 +7,7 @@
 
 namespace tapfit::structure {
 bool is_indefinite(const SparseMatrix& A) {
-  constexpr double kAllowed = 1e-9;
+  constexpr double allowed_share = 1e-9;
   // Below this share of the largest diagonal entry, entries may be rounding.
   constexpr double small = 1e-5;
   if (A.rows() == 0) return false;
@@ -18,7 +18,7 @@ bool is_indefinite(const SparseMatrix& A) {
   SparseMatrix unit = scale.asDiagonal() * A * scale.asDiagonal();
   SparseMatrix allowed(A.rows(), A.cols());
   allowed.setIdentity();
-  unit += kAllowed * allowed;
+  unit += allowed_share * allowed;
   try {
     return Factor(unit).pivots().minCoeff() < 0.0;
   } catch (const SingularMatrix&) {

@@ -16,7 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kPanel = 32;        // columns eliminated before a block product
+constexpr Index panel_columns =
+    32;                             // columns eliminated before a block product
 constexpr double rounding = 1e-14;  // of the diagonal a pivot started from
 // The matrix counted differs from A by eps times this much of its diagonal.
 constexpr double growth = 1e6;
@@ -96,8 +97,8 @@ class Counter {
   bool eliminate(std::size_t s, MatrixXd& front) {
     const Index columns = parts_.columns(s);
     const Index rows = front.rows();
-    for (Index first = 0; first < columns; first += kPanel) {
-      const Index width = std::min(kPanel, columns - first);
+    for (Index first = 0; first < columns; first += panel_columns) {
+      const Index width = std::min(panel_columns, columns - first);
       const Index below = rows - first;
       // L D before and L after the division by the pivots.
       MatrixXd LD(below, width);

@@ -28,10 +28,10 @@ Deck cantilever(int n, const BarProperty& section, bool coupled) {
   return deck;
 }
 
-const BarProperty kSection{1, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
+const BarProperty rectangular_section{1, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
 
 TEST(BeamModes, CantileverIsEulers) {
-  const Deck deck = cantilever(10, kSection, true);
+  const Deck deck = cantilever(10, rectangular_section, true);
   const Eigen::VectorXd f = modes_of(deck, 4).frequency_hz;
   const auto euler = [](double root, double I) {
     return root * root * std::sqrt(210e9 * I / (7800 * 4e-4)) / (2 * pi);
@@ -44,7 +44,7 @@ TEST(BeamModes, CantileverIsEulers) {
 }
 
 TEST(BeamModes, TipDeflectsByBendingAndShear) {
-  BarProperty section = kSection;
+  BarProperty section = rectangular_section;
   section.K1 = 0.8;
   Deck deck = cantilever(1, section, false);
   const ElementMatrices e = bar_matrices(deck, deck.bars[0]);
@@ -58,7 +58,7 @@ TEST(BeamModes, TipDeflectsByBendingAndShear) {
 }
 
 TEST(BeamModes, TorsionOfACbeam) {
-  Deck deck = cantilever(20, kSection, true);
+  Deck deck = cantilever(20, rectangular_section, true);
   for (Bar& bar : deck.bars) bar.rotary_inertia = true;
   hold(deck, "123", [](const Eigen::Vector3d&) { return true; });
   deck.constraints.push_back({2, "123"});
@@ -73,12 +73,12 @@ TEST(BeamModes, CoupledSectionIsItsPrincipalAxes) {
   // I = R diag(3, 1)e-8 R' by 30 degrees is the same beam turned.
   const double c = std::cos(pi / 6);
   const double s = std::sin(pi / 6);
-  BarProperty section = kSection;
+  BarProperty section = rectangular_section;
   section.I1 = 3e-8 * c * c + 1e-8 * s * s;
   section.I2 = 3e-8 * s * s + 1e-8 * c * c;
   section.I12 = 2e-8 * c * s;
   const Eigen::VectorXd a =
-      modes_of(cantilever(4, kSection, true), 4).frequency_hz;
+      modes_of(cantilever(4, rectangular_section, true), 4).frequency_hz;
   const Eigen::VectorXd b =
       modes_of(cantilever(4, section, true), 4).frequency_hz;
   EXPECT_LT((a - b).norm(), 1e-9 * a.norm());
@@ -87,7 +87,7 @@ TEST(BeamModes, CoupledSectionIsItsPrincipalAxes) {
 TEST(BeamModes, ReleasedEndIsAHinge) {
   // Both rotations released at the far end, which is held in translation:
   // a propped cantilever, first root 3.926602.
-  Deck deck = cantilever(10, kSection, true);
+  Deck deck = cantilever(10, rectangular_section, true);
   deck.bars.back().released[1] = "56";
   deck.constraints.push_back({11, "123456"});
   const Eigen::VectorXd f = modes_of(deck, 1).frequency_hz;
@@ -97,7 +97,7 @@ TEST(BeamModes, ReleasedEndIsAHinge) {
 }
 
 TEST(BeamModes, OffsetBarHasSixRigidMotions) {
-  Deck deck = cantilever(1, kSection, true);
+  Deck deck = cantilever(1, rectangular_section, true);
   deck.bars[0].offsets = {Eigen::Vector3d(0, 0.1, 0.2),
                           Eigen::Vector3d(0.1, 0, 0.3)};
   const ElementMatrices e = bar_matrices(deck, deck.bars[0]);

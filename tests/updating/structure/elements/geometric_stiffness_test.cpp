@@ -14,17 +14,19 @@ namespace {
 
 using std::numbers::pi;
 constexpr double length = 0.8;
-constexpr double kE = 210e9;
-constexpr double kI = 3e-9;
-constexpr double kArea = 2e-4;
+constexpr double youngs_modulus = 210e9;
+constexpr double second_moment = 3e-9;
+constexpr double bar_area = 2e-4;
 constexpr double density = 7800.0;
 
 // Pinned at both ends, free to bend in z alone.
 Deck pinned_beam(int n) {
   Deck deck;
   deck.coupled_mass = true;
-  deck.materials[1] = {1, false, kE, 0.3, kE / 2.6, density, 0, 0, 0};
-  deck.bar_properties[1] = {1, 1, kArea, kI, kI, 0.0, 2.0 * kI};
+  deck.materials[1] = {
+      1, false, youngs_modulus, 0.3, youngs_modulus / 2.6, density, 0, 0, 0};
+  deck.bar_properties[1] = {
+      1, 1, bar_area, second_moment, second_moment, 0.0, 2.0 * second_moment};
   for (int i = 0; i <= n; ++i) {
     deck.grids.push_back({i + 1, {length * i / n, 0.0, 0.0}});
   }
@@ -71,7 +73,8 @@ Eigen::VectorXd frequencies(const Deck& deck, double tension) {
   });
 }
 
-const double critical = pi * pi * kE * kI / (length * length);
+const double critical =
+    pi * pi * youngs_modulus * second_moment / (length * length);
 
 // f_n = n^2 pi / (2 L^2) sqrt(EI / m) sqrt(1 + T L^2 / (n^2 pi^2 EI)).
 TEST(GeometricStiffness, PinnedBeamUnderTension) {
@@ -79,8 +82,9 @@ TEST(GeometricStiffness, PinnedBeamUnderTension) {
   for (const double share : {-0.5, 0.0, 1.0, 20.0}) {
     const Eigen::VectorXd f = frequencies(deck, share * critical);
     for (int n = 1; n <= 3; ++n) {
-      const double bare = n * n * pi / (2.0 * length * length) *
-                          std::sqrt(kE * kI / (density * kArea));
+      const double bare =
+          n * n * pi / (2.0 * length * length) *
+          std::sqrt(youngs_modulus * second_moment / (density * bar_area));
       const double exact = bare * std::sqrt(1.0 + share / (n * n));
       // Cubic elements, 5 to a half wave at n = 3: fourth order.
       EXPECT_NEAR(f(n - 1) / exact, 1.0, 1e-3) << share << ' ' << n;
@@ -100,7 +104,7 @@ TEST(GeometricStiffness, RodsAreAString) {
   constexpr int n = 40;
   Deck deck = pinned_beam(n);
   deck.bars.clear();
-  deck.rod_properties[1] = {1, 1, kArea, 0.0, 0.0};
+  deck.rod_properties[1] = {1, 1, bar_area, 0.0, 0.0};
   for (int i = 1; i <= n; ++i) deck.rods.push_back({i, 1, {i, i + 1}});
   hold(deck, "5", [](const Eigen::Vector3d&) { return true; });
   // Without tension nothing holds it across, and AUTOSPC would.
@@ -114,7 +118,8 @@ TEST(GeometricStiffness, RodsAreAString) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       Eigen::MatrixXd(extract(K, across)), Eigen::MatrixXd(extract(M, across)));
   for (int k = 1; k <= 3; ++k) {
-    const double exact = k * pi / length * std::sqrt(500.0 / (density * kArea));
+    const double exact =
+        k * pi / length * std::sqrt(500.0 / (density * bar_area));
     // Second order: (k pi / 40)^2 / 24 either way, by the mass.
     EXPECT_NEAR(std::sqrt(solver.eigenvalues()(k - 1)) / exact, 1.0, 3e-3);
   }
