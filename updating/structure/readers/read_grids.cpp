@@ -112,8 +112,8 @@ const Grid& DeckBuilder::grid(const CardReader& card, int id) const {
 
 const CoordinateSystem& DeckBuilder::system(const CardReader& card,
                                             int id) const {
-  static const CoordinateSystem kBasic;
-  if (id == 0) return kBasic;
+  static const CoordinateSystem basic_system;
+  if (id == 0) return basic_system;
   const auto found = deck.systems.find(id);
   if (found == deck.systems.end()) {
     card.fail(fmt::format("coordinate system {} does not exist", id),
