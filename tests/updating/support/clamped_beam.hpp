@@ -1,9 +1,7 @@
-// A clamped beam as a deck, and its modes in closed form.
+// A clamped beam as a deck and by its closed form.
 #pragma once
 
 #include "tests/updating/support/modal_bundle.hpp"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -14,9 +12,9 @@
 namespace tapfit::updating::testing {
 
 /// A clamped beam of 20 bars along x, 1 m of 20 mm x 6 mm steel, bending in z.
-inline constexpr int beam_bars = 20;
-inline constexpr double beam_area = 0.02 * 0.006;
-inline constexpr double beam_inertia = 0.02 * 0.006 * 0.006 * 0.006 / 12.0;
+constexpr int beam_bars = 20;
+constexpr double beam_area = 0.02 * 0.006;
+constexpr double beam_inertia = 0.02 * 0.006 * 0.006 * 0.006 / 12.0;
 
 inline std::string beam_text() {
   std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
