@@ -41,7 +41,9 @@ class SupportMismatch final : public Effect {
     if (setting.deck == nullptr) return result;
     std::vector<std::vector<int>> groups =
         updating::support_choices(*setting.deck);
-    if (!groups.empty()) std::ranges::rotate(groups, groups.end() - 1);
+    if (!groups.empty()) {
+      std::rotate(groups.begin(), groups.end() - 1, groups.end());
+    }
     for (const std::vector<int>& group : groups) {
       std::size_t most = 0;
       for (const std::string& variant : variants()) {
