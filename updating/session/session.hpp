@@ -36,6 +36,8 @@
 
 namespace tapfit::updating {
 
+struct SessionStages;
+
 class Session {
  public:
   /// Reads the bundle's test.json (not yet its recordings).
@@ -146,8 +148,7 @@ class Session {
   double base_error(const Progress& progress = {});
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<SessionStages> stages_;
 };
 
 }  // namespace tapfit::updating

@@ -1,6 +1,7 @@
 // A support of the model that the structure did not have: the test hung free,
 // or was pinned where the deck clamps. What the deck holds is released and held
 // by nothing.
+#include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/set_up/mistakes.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
@@ -39,13 +40,9 @@ class SupportMismatch final : public Effect {
     std::vector<Where> result;
     if (setting.deck == nullptr) return result;
     std::vector<std::vector<int>> groups =
-        updating::support_groups(*setting.deck);
-    if (groups.size() > 1) {
-      std::vector<int> all;
-      for (const std::vector<int>& group : groups) {
-        all.insert(all.end(), group.begin(), group.end());
-      }
-      groups.insert(groups.begin(), all);
+        updating::support_choices(*setting.deck);
+    if (!groups.empty()) {
+      std::rotate(groups.begin(), groups.end() - 1, groups.end());
     }
     for (const std::vector<int>& group : groups) {
       std::size_t most = 0;
