@@ -9,7 +9,8 @@
 namespace tapfit::tui {
 
 /// The verdict, what was tested, an FRF measured, before and after; with a
-/// model the error ladder, what was identified, how sure, what to measure next.
+/// model the error ladder beside it, what was identified, how sure, what to
+/// measure next.
 [[nodiscard]] std::vector<Section> front_sections(const ReportData& data);
 
 }  // namespace tapfit::tui

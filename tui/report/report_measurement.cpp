@@ -62,7 +62,9 @@ std::string reasons_of(const acquisition::Hit& hit) {
 
 Section hits_section(const ReportData& data) {
   DataTable runs{
-      "", {"<run", "<hit at", "hits", "accepted", "peak N", "<sensors"}, {}};
+      "",
+      {"<run", "<hit at", "hits", "accepted", "largest peak N", "<sensors"},
+      {}};
   DataTable rejected{
       "Rejected hits", {"<run", "time s", "peak N", "<reason"}, {}};
   const acquisition::HitSet& hits = *data.hits;
@@ -72,9 +74,11 @@ Section hits_section(const ReportData& data) {
     long accepted = 0;
     double peak = 0.0;
     for (const acquisition::Hit& hit : hits.runs[k]) {
-      peak = std::max(peak, hit.peak_n);
-      accepted += hit.accepted ? 1 : 0;
-      if (hit.accepted) continue;
+      if (hit.accepted) {
+        peak = std::max(peak, hit.peak_n);
+        ++accepted;
+        continue;
+      }
       rejected.rows.push_back(
           {file, fixed(hit.time_s, 3), fixed(hit.peak_n, 1), reasons_of(hit)});
     }
@@ -82,7 +86,7 @@ Section hits_section(const ReportData& data) {
                          name(run.hammer.dof),
                          fmt::format("{}", hits.runs[k].size()),
                          fmt::format("{}", accepted),
-                         fixed(peak, 1),
+                         accepted > 0 ? fixed(peak, 1) : "–",
                          placed_sensors(data.bundle, run)});
   }
   Section section{"Hits", {runs}};
@@ -168,14 +172,14 @@ Section frf_section(const ReportData& data) {
   }
   BulletList statements;
   for (const std::string& statement : data.frfs.statements) {
-    statements.items.push_back(typeset(statement));
+    statements.items.push_back(capitalised(typeset(statement)));
   }
   Section section{
       "Quality of the FRFs",
-      {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
+      {table,
+       Paragraph{"Coherence: mean over the band. Median s.d.: standard "
                  "deviation over the hits, in per cent of |H|.",
-                 Paragraph::Kind::Small},
-       table}};
+                 Paragraph::Kind::Small}}};
   if (std::optional<Figure> coherence = coherence_figure(data.frfs)) {
     section.parts.emplace_back(*std::move(coherence));
   }

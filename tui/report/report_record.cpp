@@ -77,7 +77,7 @@ Section settings_section(const ReportData& data) {
         number(static_cast<double>(hits.block) / std::max(rate, 1e-9)),
         hits.pre_trigger));
     for (const std::string& statement : hits.statements) {
-      list.items.push_back(typeset(statement));
+      list.items.push_back(capitalised(typeset(statement)));
     }
     list.items.emplace_back(
         "FRFs: estimator H1, force and exponential window.");
@@ -114,13 +114,12 @@ std::vector<Section> record_sections(const ReportData& data) {
   if (!data.warnings.empty()) {
     BulletList list;
     for (const std::string& warning : data.warnings) {
-      list.items.push_back(typeset(warning));
+      list.items.push_back(capitalised(typeset(warning)));
     }
     sections.push_back({"Notes and warnings", {list}});
   }
   sections.push_back(settings_section(data));
   sections.push_back(file_section(data));
-  sections.front().new_page = true;
   return sections;
 }
 

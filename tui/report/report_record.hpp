@@ -1,4 +1,4 @@
-// A report's last page: how it was worked out, and from which files.
+// The end of a report: how it was worked out, and from which files.
 #pragma once
 
 #include "tui/document/document.hpp"

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
@@ -113,7 +114,13 @@ std::string found_words(const std::string& effect,
                         const updating::Where& where) {
   const std::string place = place_words(where);
   if (place.empty()) return effect_words(effect);
-  return fmt::format("{} ({})", effect_words(effect), place);
+  // The place is the leading kind's: another may sit elsewhere.
+  const std::size_t end = std::min(effect.find('|'), effect.size());
+  std::string text =
+      fmt::format("{} ({})", effect_words(effect.substr(0, end)), place);
+  if (end < effect.size())
+    text += " or " + effect_words(effect.substr(end + 1));
+  return text;
 }
 
 std::string with_article(const std::string& found) {

@@ -18,7 +18,7 @@ namespace tapfit::tui {
 /// "19 nodes, 1 … 38; rotation"; empty for everywhere.
 [[nodiscard]] std::string place_words(const updating::Where& where);
 
-/// "mass of the sensors (acc1, acc2)".
+/// "mass of the sensors (acc1, acc2)"; of a group "a (place) or b".
 [[nodiscard]] std::string found_words(const std::string& effect,
                                       const updating::Where& where);
 

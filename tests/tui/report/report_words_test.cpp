@@ -22,6 +22,16 @@ TEST(ReportWords, NamePlaces) {
             "support that gives (4 nodes, 1 … 4; rotation)");
 }
 
+// An axial force sits in members, not at the sensors that its rival sits at.
+TEST(ReportWords, GiveThePlaceToTheLeadingKindOfAGroup) {
+  EXPECT_EQ(
+      found_words("sensor-cable|prestress", {.channels = {"acc1", "acc2"}}),
+      effect_words("sensor-cable") + " (acc1, acc2) or " +
+          effect_words("prestress"));
+  EXPECT_EQ(found_words("joint|stiffness-loss", {}),
+            effect_words("joint|stiffness-loss"));
+}
+
 TEST(Quantity, IsInTheUnitThatItsSizeAsksFor) {
   const Quantity mass =
       quantity({"mass_kg", 0.02004, 0.00016, 0.01972, 0.02036});
