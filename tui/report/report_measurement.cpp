@@ -243,8 +243,9 @@ Figure stabilisation(const ReportData& data) {
     plot.markers.push_back({mode.frequency_hz});
   }
   return {"stabilisation",
-          "Stabilisation diagram: poles of models of rising order; dotted "
-          "lines are the modes taken.",
+          "Stabilisation diagram: poles of models of rising order, coloured by "
+          "what agrees with the order below: frequency, with damping, with "
+          "shape, or all three (stable). Dotted lines are the modes taken.",
           svg_plot(plot, {.height = 340.0})};
 }
 
