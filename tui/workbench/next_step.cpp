@@ -119,6 +119,14 @@ std::string for_report(const Snapshot& known) {
   if (!known.comparison) return {};
   const bool asked = known.diagnosis || !known.effects_on().empty();
   const updating::Comparison& c = *known.comparison;
+  // Where nothing was ever added the report takes up the verdict.
+  const bool taken_up = known.effects.empty() && known.diagnosis &&
+                        !known.diagnosis->ladder.empty();
+  if (taken_up) {
+    return fmt::format("w writes the report with the verdict in it: {} → {}",
+                       percent(known.diagnosis->error_base),
+                       percent(known.diagnosis->ladder.back().error));
+  }
   if (!asked && c.error > near_floor * c.floor) {
     return after_error(known, "5 shows what is missing");
   }
