@@ -32,8 +32,9 @@ std::string shade(double share, bool alarming) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
-double names_width(const std::vector<std::string>& names) {
-  std::size_t longest = 0;
+double names_width(const std::vector<std::string>& names,
+                   const std::string& title) {
+  std::size_t longest = title.size();
   for (const std::string& name : names) {
     longest = std::max(longest, name.size());
   }
@@ -51,7 +52,7 @@ std::string at_or_empty(const std::vector<std::string>& names,
 std::string svg_heat_map(const SvgHeatMap& map) {
   const Eigen::Index rows = map.values.rows();
   const Eigen::Index columns = map.values.cols();
-  const double left = names_width(map.rows) + 22.0;
+  const double left = names_width(map.rows, map.row_title);
   const double cell =
       std::clamp((least_width - left - 6.0) /
                      static_cast<double>(std::max<Eigen::Index>(columns, 1)),
@@ -65,10 +66,7 @@ std::string svg_heat_map(const SvgHeatMap& map) {
               14.0,
               map.column_title,
               {.anchor = "middle"});
-  canvas.text(13.0,
-              head_height + cell_height * static_cast<double>(rows) / 2.0,
-              map.row_title,
-              {.anchor = "middle", .turn_deg = -90.0});
+  canvas.text(left - 6.0, 14.0, map.row_title, {.anchor = "end"});
   for (Eigen::Index c = 0; c < columns; ++c) {
     canvas.text(left + cell * (static_cast<double>(c) + 0.5),
                 33.0,

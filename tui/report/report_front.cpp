@@ -9,6 +9,7 @@
 #include "tui/report/report_words.hpp"
 #include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/comparison/compare.hpp"
 #include "updating/fit/kept_fit.hpp"
 
 #include <fmt/format.h>
@@ -327,6 +328,10 @@ Section sure_section(const ModelResults& model) {
 
 Section next_section(const ModelResults& model) {
   BulletList list;
+  if (updating::hides_errors(model.after)) {
+    list.items.push_back(
+        capitalised(typeset(updating::floor_warning(model.after))) + ".");
+  }
   if (model.diagnosis) {
     for (const updating::NextMeasurement& next : model.diagnosis->next) {
       list.items.push_back(next_words(next, model.diagnosis->floor));

@@ -112,9 +112,11 @@ std::string at_frf(const std::vector<double>& values,
 
 std::string three_decimals(double value) { return fixed(value, 3); }
 
-/// A single hit's coherence is 1 whatever it is worth.
-bool is_coherent(const signal::Frf& frf) {
-  return frf.coherence.size() > 0 && frf.hits != 1;
+/// A single hit's coherence is 1 whatever it is worth; so is that of ready FRFs
+/// whose file has none.
+bool has_coherence(const signal::Frf& frf) {
+  return frf.coherence.size() > 0 && frf.hits != 1 &&
+         (frf.coherence.array() != 1.0).any();
 }
 
 /// Mean and lowest of all FRFs.
@@ -124,7 +126,7 @@ std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
   Eigen::VectorXd low = Eigen::VectorXd::Ones(lines);
   int count = 0;
   for (const signal::Frf& frf : frfs.frfs) {
-    if (!is_coherent(frf) || frf.coherence.size() != lines) continue;
+    if (!has_coherence(frf) || frf.coherence.size() != lines) continue;
     sum += frf.coherence;
     low = low.cwiseMin(frf.coherence);
     ++count;
@@ -158,7 +160,7 @@ Section frf_section(const ReportData& data) {
     std::vector<std::string> row{
         name(frf),
         frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
-        is_coherent(frf) ? fixed(frf.coherence.mean(), 4) : "–",
+        has_coherence(frf) ? fixed(frf.coherence.mean(), 4) : "–",
         sd > 0.0 ? percent(sd / 100.0) : "–"};
     if (data.model) {
       const updating::Comparison& before = data.model->before;

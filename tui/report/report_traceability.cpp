@@ -63,13 +63,10 @@ constexpr std::array<NoteColumn, 5> note_columns{
      {"<notes", other_words}}};
 
 DataTable channel_table(const ReportData& data) {
-  DataTable table{"Channels",
-                  {"<channel",
-                   "<quantity",
-                   "sensitivity",
-                   "full scale",
-                   "mass by its sheet"},
-                  {}};
+  DataTable table{
+      "Channels",
+      {"<channel", "<quantity", "sensitivity", "full scale", "mass"},
+      {}};
   std::vector<NoteColumn> columns;
   for (const NoteColumn& column : note_columns) {
     const auto told = [&](const acquisition::Channel& channel) {

@@ -2,6 +2,7 @@
 
 #include "tui/screen/number.hpp"
 #include "tui/widgets/bars.hpp"
+#include "updating/comparison/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -81,8 +82,7 @@ std::string after_modes(const Snapshot& known) {
 std::string after_error(const Snapshot& known, const std::string& missing) {
   if (!known.comparison) return {};
   const updating::Comparison& c = *known.comparison;
-  constexpr double high = 0.3;  // hides more than it shows
-  if (c.floor > high) {
+  if (updating::hides_errors(c)) {
     return fmt::format(
         "a floor of {} hides what is missing: 7 has the warnings",
         percent(c.floor));

@@ -174,6 +174,19 @@ TEST(SvgHeatMap, IsAsWideForFewColumnsAsForMore) {
   EXPECT_FALSE(holds(svg_heat_map(map), "viewBox=\"0 0 420 "));
 }
 
+// The title of the rows stands before them, long or short, and is not cut off
+// where there are few.
+TEST(SvgHeatMap, HasRoomForTheTitleOfItsRows) {
+  SvgHeatMap map;
+  map.values = Eigen::MatrixXd::Zero(1, 1);
+  map.rows = {"1"};
+  map.row_title = "response / hammer";
+  const std::string svg = svg_heat_map(map);
+  EXPECT_FALSE(holds(svg, "rotate"));
+  // 17 letters of 7 px and 12 px, less the 6 px up to the cells.
+  EXPECT_TRUE(holds(svg, "<text x=\"125\" y=\"14\"")) << svg;
+}
+
 // White on a colour that is half white cannot be read.
 TEST(SvgHeatMap, WritesInWhiteOnDarkCellsAlone) {
   SvgHeatMap map;

@@ -59,6 +59,16 @@ ReportData data_of_two_effects() {
   return data;
 }
 
+/// Up to the set-up, which begins the second page.
+std::vector<Section> first_page(const Document& document) {
+  std::vector<Section> page;
+  for (const Section& section : document.sections) {
+    if (section.new_page) break;
+    page.push_back(section);
+  }
+  return page;
+}
+
 // 66.6 g was the mass before the spring was there.
 TEST(IdentifiedRows, AreOfTheLastModelOnly) {
   const ReportData data = data_of_two_effects();
@@ -89,6 +99,23 @@ TEST(VerdictSentence, SaysThatNothingIsMissing) {
   data.model->diagnosis->verdict = "none";
   EXPECT_TRUE(verdict_sentence(data).starts_with(
       "Nothing significant is missing from the model"));
+}
+
+// Below a floor of 160 % everything is, whatever is missing.
+TEST(VerdictSentence, ClaimsNothingBelowAFloorThatHidesErrors) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->diagnosis->verdict = "none";
+  data.model->before.error = data.model->after.error = 1.004;
+  data.model->after.floor = data.model->after.floor_noise = 1.604;
+  EXPECT_EQ(verdict_sentence(data),
+            "Whether anything is missing from the model cannot be told: its "
+            "FRFs are off by 100.4 %, and repeatability, mesh and form allow "
+            "160.4 %.");
+  const std::vector<Section> page = first_page(report_document(data));
+  EXPECT_EQ(page.back().title, "What to measure next");
+  EXPECT_TRUE(holds(as_markdown({"", "", {page.back()}}, "f"),
+                    "- The floor is 160 %, so that only effects"));
 }
 
 TEST(VerdictSentence, SaysWhatNoEffectExplains) {
@@ -177,16 +204,6 @@ TEST(ReportDocument, HoldsNoNumberThatIsNone) {
   }
 }
 
-/// Up to the set-up, which begins the second page.
-std::vector<Section> first_page(const Document& document) {
-  std::vector<Section> page;
-  for (const Section& section : document.sections) {
-    if (section.new_page) break;
-    page.push_back(section);
-  }
-  return page;
-}
-
 // What a customer reads of a report is its first page.
 TEST(ReportDocument, HoldsOnPageOneAllThatACustomerAsks) {
   ReportData data = data_of_two_effects();
@@ -230,6 +247,26 @@ TEST(ReportDocument, TellsTheLargestPeakOfAcceptedHits) {
   ASSERT_NE(rejected, std::string::npos);
   EXPECT_FALSE(holds(text.substr(0, rejected), "987.6"));
   EXPECT_TRUE(holds(text.substr(rejected), "987.6"));
+}
+
+// A file of ready FRFs need not hold coherences.
+TEST(ReportDocument, ShowsNoCoherenceThatWasNotMeasured) {
+  ReportData data = data_of_two_effects();
+  const auto names_of = [](const ReportData& of) {
+    std::set<std::string> names;
+    for (const Figure& figure : figures_of(report_document(of))) {
+      names.insert(figure.name);
+    }
+    return names;
+  };
+  EXPECT_TRUE(names_of(data).contains("coherence"));
+  for (signal::Frf& frf : data.frfs.frfs) {
+    frf.hits = 0;
+    frf.coherence.setOnes();
+  }
+  EXPECT_FALSE(names_of(data).contains("coherence"));
+  EXPECT_TRUE(
+      holds(as_markdown(report_document(data), "f"), "| 6Z+ / 3Z+ | – | – |"));
 }
 
 TEST(ReportDocument, SaysWhatTheSketchMarks) {
