@@ -85,9 +85,10 @@ std::string typeset(std::string text) {
 std::string effect_words(const std::string& effect) {
   std::string text;
   for (std::size_t at = 0; at <= effect.size();) {
-    const std::size_t end = std::min(effect.find('|', at), effect.size());
-    text +=
-        (text.empty() ? "" : " or ") + words_of(effect.substr(at, end - at));
+    const std::size_t end =
+        std::min(effect.find_first_of("|+", at), effect.size());
+    text += words_of(effect.substr(at, end - at));
+    if (end < effect.size()) text += effect[end] == '|' ? " or " : " and ";
     at = end + 1;
   }
   return text;

@@ -12,7 +12,8 @@
 
 namespace tapfit::tui {
 
-/// "soft-support" to "support that gives"; of a group "a|b" both with "or".
+/// "soft-support" to "support that gives"; of a group "a|b" both with "or", of
+/// a verdict "a+b" with "and".
 [[nodiscard]] std::string effect_words(const std::string& effect);
 
 /// "19 nodes, 1 … 38; rotation"; empty for everywhere.

@@ -10,6 +10,8 @@ TEST(ReportWords, NameEffectsAndGroups) {
   EXPECT_EQ(effect_words("sensor-mass"), "mass of the sensors");
   EXPECT_EQ(effect_words("joint|stiffness-loss"),
             "joint that gives or loss of stiffness");
+  EXPECT_EQ(effect_words("sensor-mass+soft-support"),
+            "mass of the sensors and support that gives");
   EXPECT_EQ(effect_words("new-effect"), "new effect");
 }
 
