@@ -273,26 +273,6 @@ std::string rest_words(const ModelResults& model) {
           : effect_words(model.rest->verdict));
 }
 
-void add_firmness(const updating::Diagnosis& diagnosis, Section& section) {
-  if (diagnosis.robustness.empty()) return;
-  DataTable table{"How firm it is",
-                  {"<what was changed", "<verdict", "<farthest move of a size"},
-                  {}};
-  for (const updating::Robustness& row : diagnosis.robustness) {
-    const std::string move = move_text(row);
-    table.rows.push_back(
-        {row.change,
-         row.verdict_stands ? "stands" : effect_words(row.verdict),
-         move.empty() ? "–" : move});
-  }
-  section.parts.emplace_back(table);
-  section.parts.emplace_back(Paragraph{
-      capitalised(firmness_words(diagnosis.robustness)) +
-          ". What was found and what came closest were fitted again with each "
-          "of these changed; sd: standard deviations of the size as stated.",
-      Paragraph::Kind::Small});
-}
-
 Section sure_section(const ModelResults& model) {
   Section section{"How sure is it", {}};
   if (!model.diagnosis) {
@@ -327,7 +307,10 @@ Section sure_section(const ModelResults& model) {
         "error: on runs that the parameters were not fitted to.",
         Paragraph::Kind::Small});
   }
-  add_firmness(*model.diagnosis, section);
+  if (const auto& rows = model.diagnosis->robustness; !rows.empty()) {
+    section.parts.emplace_back(
+        Paragraph{capitalised(firmness_words(rows)) + "."});
+  }
   if (const std::string rest = rest_words(model); !rest.empty()) {
     section.parts.emplace_back(Paragraph{rest});
   }
@@ -383,6 +366,27 @@ std::vector<Section> front_sections(const ReportData& data) {
   sections.push_back(sure_section(*data.model));
   sections.push_back(next_section(*data.model));
   return sections;
+}
+
+std::vector<Section> firmness_sections(const ReportData& data) {
+  if (!data.model || !data.model->diagnosis) return {};
+  const RobustnessRows& rows = data.model->diagnosis->robustness;
+  if (rows.empty()) return {};
+  DataTable table{
+      "", {"<what was changed", "<verdict", "<farthest move of a size"}, {}};
+  for (const updating::Robustness& row : rows) {
+    const std::string move = move_text(row);
+    table.rows.push_back(
+        {row.change,
+         row.verdict_stands ? "stands" : effect_words(row.verdict),
+         move.empty() ? "–" : move});
+  }
+  return {{"How firm the verdict is",
+           {table,
+            Paragraph{"What was found and what came closest were fitted again "
+                      "with each of these changed; sd: standard deviations of "
+                      "the size as stated.",
+                      Paragraph::Kind::Small}}}};
 }
 
 }  // namespace tapfit::tui

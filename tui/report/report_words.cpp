@@ -28,6 +28,7 @@ std::string replaced(std::string text,
 
 std::string words_of(const std::string& name) {
   if (name == "base") return "model as delivered";
+  if (name == "none") return "nothing missing";
   if (name == updating::nonlinearity) return "nonlinear behaviour";
   for (const effects::Effect* effect : effects::catalogue()) {
     if (effect->name() == name) return effect->words();

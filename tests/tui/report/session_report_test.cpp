@@ -9,6 +9,7 @@
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
+#include "tui/report/robustness_output.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace tapfit::tui {
@@ -225,6 +227,24 @@ TEST(ReportDocument, HoldsOnPageOneAllThatACustomerAsks) {
   EXPECT_TRUE(holds(text, "| modes | customer | date |")) << text;
   EXPECT_TRUE(holds(text, "| Orbital | 2026-11-20 |"));
   EXPECT_TRUE(holds(text, "2 with sensors")) << text;
+}
+
+// One sentence in front; a row for each of some twenty changes behind.
+TEST(ReportDocument, TellsHowFirmItIsInFrontAndWhyBehind) {
+  ReportData data = data_of_two_effects();
+  data.model->diagnosis->robustness = testing::fake_robustness();
+  const Document document = report_document(data);
+  const std::string sentence =
+      capitalised(firmness_words(data.model->diagnosis->robustness));
+  const Section sure = first_page(document).at(2);
+  EXPECT_TRUE(holds(as_html({"", "", {sure}}), sentence));
+  const auto firm = std::ranges::find(document.sections,
+                                      std::string("How firm the verdict is"),
+                                      &Section::title);
+  ASSERT_NE(firm, document.sections.end());
+  const auto* table = std::get_if<DataTable>(&firm->parts.front());
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.size(), 2U);
 }
 
 // A forced break leaves the rest of a sheet empty.
