@@ -309,7 +309,7 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     if (told) table.heading.insert(table.heading.end(), {one, two});
   };
   add_heading(shapes, "MPC", "MPD °");
-  add_heading(poles, "poles", "scatter Hz");
+  add_heading(poles, "poles", "scatter mHz");
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {
     const modal::Mode& mode = modes.modes[k];
     std::vector<std::string> row{
@@ -323,8 +323,8 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     if (poles) {
       const modal::PoleCluster& found = mode.cluster;
       row.push_back(found.poles > 0 ? fmt::format("{}", found.poles) : "–");
-      row.push_back(found.poles > 0 ? number(found.frequency_scatter_hz, 2)
-                                    : "–");
+      row.push_back(
+          found.poles > 0 ? number(1e3 * found.frequency_scatter_hz, 2) : "–");
     }
     table.rows.push_back(std::move(row));
   }
