@@ -55,6 +55,12 @@ struct ModesArguments {
   int dataset = 55;                          ///< of --uff: 55 or 2414
 };
 
+/// What `tapfit predict` is told; its --with are CommandOptions::effects.
+struct PredictArguments {
+  std::vector<std::string> changes;              ///< "added-mass@201=0.010"
+  std::optional<std::filesystem::path> against;  ///< measured after the change
+};
+
 /// What a command is told of decisions made by hand.
 struct HandChoices {
   bool session = false;            ///< start from those that are kept
@@ -92,6 +98,7 @@ struct CommandOptions {
   ImportArguments imports;
   PaperArguments paper;
   ModesArguments identification;
+  PredictArguments prediction;
   HandChoices by_hand;
   std::optional<std::filesystem::path> other;  ///< second set of modes
 };

@@ -11,6 +11,7 @@
 #include "updating/localisation/signature.hpp"
 #include "updating/measurement/measurement.hpp"
 #include "updating/measurement/test_model.hpp"
+#include "updating/prediction/predict_change.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/robustness/robustness.hpp"
 #include "updating/session/added_effect.hpp"
@@ -233,6 +234,19 @@ Signature Session::signature(int node, const Progress& progress) {
   impl_->prepare_fit(*this, progress);
   static_cast<void>(impl_->deck->grid_index(node));
   return signature_at(impl_->current(), *impl_->ground->fitter, node, progress);
+}
+
+Prediction Session::predict(const std::vector<StatedChange>& changes,
+                            const Progress& progress) {
+  impl_->prepare_fit(*this, progress);
+  if (impl_->stack->fits().size() == 1) fit_uncertain(progress);
+  return predict_change({impl_->current(),
+                         *impl_->ground->fitter,
+                         comparison(progress),
+                         frfs(progress),
+                         modes(progress)},
+                        changes,
+                        progress);
 }
 
 std::vector<GridShare> Session::signature_map(const Progress& progress) {
