@@ -104,7 +104,10 @@ std::string predict_command(const CommandOptions& options,
                            updating::point_geometry(session));
   }
   std::optional<updating::Confirmation> seen;
-  if (after) seen = updating::confirm(prediction, *after);
+  if (after) {
+    seen = updating::confirm(
+        prediction, *after, 0.01 * options.prediction.repeatability_percent);
+  }
   if (!options.json) {
     return prediction_text(prediction, known.source) +
            (seen ? confirmation_text(*seen, prediction) : "");

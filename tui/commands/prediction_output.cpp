@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::tui {
 
@@ -89,7 +90,21 @@ const char* word_of(updating::Finding95 finding) {
   return "undecided";
 }
 
-std::string interval_text(const updating::Estimate& estimate, int decimals) {
+/// So many that the interval's half width has two digits.
+int decimals_of(const updating::Estimate& estimate) {
+  constexpr int least = 2;
+  constexpr int most = 6;
+  if (!(estimate.sd > 0.0)) return most;
+  const double digits = 1.0 - std::floor(std::log10(1.96 * estimate.sd));
+  return static_cast<int>(std::clamp<double>(digits, least, most));
+}
+
+std::string value_text(const updating::Estimate& estimate) {
+  return fmt::format("{:.{}f}", estimate.value, decimals_of(estimate));
+}
+
+std::string interval_text(const updating::Estimate& estimate) {
+  const int decimals = decimals_of(estimate);
   return fmt::format(
       "{:.{}f} to {:.{}f}", estimate.lo95, decimals, estimate.hi95, decimals);
 }
@@ -112,10 +127,10 @@ std::string modes_text(const std::vector<PredictedMode>& modes) {
     table.add({fmt::format("{}", mode.model + 1),
                mode.measured ? fmt::format("{:.3f}", mode.measured_hz) : "-",
                fmt::format("{:.3f}", mode.model_hz),
-               fmt::format("{:.3f}", mode.frequency_hz.value),
-               interval_text(mode.frequency_hz, 3),
-               fmt::format("{:+.3f}", mode.change_hz.value),
-               interval_text(mode.change_hz, 3),
+               value_text(mode.frequency_hz),
+               interval_text(mode.frequency_hz),
+               value_text(mode.change_hz),
+               interval_text(mode.change_hz),
                fmt::format("{:+.2f}", mode.change_percent.value),
                damping});
   }
@@ -204,9 +219,10 @@ std::string confirmation_text(const updating::Confirmation& confirmation,
     const auto& own =
         prediction.modes.at(static_cast<std::size_t>(mode.predicted));
     table.add({fmt::format("{}", own.model + 1),
-               fmt::format("{:.3f}", own.frequency_hz.value),
-               interval_text(own.frequency_hz, 3),
-               fmt::format("{:.3f}", mode.measured_hz),
+               value_text(own.frequency_hz),
+               interval_text(own.frequency_hz),
+               fmt::format(
+                   "{:.{}f}", mode.measured_hz, decimals_of(own.frequency_hz)),
                fmt::format("{:+.2f}", mode.deviation),
                mode.has_shape ? fmt::format("{:.3f}", mode.mac) : "-"});
   }

@@ -59,6 +59,8 @@ struct ModesArguments {
 struct PredictArguments {
   std::vector<std::string> changes;              ///< "added-mass@201=0.010"
   std::optional<std::filesystem::path> against;  ///< measured after the change
+  /// From one set-up of a structure to the next, of frequencies (sd) [%].
+  double repeatability_percent = 0.0;
 };
 
 /// What a command is told of decisions made by hand.
@@ -98,9 +100,9 @@ struct CommandOptions {
   ImportArguments imports;
   PaperArguments paper;
   ModesArguments identification;
-  PredictArguments prediction;
   HandChoices by_hand;
   std::optional<std::filesystem::path> other;  ///< second set of modes
+  PredictArguments prediction;
 };
 
 /// A command returns all of its standard output at once, so that a fault on

@@ -73,9 +73,17 @@ void add_predict_options(CLI::App& command, CommandOptions& options) {
                   "found by a diagnosis")
       ->check(CLI::Validator(with_fault, "EFFECT[@PLACE]|none"))
       ->allow_extra_args(false);
-  command.add_option("--against",
-                     options.prediction.against,
-                     "Bundle measured after the change: is it as predicted?");
+  auto* against = command.add_option(
+      "--against",
+      options.prediction.against,
+      "Bundle measured after the change: is it as predicted?");
+  command
+      .add_option("--repeatability",
+                  options.prediction.repeatability_percent,
+                  "By which frequencies scatter from one set-up of the "
+                  "structure to the next (standard deviation) [%]; else 0")
+      ->check(CLI::Range(0.0, 100.0))
+      ->needs(against);
 }
 
 void add_regularisation(CLI::App& command, CommandOptions& options) {

@@ -74,7 +74,8 @@ Finding95 finding_of(const Confirmation& c) {
 }  // namespace
 
 Confirmation confirm(const Prediction& prediction,
-                     const modal::ModeSet& after) {
+                     const modal::ModeSet& after,
+                     double repeatability) {
   const SharedShapes shapes = shared_shapes(prediction, after);
   Eigen::VectorXd measured_hz(shapes.measured.cols());
   for (Index m = 0; m < measured_hz.size(); ++m) {
@@ -91,7 +92,9 @@ Confirmation confirm(const Prediction& prediction,
   for (const modal::Pair& pair : pairs) {
     const auto& mode = prediction.modes[static_cast<std::size_t>(pair.model)];
     const auto& seen = after.modes[static_cast<std::size_t>(pair.measured)];
-    const double sd = std::hypot(mode.frequency_hz.sd, seen.frequency_sd_hz);
+    const double sd = std::hypot(mode.frequency_hz.sd,
+                                 seen.frequency_sd_hz,
+                                 repeatability * mode.frequency_hz.value);
     const double off = seen.frequency_hz - mode.frequency_hz.value;
     result.modes.push_back(
         {static_cast<int>(pair.model),

@@ -136,6 +136,15 @@ TEST(CommandLine, PredictTakesChangesWithTheirSizes) {
           .options.effects,
       (std::vector<std::string>{"none"}));
   EXPECT_EQ(answered({"predict", "b"}).exit_status, 2);
+  EXPECT_EQ(answered({"predict",
+                      "b",
+                      "--effect",
+                      "added-mass@2=1",
+                      "--repeatability",
+                      "0.1"})
+                .exit_status,
+            2)
+      << "says nothing without --against";
   const CommandLineAnswer unsized =
       answered({"predict", "b", "--effect", "added-mass@201"});
   EXPECT_EQ(unsized.exit_status, 2);

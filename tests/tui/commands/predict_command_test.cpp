@@ -16,7 +16,7 @@
 namespace tapfit::tui {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 using tapfit::testing::TemporaryFolder;
 namespace beam = updating::testing;
 
