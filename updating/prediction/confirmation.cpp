@@ -135,7 +135,7 @@ std::string statement(const Confirmation& confirmation,
                                 : fmt::format("the worst of {} modes", count);
   return fmt::format(
       "{}: {}, measured at {:.6g} Hz and predicted at {:.6g} Hz, is "
-      "{:.2g} half widths of its 95 % interval off (limit {:.2g})",
+      "{:.3g} half widths of its 95 % interval off (limit {:.2g})",
       confirmation.finding == Finding95::Confirmed ? "confirmed" : "refuted",
       which,
       worst.measured_hz,
