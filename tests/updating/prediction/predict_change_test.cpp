@@ -266,7 +266,10 @@ Eigen::VectorXcd oscillator(const Eigen::VectorXcd& s,
 
 class PredictedOscillator : public ::testing::Test {
  protected:
-  PredictedOscillator() {
+  PredictedOscillator() { write(0.0); }
+
+  /// @param damper of the deck, and of what was measured [N s/m]
+  void write(double damper) const {
     signal::FrfSet set;
     constexpr Eigen::Index lines = 550;
     set.s.resize(lines);
@@ -275,16 +278,19 @@ class PredictedOscillator : public ::testing::Test {
     }
     signal::Frf frf;
     frf.response = frf.reference = {1, 3, 1};
-    frf.H = oscillator(set.s, 0.0, 0.0);
+    frf.H = oscillator(set.s, 0.0, damper);
     frf.coherence = Eigen::VectorXd::Ones(lines);
     frf.variance = Eigen::VectorXd::Zero(lines);
     set.frfs.push_back(frf);
     signal::write_frfs_uff(set, "oscillator", folder_.path() / "measured.uff");
-    folder_.write("model.bdf",
-                  fmt::format("BEGIN BULK\nGRID,1,,0.,0.,0.,,12456\n"
-                              "CONM2,1,1,,{}\nCELAS2,2,{},1,3\nENDDATA\n",
-                              mass_kg,
-                              spring));
+    folder_.write(
+        "model.bdf",
+        fmt::format("BEGIN BULK\nGRID,1,,0.,0.,0.,,12456\n"
+                    "CONM2,1,1,,{}\nCELAS2,2,{},1,3\n{}ENDDATA\n",
+                    mass_kg,
+                    spring,
+                    damper > 0.0 ? fmt::format("CDAMP2,3,{},1,3\n", damper)
+                                 : std::string()));
     folder_.write("test.json", R"({"tapfit": 1, "model": "model.bdf",
       "frfs": "measured.uff", "band_hz": [8, 60]})");
   }
@@ -333,6 +339,21 @@ TEST_F(PredictedOscillator, WithADamperHasItsRatioOnTop) {
   EXPECT_NEAR(mode.change_hz.value, 0.0, 1e-6);
   const Eigen::VectorXcd truth = oscillator(prediction.frfs.s, 0.0, 4.0);
   EXPECT_LT((prediction.frfs.frfs[0].H - truth).norm(), 0.01 * truth.norm());
+}
+
+// What the deck's own damper takes falls with the mass; the rest stays:
+// zeta' = zeta_own + c / (2 M' omega').
+TEST_F(PredictedOscillator, WithADamperInTheDeckKeepsItsOwnRatio) {
+  write(4.0);
+  const Prediction prediction = predicted("added-mass@1=0.5");
+  ASSERT_EQ(prediction.modes.size(), 1U);
+  const PredictedMode& mode = prediction.modes[0];
+  ASSERT_TRUE(mode.damping_now && mode.damping_ratio);
+  const double after = std::sqrt(spring * (mass_kg + 0.5));
+  EXPECT_NEAR(*mode.damping_now,
+              ratio + 4.0 / (2.0 * std::sqrt(spring * mass_kg)),
+              2e-4);
+  EXPECT_NEAR(mode.damping_ratio->value, ratio + 4.0 / (2.0 * after), 2e-4);
 }
 
 }  // namespace
