@@ -24,17 +24,19 @@ TEST_F(OutputsOfATest, NeverGoOverWhatItReads) {
     const char* option;
     const char* file;
   };
-  for (const Attempt& attempt : {Attempt{"frf", "--uff", "measured.uff"},
-                                 Attempt{"frf", "--uff", "./measured.uff"},
-                                 Attempt{"frf", "--uff", "link.uff"},
-                                 Attempt{"modes", "--uff", "measured.uff"},
-                                 Attempt{"modes", "--fit", "measured.uff"},
-                                 Attempt{"export", "--uff", "measured.uff"},
-                                 Attempt{"export", "--deck", "model.bdf"},
-                                 Attempt{"export", "--records", "test.json"},
-                                 Attempt{"report", "-o", "measured.uff"},
-                                 Attempt{"report", "-o", "test.json"},
-                                 Attempt{"report", "-o", "session.json"}}) {
+  for (const Attempt& attempt :
+       {Attempt{"frf", "--uff", "measured.uff"},
+        Attempt{"frf", "--uff", "./measured.uff"},
+        Attempt{"frf", "--uff", "link.uff"},
+        Attempt{"modes", "--uff", "measured.uff"},
+        Attempt{"modes", "--fit", "measured.uff"},
+        Attempt{"export", "--uff", "measured.uff"},
+        Attempt{"export", "--deck", "model.bdf"},
+        Attempt{"export", "--records", "test.json"},
+        Attempt{"predict --effect added-mass@3=1", "--uff", "measured.uff"},
+        Attempt{"report", "-o", "measured.uff"},
+        Attempt{"report", "-o", "test.json"},
+        Attempt{"report", "-o", "session.json"}}) {
     for (const char* force : {"", "--force"}) {
       const ProgramResult result =
           run(attempt.command,

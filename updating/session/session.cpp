@@ -5,6 +5,7 @@
 #include "updating/fit/estimates.hpp"
 #include "updating/localisation/find_signature.hpp"
 #include "updating/localisation/signature.hpp"
+#include "updating/prediction/predict_change.hpp"
 #include "updating/reduction/base_error.hpp"
 #include "updating/robustness/robustness.hpp"
 #include "updating/session/effect_change.hpp"
@@ -107,6 +108,19 @@ Signature Session::signature(int node, const Progress& progress) {
   static_cast<void>(stages_->deck->grid_index(node));
   return signature_at(
       stages_->current(), *stages_->ground->fitter, node, progress);
+}
+
+Prediction Session::predict(const std::vector<StatedChange>& changes,
+                            const Progress& progress) {
+  stages_->prepare_fit(progress);
+  if (stages_->stack->fits().size() == 1) fit_uncertain(progress);
+  return predict_change({stages_->current(),
+                         *stages_->ground->fitter,
+                         comparison(progress),
+                         frfs(progress),
+                         modes(progress)},
+                        changes,
+                        progress);
 }
 
 std::vector<GridShare> Session::signature_map(const Progress& progress) {
