@@ -66,13 +66,13 @@ Eigen::MatrixXd simulate_response(const SecondOrderSystem& system,
   return decimate(fast, recorder.oversampling);
 }
 
-Eigen::MatrixXd digitise(const Eigen::MatrixXd& felt,
+Eigen::MatrixXd digitise(const Eigen::MatrixXd& response,
                          const VirtualRecorder& recorder,
                          const std::vector<AnalogueChannel>& channels,
                          SeededRandom& random) {
-  Eigen::MatrixXd samples(felt.rows(), felt.cols());
-  for (Eigen::Index c = 0; c < felt.cols(); ++c) {
-    samples.col(c) = pass_chain(felt.col(c),
+  Eigen::MatrixXd samples(response.rows(), response.cols());
+  for (Eigen::Index c = 0; c < response.cols(); ++c) {
+    samples.col(c) = pass_chain(response.col(c),
                                 recorder.rate_hz,
                                 channels.at(static_cast<std::size_t>(c)),
                                 random);

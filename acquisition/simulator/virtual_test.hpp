@@ -46,10 +46,10 @@ struct VirtualRecorder {
 
 /// Passes every channel through its chain; samples in [-1, 1).
 ///
-/// @param felt n_samples x channels, as from simulate_response
+/// @param response n_samples x channels, as from simulate_response
 /// @param random a stream of this run's own
 [[nodiscard]] Eigen::MatrixXd digitise(
-    const Eigen::MatrixXd& felt,
+    const Eigen::MatrixXd& response,
     const VirtualRecorder& recorder,
     const std::vector<AnalogueChannel>& channels,
     SeededRandom& random);

@@ -12,7 +12,7 @@ using Eigen::Index;
 constexpr Complex j{0.0, 1.0};
 
 /// sum v^2 conj(g_p) x for p = 1, 2.
-void sums_of(const Curves& curves,
+void sums_of(const WeightedFrfs& curves,
              const Complex& pole,
              Eigen::Ref<Eigen::VectorXcd> first,
              Eigen::Ref<Eigen::VectorXcd> second) {
@@ -90,7 +90,7 @@ std::vector<Root> roots(const Eigen::VectorXcd& poles,
 }
 
 /// Products of the poles' columns of power p with those of power q.
-Eigen::MatrixXd of_poles(const Curves& curves,
+Eigen::MatrixXd of_poles(const WeightedFrfs& curves,
                          const Eigen::VectorXcd& poles,
                          const PoleSums& sums,
                          int p,
@@ -119,13 +119,13 @@ Eigen::MatrixXd of_poles(const Curves& curves,
   return result;
 }
 
-Index terms_of(const Curves& curves) {
+Index terms_of(const WeightedFrfs& curves) {
   return curves.sums.term_term.cols() / 2;
 }
 
 }  // namespace
 
-PoleSums pole_sums(const Curves& curves, const Eigen::VectorXcd& poles) {
+PoleSums pole_sums(const WeightedFrfs& curves, const Eigen::VectorXcd& poles) {
   const Index rows = curves.count() + terms_of(curves) + 1;
   PoleSums sums;
   for (int p = 0; p < 2; ++p) {
@@ -146,7 +146,7 @@ PoleSums pole_sums(const Curves& curves, const Eigen::VectorXcd& poles) {
   return sums;
 }
 
-ColumnProducts column_products(const Curves& curves,
+ColumnProducts column_products(const WeightedFrfs& curves,
                                const Eigen::VectorXcd& poles,
                                const PoleSums& sums) {
   const Index modes = 2 * poles.size();
@@ -162,7 +162,7 @@ ColumnProducts column_products(const Curves& curves,
   return result;
 }
 
-DerivativeProducts derivative_products(const Curves& curves,
+DerivativeProducts derivative_products(const WeightedFrfs& curves,
                                        const Eigen::VectorXcd& poles,
                                        const PoleSums& sums) {
   const Index modes = 2 * poles.size();

@@ -19,7 +19,7 @@
 // h that of the conjugate pole.
 #pragma once
 
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -32,7 +32,7 @@ struct PoleSums {
   Eigen::MatrixXcd conjugate[2];  ///< of conj(lambda)
 };
 
-[[nodiscard]] PoleSums pole_sums(const Curves& curves,
+[[nodiscard]] PoleSums pole_sums(const WeightedFrfs& curves,
                                  const Eigen::VectorXcd& poles);
 
 /// Products of the columns of a model, which are 2 n_modes of its poles' and
@@ -42,7 +42,7 @@ struct ColumnProducts {
   Eigen::MatrixXd frfs;  ///< n_columns x n_frfs
 };
 
-[[nodiscard]] ColumnProducts column_products(const Curves& curves,
+[[nodiscard]] ColumnProducts column_products(const WeightedFrfs& curves,
                                              const Eigen::VectorXcd& poles,
                                              const PoleSums& sums);
 
@@ -54,6 +54,8 @@ struct DerivativeProducts {
 };
 
 [[nodiscard]] DerivativeProducts derivative_products(
-    const Curves& curves, const Eigen::VectorXcd& poles, const PoleSums& sums);
+    const WeightedFrfs& curves,
+    const Eigen::VectorXcd& poles,
+    const PoleSums& sums);
 
 }  // namespace tapfit::modal

@@ -91,7 +91,7 @@ signal::FrfSet continue_frfs(const signal::FrfSet& frfs,
   signal::FrfSet result;
   result.s = s;
   result.statements = frfs.statements;
-  const Curves curves = prepare_curves(frfs, result.statements);
+  const WeightedFrfs curves = prepare_frfs(frfs, result.statements);
   const ModalFit fit = fit_residues(curves, poles_of(modes));
   const MatrixXcd left = curves.H - fitted_accelerance(curves, fit);
   const MatrixXd variance = curves.variance.cwiseMax(left.cwiseAbs2());

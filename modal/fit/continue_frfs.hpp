@@ -23,7 +23,7 @@ namespace tapfit::modal {
 /// @return the FRFs on s in the same order. Variance is that of the measured
 ///   lines, or the square of what the model leaves where that is more, through
 ///   the same integral. Coherence is that of the nearest line.
-/// @throws InputError as of prepare_curves
+/// @throws InputError as of prepare_frfs
 [[nodiscard]] signal::FrfSet continue_frfs(const signal::FrfSet& frfs,
                                            const ModeSet& modes,
                                            const Eigen::VectorXcd& s);

@@ -109,9 +109,9 @@ double common_proportion(const Eigen::VectorXd& followed,
 
 /// x with every line's neighbours added as they are correlated.
 Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
-  constexpr Index kReach = 24;
+  constexpr Index reach = 24;
   Eigen::MatrixXcd result = x;
-  for (Index d = 1; d <= std::min(kReach, x.rows() - 1); ++d) {
+  for (Index d = 1; d <= std::min(reach, x.rows() - 1); ++d) {
     const Complex rho =
         1.0 /
         (1.0 + Complex(0.0, 1.0) * static_cast<double>(d) / (2.0 * ratio));
@@ -124,7 +124,7 @@ Eigen::MatrixXcd correlate(const Eigen::MatrixXcd& x, double ratio) {
 
 /// Share of each line's noise that the residues and terms follow: the mean of
 /// its two rows' squares in Q.
-Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd leverage(const WeightedFrfs& curves, const ModalFit& fit) {
   const LinearFit linear = fit_linear(curves, fit.poles);
   return 0.5 * unstack(orthonormal_columns(curves, fit.poles, linear))
                    .rowwise()
@@ -133,18 +133,19 @@ Eigen::VectorXd leverage(const Curves& curves, const ModalFit& fit) {
 
 /// Mean over a line and five on each side, fewer at the ends.
 Eigen::VectorXd mean_over_lines(const Eigen::VectorXd& x) {
-  constexpr Index kReach = 5;
+  constexpr Index reach = 5;
   Eigen::VectorXd result(x.size());
   for (Index k = 0; k < x.size(); ++k) {
-    const Index begin = std::max<Index>(0, k - kReach);
-    const Index end = std::min(x.size(), k + kReach + 1);
+    const Index begin = std::max<Index>(0, k - reach);
+    const Index end = std::min(x.size(), k + reach + 1);
     result(k) = x.segment(begin, end - begin).mean();
   }
   return result;
 }
 
 /// E|e|^2 of each value as the few lines around it tell: n_lines x n_frfs.
-Eigen::MatrixXd power_near(const Curves& curves, const Eigen::MatrixXd& left) {
+Eigen::MatrixXd power_near(const WeightedFrfs& curves,
+                           const Eigen::MatrixXd& left) {
   Eigen::MatrixXd power(left.rows(), left.cols());
   const auto operations = 30.0 * static_cast<double>(left.size());
   for_each_parallel(
@@ -164,7 +165,7 @@ Eigen::MatrixXd correlated_gram(const Eigen::MatrixXcd& x, double ratio) {
   return 0.5 * own.transpose() * stack(correlate(x, ratio));
 }
 
-Noise weighted_noise(const Curves& curves,
+Noise weighted_noise(const WeightedFrfs& curves,
                      const ModalFit& fit,
                      NoiseFrom from) {
   Eigen::MatrixXd left;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "modal/fit/modal_model.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -24,7 +24,7 @@ struct Noise {
 ///
 /// @param from all lines: not below what they say is in proportion to the FRFs,
 ///   for resonances with no lines beside the peak
-[[nodiscard]] Noise weighted_noise(const Curves& curves,
+[[nodiscard]] Noise weighted_noise(const WeightedFrfs& curves,
                                    const ModalFit& fit,
                                    NoiseFrom from);
 

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr Index kLinesAtOnce = 64;  // what they need stays in the cache
+constexpr Index lines_at_once = 64;  // what they need stays in the cache
 
 /// Rows of Re and Im of each residue, then of each term: n_columns x n_frfs.
 Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
@@ -28,15 +28,17 @@ Eigen::MatrixXd coefficients_of(const ModalFit& fit) {
 
 /// Calls work(begin, count) for all lines, some at a time, on all cores.
 template <typename Work>
-void for_lines(const Curves& curves, const ModalFit& fit, const Work& work) {
-  const Index chunks = (curves.lines() + kLinesAtOnce - 1) / kLinesAtOnce;
+void for_lines(const WeightedFrfs& curves,
+               const ModalFit& fit,
+               const Work& work) {
+  const Index chunks = (curves.lines() + lines_at_once - 1) / lines_at_once;
   const double operations =
       8.0 * static_cast<double>(curves.lines() * curves.count() *
                                 (fit.poles.size() + fit.terms.cols()));
   for_each_parallel(
       static_cast<std::size_t>(chunks), operations, [&](std::size_t k) {
-        const Index begin = static_cast<Index>(k) * kLinesAtOnce;
-        work(begin, std::min(kLinesAtOnce, curves.lines() - begin));
+        const Index begin = static_cast<Index>(k) * lines_at_once;
+        work(begin, std::min(lines_at_once, curves.lines() - begin));
       });
 }
 
@@ -48,7 +50,7 @@ bool meets(const std::vector<LineRange>& ranges, Index begin, Index count) {
 
 }  // namespace
 
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
+Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
                                     const ModalFit& fit,
                                     Index begin,
                                     Index count) {
@@ -56,7 +58,8 @@ Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
                  coefficients_of(fit));
 }
 
-Eigen::MatrixXcd fitted_accelerance(const Curves& curves, const ModalFit& fit) {
+Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
+                                    const ModalFit& fit) {
   Eigen::MatrixXcd H(curves.lines(), curves.count());
   const Eigen::MatrixXd coefficients = coefficients_of(fit);
   for_lines(curves, fit, [&](Index begin, Index count) {
@@ -68,7 +71,7 @@ Eigen::MatrixXcd fitted_accelerance(const Curves& curves, const ModalFit& fit) {
   return H;
 }
 
-Eigen::VectorXd left_per_line(const Curves& curves,
+Eigen::VectorXd left_per_line(const WeightedFrfs& curves,
                               const ModalFit& fit,
                               const std::vector<LineRange>& wanted) {
   Eigen::VectorXd power = Eigen::VectorXd::Zero(curves.lines());

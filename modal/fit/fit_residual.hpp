@@ -3,7 +3,7 @@
 #pragma once
 
 #include "modal/fit/modal_model.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -13,11 +13,11 @@
 namespace tapfit::modal {
 
 /// The fitted accelerances, n_lines x n_frfs.
-[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
                                                   const ModalFit& fit);
 
 /// On some lines only: count x n_frfs.
-[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXcd fitted_accelerance(const WeightedFrfs& curves,
                                                   const ModalFit& fit,
                                                   Eigen::Index begin,
                                                   Eigen::Index count);
@@ -29,7 +29,7 @@ using LineRange = std::pair<Eigen::Index, Eigen::Index>;
 ///
 /// @param wanted other lines may be left out, and are 0 then
 [[nodiscard]] Eigen::VectorXd left_per_line(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ModalFit& fit,
     const std::vector<LineRange>& wanted);
 

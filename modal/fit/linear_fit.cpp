@@ -57,7 +57,7 @@ Eigen::MatrixXd factor_of(const Eigen::MatrixXd& gram) {
 }
 
 /// Phi on all lines, weighted by v.
-Eigen::MatrixXd weighted_columns(const Curves& curves,
+Eigen::MatrixXd weighted_columns(const WeightedFrfs& curves,
                                  const Eigen::VectorXcd& poles) {
   const Eigen::VectorXd& v = curves.weights.line;
   Eigen::MatrixXd columns = model_columns(curves, poles, 0, curves.lines());
@@ -79,7 +79,8 @@ Eigen::MatrixXd coefficients_for(const LinearFit& linear,
          linear.R.triangularView<Eigen::Upper>().solve(x);
 }
 
-LinearFit fit_by_columns(const Curves& curves, const Eigen::VectorXcd& poles) {
+LinearFit fit_by_columns(const WeightedFrfs& curves,
+                         const Eigen::VectorXcd& poles) {
   LinearFit linear;
   const Eigen::MatrixXd& y = curves.sums.frfs;
   Eigen::MatrixXd phi = weighted_columns(curves, poles);
@@ -97,7 +98,8 @@ LinearFit fit_by_columns(const Curves& curves, const Eigen::VectorXcd& poles) {
   return linear;
 }
 
-LinearFit fit_by_products(const Curves& curves, const Eigen::VectorXcd& poles) {
+LinearFit fit_by_products(const WeightedFrfs& curves,
+                          const Eigen::VectorXcd& poles) {
   LinearFit linear;
   linear.sums = pole_sums(curves, poles);
   const ColumnProducts products = column_products(curves, poles, linear.sums);
@@ -111,12 +113,13 @@ LinearFit fit_by_products(const Curves& curves, const Eigen::VectorXcd& poles) {
   return linear;
 }
 
-LinearFit fit_linear(const Curves& curves, const Eigen::VectorXcd& poles) {
+LinearFit fit_linear(const WeightedFrfs& curves,
+                     const Eigen::VectorXcd& poles) {
   return curves.sums.are_few() ? fit_by_columns(curves, poles)
                                : fit_by_products(curves, poles);
 }
 
-Eigen::MatrixXd orthonormal_columns(const Curves& curves,
+Eigen::MatrixXd orthonormal_columns(const WeightedFrfs& curves,
                                     const Eigen::VectorXcd& poles,
                                     const LinearFit& linear) {
   if (curves.sums.are_few()) return linear.Q;
@@ -126,7 +129,7 @@ Eigen::MatrixXd orthonormal_columns(const Curves& curves,
   return Q;
 }
 
-Eigen::MatrixXd model_columns(const Curves& curves,
+Eigen::MatrixXd model_columns(const WeightedFrfs& curves,
                               const Eigen::VectorXcd& poles,
                               Index begin,
                               Index count) {

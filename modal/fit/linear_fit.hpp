@@ -10,7 +10,7 @@
 #pragma once
 
 #include "modal/fit/column_products.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -28,13 +28,13 @@ struct LinearFit {
 };
 
 /// @param poles [rad/s]; columns that all but coincide share what they explain
-[[nodiscard]] LinearFit fit_linear(const Curves& curves,
+[[nodiscard]] LinearFit fit_linear(const WeightedFrfs& curves,
                                    const Eigen::VectorXcd& poles);
 
 /// The two ways of it, for few lines and for many.
-[[nodiscard]] LinearFit fit_by_columns(const Curves& curves,
+[[nodiscard]] LinearFit fit_by_columns(const WeightedFrfs& curves,
                                        const Eigen::VectorXcd& poles);
-[[nodiscard]] LinearFit fit_by_products(const Curves& curves,
+[[nodiscard]] LinearFit fit_by_products(const WeightedFrfs& curves,
                                         const Eigen::VectorXcd& poles);
 
 /// R^-T S^-1 x: Q' y of x = Phi' y.
@@ -46,13 +46,13 @@ struct LinearFit {
                                                const Eigen::MatrixXd& x);
 
 /// Q on all lines, 2 n_lines x n_columns.
-[[nodiscard]] Eigen::MatrixXd orthonormal_columns(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXd orthonormal_columns(const WeightedFrfs& curves,
                                                   const Eigen::VectorXcd& poles,
                                                   const LinearFit& linear);
 
 /// Phi on some lines, not weighted: real over imaginary parts,
 /// 2 count x n_columns.
-[[nodiscard]] Eigen::MatrixXd model_columns(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXd model_columns(const WeightedFrfs& curves,
                                             const Eigen::VectorXcd& poles,
                                             Eigen::Index begin,
                                             Eigen::Index count);

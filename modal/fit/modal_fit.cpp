@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kAtRest = 1e-9;     // relative step of the poles
-constexpr double kNoGain = 1e-10;    // of the cost, far less than the noise
-constexpr double kMostDamped = 1e4;  // in units of the normal matrix's diagonal
+constexpr double at_rest = 1e-9;     // relative step of the poles
+constexpr double no_gain = 1e-10;    // of the cost, far less than the noise
+constexpr double most_damped = 1e4;  // in units of the normal matrix's diagonal
 
 /// Poles moved by a step, each of them at most half of its way to where it
 /// would have no damping or no frequency: one that heads there must not hold up
@@ -33,7 +33,7 @@ Eigen::VectorXcd moved(const Eigen::VectorXcd& poles,
   return result;
 }
 
-ModalFit finish(const Curves& curves,
+ModalFit finish(const WeightedFrfs& curves,
                 const Eigen::VectorXcd& poles,
                 const LinearFit& linear) {
   const Index modes = poles.size();
@@ -61,11 +61,12 @@ ModalFit finish(const Curves& curves,
 
 }  // namespace
 
-ModalFit fit_residues(const Curves& curves, const Eigen::VectorXcd& poles) {
+ModalFit fit_residues(const WeightedFrfs& curves,
+                      const Eigen::VectorXcd& poles) {
   return finish(curves, poles, fit_linear(curves, poles));
 }
 
-ModalFit refine_poles(const Curves& curves,
+ModalFit refine_poles(const WeightedFrfs& curves,
                       const Eigen::VectorXcd& start,
                       int iterations) {
   Eigen::VectorXcd poles = start;
@@ -76,10 +77,10 @@ ModalFit refine_poles(const Curves& curves,
     bool moved_on = false;
     double relative = 1.0;
     for (double factor = 10.0;
-         mu < kMostDamped && relative > kAtRest && !moved_on;
+         mu < most_damped && relative > at_rest && !moved_on;
          mu *= factor, factor *= 10.0) {
       const Eigen::VectorXd x = damped_solve(step, mu);
-      if (step.gradient.dot(x) < kNoGain * linear.misfit) break;
+      if (step.gradient.dot(x) < no_gain * linear.misfit) break;
       const Eigen::VectorXcd next = moved(poles, x, curves.sigma);
       if (!next.allFinite()) continue;
       relative =
@@ -91,12 +92,12 @@ ModalFit refine_poles(const Curves& curves,
       moved_on = true;
       mu = std::max(0.1 * mu / factor, 1e-9);
     }
-    if (!moved_on || relative < kAtRest) break;
+    if (!moved_on || relative < at_rest) break;
   }
   return finish(curves, poles, linear);
 }
 
-double relative_misfit(const Curves& curves, const Eigen::MatrixXcd& H) {
+double relative_misfit(const WeightedFrfs& curves, const Eigen::MatrixXcd& H) {
   const auto& [v, u] = curves.weights;
   double left = 0.0;
   double all = 0.0;

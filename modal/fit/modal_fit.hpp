@@ -22,20 +22,20 @@
 #pragma once
 
 #include "modal/fit/modal_model.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
 namespace tapfit::modal {
 
 /// Residues for given poles. No two poles may coincide.
-[[nodiscard]] ModalFit fit_residues(const Curves& curves,
+[[nodiscard]] ModalFit fit_residues(const WeightedFrfs& curves,
                                     const Eigen::VectorXcd& poles);
 
 /// Poles and residues together, starting from given poles.
 ///
 /// @param iterations most Gauss-Newton steps; ends early when poles rest
-[[nodiscard]] ModalFit refine_poles(const Curves& curves,
+[[nodiscard]] ModalFit refine_poles(const WeightedFrfs& curves,
                                     const Eigen::VectorXcd& start,
                                     int iterations);
 
@@ -43,7 +43,7 @@ namespace tapfit::modal {
 /// makes least, each value weighed by its line and FRF.
 ///
 /// @param H n_lines x n_frfs
-[[nodiscard]] double relative_misfit(const Curves& curves,
+[[nodiscard]] double relative_misfit(const WeightedFrfs& curves,
                                      const Eigen::MatrixXcd& H);
 
 }  // namespace tapfit::modal

@@ -17,7 +17,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// Lines within a few half bandwidths of a pole: begin, end.
-LineRange around(const Curves& curves, const Complex& pole) {
+LineRange around(const WeightedFrfs& curves, const Complex& pole) {
   const double half =
       std::max(3.0 * (curves.sigma - pole.real()), 6.0 * curves.spacing);
   const double first = curves.s(0).imag();
@@ -46,7 +46,7 @@ double earned(const LinearFit& linear,
 }
 
 /// Of all of H at the line in the middle.
-double contribution(const Curves& curves,
+double contribution(const WeightedFrfs& curves,
                     const ModalFit& fit,
                     Index r,
                     Index line) {
@@ -60,7 +60,9 @@ double contribution(const Curves& curves,
 
 }  // namespace
 
-void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit) {
+void judge_modes(const WeightedFrfs& curves,
+                 const LinearFit& linear,
+                 ModalFit& fit) {
   const Index modes = fit.poles.size();
   const Index n = linear.scale.size();
   const Eigen::MatrixXd R_inverse =

@@ -3,7 +3,7 @@
 
 #include "modal/fit/linear_fit.hpp"
 #include "modal/fit/modal_model.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 namespace tapfit::modal {
 
@@ -15,6 +15,8 @@ namespace tapfit::modal {
 /// and sigma_r^2 the mean square that is left around the mode's frequency.
 ///
 /// @param linear the fit's linear part
-void judge_modes(const Curves& curves, const LinearFit& linear, ModalFit& fit);
+void judge_modes(const WeightedFrfs& curves,
+                 const LinearFit& linear,
+                 ModalFit& fit);
 
 }  // namespace tapfit::modal

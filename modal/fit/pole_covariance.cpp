@@ -7,14 +7,14 @@
 #include <Eigen/Dense>
 
 namespace tapfit::modal {
-Eigen::MatrixXd pole_covariance(const Curves& curves,
+Eigen::MatrixXd pole_covariance(const WeightedFrfs& curves,
                                 const ModalFit& fit,
                                 NoiseFrom from) {
   if (fit.poles.size() == 0) return {};
   return pole_covariance(curves, fit, weighted_noise(curves, fit, from));
 }
 
-Eigen::MatrixXd pole_covariance(const Curves& curves,
+Eigen::MatrixXd pole_covariance(const WeightedFrfs& curves,
                                 const ModalFit& fit,
                                 const Noise& noise) {
   const Eigen::Index modes = fit.poles.size();

@@ -3,7 +3,7 @@
 
 #include "modal/fit/fit_noise.hpp"
 #include "modal/fit/modal_model.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -16,12 +16,12 @@ namespace tapfit::modal {
 /// @return 2 n_modes square, (Re lambda_1, Im lambda_1, Re lambda_2, ...)
 ///   [(rad/s)^2]
 [[nodiscard]] Eigen::MatrixXd pole_covariance(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ModalFit& fit,
     NoiseFrom from = NoiseFrom::NearLines);
 
 /// The same where the noise is known already.
-[[nodiscard]] Eigen::MatrixXd pole_covariance(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXd pole_covariance(const WeightedFrfs& curves,
                                               const ModalFit& fit,
                                               const Noise& noise);
 

@@ -59,7 +59,7 @@ Eigen::VectorXd along_residues(const Eigen::MatrixXd& x,
 
 }  // namespace
 
-PoleStep pole_step(const Curves& curves,
+PoleStep pole_step(const WeightedFrfs& curves,
                    const Eigen::VectorXcd& poles,
                    const LinearFit& linear) {
   if (curves.sums.are_few()) {
@@ -76,7 +76,7 @@ PoleStep pole_step(const Curves& curves,
           along_residues(left, linear)};
 }
 
-Eigen::MatrixXd projected_derivatives(const Curves& curves,
+Eigen::MatrixXd projected_derivatives(const WeightedFrfs& curves,
                                       const Eigen::VectorXcd& poles,
                                       const LinearFit& linear) {
   const Eigen::MatrixXd Q = orthonormal_columns(curves, poles, linear);

@@ -23,13 +23,13 @@ struct PoleStep {
   Eigen::VectorXd gradient;  ///< g, 2 n_modes: of minus half the misfit
 };
 
-[[nodiscard]] PoleStep pole_step(const Curves& curves,
+[[nodiscard]] PoleStep pole_step(const WeightedFrfs& curves,
                                  const Eigen::VectorXcd& poles,
                                  const LinearFit& linear);
 
 /// e on all lines, 2 n_lines x 2 n_modes.
 [[nodiscard]] Eigen::MatrixXd projected_derivatives(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const Eigen::VectorXcd& poles,
     const LinearFit& linear);
 

@@ -8,11 +8,11 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSecondShape = 0.15;  // singular value over the largest
-constexpr double kOverNoise = 3.0;     // over the largest of noise alone
+constexpr double second_shape = 0.15;  // singular value over the largest
+constexpr double over_noise = 3.0;     // over the largest of noise alone
 
 Index count_above(const Eigen::VectorXd& values, double noise) {
-  const double least = std::max(kSecondShape * values(0), kOverNoise * noise);
+  const double least = std::max(second_shape * values(0), over_noise * noise);
   return (values.array() > least).count();
 }
 

@@ -9,7 +9,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Triplet = Eigen::Triplet<Complex>;
 
-constexpr double kHeld = 1e-12;  // eps, of a diagonal of one
+constexpr double held = 1e-12;  // eps, of a diagonal of one
 
 }  // namespace
 
@@ -40,7 +40,7 @@ ShapeEquations::ShapeEquations(Edges edges,
              entry.col(),
              unit_(entry.row()) * unit_(entry.col()) * entry.value()};
   }
-  for (Index p = 0; p < n; ++p) entries.emplace_back(p, p, 1.0 + kHeld);
+  for (Index p = 0; p < n; ++p) entries.emplace_back(p, p, 1.0 + held);
   Eigen::SparseMatrix<Complex> normal(n, n);
   normal.setFromTriplets(entries.begin(), entries.end());
   factor_.compute(normal);

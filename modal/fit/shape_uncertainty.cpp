@@ -88,13 +88,13 @@ Eigen::VectorXd unscaled_deviations(const ShapeGraph& graph,
 
 }  // namespace
 
-Eigen::MatrixXd residue_variance(const Curves& curves,
+Eigen::MatrixXd residue_variance(const WeightedFrfs& curves,
                                  const ModalFit& fit,
                                  NoiseFrom from) {
   return residue_variance(curves, fit, weighted_noise(curves, fit, from));
 }
 
-Eigen::MatrixXd residue_variance(const Curves& curves,
+Eigen::MatrixXd residue_variance(const WeightedFrfs& curves,
                                  const ModalFit& fit,
                                  const Noise& noise) {
   const Index modes = fit.poles.size();

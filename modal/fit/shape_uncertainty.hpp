@@ -18,12 +18,12 @@ namespace tapfit::modal {
 ///
 /// @return n_frfs x n_modes
 [[nodiscard]] Eigen::MatrixXd residue_variance(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ModalFit& fit,
     NoiseFrom from = NoiseFrom::NearLines);
 
 /// The same for noise that is known.
-[[nodiscard]] Eigen::MatrixXd residue_variance(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXd residue_variance(const WeightedFrfs& curves,
                                                const ModalFit& fit,
                                                const Noise& noise);
 

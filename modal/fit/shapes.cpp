@@ -20,7 +20,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-std::map<Dof, int> number_points(const Curves& curves) {
+std::map<Dof, int> number_points(const WeightedFrfs& curves) {
   std::map<Dof, int> index;
   for (const Dof& dof : curves.response) index.emplace(dof, 0);
   for (const Dof& dof : curves.reference) index.emplace(dof, 0);
@@ -187,7 +187,7 @@ Complex quarter_turn(const Eigen::VectorXcd& shape) {
 
 }  // namespace
 
-ShapeGraph shape_graph(const Curves& curves,
+ShapeGraph shape_graph(const WeightedFrfs& curves,
                        std::vector<std::string>& warnings) {
   ShapeGraph graph;
   const std::map<Dof, int> index = number_points(curves);

@@ -9,7 +9,7 @@
 // up to a factor; then the larger side is kept and the shape is unscaled.
 #pragma once
 
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -30,7 +30,7 @@ struct ShapeGraph {
 };
 
 /// @param warnings what cannot be known is said here
-[[nodiscard]] ShapeGraph shape_graph(const Curves& curves,
+[[nodiscard]] ShapeGraph shape_graph(const WeightedFrfs& curves,
                                      std::vector<std::string>& warnings);
 
 /// Shapes from the residues of a fit.

@@ -7,17 +7,17 @@
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/fit/shapes.hpp"
 #include "modal/identify/mode_warnings.hpp"
-#include "modal/mass_loading/run_modes.hpp"
+#include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "modal/mode_set/complexity.hpp"
-#include "modal/poles/curves.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/poles/lines_in_band.hpp"
 #include "modal/poles/plscf.hpp"
 #include "modal/poles/pole_clusters.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 #include "modal/select/edit_poles.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 #include "modal/select/repeated_poles.hpp"
 #include "modal/select/select_from_orders.hpp"
 #include "modal/select/unrefined_fit.hpp"
@@ -64,7 +64,7 @@ Mode make_mode(const Complex& pole,
 
 /// The fit on the lines and with the sign of each FRF given.
 std::vector<Eigen::VectorXcd> fitted_frfs(const signal::FrfSet& frfs,
-                                          const Curves& curves,
+                                          const WeightedFrfs& curves,
                                           const Eigen::MatrixXcd& H) {
   std::vector<Eigen::VectorXcd> fitted(frfs.frfs.size(),
                                        Eigen::VectorXcd::Zero(frfs.lines()));
@@ -99,7 +99,7 @@ std::vector<SetUpPoles> keep(const std::vector<SetUpPoles>& all,
 }
 
 /// Fills all that comes from the fit; poles beside the band are left out.
-void add_modes(const Curves& curves,
+void add_modes(const WeightedFrfs& curves,
                const ShapeGraph& graph,
                const Identified& found,
                ModeSet& set) {
@@ -129,8 +129,8 @@ void add_modes(const Curves& curves,
 /// as little with fewer of them: common poles can follow moving ones only by
 /// being many. Every value counts by its own weight here, also on the flanks
 /// of one FRF's resonance where others are large.
-bool is_better(const Curves& curves,
-               const RunModes& own,
+bool is_better(const WeightedFrfs& curves,
+               const MultiSetupModes& own,
                const ModalFit& common) {
   const auto left = [&curves](const Eigen::MatrixXcd& H) {
     return curves.weight.cwiseProduct(curves.H - H).norm();
@@ -143,7 +143,7 @@ bool is_better(const Curves& curves,
   return apart <= 0.5 * together || (fewer && apart < 2.0 * together);
 }
 
-Identified of_set_ups(const RunModes& runs) {
+Identified of_set_ups(const MultiSetupModes& runs) {
   Identified found;
   found.fit.poles = runs.poles;
   found.fit.residues = runs.residues;
@@ -172,7 +172,7 @@ Eigen::VectorXcd distinct(const Eigen::VectorXcd& poles) {
 }
 
 /// Puts in place of each pole the modes that its residues hold.
-void take_apart(const Curves& curves,
+void take_apart(const WeightedFrfs& curves,
                 bool scaled,
                 const IdentifyOptions& options,
                 Identified& found,
@@ -227,7 +227,7 @@ void add_clusters(const std::vector<Track>& tracks, ModeSet& set) {
 }
 
 /// Each set-up's own poles, which the sensors move.
-Identified identified_by_set_up(const RunModes& runs, ModeSet& set) {
+Identified identified_by_set_up(const MultiSetupModes& runs, ModeSet& set) {
   if (runs.poles.size() > 0) {
     set.warnings.push_back(fmt::format(
         "frequencies move by up to {:.2g} % between set-ups of the sensors; "
@@ -239,7 +239,7 @@ Identified identified_by_set_up(const RunModes& runs, ModeSet& set) {
 }
 
 /// Poles that all FRFs have in common.
-Identified identified_in_common(const Curves& curves,
+Identified identified_in_common(const WeightedFrfs& curves,
                                 Selection selection,
                                 const IdentifyOptions& options,
                                 ModeSet& set) {
@@ -280,7 +280,7 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
                        const IdentifyOptions& options,
                        const Progress& progress) {
   ModeSet set;
-  const Curves curves = prepare_curves(
+  const WeightedFrfs curves = prepare_frfs(
       options.band_hz ? lines_in_band(frfs, *options.band_hz) : frfs,
       set.warnings);
   const ShapeGraph graph = shape_graph(curves, set.warnings);
@@ -294,7 +294,8 @@ ModeSet identify_modes(const signal::FrfSet& frfs,
   set.diagram = stabilisation.diagram;
   Selection selection = select_from_orders(
       curves, matrix, orders, stabilisation.tracks, options, progress);
-  std::optional<RunModes> runs = identify_per_set_up(curves, options, progress);
+  std::optional<MultiSetupModes> runs =
+      identify_per_set_up(curves, options, progress);
   const bool by_set_up =
       runs && sensors_rove(curves) && is_better(curves, *runs, selection.fit);
   if (by_set_up) {

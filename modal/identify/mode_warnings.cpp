@@ -34,7 +34,7 @@ void warn_about(const Mode& mode, std::vector<std::string>& warnings) {
 
 /// Without an exponential window the response has to die out in the block; it
 /// is down to 0.2 % where the half-power bandwidth is two lines.
-void warn_about_resolution(const Curves& curves,
+void warn_about_resolution(const WeightedFrfs& curves,
                            const Mode& mode,
                            std::vector<std::string>& warnings) {
   const double lines = -2.0 * mode.pole.real() / curves.spacing;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "modal/mode_set/mode_set.hpp"
-#include "modal/poles/curves.hpp"
 #include "modal/poles/identify_options.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 #include "modal/select/repeated_poles.hpp"
 
 #include <complex>
@@ -16,7 +16,7 @@ namespace tapfit::modal {
 void warn_about(const Mode& mode, std::vector<std::string>& warnings);
 
 /// A resonance narrower than the lines of a block without a window.
-void warn_about_resolution(const Curves& curves,
+void warn_about_resolution(const WeightedFrfs& curves,
                            const Mode& mode,
                            std::vector<std::string>& warnings);
 

@@ -15,10 +15,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSignificant = 0.01;
+constexpr double significant = 0.01;
 // Of the half bandwidth: a pole that moves by less changes no FRF visibly.
-constexpr double kVisible = 0.1;
-constexpr double kMostly = 0.8;  // of the squared shifts, to be their cause
+constexpr double visible_share = 0.1;
+constexpr double mostly = 0.8;  // of the squared shifts, to be their cause
 
 /// The hypotheses as least squares fits, all with one covariance.
 struct Fits {
@@ -91,7 +91,7 @@ bool visible(const ShiftData& data,
              const WeightedFit& still) {
   for (Index i = 0; i < table.rows(); ++i) {
     const double zeta = data.damping(table.mode[static_cast<std::size_t>(i)]);
-    if (std::abs(still.left(i)) > kVisible * zeta) return true;
+    if (std::abs(still.left(i)) > visible_share * zeta) return true;
   }
   return false;
 }
@@ -127,14 +127,14 @@ bool masses_differ(const MassFit& each) {
   const double q = difference.dot(V.ldlt().solve(difference));
   const auto columns = static_cast<double>(n - 1);
   return f_tail(q / columns, columns, static_cast<double>(each.dof)) <
-         kSignificant;
+         significant;
 }
 
 std::optional<MassFit> fit_masses(const ShiftData& data,
                                   const ShiftTable& table,
                                   const std::vector<Index>& mass_of) {
   std::optional<MassFit> both = mass_from_shifts(data, table, mass_of, true);
-  if (both && both->p_same_fraction < kSignificant) return both;
+  if (both && both->p_same_fraction < significant) return both;
   return mass_from_shifts(data, table, mass_of, false);
 }
 
@@ -148,7 +148,7 @@ void add_masses(const ShiftData& data,
   result.same_fraction = one->same_fraction;
   result.explained = one->explained;
   // Where much is left, steps may have ended anywhere: no mass is better.
-  if (one->explained < kMostly) return;
+  if (one->explained < mostly) return;
   result.masses = {estimate(*one, 0)};
   if (data.phi.size() < 2) return;
   std::vector<Index> own(data.phi.size());
@@ -171,24 +171,24 @@ std::optional<PoleShifts> explain_shifts(const ShiftData& data) {
   result.largest = largest_shift(data);
   result.p_noise = noise_chance(table);
   const double p_common = chance_of_gain(fits.both, fits.mass);
-  const bool common = p_common < kSignificant;
+  const bool common = p_common < significant;
   const WeightedFit& with = common ? fits.both : fits.mass;
   const WeightedFit& without = common ? fits.common : fits.still;
   result.p_mass = chance_of_gain(with, without);
   result.p_same_fraction = p_common;
   const double up = positive_share(with, mode_columns(table).cols(), m.cols());
-  if (result.p_mass < kSignificant && up > kMostly) {
+  if (result.p_mass < significant && up > mostly) {
     result.cause = ShiftCause::SensorMass;
     result.explained = gain(with, fits.still);
     if (data.scaled) add_masses(data, table, result);
     return result;
   }
-  if (result.p_noise > kSignificant || !visible(data, table, fits.still)) {
+  if (result.p_noise > significant || !visible(data, table, fits.still)) {
     return result;
   }
   result.cause = ShiftCause::Unknown;
   result.explained = gain(fits.common, fits.still);
-  if (common && result.explained > kMostly) {
+  if (common && result.explained > mostly) {
     result.cause = ShiftCause::SameFraction;
   }
   return result;

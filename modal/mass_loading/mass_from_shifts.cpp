@@ -19,8 +19,8 @@ using Eigen::Index;
 // With d_q as large as the mean of the modes found at the point and modes
 // evenly spaced, the sum over q is 2 d_r d times 0.8 in the middle of the band
 // and 6 at its end; times 2 is taken for all.
-constexpr double kSecondOrder = 4.0;
-constexpr int kMostSteps = 40;
+constexpr double second_order = 4.0;
+constexpr int most_steps = 40;
 
 /// The table freed of masses, and how it changes with them.
 struct Freed {
@@ -88,7 +88,7 @@ class Unloading {
     if (!own || !follows_hammer(k, part.modes)) return own;
     const Eigen::RowVectorXd stated = hammer(k)(0, part.modes);
     const Eigen::RowVectorXd wanted = free_hammer_(part.modes);
-    for (int i = 0; i < kMostRounds && own; ++i) {
+    for (int i = 0; i < most_rounds && own; ++i) {
       const Eigen::RowVectorXd now = own->vectors.transpose()
                                          .partialPivLu()
                                          .solve(wanted.transpose())
@@ -106,7 +106,7 @@ class Unloading {
   }
 
  private:
-  static constexpr int kMostRounds = 8;
+  static constexpr int most_rounds = 8;
 
   [[nodiscard]] const Eigen::MatrixXd& hammer(Index k) const {
     return data_->hammer[static_cast<std::size_t>(k)];
@@ -178,7 +178,7 @@ Eigen::MatrixXd model_covariance(const ShiftData& data,
   }
   // Of one sign for many poles, so that it does not average out; and more or
   // less from point to point.
-  const Eigen::VectorXd missing = kSecondOrder * shift.mean() * shift;
+  const Eigen::VectorXd missing = second_order * shift.mean() * shift;
   V += missing * missing.transpose();
   V.diagonal().array() += own + missing.array().square();
   return V;
@@ -301,7 +301,7 @@ std::optional<MassFit> mass_from_shifts(const ShiftData& data,
   const Index masses = *std::ranges::max_element(mass_of) + 1;
   Eigen::VectorXd kg = start_masses(data, table, mass_of, masses);
   std::optional<Freed> now = freed(data, table, mass_of, kg);
-  for (int i = 0; i < kMostSteps && now; ++i) {
+  for (int i = 0; i < most_steps && now; ++i) {
     const Eigen::MatrixXd extra = model_covariance(data, table, mass_of, kg);
     const Step step = solve_step(table, *now, extra, common);
     if (step.fit.dof < 1) return std::nullopt;

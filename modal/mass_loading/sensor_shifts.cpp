@@ -17,8 +17,8 @@ namespace {
 using Eigen::Index;
 
 /// Channels that share a grid in some set-up, joined.
-std::vector<std::vector<std::size_t>> group_channels(const signal::FrfSet& frfs,
-                                                     const Curves& curves) {
+std::vector<std::vector<std::size_t>> group_channels(
+    const signal::FrfSet& frfs, const WeightedFrfs& curves) {
   std::map<std::pair<std::size_t, int>, std::set<std::size_t>> at_grid;
   for (std::size_t f = 0; f < curves.source.size(); ++f) {
     at_grid[{curves.set_up[f], curves.response[f].node}].insert(
@@ -47,7 +47,7 @@ std::vector<std::vector<std::size_t>> group_channels(const signal::FrfSet& frfs,
 /// not in the shapes.
 std::optional<std::vector<Index>> rows_of_sensor(
     const signal::FrfSet& frfs,
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const std::vector<Dof>& dofs,
     const std::vector<std::size_t>& channels,
     std::size_t set_up) {
@@ -67,7 +67,8 @@ std::optional<std::vector<Index>> rows_of_sensor(
 
 /// Modes whose mean frequency lies in the band; those beside it are known too
 /// poorly to tell of shifts.
-std::vector<Index> modes_in_band(const Curves& curves, const RunModes& runs) {
+std::vector<Index> modes_in_band(const WeightedFrfs& curves,
+                                 const MultiSetupModes& runs) {
   std::vector<Index> kept;
   for (Index r = 0; r < runs.poles.size(); ++r) {
     const double omega = std::abs(runs.poles(r));
@@ -79,7 +80,7 @@ std::vector<Index> modes_in_band(const Curves& curves, const RunModes& runs) {
   return kept;
 }
 
-void fill_poles(const RunModes& runs,
+void fill_poles(const MultiSetupModes& runs,
                 const std::vector<Index>& kept,
                 ShiftData& data) {
   const auto set_ups = static_cast<Index>(runs.set_ups.size());
@@ -102,8 +103,8 @@ void fill_poles(const RunModes& runs,
 
 /// The set-up with a driving point, and the shapes at the hammer's point in all
 /// set-ups that were hit there and nowhere else.
-void fill_hammer(const Curves& curves,
-                 const RunModes& runs,
+void fill_hammer(const WeightedFrfs& curves,
+                 const MultiSetupModes& runs,
                  const std::vector<Dof>& dofs,
                  const Eigen::MatrixXcd& shapes,
                  ShiftData& data) {
@@ -203,9 +204,9 @@ std::string mass_statement(const PoleShifts& shifts,
 }  // namespace
 
 std::optional<PoleShifts> sensor_shifts(const signal::FrfSet& frfs,
-                                        const Curves& curves,
+                                        const WeightedFrfs& curves,
                                         const ShapeGraph& graph,
-                                        const RunModes& runs) {
+                                        const MultiSetupModes& runs) {
   ShiftData data;
   data.scaled = graph.scaled;
   const std::vector<Index> kept = modes_in_band(curves, runs);

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "modal/fit/shapes.hpp"
-#include "modal/mass_loading/run_modes.hpp"
+#include "modal/mass_loading/multi_setup_identification.hpp"
 #include "modal/mode_set/pole_shifts.hpp"
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <optional>
 #include <string>
@@ -23,9 +23,9 @@ namespace tapfit::modal {
 ///   the sensors' points
 [[nodiscard]] std::optional<PoleShifts> sensor_shifts(
     const signal::FrfSet& frfs,
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ShapeGraph& graph,
-    const RunModes& runs);
+    const MultiSetupModes& runs);
 
 /// Whether there are shifts and they are more than noise.
 [[nodiscard]] bool is_telling(const std::optional<PoleShifts>& shifts);

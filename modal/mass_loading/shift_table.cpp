@@ -12,8 +12,8 @@ using Eigen::Index;
 
 // Of ln w; poles are never known better, and one of no variance would decide
 // alone.
-constexpr double kLeastDeviation = 1e-7;
-constexpr double kHuber = 2.5;  // of standard deviations
+constexpr double least_deviation = 1e-7;
+constexpr double huber = 2.5;  // of standard deviations
 
 struct Place {
   Index set_up = 0;
@@ -86,7 +86,7 @@ ShiftTable shift_table(const ShiftData& data) {
     table.mode.push_back(place.mode);
     table.log_omega(i) = data.log_omega(place.set_up, place.mode);
     table.variance(i) = std::pow(
-        std::max(data.log_sd(place.set_up, place.mode), kLeastDeviation), 2);
+        std::max(data.log_sd(place.set_up, place.mode), least_deviation), 2);
     for (Index q = 0; q < sensors; ++q) {
       const auto sensor = static_cast<std::size_t>(q);
       const auto set_up = static_cast<std::size_t>(place.set_up);
@@ -129,7 +129,7 @@ Eigen::VectorXd robust_variance(const Eigen::MatrixXd& X,
   Eigen::VectorXd result = variance;
   for (int round = 0; round < 3; ++round) {
     result.array() += common_scatter(X, y, result);
-    const Eigen::ArrayXd z = left_with(X, y, result).z.array().abs() / kHuber;
+    const Eigen::ArrayXd z = left_with(X, y, result).z.array().abs() / huber;
     if (z.maxCoeff() <= 1.0) break;
     result = result.array() * z.max(1.0);
   }

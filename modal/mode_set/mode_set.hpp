@@ -69,8 +69,8 @@ struct ModeSet {
   bool scaled = false;  ///< unit modal mass (a driving point was measured)
   std::vector<DiagramPole> diagram;
   /// Rms of synthesised minus measured, relative, both weighted as they are
-  /// fitted (curves.hpp): with the diagram's own poles of these modes, and
-  /// after refinement, which adds poles beside the band.
+  /// fitted (weighted_frfs.hpp): with the diagram's own poles of these modes,
+  /// and after refinement, which adds poles beside the band.
   double unrefined_error = 0.0;
   double synthesis_error = 0.0;
   /// The fitted model per FRF of the set given, on its lines, residual terms

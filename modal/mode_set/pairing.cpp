@@ -14,15 +14,15 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kForbidden = 1e3;  // far above any sum of real costs
+constexpr double forbidden = 1e3;  // far above any sum of real costs
 
-/// 1 - score, or kForbidden.
+/// 1 - score, or forbidden.
 Eigen::MatrixXd costs(const Eigen::MatrixXd& likeness,
                       const Eigen::VectorXd& f_measured,
                       const Eigen::VectorXd& f_model,
                       const PairingOptions& options) {
   Eigen::MatrixXd cost =
-      Eigen::MatrixXd::Constant(likeness.rows(), likeness.cols(), kForbidden);
+      Eigen::MatrixXd::Constant(likeness.rows(), likeness.cols(), forbidden);
   for (Index i = 0; i < cost.rows(); ++i) {
     for (Index k = 0; k < cost.cols(); ++k) {
       if (f_measured(i) <= 0.0 || f_model(k) <= 0.0) continue;
@@ -144,9 +144,9 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
              : Eigen::MatrixXd::Ones(measured.cols(), model.cols());
   Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
   for (const Pair& pair : by_hand) {
-    cost.row(pair.measured).setConstant(kForbidden);
+    cost.row(pair.measured).setConstant(forbidden);
     if (pair.model < 0) continue;
-    cost.col(pair.model).setConstant(kForbidden);
+    cost.col(pair.model).setConstant(forbidden);
     pairs.push_back(
         {pair.measured, pair.model, likeness(pair.measured, pair.model)});
   }
@@ -157,7 +157,7 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
     const auto index = static_cast<Index>(k);
     const Index i = wide ? index : found[k];
     const Index m = wide ? found[k] : index;
-    if (cost(i, m) < kForbidden) pairs.push_back({i, m, likeness(i, m)});
+    if (cost(i, m) < forbidden) pairs.push_back({i, m, likeness(i, m)});
   }
   for (Pair& pair : pairs) {
     if (!shapes) pair.mac = 0.0;

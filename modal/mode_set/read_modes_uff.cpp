@@ -26,9 +26,9 @@ using Complex = std::complex<double>;
 using acquisition::UffDataset;
 using acquisition::UffShape;
 
-constexpr int kNormal = 2;         // analysis types
-constexpr int kComplex = 3;        // of first order
-constexpr int kComplexSecond = 7;  // of second order
+constexpr int normal = 2;          // analysis types
+constexpr int complex_first = 3;   // of first order
+constexpr int complex_second = 7;  // of second order
 
 /// One mode as it stands in the file.
 struct Raw {
@@ -39,8 +39,8 @@ struct Raw {
 
 /// Why a dataset holds no mode; empty where it does.
 std::string fault(const UffShape& shape) {
-  if (shape.analysis != kNormal && shape.analysis != kComplex &&
-      shape.analysis != kComplexSecond) {
+  if (shape.analysis != normal && shape.analysis != complex_first &&
+      shape.analysis != complex_second) {
     return fmt::format("analysis type {} is no mode", shape.analysis);
   }
   if (shape.data_type != 8 && shape.data_type != 12 && shape.data_type != 11) {
@@ -60,7 +60,7 @@ Raw raw_from(const UffShape& shape, const acquisition::UffGeometry& geometry) {
   const double zeta = shape.damping_ratio;
   const double damped = omega * std::sqrt(std::max(0.0, 1.0 - zeta * zeta));
   raw.pole = {-zeta * omega, damped};
-  raw.modal_a = shape.analysis == kNormal
+  raw.modal_a = shape.analysis == normal
                     ? Complex(0.0, 2.0 * damped * shape.modal_mass)
                     : shape.modal_a;
   if (shape.eigenvalue != Complex(0.0)) {

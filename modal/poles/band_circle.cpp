@@ -26,7 +26,7 @@ Index smooth_length(Index least) {
 
 }  // namespace
 
-BandCircle lay_on_circle(const Curves& curves, Index largest) {
+BandCircle lay_on_circle(const WeightedFrfs& curves, Index largest) {
   const double low = curves.s(0).imag();
   const double width = curves.s(curves.lines() - 1).imag() - low;
   const double margin =

@@ -7,7 +7,7 @@
 // all lags l are one FFT of length N: O(N log N) instead of O(lines lags).
 #pragma once
 
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -24,7 +24,7 @@ struct BandCircle {
 /// Leaves gaps at both ends of the half circle, because poles there have mirror
 /// images, but no wider than what powers up to `largest` resolve: in a wider
 /// gap polynomials of that degree are free to do anything.
-[[nodiscard]] BandCircle lay_on_circle(const Curves& curves,
+[[nodiscard]] BandCircle lay_on_circle(const WeightedFrfs& curves,
                                        Eigen::Index largest);
 
 /// y(l) for l = -largest .. largest in rows, per column of x.

@@ -8,8 +8,8 @@
 namespace tapfit::modal {
 namespace {
 
-constexpr int kFiner = 3;                // widths are an eighth of the distance
-constexpr std::size_t kMostKnown = 500;  // ten or so for each mode
+constexpr int finer = 3;                 // widths are an eighth of the distance
+constexpr std::size_t most_known = 500;  // ten or so for each mode
 
 }  // namespace
 
@@ -17,7 +17,7 @@ CauchyCell CauchyCell::of(const std::complex<double>& a, double last) {
   const double beside = a.real() - std::clamp(a.real(), 0.0, last);
   const double distance = std::hypot(beside, a.imag());
   CauchyCell cell;
-  cell.exponent = std::ilogb(distance) - kFiner;
+  cell.exponent = std::ilogb(distance) - finer;
   cell.x = std::round(std::ldexp(a.real(), -cell.exponent));
   cell.y = std::round(std::ldexp(a.imag(), -cell.exponent));
   return cell;
@@ -40,7 +40,7 @@ CauchyCells::Powers CauchyCells::find(
   }
   Powers powers = std::make_shared<const Eigen::MatrixXcd>(expanded());
   const std::lock_guard lock(guard_);
-  if (known_.size() >= kMostKnown) known_.clear();
+  if (known_.size() >= most_known) known_.clear();
   known_.emplace(cell, powers);
   return powers;
 }

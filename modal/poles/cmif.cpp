@@ -1,7 +1,7 @@
 #include "modal/poles/cmif.hpp"
 
-#include "modal/poles/curves.hpp"
 #include "modal/poles/frf_matrix.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Dense>
 
@@ -18,7 +18,7 @@ Eigen::VectorXd summed_frf(const signal::FrfSet& frfs) {
 
 Eigen::MatrixXd cmif(const signal::FrfSet& frfs) {
   std::vector<std::string> warnings;
-  const Curves curves = prepare_curves(frfs, warnings);
+  const WeightedFrfs curves = prepare_frfs(frfs, warnings);
   const FrfMatrix matrix = arrange_frfs(curves);
   const auto outputs = static_cast<Eigen::Index>(matrix.rows.size());
   const Eigen::Index values = std::min(outputs, matrix.references);

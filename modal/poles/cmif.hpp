@@ -1,4 +1,4 @@
-// Curves that show where the modes are, behind the stabilisation diagram.
+// WeightedFrfs that show where the modes are, behind the stabilisation diagram.
 #pragma once
 
 #include "signal/frf_set/frf_set.hpp"
@@ -16,7 +16,7 @@ namespace tapfit::modal {
 ///
 /// Source: C. Shih et al., "Complex mode indication function", MSSP 2, 1988.
 /// @return n_lines x min(outputs, references); empty without a complete matrix
-/// @throws InputError as prepare_curves does
+/// @throws InputError as prepare_frfs does
 [[nodiscard]] Eigen::MatrixXd cmif(const signal::FrfSet& frfs);
 
 }  // namespace tapfit::modal

@@ -9,8 +9,8 @@ namespace {
 
 // Values of FRFs and columns up to which a pass over them costs less than the
 // sums do.
-constexpr Eigen::Index kFew = 100'000;
-constexpr Eigen::Index kColumns = 40;  // of a model of some 15 modes
+constexpr Eigen::Index few = 100'000;
+constexpr Eigen::Index columns = 40;  // of a model of some 15 modes
 
 }  // namespace
 
@@ -28,7 +28,7 @@ SeparableWeights separate_weights(const Eigen::MatrixXd& weight) {
 FitSums fit_sums(const Eigen::VectorXcd& s,
                  const Eigen::MatrixXcd& H,
                  const SeparableWeights& weights) {
-  if (s.size() * (H.cols() + kColumns) < kFew) {
+  if (s.size() * (H.cols() + columns) < few) {
     return {stack(weights.line.asDiagonal() * H * weights.frf.asDiagonal()),
             {},
             {},

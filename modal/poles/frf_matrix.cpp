@@ -12,7 +12,7 @@ using Row = std::map<Dof, Eigen::Index>;     // reference -> FRF
 using Rows = std::map<RowKey, Row>;
 
 /// Sensors as references: one row per hit point and run.
-Rows rows_per_run(const Curves& curves) {
+Rows rows_per_run(const WeightedFrfs& curves) {
   Rows rows;
   for (std::size_t f = 0; f < curves.run.size(); ++f) {
     rows[{curves.reference[f], curves.run[f]}].emplace(
@@ -22,7 +22,7 @@ Rows rows_per_run(const Curves& curves) {
 }
 
 /// Hammers as references: one row per sensor point and repetition.
-Rows rows_per_response(const Curves& curves) {
+Rows rows_per_response(const WeightedFrfs& curves) {
   Rows rows;
   for (std::size_t f = 0; f < curves.run.size(); ++f) {
     for (std::size_t repetition = 0;; ++repetition) {
@@ -38,7 +38,7 @@ Rows rows_per_response(const Curves& curves) {
 
 /// References in the order of how many rows have them, strongest first among
 /// equals.
-std::vector<Dof> by_frequency(const Rows& rows, const Curves& curves) {
+std::vector<Dof> by_frequency(const Rows& rows, const WeightedFrfs& curves) {
   std::map<Dof, std::pair<int, double>> seen;
   for (const auto& [key, row] : rows) {
     for (const auto& [dof, f] : row) {
@@ -76,7 +76,7 @@ Eigen::Index covered(const FrfMatrix& matrix) {
 
 /// The largest complete matrix of 2 to `most` references.
 FrfMatrix best_matrix(const Rows& rows,
-                      const Curves& curves,
+                      const WeightedFrfs& curves,
                       Eigen::Index most) {
   const std::vector<Dof> order = by_frequency(rows, curves);
   FrfMatrix best;
@@ -91,7 +91,8 @@ FrfMatrix best_matrix(const Rows& rows,
 
 }  // namespace
 
-FrfMatrix arrange_frfs(const Curves& curves, Eigen::Index most_references) {
+FrfMatrix arrange_frfs(const WeightedFrfs& curves,
+                       Eigen::Index most_references) {
   const FrfMatrix sensors =
       best_matrix(rows_per_run(curves), curves, most_references);
   const FrfMatrix hammers =

@@ -5,7 +5,7 @@
 // references are what separates close modes.
 #pragma once
 
-#include "modal/poles/curves.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace tapfit::modal {
 
 /// Complete rows of FRFs: every row has one FRF for each reference.
 struct FrfMatrix {
-  std::vector<std::vector<Eigen::Index>> rows;  ///< index into Curves
+  std::vector<std::vector<Eigen::Index>> rows;  ///< index into WeightedFrfs
   Eigen::Index references = 1;
 };
 
@@ -24,7 +24,7 @@ struct FrfMatrix {
 /// no two references are shared, all FRFs become outputs of one reference.
 ///
 /// @param most_references more are not used; they cost time and add little
-[[nodiscard]] FrfMatrix arrange_frfs(const Curves& curves,
+[[nodiscard]] FrfMatrix arrange_frfs(const WeightedFrfs& curves,
                                      Eigen::Index most_references = 4);
 
 }  // namespace tapfit::modal

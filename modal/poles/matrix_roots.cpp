@@ -15,8 +15,8 @@ using Complex = std::complex<double>;
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-constexpr int kMostSweeps = 60;
-constexpr double kSettled = 1e-9;  // the next step is of its third power
+constexpr int most_sweeps = 60;
+constexpr double settled = 1e-9;  // the next step is of its third power
 
 /// Roots in two arrays: real and imaginary parts go through the processor's
 /// vector units better apart.
@@ -137,12 +137,12 @@ Eigen::VectorXcd companion_roots(const Eigen::MatrixXd& A) {
 /// The guesses given, and for the others places on a circle inside, which no
 /// symmetry of the roots shares.
 Eigen::ArrayXcd first_guess(const Eigen::VectorXcd& start, Index count) {
-  constexpr double kTurn = 2.399963;  // golden angle [rad]
+  constexpr double golden_angle = 2.399963;  // golden angle [rad]
   const Index given = std::min(start.size(), count);
   Eigen::ArrayXcd z(count);
   z.head(given) = start.head(given);
   for (Index i = given; i < count; ++i) {
-    z(i) = std::polar(0.9, 0.7 + kTurn * static_cast<double>(i));
+    z(i) = std::polar(0.9, 0.7 + golden_angle * static_cast<double>(i));
   }
   return z;
 }
@@ -179,7 +179,7 @@ void move(const LogDerivative& polynomial,
     if (!std::isfinite(std::abs(step))) step = 1e-3 * size;
     z.re(i) -= step.real();
     z.im(i) -= step.imag();
-    if (std::abs(step) > kSettled * size) unsettled.push_back(i);
+    if (std::abs(step) > settled * size) unsettled.push_back(i);
   }
 }
 
@@ -193,7 +193,7 @@ Eigen::VectorXcd matrix_roots(const Eigen::MatrixXd& A,
   Points z{guess.real(), guess.imag()};
   std::vector<Index> active(static_cast<std::size_t>(count));
   for (Index i = 0; i < count; ++i) active[static_cast<std::size_t>(i)] = i;
-  for (int sweep = 0; sweep < kMostSweeps && !active.empty(); ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && !active.empty(); ++sweep) {
     std::vector<Index> inside;
     std::vector<Index> outside;
     for (const Index i : active) {

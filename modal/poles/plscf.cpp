@@ -72,7 +72,7 @@ OrderPoles poles_of(const Eigen::MatrixXd& A,
 
 }  // namespace
 
-std::vector<OrderPoles> plscf_poles(const Curves& curves,
+std::vector<OrderPoles> plscf_poles(const WeightedFrfs& curves,
                                     const FrfMatrix& matrix,
                                     int max_order,
                                     const Progress& progress) {

@@ -24,8 +24,8 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "modal/poles/curves.hpp"
 #include "modal/poles/frf_matrix.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <vector>
 
@@ -41,7 +41,7 @@ struct OrderPoles {
 /// Poles for every order up to the largest.
 ///
 /// @param max_order largest number of pole pairs; cut to what the lines carry
-[[nodiscard]] std::vector<OrderPoles> plscf_poles(const Curves& curves,
+[[nodiscard]] std::vector<OrderPoles> plscf_poles(const WeightedFrfs& curves,
                                                   const FrfMatrix& matrix,
                                                   int max_order,
                                                   const Progress& progress);

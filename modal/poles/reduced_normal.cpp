@@ -16,7 +16,7 @@ struct Powers {
   Eigen::VectorXd output;
 };
 
-Powers separable_powers(const Curves& curves, const FrfMatrix& matrix) {
+Powers separable_powers(const WeightedFrfs& curves, const FrfMatrix& matrix) {
   const auto outputs = static_cast<Index>(matrix.rows.size());
   Eigen::MatrixXd logs(curves.lines(), outputs);
   for (Index o = 0; o < outputs; ++o) {
@@ -42,7 +42,7 @@ struct Sums {
   Eigen::MatrixXd T;  ///< lags x references^2
 };
 
-Sums make_sums(const Curves& curves,
+Sums make_sums(const WeightedFrfs& curves,
                const FrfMatrix& matrix,
                const BandCircle& circle,
                Index largest) {
@@ -122,7 +122,7 @@ Eigen::MatrixXd correlate_columns(const Sums& sums,
 
 }  // namespace
 
-Eigen::MatrixXd reduced_normal(const Curves& curves,
+Eigen::MatrixXd reduced_normal(const WeightedFrfs& curves,
                                const FrfMatrix& matrix,
                                const BandCircle& circle,
                                Index largest) {

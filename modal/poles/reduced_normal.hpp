@@ -29,7 +29,7 @@ namespace tapfit::modal {
 ///
 /// @param largest degree of numerators and denominator, n
 /// @return (n + 1) n_references square, symmetric
-[[nodiscard]] Eigen::MatrixXd reduced_normal(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXd reduced_normal(const WeightedFrfs& curves,
                                              const FrfMatrix& matrix,
                                              const BandCircle& circle,
                                              Eigen::Index largest);

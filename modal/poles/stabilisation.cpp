@@ -65,7 +65,7 @@ struct Link {
   Index pole = 0;
 };
 
-constexpr int kLongestGap = 3;  // orders a track may miss and still go on
+constexpr int longest_gap = 3;  // orders a track may miss and still go on
 
 std::vector<Link> possible_links(const std::vector<Track>& tracks,
                                  const std::vector<int>& last_seen,
@@ -74,7 +74,7 @@ std::vector<Link> possible_links(const std::vector<Track>& tracks,
                                  double tolerance) {
   std::vector<Link> links;
   for (std::size_t t = 0; t < tracks.size(); ++t) {
-    if (position - last_seen[t] > kLongestGap) continue;
+    if (position - last_seen[t] > longest_gap) continue;
     const Complex last = tracks[t].poles.back();
     for (Index p = 0; p < now.poles.size(); ++p) {
       const double distance = std::abs(now.poles(p) - last) / std::abs(last);

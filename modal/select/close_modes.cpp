@@ -5,8 +5,8 @@
 #include "modal/fit/shape_uncertainty.hpp"
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/double_poles.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +23,16 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kReadable = 0.2;  // error of a shape: MAC 0.96
-constexpr double kNeeded = 4.0;    // F of a pole's residues, as in select_modes
+constexpr double readable = 0.2;  // error of a shape: MAC 0.96
+constexpr double needed = 4.0;    // F of a pole's residues, as in select_modes
 // Half bandwidths: the expansion of nearer poles around one is off by the
 // square of it, their residues by the noise over it.
-constexpr double kOnePole = 0.1;
-constexpr double kTrusted = 0.3;       // half bandwidths, for the covariance
-constexpr double kOneReference = 0.5;  // half bandwidths, two by one reference
+constexpr double one_pole = 0.1;
+constexpr double trusted = 0.3;        // half bandwidths, for the covariance
+constexpr double one_reference = 0.5;  // half bandwidths, two by one reference
 
 /// Error of each pole's residues as a share of them, weighted.
-Eigen::VectorXd residue_error(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd residue_error(const WeightedFrfs& curves, const ModalFit& fit) {
   const auto u = fit.frf_weight.asDiagonal();
   const Eigen::MatrixXd deviation =
       residue_variance(curves, fit).cwiseMax(0.0).cwiseSqrt();
@@ -57,8 +57,8 @@ double nearest_distance(const ModalFit& fit, Index r) {
 }
 
 /// Whether the last poles are apart and each with a shape that can be read.
-bool are_known(const Curves& curves, const ModalFit& fit, Index count) {
-  if (residue_error(curves, fit).tail(count).maxCoeff() > kReadable) {
+bool are_known(const WeightedFrfs& curves, const ModalFit& fit, Index count) {
+  if (residue_error(curves, fit).tail(count).maxCoeff() > readable) {
     return false;
   }
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
@@ -89,12 +89,12 @@ bool look_like_a_shift(const FrfMatrix& matrix,
                        const ModalFit& fit,
                        const Pair& pair) {
   return matrix.references < 2 &&
-         distance(fit, pair.first, pair.second) < kOneReference;
+         distance(fit, pair.first, pair.second) < one_reference;
 }
 
 /// Pairs of poles in the band that may be one, nearest first: not told apart,
 /// or too near for the covariance to be trusted.
-std::vector<Pair> doubtful_pairs(const Curves& curves,
+std::vector<Pair> doubtful_pairs(const WeightedFrfs& curves,
                                  const FrfMatrix& matrix,
                                  const ModalFit& fit) {
   std::vector<std::pair<double, Pair>> pairs;
@@ -109,9 +109,9 @@ std::vector<Pair> doubtful_pairs(const Curves& curves,
         continue;
       }
       const double apart = distance(fit, q, r);
-      const bool known = apart > kTrusted &&
+      const bool known = apart > trusted &&
                          !look_like_a_shift(matrix, fit, {q, r}) &&
-                         std::max(error(q), error(r)) < kReadable &&
+                         std::max(error(q), error(r)) < readable &&
                          are_told_apart(covariance, fit, q, r);
       if (apart < 1.0 && !known) pairs.push_back({apart, {q, r}});
     }
@@ -128,7 +128,7 @@ struct LeftOver {
   double values = 0.0;  ///< real ones
 };
 
-LeftOver left_over_near(const Curves& curves,
+LeftOver left_over_near(const WeightedFrfs& curves,
                         const ModalFit& fit,
                         const Complex& pole) {
   const double reach =
@@ -141,7 +141,7 @@ LeftOver left_over_near(const Curves& curves,
 }
 
 /// Whether other poles have moved to do what one of two did.
-bool take_over(const Curves& curves,
+bool take_over(const WeightedFrfs& curves,
                const Eigen::VectorXcd& before,
                const Eigen::VectorXcd& after) {
   for (Index r = 0; r < before.size(); ++r) {
@@ -155,7 +155,7 @@ bool take_over(const Curves& curves,
 }
 
 /// Whether two poles explain the FRFs around them clearly better than one fit.
-bool two_are_needed(const Curves& curves,
+bool two_are_needed(const WeightedFrfs& curves,
                     const ModalFit& two,
                     const ModalFit& one,
                     const Complex& pole) {
@@ -166,7 +166,7 @@ bool two_are_needed(const Curves& curves,
   const double shared =
       std::max(1.0, 2.0 * std::numbers::pi * curves.sigma / curves.spacing);
   const double noise = shared * of_two.sum / std::max(of_two.values, 1.0);
-  return of_one.sum - of_two.sum > kNeeded * parameters * noise;
+  return of_one.sum - of_two.sum > needed * parameters * noise;
 }
 
 /// Whether poles of their own serve better than the expansion of one. Its modes
@@ -177,9 +177,9 @@ bool are_apart_in(const PoleExpansion& expansion, double half) {
   if (expansion.residues.rank < 2) return false;
   const double apart = extent(expansion.apart);
   const double left_out = apart * apart / half;
-  const bool far = apart > kOnePole * half;
+  const bool far = apart > one_pole * half;
   const bool clean = 10.0 * expansion.deviation < left_out;
-  return apart > kApart * expansion.deviation && (far || clean);
+  return apart > least_separation_sd * expansion.deviation && (far || clean);
 }
 
 /// Between two poles, nearer to the one that the FRFs show more of.
@@ -190,7 +190,7 @@ Complex between(const ModalFit& fit, Index q, Index r) {
 }
 
 /// A fit with one pole, the last, in place of two; none where two are needed.
-std::optional<ModalFit> as_one_pole(const Curves& curves,
+std::optional<ModalFit> as_one_pole(const WeightedFrfs& curves,
                                     const FrfMatrix& matrix,
                                     const ModalFit& fit,
                                     const Pair& pair) {
@@ -203,7 +203,7 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
   if (take_over(curves, rest, one.poles)) return {};
   if (look_like_a_shift(matrix, fit, pair)) return one;
   // Too near a third there is no expansion that could take the two apart again.
-  if (matrix.references > 1 && (nearest_distance(one, last) < kTrusted ||
+  if (matrix.references > 1 && (nearest_distance(one, last) < trusted ||
                                 !stands_alone(curves, one, last))) {
     return {};
   }
@@ -217,7 +217,7 @@ std::optional<ModalFit> as_one_pole(const Curves& curves,
 }
 
 /// The poles in the band within a bandwidth of pole r, which is in it.
-std::vector<Index> within_bandwidth(const Curves& curves,
+std::vector<Index> within_bandwidth(const WeightedFrfs& curves,
                                     const ModalFit& fit,
                                     Index r) {
   std::vector<Index> group;
@@ -230,7 +230,7 @@ std::vector<Index> within_bandwidth(const Curves& curves,
 }
 
 /// A fit with one pole, the last, in place of a group's.
-ModalFit as_one(const Curves& curves,
+ModalFit as_one(const WeightedFrfs& curves,
                 const ModalFit& fit,
                 const std::vector<Index>& group) {
   Eigen::VectorXcd rest = fit.poles;
@@ -245,7 +245,7 @@ ModalFit as_one(const Curves& curves,
 
 /// Poles found put in place of the last one of a fit, and refined; none where
 /// one is no mode, or they leave their place without clearly explaining more.
-std::optional<ModalFit> with_poles(const Curves& curves,
+std::optional<ModalFit> with_poles(const WeightedFrfs& curves,
                                    const ModalFit& one,
                                    const Eigen::VectorXcd& found,
                                    const IdentifyOptions& options) {
@@ -282,9 +282,9 @@ bool is_crowded(const ModalFit& fit, Index r) {
   return false;
 }
 
-bool stands_alone(const Curves& curves, const ModalFit& fit, Index r) {
+bool stands_alone(const WeightedFrfs& curves, const ModalFit& fit, Index r) {
   if (!is_crowded(fit, r)) return true;
-  if (residue_error(curves, fit)(r) > kReadable) return false;
+  if (residue_error(curves, fit)(r) > readable) return false;
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   for (Index q = 0; q < fit.poles.size(); ++q) {
     if (q == r || !are_close(fit, q, r)) continue;
@@ -306,10 +306,10 @@ bool are_told_apart(const Eigen::MatrixXd& covariance,
       block(r, r) + block(q, q) - block(r, q) - block(q, r);
   // Along the line between them.
   const double variance = std::max(0.0, d.dot(spread * d));
-  return kApart * std::sqrt(variance) <= d.squaredNorm();
+  return least_separation_sd * std::sqrt(variance) <= d.squaredNorm();
 }
 
-ModalFit separate_close(const Curves& curves,
+ModalFit separate_close(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options) {
   const FrfMatrix matrix = arrange_frfs(curves);
@@ -337,14 +337,14 @@ ModalFit separate_close(const Curves& curves,
   return fit;
 }
 
-ModalFit at_rest_by_one_reference(const Curves& curves, ModalFit fit) {
+ModalFit at_rest_by_one_reference(const WeightedFrfs& curves, ModalFit fit) {
   if (fit.poles.size() == 0 || arrange_frfs(curves).references > 1) return fit;
   return refine_in_reach(curves, fit.poles, 20);
 }
 
-ModalFit unite_untold(const Curves& curves,
-                      ModalFit fit,
-                      std::vector<Complex>& shifting) {
+ModalFit merge_unresolved_poles(const WeightedFrfs& curves,
+                                ModalFit fit,
+                                std::vector<Complex>& shifting) {
   const FrfMatrix matrix = arrange_frfs(curves);
   std::optional<ModalFit> united;
   do {

@@ -14,7 +14,7 @@
 namespace tapfit::modal {
 
 /// Standard deviations that tell two poles apart.
-inline constexpr double kApart = 3.0;
+inline constexpr double least_separation_sd = 3.0;
 
 /// Whether two poles are within half a bandwidth, the wider one's.
 [[nodiscard]] bool are_close(const ModalFit& fit,
@@ -27,7 +27,7 @@ inline constexpr double kApart = 3.0;
 /// Whether the residues of pole r are its own: no other pole is within half a
 /// bandwidth, or each is told apart from it and leaves it a shape that can be
 /// read.
-[[nodiscard]] bool stands_alone(const Curves& curves,
+[[nodiscard]] bool stands_alone(const WeightedFrfs& curves,
                                 const ModalFit& fit,
                                 Eigen::Index r);
 
@@ -40,22 +40,22 @@ inline constexpr double kApart = 3.0;
                                   Eigen::Index r);
 
 /// Puts several poles in place of one whose residues hold several shapes.
-[[nodiscard]] ModalFit separate_close(const Curves& curves,
+[[nodiscard]] ModalFit separate_close(const WeightedFrfs& curves,
                                       ModalFit fit,
                                       const IdentifyOptions& options);
 
 /// Refines poles until they rest, for FRFs of one reference: whether two of its
 /// poles are one is seen there. With more, poles of one frequency would part to
 /// follow the noise, and are taken apart by their shapes.
-[[nodiscard]] ModalFit at_rest_by_one_reference(const Curves& curves,
+[[nodiscard]] ModalFit at_rest_by_one_reference(const WeightedFrfs& curves,
                                                 ModalFit fit);
 
 /// Puts one pole in place of two that are not told apart.
 ///
 /// @param shifting takes up poles that one reference shows as two, so near each
 ///   other that FRFs of slightly different poles would look the same
-[[nodiscard]] ModalFit unite_untold(
-    const Curves& curves,
+[[nodiscard]] ModalFit merge_unresolved_poles(
+    const WeightedFrfs& curves,
     ModalFit fit,
     std::vector<std::complex<double>>& shifting);
 

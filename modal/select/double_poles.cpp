@@ -13,13 +13,15 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kStep = 1e-2;  // half bandwidths, for the derivative
+constexpr double derivative_step = 1e-2;  // half bandwidths, for the derivative
 
-double step_at(const Complex& pole) { return -kStep * pole.real(); }
+double step_at(const Complex& pole) { return -derivative_step * pole.real(); }
 
 }  // namespace
 
-ModalFit expanded_fit(const Curves& curves, const ModalFit& fit, Index r) {
+ModalFit expanded_fit(const WeightedFrfs& curves,
+                      const ModalFit& fit,
+                      Index r) {
   const double step = step_at(fit.poles(r));
   Eigen::VectorXcd poles(fit.poles.size() + 1);
   poles << fit.poles, fit.poles(r) + step;
@@ -27,7 +29,7 @@ ModalFit expanded_fit(const Curves& curves, const ModalFit& fit, Index r) {
   return fit_residues(curves, poles);
 }
 
-PoleExpansion expand_pole(const Curves& curves,
+PoleExpansion expand_pole(const WeightedFrfs& curves,
                           const FrfMatrix& matrix,
                           const ModalFit& fit,
                           Index r) {

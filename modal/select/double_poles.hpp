@@ -28,7 +28,7 @@ struct PoleExpansion {
 
 /// A fit with M and D for pole r: two poles, in its place and the last, at a
 /// small distance from it on the real axis.
-[[nodiscard]] ModalFit expanded_fit(const Curves& curves,
+[[nodiscard]] ModalFit expanded_fit(const WeightedFrfs& curves,
                                     const ModalFit& fit,
                                     Eigen::Index r);
 
@@ -38,7 +38,7 @@ struct PoleExpansion {
 /// each other. There are at most as many as references.
 ///
 /// @return no more than the rank, where that is one
-[[nodiscard]] PoleExpansion expand_pole(const Curves& curves,
+[[nodiscard]] PoleExpansion expand_pole(const WeightedFrfs& curves,
                                         const FrfMatrix& matrix,
                                         const ModalFit& fit,
                                         Eigen::Index r);

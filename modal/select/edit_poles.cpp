@@ -4,7 +4,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/fit/pole_covariance.hpp"
 #include "modal/select/close_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <fmt/format.h>
 
@@ -20,18 +20,18 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kLeastShare = 1e-4;    // of |H| at an added pole
-constexpr double kNear = 0.02;          // relative
-constexpr double kUsualDamping = 0.01;  // where the diagram tells of none
+constexpr double least_share = 1e-4;          // of |H| at an added pole
+constexpr double near = 0.02;                 // relative
+constexpr double usual_damping_ratio = 0.01;  // where the diagram tells of none
 
 /// The pole of the steadiest track near a frequency that is no mode yet.
 Complex start_near(const std::vector<Track>& tracks,
                    const ModalFit& fit,
                    double omega) {
-  Complex start(-kUsualDamping * omega, omega);
+  Complex start(-usual_damping_ratio * omega, omega);
   int most = 0;
   for (const Track& track : tracks) {
-    if (std::abs(std::abs(track.pole) - omega) > 0.25 * kNear * omega) continue;
+    if (std::abs(std::abs(track.pole) - omega) > 0.25 * near * omega) continue;
     const bool taken =
         fit.poles.size() > 0 &&
         (fit.poles.array() - track.pole).abs().minCoeff() < 1e-4 * omega;
@@ -44,7 +44,8 @@ Complex start_near(const std::vector<Track>& tracks,
 
 /// Frequency [Hz] of the pole within a bandwidth that the last one of a fit is
 /// not told apart from.
-std::optional<double> untold_from(const Curves& curves, const ModalFit& fit) {
+std::optional<double> untold_from(const WeightedFrfs& curves,
+                                  const ModalFit& fit) {
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   const Index last = fit.poles.size() - 1;
   for (Index r = 0; r < last; ++r) {
@@ -63,7 +64,7 @@ Index mode_to_drop(const Eigen::ArrayXd& omega, double hz) {
   Index nearest = 0;
   const bool any = omega.size() > 0;
   if (any) (omega - wanted).abs().minCoeff(&nearest);
-  if (!any || std::abs(omega(nearest) - wanted) > kNear * wanted) {
+  if (!any || std::abs(omega(nearest) - wanted) > near * wanted) {
     throw InputError(fmt::format("no mode within 2 % of {:.6g} Hz to drop", hz),
                      "modes",
                      any ? fmt::format("the nearest is at {:.6g} Hz",
@@ -73,7 +74,7 @@ Index mode_to_drop(const Eigen::ArrayXd& omega, double hz) {
   return nearest;
 }
 
-void drop_pole(const Curves& curves, Index pole, ModalFit& fit) {
+void drop_pole(const WeightedFrfs& curves, Index pole, ModalFit& fit) {
   Eigen::VectorXcd rest(fit.poles.size() - 1);
   rest << fit.poles.head(pole), fit.poles.tail(rest.size() - pole);
   fit = fit_residues(curves, rest);
@@ -81,10 +82,10 @@ void drop_pole(const Curves& curves, Index pole, ModalFit& fit) {
   ModalFit refined = refine_poles(curves, rest, 10);
   // A pole that goes where one was taken out would bring it back.
   const Eigen::ArrayXd moved = (refined.poles - rest).array().abs();
-  if ((moved <= kNear * rest.array().abs()).all()) fit = std::move(refined);
+  if ((moved <= near * rest.array().abs()).all()) fit = std::move(refined);
 }
 
-void add_pole(const Curves& curves,
+void add_pole(const WeightedFrfs& curves,
               const std::vector<Track>& tracks,
               double hz,
               ModalFit& fit) {
@@ -100,7 +101,7 @@ void add_pole(const Curves& curves,
   poles << fit.poles, start_near(tracks, fit, omega);
   ModalFit trial = refine_poles(curves, poles, 20);
   const Complex last = trial.poles(trial.poles.size() - 1);
-  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > kNear * omega) {
+  if (last.real() >= 0.0 || std::abs(std::abs(last) - omega) > near * omega) {
     throw InputError(
         fmt::format("no pole can be fitted at {:.6g} Hz: it goes to {:.6g} Hz, "
                     "damping {:.2g}",
@@ -111,7 +112,7 @@ void add_pole(const Curves& curves,
         "choose a frequency at which the stabilisation diagram has poles");
   }
   const double share = trial.contribution(trial.poles.size() - 1);
-  if (share < kLeastShare) {
+  if (share < least_share) {
     throw InputError(
         fmt::format("a pole put in at {:.6g} Hz carries {:.1g} of the FRFs "
                     "there: nothing is left to fit",
@@ -132,7 +133,7 @@ void add_pole(const Curves& curves,
   fit = std::move(trial);
 }
 
-void edit_poles(const Curves& curves,
+void edit_poles(const WeightedFrfs& curves,
                 const std::vector<Track>& tracks,
                 const std::vector<PoleEdit>& edits,
                 ModalFit& fit) {

@@ -16,7 +16,7 @@ namespace tapfit::modal {
 
 /// Takes a pole out and refines the others.
 /// @param fit changed in place; the order of what stays too
-void drop_pole(const Curves& curves, Eigen::Index pole, ModalFit& fit);
+void drop_pole(const WeightedFrfs& curves, Eigen::Index pole, ModalFit& fit);
 
 /// Puts in, as the last, the steadiest pole of the diagram near a frequency
 /// that is no mode yet (where the diagram has none, a pole started there), and
@@ -24,7 +24,7 @@ void drop_pole(const Curves& curves, Eigen::Index pole, ModalFit& fit);
 /// @param fit changed in place
 /// @throws InputError when the pole runs away by more than 2 %, loses its
 ///   damping or cannot be told from one that is there
-void add_pole(const Curves& curves,
+void add_pole(const WeightedFrfs& curves,
               const std::vector<Track>& tracks,
               double hz,
               ModalFit& fit);
@@ -32,7 +32,7 @@ void add_pole(const Curves& curves,
 /// Carries out edits in their order.
 /// @param fit changed in place
 /// @throws InputError of mode_to_drop() and add_pole()
-void edit_poles(const Curves& curves,
+void edit_poles(const WeightedFrfs& curves,
                 const std::vector<Track>& tracks,
                 const std::vector<PoleEdit>& edits,
                 ModalFit& fit);

@@ -2,8 +2,8 @@
 
 #include "acquisition/samples/statistics.hpp"
 #include "modal/poles/frf_matrix.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 #include "modal/select/split_poles.hpp"
 
 #include <algorithm>
@@ -17,15 +17,15 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kLeastSignificance =
+constexpr double least_significance_of_mode =
     4.0;  // F that a mode's residues must earn
-constexpr double kLeastContribution = 0.02;  // of |H| at the mode's frequency
+constexpr double least_contribution = 0.02;  // of |H| at the mode's frequency
 // A weaker mode counts where it is surely there.
-constexpr double kFaintestContribution = 0.0003;  // 70 dB below the others
+constexpr double faintest_contribution = 0.0003;  // 70 dB below the others
 
 }  // namespace
 
-Index weakest_mode(const Curves& curves,
+Index weakest_mode(const WeightedFrfs& curves,
                    const ModalFit& fit,
                    const IdentifyOptions& options) {
   const FrfMatrix matrix = arrange_frfs(curves);
@@ -33,11 +33,11 @@ Index weakest_mode(const Curves& curves,
   double least = 1.0;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (far_outside(curves, fit.poles(r))) continue;
-    const double faint = std::min(fit.significance(r) / kSurelyThere,
-                                  fit.contribution(r) / kFaintestContribution);
+    const double faint = std::min(fit.significance(r) / surely_there,
+                                  fit.contribution(r) / faintest_contribution);
     double worth =
-        std::min(fit.significance(r) / kLeastSignificance,
-                 std::max(fit.contribution(r) / kLeastContribution, faint));
+        std::min(fit.significance(r) / least_significance_of_mode,
+                 std::max(fit.contribution(r) / least_contribution, faint));
     if (is_impossible(fit.poles(r), options)) worth = 0.0;
     if (is_split(matrix, fit, r)) worth = std::min(worth, 0.5);
     if (worth >= least) continue;
@@ -47,7 +47,7 @@ Index weakest_mode(const Curves& curves,
   return worst;
 }
 
-double usual_damping(const Curves& curves, const ModalFit& fit) {
+double usual_damping(const WeightedFrfs& curves, const ModalFit& fit) {
   std::vector<double> ratios;
   for (const Complex& pole : fit.poles) {
     if (!in_band(curves, pole)) continue;
@@ -56,7 +56,7 @@ double usual_damping(const Curves& curves, const ModalFit& fit) {
   return ratios.empty() ? 0.005 : acquisition::median(ratios);
 }
 
-bool are_needed(const Curves& curves,
+bool are_needed(const WeightedFrfs& curves,
                 const ModalFit& fit,
                 const IdentifyOptions& options) {
   return weakest_mode(curves, fit, options) < 0;

@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "modal/select/needed_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,13 +19,15 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr int kMostMissed = 4;
-constexpr double kReach = 3.0;      // half bandwidths from one mode to the next
-constexpr double kHeavy = 0.05;     // damping ratio that hides modes anywhere
-constexpr int kMostPlaces = 4;      // between two poles
-constexpr double kSamePlace = 0.1;  // half bandwidths
+constexpr int most_missed = 4;
+constexpr double reach_of_mode =
+    3.0;                            // half bandwidths from one mode to the next
+constexpr double heavy = 0.05;      // damping ratio that hides modes anywhere
+constexpr int most_places = 4;      // between two poles
+constexpr double same_place = 0.1;  // half bandwidths
 
-std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
+std::vector<Complex> modes_in_band(const WeightedFrfs& curves,
+                                   const ModalFit& fit) {
   std::vector<Complex> poles;
   for (const Complex& pole : fit.poles) {
     if (in_band(curves, pole)) poles.push_back(pole);
@@ -36,19 +38,22 @@ std::vector<Complex> modes_in_band(const Curves& curves, const ModalFit& fit) {
 
 /// Where a mode could hide: between two poles whose resonances would reach it,
 /// and between the outer ones and the ends of the band.
-std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
+std::vector<Complex> hiding_places(const WeightedFrfs& curves,
+                                   const ModalFit& fit) {
   const std::vector<Complex> poles = modes_in_band(curves, fit);
   std::vector<Complex> places;
   if (poles.empty()) return places;
   const double zeta = usual_damping(curves, fit);
   const auto look = [&](double low, double high) {
     const double half = 0.5 * zeta * (low + high);  // bandwidth
-    const bool reached = high - low < 2.0 * kReach * half || zeta > kHeavy;
+    const bool reached =
+        high - low < 2.0 * reach_of_mode * half || zeta > heavy;
     if (!reached || half < 3.0 * curves.spacing) return;
-    const int count = std::clamp(
-        static_cast<int>(std::lround((high - low) / (2.0 * kReach * half))),
-        1,
-        kMostPlaces);
+    const int count =
+        std::clamp(static_cast<int>(std::lround((high - low) /
+                                                (2.0 * reach_of_mode * half))),
+                   1,
+                   most_places);
     for (int k = 1; k <= count; ++k) {
       const double omega = low + (high - low) * k / (count + 1);
       places.emplace_back(-zeta * omega, omega);
@@ -63,8 +68,8 @@ std::vector<Complex> hiding_places(const Curves& curves, const ModalFit& fit) {
 }
 
 /// Least F of the modes in the band.
-double least_significance(const Curves& curves, const ModalFit& fit) {
-  double least = kSurelyThere;
+double least_significance(const WeightedFrfs& curves, const ModalFit& fit) {
+  double least = surely_there;
   for (Index r = 0; r < fit.poles.size(); ++r) {
     if (!in_band(curves, fit.poles(r))) continue;
     least = std::min(least, fit.significance(r));
@@ -73,7 +78,7 @@ double least_significance(const Curves& curves, const ModalFit& fit) {
 }
 
 /// The fit with a mode more at a place, where the FRFs need it.
-std::optional<ModalFit> with_mode_at(const Curves& curves,
+std::optional<ModalFit> with_mode_at(const WeightedFrfs& curves,
                                      const ModalFit& fit,
                                      const Complex& place,
                                      const IdentifyOptions& options) {
@@ -91,7 +96,7 @@ std::optional<ModalFit> with_mode_at(const Curves& curves,
 /// Whether a place was in vain before: modes far from it do not change that.
 bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
   return std::ranges::any_of(in_vain, [&place](const Complex& other) {
-    return std::abs(other - place) < -kSamePlace * place.real();
+    return std::abs(other - place) < -same_place * place.real();
   });
 }
 
@@ -100,7 +105,7 @@ bool is_known(const std::vector<Complex>& in_vain, const Complex& place) {
 /// @param in_vain places that need not be tried again; grows
 /// @param tried told of the share of places
 std::optional<ModalFit> with_one_more(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const ModalFit& fit,
     const IdentifyOptions& options,
     std::vector<Complex>& in_vain,
@@ -132,15 +137,15 @@ std::optional<ModalFit> with_one_more(
 
 }  // namespace
 
-ModalFit add_overlapped(const Curves& curves,
+ModalFit add_overlapped(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options,
                         const Progress& progress) {
   bool found = false;
   std::vector<Complex> in_vain;
-  for (int k = 0; k < kMostMissed; ++k) {
+  for (int k = 0; k < most_missed; ++k) {
     const auto tell = [&progress, k](double share) {
-      progress("hidden modes", (k + share) / kMostMissed);
+      progress("hidden modes", (k + share) / most_missed);
     };
     std::optional<ModalFit> next =
         with_one_more(curves, fit, options, in_vain, tell);

@@ -13,7 +13,7 @@ namespace tapfit::modal {
 /// is less needed with them than noise could be.
 ///
 /// @return the fit as it was where none is missing
-[[nodiscard]] ModalFit add_overlapped(const Curves& curves,
+[[nodiscard]] ModalFit add_overlapped(const WeightedFrfs& curves,
                                       ModalFit fit,
                                       const IdentifyOptions& options,
                                       const Progress& progress);

@@ -7,8 +7,8 @@
 #include "modal/poles/frf_matrix.hpp"
 #include "modal/select/close_modes.hpp"
 #include "modal/select/double_poles.hpp"
-#include "modal/select/hard_checks.hpp"
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
+#include "modal/select/pole_validation.hpp"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/MatrixFunctions>
@@ -29,9 +29,9 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr double kOverMisfit = 3.0;  // of a shape, as a share of the FRFs
-constexpr double kInPhase = 0.8;     // MPC of each shape
-constexpr double kReciprocal = 0.3;  // asymmetry of X X'
+constexpr double over_misfit = 3.0;  // of a shape, as a share of the FRFs
+constexpr double least_mpc_of_repeated = 0.8;  // MPC of each shape
+constexpr double reciprocal = 0.3;             // asymmetry of X X'
 
 /// The two sides of a complete matrix of FRFs, and shapes on them.
 struct Sides {
@@ -41,7 +41,7 @@ struct Sides {
   MatrixXcd of_references;  ///< n_references x n_modes
 };
 
-Sides sides_of(const Curves& curves, const FrfMatrix& matrix) {
+Sides sides_of(const WeightedFrfs& curves, const FrfMatrix& matrix) {
   const auto& first = matrix.rows.front();
   const auto dof = [](const std::vector<Dof>& dofs, Index f) {
     return dofs[static_cast<std::size_t>(f)];
@@ -95,7 +95,7 @@ bool join(Sides& sides) {
   const Eigen::ColPivHouseholderQR<MatrixXcd> solver(A_d);
   if (solver.rank() < A.cols()) return false;
   const MatrixXcd G = solver.solve(B_d);
-  if ((G - G.transpose()).norm() > kReciprocal * G.norm()) return false;
+  if ((G - G.transpose()).norm() > reciprocal * G.norm()) return false;
   const MatrixXcd X = (0.5 * (G + G.transpose())).sqrt();
   if (!X.allFinite()) return false;
   A = (A * X).eval();
@@ -115,7 +115,7 @@ void make_orthogonal(Sides& sides) {
 
 /// Products of the shapes for every FRF; empty where one has a point that the
 /// matrix has not.
-MatrixXcd products(const Curves& curves, const Sides& sides) {
+MatrixXcd products(const WeightedFrfs& curves, const Sides& sides) {
   std::map<Dof, Eigen::RowVectorXcd> output;
   std::map<Dof, Eigen::RowVectorXcd> reference;
   for (std::size_t o = 0; o < sides.outputs.size(); ++o) {
@@ -138,8 +138,10 @@ MatrixXcd products(const Curves& curves, const Sides& sides) {
 
 bool move_in_phase(const Sides& sides) {
   for (Index k = 0; k < sides.of_outputs.cols(); ++k) {
-    if (phase_collinearity(sides.of_outputs.col(k)) < kInPhase) return false;
-    if (phase_collinearity(sides.of_references.col(k)) < kInPhase) return false;
+    if (phase_collinearity(sides.of_outputs.col(k)) < least_mpc_of_repeated)
+      return false;
+    if (phase_collinearity(sides.of_references.col(k)) < least_mpc_of_repeated)
+      return false;
   }
   return true;
 }
@@ -177,7 +179,7 @@ std::optional<Sides> any_basis(const PoleExpansion& expansion,
 }
 
 /// What a fit leaves within the half-power bandwidth, over what is there.
-double misfit_at(const Curves& curves,
+double misfit_at(const WeightedFrfs& curves,
                  const ModalFit& fit,
                  const Complex& pole) {
   const double reach =
@@ -192,7 +194,7 @@ double misfit_at(const Curves& curves,
 
 /// Modes that the residues hold beside what the fit leaves: unlike noise that
 /// may have a shape, such as that of a mode next to it that was missed.
-Index modes_in(const Curves& curves,
+Index modes_in(const WeightedFrfs& curves,
                const ModalFit& fit,
                Index r,
                const PoleExpansion& expansion) {
@@ -201,13 +203,13 @@ Index modes_in(const Curves& curves,
   const double misfit = misfit_at(curves, both, fit.poles(r));
   const Eigen::VectorXd values = expansion.residues.svd.singularValues();
   const bool is_clear =
-      values(expansion.residues.rank - 1) > kOverMisfit * misfit * values(0);
+      values(expansion.residues.rank - 1) > over_misfit * misfit * values(0);
   return is_clear ? expansion.residues.rank : 1;
 }
 
 /// Shapes in the residues of pole r that no pole close to it has: what
 /// near poles take of each other's residues is no second shape.
-Index shapes_of_its_own(const Curves& curves,
+Index shapes_of_its_own(const WeightedFrfs& curves,
                         const FrfMatrix& matrix,
                         const ModalFit& fit,
                         Index r) {
@@ -224,7 +226,7 @@ Index shapes_of_its_own(const Curves& curves,
 }
 
 /// Whether poles are where the expansion holds and none fails a hard check.
-bool may_be_modes(const Curves& curves,
+bool may_be_modes(const WeightedFrfs& curves,
                   const Complex& around,
                   const Eigen::VectorXcd& poles,
                   const IdentifyOptions& options) {
@@ -238,7 +240,7 @@ bool stand_out(const PoleExpansion& expansion) {
   for (Index k = 0; k < expansion.apart.size(); ++k) {
     for (Index l = 0; l < k; ++l) {
       const double apart = std::abs(expansion.apart(k) - expansion.apart(l));
-      if (apart < kApart * expansion.deviation) return false;
+      if (apart < least_separation_sd * expansion.deviation) return false;
     }
   }
   return true;
@@ -246,7 +248,7 @@ bool stand_out(const PoleExpansion& expansion) {
 
 }  // namespace
 
-ModesOfPole modes_of_pole(const Curves& curves,
+ModesOfPole modes_of_pole(const WeightedFrfs& curves,
                           const ModalFit& fit,
                           Index r,
                           bool scaled,

@@ -33,7 +33,7 @@ struct ModesOfPole {
 /// @return residues that add up to those of the fit. One mode where the rank
 ///   does not stand out of the noise, the parts do not move in phase, or the
 ///   driving points are too few to give each shape its scale
-[[nodiscard]] ModesOfPole modes_of_pole(const Curves& curves,
+[[nodiscard]] ModesOfPole modes_of_pole(const WeightedFrfs& curves,
                                         const ModalFit& fit,
                                         Eigen::Index r,
                                         bool scaled,

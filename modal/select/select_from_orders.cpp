@@ -1,6 +1,6 @@
 #include "modal/select/select_from_orders.hpp"
 
-#include "modal/select/neighbour_modes.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 #include "modal/select/overlapped_modes.hpp"
 
 #include <algorithm>
@@ -13,15 +13,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kLeastOrder = 20;  // for most of the orders to mean something
-constexpr double kClearlyLess = 0.5;  // of the misfit, squared
+constexpr int least_order = 20;  // for most of the orders to mean something
+constexpr double clearly_less = 0.5;  // of the misfit, squared
 
 int largest(const std::vector<OrderPoles>& orders) {
   return orders.empty() ? 0 : orders.back().order;
 }
 
 /// Whether a pole lies further than its half bandwidth from all of a fit.
-bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
+bool is_new(const WeightedFrfs& curves,
+            const ModalFit& fit,
+            const Complex& pole) {
   if (!in_band(curves, pole)) return false;
   return std::ranges::none_of(fit.poles, [&pole](const Complex& known) {
     return std::abs(known - pole) < -pole.real();
@@ -32,12 +34,12 @@ bool is_new(const Curves& curves, const ModalFit& fit, const Complex& pole) {
 /// a mode: noise that is not white can be followed a good way by some poles.
 bool explains_more(const ModalFit& fit, const ModalFit& other) {
   if (fit.poles.size() == 0) return false;
-  return other.poles.size() == 0 || fit.misfit < kClearlyLess * other.misfit;
+  return other.poles.size() == 0 || fit.misfit < clearly_less * other.misfit;
 }
 
 }  // namespace
 
-Selection select_from_orders(const Curves& curves,
+Selection select_from_orders(const WeightedFrfs& curves,
                              const FrfMatrix& matrix,
                              const std::vector<OrderPoles>& orders,
                              const std::vector<Track>& tracks,
@@ -45,7 +47,7 @@ Selection select_from_orders(const Curves& curves,
                              const Progress& progress) {
   Selection best = select_modes(
       curves, lasting_poles(curves, tracks, orders.size()), options, progress);
-  for (int most = largest(orders) / 2; most >= kLeastOrder; most /= 2) {
+  for (int most = largest(orders) / 2; most >= least_order; most /= 2) {
     const std::vector<OrderPoles> low =
         plscf_poles(curves, matrix, most, progress);
     const Eigen::VectorXcd lasting =

@@ -16,7 +16,7 @@ namespace tapfit::modal {
 ///
 /// @param orders, tracks of the largest model
 [[nodiscard]] Selection select_from_orders(
-    const Curves& curves,
+    const WeightedFrfs& curves,
     const FrfMatrix& matrix,
     const std::vector<OrderPoles>& orders,
     const std::vector<Track>& tracks,

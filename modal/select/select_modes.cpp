@@ -7,9 +7,9 @@
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/select/close_modes.hpp"
+#include "modal/select/lost_pole_recovery.hpp"
 #include "modal/select/needed_modes.hpp"
-#include "modal/select/neighbour_modes.hpp"
-#include "modal/select/strayed_poles.hpp"
+#include "modal/select/out_of_band_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr double kSurely = 1.5;  // of residues in phase, over what is asked
+constexpr double surely = 1.5;  // of residues in phase, over what is asked
 
 bool lasts(const Track& track, std::size_t orders) {
   const auto least = std::max<std::size_t>(
@@ -32,7 +32,7 @@ bool lasts(const Track& track, std::size_t orders) {
 }
 
 /// Poles of one mode cannot be told apart closer than this [rad/s].
-double resolution(const Curves& curves, const Complex& pole) {
+double resolution(const WeightedFrfs& curves, const Complex& pole) {
   return std::max(0.3 * std::abs(pole.real()), 0.05 * curves.spacing);
 }
 
@@ -46,7 +46,7 @@ bool run_together(const Track& a, const Track& b) {
 
 }  // namespace
 
-Eigen::VectorXcd lasting_poles(const Curves& curves,
+Eigen::VectorXcd lasting_poles(const WeightedFrfs& curves,
                                const std::vector<Track>& tracks,
                                std::size_t orders) {
   std::vector<const Track*> good;
@@ -79,7 +79,7 @@ namespace {
 
 /// Residual power per line over what is usual, averaged over the half
 /// bandwidth that a line's neighbours share.
-Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd left_over(const WeightedFrfs& curves, const ModalFit& fit) {
   const Eigen::VectorXd power =
       left_per_line(curves, fit, {{0, curves.lines()}});
   Eigen::VectorXd smooth(power.size());
@@ -92,7 +92,7 @@ Eigen::VectorXd left_over(const Curves& curves, const ModalFit& fit) {
 }
 
 /// Damping over its standard deviation, per mode.
-Eigen::VectorXd resolved(const Curves& curves, const ModalFit& fit) {
+Eigen::VectorXd resolved(const WeightedFrfs& curves, const ModalFit& fit) {
   const Eigen::MatrixXd covariance = pole_covariance(curves, fit);
   Eigen::VectorXd result(fit.poles.size());
   for (Index r = 0; r < fit.poles.size(); ++r) {
@@ -105,7 +105,7 @@ Eigen::VectorXd resolved(const Curves& curves, const ModalFit& fit) {
 /// Whether a pole that no track speaks for is a mode: well resolved, in phase,
 /// a good part of the FRFs at its frequency, damped like the others and not
 /// beside one of them, where it could only mend that one's misfit.
-bool is_convincing(const Curves& curves, const ModalFit& fit, Index r) {
+bool is_convincing(const WeightedFrfs& curves, const ModalFit& fit, Index r) {
   const Complex pole = fit.poles(r);
   const double zeta = -pole.real() / std::abs(pole);
   if (!in_band(curves, pole) || fit.contribution(r) < 0.25) return false;
@@ -122,18 +122,18 @@ bool is_convincing(const Curves& curves, const ModalFit& fit, Index r) {
 
 /// Looks for modes that no track told of where the residual has a peak, for
 /// example one that hardly moves the references.
-ModalFit recover_missed(const Curves& curves,
+ModalFit recover_missed(const WeightedFrfs& curves,
                         ModalFit fit,
                         const IdentifyOptions& options,
                         const Progress& progress) {
-  constexpr double kPeak = 1.5;
-  constexpr int kInVain = 6;
+  constexpr double peak = 1.5;
+  constexpr int in_vain = 6;
   Eigen::VectorXd open = Eigen::VectorXd::Ones(curves.lines());
   int failures = 0;
-  while (failures < kInVain) {
-    progress("missed modes", static_cast<double>(failures) / kInVain);
+  while (failures < in_vain) {
+    progress("missed modes", static_cast<double>(failures) / in_vain);
     Index line = 0;
-    if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < kPeak) {
+    if (left_over(curves, fit).cwiseProduct(open).maxCoeff(&line) < peak) {
       break;
     }
     const double omega = curves.s(line).imag();
@@ -154,7 +154,7 @@ ModalFit recover_missed(const Curves& curves,
 }
 
 /// Takes out modes until all that stay are needed.
-ModalFit drop_weak(const Curves& curves,
+ModalFit drop_weak(const WeightedFrfs& curves,
                    ModalFit fit,
                    const IdentifyOptions& options,
                    const Progress& progress) {
@@ -170,7 +170,7 @@ ModalFit drop_weak(const Curves& curves,
 
 /// Takes out what has no damping to speak of (hum) or neither a clear damping
 /// nor points that move in phase (noise).
-void drop_unresolved(const Curves& curves, Selection& selection) {
+void drop_unresolved(const WeightedFrfs& curves, Selection& selection) {
   ModalFit& fit = selection.fit;
   while (fit.poles.size() > 0) {
     const Eigen::VectorXd certainty = resolved(curves, fit);
@@ -202,7 +202,7 @@ double in_phase(const Eigen::VectorXcd& shape, const IdentifyOptions& options) {
 }
 
 /// Takes out, most complex first, what does not move in phase.
-void drop_complex(const Curves& curves,
+void drop_complex(const WeightedFrfs& curves,
                   const IdentifyOptions& options,
                   Selection& selection) {
   ModalFit& fit = selection.fit;
@@ -215,7 +215,7 @@ void drop_complex(const Curves& curves,
       if (!in_band(curves, fit.poles(r)) || is_crowded(fit, r)) continue;
       // Residues are products of two values of the shape: hardly ever are they
       // more in phase than it is, and they are at hand.
-      if (in_phase(fit.residues.col(r), options) >= kSurely) continue;
+      if (in_phase(fit.residues.col(r), options) >= surely) continue;
       const double worth = in_phase(mode_shapes(graph,
                                                 fit.residues.col(r),
                                                 fit.poles.segment(r, 1),
@@ -233,7 +233,7 @@ void drop_complex(const Curves& curves,
 
 }  // namespace
 
-Selection select_modes(const Curves& curves,
+Selection select_modes(const WeightedFrfs& curves,
                        const Eigen::VectorXcd& lasting,
                        const IdentifyOptions& options,
                        const Progress& progress) {
@@ -242,10 +242,10 @@ Selection select_modes(const Curves& curves,
   fit = refine_in_reach(curves, lasting, 6);
   fit = drop_weak(curves, std::move(fit), options, progress);
   if (fit.poles.size() > 0) {
-    add_neighbours(curves, fit);
+    add_out_of_band_modes(curves, fit);
     fit = refine_in_reach(curves, fit.poles, 20);
     fit = drop_weak(curves, std::move(fit), options, progress);
-    fit = return_strayed(curves, lasting, std::move(fit), options);
+    fit = recover_lost_poles(curves, lasting, std::move(fit), options);
     drop_unresolved(curves, selection);
   }
   const std::vector<Complex> told = selection.unresolved;
@@ -255,14 +255,14 @@ Selection select_modes(const Curves& curves,
   selection.unresolved = told;
   fit = at_rest_by_one_reference(curves, std::move(fit));
   drop_complex(curves, options, selection);
-  fit = unite_untold(curves, std::move(fit), selection.shifting);
+  fit = merge_unresolved_poles(curves, std::move(fit), selection.shifting);
   const Index before = fit.poles.size();
   fit = separate_close(curves, std::move(fit), options);
   // What stood for the modes that were hidden is needed no more.
   if (fit.poles.size() > before) {
     fit = drop_weak(curves, std::move(fit), options, progress);
   }
-  fit = unite_untold(curves, std::move(fit), selection.shifting);
+  fit = merge_unresolved_poles(curves, std::move(fit), selection.shifting);
   // One that a mode stands for now was not left out.
   std::erase_if(selection.unresolved, [&fit](const Complex& left_out) {
     return std::ranges::any_of(fit.poles, [&](const Complex& pole) {

@@ -32,13 +32,13 @@ struct Selection {
 
 /// Poles of the tracks that return over most of the orders, each once, by
 /// frequency [rad/s].
-[[nodiscard]] Eigen::VectorXcd lasting_poles(const Curves& curves,
+[[nodiscard]] Eigen::VectorXcd lasting_poles(const WeightedFrfs& curves,
                                              const std::vector<Track>& tracks,
                                              std::size_t orders);
 
 /// Fits the lasting poles and takes out, weakest first, those without which the
 /// model is as good or which fail a hard check; looks for what they missed.
-[[nodiscard]] Selection select_modes(const Curves& curves,
+[[nodiscard]] Selection select_modes(const WeightedFrfs& curves,
                                      const Eigen::VectorXcd& lasting,
                                      const IdentifyOptions& options,
                                      const Progress& progress);

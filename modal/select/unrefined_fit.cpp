@@ -10,7 +10,7 @@
 
 namespace tapfit::modal {
 
-Eigen::MatrixXcd unrefined_fit(const Curves& curves,
+Eigen::MatrixXcd unrefined_fit(const WeightedFrfs& curves,
                                const std::vector<Track>& tracks,
                                const Eigen::VectorXcd& poles) {
   std::vector<std::size_t> taken;

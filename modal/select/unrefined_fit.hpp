@@ -2,8 +2,8 @@
 // refining them gained.
 #pragma once
 
-#include "modal/poles/curves.hpp"
 #include "modal/poles/stabilisation.hpp"
+#include "modal/poles/weighted_frfs.hpp"
 
 #include <Eigen/Core>
 
@@ -16,7 +16,7 @@ namespace tapfit::modal {
 ///
 /// @param poles refined [rad/s], n_modes
 /// @return accelerance, n_lines x n_frfs
-[[nodiscard]] Eigen::MatrixXcd unrefined_fit(const Curves& curves,
+[[nodiscard]] Eigen::MatrixXcd unrefined_fit(const WeightedFrfs& curves,
                                              const std::vector<Track>& tracks,
                                              const Eigen::VectorXcd& poles);
 

@@ -5,18 +5,18 @@
 namespace tapfit::modal {
 namespace {
 
-constexpr int kMostTerms = 10000;
-constexpr double kEnough = 1e-14;
-constexpr double kTiny = 1e-300;
+constexpr int most_terms = 10000;
+constexpr double enough = 1e-14;
+constexpr double tiny = 1e-300;
 
-double away_from_zero(double x) { return std::abs(x) < kTiny ? kTiny : x; }
+double away_from_zero(double x) { return std::abs(x) < tiny ? tiny : x; }
 
 /// Continued fraction of I_x(a, b) by Lentz; fast for x < (a + 1)/(a + b + 2).
 double beta_fraction(double x, double a, double b) {
   double c = 1.0;
   double d = 1.0 / away_from_zero(1.0 - (a + b) * x / (a + 1.0));
   double h = d;
-  for (int m = 1; m < kMostTerms; ++m) {
+  for (int m = 1; m < most_terms; ++m) {
     const double even = m * (b - m) * x / ((a + 2 * m - 1.0) * (a + 2 * m));
     d = 1.0 / away_from_zero(1.0 + even * d);
     c = away_from_zero(1.0 + even / c);
@@ -26,7 +26,7 @@ double beta_fraction(double x, double a, double b) {
     d = 1.0 / away_from_zero(1.0 + odd * d);
     c = away_from_zero(1.0 + odd / c);
     h *= d * c;
-    if (std::abs(d * c - 1.0) < kEnough) break;
+    if (std::abs(d * c - 1.0) < enough) break;
   }
   return h;
 }
@@ -45,7 +45,7 @@ double incomplete_beta(double x, double a, double b) {
 double gamma_series(double a, double x) {
   double term = 1.0 / a;
   double sum = term;
-  for (int n = 1; n < kMostTerms && term > kEnough * sum; ++n) {
+  for (int n = 1; n < most_terms && term > enough * sum; ++n) {
     term *= x / (a + n);
     sum += term;
   }
@@ -55,16 +55,16 @@ double gamma_series(double a, double x) {
 /// Q(a, x) by its continued fraction, for x >= a + 1.
 double gamma_fraction(double a, double x) {
   double b = x + 1.0 - a;
-  double c = 1.0 / kTiny;
+  double c = 1.0 / tiny;
   double d = 1.0 / b;
   double h = d;
-  for (int n = 1; n < kMostTerms; ++n) {
+  for (int n = 1; n < most_terms; ++n) {
     const double an = -n * (n - a);
     b += 2.0;
     d = 1.0 / away_from_zero(an * d + b);
     c = away_from_zero(b + an / c);
     h *= d * c;
-    if (std::abs(d * c - 1.0) < kEnough) break;
+    if (std::abs(d * c - 1.0) < enough) break;
   }
   return h;
 }

@@ -17,6 +17,10 @@ constexpr double of_one_hit = 38.0;
 constexpr double reach_of_hits = 12.0;
 constexpr double of_hits = 24.0;
 
+// How often P's shape is mended: each time it follows R more closely, and the
+// third moves it little.
+constexpr int shape_passes = 3;
+
 // Scatter over hits per line, R. The difference of the sums is known to their
 // rounding, 1e-16 of |Y|^2.
 Eigen::VectorXd scatter(const CrossPowers& powers, const Eigen::VectorXcd& H) {
@@ -52,27 +56,27 @@ double repeatability(const Eigen::VectorXd& R,
   return b;
 }
 
-// R / P averaged with triangular weights over the lines within reach; at the
-// band's ends, where one side is missing, the other one reaches further.
-Eigen::VectorXd local_ratio(const Eigen::VectorXd& omega,
-                            const Eigen::VectorXd& ratio,
-                            const Eigen::VectorXd& reach) {
-  Eigen::VectorXd result(ratio.size());
+// Averaged with triangular weights over the lines within reach; at the band's
+// ends, where one side is missing, the other one reaches further.
+Eigen::VectorXd local_average(const Eigen::VectorXd& omega,
+                              const Eigen::VectorXd& value,
+                              const Eigen::VectorXd& reach) {
+  Eigen::VectorXd result(value.size());
   const double low = omega.minCoeff();
   const double high = omega.maxCoeff();
-  for (Index i = 0; i < ratio.size(); ++i) {
+  for (Index i = 0; i < value.size(); ++i) {
     const double edge = std::min(omega(i) - low, high - omega(i));
     const double width = reach(i) + std::max(0.0, reach(i) - edge);
-    double sum = ratio(i);
+    double sum = value(i);
     double weights = 1.0;
     const auto add = [&](Index j) {
       const double w = 1.0 - std::abs(omega(j) - omega(i)) / width;
       if (w <= 0.0) return false;
-      sum += w * ratio(j);
+      sum += w * value(j);
       weights += w;
       return true;
     };
-    for (Index j = i + 1; j < ratio.size() && add(j); ++j) {
+    for (Index j = i + 1; j < value.size() && add(j); ++j) {
     }
     for (Index j = i - 1; j >= 0 && add(j); --j) {
     }
@@ -100,9 +104,18 @@ Eigen::VectorXd frf_variance(const Eigen::VectorXcd& s,
     P += repeatability(measured, P, q) * q;
     P.array() += std::numeric_limits<double>::min();
     const Eigen::VectorXd reach =
-        reach_of_hits / (hits - 1.0) * noise.bandwidth;
-    R = P.cwiseProduct(local_ratio(
-        s.imag(), measured.cwiseQuotient(P), reach.cwiseMax(noise.bandwidth)));
+        (reach_of_hits / (hits - 1.0) * noise.bandwidth)
+            .cwiseMax(noise.bandwidth);
+    const auto averaged = [&](const Eigen::VectorXd& value) {
+      return local_average(s.imag(), value, reach);
+    };
+    constexpr double least = 1e-12;
+    for (int pass = 0; pass < shape_passes; ++pass) {
+      const Eigen::VectorXd logs =
+          measured.cwiseQuotient(P).cwiseMax(least).array().log();
+      P = P.cwiseProduct(averaged(logs).array().exp().matrix());
+    }
+    R = P.cwiseProduct(averaged(measured.cwiseQuotient(P)));
   }
   Eigen::VectorXd variance(H.size());
   for (Index i = 0; i < H.size(); ++i)

@@ -15,7 +15,10 @@
 // chi-squared number with 2 (m - 1) degrees of freedom per line, so the ratio
 // R / P is averaged over so many neighbouring lines that about 24 degrees of
 // freedom come together (as many on one side at the band's ends); P keeps the
-// shape over the resonances.
+// shape over the resonances. A blow askew brings in another direction's
+// response, which is not small where this one's is, so that R / P may span
+// decades: its logarithm is averaged first, and P mended by that, so that what
+// stands out at one line is not lent to all others.
 //
 // Sources: B. Efron, "The jackknife, the bootstrap and other resampling
 // plans", SIAM 1982; J. S. Bendat, A. G. Piersol, "Random Data", ch. 9.

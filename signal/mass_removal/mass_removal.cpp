@@ -12,7 +12,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 
 /// Below this share of its own terms a sum is rounding alone.
-constexpr double kSingular = 1e-12;
+constexpr double singular = 1e-12;
 
 /// Derivative of A0 to each measurement and each mass, gathered on one line.
 class Derivatives {
@@ -94,7 +94,7 @@ std::optional<Sides> solve_sides(const MassRemoval& removal, Index line) {
   const Eigen::MatrixXcd core = Eigen::MatrixXcd::Identity(k, k) - scaled;
   const Eigen::FullPivLU<Eigen::MatrixXcd> lu(core);
   const double least = lu.matrixLU().diagonal().cwiseAbs().minCoeff();
-  if (!(least > kSingular * (1.0 + scaled.norm()))) return std::nullopt;
+  if (!(least > singular * (1.0 + scaled.norm()))) return std::nullopt;
   const Eigen::MatrixXcd inverse = lu.inverse();
   const Eigen::VectorXcd right =
       root.cwiseProduct(values(removal.column, line));

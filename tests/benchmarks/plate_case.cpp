@@ -13,7 +13,7 @@
 namespace tapfit::benchmarks {
 namespace {
 
-constexpr double kHighHz = 400.0;
+constexpr double top_hz = 400.0;
 
 structure::Deck make_deck(int nx, int ny) {
   structure::Deck deck;
@@ -56,7 +56,7 @@ acquisition::TestBundle make_bundle(int nx, int ny) {
     run.sensors = {{1, {node(1.0, 0.0), 3, 1}}, {2, {node(0.5, 1.0), 3, 1}}};
     bundle.runs.push_back(run);
   }
-  bundle.band_hz = {10.0, kHighHz};
+  bundle.band_hz = {10.0, top_hz};
   return bundle;
 }
 
@@ -80,13 +80,13 @@ std::unique_ptr<PlateCase> make_case(int nx, int ny) {
   plate->setting.bundle = &plate->bundle;
   plate->setting.deck = &plate->deck;
   plate->setting.mass_kg = 0.2916;
-  plate->setting.high_hz = kHighHz;
+  plate->setting.high_hz = top_hz;
   const structure::System system = structure::assemble(plate->deck);
   plate->free = system.free_dofs();
   plate->K = structure::extract(system.K, plate->free);
   plate->M = structure::extract(system.M, plate->free);
   updating::BaseOptions options;
-  options.high_hz = kHighHz;
+  options.high_hz = top_hz;
   options.split = false;
   const std::vector<int> points = points_of(*plate);
   options.points = points;
@@ -108,7 +108,7 @@ Eigen::VectorXcd band_lines(Eigen::Index count) {
   Eigen::VectorXcd s(count);
   s.real().setConstant(2.0);
   s.imag() =
-      Eigen::VectorXd::LinSpaced(count, 10.0, kHighHz) * 2.0 * std::numbers::pi;
+      Eigen::VectorXd::LinSpaced(count, 10.0, top_hz) * 2.0 * std::numbers::pi;
   return s;
 }
 

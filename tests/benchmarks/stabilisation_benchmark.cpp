@@ -44,7 +44,7 @@ void run(benchmark::State& state, const signal::FrfSet& frfs) {
   std::size_t poles = 0;
   for (auto _ : state) {
     std::vector<std::string> warnings;
-    const modal::Curves curves = modal::prepare_curves(frfs, warnings);
+    const modal::WeightedFrfs curves = modal::prepare_frfs(frfs, warnings);
     const std::vector<modal::OrderPoles> orders = modal::plscf_poles(
         curves, modal::arrange_frfs(curves), options.max_order, {});
     const modal::Stabilisation found =

@@ -15,7 +15,7 @@
 namespace tapfit::benchmarks {
 namespace {
 
-constexpr Eigen::Index kLines = 300;
+constexpr Eigen::Index line_count = 300;
 
 // 24, 264, 10,086 and 99,072 degrees of freedom.
 void sizes(benchmark::internal::Benchmark* b) {
@@ -72,7 +72,7 @@ void woodbury(benchmark::State& state) {
           plate_case(static_cast<int>(state.range(0)),
                      static_cast<int>(state.range(1))),
           1,
-          kLines,
+          line_count,
           false);
 }
 BENCHMARK(woodbury)->Apply(sizes)->Unit(benchmark::kMillisecond);
@@ -83,7 +83,7 @@ void analytic(benchmark::State& state) {
           plate_case(static_cast<int>(state.range(0)),
                      static_cast<int>(state.range(1))),
           1,
-          kLines,
+          line_count,
           true);
 }
 BENCHMARK(analytic)->Apply(sizes)->Unit(benchmark::kMillisecond);
@@ -124,7 +124,7 @@ void iteration_size(benchmark::State& state) {
           plate_case(static_cast<int>(state.range(0)),
                      static_cast<int>(state.range(1))),
           1,
-          kLines);
+          line_count);
 }
 BENCHMARK(iteration_size)->Apply(sizes)->Unit(benchmark::kMillisecond);
 
@@ -132,7 +132,7 @@ void iteration_parameters(benchmark::State& state) {
   iterate(state,
           plate_case(41, 40),
           static_cast<std::size_t>(state.range(0)),
-          kLines);
+          line_count);
 }
 BENCHMARK(iteration_parameters)
     ->DenseRange(0, 6, 2)

@@ -230,6 +230,19 @@ TEST_F(BadInput, DeckWithAMissingPropertyIsNamed) {
   expect_input_fault(result, {"bad.bdf", "99"});
 }
 
+// An area that no structure has ends with the card that holds it.
+TEST_F(BadInput, DeckWithAnAreaBeyondAllReasonIsRefused) {
+  const fs::path deck = bundle_ / "large.bdf";
+  std::string cards =
+      read_file(TAPFIT_SOURCE_DIR "/recordings/paper-solar-wing/model.bdf");
+  const std::size_t card = cards.find("PBAR,2,1,4.-4");
+  ASSERT_NE(card, std::string::npos);
+  cards.replace(card, 13, "PBAR,2,1,1.+38");
+  write_file(deck, cards);
+  expect_input_fault(run_tapfit(fmt::format("model '{}'", deck.string())),
+                     {"PBAR 2", "A is 1e+38"});
+}
+
 TEST_F(BadInput, UnknownEffectIsNamed) {
   const auto result = run("update --effect wishful-thinking@1");
   // The command line is at fault, not the bundle.

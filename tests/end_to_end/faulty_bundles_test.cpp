@@ -28,10 +28,6 @@ struct Fault {
 
 void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// A small test with recordings and a deck; made once.
 const fs::path& sound_bundle() {
   static const fs::path bundle = [] {

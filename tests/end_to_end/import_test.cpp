@@ -16,10 +16,6 @@ using nlohmann::json;
 const std::string netcdf =
     TAPFIT_SOURCE_DIR "/tests/acquisition/instruments/files/rattlesnake.nc";
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST(Import, AFileAloneBecomesABundleThatSaysWhatWasAssumed) {
   const fs::path bundle = fresh_folder() / "bundle";
   const ProgramResult imported =

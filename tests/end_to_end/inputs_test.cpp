@@ -21,10 +21,6 @@ using nlohmann::json;
 
 const fs::path recordings = TAPFIT_SOURCE_DIR "/recordings";
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Within so much time and memory that neither is used up.
 ProgramResult run_bounded(const std::string& arguments) {
   const auto begin = std::chrono::steady_clock::now();

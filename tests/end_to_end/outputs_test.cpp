@@ -1,6 +1,6 @@
 // What the program writes: never over what it reads, over other files only with
-// --force or a y, and as a whole or not at all.
-#include "tests/end_to_end/run_program.hpp"
+// --force or a y.
+#include "tests/end_to_end/written_files.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,61 +8,11 @@
 #include <array>
 #include <cstdlib>
 #include <map>
-#include <sys/wait.h>
-#include <vector>
 
 namespace tapfit::end_to_end {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path recordings = TAPFIT_SOURCE_DIR "/recordings";
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// The command through the shell, "%tapfit" in it replaced by the program.
-int shell_status(std::string command) {
-  const std::string name = "%tapfit";
-  command.replace(command.find(name), name.size(), "'" TAPFIT_PROGRAM "'");
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
-
-std::vector<std::string> parts_in(const fs::path& folder) {
-  std::vector<std::string> parts;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".part")) parts.push_back(name);
-  }
-  return parts;
-}
-
-class OutputsOfATest : public testing::Test {
- protected:
-  void SetUp() override {
-    bundle_ = fresh_folder() / "truss";
-    fs::copy(recordings / "paper-truss", bundle_);
-  }
-  [[nodiscard]] ProgramResult run(const std::string& command,
-                                  const std::string& options) const {
-    return run_tapfit(
-        fmt::format("{} '{}' {}", command, bundle_.string(), options));
-  }
-  [[nodiscard]] std::string in_bundle(const std::string& name) const {
-    return "'" + (bundle_ / name).string() + "'";
-  }
-  [[nodiscard]] std::string keys(const std::string& script) const {
-    write_file(bundle_ / "keys.txt", script);
-    const auto seen = run_tapfit(fmt::format(
-        "'{}' --width 200 --keys {}", bundle_.string(), in_bundle("keys.txt")));
-    EXPECT_EQ(seen.exit_status, 0) << seen.err;
-    return seen.out;
-  }
-
-  fs::path bundle_;
-};
 
 TEST_F(OutputsOfATest, NeverGoOverWhatItReads) {
   fs::create_symlink("measured.uff", bundle_ / "link.uff");
@@ -74,17 +24,19 @@ TEST_F(OutputsOfATest, NeverGoOverWhatItReads) {
     const char* option;
     const char* file;
   };
-  for (const Attempt& attempt : {Attempt{"frf", "--uff", "measured.uff"},
-                                 Attempt{"frf", "--uff", "./measured.uff"},
-                                 Attempt{"frf", "--uff", "link.uff"},
-                                 Attempt{"modes", "--uff", "measured.uff"},
-                                 Attempt{"modes", "--fit", "measured.uff"},
-                                 Attempt{"export", "--uff", "measured.uff"},
-                                 Attempt{"export", "--deck", "model.bdf"},
-                                 Attempt{"export", "--records", "test.json"},
-                                 Attempt{"report", "-o", "measured.uff"},
-                                 Attempt{"report", "-o", "test.json"},
-                                 Attempt{"report", "-o", "session.json"}}) {
+  for (const Attempt& attempt :
+       {Attempt{"frf", "--uff", "measured.uff"},
+        Attempt{"frf", "--uff", "./measured.uff"},
+        Attempt{"frf", "--uff", "link.uff"},
+        Attempt{"modes", "--uff", "measured.uff"},
+        Attempt{"modes", "--fit", "measured.uff"},
+        Attempt{"export", "--uff", "measured.uff"},
+        Attempt{"export", "--deck", "model.bdf"},
+        Attempt{"export", "--records", "test.json"},
+        Attempt{"predict --effect added-mass@3=1", "--uff", "measured.uff"},
+        Attempt{"report", "-o", "measured.uff"},
+        Attempt{"report", "-o", "test.json"},
+        Attempt{"report", "-o", "session.json"}}) {
     for (const char* force : {"", "--force"}) {
       const ProgramResult result =
           run(attempt.command,
@@ -113,58 +65,6 @@ TEST_F(OutputsOfATest, GoOverAnotherFileOnlyWhereThatIsAskedFor) {
   EXPECT_EQ(run("frf", option + " --force").exit_status, 0);
   EXPECT_TRUE(holds(read_file(file), "    58"));
   EXPECT_TRUE(parts_in(bundle_).empty());
-}
-
-// The shell's limit stands for a disk that is full.
-TEST_F(OutputsOfATest, LeaveTheOlderFileOnAFullDisk) {
-  const fs::path file = bundle_ / "out.uff";
-  write_file(file, "older");
-  const int status = shell_status(
-      fmt::format("ulimit -f 4; "
-                  "%tapfit frf '{}' --uff '{}' --force >/dev/null 2>/dev/null",
-                  bundle_.string(),
-                  file.string()));
-  EXPECT_EQ(status, 1);
-  EXPECT_EQ(read_file(file), "older");
-  EXPECT_TRUE(parts_in(bundle_).empty());
-}
-
-// All that write a file, at sizes of the disk that stop them at different
-// places: the older file is there as it was, or the whole new one where it has
-// room, and nothing beside it.
-TEST_F(OutputsOfATest, OfEveryCommandAreWholeOrNotThere) {
-  for (const char* command : {"frf %b --uff %o",
-                              "modes %b --uff %o",
-                              "modes %b --fit %o",
-                              "export %b --uff %o",
-                              "export %b --deck %o",
-                              "report %b -o %o"}) {
-    const fs::path file = bundle_ / "out.uff";
-    std::string line = command;
-    line.replace(line.find("%b"), 2, in_bundle(""));
-    line.replace(line.find("%o"), 2, in_bundle("out.uff") + " --force");
-    EXPECT_EQ(shell_status("%tapfit " + line + " >/dev/null 2>/dev/null"), 0)
-        << line;
-    const std::size_t whole = read_file(file).size();
-    for (const int blocks : {0, 4}) {
-      write_file(file, "older");
-      const int status =
-          shell_status(fmt::format("ulimit -f {}; %tapfit {} "
-                                   ">/dev/null 2>/dev/null",
-                                   blocks,
-                                   line));
-      const bool may_fit = whole <= 1024 * static_cast<std::size_t>(blocks);
-      if (!may_fit) {
-        EXPECT_EQ(status, 1) << line;
-      }
-      if (status == 0) {
-        EXPECT_EQ(read_file(file).size(), whole) << line;
-      } else {
-        EXPECT_EQ(read_file(file), "older") << line;
-      }
-      EXPECT_TRUE(parts_in(bundle_).empty()) << line;
-    }
-  }
 }
 
 TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
@@ -227,7 +127,7 @@ TEST(Outputs, OfSimulateTakeNoFileAway) {
 // Whatever its file is called, and whatever lies beside it.
 TEST(Outputs, OfSimulateAndImportLeaveEveryTestAsItIs) {
   const fs::path folder = fresh_folder() / "frame";
-  fs::copy(recordings / "solar-panel-frame", folder);
+  fs::copy(recordings() / "solar-panel-frame", folder);
   const auto both = [&folder] {
     const auto before = contents_of(folder);
     const ProgramResult made = simulated(folder, "--force");
@@ -286,41 +186,6 @@ TEST_F(OutputsOfATest, OfReportReplacePicturesOnlyWhereThatIsAskedFor) {
   EXPECT_TRUE(holds(read_file(bundle_ / "r-files" / "frf.svg"), "</svg>"));
 }
 
-// The text is longer than each of its pictures, or one of them is longer: at
-// some limit only a part has room.
-TEST_F(OutputsOfATest, OfReportComeWithTheirPicturesOrNotAtAll) {
-  for (const int blocks : {1, 16, 48}) {
-    const int status =
-        shell_status(fmt::format("ulimit -f {}; %tapfit report '{}' -o {} "
-                                 ">/dev/null 2>/dev/null",
-                                 blocks,
-                                 bundle_.string(),
-                                 in_bundle("r.md")));
-    EXPECT_TRUE(status == 0 || status == 1) << blocks;
-    EXPECT_EQ(fs::exists(bundle_ / "r.md"), status == 0) << blocks;
-    EXPECT_EQ(fs::exists(bundle_ / "r-files"), status == 0) << blocks;
-    EXPECT_TRUE(parts_in(bundle_).empty()) << blocks;
-    fs::remove(bundle_ / "r.md");
-    fs::remove_all(bundle_ / "r-files");
-  }
-}
-
-// Whenever the signal comes, the bundle is there as a whole or not at all.
-TEST(Outputs, OfSimulateLeaveNothingWhereItIsStopped) {
-  const fs::path folder = fresh_folder();
-  for (const char* delay : {"0.05", "0.3", "0.8"}) {
-    const fs::path bundle = folder / "test";
-    fs::remove_all(bundle);
-    (void)shell_status(
-        fmt::format("timeout -s INT {} %tapfit simulate '{}' "
-                    ">/dev/null 2>/dev/null",
-                    delay,
-                    bundle.string()));
-    EXPECT_TRUE(parts_in(folder).empty()) << delay;
-    EXPECT_EQ(fs::exists(bundle), fs::exists(bundle / "truth.json")) << delay;
-  }
-}
-
 TEST(Outputs, OfEveryCommandThatWritesCanBeForced) {
   const std::string page = read_file(TAPFIT_SOURCE_DIR "/docs/commands.md");
   EXPECT_TRUE(holds(page, "`--force`"));
@@ -336,20 +201,6 @@ TEST(Outputs, OfEveryCommandThatWritesCanBeForced) {
     const ProgramResult help = run_tapfit(fmt::format("{} --help", command));
     EXPECT_TRUE(holds(help.out, "--force")) << command << help.out;
   }
-}
-
-/// A small test with recordings; made once.
-const fs::path& recorded() {
-  static const fs::path bundle = [] {
-    const fs::path folder = scratch_folder("recorded") / "test";
-    const auto made = run_tapfit(
-        fmt::format("simulate '{}' --structure ladder --seed 5 --runs 4 "
-                    "--hits 2",
-                    folder.string()));
-    EXPECT_EQ(made.exit_status, 0) << made.err;
-    return folder;
-  }();
-  return bundle;
 }
 
 // Replay needs no deck, and its INCLUDEs are inputs all the same.
@@ -369,49 +220,11 @@ TEST(Outputs, OfReplayLeaveTheIncludesOfADeckThatCannotBeRead) {
   EXPECT_EQ(read_file(bundle / "head.inc"), head);
 }
 
-// The recordings of a bundle, too: half a file is none.
-TEST(Outputs, OfSimulateAreAllThereOrNone) {
-  const fs::path bundle = fresh_folder() / "test";
-  for (const int kilobytes : {1, 8, 64}) {
-    const int status =
-        shell_status(fmt::format("ulimit -f {}; %tapfit simulate '{}' "
-                                 "--structure ladder --runs 2 --hits 2 "
-                                 ">/dev/null 2>/dev/null",
-                                 kilobytes,
-                                 bundle.string()));
-    EXPECT_EQ(status, 1) << kilobytes;
-    EXPECT_FALSE(fs::exists(bundle)) << kilobytes;
-    EXPECT_TRUE(parts_in(bundle.parent_path()).empty()) << kilobytes;
-  }
-}
-
-// Whenever a signal comes, of whichever kind.
-TEST(Outputs, OfExportAreWholeOrNotThereWhereItIsStopped) {
-  const fs::path folder = fresh_folder();
-  const fs::path file = folder / "out.uff";
-  for (const char* signal : {"INT", "TERM", "HUP", "QUIT"}) {
-    for (const char* delay : {"0.02", "0.1", "0.3", "0.6"}) {
-      write_file(file, "older");
-      (void)shell_status(
-          fmt::format("timeout -s {} {} %tapfit export '{}' --records '{}' "
-                      "--text --force >/dev/null 2>/dev/null",
-                      signal,
-                      delay,
-                      recorded().string(),
-                      file.string()));
-      EXPECT_TRUE(parts_in(folder).empty()) << signal << delay;
-      const std::string now = read_file(file);
-      EXPECT_TRUE(now == "older" || now.ends_with("    -1\n"))
-          << signal << delay;
-    }
-  }
-}
-
 // What six commands keep at once is there, or they have said that it is not.
 TEST_F(OutputsOfATest, OfChoicesKeptAtOnceAreKeptOrTold) {
   const fs::path folder = bundle_.parent_path();
   const fs::path bundle = folder / "frame";
-  fs::copy(recordings / "solar-panel-frame", bundle);
+  fs::copy(recordings() / "solar-panel-frame", bundle);
   constexpr std::array<double, 6> modes_hz = {
       2.0771, 7.2323, 12.9321, 23.1671, 36.6989, 48.3436};
   const auto file = [&folder](const char* name, int k) {
@@ -440,55 +253,6 @@ TEST_F(OutputsOfATest, OfChoicesKeptAtOnceAreKeptOrTold) {
     EXPECT_EQ(holds(read_file(file("err", k)), "meanwhile"), !well);
   }
   EXPECT_GT(done, 0);
-}
-
-TEST(StandardError, ThatIsFullEndsNoCommand) {
-  for (const char* command : {"hits", "replay", "run", "modes"}) {
-    EXPECT_EQ(shell_status(fmt::format("%tapfit {} '{}' >/dev/null 2>/dev/full",
-                                       command,
-                                       recorded().string())),
-              0)
-        << command;
-  }
-  // A fault has its status though nobody reads the message.
-  EXPECT_EQ(shell_status("%tapfit hits /nonexistent >/dev/null 2>/dev/full"),
-            1);
-  EXPECT_EQ(shell_status("%tapfit no-such --option 2>/dev/full"), 2);
-}
-
-TEST(StandardOutput, ThatIsFullIsTold) {
-  const fs::path folder = fresh_folder();
-  const fs::path said = folder / "said";
-  for (const std::string& command :
-       {fmt::format("hits '{}'", recorded().string()),
-        fmt::format("modes '{}' --json", recorded().string()),
-        fmt::format("simulate '{}' --structure ladder --runs 2 --hits 1",
-                    (folder / "made").string()),
-        std::string("--help"),
-        std::string("--version"),
-        std::string("score --help"),
-        std::string("simulate --help")}) {
-    EXPECT_EQ(shell_status(fmt::format(
-                  "%tapfit {} >/dev/full 2>'{}'", command, said.string())),
-              1)
-        << command;
-    EXPECT_TRUE(holds(read_file(said), "standard output")) << command;
-  }
-}
-
-// An area that no structure has ends with the card that holds it.
-TEST(Deck, WithAnAreaBeyondAllReasonIsRefused) {
-  const fs::path deck = fresh_folder() / "model.bdf";
-  std::string cards = read_file(recordings / "paper-solar-wing" / "model.bdf");
-  const std::size_t at = cards.find("PBAR,2,1,4.-4");
-  ASSERT_NE(at, std::string::npos);
-  cards.replace(at, 13, "PBAR,2,1,1.+38");
-  write_file(deck, cards);
-  const ProgramResult result =
-      run_tapfit(fmt::format("model '{}'", deck.string()));
-  EXPECT_EQ(result.exit_status, 1);
-  EXPECT_TRUE(holds(result.err, "PBAR 2")) << result.err;
-  EXPECT_TRUE(holds(result.err, "A is 1e+38")) << result.err;
 }
 
 }  // namespace

@@ -16,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// The first tag that is not closed as it was opened; empty where all are.
 std::string unbalanced_tag(const std::string& html) {
   std::vector<std::string> open;

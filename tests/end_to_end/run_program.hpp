@@ -26,4 +26,9 @@ struct ProgramResult {
 void write_file(const std::filesystem::path& path, const std::string& text);
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
 
+[[nodiscard]] inline bool holds(const std::string& text,
+                                const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace tapfit::end_to_end

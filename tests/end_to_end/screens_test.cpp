@@ -10,10 +10,6 @@
 namespace tapfit::end_to_end {
 namespace {
 
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 /// Keys played on the small test.
 class Screens : public WithCache {
  protected:

@@ -10,8 +10,8 @@
 //
 // CTest runs a good dozen, each kind of thinking once: Fixed. The others,
 // Further, take some ten minutes more and are run by hand (CONTRIBUTING.md).
-#include "updating/practice/hidden_case.hpp"
-#include "updating/practice/hidden_verdict.hpp"
+#include "updating/practice/practice_case.hpp"
+#include "updating/practice/score_diagnosis.hpp"
 #include "updating/session/session.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ void PrintTo(const FixedCase& fixed, std::ostream* out) {
   *out << fixed.structure << ' ' << fixed.kind;
 }
 
-std::string told(const Verdict& v) {
+std::string told(const DiagnosisScore& v) {
   return fmt::format(
       "hidden {}, found {}; kind {}, honest {}, place {}, size {} ({:.1f} % "
       "off), error {:.4f} over floor {:.4f} = {:.2f}",
@@ -53,11 +53,11 @@ std::string told(const Verdict& v) {
       v.error / v.floor);
 }
 
-Verdict diagnosed(const FixedCase& fixed) {
+DiagnosisScore diagnosed(const FixedCase& fixed) {
   VirtualBundleSpec spec =
-      draw_hidden_case(fixed.kind,
-                       9000 + static_cast<std::uint64_t>(fixed.number),
-                       fixed.structure);
+      draw_practice_case(fixed.kind,
+                         9000 + static_cast<std::uint64_t>(fixed.number),
+                         fixed.structure);
   // A short test: one that CI has the time for.
   spec.points = 12;
   spec.hits = 3;
@@ -67,7 +67,8 @@ Verdict diagnosed(const FixedCase& fixed) {
   fs::remove_all(folder);
   (void)make_virtual_bundle(spec, folder);
   Session session(folder);
-  const Verdict verdict = judge(spec, session.diagnosis(), session.deck());
+  const DiagnosisScore verdict =
+      score_diagnosis(spec, session.diagnosis(), session.deck());
   fs::remove_all(folder);
   return verdict;
 }
@@ -76,7 +77,7 @@ class HiddenEffects : public testing::TestWithParam<FixedCase> {};
 
 TEST_P(HiddenEffects, IsToldFromTheRecordings) {
   const FixedCase& fixed = GetParam();
-  const Verdict v = diagnosed(fixed);
+  const DiagnosisScore v = diagnosed(fixed);
   fmt::print("{}\n", told(v));
   EXPECT_TRUE(v.right_kind) << told(v);
   EXPECT_TRUE(v.right_place) << told(v);

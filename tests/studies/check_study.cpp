@@ -4,7 +4,8 @@
 //   check_study SEED COUNT
 //
 // COUNT plates drawn from the seed, free and held in turn, 2 to 4 sensors: each
-// clean and with every mistake of faulty_test.hpp, from just visible to gross.
+// clean and with every mistake of test_mistakes.hpp, from just visible to
+// gross.
 #include "tests/updating/support/check_score.hpp"
 
 #include <fmt/format.h>

@@ -16,7 +16,7 @@
 // of the worst ones, up to 0.58 %, to 0.003 %.
 #include "tests/signal/support/band_coverage.hpp"
 #include "tests/signal/support/scale_error.hpp"
-#include "updating/measurement/lasting_frfs.hpp"
+#include "updating/measurement/truncation_corrected_frfs.hpp"
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ double damping_bias(const GeneratedTest& test,
 }
 
 Eigen::VectorXcd lasting_poles(const GeneratedTest& test) {
-  return updating::estimate_lasting_frfs(
+  return updating::estimate_truncation_corrected_frfs(
              test.bundle, test.recordings, test.hits, {})
       .poles;
 }

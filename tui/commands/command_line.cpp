@@ -47,6 +47,7 @@ enum Extra : unsigned {
   Pairs = 65536,
   BodyMass = 131072,
   Robustness = 262144,
+  Forecast = 524288,
 };
 
 /// A command that reads its own command line.
@@ -74,7 +75,7 @@ struct Entry {
   const char* alias = nullptr;   ///< an older name
 };
 
-constexpr std::array<Entry, 19> entries{{
+constexpr std::array<Entry, 20> entries{{
     {"run",
      "The whole chain, recording to error ladder",
      run_command,
@@ -143,6 +144,11 @@ constexpr std::array<Entry, 19> entries{{
      update_command,
      Effects | Regularisation | ByHand | Pairs,
      "ladder"},
+    {"predict",
+     "What a known change will do, with intervals",
+     predict_command,
+     Uff | Forecast | ByHand | Pairs,
+     "modes"},
     {"session", "Re-run a saved session", session_command, SavedFile | Output},
     {"report",
      "A report of the finished work, HTML or Markdown",
@@ -219,6 +225,7 @@ void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
         "--file", options.saved, "Saved session (BUNDLE/session.json)");
   }
   if (has(Effects)) add_effects(*command, options);
+  if (has(Forecast)) add_predict_options(*command, options);
   if (has(Free)) add_free_masses(*command, options);
   if (has(Regularisation)) add_regularisation(*command, options);
   if (has(Mac)) {

@@ -70,6 +70,12 @@ namespace tapfit::tui {
 [[nodiscard]] std::string modes_command(const CommandOptions& options,
                                         const Progress& progress);
 
+/// What a known change will do to the structure, with intervals. With --uff
+/// also writes the predicted FRFs; with --against says whether modes measured
+/// after the change confirm it.
+[[nodiscard]] std::string predict_command(const CommandOptions& options,
+                                          const Progress& progress);
+
 /// The test as if it were being measured: streams the recordings with bounded
 /// memory; each hit is shown on standard error when its block is complete. The
 /// FRFs as `tapfit frf` has them.

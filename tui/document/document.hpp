@@ -44,18 +44,7 @@ struct FigureRow {
   std::vector<Figure> figures;
 };
 
-/// A picture of what a table says, beside it where there is room.
-struct TableBesideFigure {
-  DataTable table;
-  Figure figure;
-};
-
-using Part = std::variant<Paragraph,
-                          BulletList,
-                          DataTable,
-                          Figure,
-                          FigureRow,
-                          TableBesideFigure>;
+using Part = std::variant<Paragraph, BulletList, DataTable, Figure, FigureRow>;
 
 struct Section {
   std::string title;  ///< empty: none is printed

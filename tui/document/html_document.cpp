@@ -4,13 +4,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 
 namespace tapfit::tui {
 namespace {
 
 constexpr std::string_view style = R"(
-@page{size:A4;margin:16mm 15mm 18mm}
 *{box-sizing:border-box}
 body{font:15px/1.5 system-ui,"Segoe UI",Helvetica,Arial,sans-serif;color:#1a1a1a;
 background:#fff;margin:0 auto;padding:1.2rem 1rem 3rem;max-width:60rem}
@@ -31,6 +32,10 @@ border-bottom:1px solid #e2e2e2;font-variant-numeric:tabular-nums}
 th{border-bottom:1px solid #888;color:#333;font-weight:600}
 td:not(.l),th:not(.l){white-space:nowrap}
 .l{text-align:left}
+.facts thead{display:none}
+.facts tr{display:flex;flex-wrap:wrap;gap:.3rem 1.6rem}
+.facts td{display:block;text-align:left;border:0;padding:0}
+.facts td::before{content:attr(data-n);display:block;color:#555;font-size:.9em}
 figure{margin:.8rem 0;overflow-x:auto}
 figure svg{display:block;width:100%;height:auto}
 figcaption{color:#444;font-size:.84rem;margin-top:.2rem}
@@ -38,16 +43,25 @@ figcaption{color:#444;font-size:.84rem;margin-top:.2rem}
 grid-template-columns:repeat(auto-fill,minmax(min(17rem,100%),1fr))}
 .row.pair{grid-template-columns:repeat(auto-fill,minmax(min(22rem,100%),1fr))}
 .row figure{min-width:0;margin:.4rem 0}
-.row .scroll{min-width:0;margin:.2rem 0}
 @media(max-width:600px){body{font-size:14px;padding:.8rem .7rem 2rem}
 figure.wide svg{min-width:30rem}
-.upright thead{display:none}.upright td{display:block;text-align:left}
-.upright td::before{content:attr(data-n);display:inline-block;width:8rem;
-font-weight:600}
-td.l{min-width:7.5rem}h1{font-size:1.35rem}.verdict{font-size:1rem}}
-@media print{html{font-size:9.5pt}body{font-size:1rem;max-width:none;padding:0}
-h2{break-after:avoid;margin:.9rem 0 .3rem}
-.verdict{font-size:1.1rem}p,.scroll,figure{margin:.35rem 0}.page{break-before:page}.page h2{margin-top:0}
+.cards thead{display:none}
+.cards tr{display:block;padding:.3rem 0;border-bottom:1px solid #bbb}
+.cards td{display:flex;text-align:left;border:0;padding:.1rem 0}
+.cards td:not(.l){white-space:normal}
+.cards td:first-child{font-weight:600}.cards td:empty{display:none}
+.cards td::before{content:attr(data-n);flex:0 0 8rem;color:#555;
+font-weight:400}
+.scroll:not(.cards):not(.facts) td{white-space:nowrap}
+h1{font-size:1.35rem}.verdict{font-size:1rem}}
+@media print{html{font-size:9pt}
+body{font-size:1rem;line-height:1.4;max-width:none;padding:0}
+h1{font-size:1.6rem;margin-top:0}
+h2{break-after:avoid;font-size:1.15rem;margin:.8rem 0 .2rem}
+th,td{padding:.12rem .7rem .12rem 0}
+.verdict{font-size:1.1rem;padding:.5rem .8rem;margin:.6rem 0}
+p,.scroll,figure,.row figure{margin:.3rem 0}
+.page{break-before:page}.page h2{margin-top:0}
 figure,.verdict,.short{break-inside:avoid}.scroll,figure{overflow:visible}
 tr{break-inside:avoid}thead{display:table-header-group}
 .row{grid-template-columns:repeat(3,1fr)}
@@ -65,6 +79,34 @@ addEventListener('beforeprint',still);
 if(matchMedia('(prefers-reduced-motion: reduce)').matches)still();
 else addEventListener('afterprint',go);})();
 )";
+
+/// A text between quotes in a style sheet, which no tag can end.
+std::string css_string(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '"' || c == '\\' || c == '<') {
+      out += fmt::format("\\{:x} ", static_cast<int>(c));
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+/// Sheets of paper, each with what it belongs to and its number at its foot.
+std::string page_rule(const Document& document) {
+  constexpr std::string_view how =
+      "font:8pt system-ui,Helvetica,Arial,sans-serif;color:#555";
+  return fmt::format(
+      "\n@page{{size:A4;margin:15mm 15mm 17mm;\n"
+      "@bottom-left{{content:\"{} · {}\";{}}}\n"
+      "@bottom-right{{content:\"page \" counter(page) \" of \" "
+      "counter(pages);{}}}}}",
+      css_string(document.title),
+      css_string(document.subtitle),
+      how,
+      how);
+}
 
 /// Escaped, with a number and its % on one line.
 std::string prose(std::string_view text) {
@@ -93,7 +135,8 @@ std::string html_of(const BulletList& list) {
   return text + "</ul>\n";
 }
 
-/// @param named whether each cell carries its column's name, for small screens
+/// @param named whether each cell carries its column's name, to stand without
+///   the heading
 std::string row_of(const std::vector<std::string>& cells,
                    const std::vector<std::string>& heading,
                    const char* tag,
@@ -111,24 +154,41 @@ std::string row_of(const std::vector<std::string>& cells,
   return text + "</tr>\n";
 }
 
+/// Rows that stay on one sheet of paper.
+bool is_short(const DataTable& table) { return table.rows.size() <= 12; }
+
+/// One row of words alone is a list of facts. Few rows with words in them
+/// become cards, their cells one below the other, where there is no room for
+/// columns.
+enum class Shape { Rows, Facts, Cards };
+Shape shape_of(const DataTable& table) {
+  const auto columns = std::ssize(table.heading);
+  const auto words = std::ranges::count_if(
+      table.heading,
+      [](const std::string& heading) { return column_name(heading).left; });
+  if (columns < 3 || words < 2 || !is_short(table)) return Shape::Rows;
+  const bool facts = table.rows.size() == 1 && words == columns;
+  return facts ? Shape::Facts : Shape::Cards;
+}
+
 std::string html_of(const DataTable& table) {
   std::vector<std::string> names;
   for (const std::string& heading : table.heading) {
     names.push_back(column_name(heading).text);
   }
-  constexpr std::size_t few = 12;  // rows that stay on one sheet of paper
-  // One long row stands upright where there is no room for it.
-  const bool upright = table.rows.size() == 1 && names.size() > 4;
+  const Shape shape = shape_of(table);
   std::string text = fmt::format("<div class=\"scroll{}{}\"><table>\n",
-                                 table.rows.size() <= few ? " short" : "",
-                                 upright ? " upright" : "");
+                                 is_short(table) ? " short" : "",
+                                 shape == Shape::Facts   ? " facts"
+                                 : shape == Shape::Cards ? " cards"
+                                                         : "");
   if (!table.caption.empty()) {
     text += "<caption>" + escaped(table.caption) + "</caption>\n";
   }
   text +=
       "<thead>" + row_of(names, table.heading, "th") + "</thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
-    text += row_of(row, table.heading, "td", upright);
+    text += row_of(row, table.heading, "td", shape != Shape::Rows);
   }
   return text + "</tbody></table></div>\n";
 }
@@ -141,11 +201,6 @@ std::string html_figure(const Figure& figure, bool wide) {
 }
 
 std::string html_of(const Figure& figure) { return html_figure(figure, true); }
-
-std::string html_of(const TableBesideFigure& both) {
-  return "<div class=\"row pair\">\n" + html_of(both.table) +
-         html_figure(both.figure, false) + "</div>\n";
-}
 
 std::string html_of(const FigureRow& row) {
   std::string text = row.figures.size() <= 2 ? "<div class=\"row pair\">\n"
@@ -161,9 +216,10 @@ std::string as_html(const Document& document) {
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" "
       "content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n"
-      "<h1>{0}</h1>\n<p class=\"subtitle\">{2}</p>\n",
+      "<title>{0}</title>\n<style>{1}{2}</style>\n</head>\n<body>\n"
+      "<h1>{0}</h1>\n<p class=\"subtitle\">{3}</p>\n",
       escaped(document.title),
+      page_rule(document),
       style,
       escaped(document.subtitle));
   for (const Section& section : document.sections) {

@@ -74,9 +74,6 @@ struct Printer {
                        figure.name,
                        plain(figure.caption));
   }
-  std::string operator()(const TableBesideFigure& both) const {
-    return (*this)(both.table) + (*this)(both.figure);
-  }
   std::string operator()(const FigureRow& row) const {
     std::string text;
     for (const Figure& figure : row.figures) text += (*this)(figure);
@@ -104,8 +101,6 @@ std::vector<Figure> figures_of(const Document& document) {
     for (const Part& part : section.parts) {
       if (const auto* figure = std::get_if<Figure>(&part)) {
         figures.push_back(*figure);
-      } else if (const auto* both = std::get_if<TableBesideFigure>(&part)) {
-        figures.push_back(both->figure);
       } else if (const auto* row = std::get_if<FigureRow>(&part)) {
         figures.insert(figures.end(), row->figures.begin(), row->figures.end());
       }

@@ -14,6 +14,11 @@ namespace {
 
 constexpr double cell_height = 21.0;
 constexpr double head_height = 40.0;
+/// At least, so that maps of few and of many columns have letters of one size
+/// beside each other.
+constexpr double least_width = 420.0;
+/// White letters are read on what is darker than this.
+constexpr double dark = 0.8;
 
 /// White at 0, the full colour at 1.
 std::string shade(double share, bool alarming) {
@@ -27,8 +32,9 @@ std::string shade(double share, bool alarming) {
   return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
 }
 
-double names_width(const std::vector<std::string>& names) {
-  std::size_t longest = 0;
+double names_width(const std::vector<std::string>& names,
+                   const std::string& title) {
+  std::size_t longest = title.size();
   for (const std::string& name : names) {
     longest = std::max(longest, name.size());
   }
@@ -46,22 +52,21 @@ std::string at_or_empty(const std::vector<std::string>& names,
 std::string svg_heat_map(const SvgHeatMap& map) {
   const Eigen::Index rows = map.values.rows();
   const Eigen::Index columns = map.values.cols();
-  const double left = names_width(map.rows) + 22.0;
-  const double cell = std::clamp(
-      520.0 / static_cast<double>(std::max<Eigen::Index>(columns, 1)),
-      34.0,
-      62.0);
-  SvgCanvas canvas(left + cell * static_cast<double>(columns) + 6.0,
-                   head_height + cell_height * static_cast<double>(rows) + 6.0,
-                   map.name);
+  const double left = names_width(map.rows, map.row_title);
+  const double cell =
+      std::clamp((least_width - left - 6.0) /
+                     static_cast<double>(std::max<Eigen::Index>(columns, 1)),
+                 34.0,
+                 62.0);
+  SvgCanvas canvas(
+      std::max(left + cell * static_cast<double>(columns) + 6.0, least_width),
+      head_height + cell_height * static_cast<double>(rows) + 6.0,
+      map.name);
   canvas.text(left + cell * static_cast<double>(columns) / 2.0,
               14.0,
               map.column_title,
               {.anchor = "middle"});
-  canvas.text(13.0,
-              head_height + cell_height * static_cast<double>(rows) / 2.0,
-              map.row_title,
-              {.anchor = "middle", .turn_deg = -90.0});
+  canvas.text(left - 6.0, 14.0, map.row_title, {.anchor = "end"});
   for (Eigen::Index c = 0; c < columns; ++c) {
     canvas.text(left + cell * (static_cast<double>(c) + 0.5),
                 33.0,
@@ -89,7 +94,7 @@ std::string svg_heat_map(const SvgHeatMap& map) {
           fixed(written, written < 9.95 && map.alarming ? 1 : map.decimals),
           {.anchor = "middle",
            .size = 11.5,
-           .colour = share > 0.55 ? "#ffffff" : ink::black});
+           .colour = share > dark ? "#ffffff" : ink::black});
     }
   }
   return canvas.svg();

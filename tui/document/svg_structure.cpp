@@ -57,6 +57,38 @@ View view_of(const Wireframe& wire, double width, double tallest) {
   return view;
 }
 
+/// Where the axes stand: in the corner farthest from the structure.
+Eigen::Vector2d corner_for_axes(const View& view, double width) {
+  constexpr double inset = 34.0;
+  Eigen::Vector2d best(inset, view.height - inset);
+  double farthest = -1.0;
+  for (const double y : {view.height - inset, inset}) {
+    for (const double x : {inset, width - inset}) {
+      const Eigen::Vector2d corner(x, y);
+      const double near =
+          (view.at.colwise() - corner).colwise().norm().minCoeff();
+      if (near <= farthest) continue;
+      farthest = near;
+      best = corner;
+    }
+  }
+  return best;
+}
+
+/// The basic axes, as long as they are seen.
+void draw_triad(SvgCanvas& canvas, const Eigen::Vector2d& origin) {
+  constexpr double length = 24.0;
+  constexpr const char* names[] = {"X", "Y", "Z"};
+  const Eigen::Matrix<double, 2, 3> axes = length * eye();
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector2d tip = origin + axes.col(k);
+    canvas.line(origin.x(), origin.y(), tip.x(), tip.y(), {ink::black, 1.2});
+    const Eigen::Vector2d at = origin + 1.35 * axes.col(k);
+    canvas.text(
+        at.x(), at.y() + 4.0, names[k], {.anchor = "middle", .size = 11.0});
+  }
+}
+
 /// The lines of a mesh as coarse as a picture wants it.
 std::vector<Edge> drawn_lines(const Wireframe& wire) {
   const bool ranked = wire.ranks.size() == wire.lines.size();
@@ -149,6 +181,9 @@ std::string svg_structure(const Wireframe& wire, const SvgStructure& picture) {
   SvgCanvas canvas(picture.width, view.height, picture.name);
   const std::string d = lines_path(chains(drawn_lines(wire)), view.at);
   if (!d.empty()) canvas.path(d, {ink::grey, 0.8});
+  if (view.at.cols() > 0) {
+    draw_triad(canvas, corner_for_axes(view, picture.width));
+  }
   for (const SvgMark& mark : picture.marks) {
     const auto found = wire.index.find(mark.node);
     if (found == wire.index.end()) continue;

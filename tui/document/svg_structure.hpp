@@ -26,7 +26,7 @@ struct SvgStructure {
   double tallest = 420.0;  ///< the height is the structure's, at most this
 };
 
-/// The structure at rest.
+/// The structure at rest, and the basic axes in a corner.
 [[nodiscard]] std::string svg_structure(const Wireframe& wire,
                                         const SvgStructure& picture);
 

@@ -55,6 +55,14 @@ struct ModesArguments {
   int dataset = 55;                          ///< of --uff: 55 or 2414
 };
 
+/// What `tapfit predict` is told; its --with are CommandOptions::effects.
+struct PredictArguments {
+  std::vector<std::string> changes;              ///< "added-mass@201=0.010"
+  std::optional<std::filesystem::path> against;  ///< measured after the change
+  /// From one set-up of a structure to the next, of frequencies (sd) [%].
+  double repeatability_percent = 0.0;
+};
+
 /// What a command is told of decisions made by hand.
 struct HandChoices {
   bool session = false;            ///< start from those that are kept
@@ -94,6 +102,7 @@ struct CommandOptions {
   ModesArguments identification;
   HandChoices by_hand;
   std::optional<std::filesystem::path> other;  ///< second set of modes
+  PredictArguments prediction;
 };
 
 /// A command returns all of its standard output at once, so that a fault on

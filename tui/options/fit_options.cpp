@@ -1,6 +1,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/options/option_groups.hpp"
 #include "updating/catalogue/effect_place.hpp"
+#include "updating/prediction/stated_change.hpp"
 #include "updating/residual/line_rule.hpp"
 
 #include <cmath>
@@ -8,23 +9,31 @@
 namespace tapfit::tui {
 namespace {
 
-/// What is wrong with an effect as written; empty where nothing is.
-std::string effect_fault(const std::string& text) {
+/// What is wrong with a text as written; empty where nothing is.
+template <class Parse>
+std::string fault_of(const Parse& parse, const std::string& text) {
   try {
-    static_cast<void>(updating::parse_effect(text));
+    static_cast<void>(parse(text));
     return {};
   } catch (const InputError& error) {
     return error.what();
   }
 }
 
+std::string effect_fault(const std::string& text) {
+  return fault_of(updating::parse_effect, text);
+}
+
 std::string lines_fault(const std::string& text) {
-  try {
-    static_cast<void>(updating::parse_lines(text));
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return fault_of(updating::parse_lines, text);
+}
+
+std::string change_fault(const std::string& text) {
+  return fault_of(updating::parse_stated_change, text);
+}
+
+std::string with_fault(const std::string& text) {
+  return text == "none" ? std::string() : effect_fault(text);
 }
 
 std::string lambda_fault(const std::string& text) {
@@ -45,6 +54,36 @@ void add_effects(CLI::App& command, CommandOptions& options) {
                   "Effect to add, for example added-mass@201")
       ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
       ->allow_extra_args(false);
+}
+
+void add_predict_options(CLI::App& command, CommandOptions& options) {
+  command
+      .add_option("--effect",
+                  options.prediction.changes,
+                  "Known change and its size, for example "
+                  "added-mass@201=0.010 or =10g; again for more")
+      ->required()
+      ->check(CLI::Validator(change_fault, "EFFECT[@PLACE]=SIZE[,SIZE...]"))
+      ->allow_extra_args(false);
+  command
+      .add_option("--with",
+                  options.effects,
+                  "Effect that the model has now, fitted along; none: what is "
+                  "uncertain alone. Without it those kept in session.json or "
+                  "found by a diagnosis")
+      ->check(CLI::Validator(with_fault, "EFFECT[@PLACE]|none"))
+      ->allow_extra_args(false);
+  auto* against = command.add_option(
+      "--against",
+      options.prediction.against,
+      "Bundle measured after the change: is it as predicted?");
+  command
+      .add_option("--repeatability",
+                  options.prediction.repeatability_percent,
+                  "By which frequencies scatter from one set-up of the "
+                  "structure to the next (standard deviation) [%]; else 0")
+      ->check(CLI::Range(0.0, 100.0))
+      ->needs(against);
 }
 
 void add_regularisation(CLI::App& command, CommandOptions& options) {

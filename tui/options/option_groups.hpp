@@ -16,6 +16,9 @@ void add_effects(CLI::App& command, CommandOptions& options);
 /// --lines and --lambda.
 void add_regularisation(CLI::App& command, CommandOptions& options);
 
+/// What `tapfit predict` can be told of changes and of the model.
+void add_predict_options(CLI::App& command, CommandOptions& options);
+
 /// frf_options.cpp: --estimator, --form, --window, --sigma and --best-hits.
 void add_estimate(CLI::App& command, FrfArguments& frf);
 /// --free, as often as is wanted.

@@ -4,8 +4,8 @@
 #include "tui/options/standard_streams.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 #include "updating/practice/challenge.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

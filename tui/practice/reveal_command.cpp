@@ -44,15 +44,17 @@ std::optional<Answer> played(const fs::path& bundle,
   session.take_up(saved);
   const updating::Diagnosis found = updating::as_diagnosis(
       session.ladder(progress), session.comparison(progress).floor);
-  return Answer{found.ladder,
-                updating::judge(hidden, found, session.deck(progress))};
+  return Answer{
+      found.ladder,
+      updating::score_diagnosis(hidden, found, session.deck(progress))};
 }
 
 Answer diagnosed(updating::Session& session,
                  const updating::VirtualBundleSpec& hidden,
                  const Progress& progress) {
   const updating::Diagnosis& found = session.diagnosis(progress);
-  return {found.ladder, updating::judge(hidden, found, session.deck(progress))};
+  return {found.ladder,
+          updating::score_diagnosis(hidden, found, session.deck(progress))};
 }
 
 }  // namespace

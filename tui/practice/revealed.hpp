@@ -2,7 +2,7 @@
 #pragma once
 
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/practice/hidden_verdict.hpp"
+#include "updating/practice/score_diagnosis.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ namespace tapfit::tui {
 /// What somebody, or the program, found, and what it is worth.
 struct Answer {
   std::vector<updating::Rung> effects;
-  updating::Verdict verdict;
+  updating::DiagnosisScore verdict;
 };
 
 struct Revealed {

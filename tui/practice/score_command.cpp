@@ -5,8 +5,8 @@
 #include "tui/options/standard_streams.hpp"
 #include "tui/practice/verdict_output.hpp"
 #include "tui/report/text_table.hpp"
-#include "updating/practice/hidden_case.hpp"
-#include "updating/practice/hidden_verdict.hpp"
+#include "updating/practice/practice_case.hpp"
+#include "updating/practice/score_diagnosis.hpp"
 #include "updating/session/session.hpp"
 
 #include <CLI/CLI.hpp>
@@ -63,13 +63,13 @@ ordered_json scored(const std::string& kind,
                     std::uint64_t seed,
                     const Progress& progress) {
   const updating::VirtualBundleSpec spec =
-      updating::draw_hidden_case(kind, seed);
+      updating::draw_practice_case(kind, seed);
   const ScratchFolder folder(fmt::format("{}", seed));
   updating::make_virtual_bundle(spec, folder.path(), progress);
   updating::Session session(folder.path());
   const updating::Diagnosis& diagnosis = session.diagnosis(progress);
-  const updating::Verdict v =
-      updating::judge(spec, diagnosis, session.deck(progress));
+  const updating::DiagnosisScore v =
+      updating::score_diagnosis(spec, diagnosis, session.deck(progress));
   std::vector<std::string> effects;
   for (const updating::VirtualEffect& effect : spec.effects) {
     effects.push_back(updating::virtual_effect_text(effect));
@@ -178,7 +178,7 @@ std::string summary_text(const ordered_json& cases) {
 ordered_json run_cases(const Words& words, const Progress& progress) {
   const auto [k, m] = shard_of(words.shard).value();
   const std::vector<std::string>& kinds =
-      words.kinds.empty() ? updating::hidden_kinds() : words.kinds;
+      words.kinds.empty() ? updating::practice_kinds() : words.kinds;
   ordered_json cases = ordered_json::array();
   for (std::size_t at = k - 1; at < words.cases; at += m) {
     const ordered_json c =
@@ -209,7 +209,7 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
   app.add_option("--shard", words.shard, "K/M: only part K of M")
       ->check(CLI::Validator(shard_fault, "K/M"));
   app.add_option("--kind", words.kinds, "hide only this (may be repeated)")
-      ->check(CLI::IsMember(updating::hidden_kinds()))
+      ->check(CLI::IsMember(updating::practice_kinds()))
       ->take_all();
   app.add_option("--merge", words.merge, "files printed with --json");
   app.add_flag("--json", words.json, "print one JSON object");

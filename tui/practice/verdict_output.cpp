@@ -10,12 +10,12 @@ namespace {
 
 const char* right_or_wrong(bool right) { return right ? "right" : "wrong"; }
 
-std::string effect_word(const updating::Verdict& verdict) {
+std::string effect_word(const updating::DiagnosisScore& verdict) {
   if (verdict.right_kind) return "right";
   return verdict.honest ? "true, but says less" : "wrong";
 }
 
-std::string size_word(const updating::Verdict& verdict) {
+std::string size_word(const updating::DiagnosisScore& verdict) {
   if (verdict.intervals == 0) return verdict.right_size ? "right" : "not told";
   return fmt::format("{}, {} off",
                      right_or_wrong(verdict.right_size),
@@ -24,7 +24,7 @@ std::string size_word(const updating::Verdict& verdict) {
 
 }  // namespace
 
-nlohmann::ordered_json verdict_json(const updating::Verdict& verdict) {
+nlohmann::ordered_json verdict_json(const updating::DiagnosisScore& verdict) {
   return {{"hidden", verdict.hidden},
           {"found", verdict.found},
           {"right_kind", verdict.right_kind},
@@ -38,7 +38,7 @@ nlohmann::ordered_json verdict_json(const updating::Verdict& verdict) {
           {"intervals_hold", verdict.intervals_hold}};
 }
 
-std::vector<std::string> verdict_row(const updating::Verdict& verdict) {
+std::vector<std::string> verdict_row(const updating::DiagnosisScore& verdict) {
   const bool placed = verdict.right_kind && verdict.hidden != "none";
   return {effect_word(verdict),
           placed ? right_or_wrong(verdict.right_place) : "-",

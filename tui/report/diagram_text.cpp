@@ -17,10 +17,10 @@
 namespace tapfit::tui {
 namespace {
 
-constexpr int kColumns = 68;
-constexpr int kMostRows = 25;
-constexpr int kMostCurves = 3;                // singular values shown
-constexpr std::string_view kRank = " ofvds";  // steadier to the right
+constexpr int columns = 68;
+constexpr int most_rows = 25;
+constexpr int most_curves = 3;               // singular values shown
+constexpr std::string_view rank = " ofvds";  // steadier to the right
 
 struct Axis {
   double low = 0.0;
@@ -29,7 +29,7 @@ struct Axis {
   [[nodiscard]] std::optional<int> column(double hz) const {
     if (!(hz >= low && hz <= high)) return std::nullopt;
     const double share = (hz - low) / (high - low);
-    return std::min(kColumns - 1, static_cast<int>(share * kColumns));
+    return std::min(columns - 1, static_cast<int>(share * columns));
   }
 };
 
@@ -39,16 +39,16 @@ std::string pole_rows(const modal::ModeSet& modes, const Axis& axis) {
   for (const modal::DiagramPole& pole : modes.diagram) {
     highest = std::max(highest, pole.order);
   }
-  const int step = (highest + kMostRows - 1) / kMostRows;
+  const int step = (highest + most_rows - 1) / most_rows;
   std::map<int, std::string, std::greater<>> rows;
   for (int row = 0; row * step <= highest; ++row) {
-    rows[row] = std::string(kColumns, ' ');
+    rows[row] = std::string(columns, ' ');
   }
   for (const modal::DiagramPole& pole : modes.diagram) {
     const std::optional<int> column = axis.column(pole.frequency_hz);
     if (!column) continue;
     char& cell = rows[pole.order / step][static_cast<std::size_t>(*column)];
-    if (kRank.find(pole.letter) > kRank.find(cell)) cell = pole.letter;
+    if (rank.find(pole.letter) > rank.find(cell)) cell = pole.letter;
   }
   std::string text;
   for (const auto& [number, cells] : rows) {
@@ -73,7 +73,7 @@ std::string bars(const Eigen::VectorXd& f,
                                                "\u2586",
                                                "\u2587",
                                                "\u2588"};
-  std::vector<double> highest(kColumns, 0.0);
+  std::vector<double> highest(columns, 0.0);
   for (Eigen::Index k = 0; k < f.size(); ++k) {
     const std::optional<int> column = axis.column(f(k));
     if (!column) continue;
@@ -102,7 +102,7 @@ std::string curve_rows(const signal::FrfSet& frfs, const Axis& axis) {
   };
   std::string text = "   |H| |" + bars(f, sum, top(sum), axis) + "\n";
   const Eigen::MatrixXd cmif = modal::cmif(frfs);
-  for (Eigen::Index k = 0; k < std::min<Eigen::Index>(kMostCurves, cmif.cols());
+  for (Eigen::Index k = 0; k < std::min<Eigen::Index>(most_curves, cmif.cols());
        ++k) {
     text += fmt::format(
         "  CMIF{}|{}\n", k + 1, bars(f, cmif.col(k), top(cmif.col(0)), axis));
@@ -111,10 +111,10 @@ std::string curve_rows(const signal::FrfSet& frfs, const Axis& axis) {
 }
 
 std::string frequency_row(const Axis& axis) {
-  std::string ticks(kColumns, '-');
-  std::string names(kColumns + 12, ' ');
+  std::string ticks(columns, '-');
+  std::string names(columns + 12, ' ');
   for (int k = 0; k <= 4; ++k) {
-    const int column = k * (kColumns - 1) / 4;
+    const int column = k * (columns - 1) / 4;
     ticks[static_cast<std::size_t>(column)] = '+';
     const double hz = axis.low + (axis.high - axis.low) * k / 4.0;
     const std::string label = number(hz, 4);
@@ -132,7 +132,7 @@ std::string diagram_text(const modal::ModeSet& modes,
                          double low_hz,
                          double high_hz) {
   const Axis axis{low_hz, std::max(high_hz, low_hz + 1e-9)};
-  std::string taken(kColumns, ' ');
+  std::string taken(columns, ' ');
   for (const modal::Mode& mode : modes.modes) {
     const std::optional<int> column = axis.column(mode.frequency_hz);
     if (column) taken[static_cast<std::size_t>(*column)] = '^';

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
 
 namespace tapfit::tui {
 namespace {
@@ -115,28 +116,31 @@ Criteria of_pair(const Comparison& c, const ModePair& pair) {
 
 /// One comparison, judged.
 struct Judged {
+  const Comparison* comparison = nullptr;
+  const char* when = "model";  ///< or "before", "after"
   std::vector<Criteria> modes;
   Criteria worst;
   Tally tally;
 };
 
-Judged judged(const Comparison& comparison, const ReportData& data) {
+Judged judged(const Comparison& comparison,
+              const char* when,
+              const ReportData& data) {
   Judged found;
+  found.comparison = &comparison;
+  found.when = when;
   found.modes = criteria_of(comparison, data.modes.modes.size());
   found.worst = worst_of(found.modes);
   found.tally = tally(found.modes, data.notes.limits);
   return found;
 }
 
-bool was_changed(const ReportData& data) {
-  return data.model->ladder.size() > 1;
-}
-
 /// As delivered, and as it is now where that is another model.
 std::vector<Judged> all_judged(const ReportData& data) {
-  std::vector<Judged> found{judged(data.model->before, data)};
-  if (was_changed(data)) found.push_back(judged(data.model->after, data));
-  return found;
+  const ModelResults& model = *data.model;
+  if (model.ladder.size() < 2) return {judged(model.before, "model", data)};
+  return {judged(model.before, "before", data),
+          judged(model.after, "after", data)};
 }
 
 std::string limit_words(const Criterion& one, const Limits& limits) {
@@ -154,9 +158,11 @@ void add_worst_rows(const std::vector<Judged>& models,
       return (model.worst.*one.found).has_value();
     };
     if (!(limits.*one.limit) && !std::ranges::any_of(models, known)) continue;
-    std::vector<std::string> row{one.words, limit_words(one, limits)};
+    std::vector<std::string> row{one.words};
+    if (any_limit(limits)) row.push_back(limit_words(one, limits));
     for (const Judged& model : models) {
       row.push_back(value_text(one, model.worst.*one.found));
+      if (!any_limit(limits)) continue;
       row.emplace_back(judged_words(keeps_one(one, model.worst, limits)));
     }
     table.rows.push_back(std::move(row));
@@ -167,15 +173,15 @@ void add_count_rows(const std::vector<Judged>& models,
                     const Limits& limits,
                     DataTable& table) {
   const bool limited = any_limit(limits);
-  std::vector<std::string> pairs{"measured modes with a pair",
-                                 limited ? "all" : "none set"};
+  std::vector<std::string> pairs{"measured modes with a pair"};
+  if (limited) pairs.emplace_back("all");
   std::vector<std::string> kept{"measured modes that keep all limits", "all"};
   for (const Judged& model : models) {
     const auto paired =
         std::ranges::count(model.modes, true, &Criteria::paired);
     pairs.push_back(fmt::format("{} of {}", paired, model.modes.size()));
-    pairs.emplace_back(judged_words(limited ? std::optional(model.worst.paired)
-                                            : std::nullopt));
+    if (!limited) continue;
+    pairs.emplace_back(judged_words(model.worst.paired));
     kept.push_back(
         fmt::format("{} of {}", model.tally.kept, model.tally.judged));
     kept.emplace_back(judged_words(model.tally.judged > 0
@@ -188,10 +194,12 @@ void add_count_rows(const std::vector<Judged>& models,
 
 DataTable worst_table(const ReportData& data,
                       const std::vector<Judged>& models) {
-  DataTable table{"", {"<criterion", "<limit"}, {}};
-  const char* first = models.size() > 1 ? "before" : "model";
-  for (std::size_t k = 0; k < models.size(); ++k) {
-    table.heading.insert(table.heading.end(), {k == 0 ? first : "after", "<"});
+  DataTable table{"", {"<criterion"}, {}};
+  const bool limited = any_limit(data.notes.limits);
+  if (limited) table.heading.emplace_back("<limit");
+  for (const Judged& model : models) {
+    table.heading.emplace_back(model.when);
+    if (limited) table.heading.emplace_back("<");
   }
   add_worst_rows(models, data.notes.limits, table);
   add_count_rows(models, data.notes.limits, table);
@@ -216,14 +224,15 @@ std::string mode_cell(const Criterion& one,
   return text;
 }
 
-void add_mode_cells(const Comparison& comparison,
+void add_mode_cells(const Judged& model,
                     std::size_t mode,
-                    const Criteria& found,
                     const Limits& limits,
                     std::vector<std::string>& row) {
-  const auto pair = std::ranges::find(
-      comparison.pairs, static_cast<int>(mode), &ModePair::measured);
-  const ModePair* known = pair == comparison.pairs.end() ? nullptr : &*pair;
+  const std::vector<ModePair>& pairs = model.comparison->pairs;
+  const Criteria& found = model.modes[mode];
+  const auto pair =
+      std::ranges::find(pairs, static_cast<int>(mode), &ModePair::measured);
+  const ModePair* known = pair == pairs.end() ? nullptr : &*pair;
   row.push_back(known == nullptr ? "–" : fixed(known->model_hz, 3));
   for (const Criterion& one : criteria) {
     if (is_told(one, limits)) {
@@ -234,14 +243,12 @@ void add_mode_cells(const Comparison& comparison,
 }
 
 DataTable mode_table_of(const ReportData& data,
-                        const std::vector<Judged>& models) {
+                        std::span<const Judged> models,
+                        const std::string& caption) {
   const Limits& limits = data.notes.limits;
-  DataTable table{
-      "Modes of measurement and model", {"mode", "measured Hz"}, {}};
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    table.heading.emplace_back(models.size() == 1 ? "model Hz"
-                               : m == 0           ? "before Hz"
-                                                  : "after Hz");
+  DataTable table{caption, {"mode", "measured Hz"}, {}};
+  for (const Judged& model : models) {
+    table.heading.push_back(fmt::format("{} Hz", model.when));
     for (const Criterion& one : criteria) {
       if (is_told(one, limits)) table.heading.emplace_back(one.column);
     }
@@ -250,22 +257,32 @@ DataTable mode_table_of(const ReportData& data,
   for (std::size_t k = 0; k < data.modes.modes.size(); ++k) {
     std::vector<std::string> row{fmt::format("{}", k + 1),
                                  fixed(data.modes.modes[k].frequency_hz, 3)};
-    for (std::size_t m = 0; m < models.size(); ++m) {
-      add_mode_cells(m == 0 ? data.model->before : data.model->after,
-                     k,
-                     models[m].modes[k],
-                     limits,
-                     row);
-    }
+    for (const Judged& model : models) add_mode_cells(model, k, limits, row);
     table.rows.push_back(std::move(row));
   }
   return table;
 }
 
+/// Before and after in one table; with limits in one for each, as both would
+/// be wider than a sheet of paper.
+void add_mode_tables(const ReportData& data,
+                     std::span<const Judged> models,
+                     std::vector<Part>& parts) {
+  const std::string caption = "Modes of measurement and model";
+  if (models.size() == 1 || !any_limit(data.notes.limits)) {
+    parts.emplace_back(mode_table_of(data, models, caption));
+    return;
+  }
+  for (const Judged& model : models) {
+    parts.emplace_back(mode_table_of(
+        data, {&model, 1}, fmt::format("{}, {}", caption, model.when)));
+  }
+}
+
 std::string small_print(const Limits& limits, const Criteria& worst) {
   std::string text = any_limit(limits)
                          ? "Limits are those of test.json."
-                         : "test.json sets no limits (\"limits\").";
+                         : "No limits are set (\"limits\" in test.json).";
   if (worst.on_diagonal) {
     text +=
         " Cross-orthogonality is in the model's mass condensed to the measured "
@@ -372,10 +389,12 @@ std::string criteria_sentence(const ReportData& data) {
 
 std::vector<Part> criteria_parts(const ReportData& data) {
   const std::vector<Judged> models = all_judged(data);
-  return {worst_table(data, models),
-          Paragraph{small_print(data.notes.limits, models.front().worst),
-                    Paragraph::Kind::Small},
-          mode_table_of(data, models)};
+  std::vector<Part> parts{
+      worst_table(data, models),
+      Paragraph{small_print(data.notes.limits, models.front().worst),
+                Paragraph::Kind::Small}};
+  add_mode_tables(data, models, parts);
+  return parts;
 }
 
 }  // namespace tapfit::tui

@@ -88,6 +88,10 @@ void take(std::vector<std::string>& into,
 
 std::vector<std::string> all_warnings(const ReportData& data) {
   std::vector<std::string> found = data.bundle.warnings;
+  // What no computation uses is a fact for the reader, and stands in front.
+  std::erase_if(found, [](const std::string& warning) {
+    return warning.ends_with(": unknown field, not used");
+  });
   if (data.model) take(found, data.model->deck.warnings);
   if (data.hits) {
     for (const Finding& finding : data.hits->findings) {

@@ -9,6 +9,7 @@
 #include "tui/report/report_words.hpp"
 #include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/comparison/compare.hpp"
 #include "updating/fit/kept_fit.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace tapfit::tui {
 namespace {
@@ -40,12 +43,23 @@ std::string hits_words(const acquisition::HitSet& hits) {
   return fmt::format("{} found, {} accepted", found, accepted);
 }
 
-/// One row: what a customer asks first.
+/// "24 hit, 2 with sensors", of those that an FRF is from and at.
+std::string points_words(const signal::FrfSet& frfs) {
+  std::set<std::string> hit;
+  std::set<std::string> measured;
+  for (const signal::Frf& frf : frfs.frfs) {
+    hit.insert(name(frf.reference));
+    measured.insert(name(frf.response));
+  }
+  return fmt::format("{} hit, {} with sensors", hit.size(), measured.size());
+}
+
+/// One row: what a customer asks first, and whatever test.json says of it.
 DataTable tested(const ReportData& data) {
   DataTable table{"What was tested", {}, {{}}};
-  const auto add = [&](const char* what, const std::string& value) {
+  const auto add = [&](const std::string& what, const std::string& value) {
     if (value.empty()) return;
-    table.heading.emplace_back(what);
+    table.heading.push_back(what);
     table.rows[0].push_back(value);
   };
   add("<bundle", data.path.lexically_normal().filename().string());
@@ -60,11 +74,15 @@ DataTable tested(const ReportData& data) {
     add("<modes from", data.bundle.modes->file.filename().string());
     add("<points", fmt::format("{}", data.modes.dofs.size()));
   } else {
+    add("<points", points_words(data.frfs));
     add("<FRFs", fmt::format("{}", data.frfs.frfs.size()));
     const std::array<double, 2> band = band_of(data);
     add("<band", fmt::format("{} to {} Hz", number(band[0]), number(band[1])));
   }
   add("<modes", fmt::format("{}", data.modes.modes.size()));
+  for (const auto& [what, value] : data.notes.facts) {
+    add("<" + what, value);
+  }
   return table;
 }
 
@@ -92,7 +110,8 @@ void add_model_curve(Plot& plot,
       {label, hz, comparison.model_frfs[frf].cwiseAbs(), {}, {}, pen});
 }
 
-Figure frf_figure(const ReportData& data) {
+/// @param picture smaller where another stands beside it
+Figure frf_figure(const ReportData& data, const Picture& picture) {
   const std::size_t shown = shown_frf(data.frfs);
   const signal::Frf& frf = data.frfs.frfs[shown];
   const Eigen::VectorXd hz = data.frfs.frequency_hz();
@@ -122,7 +141,7 @@ Figure frf_figure(const ReportData& data) {
     caption += fmt::format(
         ", with the exponential window of {} 1/s on all curves", number(sigma));
   }
-  return {"frf", caption + ".", svg_plot(plot, {.height = 250.0})};
+  return {"frf", caption + ".", svg_plot(plot, picture)};
 }
 
 std::string ladder_words(const Rung& rung) {
@@ -136,53 +155,69 @@ std::string ladder_words(const Rung& rung) {
 /// What the error is one of.
 std::string error_words(const ReportData& data) {
   if (!data.bundle.modes) {
-    return "Relative error of the FRFs after each step. Each step "
-           "identifies all parameters anew. The floor is what the "
-           "scatter over the hits, the mesh and the form of the model "
-           "(what a careful model is wrong by) allow.";
+    return "Relative error of the FRFs after each step; each identifies all "
+           "parameters anew. Floor: what the scatter over the hits, the mesh "
+           "and the form of the model (what a careful model is wrong by) "
+           "allow";
   }
   return "Error of the modes after each step: root mean square of all "
          "frequencies and shapes, each in units of its standard deviation, "
-         "times that of the frequencies. Each step identifies all parameters "
-         "anew. The floor is what these deviations, the mesh and the form of "
-         "the model (what a careful model is wrong by) allow.";
+         "times that of the frequencies; each step identifies all parameters "
+         "anew. Floor: what these deviations, the mesh and the form of the "
+         "model (what a careful model is wrong by) allow";
 }
 
-Section ladder_section(const ReportData& data) {
+Figure ladder_figure(const ReportData& data) {
   const ModelResults& model = *data.model;
-  DataTable table{
-      "",
-      {"<model", data.bundle.modes ? "error of modes" : "error of FRFs"},
-      {}};
   std::vector<SvgBar> bars;
   for (const Rung& rung : model.ladder) {
     std::string words = ladder_words(rung);
+    if (rung.stopped_after > 0) {
+      words += fmt::format(" ({})", updating::stopped_text(rung.stopped_after));
+    }
     bars.push_back({words,
                     rung.error,
                     percent(rung.error),
                     &rung == &model.ladder.back() ? ink::blue : ink::grey});
-    if (rung.stopped_after > 0) {
-      words += fmt::format(" ({})", updating::stopped_text(rung.stopped_after));
-    }
-    table.rows.push_back({words, percent(rung.error)});
   }
   const updating::Comparison& now = model.after;
-  table.rows.push_back({"floor: " + floor_words(now), percent(now.floor)});
   bars.push_back({"floor", now.floor, percent(now.floor), ink::yellow});
-  return {"Error step by step",
-          {TableBesideFigure{
-              table,
-              {"error-ladder",
-               error_words(data),
-               svg_bars(bars, "error ladder", "error [%]", 100.0)}}}};
+  return {"error-ladder",
+          fmt::format("{} ({}).", error_words(data), floor_words(now)),
+          svg_bars(bars,
+                   "error ladder",
+                   fmt::format("error of the {} [%], logarithmic",
+                               data.bundle.modes ? "modes" : "FRFs"),
+                   100.0)};
+}
+
+/// An FRF, and beside it how the model's error fell.
+void add_pictures(const ReportData& data, Section& section) {
+  const bool frf = !data.frfs.frfs.empty() && data.frfs.lines() > 1;
+  if (!data.model) {
+    if (frf) section.parts.emplace_back(frf_figure(data, {.height = 250.0}));
+    return;
+  }
+  FigureRow row;
+  if (frf) row.figures.push_back(frf_figure(data, {420.0, 280.0}));
+  row.figures.push_back(ladder_figure(data));
+  section.parts.emplace_back(std::move(row));
 }
 
 Section identified_section(const ReportData& data) {
-  DataTable table{
-      "",
-      {"<what", "<", "value ± s.d.", "95 %", "deck or sheet", "change"},
-      {}};
-  for (const IdentifiedRow& row : identified_rows(data.bundle, *data.model)) {
+  const std::vector<IdentifiedRow> rows =
+      identified_rows(data.bundle, *data.model);
+  const bool quantities = std::ranges::any_of(
+      rows, [](const IdentifiedRow& row) { return !row.quantity.empty(); });
+  DataTable table{"",
+                  {"<what",
+                   quantities ? "<quantity" : "<",
+                   "value ± s.d.",
+                   "95 %",
+                   "deck or sheet",
+                   "change"},
+                  {}};
+  for (const IdentifiedRow& row : rows) {
     table.rows.push_back({row.what,
                           row.quantity,
                           row.value,
@@ -238,26 +273,6 @@ std::string rest_words(const ModelResults& model) {
           : effect_words(model.rest->verdict));
 }
 
-void add_firmness(const updating::Diagnosis& diagnosis, Section& section) {
-  if (diagnosis.robustness.empty()) return;
-  DataTable table{"How firm it is",
-                  {"<what was changed", "<verdict", "<farthest move of a size"},
-                  {}};
-  for (const updating::Robustness& row : diagnosis.robustness) {
-    const std::string move = move_text(row);
-    table.rows.push_back(
-        {row.change,
-         row.verdict_stands ? "stands" : effect_words(row.verdict),
-         move.empty() ? "–" : move});
-  }
-  section.parts.emplace_back(table);
-  section.parts.emplace_back(Paragraph{
-      capitalised(firmness_words(diagnosis.robustness)) +
-          ". What was found and what came closest were fitted again with each "
-          "of these changed; sd: standard deviations of the size as stated.",
-      Paragraph::Kind::Small});
-}
-
 Section sure_section(const ModelResults& model) {
   Section section{"How sure is it", {}};
   if (!model.diagnosis) {
@@ -292,7 +307,10 @@ Section sure_section(const ModelResults& model) {
         "error: on runs that the parameters were not fitted to.",
         Paragraph::Kind::Small});
   }
-  add_firmness(*model.diagnosis, section);
+  if (const auto& rows = model.diagnosis->robustness; !rows.empty()) {
+    section.parts.emplace_back(
+        Paragraph{capitalised(firmness_words(rows)) + "."});
+  }
   if (const std::string rest = rest_words(model); !rest.empty()) {
     section.parts.emplace_back(Paragraph{rest});
   }
@@ -301,6 +319,10 @@ Section sure_section(const ModelResults& model) {
 
 Section next_section(const ModelResults& model) {
   BulletList list;
+  if (updating::hides_errors(model.after)) {
+    list.items.push_back(
+        capitalised(typeset(updating::floor_warning(model.after))) + ".");
+  }
   if (model.diagnosis) {
     for (const updating::NextMeasurement& next : model.diagnosis->next) {
       list.items.push_back(next_words(next, model.diagnosis->floor));
@@ -332,9 +354,7 @@ std::vector<Section> front_sections(const ReportData& data) {
   if (const std::string limits = criteria_sentence(data); !limits.empty()) {
     first.parts.insert(first.parts.begin() + 1, Paragraph{limits});
   }
-  if (!data.frfs.frfs.empty() && data.frfs.lines() > 1) {
-    first.parts.emplace_back(frf_figure(data));
-  }
+  add_pictures(data, first);
   std::vector<Section> sections{std::move(first)};
   if (!data.model) {
     if (!data.modes.modes.empty()) {
@@ -342,11 +362,31 @@ std::vector<Section> front_sections(const ReportData& data) {
     }
     return sections;
   }
-  sections.push_back(ladder_section(data));
   sections.push_back(identified_section(data));
   sections.push_back(sure_section(*data.model));
   sections.push_back(next_section(*data.model));
   return sections;
+}
+
+std::vector<Section> firmness_sections(const ReportData& data) {
+  if (!data.model || !data.model->diagnosis) return {};
+  const RobustnessRows& rows = data.model->diagnosis->robustness;
+  if (rows.empty()) return {};
+  DataTable table{
+      "", {"<what was changed", "<verdict", "<farthest move of a size"}, {}};
+  for (const updating::Robustness& row : rows) {
+    const std::string move = move_text(row);
+    table.rows.push_back(
+        {row.change,
+         row.verdict_stands ? "stands" : effect_words(row.verdict),
+         move.empty() ? "–" : move});
+  }
+  return {{"How firm the verdict is",
+           {table,
+            Paragraph{"What was found and what came closest were fitted again "
+                      "with each of these changed; sd: standard deviations of "
+                      "the size as stated.",
+                      Paragraph::Kind::Small}}}};
 }
 
 }  // namespace tapfit::tui

@@ -9,7 +9,12 @@
 namespace tapfit::tui {
 
 /// The verdict, what was tested, an FRF measured, before and after; with a
-/// model the error ladder, what was identified, how sure, what to measure next.
+/// model the error ladder beside it, what was identified, how sure, what to
+/// measure next.
 [[nodiscard]] std::vector<Section> front_sections(const ReportData& data);
+
+/// What becomes of the verdict when something is changed that was assumed, a
+/// row for each; empty where that was not looked at.
+[[nodiscard]] std::vector<Section> firmness_sections(const ReportData& data);
 
 }  // namespace tapfit::tui

@@ -62,7 +62,9 @@ std::string reasons_of(const acquisition::Hit& hit) {
 
 Section hits_section(const ReportData& data) {
   DataTable runs{
-      "", {"<run", "<hit at", "hits", "accepted", "peak N", "<sensors"}, {}};
+      "",
+      {"<run", "<hit at", "hits", "accepted", "largest peak N", "<sensors"},
+      {}};
   DataTable rejected{
       "Rejected hits", {"<run", "time s", "peak N", "<reason"}, {}};
   const acquisition::HitSet& hits = *data.hits;
@@ -72,9 +74,11 @@ Section hits_section(const ReportData& data) {
     long accepted = 0;
     double peak = 0.0;
     for (const acquisition::Hit& hit : hits.runs[k]) {
-      peak = std::max(peak, hit.peak_n);
-      accepted += hit.accepted ? 1 : 0;
-      if (hit.accepted) continue;
+      if (hit.accepted) {
+        peak = std::max(peak, hit.peak_n);
+        ++accepted;
+        continue;
+      }
       rejected.rows.push_back(
           {file, fixed(hit.time_s, 3), fixed(hit.peak_n, 1), reasons_of(hit)});
     }
@@ -82,7 +86,7 @@ Section hits_section(const ReportData& data) {
                          name(run.hammer.dof),
                          fmt::format("{}", hits.runs[k].size()),
                          fmt::format("{}", accepted),
-                         fixed(peak, 1),
+                         accepted > 0 ? fixed(peak, 1) : "–",
                          placed_sensors(data.bundle, run)});
   }
   Section section{"Hits", {runs}};
@@ -108,9 +112,11 @@ std::string at_frf(const std::vector<double>& values,
 
 std::string three_decimals(double value) { return fixed(value, 3); }
 
-/// A single hit's coherence is 1 whatever it is worth.
-bool is_coherent(const signal::Frf& frf) {
-  return frf.coherence.size() > 0 && frf.hits != 1;
+/// A single hit's coherence is 1 whatever it is worth; so is that of ready FRFs
+/// whose file has none.
+bool has_coherence(const signal::Frf& frf) {
+  return frf.coherence.size() > 0 && frf.hits != 1 &&
+         (frf.coherence.array() != 1.0).any();
 }
 
 /// Mean and lowest of all FRFs.
@@ -120,7 +126,7 @@ std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
   Eigen::VectorXd low = Eigen::VectorXd::Ones(lines);
   int count = 0;
   for (const signal::Frf& frf : frfs.frfs) {
-    if (!is_coherent(frf) || frf.coherence.size() != lines) continue;
+    if (!has_coherence(frf) || frf.coherence.size() != lines) continue;
     sum += frf.coherence;
     low = low.cwiseMin(frf.coherence);
     ++count;
@@ -154,7 +160,7 @@ Section frf_section(const ReportData& data) {
     std::vector<std::string> row{
         name(frf),
         frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
-        is_coherent(frf) ? fixed(frf.coherence.mean(), 4) : "–",
+        has_coherence(frf) ? fixed(frf.coherence.mean(), 4) : "–",
         sd > 0.0 ? percent(sd / 100.0) : "–"};
     if (data.model) {
       const updating::Comparison& before = data.model->before;
@@ -168,14 +174,14 @@ Section frf_section(const ReportData& data) {
   }
   BulletList statements;
   for (const std::string& statement : data.frfs.statements) {
-    statements.items.push_back(typeset(statement));
+    statements.items.push_back(capitalised(typeset(statement)));
   }
   Section section{
       "Quality of the FRFs",
-      {Paragraph{"Coherence: mean over the band. Median s.d.: standard "
+      {table,
+       Paragraph{"Coherence: mean over the band. Median s.d.: standard "
                  "deviation over the hits, in per cent of |H|.",
-                 Paragraph::Kind::Small},
-       table}};
+                 Paragraph::Kind::Small}}};
   if (std::optional<Figure> coherence = coherence_figure(data.frfs)) {
     section.parts.emplace_back(*std::move(coherence));
   }
@@ -239,8 +245,9 @@ Figure stabilisation(const ReportData& data) {
     plot.markers.push_back({mode.frequency_hz});
   }
   return {"stabilisation",
-          "Stabilisation diagram: poles of models of rising order; dotted "
-          "lines are the modes taken.",
+          "Stabilisation diagram: poles of models of rising order, coloured by "
+          "what agrees with the order below: frequency, with damping, with "
+          "shape, or all three (stable). Dotted lines are the modes taken.",
           svg_plot(plot, {.height = 340.0})};
 }
 
@@ -302,7 +309,7 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     if (told) table.heading.insert(table.heading.end(), {one, two});
   };
   add_heading(shapes, "MPC", "MPD °");
-  add_heading(poles, "poles", "scatter Hz");
+  add_heading(poles, "poles", "scatter mHz");
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {
     const modal::Mode& mode = modes.modes[k];
     std::vector<std::string> row{
@@ -316,8 +323,8 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     if (poles) {
       const modal::PoleCluster& found = mode.cluster;
       row.push_back(found.poles > 0 ? fmt::format("{}", found.poles) : "–");
-      row.push_back(found.poles > 0 ? number(found.frequency_scatter_hz, 2)
-                                    : "–");
+      row.push_back(
+          found.poles > 0 ? number(1e3 * found.frequency_scatter_hz, 2) : "–");
     }
     table.rows.push_back(std::move(row));
   }

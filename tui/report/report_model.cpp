@@ -85,8 +85,7 @@ FigureRow mac_row(const ReportData& data) {
 }
 
 Section correlation_section(const ReportData& data) {
-  Section section{
-      "Correlation of model and measurement", criteria_parts(data), true};
+  Section section{"Correlation of model and measurement", criteria_parts(data)};
   const bool shapes = !data.modes.dofs.empty();
   if (shapes && data.model->before.mac.size() > 0 &&
       data.model->after.mac.size() > 0) {
@@ -97,7 +96,7 @@ Section correlation_section(const ReportData& data) {
 
 /// The FRFs of the largest error before, in their own order.
 std::vector<std::size_t> shown_frfs(const Comparison& before) {
-  constexpr std::size_t most = 48;
+  constexpr std::size_t most = 24;  // half a page
   std::vector<std::size_t> shown(before.frf_error.size());
   std::iota(shown.begin(), shown.end(), std::size_t{0});
   std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
@@ -112,9 +111,9 @@ Figure error_figure(const ReportData& data,
                     const Comparison& comparison,
                     double full,
                     const char* name_of_file,
-                    const char* title) {
+                    const char* which) {
   SvgHeatMap map;
-  map.name = title;
+  map.name = fmt::format("error map, {}", which);
   map.alarming = true;
   map.full = full;
   map.row_title = "response / hammer";
@@ -130,7 +129,16 @@ Figure error_figure(const ReportData& data,
   for (const updating::BandError& band : comparison.bands) {
     map.columns.push_back(number(band.high_hz));
   }
-  return {name_of_file, title, svg_heat_map(map)};
+  const std::size_t all = comparison.frf_error.size();
+  return {name_of_file,
+          fmt::format("Relative error of each FRF in each band [%], {}{}.",
+                      which,
+                      shown.size() < all
+                          ? fmt::format("; the {} of {} with the largest error",
+                                        shown.size(),
+                                        all)
+                          : ""),
+          svg_heat_map(map)};
 }
 
 bool has_error_map(const ReportData& data, const Comparison& comparison) {
@@ -149,21 +157,16 @@ Section error_section(const ReportData& data) {
   const double full = std::clamp(largest, 1e-9, 1.0);
   FigureRow row;
   const bool both = anything_changed(model);
-  row.figures.push_back(
-      error_figure(data,
-                   model.before,
-                   full,
-                   "error-before",
-                   both ? "Error in %, before" : "Error in %"));
+  row.figures.push_back(error_figure(data,
+                                     model.before,
+                                     full,
+                                     "error-before",
+                                     both ? "before" : "of the model"));
   if (both && has_error_map(data, model.after)) {
     row.figures.push_back(error_figure(
-        data, model.after, full, "error-after", "Error in %, after"));
+        data, model.after, full, "error-after", "after, on the same scale"));
   }
-  return {"Where the error is",
-          {Paragraph{"Relative error of each FRF in each band; both maps have "
-                     "the same scale.",
-                     Paragraph::Kind::Small},
-           row}};
+  return {"Where the error is", {row}};
 }
 
 struct Law {

@@ -1,14 +1,13 @@
 #include "tui/report/report_record.hpp"
 
+#include "acquisition/foundation/sha256.hpp"
 #include "acquisition/readers/mapped_file.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
-#include "updating/cache/content_digest.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
 
 namespace tapfit::tui {
 namespace {
@@ -41,14 +40,11 @@ std::vector<fs::path> files_read(const ReportData& data) {
 
 std::string digest_of_file(const fs::path& file) {
   const acquisition::MappedFile bytes(file);
-  return bytes.reading([&bytes] {
-    return updating::hexadecimal(
-        updating::digest_of(std::as_bytes(std::span(bytes.text()))));
-  });
+  return bytes.reading([&bytes] { return acquisition::sha256(bytes.text()); });
 }
 
 Section file_section(const ReportData& data) {
-  DataTable table{"", {"<file", "bytes", "<digest"}, {}};
+  DataTable table{"", {"<file", "bytes", "<SHA-256"}, {}};
   for (const fs::path& file : files_read(data)) {
     std::error_code ignored;
     table.rows.push_back({file.filename().string(),
@@ -57,8 +53,8 @@ Section file_section(const ReportData& data) {
   }
   return {"Files",
           {table,
-           Paragraph{fmt::format("Worked out by tapfit {}. Digest: "
-                                 "MurmurHash3, 128 bits.",
+           Paragraph{fmt::format("Worked out by tapfit {}. SHA-256 digests are "
+                                 "those of sha256sum and its kin.",
                                  TAPFIT_VERSION),
                      Paragraph::Kind::Small}}};
 }
@@ -77,7 +73,7 @@ Section settings_section(const ReportData& data) {
         number(static_cast<double>(hits.block) / std::max(rate, 1e-9)),
         hits.pre_trigger));
     for (const std::string& statement : hits.statements) {
-      list.items.push_back(typeset(statement));
+      list.items.push_back(capitalised(typeset(statement)));
     }
     list.items.emplace_back(
         "FRFs: estimator H1, force and exponential window.");
@@ -114,13 +110,12 @@ std::vector<Section> record_sections(const ReportData& data) {
   if (!data.warnings.empty()) {
     BulletList list;
     for (const std::string& warning : data.warnings) {
-      list.items.push_back(typeset(warning));
+      list.items.push_back(capitalised(typeset(warning)));
     }
     sections.push_back({"Notes and warnings", {list}});
   }
   sections.push_back(settings_section(data));
   sections.push_back(file_section(data));
-  sections.front().new_page = true;
   return sections;
 }
 

@@ -1,4 +1,4 @@
-// A report's last page: how it was worked out, and from which files.
+// The end of a report: how it was worked out, and from which files.
 #pragma once
 
 #include "tui/document/document.hpp"
@@ -8,7 +8,7 @@
 
 namespace tapfit::tui {
 
-/// Warnings; settings; version and digests of the files read.
+/// Warnings; settings; version and SHA-256 digests of the files.
 [[nodiscard]] std::vector<Section> record_sections(const ReportData& data);
 
 }  // namespace tapfit::tui

@@ -5,6 +5,7 @@
 #include "tui/document/svg_plot.hpp"
 #include "tui/document/svg_structure.hpp"
 #include "tui/report/report_verdict.hpp"
+#include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/widgets/element_grids.hpp"
 #include "tui/widgets/wireframe.hpp"
@@ -74,6 +75,18 @@ std::set<int> found_nodes(const ReportData& data) {
   return nodes;
 }
 
+/// What was found at those grids.
+std::string found_at_places(const ReportData& data) {
+  std::vector<std::string> names;
+  for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
+    const updating::Where& where = rung.where;
+    if (where.node != 0 || !where.nodes.empty() || !where.elements.empty()) {
+      names.push_back(found_words(rung.added, where));
+    }
+  }
+  return enumerated(names);
+}
+
 Figure sketch(const ReportData& data, const Wireframe& wire) {
   SvgStructure picture;
   picture.name = "structure with hit points and sensors";
@@ -107,7 +120,7 @@ Figure sketch(const ReportData& data, const Wireframe& wire) {
                             ? "Blue: measured points."
                             : "Small orange dots: hit points. Blue: sensors.";
   if (!found.empty()) {
-    caption += " Green: where something was found.";
+    caption += fmt::format(" Green: {}.", found_at_places(data));
   }
   return {"set-up", caption, svg_structure(wire, picture)};
 }
@@ -192,7 +205,7 @@ std::optional<Figure> set_up_sketch(const ReportData& data) {
 }
 
 Section shape_section(const ReportData& data) {
-  Section section{"Mode shapes", {}, true};
+  Section section{"Mode shapes", {}};
   FigureRow row;
   const std::size_t shown = std::min(data.modes.modes.size(), most_shapes);
   const std::optional<Wireframe> wire = tested_structure(data);

@@ -63,13 +63,10 @@ constexpr std::array<NoteColumn, 5> note_columns{
      {"<notes", other_words}}};
 
 DataTable channel_table(const ReportData& data) {
-  DataTable table{"Channels",
-                  {"<channel",
-                   "<quantity",
-                   "sensitivity",
-                   "full scale",
-                   "mass by its sheet"},
-                  {}};
+  DataTable table{
+      "Channels",
+      {"<channel", "<quantity", "sensitivity", "full scale", "mass"},
+      {}};
   std::vector<NoteColumn> columns;
   for (const NoteColumn& column : note_columns) {
     const auto told = [&](const acquisition::Channel& channel) {
@@ -194,13 +191,6 @@ std::vector<std::string> traceability_remarks(const ReportData& data) {
 
 std::vector<Part> traceability_parts(const ReportData& data) {
   std::vector<Part> parts;
-  if (!data.notes.facts.empty()) {
-    DataTable table{"", {"<Test", "<"}, {}};
-    for (const auto& [name, value] : data.notes.facts) {
-      table.rows.push_back({name, value});
-    }
-    parts.emplace_back(std::move(table));
-  }
   if (!data.bundle.channels.empty()) parts.emplace_back(channel_table(data));
   for (std::string& remark : traceability_remarks(data)) {
     parts.emplace_back(Paragraph{std::move(remark), Paragraph::Kind::Small});

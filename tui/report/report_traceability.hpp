@@ -19,7 +19,7 @@ namespace tapfit::tui {
 [[nodiscard]] std::vector<std::string> traceability_remarks(
     const ReportData& data);
 
-/// The test's facts, its channels, and the remarks.
+/// The channels, and the remarks.
 [[nodiscard]] std::vector<Part> traceability_parts(const ReportData& data);
 
 }  // namespace tapfit::tui

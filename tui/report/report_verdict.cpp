@@ -2,6 +2,7 @@
 
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/comparison/compare.hpp"
 #include "updating/diagnosis/worth.hpp"
 
 #include <fmt/format.h>
@@ -77,6 +78,16 @@ std::string without_effects(const ReportData& data) {
         percent(now.error),
         was,
         against_floor(now));
+  }
+  if (now.error <= updating::at_floor * now.floor &&
+      updating::hides_errors(now)) {
+    return fmt::format(
+        "Whether anything is missing from the model cannot be told: its {} are "
+        "off by {}{}, and repeatability, mesh and form allow {}.",
+        of,
+        percent(now.error),
+        was,
+        percent(now.floor));
   }
   if (now.error <= updating::at_floor * now.floor) {
     return fmt::format(

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
@@ -27,6 +28,7 @@ std::string replaced(std::string text,
 
 std::string words_of(const std::string& name) {
   if (name == "base") return "model as delivered";
+  if (name == "none") return "nothing missing";
   if (name == updating::nonlinearity) return "nonlinear behaviour";
   if (name == "card-swap") return "numbers of the deck written down wrongly";
   for (const effects::Effect* effect : effects::catalogue()) {
@@ -85,9 +87,10 @@ std::string typeset(std::string text) {
 std::string effect_words(const std::string& effect) {
   std::string text;
   for (std::size_t at = 0; at <= effect.size();) {
-    const std::size_t end = std::min(effect.find('|', at), effect.size());
-    text +=
-        (text.empty() ? "" : " or ") + words_of(effect.substr(at, end - at));
+    const std::size_t end =
+        std::min(effect.find_first_of("|+", at), effect.size());
+    text += words_of(effect.substr(at, end - at));
+    if (end < effect.size()) text += effect[end] == '|' ? " or " : " and ";
     at = end + 1;
   }
   return text;
@@ -114,7 +117,13 @@ std::string found_words(const std::string& effect,
                         const updating::Where& where) {
   const std::string place = place_words(where);
   if (place.empty()) return effect_words(effect);
-  return fmt::format("{} ({})", effect_words(effect), place);
+  // The place is the leading kind's: another may sit elsewhere.
+  const std::size_t end = std::min(effect.find('|'), effect.size());
+  std::string text =
+      fmt::format("{} ({})", effect_words(effect.substr(0, end)), place);
+  if (end < effect.size())
+    text += " or " + effect_words(effect.substr(end + 1));
+  return text;
 }
 
 std::string with_article(const std::string& found) {

@@ -12,13 +12,14 @@
 
 namespace tapfit::tui {
 
-/// "soft-support" to "support that gives"; of a group "a|b" both with "or".
+/// "soft-support" to "support that gives"; of a group "a|b" both with "or", of
+/// a verdict "a+b" with "and".
 [[nodiscard]] std::string effect_words(const std::string& effect);
 
 /// "19 nodes, 1 … 38; rotation"; empty for everywhere.
 [[nodiscard]] std::string place_words(const updating::Where& where);
 
-/// "mass of the sensors (acc1, acc2)".
+/// "mass of the sensors (acc1, acc2)"; of a group "a (place) or b".
 [[nodiscard]] std::string found_words(const std::string& effect,
                                       const updating::Where& where);
 

@@ -36,6 +36,7 @@ Document report_document(const ReportData& data) {
     document.sections.push_back(shape_section(data));
   }
   append(document.sections, model_sections(data));
+  append(document.sections, firmness_sections(data));
   append(document.sections, record_sections(data));
   return document;
 }

@@ -2,6 +2,7 @@
 
 #include "tui/screen/number.hpp"
 #include "tui/widgets/bars.hpp"
+#include "updating/comparison/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -81,8 +82,7 @@ std::string after_modes(const Snapshot& known) {
 std::string after_error(const Snapshot& known, const std::string& missing) {
   if (!known.comparison) return {};
   const updating::Comparison& c = *known.comparison;
-  constexpr double high = 0.3;  // hides more than it shows
-  if (c.floor > high) {
+  if (updating::hides_errors(c)) {
     return fmt::format(
         "a floor of {} hides what is missing: 7 has the warnings",
         percent(c.floor));
@@ -119,6 +119,14 @@ std::string for_report(const Snapshot& known) {
   if (!known.comparison) return {};
   const bool asked = known.diagnosis || !known.effects_on().empty();
   const updating::Comparison& c = *known.comparison;
+  // Where nothing was ever added the report takes up the verdict.
+  const bool taken_up = known.effects.empty() && known.diagnosis &&
+                        !known.diagnosis->ladder.empty();
+  if (taken_up) {
+    return fmt::format("w writes the report with the verdict in it: {} → {}",
+                       percent(known.diagnosis->error_base),
+                       percent(known.diagnosis->ladder.back().error));
+  }
   if (!asked && c.error > near_floor * c.floor) {
     return after_error(known, "5 shows what is missing");
   }

@@ -201,9 +201,13 @@ Comparison compare(const Fit& fit,
   return c;
 }
 
-std::string floor_warning(const Comparison& c) {
+bool hides_errors(const Comparison& c) {
   constexpr double high = 0.3;
-  if (c.floor <= high) return {};
+  return c.floor > high;
+}
+
+std::string floor_warning(const Comparison& c) {
+  if (!hides_errors(c)) return {};
   return fmt::format(
       "the floor is {:.0f} %, so that only effects that change the FRFs more "
       "can be told: {}",

@@ -27,6 +27,9 @@ namespace tapfit::updating {
                                  const modal::ModeSet& modes,
                                  const std::vector<PairByHand>& by_hand = {});
 
+/// Whether the floor is so high that most of what may be missing is below it.
+[[nodiscard]] bool hides_errors(const Comparison& comparison);
+
 /// What is wrong with a floor so high that next to nothing can be told; empty
 /// where it is not.
 [[nodiscard]] std::string floor_warning(const Comparison& comparison);

@@ -2,22 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tapfit::updating {
-
-double evidence_data(const Target& target,
-                     const Eigen::VectorXd& residual,
-                     int modes_in_band) {
-  if (target.is_modal()) return effective_data(target);
-  const double frfs =
-      std::accumulate(target.use.begin(), target.use.end(), 0.0);
-  const double modes = std::max(1, modes_in_band);
-  const double most =
-      std::min(effective_data(target), modes * (2.0 * frfs + 1.0));
-  return std::clamp(
-      residual_data(target, residual), std::min(4.0 * modes, most), most);
-}
 
 FormShare form_share(const Fit& fit, double data, double noise) {
   if (fit.form.lambda.size() == 0) {

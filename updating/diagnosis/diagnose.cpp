@@ -13,6 +13,7 @@
 #include "updating/fit/held_back.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/localisation/run_drift.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <fmt/format.h>
 
@@ -238,6 +239,7 @@ bool Climb::try_to_add(bool first,
   }
   current_ = added.fit;
   if (!first) {
+    current_ = search_.unite(std::move(current_), already_, chosen_, rest);
     current_ = search_.relocate(std::move(current_), already_, chosen_, rest);
     current_ =
         search_.prune(std::move(current_), already_, round.data, chosen_, rest);
@@ -325,7 +327,7 @@ Climbed climbed(const Fitter& fitter,
   climb.settle();
   const Fit& found = climb.current();
   result.error_best = found.result.error;
-  const double data = evidence_data(
+  const double data = independent_data(
       fitter.target(), found.result.residual, options.modes_in_band);
   allow_for_form(found, data, options.floor_noise, result);
   const Progress last = part_of(progress, 0.95, 1.0);

@@ -20,7 +20,7 @@ namespace tapfit::updating {
 /// @param fit all there is to fit
 /// @param parameters the effect's own, beyond those every model has
 /// @param places places it was searched at
-/// @param data from evidence_data()
+/// @param data from independent_data()
 /// @param noise relative error that the scatter over hits alone would give
 [[nodiscard]] double log_evidence(const Fit& fit,
                                   double parameters,

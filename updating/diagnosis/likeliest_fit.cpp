@@ -1,5 +1,7 @@
 #include "updating/diagnosis/likeliest_fit.hpp"
 
+#include "updating/fit/fitted_form.hpp"
+
 #include <algorithm>
 #include <optional>
 

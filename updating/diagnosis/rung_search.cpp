@@ -4,11 +4,15 @@
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/settle_place.hpp"
 #include "updating/diagnosis/worth.hpp"
+#include "updating/effects/placed_effect.hpp"
 #include "updating/fit/overall_progress.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -46,6 +50,35 @@ std::vector<PlacedEffect> without(const Fit& fit, std::size_t k) {
   std::vector<PlacedEffect> rest = fit.effects;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
   return rest;
+}
+
+// Two motions of one support as one effect, with the sizes they have.
+std::optional<PlacedEffect> both_of(const PlacedEffect& one,
+                                    const PlacedEffect& other,
+                                    const effects::Setting& setting) {
+  const effects::Effect& effect = *one.effect;
+  const bool support = effect.changes_stiffness() == ChangeKind::Support &&
+                       one.effect == other.effect &&
+                       one.where.nodes == other.where.nodes;
+  Where where = one.where;
+  where.variant = "both";
+  if (!support || !effect.takes(where.variant, one.where, setting)) {
+    return std::nullopt;
+  }
+  PlacedEffect whole = placed(effect, where, setting);
+  std::map<std::string, double> sizes;
+  for (const PlacedEffect* part : {&one, &other}) {
+    const auto specs = effect.parameters(part->where, setting);
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+      sizes[specs[k].name] = part->p[k];
+    }
+  }
+  const auto specs = effect.parameters(where, setting);
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    const auto known = sizes.find(specs[k].name);
+    if (known != sizes.end()) whole.p[k] = known->second;
+  }
+  return whole;
 }
 
 }  // namespace
@@ -159,7 +192,7 @@ Round RungSearch::look(const Fit& current,
     if (h.fit.result.error < best->result.error) best = &h.fit;
   }
   round.data =
-      evidence_data(target, best->result.residual, options_.modes_in_band);
+      independent_data(target, best->result.residual, options_.modes_in_band);
   judge(round);
   if (options.neighbours > 0) {
     settle_places(current, round, progress);
@@ -230,6 +263,24 @@ Fit RungSearch::relocate(Fit fit,
     fit = best.fit;
     chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     chosen.push_back(as_chosen(round, 0));
+  }
+  return fit;
+}
+
+Fit RungSearch::unite(Fit fit,
+                      std::size_t already,
+                      std::vector<Chosen>& chosen,
+                      const Progress& progress) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    std::optional<PlacedEffect> whole = both_of(
+        fit.effects[k], fit.effects.back(), fitter_->setting().setting);
+    if (!whole) continue;
+    std::vector<PlacedEffect> effects = without(fit, k);
+    effects.back() = *std::move(whole);
+    Fit united = refit(effects, progress);
+    if (better * united.result.error > fit.result.error) continue;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    return united;
   }
   return fit;
 }

@@ -66,6 +66,13 @@ class RungSearch {
                              std::vector<Chosen>& chosen,
                              const Progress& progress) const;
 
+  /// A support that turns and shifts, found one after the other, is one effect
+  /// with both; kept where it explains as much.
+  [[nodiscard]] Fit unite(Fit fit,
+                          std::size_t already,
+                          std::vector<Chosen>& chosen,
+                          const Progress& progress) const;
+
   /// Takes effects off that the others have made superfluous.
   [[nodiscard]] Fit prune(Fit fit,
                           std::size_t already,

@@ -94,11 +94,9 @@ struct Quadratic {
 // 1, z, squares, and the product where there are places enough to tell.
 VectorXd terms(const VectorXd& z, bool product) {
   const Index d = z.size();
-  VectorXd row(1 + 2 * d);
-  row << 1.0, z, 0.5 * z.cwiseAbs2();
-  if (!product) return row;
-  row.conservativeResize(2 + 2 * d);
-  row(1 + 2 * d) = z(0) * z(1);
+  VectorXd row(1 + 2 * d + (product ? 1 : 0));
+  row.head(1 + 2 * d) << 1.0, z, 0.5 * z.cwiseAbs2();
+  if (product) row(1 + 2 * d) = z(0) * z(1);
   return row;
 }
 

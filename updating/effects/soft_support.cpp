@@ -3,6 +3,7 @@
 // forms have both, a k that runs linearly from one end of the line to the
 // other, or one k per area of the face (support_face.hpp).
 #include "updating/effects/effects.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 
@@ -81,21 +82,12 @@ class SoftSupport final : public Effect {
              .forms = {
                  "face", "both", "rotation-varying", "translation-varying"}}) {}
 
-  // Each connected group of constrained grids, and all of them together; the
-  // rotation and the translation of each that is held.
+  // The rotation and the translation of each support, as far as it is held.
   std::vector<Where> places(const Setting& setting) const override {
     std::vector<Where> result;
     if (setting.deck == nullptr) return result;
-    std::vector<std::vector<int>> groups =
-        updating::support_groups(*setting.deck);
-    if (groups.size() > 1) {
-      std::vector<int> all;
-      for (const std::vector<int>& group : groups) {
-        all.insert(all.end(), group.begin(), group.end());
-      }
-      groups.push_back(all);
-    }
-    for (const std::vector<int>& group : groups) {
+    for (const std::vector<int>& group :
+         updating::support_choices(*setting.deck)) {
       for (const char* variant : {"rotation", "translation"}) {
         Where where{.nodes = group, .variant = variant};
         if (!parts_of(where, setting).empty()) result.push_back(where);

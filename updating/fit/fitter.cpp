@@ -4,8 +4,11 @@
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
 #include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fitted_form.hpp"
+#include "updating/fit/typical_damping.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/residual/mesh_error.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 
@@ -18,38 +21,6 @@
 namespace tapfit::updating {
 
 using Eigen::Index;
-
-namespace {
-
-// What the structure's modes have without the effects that damp some of them
-// on top: of the modes fitted the middle one, each by the share of its prior's
-// variance that the data took off. Modes that show nowhere say nothing.
-double typical(const UpdateResult& result) {
-  const ModelState& state = result.state;
-  const auto first = static_cast<Index>(state.factor.size());
-  const Eigen::MatrixXd& covariance = result.covariance;
-  std::vector<std::pair<double, double>> seen;  // ratio, share
-  double half = 0.0;
-  for (Index q = 0; q < state.zeta.size(); ++q) {
-    const Index k = first + q;
-    if (k >= covariance.rows()) break;
-    const double prior = result.prior.sd(k) * result.prior.sd(k);
-    const double share = std::clamp(1.0 - covariance(k, k) / prior, 0.0, 1.0);
-    seen.emplace_back(state.zeta(q), share);
-    half += 0.5 * share;
-  }
-  constexpr double nothing = 1e-3;
-  if (half < nothing) return state.zeta_other;
-  std::ranges::sort(seen);
-  double sum = 0.0;
-  for (const auto& [zeta, share] : seen) {
-    sum += share;
-    if (sum >= half) return zeta;
-  }
-  return state.zeta_other;
-}
-
-}  // namespace
 
 std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
                                                   const FrfModel& model) {
@@ -167,36 +138,6 @@ double data_of(const Target& target, const ModelState& state) {
 }
 
 }  // namespace
-
-Eigen::MatrixXd form_bias(const FrfModel& model,
-                          const ModelState& state,
-                          const Target& target) {
-  const std::vector<Eigen::MatrixXcd> patterns =
-      model.form_patterns(state, target.s);
-  const Index rows = residual(target, target.H).size();
-  Eigen::MatrixXd F(rows, static_cast<Index>(patterns.size()));
-  for (std::size_t k = 0; k < patterns.size(); ++k) {
-    F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
-  }
-  return F;
-}
-
-Readjustment readjustment(const UpdateResult& result) {
-  const Prior& prior = result.prior;
-  const Eigen::VectorXd theta = pack(result.state);
-  Readjustment fit{result.jacobian, precision(prior), {}};
-  fit.pull.setZero(theta.size());
-  constexpr double touching = 1e-6;
-  for (Index k = 0; k < theta.size(); ++k) {
-    fit.pull(k) = fit.precision(k) * (theta(k) - prior.mean(k));
-    const bool bound = theta(k) < prior.lower(k) + touching ||
-                       theta(k) > prior.upper(k) - touching;
-    if (!bound) continue;
-    fit.J.col(k).setZero();
-    fit.pull(k) = 0.0;
-  }
-  return fit;
-}
 
 // A fit on its way: where it is, on what, and how it came there.
 class Fitter::Course {
@@ -327,7 +268,7 @@ class Fitter::Course {
   // within the scatter of ratios there is no telling.
   bool take_damping() {
     ModelState& state = result_.state;
-    const double now = typical(result_);
+    const double now = typical_damping(result_);
     if (std::abs(std::log(now / state.zeta_other)) <
         0.2 * fitter_->setting_.damping_spread) {
       return false;

@@ -52,15 +52,6 @@ struct Fit {
   double log_likelihood = 0.0;
 };
 
-/// What a form that is wrong adds to what a model leaves.
-/// @return rows of stack() x patterns, see FrfModel::form_patterns()
-[[nodiscard]] Eigen::MatrixXd form_bias(const FrfModel& model,
-                                        const ModelState& state,
-                                        const Target& target);
-
-/// How the parameters of a result may still move; those at a bound may not.
-[[nodiscard]] Readjustment readjustment(const UpdateResult& result);
-
 /// The effect's parameters with the ranges and starts that the model's base
 /// gives those that change its stiffness.
 [[nodiscard]] std::vector<effects::ParameterSpec> parameters_of(

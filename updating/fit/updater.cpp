@@ -1,6 +1,7 @@
 #include "updating/fit/updater.hpp"
 
 #include "updating/fit/fit_watch.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 
 #include <cmath>
@@ -29,19 +30,17 @@ class Updating {
         like_(&like),
         prior_(&prior),
         options_(options),
-        progress_(&progress),
-        data_(effective_data(target)) {}
+        progress_(&progress) {}
 
   [[nodiscard]] std::optional<Minimum> minimum(const VectorXd& start) {
     return minimise([this](const VectorXd& theta) { return evaluate(theta); },
                     *prior_,
-                    data_,
+                    [this](const VectorXd& r) { return count_data(r); },
                     start,
                     options_,
                     [this](const Iterate& point) { return take(point); });
   }
 
-  [[nodiscard]] double data() const { return data_; }
   [[nodiscard]] std::vector<UpdateStep> history() && {
     return std::move(history_);
   }
@@ -58,6 +57,14 @@ class Updating {
     }
     H_ = std::move(response.H);
     return at;
+  }
+
+  // What is no noise, mesh and form of the deck, is in step over lines and
+  // FRFs: taken for as many data as there are lines it would overrule what is
+  // known beforehand, and be explained by whatever may move.
+  double count_data(const VectorXd& r) {
+    data_ = independent_data(*target_, r, static_cast<int>(like_->zeta.size()));
+    return data_;
   }
 
   // The point is where the model was evaluated last.
@@ -88,7 +95,7 @@ class Updating {
   const Prior* prior_;
   MinimiseOptions options_;
   const Progress* progress_;
-  double data_;
+  double data_ = 1.0;
   MatrixXcd H_;
   std::vector<UpdateStep> history_;
 };
@@ -120,7 +127,7 @@ UpdateResult update(const FrfModel& model,
   result.jacobian = std::move(at.at.J);
   result.residual = std::move(at.at.r);
   result.prior = prior;
-  result.lambda = result.error / std::sqrt(updating.data());
+  result.lambda = result.error / std::sqrt(found->data);
   result.history = std::move(updating).history();
   result.converged = found->converged;
   result.message = std::move(found->message);

@@ -3,6 +3,7 @@
 //
 //   J(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
 //
+// with N of residual/independent_data.hpp, of the residual it starts from, and
 // whose Gauss-Newton step is eq. 27 of the paper with the Tikhonov matrix of
 // the prior, lambda^2 = (||r||^2 / N) diag(1 / sd^2). theta are logarithms, so
 // that masses stay positive.

@@ -1,9 +1,9 @@
 #include "updating/frf_model/frf_model.hpp"
 
 #include "updating/effects/stiffness_loss.hpp"
-#include "updating/frf_model/modal_sums.hpp"
-#include "updating/frf_model/recording_chain.hpp"
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/measurement_chain.hpp"
+#include "updating/frf_model/modal_superposition.hpp"
+#include "updating/frf_model/run_response.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/structure/elements/dashpots.hpp"
 
@@ -154,11 +154,12 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
   const BaseModes base = base_modes(state);
   const TestAsDone done = test_as_done(setting_, state.effects);
   auto [K, M] = with_changes(
-      base, constant_changes(state, done.setting, runs_, base_), state);
+      base, modal_modifications(state, done.setting, runs_, base_), state);
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
       2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
-  for (const PlacedEffect& e : beside_modes(state, done.setting, runs_)) {
+  for (const PlacedEffect& e :
+       outside_modal_basis(state, done.setting, runs_)) {
     if (!acts_beside(e)) continue;
     for (const std::size_t run : runs_) {
       for (const effects::ActedDof& dof :
@@ -245,8 +246,8 @@ ModalState FrfModel::modal_state(const ModelState& state,
   const effects::Setting& setting = shared.done.setting;
   shared.modes = std::move(bare);
   shared.owner = damping_owners(state, shared.modes);
-  shared.changes = constant_changes(state, setting, runs_, base_);
-  shared.beside = beside_modes(state, setting, runs_);
+  shared.changes = modal_modifications(state, setting, runs_, base_);
+  shared.beside = outside_modal_basis(state, setting, runs_);
   if (!shared.changes.empty()) {
     BaseModes loaded = modes_with(shared.modes, shared.changes, state);
     shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
@@ -266,7 +267,7 @@ ModalState FrfModel::modal_state(const ModelState& state,
 void FrfModel::find_turning(ModalState& shared, double largest) const {
   const ModelState& state = *shared.state;
   const auto turn = [&](const MatrixXd& dK, const MatrixXd& dM) {
-    return ModeTurn(
+    return ModalDerivative(
         shared.modes.phi, shared.modes.omega, shared.damping, dK, dM, largest);
   };
   for (std::size_t j = 0; j < state.factor.size(); ++j) {
@@ -303,15 +304,16 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
                                 p});
     }
   }
-  for (const ConstantChange& c : shared.changes) {
+  for (const ModalModification& c : shared.changes) {
     shared.turning.push_back({turn(c.dK, c.dM),
                               shared.first[c.effect] + c.parameter,
                               state.effects[c.effect].p[c.parameter]});
   }
 }
 
-RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
-  RunLines lines;
+RunResponse FrfModel::run_lines(const ModalState& shared,
+                                std::size_t run) const {
+  RunResponse lines;
   lines.shared = &shared;
   const MatrixXd& phi = shared.modes.phi;
   std::vector<VectorXd> rows;
@@ -339,11 +341,11 @@ RunLines FrfModel::run_lines(const ModalState& shared, std::size_t run) const {
 
 // Runs on which the effects act alike (fixed sensors) are walked together,
 // each point once.
-std::vector<RunLines> FrfModel::walks(const ModalState& shared) const {
-  std::vector<RunLines> result;
+std::vector<RunResponse> FrfModel::walks(const ModalState& shared) const {
+  std::vector<RunResponse> result;
   std::vector<std::vector<std::size_t>> members;
   for (const std::size_t run : runs_) {
-    RunLines lines = run_lines(shared, run);
+    RunResponse lines = run_lines(shared, run);
     std::size_t k = 0;
     while (k < result.size() &&
            !(result[k].B.cols() == lines.B.cols() && result[k].B == lines.B)) {

@@ -14,12 +14,12 @@
 // acted on, the deck's own dashpots (D = s c) among them. Properties that scale
 // whole matrices, supports, and springs and masses that are alike in every run
 // change the base's modes instead, which are then taken anew (a small dense
-// problem; constant_changes.hpp says why).
+// problem; modal_modifications.hpp says why).
 #pragma once
 
 #include "signal/frf_set/frf_set.hpp"
-#include "updating/frf_model/constant_changes.hpp"
 #include "updating/frf_model/modal_data.hpp"
+#include "updating/frf_model/modal_modifications.hpp"
 #include "updating/frf_model/model_modes.hpp"
 #include "updating/frf_model/model_response.hpp"
 #include "updating/frf_model/model_state.hpp"
@@ -40,7 +40,7 @@ namespace tapfit::updating {
 [[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
 
 struct ModalState;
-struct RunLines;
+struct RunResponse;
 
 /// The model at the measured pairs of an FRF set; or, where modes were measured
 /// instead, its frequencies and shapes beside theirs: a "line" is then a mode,
@@ -167,9 +167,9 @@ class FrfModel {
       const ModelState& state) const;
   // By which parameters the modes turn, and how.
   void find_turning(ModalState& shared, double largest) const;
-  [[nodiscard]] RunLines run_lines(const ModalState& shared,
-                                   std::size_t run) const;
-  [[nodiscard]] std::vector<RunLines> walks(const ModalState& shared) const;
+  [[nodiscard]] RunResponse run_lines(const ModalState& shared,
+                                      std::size_t run) const;
+  [[nodiscard]] std::vector<RunResponse> walks(const ModalState& shared) const;
   [[nodiscard]] std::vector<PairEnds> ends(const TestAsDone& done) const;
   [[nodiscard]] Eigen::VectorXd point(const Dof& dof) const;
   [[nodiscard]] std::vector<int> damping_owners(const ModelState& state,

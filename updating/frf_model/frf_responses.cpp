@@ -1,8 +1,8 @@
 #include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/frf_model.hpp"
-#include "updating/frf_model/modal_sums.hpp"
-#include "updating/frf_model/recording_chain.hpp"
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/measurement_chain.hpp"
+#include "updating/frf_model/modal_superposition.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <cmath>
 #include <complex>
@@ -30,9 +30,9 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   const MatrixXcd flexible = flexibility(shared, s);
   ModelResponse chain{
       MatrixXcd::Ones(s.size(), static_cast<Index>(pairs_.size())), {}};
-  record(pairs_, shared, s, chain);
+  apply_chain(pairs_, shared, s, chain);
   std::vector<Walk> result;
-  for (const RunLines& lines : walks(shared)) {
+  for (const RunResponse& lines : walks(shared)) {
     Walk walk;
     walk.pairs = lines.pairs;
     walk.recorded.resize(s.size(), static_cast<Index>(lines.pairs.size()));
@@ -87,9 +87,9 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
   const VectorXd w2 = w.cwiseAbs2();
   const VectorXd order = (w / top).cwiseMin(reach);
   ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
-  record(pairs_, shared, s, chain);
+  apply_chain(pairs_, shared, s, chain);
   const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : walks(shared)) {
+  for (const RunResponse& lines : walks(shared)) {
     for (Index l = 0; l < s.size(); ++l) {
       const VectorXcd g = flexible.col(l);
       MatrixXcd coupled;
@@ -149,12 +149,12 @@ ModelResponse FrfModel::respond(ModalState& shared,
     out.dH.assign(static_cast<std::size_t>(state.parameters()),
                   MatrixXcd::Zero(s.size(), n));
   }
-  const std::vector<RunLines> all = walks(shared);
+  const std::vector<RunResponse> all = walks(shared);
   const MatrixXcd flexible = flexibility(shared, s);
-  for (const RunLines& lines : all) {
-    sum_modes(lines, s, flexible, out);
+  for (const RunResponse& lines : all) {
+    superpose_modes(lines, s, flexible, out);
   }
-  record(pairs_, shared, s, out);
+  apply_chain(pairs_, shared, s, out);
   return out;
 }
 
@@ -171,7 +171,7 @@ std::vector<MatrixXcd> FrfModel::recorded_at_sizes(
   for (const std::vector<double>& size : sizes) {
     last.p = size;
     ModelResponse out{H, {}};
-    record_through(pairs_, last, 0, s, out);
+    apply_channel_effect(pairs_, last, 0, s, out);
     result.push_back(std::move(out.H));
   }
   return result;

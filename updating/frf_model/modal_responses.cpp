@@ -14,7 +14,7 @@
 #include "acquisition/foundation/constants.hpp"
 #include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/frf_model.hpp"
-#include "updating/frf_model/run_lines.hpp"
+#include "updating/frf_model/run_response.hpp"
 
 #include <algorithm>
 #include <cmath>

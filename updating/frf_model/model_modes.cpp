@@ -50,12 +50,12 @@ BaseModes solve_modes(const MatrixXd& K, const MatrixXd& M, bool in_modes) {
 }
 
 ModalMatrices with_changes(const BaseModes& modes,
-                           const std::vector<ConstantChange>& changes,
+                           const std::vector<ModalModification>& changes,
                            const ModelState& state) {
   const Index n = modes.phi.rows();
   MatrixXd dK = MatrixXd::Zero(n, n);
   MatrixXd dM = dK;
-  for (const ConstantChange& c : changes) {
+  for (const ModalModification& c : changes) {
     const double p = state.effects[c.effect].p[c.parameter];
     if (c.dK.size() > 0) dK += p * c.dK;
     if (c.dM.size() > 0) dM += p * c.dM;
@@ -68,7 +68,7 @@ ModalMatrices with_changes(const BaseModes& modes,
 }
 
 BaseModes modes_with(const BaseModes& modes,
-                     const std::vector<ConstantChange>& changes,
+                     const std::vector<ModalModification>& changes,
                      const ModelState& state) {
   const auto [K, M] = with_changes(modes, changes, state);
   BaseModes with = solve_modes(K, M);

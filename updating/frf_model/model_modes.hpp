@@ -1,7 +1,7 @@
 // Undamped modes of the model: of the base, and with springs and masses on it.
 #pragma once
 
-#include "updating/frf_model/constant_changes.hpp"
+#include "updating/frf_model/modal_modifications.hpp"
 #include "updating/frf_model/model_state.hpp"
 
 #include <Eigen/Core>
@@ -33,12 +33,13 @@ struct ModalMatrices {
 /// @param state has the changes' parameters
 [[nodiscard]] ModalMatrices with_changes(
     const BaseModes& modes,
-    const std::vector<ConstantChange>& changes,
+    const std::vector<ModalModification>& changes,
     const ModelState& state);
 
-[[nodiscard]] BaseModes modes_with(const BaseModes& modes,
-                                   const std::vector<ConstantChange>& changes,
-                                   const ModelState& state);
+[[nodiscard]] BaseModes modes_with(
+    const BaseModes& modes,
+    const std::vector<ModalModification>& changes,
+    const ModelState& state);
 
 /// What belonged to the modes of frequencies `from`, given to those of `to` in
 /// order of frequency.

@@ -1,5 +1,7 @@
 #include "updating/localisation/misfit_scan.hpp"
 
+#include "updating/residual/independent_data.hpp"
+
 #include <Eigen/QR>
 
 #include <algorithm>

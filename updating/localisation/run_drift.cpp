@@ -1,6 +1,7 @@
 #include "updating/localisation/run_drift.hpp"
 
 #include "acquisition/bundle/runs_alike.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

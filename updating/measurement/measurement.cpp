@@ -8,8 +8,8 @@
 #include "modal/identify/identify_modes.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "updating/measurement/bundle_modes.hpp"
-#include "updating/measurement/lasting_frfs.hpp"
 #include "updating/measurement/ready_frfs.hpp"
+#include "updating/measurement/truncation_corrected_frfs.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -126,8 +126,8 @@ const signal::FrfSet& Measurement::frfs(const Progress& progress) {
   if (!frfs_) {
     const auto& all = recordings(progress);
     const auto& found = hits(progress);
-    LastingFrfs found_frfs =
-        estimate_lasting_frfs(bundle_, all, found, progress);
+    TruncationCorrectedFrfs found_frfs =
+        estimate_truncation_corrected_frfs(bundle_, all, found, progress);
     lasting_poles_ = std::move(found_frfs.poles);
     if (same_modes(choices_, {})) modes_ = std::move(found_frfs.modes);
     frfs_ = with_warnings(found, std::move(found_frfs.set));

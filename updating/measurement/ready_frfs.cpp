@@ -2,8 +2,8 @@
 
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "updating/measurement/bundle_frfs.hpp"
+#include "updating/measurement/default_identification.hpp"
 #include "updating/measurement/frf_runs.hpp"
-#include "updating/measurement/usual_modes.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -48,7 +48,7 @@ ReadyFrfs laid_out(signal::FrfSet set,
                    const Progress& progress) {
   lay_out_runs(set, bundle, sensors);
   std::optional<modal::ModeSet> modes =
-      usual_modes(set, bundle.band_hz, progress);
+      default_identification(set, bundle.band_hz, progress);
   return {std::move(set), std::move(modes)};
 }
 

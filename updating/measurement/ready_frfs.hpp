@@ -12,7 +12,7 @@ namespace tapfit::updating {
 
 struct ReadyFrfs {
   signal::FrfSet set;
-  std::optional<modal::ModeSet> modes;  ///< usual_modes() of the set
+  std::optional<modal::ModeSet> modes;  ///< default_identification() of the set
 };
 
 /// Reads the bundle's file of FRFs and lays out runs and channels. Universal

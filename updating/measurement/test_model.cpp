@@ -4,7 +4,7 @@
 #include "updating/measurement/bundle_frfs.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/place_points.hpp"
-#include "updating/structure/assembly/rigid_motion.hpp"
+#include "updating/structure/assembly/multipoint_constraints.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
@@ -39,7 +39,7 @@ class Held {
   explicit Held(const structure::Deck& deck)
       : deck_(&deck),
         axes_(structure::constraint_axes(deck)),
-        T_(structure::rigid_motion(deck, axes_).transpose()) {
+        T_(structure::multipoint_constraints(deck, axes_).transpose()) {
     if (!deck.given) return;
     const Eigen::VectorXd stiff = deck.given->K.diagonal();
     for (Eigen::Index u = 0; u < stiff.size(); ++u) {

@@ -59,22 +59,24 @@ class Search {
  public:
   Search(const Evaluate& evaluate,
          const Prior& prior,
-         double data,
          const MinimiseOptions& options)
       : evaluate_(&evaluate),
         prior_(&prior),
         precision_(precision(prior)),
-        data_(data),
         options_(options) {}
+
+  [[nodiscard]] std::optional<Iterate> first(const VectorXd& theta,
+                                             const CountData& data) {
+    std::optional<Residuals> at = (*evaluate_)(theta);
+    if (!at) return std::nullopt;
+    data_ = data(at->r);
+    return judged(theta, std::move(*at));
+  }
 
   [[nodiscard]] std::optional<Iterate> look(const VectorXd& theta) const {
     std::optional<Residuals> at = (*evaluate_)(theta);
     if (!at) return std::nullopt;
-    Iterate point{theta, std::move(*at), 0.0, 0.0, 0.0};
-    const double misfit = std::max(point.at.r.squaredNorm(), 1e-30);
-    point.prior_cost = (theta - prior_->mean).cwiseAbs2().dot(precision_);
-    point.objective = data_ * std::log(misfit) + point.prior_cost;
-    return point;
+    return judged(theta, std::move(*at));
   }
 
   /// From the start as far down as it goes.
@@ -83,6 +85,13 @@ class Search {
  private:
   enum class Ended { No, Converged, Stuck };
 
+  [[nodiscard]] Iterate judged(const VectorXd& theta, Residuals at) const {
+    Iterate point{theta, std::move(at), 0.0, 0.0, 0.0};
+    const double misfit = std::max(point.at.r.squaredNorm(), 1e-30);
+    point.prior_cost = (theta - prior_->mean).cwiseAbs2().dot(precision_);
+    point.objective = data_ * std::log(misfit) + point.prior_cost;
+    return point;
+  }
   [[nodiscard]] Quadratic quadratic(const Iterate& at) const;
   [[nodiscard]] VectorXd step(const Iterate& at,
                               const Quadratic& q,
@@ -94,7 +103,7 @@ class Search {
   const Evaluate* evaluate_;
   const Prior* prior_;
   VectorXd precision_;
-  double data_;
+  double data_ = 1.0;
   MinimiseOptions options_;
   MatrixXd S_;
   bool with_second_ = false;
@@ -186,7 +195,7 @@ Search::Ended Search::advance(Iterate& at) {
 }
 
 Minimum Search::go_down(Iterate start, const OnStep& on_step) {
-  Minimum found{std::move(start), false, {}};
+  Minimum found{std::move(start), data_, false, {}};
   const Index n = found.point.theta.size();
   S_ = MatrixXd::Zero(n, n);
   if (n == 0) {
@@ -230,13 +239,13 @@ VectorXd precision(const Prior& prior) {
 
 std::optional<Minimum> minimise(const Evaluate& evaluate,
                                 const Prior& prior,
-                                double data,
+                                const CountData& data,
                                 const VectorXd& start,
                                 const MinimiseOptions& options,
                                 const OnStep& on_step) {
-  Search search(evaluate, prior, data, options);
+  Search search(evaluate, prior, options);
   std::optional<Iterate> first =
-      search.look(start.cwiseMax(prior.lower).cwiseMin(prior.upper));
+      search.first(start.cwiseMax(prior.lower).cwiseMin(prior.upper), data);
   if (!first) return std::nullopt;
   return search.go_down(std::move(*first), on_step);
 }

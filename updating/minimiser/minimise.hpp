@@ -75,17 +75,21 @@ struct MinimiseOptions {
 
 struct Minimum {
   Iterate point;
+  double data = 0.0;  ///< N
   bool converged = false;
   std::string message;  ///< why it ended
 };
 
-/// @param data N, independent data in r
+/// Independent data in a residual, N: told once, of the residual at the start,
+/// so that what is made least stays the same all the way.
+using CountData = std::function<double(const Eigen::VectorXd& r)>;
+
 /// @param start is moved into the bounds
 /// @return never a point with a larger f than the start's; empty where there
 ///   are no residuals at the start
 [[nodiscard]] std::optional<Minimum> minimise(const Evaluate& evaluate,
                                               const Prior& prior,
-                                              double data,
+                                              const CountData& data,
                                               const Eigen::VectorXd& start,
                                               const MinimiseOptions& options,
                                               const OnStep& on_step = {});

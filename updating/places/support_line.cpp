@@ -1,6 +1,7 @@
 #include "updating/places/support_line.hpp"
 
 #include "updating/places/support_face.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 
 #include <algorithm>
@@ -15,24 +16,6 @@ namespace {
 
 using structure::ConstraintAxes;
 using structure::Deck;
-
-std::map<int, std::set<int>> neighbours(const Deck& deck) {
-  std::map<int, std::set<int>> result;
-  const auto connect = [&result](int a, int b) {
-    result[a].insert(b);
-    result[b].insert(a);
-  };
-  for (const structure::Shell& shell : deck.shells) {
-    const std::size_t n = shell.grids.size();
-    for (std::size_t k = 0; k < n; ++k) {
-      connect(shell.grids[k], shell.grids[(k + 1) % n]);
-    }
-  }
-  for (const structure::Bar& bar : deck.bars) {
-    connect(bar.grids[0], bar.grids[1]);
-  }
-  return result;
-}
 
 bool holds(const ConstraintAxes& axes, int node, int component) {
   const char digit = static_cast<char>('0' + component);
@@ -77,35 +60,6 @@ std::vector<double> tributary_lengths(const std::vector<double>& x,
       lengths.begin(), lengths.end(), [](double l) { return l == 0.0; });
   return alone ? lengths_over(true) : lengths;
 }
-
-}  // namespace
-
-std::vector<std::vector<int>> support_groups(const Deck& deck) {
-  const std::map<int, std::set<int>> near = neighbours(deck);
-  const std::map<int, std::string> held = structure::constraint_axes(deck).held;
-  std::set<int> done;
-  std::vector<std::vector<int>> groups;
-  for (const structure::Grid& grid : deck.grids) {
-    if (!held.contains(grid.id) || done.contains(grid.id)) continue;
-    std::vector<int> open = {grid.id};
-    std::set<int> group;
-    while (!open.empty()) {
-      const int node = open.back();
-      open.pop_back();
-      if (!group.insert(node).second) continue;
-      const auto it = near.find(node);
-      if (it == near.end()) continue;
-      for (const int next : it->second) {
-        if (held.contains(next)) open.push_back(next);
-      }
-    }
-    done.insert(group.begin(), group.end());
-    groups.emplace_back(group.begin(), group.end());
-  }
-  return groups;
-}
-
-namespace {
 
 // Where a frame stands on several feet, each is a support of its own, as are
 // clamped edges that lie on no line together. Bolts along the edge of a plate
@@ -156,7 +110,7 @@ SupportLine single_line(const Deck& deck,
     });
     std::vector<double> x(order.size());
     std::transform(order.begin(), order.end(), x.begin(), along);
-    const std::map<int, std::set<int>> near = neighbours(deck);
+    const std::map<int, std::set<int>> near = joined_grids(deck);
     std::vector<bool> connected;
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       const auto it = near.find(order[k]);

@@ -1,5 +1,5 @@
-// The geometry of a support: which constrained grids belong together, along
-// which line they lie, and how much of its length each carries.
+// The geometry of a support: along which line its grids lie, and how much of
+// its length each carries.
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"
@@ -26,11 +26,6 @@ struct SupportLine {
   double length = 0.0;    ///< total [m]; 1 where the grids lie on no line
   bool straight = false;  ///< whether there is a line
 };
-
-/// Groups of constrained grids that are connected by element edges, each in
-/// the deck's order.
-[[nodiscard]] std::vector<std::vector<int>> support_groups(
-    const structure::Deck& deck);
 
 /// The degrees of freedom that a soft support releases: for grids along a
 /// line parallel to an axis the rotation about that line, otherwise all three

@@ -1,8 +1,8 @@
 #include "updating/practice/challenge.hpp"
 
 #include "acquisition/foundation/seeded_random.hpp"
-#include "updating/practice/hidden_case.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/practice/practice_case.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ VirtualBundleSpec easy(std::uint64_t seed,
   constexpr double large = 1.5;
   std::vector<std::string> kinds = kinds_for(structure, told_well());
   VirtualBundleSpec spec =
-      draw_hidden_case(take_one(kinds, random), seed, structure);
+      draw_practice_case(take_one(kinds, random), seed, structure);
   for (VirtualEffect& effect : spec.effects) {
     effect = resized(std::move(effect), large);
   }
@@ -82,7 +82,7 @@ VirtualBundleSpec hard(std::uint64_t seed,
   const double lot = random.uniform(0.0, 5.0);
   std::string kind = lot < 1.0 ? "none" : take_one(kinds, random);
   if (lot >= 3.0) kind += "+" + take_one(kinds, random);
-  VirtualBundleSpec spec = draw_hidden_case(kind, seed, structure);
+  VirtualBundleSpec spec = draw_practice_case(kind, seed, structure);
   for (VirtualEffect& effect : spec.effects) {
     const double share =
         std::exp(random.uniform(std::log(smallest), std::log(largest)));

@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
 double base_error(const structure::System& system,
-                  const StaticAnswers& answers,
+                  const ResidualFlexibility& answers,
                   const MatrixXd& V,
                   const Eigen::VectorXd& stiffness,
                   const std::vector<int>& points,

@@ -6,7 +6,7 @@
 // (omega / omega_r)^2, so that the model's factored matrix gives it.
 #pragma once
 
-#include "updating/reduction/static_answers.hpp"
+#include "updating/reduction/residual_flexibility.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ namespace tapfit::updating {
 /// @return largest over the band of ||H_reduced - H|| / ||H|| over all pairs of
 ///   the points, on s = omega (0.03 + j)
 [[nodiscard]] double base_error(const structure::System& system,
-                                const StaticAnswers& answers,
+                                const ResidualFlexibility& answers,
                                 const Eigen::MatrixXd& V,
                                 const Eigen::VectorXd& stiffness,
                                 const std::vector<int>& points,

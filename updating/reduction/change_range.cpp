@@ -35,12 +35,12 @@ ChangeRange spring_range(const ReleasedSystem& released,
   // rigid element: the forces of unit motions, on few degrees of freedom, say.
   const structure::SparseMatrix forces =
       *released.K * structure::unit_motions(T, held, released.dofs());
-  const structure::SparseMatrix felt =
+  const structure::SparseMatrix response =
       forces.topRows(modes.shapes.rows()).transpose();
   double worst = 0.0;
   for (Index r = 0; r < modes.hz.size(); ++r) {
     if (modes.hz(r) > modes.high_hz || modes.hz(r) < 1e-3) continue;
-    const VectorXd reaction = felt * modes.shapes.col(r);
+    const VectorXd reaction = response * modes.shapes.col(r);
     double sum = 0.0;
     for (std::size_t k = 0; k < held.size(); ++k) {
       sum += std::pow(reaction(static_cast<Index>(k)), 2) / length[k];
@@ -78,6 +78,19 @@ ChangeRange added_range(const structure::SparseMatrix& S,
   range.start = std::min(range.start, 0.5 * range.upper);
   range.lower = std::min(range.lower, 1e-3 * range.upper);
   return range;
+}
+
+ChangeRange range_of(const ReleasedSystem& released,
+                     const ScaledStiffness& own,
+                     ChangeKind kind,
+                     const PlainModes& modes,
+                     const structure::System& system) {
+  if (kind == ChangeKind::Elements) return loss_range;
+  if (kind != ChangeKind::Preload) {
+    return spring_range(released, own, modes, system.T);
+  }
+  const Index n = system.dofs();
+  return added_range(own.S.topLeftCorner(n, n), modes);
 }
 
 }  // namespace tapfit::updating

@@ -10,6 +10,7 @@
 
 #include "updating/reduction/released_system.hpp"
 #include "updating/structure/solve/sparse_matrix.hpp"
+#include "updating/structure/solve/system.hpp"
 
 #include <Eigen/Core>
 
@@ -35,5 +36,16 @@ struct PlainModes {
 /// modes have it.
 [[nodiscard]] ChangeRange added_range(const structure::SparseMatrix& S,
                                       const PlainModes& modes);
+
+/// Stiffness that elements keep, from all of it to next to none.
+inline constexpr ChangeRange loss_range = {1.0, 1.0, 0.04, 0.4, 1.0};
+
+/// What the parameter of a change of this kind may be.
+/// @param system of the deck
+[[nodiscard]] ChangeRange range_of(const ReleasedSystem& released,
+                                   const ScaledStiffness& own,
+                                   ChangeKind kind,
+                                   const PlainModes& modes,
+                                   const structure::System& system);
 
 }  // namespace tapfit::updating

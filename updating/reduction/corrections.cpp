@@ -1,6 +1,6 @@
 #include "updating/reduction/corrections.hpp"
 
-#include "updating/structure/mesh/edge_twist.hpp"
+#include "updating/structure/mesh/free_edge_layer.hpp"
 
 namespace tapfit::updating {
 
@@ -29,7 +29,7 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
   const MeshShift size = mesh_shift(modes.split, modes.unsplit);
   std::vector<CorrectionPart> parts = {
       {{"mesh size", size_sd}, in_base(size.K), in_base(size.M)}};
-  const structure::SparseMatrix twist = -structure::edge_twist(deck);
+  const structure::SparseMatrix twist = -structure::free_edge_layer(deck);
   MatrixXd K = V.transpose() * (twist * V);
   if (!K.isZero(0.0)) {
     parts.push_back(

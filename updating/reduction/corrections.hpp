@@ -7,8 +7,9 @@
 // is the split mesh; where the error falls with the square of the element, 4/3
 // is the limit of ever finer ones (Richardson's extrapolation). "mesh edges",
 // where shells have free edges, is one more than the share of the edges' layer
-// that the mesh lacks (edge_twist()). The others are forms that the deck lacks
-// (deck_forms.hpp): at 1 it is the deck as it stands, at 2 the deck with it.
+// that the mesh lacks (free_edge_layer()). The others are forms that the deck
+// lacks (deck_forms.hpp): at 1 it is the deck as it stands, at 2 the deck with
+// it.
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"

@@ -53,7 +53,7 @@ ReducedBase extended_base(const MatrixXd& V,
                           MatrixXd extra,
                           const ReleasedSystem& released,
                           const std::vector<CorrectionPart>& corrections) {
-  const MatrixXd R = beyond(*released.M, V, std::move(extra));
+  const MatrixXd R = m_orthogonal_complement(*released.M, V, std::move(extra));
   const Index a = V.cols();
   const Index b = R.cols();
   const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {

@@ -10,7 +10,7 @@
 // at interfaces that are then held).
 #pragma once
 
-#include "updating/reduction/changed_motions.hpp"
+#include "updating/reduction/basis_enrichment.hpp"
 
 #include <Eigen/Core>
 

@@ -7,10 +7,10 @@ namespace tapfit::updating {
 
 using structure::SparseMatrix;
 
-SparseMatrix lent_mass(const SparseMatrix& stiffness,
-                       const SparseMatrix& mass,
-                       const std::vector<int>& dofs,
-                       double high_hz) {
+SparseMatrix regularising_mass(const SparseMatrix& stiffness,
+                               const SparseMatrix& mass,
+                               const std::vector<int>& dofs,
+                               double high_hz) {
   constexpr double above = 1e4;
   const double square = std::pow(2.0 * std::numbers::pi * above * high_hz, 2);
   std::vector<Eigen::Triplet<double>> lent;
@@ -25,14 +25,14 @@ SparseMatrix lent_mass(const SparseMatrix& stiffness,
   return added;
 }
 
-SparseMatrix lent_mass(const structure::System& system,
-                       const std::vector<int>& points,
-                       double high_hz) {
+SparseMatrix regularising_mass(const structure::System& system,
+                               const std::vector<int>& points,
+                               double high_hz) {
   std::vector<int> loose;
   for (const int i : points) {
     if (!system.inactive[static_cast<std::size_t>(i)]) loose.push_back(i);
   }
-  return lent_mass(system.K, system.M, loose, high_hz);
+  return regularising_mass(system.K, system.M, loose, high_hz);
 }
 
 }  // namespace tapfit::updating

@@ -18,15 +18,16 @@ namespace tapfit::updating {
 ///   mass stay so: where nothing holds them they are a mechanism
 /// @param high_hz top of the band; FRFs up to it change by some 1e-8
 /// @return n x n; empty where none of them is without mass
-[[nodiscard]] structure::SparseMatrix lent_mass(
+[[nodiscard]] structure::SparseMatrix regularising_mass(
     const structure::SparseMatrix& stiffness,
     const structure::SparseMatrix& mass,
     const std::vector<int>& dofs,
     double high_hz);
 
 /// The same, of those that neither follow others nor lack stiffness.
-[[nodiscard]] structure::SparseMatrix lent_mass(const structure::System& system,
-                                                const std::vector<int>& points,
-                                                double high_hz);
+[[nodiscard]] structure::SparseMatrix regularising_mass(
+    const structure::System& system,
+    const std::vector<int>& points,
+    double high_hz);
 
 }  // namespace tapfit::updating

@@ -22,31 +22,18 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/progress.hpp"
-#include "updating/cache/matrix_cache.hpp"
 #include "updating/reduction/base_matrices.hpp"
+#include "updating/reduction/base_options.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <Eigen/Core>
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace tapfit::updating {
-
-struct BaseOptions {
-  double high_hz = 100.0;  ///< top of the band
-  double reach = 4.0;      ///< modes up to reach * high_hz
-  bool split = true;       ///< every element once more
-  /// Degrees of freedom that are measured or hit (6 grid_index + component - 1)
-  std::vector<int> points = {};
-  /// Of these, one end of every pair; empty: all of them.
-  std::vector<int> driven = {};
-  /// Where what is solved for is kept; empty: nowhere.
-  std::optional<MatrixCache> cache = {};
-};
 
 /// What a base is asked for.
 enum class BaseUse {

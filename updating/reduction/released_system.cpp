@@ -4,6 +4,7 @@
 #include "updating/places/crack_line.hpp"
 #include "updating/places/held_support.hpp"
 #include "updating/places/joint_line.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -363,9 +364,9 @@ ReleasedSystem release(const RefinedDeck& mesh,
   return released;
 }
 
-void lend_mass(const std::vector<int>& free,
-               double high_hz,
-               ReleasedSystem& released) {
+void add_regularising_mass(const std::vector<int>& free,
+                           double high_hz,
+                           ReleasedSystem& released) {
   Eigen::VectorXd acted = Eigen::VectorXd::Zero(released.dofs());
   for (const ScaledStiffness& scaled : released.scaled) {
     acted += scaled.S.diagonal();
@@ -377,7 +378,7 @@ void lend_mass(const std::vector<int>& free,
     if (loose || held || acted(i) != 0.0) changed.push_back(i);
   }
   const SparseMatrix lent =
-      lent_mass(*released.K, *released.M, changed, high_hz);
+      regularising_mass(*released.K, *released.M, changed, high_hz);
   if (lent.size() > 0) released.add_mass(lent);
 }
 

@@ -71,8 +71,8 @@ struct ReleasedSystem {
 /// hold all that has.
 ///
 /// @param free degrees of freedom of the system before, ascending
-void lend_mass(const std::vector<int>& free,
-               double high_hz,
-               ReleasedSystem& released);
+void add_regularising_mass(const std::vector<int>& free,
+                           double high_hz,
+                           ReleasedSystem& released);
 
 }  // namespace tapfit::updating

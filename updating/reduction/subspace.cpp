@@ -74,7 +74,9 @@ MatrixXd join(std::vector<MatrixXd> blocks) {
   return V;
 }
 
-MatrixXd beyond(const SparseMatrix& M, const MatrixXd& V, MatrixXd columns) {
+MatrixXd m_orthogonal_complement(const SparseMatrix& M,
+                                 const MatrixXd& V,
+                                 MatrixXd columns) {
   MatrixXd& R = columns;
   const VectorXd whole = R.colwise().norm();
   const Index n = V.rows();  // the released degrees of freedom follow

@@ -23,8 +23,9 @@ namespace tapfit::updating {
 /// modes would take up what little, but stiff, those have of their own.
 ///
 /// @param V may be shorter than M: the rows that it lacks are zero
-[[nodiscard]] Eigen::MatrixXd beyond(const structure::SparseMatrix& M,
-                                     const Eigen::MatrixXd& V,
-                                     Eigen::MatrixXd columns);
+[[nodiscard]] Eigen::MatrixXd m_orthogonal_complement(
+    const structure::SparseMatrix& M,
+    const Eigen::MatrixXd& V,
+    Eigen::MatrixXd columns);
 
 }  // namespace tapfit::updating

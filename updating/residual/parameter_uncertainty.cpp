@@ -1,5 +1,7 @@
 #include "updating/residual/parameter_uncertainty.hpp"
 
+#include "updating/residual/independent_data.hpp"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>

@@ -9,13 +9,6 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
-namespace {
-
-// Of modes: as many readings as told how they scatter.
-constexpr double known_scatter = 10.0;
-
-}  // namespace
-
 double Target::count() const {
   return std::accumulate(use.begin(), use.end(), 0.0) *
          static_cast<double>(s.size());
@@ -129,48 +122,6 @@ Eigen::VectorXd residual(const Target& target, const Eigen::MatrixXcd& H) {
 
 double error_of(const Target& target, const Eigen::VectorXd& residual) {
   return residual.head(2 * target.H.size()).norm();
-}
-
-double effective_data(const Target& target) {
-  if (target.is_modal()) {
-    const Index values = std::max<Index>(target.H.cols() - 1, 1);
-    return static_cast<double>(target.s.size() * values) + known_scatter;
-  }
-  // The transform on a damped line is smoothed by a Lorentzian of half width
-  // sigma, whose equivalent width is pi sigma.
-  double lines = 0.0;
-  for (Index l = 0; l < target.s.size(); ++l) {
-    const Index a = std::max<Index>(l - 1, 0);
-    const Index b = std::min<Index>(l + 1, target.s.size() - 1);
-    const double spacing = (target.s(b).imag() - target.s(a).imag()) /
-                           static_cast<double>(std::max<Index>(b - a, 1));
-    const double width = std::numbers::pi * target.s(l).real();
-    lines += width > 0.0 ? std::min(1.0, spacing / width) : 1.0;
-  }
-  return 2.0 * lines *
-         std::accumulate(target.use.begin(), target.use.end(), 0.0);
-}
-
-double residual_data(const Target& target, const Eigen::VectorXd& residual) {
-  const double most = effective_data(target);
-  const Index lines = target.s.size();
-  if (residual.size() != 2 * lines * target.H.cols()) return most;
-  // Column after column: real parts of an FRF, then its imaginary parts.
-  const Eigen::Map<const Eigen::MatrixXd> r(
-      residual.data(), 2 * lines, target.H.cols());
-  Eigen::MatrixXcd R(lines, target.H.cols());
-  R.real() = r.topRows(lines);
-  R.imag() = r.bottomRows(lines);
-  const Eigen::MatrixXcd gram = R.adjoint() * R;
-  const double trace = gram.trace().real();
-  if (trace <= 0.0) return most;
-  const double frfs =
-      std::accumulate(target.use.begin(), target.use.end(), 0.0);
-  const double concentration = gram.squaredNorm() / (trace * trace) -
-                               1.0 / static_cast<double>(lines) -
-                               1.0 / std::max(frfs, 1.0);
-  if (concentration <= 0.0) return most;
-  return std::min(2.0 / (concentration * concentration), most);
 }
 
 }  // namespace tapfit::updating

@@ -29,6 +29,9 @@
 
 namespace tapfit::updating {
 
+/// Of modes: as many readings as told how they scatter.
+inline constexpr double known_scatter = 10.0;
+
 /// Measured FRFs as a matrix, with the weight of every line.
 struct Target {
   Eigen::VectorXcd s;
@@ -80,17 +83,5 @@ struct Target {
 /// The relative error that a residual is.
 [[nodiscard]] double error_of(const Target& target,
                               const Eigen::VectorXd& residual);
-
-/// Independent real data in the target: lines on a damped line overlap.
-[[nodiscard]] double effective_data(const Target& target);
-
-/// Independent data in what a fit leaves. What mesh and model form leave is no
-/// noise, but a few patterns over lines and FRFs that belong together: with
-/// the singular values s_k of the residual (lines x FRFs),
-/// P = (sum s^2)^2 / sum s^4 of them count, and the residual is worth 2 P^2
-/// data, after the 1 / lines + 1 / FRFs that noise alone adds to 1 / P. At
-/// most effective_data().
-[[nodiscard]] double residual_data(const Target& target,
-                                   const Eigen::VectorXd& residual);
 
 }  // namespace tapfit::updating

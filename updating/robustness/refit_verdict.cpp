@@ -7,6 +7,7 @@
 #include "updating/diagnosis/set_verdict.hpp"
 #include "updating/diagnosis/worth.hpp"
 #include "updating/localisation/run_drift.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ struct Judge {
   const Progress& progress;
 
   [[nodiscard]] double data(const Fit& best) const {
-    return evidence_data(
+    return independent_data(
         fitter.target(), best.result.residual, options.modes_in_band);
   }
   [[nodiscard]] double held_out(const Fit& fit) const {

@@ -4,6 +4,7 @@
 #include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/fit/overall_progress.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/robustness/refit_verdict.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ DiagnoseOptions options_for(DiagnoseOptions options,
 Fit told(const Fit& found,
          const Fitter& fitter,
          const DiagnoseOptions& options) {
-  const double data = evidence_data(
+  const double data = independent_data(
       fitter.target(), found.result.residual, options.modes_in_band);
   return likeliest_fit(found, fitter, {data, options.floor_noise});
 }

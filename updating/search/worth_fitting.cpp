@@ -63,8 +63,7 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
   std::vector<PlacedEffect> tries;
   // Sensors and channels are few and each differs from the others. Their
   // screening is exact but for what the rest may give way.
-  const bool few =
-      options.places_per_kind > 1 && fitter.places(effect).size() <= few_places;
+  const bool few = fitter.places(effect).size() <= few_places;
   const int most_places =
       effect.changes_stiffness() == ChangeKind::Joint
           ? std::max(options.places_per_kind, options.joints)

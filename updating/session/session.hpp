@@ -26,6 +26,8 @@
 #include "updating/localisation/signature.hpp"
 #include "updating/localisation/signature_map.hpp"
 #include "updating/measurement/mode_choices.hpp"
+#include "updating/prediction/prediction.hpp"
+#include "updating/prediction/stated_change.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/saved_session.hpp"
 #include "updating/structure/deck/deck.hpp"
@@ -35,6 +37,8 @@
 #include <optional>
 
 namespace tapfit::updating {
+
+struct SessionStages;
 
 class Session {
  public:
@@ -79,6 +83,11 @@ class Session {
                                            const Progress& progress = {});
   /// Missing dynamic stiffness at a grid, for the current model.
   Signature signature(int node, const Progress& progress = {});
+  /// What known changes will do to the structure, by the current model; what is
+  /// uncertain is fitted first where nothing was.
+  /// @throws InputError as of updating::predict_change
+  Prediction predict(const std::vector<StatedChange>& changes,
+                     const Progress& progress = {});
   /// How well each grid explains what is missing, the best first.
   std::vector<GridShare> signature_map(const Progress& progress = {});
 
@@ -146,8 +155,7 @@ class Session {
   double base_error(const Progress& progress = {});
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<SessionStages> stages_;
 };
 
 }  // namespace tapfit::updating

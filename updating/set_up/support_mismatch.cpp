@@ -7,6 +7,7 @@
 // where the deck is free. What moves there is held (held_motions.hpp).
 #include "updating/places/clamp_places.hpp"
 #include "updating/places/held_support.hpp"
+#include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/set_up/mistakes.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
@@ -35,13 +36,9 @@ std::vector<Where> places_freed(const Setting& setting,
                                 const std::vector<std::string>& variants) {
   std::vector<Where> result;
   std::vector<std::vector<int>> groups =
-      updating::support_groups(*setting.deck);
-  if (groups.size() > 1) {
-    std::vector<int> all;
-    for (const std::vector<int>& group : groups) {
-      all.insert(all.end(), group.begin(), group.end());
-    }
-    groups.insert(groups.begin(), all);
+      updating::support_choices(*setting.deck);
+  if (!groups.empty()) {
+    std::rotate(groups.begin(), groups.end() - 1, groups.end());
   }
   for (const std::vector<int>& group : groups) {
     std::size_t most = 0;

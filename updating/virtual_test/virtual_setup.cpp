@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/samples/anti_alias.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 #include "updating/virtual_test/virtual_points.hpp"
 
 #include <fmt/format.h>
@@ -116,15 +116,15 @@ void check_channels(const VirtualBundleSpec& spec,
 
 /// The band asked for, else the structure's own; checked, in Hz.
 std::array<double, 2> band_of(const VirtualBundleSpec& spec,
-                              const std::optional<VirtualHabit>& habit) {
-  if (!habit && !spec.band_hz) {
+                              const std::optional<StructurePreset>& preset) {
+  if (!preset && !spec.band_hz) {
     throw InputError("a deck needs a band",
                      spec.structure,
                      fmt::format("Give --band LOW HIGH in Hz, or one of {}.",
                                  fmt::join(virtual_structures(), ", ")));
   }
   const std::array<double, 2> band =
-      spec.band_hz ? *spec.band_hz : habit->band_hz;
+      spec.band_hz ? *spec.band_hz : preset->band_hz;
   const std::string asked = fmt::format("--band {} {}", band[0], band[1]);
   if (!(band[0] > 0.0) || !(band[1] > band[0])) {
     throw InputError("the band is no band",
@@ -160,12 +160,12 @@ std::vector<double> modes_in_band(const VirtualBundleSpec& spec,
 
 VirtualSetup set_up(const VirtualBundleSpec& spec) {
   VirtualSetup setup;
-  const std::optional<VirtualHabit> habit = habit_of(spec.structure);
-  setup.band_hz = band_of(spec, habit);
-  if (habit) {
-    setup.model = habit->model;
-    setup.model_cards = habit->cards;
-    setup.title = "Virtual hammer test: " + habit->title;
+  const std::optional<StructurePreset> preset = preset_of(spec.structure);
+  setup.band_hz = band_of(spec, preset);
+  if (preset) {
+    setup.model = preset->model;
+    setup.model_cards = preset->cards;
+    setup.title = "Virtual hammer test: " + preset->title;
   } else {
     setup.model = split_twice(structure::read_deck(spec.structure));
     setup.title = "Virtual hammer test of " +
@@ -183,7 +183,7 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
       shapes.shapes,
       static_cast<int>(setup.sensor_channels.size()),
       spec.points,
-      fixed_sensors(habit ? habit->sensors : std::vector<Eigen::Vector3d>{},
+      fixed_sensors(preset ? preset->sensors : std::vector<Eigen::Vector3d>{},
                     deck,
                     setup.component));
   setup.sensor_channels.resize(points.sensors.size());
@@ -193,7 +193,7 @@ VirtualSetup set_up(const VirtualBundleSpec& spec) {
   setup.hand = hand_for(spec,
                         setup.band_hz,
                         setup.model_hz.front(),
-                        habit ? habit->peak_n : 40.0);
+                        preset ? preset->peak_n : 40.0);
   return setup;
 }
 

@@ -153,10 +153,10 @@ void expect_recorded_ratio(const SecondOrderSystem& system,
                            double tolerance) {
   const VirtualRecorder recorder{256.0, 16};
   const std::vector<HammerPulse> pulses{{0.5, 0.008, 12.0, 0.93}};
-  const Eigen::MatrixXd felt =
+  const Eigen::MatrixXd response =
       simulate_response(system, pulses, 12.0, recorder, {});
   for (const double hz : {1.0, 7.0, 14.7, 23.0, 39.5, 60.0, 70.0}) {
-    const Eigen::RowVectorXcd X = transform(felt, hz, recorder.rate_hz);
+    const Eigen::RowVectorXcd X = transform(response, hz, recorder.rate_hz);
     const Eigen::VectorXcd H = accelerance(system, hz);
     for (int sensor = 0; sensor < 2; ++sensor) {
       EXPECT_LT(std::abs(X(1 + sensor) / X(0) - H(sensor)) /
@@ -293,7 +293,7 @@ TEST(AnalogueChain, AddsEachFaultInItsSize) {
 }
 
 TEST(VirtualTest, SameSeedSameSamples) {
-  const Eigen::MatrixXd felt = Eigen::MatrixXd::Random(500, 3);
+  const Eigen::MatrixXd response = Eigen::MatrixXd::Random(500, 3);
   AnalogueChannel channel;
   channel.noise_rms = 0.01;
   channel.hum = 0.01;
@@ -302,9 +302,9 @@ TEST(VirtualTest, SameSeedSameSamples) {
   SeededRandom first(9, "run", 4);
   SeededRandom again(9, "run", 4);
   SeededRandom other(9, "run", 5);
-  const Eigen::MatrixXd a = digitise(felt, {}, channels, first);
-  EXPECT_EQ(a, digitise(felt, {}, channels, again));
-  EXPECT_NE(a, digitise(felt, {}, channels, other));
+  const Eigen::MatrixXd a = digitise(response, {}, channels, first);
+  EXPECT_EQ(a, digitise(response, {}, channels, again));
+  EXPECT_NE(a, digitise(response, {}, channels, other));
 }
 
 TEST(SeededRandom, FirstNumbersAreFixed) {

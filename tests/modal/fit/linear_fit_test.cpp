@@ -1,5 +1,6 @@
 #include "modal/fit/linear_fit.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "modal/fit/fit_residual.hpp"
 #include "modal/fit/modal_fit.hpp"
 #include "modal/fit/pole_step.hpp"
@@ -7,24 +8,20 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 namespace tapfit::modal {
 namespace {
 
 using Eigen::Index;
 
-constexpr double two_pi_ = 2.0 * std::numbers::pi;
-
 /// Nine FRFs of five modes in the band and 1 % noise.
 ///
 /// @param lines 300: few; 3000: many
-Curves noisy_curves(Index lines, double sigma) {
+WeightedFrfs noisy_curves(Index lines, double sigma) {
   std::mt19937_64 random(5);
   const test::SyntheticSystem system =
       test::random_system(5, 9, 0.005, 0.02, random);
   std::vector<std::string> warnings;
-  return prepare_curves(
+  return prepare_frfs(
       test::roving_hammer(system,
                           {2},
                           test::line_points(5.0, 100.0, lines, sigma),
@@ -38,7 +35,7 @@ Eigen::VectorXcd start_poles() {
   Eigen::VectorXcd poles(6);
   const double hz[] = {18.0, 36.0, 55.0, 55.2, 70.0, 90.0};
   for (Index r = 0; r < poles.size(); ++r) {
-    poles(r) = two_pi_ * hz[r] * std::complex<double>(-0.01, 1.0);
+    poles(r) = two_pi * hz[r] * std::complex<double>(-0.01, 1.0);
   }
   return poles;
 }
@@ -47,7 +44,7 @@ Eigen::VectorXcd start_poles() {
 // 1e-10 of the FRFs' power times the columns' condition.
 TEST(LinearFit, ByProductsIsThatByColumns) {
   for (const double sigma : {0.0, 0.3}) {
-    Curves curves = noisy_curves(3000, sigma);
+    WeightedFrfs curves = noisy_curves(3000, sigma);
     ASSERT_FALSE(curves.sums.are_few());
     const Eigen::VectorXcd poles = start_poles();
     const LinearFit products = fit_by_products(curves, poles);
@@ -73,11 +70,10 @@ TEST(LinearFit, ByProductsIsThatByColumns) {
 // of the square of the step (1e-4 half bandwidths) and the misfit's rounding.
 TEST(PoleStep, GradientIsThatOfTheMisfit) {
   for (const Index lines : {300, 3000}) {
-    const Curves curves = noisy_curves(lines, 0.2);
+    const WeightedFrfs curves = noisy_curves(lines, 0.2);
     EXPECT_EQ(curves.sums.are_few(), lines == 300);
     const Eigen::VectorXcd poles = start_poles();
-    const PoleStep step =
-        pole_step(curves, poles, fit_linear(curves, poles));
+    const PoleStep step = pole_step(curves, poles, fit_linear(curves, poles));
     for (Index r = 0; r < poles.size(); ++r) {
       const double h = -1e-4 * poles(r).real();
       for (const Index part : {0, 1}) {
@@ -87,9 +83,9 @@ TEST(PoleStep, GradientIsThatOfTheMisfit) {
         Eigen::VectorXcd down = poles;
         up(r) += d;
         down(r) -= d;
-        const double slope = (fit_linear(curves, up).misfit -
-                              fit_linear(curves, down).misfit) /
-                             (2.0 * h);
+        const double slope =
+            (fit_linear(curves, up).misfit - fit_linear(curves, down).misfit) /
+            (2.0 * h);
         EXPECT_NEAR(-2.0 * step.gradient(2 * r + part),
                     slope,
                     1e-5 * step.gradient.cwiseAbs().maxCoeff());
@@ -100,7 +96,7 @@ TEST(PoleStep, GradientIsThatOfTheMisfit) {
 
 // The misfit of many lines is what the fitted FRFs leave.
 TEST(LinearFit, MisfitIsWhatIsLeft) {
-  const Curves curves = noisy_curves(3000, 0.0);
+  const WeightedFrfs curves = noisy_curves(3000, 0.0);
   const ModalFit fit = fit_residues(curves, start_poles());
   EXPECT_NEAR(left_per_line(curves, fit, {{0, curves.lines()}}).sum(),
               fit.misfit,

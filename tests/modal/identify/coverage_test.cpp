@@ -36,17 +36,17 @@ void count_mode(const modal::Mode& mode,
                 Index r,
                 const Eigen::VectorXcd& model,
                 Counts& counts) {
-  constexpr double kWide = 1.96;
+  constexpr double wide = 1.96;
   counts.frequency.add(std::abs(mode.frequency_hz - truth.frequency_hz(r)) <
-                       kWide * mode.frequency_sd_hz);
+                       wide * mode.frequency_sd_hz);
   counts.damping.add(std::abs(mode.damping_ratio - truth.damping_ratio(r)) <
-                     kWide * mode.damping_sd);
+                     wide * mode.damping_sd);
   const Eigen::VectorXd phi = truth.phi.col(r);
   const double sign = mode.shape.real().dot(phi) < 0.0 ? -1.0 : 1.0;
   for (Index k = 0; k < phi.size(); ++k) {
     // Half of E|d phi|^2 is in the real part.
     counts.shape.add(std::abs(sign * mode.shape(k).real() - phi(k)) <
-                     kWide * mode.shape_sd(k) / std::sqrt(2.0));
+                     wide * mode.shape_sd(k) / std::sqrt(2.0));
   }
   const modal::MacEstimate mac =
       modal::mac_with_uncertainty(mode.shape, mode.shape_sd, model);

@@ -150,8 +150,8 @@ TEST(IdentifyModes, LosesNoneAndInventsNone) {
   int good = 0;
   std::string lost;
   std::uniform_real_distribution<double> uniform;
-  constexpr int kSystems = 40;
-  for (unsigned seed = 100; seed < 100 + kSystems; ++seed) {
+  constexpr int systems = 40;
+  for (unsigned seed = 100; seed < 100 + systems; ++seed) {
     std::mt19937_64 random(seed);
     const Index modes = 2 + static_cast<Index>(seed % 11);
     const SyntheticSystem system = random_system(modes, 8, 0.002, 0.01, random);

@@ -104,15 +104,15 @@ double kolmogorov(std::vector<double> p) {
 void expect_silent_under(const Case& c) {
   std::vector<double> p;
   int alarms = 0;
-  constexpr unsigned kSeeds = 400;
-  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+  constexpr unsigned seeds = 400;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
     const auto shifts = explain_shifts(generate(c, seed));
     ASSERT_TRUE(shifts.has_value());
     p.push_back(shifts->p_mass);
     if (shifts->cause == ShiftCause::SensorMass) ++alarms;
   }
   // Kolmogorov's 1 % limit is 1.63 / sqrt(n) for one sample.
-  EXPECT_LT(kolmogorov(p), 1.63 / std::sqrt(kSeeds));
+  EXPECT_LT(kolmogorov(p), 1.63 / std::sqrt(seeds));
   // One in a hundred by its p, half of them of a negative mass: 2 expected.
   EXPECT_LE(alarms, 8);
 }

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 using Eigen::Index;
 using test::SyntheticSystem;
 
-constexpr double kSensor = 0.004;  // kg; shapes have phi^2 of about 1 / kg
+constexpr double sensor = 0.004;  // kg; shapes have phi^2 of about 1 / kg
 
 /// Four modes in the band and two above; the hammer's point 0 moves in all.
 SyntheticSystem test_system() {
@@ -75,14 +75,14 @@ TEST(SensorShifts, FindsTheMassFromTheFrfs) {
   int inside = 0;
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const ModeSet found =
-        identify_modes(roving_sensors(test_system(), kSensor, 0.01, seed), {});
+        identify_modes(roving_sensors(test_system(), sensor, 0.01, seed), {});
     ASSERT_TRUE(found.shifts.has_value()) << seed;
     EXPECT_EQ(found.shifts->cause, ShiftCause::SensorMass);
     ASSERT_EQ(found.shifts->masses.size(), 1U) << seed;
     const MassEstimate& mass = found.shifts->masses[0];
     // Shifts of 0.2 to 2 %, to which the second order adds 1 % of themselves.
-    EXPECT_NEAR(mass.kg, kSensor, 0.05 * kSensor);
-    if (mass.lo95_kg <= kSensor && kSensor <= mass.hi95_kg) ++inside;
+    EXPECT_NEAR(mass.kg, sensor, 0.05 * sensor);
+    if (mass.lo95_kg <= sensor && sensor <= mass.hi95_kg) ++inside;
   }
   // Two misses of four at 95 % happen once in 70 times; seeds are fixed.
   EXPECT_GE(inside, 3);
@@ -127,7 +127,7 @@ TEST(SensorShifts, HeavySensorsLoseNoMode) {
 }
 
 TEST(SensorShifts, NamesTheCauseWithoutADrivingPoint) {
-  signal::FrfSet set = roving_sensors(test_system(), kSensor, 0.01, 1);
+  signal::FrfSet set = roving_sensors(test_system(), sensor, 0.01, 1);
   set.frfs.erase(set.frfs.begin(), set.frfs.begin() + 2);
   const ModeSet found = identify_modes(set, {});
   ASSERT_FALSE(found.scaled);
@@ -165,11 +165,11 @@ double error_of(const signal::FrfSet& set, const SyntheticSystem& system) {
 
 TEST(LoadedFrfModel, FreesFrfsWhoseDrivingPointsWereNotHit) {
   const SyntheticSystem system = test_system();
-  const signal::FrfSet set = roving_sensors(system, kSensor, 0.003, 1);
+  const signal::FrfSet set = roving_sensors(system, sensor, 0.003, 1);
   const ModeSet modes = identify_modes(set, {});
   ASSERT_TRUE(modes.scaled);
   const signal::LoadedTest load = signal::sensors_as_loads(
-      set, {{1, {"acc1", kSensor, 0.0}}, {2, {"acc2", kSensor, 0.0}}});
+      set, {{1, {"acc1", sensor, 0.0}}, {2, {"acc2", sensor, 0.0}}});
   const signal::FreedFrfs freed =
       signal::free_frfs(set, load, loaded_frf_model(modes, set));
   for (const signal::FreedNote& note : freed.notes) {
@@ -196,7 +196,7 @@ TEST(LoadedFrfModel, FreesFrfsWhoseDrivingPointsWereNotHit) {
 }
 
 TEST(LoadedFrfModel, KnowsNothingWithoutAScale) {
-  signal::FrfSet set = roving_sensors(test_system(), kSensor, 0.01, 1);
+  signal::FrfSet set = roving_sensors(test_system(), sensor, 0.01, 1);
   set.frfs.erase(set.frfs.begin(), set.frfs.begin() + 2);
   const signal::FrfModel model = loaded_frf_model(identify_modes(set, {}), set);
   EXPECT_FALSE(model(0, {3, 3, 1}, {3, 3, 1}).has_value());

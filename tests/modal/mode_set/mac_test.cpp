@@ -172,15 +172,15 @@ TEST(MacWithUncertainty, IntervalsHoldTheTruth) {
     std::normal_distribution<double> normal;
     int inside = 0;
     double mean = 0.0;
-    constexpr int kSeeds = 500;
-    for (int seed = 0; seed < kSeeds; ++seed) {
+    constexpr int seeds = 500;
+    for (int seed = 0; seed < seeds; ++seed) {
       Eigen::VectorXcd u = shape;
       for (Eigen::Index k = 0; k < 12; ++k) {
         u(k) += sd(k) / std::sqrt(2.0) *
                 std::complex<double>(normal(random), normal(random));
       }
       const MacEstimate found = mac_with_uncertainty(u, sd, other);
-      mean += found.value / kSeeds;
+      mean += found.value / seeds;
       if (found.lo95 <= truth && truth <= found.hi95) ++inside;
     }
     SCOPED_TRACE(mixed);

@@ -13,14 +13,14 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-Curves noisy_curves(Index lines, double low_hz, double noise) {
+WeightedFrfs noisy_curves(Index lines, double low_hz, double noise) {
   std::mt19937_64 random(9);
   test::SyntheticSystem system;
   system.frequency_hz = Eigen::VectorXd::LinSpaced(4, 22.0, 85.0);
   system.damping_ratio = Eigen::VectorXd::Constant(4, 0.01);
   system.phi = test::random_shapes(5, 4, random);
   std::vector<std::string> warnings;
-  return prepare_curves(
+  return prepare_frfs(
       test::roving_hammer(system,
                           {0, 3},
                           test::line_points(low_hz, 100.0, lines, 0.2),
@@ -31,7 +31,7 @@ Curves noisy_curves(Index lines, double low_hz, double noise) {
 
 TEST(BandCircle, LagSumsAreTheirDefinition) {
   for (const double low : {0.5, 5.0, 61.0}) {
-    const Curves curves = noisy_curves(97, low, 0.05);
+    const WeightedFrfs curves = noisy_curves(97, low, 0.05);
     const BandCircle circle = lay_on_circle(curves, 20);
     const Eigen::MatrixXd sums = lag_sums(circle, curves.H, 20);
     ASSERT_EQ(sums.rows(), 41);
@@ -52,7 +52,7 @@ TEST(BandCircle, LagSumsAreTheirDefinition) {
 TEST(BandCircle, KeepsTheBandOnTheUpperHalf) {
   for (const double low : {0.5, 5.0, 61.0}) {
     for (const Index largest : {10, 200}) {
-      const Curves curves = noisy_curves(900, low, 0.0);
+      const WeightedFrfs curves = noisy_curves(900, low, 0.0);
       const BandCircle circle = lay_on_circle(curves, largest);
       const double last = circle.first + curves.spacing * circle.dt * 899.0;
       EXPECT_GE(circle.first, 0.0);

@@ -13,14 +13,14 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-Curves noisy_curves(Index lines, double low_hz, double noise) {
+WeightedFrfs noisy_curves(Index lines, double low_hz, double noise) {
   std::mt19937_64 random(9);
   test::SyntheticSystem system;
   system.frequency_hz = Eigen::VectorXd::LinSpaced(4, 22.0, 85.0);
   system.damping_ratio = Eigen::VectorXd::Constant(4, 0.01);
   system.phi = test::random_shapes(5, 4, random);
   std::vector<std::string> warnings;
-  return prepare_curves(
+  return prepare_frfs(
       test::roving_hammer(system,
                           {0, 3},
                           test::line_points(low_hz, 100.0, lines, 0.2),
@@ -32,7 +32,7 @@ Curves noisy_curves(Index lines, double low_hz, double noise) {
 // Weighted least squares with the numerators in it, solved directly: the
 // denominator's coefficients must be those of the reduced equations.
 TEST(ReducedNormal, HasTheSolutionOfTheFullLeastSquares) {
-  Curves curves = noisy_curves(80, 8.0, 0.05);
+  WeightedFrfs curves = noisy_curves(80, 8.0, 0.05);
   // Weights that are separable as they are.
   for (Index f = 0; f < curves.count(); ++f) {
     for (Index k = 0; k < curves.lines(); ++k) {

@@ -1,6 +1,6 @@
-#include "acquisition/foundation/constants.hpp"
 #include "modal/select/double_poles.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "modal/identify/identify_modes.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "tests/modal/support/close_modes.hpp"
@@ -16,18 +16,17 @@ namespace {
 
 using Eigen::Index;
 
-
-modal::Curves curves_of(const test::SyntheticSystem& system,
-                        const std::vector<Index>& sensors,
-                        double noise,
-                        std::mt19937_64& random) {
+modal::WeightedFrfs curves_of(const test::SyntheticSystem& system,
+                              const std::vector<Index>& sensors,
+                              double noise,
+                              std::mt19937_64& random) {
   std::vector<std::string> warnings;
-  return modal::prepare_curves(
+  return modal::prepare_frfs(
       test::close_modes_frfs(system, sensors, noise, random), warnings);
 }
 
 /// What expand_pole() finds under one pole fitted to all.
-Eigen::VectorXcd found_under_one(const modal::Curves& curves) {
+Eigen::VectorXcd found_under_one(const modal::WeightedFrfs& curves) {
   Eigen::VectorXcd one(1);
   one << std::complex<double>(-0.01, 1.0) * 50.0 * two_pi;
   const modal::ModalFit fit = modal::refine_poles(curves, one, 20);
@@ -42,11 +41,11 @@ Eigen::VectorXcd found_under_one(const modal::Curves& curves) {
 // expansion's error is of second order in that, times a few for shapes that
 // are not orthogonal.
 TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
-  constexpr double kApart = 1e-4;
+  constexpr double separation = 1e-4;
   std::mt19937_64 random(1);
   for (const Index count : {2, 3}) {
     const test::SyntheticSystem system =
-        test::close_modes(count, kApart, random);
+        test::close_modes(count, separation, random);
     const Eigen::VectorXcd found =
         found_under_one(curves_of(system, {0, 1, 2}, 0.0, random));
     ASSERT_EQ(found.size(), count);
@@ -56,7 +55,7 @@ TEST(DoublePoles, AreFoundFarBelowTheirBandwidth) {
     for (Index r = 0; r < count; ++r) {
       EXPECT_NEAR(hz[static_cast<std::size_t>(r)],
                   system.frequency_hz(r),
-                  0.1 * kApart * 50.0);
+                  0.1 * separation * 50.0);
     }
   }
 }
@@ -65,7 +64,7 @@ TEST(DoublePoles, OneModeIsNeverSplit) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     std::mt19937_64 random(seed);
     const double noise = 0.002 * seed;  // up to 20 %
-    const modal::Curves curves =
+    const modal::WeightedFrfs curves =
         curves_of(test::close_modes(1, 0.0, random), {0, 1, 2}, noise, random);
     EXPECT_EQ(found_under_one(curves).size(), 1) << seed;
   }

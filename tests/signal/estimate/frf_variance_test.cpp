@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <string>
 #include <vector>
@@ -85,6 +86,49 @@ TEST(FrfVariance, CoversHitsThatDoNotRepeat) {
   const Coverage c = coverage(two_modes, o, false, 60);
   EXPECT_GT(c.share, 0.78);
   EXPECT_LT(c.share, 0.99);
+}
+
+// Blows that are a little askew bring in the response in another direction: a
+// hundred times this one's at its own resonance, next to nothing at this one's.
+// What scatters there is not lent to this one's.
+TEST(FrfVariance, ScatterOfAnotherDirectionStaysWhereItIs) {
+  constexpr Eigen::Index n = 100;
+  constexpr double pi = 3.141592653589793;
+  const auto mode = [](std::complex<double> s, double hz, double residue) {
+    const double omega = 2.0 * pi * hz;
+    return residue * s * s / (s * s + 0.01 * omega * s + omega * omega);
+  };
+  const std::vector<double> askew = {0.03, -0.02, -0.01};
+  Eigen::VectorXcd s(n);
+  CrossPowers powers;
+  powers.hits = 3;
+  powers.Gff = Eigen::VectorXd::Constant(n, 3.0);
+  powers.Gyy = Eigen::VectorXd::Zero(n);
+  powers.Gyf = Eigen::VectorXcd::Zero(n);
+  LineNoise noise;
+  noise.response = noise.force = Eigen::VectorXd::Constant(n, 1e-12);
+  noise.bandwidth.resize(n);
+  Eigen::VectorXd true_sd(n);
+  for (Eigen::Index l = 0; l < n; ++l) {
+    const double hz = 80.0 * std::pow(16.0, static_cast<double>(l) / n);
+    s(l) = 2.0 * pi * hz * std::complex<double>(0.03, 1.0);
+    noise.bandwidth(l) = pi * s(l).real();
+    const std::complex<double> own = mode(s(l), 1000.0, 0.3);
+    const std::complex<double> other = mode(s(l), 360.0, 1.0);
+    for (const double a : askew) {
+      const std::complex<double> Y = own + a * other;
+      powers.Gyy(l) += std::norm(Y);
+      powers.Gyf(l) += Y;
+    }
+    // Of the three angles, and of their mean.
+    true_sd(l) = std::abs(other) * std::sqrt(14e-4 / 2.0 / 3.0);
+  }
+  const Eigen::VectorXcd H = powers.Gyf.cwiseQuotient(powers.Gff);
+  const Eigen::VectorXd sd = frf_variance(s, powers, H, noise).cwiseSqrt();
+  const Eigen::VectorXd ratio = sd.cwiseQuotient(true_sd);
+  // Without minding the shape it is two hundred times at the resonance.
+  EXPECT_GT(ratio.minCoeff(), 0.3);
+  EXPECT_LT(ratio.maxCoeff(), 8.0);
 }
 
 TEST(FrfVariance, FallsWithTheNumberOfHits) {

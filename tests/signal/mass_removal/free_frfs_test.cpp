@@ -17,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 
-constexpr Index kDofs = 6;  // nodes 1 and 2 in X, Y, Z
+constexpr Index dofs = 6;  // nodes 1 and 2 in X, Y, Z
 
 Dof dof_of(Index i, int sign = 1) {
   return {static_cast<int>(i) / 3 + 1, static_cast<int>(i) % 3 + 1, sign};
@@ -32,11 +32,11 @@ struct Structure {
     std::mt19937_64 random(7);
     std::normal_distribution<double> normal;
     const Eigen::MatrixXd a = Eigen::MatrixXd::NullaryExpr(
-        kDofs, kDofs, [&] { return normal(random); });
+        dofs, dofs, [&] { return normal(random); });
     const Eigen::MatrixXd b = Eigen::MatrixXd::NullaryExpr(
-        kDofs, kDofs, [&] { return normal(random); });
-    M = Eigen::MatrixXd::Identity(kDofs, kDofs) + 0.05 * a * a.transpose();
-    K = 1e4 * (Eigen::MatrixXd::Identity(kDofs, kDofs) + b * b.transpose());
+        dofs, dofs, [&] { return normal(random); });
+    M = Eigen::MatrixXd::Identity(dofs, dofs) + 0.05 * a * a.transpose();
+    K = 1e4 * (Eigen::MatrixXd::Identity(dofs, dofs) + b * b.transpose());
   }
 
   [[nodiscard]] Eigen::MatrixXcd accelerance(Complex s,
@@ -84,18 +84,18 @@ Frf frf_of(const Structure& structure,
 void expect_bare(const Frf& freed) {
   static const Structure structure;
   const Frf bare = frf_of(
-      structure, Eigen::VectorXd::Zero(kDofs), freed.response, freed.reference);
+      structure, Eigen::VectorXd::Zero(dofs), freed.response, freed.reference);
   // Exact algebra on numbers of some hundreds.
   EXPECT_LT((freed.H - bare.H).norm(), 1e-10 * bare.H.norm()) << name(freed);
 }
 
 TEST(FreeFrfs, TakesATriaxialSensorOffInAllDirections) {
   const Structure structure;
-  Eigen::VectorXd kg = Eigen::VectorXd::Zero(kDofs);
+  Eigen::VectorXd kg = Eigen::VectorXd::Zero(dofs);
   kg.head(3).setConstant(0.2);  // one sensor at node 1 under three names
   FrfSet set;
   set.s = test_lines();
-  for (Index hit = 0; hit < kDofs; ++hit) {
+  for (Index hit = 0; hit < dofs; ++hit) {
     for (Index axis = 0; axis < 3; ++axis) {
       const int sign = axis == 1 ? -1 : 1;
       Frf frf = frf_of(
@@ -121,7 +121,7 @@ FrfSet roving_sensor(double kg_each) {
   FrfSet set;
   set.s = test_lines();
   for (std::size_t run = 0; run < 2; ++run) {
-    Eigen::VectorXd kg = Eigen::VectorXd::Zero(kDofs);
+    Eigen::VectorXd kg = Eigen::VectorXd::Zero(dofs);
     const Index at = run == 0 ? 2 : 5;
     kg(at) = kg_each;
     Frf frf = frf_of(structure, kg, dof_of(at), dof_of(2));
@@ -149,7 +149,7 @@ TEST(FreeFrfs, AsksAModelForWhatWasNotMeasured) {
   const FrfSet set = roving_sensor(0.3);
   const LoadedTest loaded = sensors_as_loads(set, {{1, {"acc1", 0.3, 0.0}}});
   const Structure structure;
-  Eigen::VectorXd kg = Eigen::VectorXd::Zero(kDofs);
+  Eigen::VectorXd kg = Eigen::VectorXd::Zero(dofs);
   kg(5) = 0.3;
   const auto model = [&](std::size_t set_up, const Dof& a, const Dof& b) {
     EXPECT_EQ(set_up, 1U);
@@ -166,7 +166,7 @@ TEST(FreeFrfs, UsesReciprocityBetweenSensors) {
   // Two sensors at 1Z and 2Z, hits at both: A(1Z, 2Z) is missing and known from
   // A(2Z, 1Z).
   const Structure structure;
-  Eigen::VectorXd kg = Eigen::VectorXd::Zero(kDofs);
+  Eigen::VectorXd kg = Eigen::VectorXd::Zero(dofs);
   kg(2) = 0.2;
   kg(5) = 0.1;
   FrfSet set;

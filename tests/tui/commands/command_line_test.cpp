@@ -113,6 +113,52 @@ TEST(CommandLine, EffectsKeepTheirOrder) {
             (std::vector<std::string>{"added-mass@201", "sensor-mass"}));
 }
 
+TEST(CommandLine, PredictTakesChangesWithTheirSizes) {
+  const Invocation invocation = parsed({"predict",
+                                        "some/bundle",
+                                        "--effect",
+                                        "added-mass@201=10g",
+                                        "--effect",
+                                        "dashpot@17=2",
+                                        "--with",
+                                        "sensor-mass",
+                                        "--against",
+                                        "other/bundle"});
+  EXPECT_EQ(invocation.command, &predict_command);
+  EXPECT_EQ(invocation.options.input, "some/bundle");
+  EXPECT_EQ(invocation.options.prediction.changes,
+            (std::vector<std::string>{"added-mass@201=10g", "dashpot@17=2"}));
+  EXPECT_EQ(invocation.options.effects,
+            (std::vector<std::string>{"sensor-mass"}));
+  EXPECT_EQ(invocation.options.prediction.against, "other/bundle");
+  EXPECT_EQ(
+      parsed({"predict", "b", "--effect", "added-mass@2=1", "--with", "none"})
+          .options.effects,
+      (std::vector<std::string>{"none"}));
+  EXPECT_EQ(answered({"predict", "b"}).exit_status, 2);
+  EXPECT_EQ(answered({"predict",
+                      "b",
+                      "--effect",
+                      "added-mass@2=1",
+                      "--repeatability",
+                      "0.1"})
+                .exit_status,
+            2)
+      << "says nothing without --against";
+  const CommandLineAnswer unsized =
+      answered({"predict", "b", "--effect", "added-mass@201"});
+  EXPECT_EQ(unsized.exit_status, 2);
+  EXPECT_NE(unsized.text.find("no size is stated"), std::string::npos)
+      << unsized.text;
+  for (const char* change : {"added-mass@201=x",
+                             "added-mas@201=1",
+                             "channel-gain@acc1=1.1",
+                             "added-mass@=1"}) {
+    EXPECT_EQ(answered({"predict", "b", "--effect", change}).exit_status, 2)
+        << change;
+  }
+}
+
 TEST(CommandLine, PaperTakesStructuresAndAFolder) {
   const Invocation all = parsed({"paper"});
   EXPECT_EQ(all.command, &paper_command);

@@ -26,18 +26,50 @@ Document small_document() {
            {"Second", {picture, FigureRow{{picture, picture}}}, true}}};
 }
 
-TEST(HtmlDocument, NamesTheCellsOfOneLongRow) {
+std::string html_of_table(const DataTable& table) {
   Document document;
-  DataTable table{
-      "", {"<a", "b", "c", "d", "e&f"}, {{"1", "2", "3", "4", "5"}}};
   document.sections = {{"", {table}, false}};
+  return as_html(document);
+}
+
+// Without its heading a cell says itself what it is.
+TEST(HtmlDocument, NamesTheCellsOfFactsAndCards) {
+  DataTable table{"", {"<a", "<b", "<e&f"}, {{"1", "2", "3"}}};
+  const std::string facts = html_of_table(table);
+  EXPECT_TRUE(holds(facts, " facts\"><table>")) << facts;
+  EXPECT_TRUE(holds(facts, "<td class=\"l\" data-n=\"e&amp;f\">3</td>"));
+  table.heading[1] = "b";
+  const std::string cards = html_of_table(table);
+  EXPECT_TRUE(holds(cards, " cards\"><table>")) << cards;
+  EXPECT_TRUE(holds(cards, "<td data-n=\"b\">2</td>"));
+}
+
+TEST(HtmlDocument, KeepsRowsOfNumbersAndLongTablesInColumns) {
+  DataTable numbers{"", {"<a", "b", "c"}, {{"1", "2", "3"}}};
+  EXPECT_FALSE(holds(html_of_table(numbers), "data-n=\""));
+  numbers.heading[1] = "<b";
+  EXPECT_TRUE(holds(html_of_table(numbers), "data-n=\""));
+  numbers.rows.resize(13, numbers.rows.front());
+  EXPECT_FALSE(holds(html_of_table(numbers), "data-n=\""));
+}
+
+// ISO/IEC 17025:2017, 7.8.2.1 d and e: each page is known as one of the report.
+TEST(HtmlDocument, NumbersItsPagesUnderItsTitle) {
+  const std::string html = as_html(small_document());
+  EXPECT_TRUE(holds(html, "counter(page) \" of \" counter(pages)"));
+  EXPECT_TRUE(holds(html, "content:\"Frame \\3c 1> & \\22 2\\22  · tested\""))
+      << html.substr(0, 600);
+}
+
+TEST(HtmlDocument, NoTitleEndsItsStyles) {
+  Document document;
+  document.title = "</style><p>\\\"";
   const std::string html = as_html(document);
-  EXPECT_TRUE(holds(html, "upright\"><table>"));
-  EXPECT_TRUE(holds(html, "<td class=\"l\" data-n=\"a\">1</td>"));
-  EXPECT_TRUE(holds(html, "<td data-n=\"e&amp;f\">5</td>"));
-  table.rows.push_back(table.rows.front());
-  document.sections = {{"", {table}, false}};
-  EXPECT_FALSE(holds(as_html(document), "data-n=\""));
+  const std::size_t begin = html.find("<style>");
+  const std::size_t end = html.find("</style>");
+  EXPECT_LT(html.find("@media print"), end);
+  EXPECT_TRUE(holds(html.substr(begin, end - begin),
+                    "\"\\3c /style>\\3c p>\\5c \\22  · \""));
 }
 
 TEST(Escaped, LeavesNoMarkup) {

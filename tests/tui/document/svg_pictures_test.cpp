@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <regex>
 #include <string>
 
 namespace tapfit::tui {
@@ -161,6 +162,40 @@ TEST(SvgHeatMap, LeavesOutWhatIsNoNumber) {
   EXPECT_TRUE(holds(svg, "#ffffff"));
 }
 
+// Beside each other, letters are of one size: maps of few and of more columns
+// are as wide.
+TEST(SvgHeatMap, IsAsWideForFewColumnsAsForMore) {
+  SvgHeatMap map;
+  for (const Eigen::Index columns : {2, 8}) {
+    map.values = Eigen::MatrixXd::Zero(3, columns);
+    EXPECT_TRUE(holds(svg_heat_map(map), "viewBox=\"0 0 420 ")) << columns;
+  }
+  map.values = Eigen::MatrixXd::Zero(3, 30);
+  EXPECT_FALSE(holds(svg_heat_map(map), "viewBox=\"0 0 420 "));
+}
+
+// The title of the rows stands before them, long or short, and is not cut off
+// where there are few.
+TEST(SvgHeatMap, HasRoomForTheTitleOfItsRows) {
+  SvgHeatMap map;
+  map.values = Eigen::MatrixXd::Zero(1, 1);
+  map.rows = {"1"};
+  map.row_title = "response / hammer";
+  const std::string svg = svg_heat_map(map);
+  EXPECT_FALSE(holds(svg, "rotate"));
+  // 17 letters of 7 px and 12 px, less the 6 px up to the cells.
+  EXPECT_TRUE(holds(svg, "<text x=\"125\" y=\"14\"")) << svg;
+}
+
+// White on a colour that is half white cannot be read.
+TEST(SvgHeatMap, WritesInWhiteOnDarkCellsAlone) {
+  SvgHeatMap map;
+  map.values = Eigen::RowVector2d(0.6, 1.0);
+  const std::string svg = svg_heat_map(map);
+  EXPECT_TRUE(holds(svg, "fill=\"#1a1a1a\">60</text>")) << svg;
+  EXPECT_TRUE(holds(svg, "fill=\"#ffffff\">100</text>"));
+}
+
 // Where all that is shown is zero, nothing is dark.
 TEST(SvgHeatMap, HasColoursWhereAllIsZero) {
   SvgHeatMap map;
@@ -180,13 +215,26 @@ Wireframe square() {
   return wire;
 }
 
-// Four edges round a square are one line of five points.
+// Four edges round a square are one line of five points; the rest are axes.
 TEST(SvgStructure, EdgesAreJoined) {
   const std::string svg =
       svg_structure(square(), {"set-up", {{12, "hit", ink::orange, 4.0}}});
-  EXPECT_EQ(count(svg, "M"), 1) << svg;
+  EXPECT_EQ(count(svg, "M"), 1 + 3) << svg;
   EXPECT_EQ(count(svg, "<circle"), 1);
   EXPECT_TRUE(holds(svg, ">hit</text>"));
+}
+
+// Seen from 35° above, an upright line of 24 px is 24 cos 35° = 19.7 px long.
+TEST(SvgStructure, ShowsTheBasicAxes) {
+  const std::string svg = svg_structure(square(), {"set-up", {}});
+  for (const char* axis : {">X</text>", ">Y</text>", ">Z</text>"}) {
+    EXPECT_EQ(count(svg, axis), 1) << axis;
+  }
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(
+      svg, found, std::regex(R"(d="M(\S+) (\S+)L\1 (\S+)\")")))
+      << svg;
+  EXPECT_NEAR(std::stod(found.str(2)) - std::stod(found.str(3)), 19.7, 0.11);
 }
 
 TEST(SvgStructure, PointsThatAreNotThereAreLeftOut) {

@@ -3,6 +3,7 @@
 
 #include "tests/tui/support/fake_results.hpp"
 #include "tui/document/html_document.hpp"
+#include "tui/document/markdown_document.hpp"
 #include "tui/report/session_report.hpp"
 
 #include <gtest/gtest.h>
@@ -115,12 +116,12 @@ TEST(CriteriaTables, PassOrFailBeforeAndAfter) {
   ReportData data = two_models();
   data.notes.limits = {.frequency_percent = 2.0, .mac = 0.98};
   const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds_words(html,
-                          "≤ 2 %</td><td>5.00 %</td><td class=\"l\">✗ fail"
-                          "</td><td>0.00 %</td><td class=\"l\">✓ pass"));
-  EXPECT_TRUE(holds_words(html,
-                          "≥ 0.98</td><td>0.970</td><td class=\"l\">✗ fail"
-                          "</td><td>0.970</td><td class=\"l\">✗ fail"));
+  const std::string text = as_markdown(report_document(data), "f");
+  EXPECT_TRUE(
+      holds_words(text, "| ≤ 2 % | 5.00 % | ✗ fail | 0.00 % | ✓ pass |"))
+      << text;
+  EXPECT_TRUE(
+      holds_words(text, "| ≥ 0.98 | 0.970 | ✗ fail | 0.970 | ✗ fail |"));
   EXPECT_TRUE(holds_words(html, "<td>+5.00 % ✗</td><td>0.970 ✗</td>"));
 }
 
@@ -129,9 +130,31 @@ TEST(CriteriaTables, DoWithoutAPair) {
   data.notes.limits = {.frequency_percent = 2.0};
   data.model->before.pairs.clear();
   data.model->after.pairs.clear();
-  const std::string html = as_html(report_document(data));
-  EXPECT_TRUE(holds_words(html, "<td>0 of 3</td><td class=\"l\">✗ fail</td>"));
-  EXPECT_FALSE(holds_words(html, "✓ pass"));
+  const std::string text = as_markdown(report_document(data), "f");
+  EXPECT_TRUE(holds_words(text, "| 0 of 3 | ✗ fail |"));
+  EXPECT_FALSE(holds_words(text, "✓ pass"));
+}
+
+// Nothing is judged, so no column says so.
+TEST(CriteriaTables, HaveNoColumnsOfLimitsWhereNoneAreSet) {
+  const std::string text = as_markdown(report_document(two_models()), "f");
+  EXPECT_TRUE(holds_words(text, "| criterion | before | after |")) << text;
+  EXPECT_TRUE(holds_words(text, "| mode | measured Hz | before Hz |"));
+  EXPECT_FALSE(holds_words(text, "✗"));
+}
+
+// Before and after side by side are wider than a sheet with all their limits.
+TEST(CriteriaTables, JudgeModesInATableForEachModel) {
+  ReportData data = two_models();
+  data.notes.limits = {.frequency_percent = 2.0, .mac = 0.9};
+  const std::string text = as_markdown(report_document(data), "f");
+  for (const char* table :
+       {"measurement and model, before",
+        "measurement and model, after",
+        "| mode | measured Hz | before Hz | error | MAC |",
+        "| mode | measured Hz | after Hz | error | MAC |"}) {
+    EXPECT_TRUE(holds_words(text, table)) << table;
+  }
 }
 
 TEST(CriteriaTables, WarnOfALimitThatEveryModelKeeps) {

@@ -10,6 +10,8 @@ TEST(ReportWords, NameEffectsAndGroups) {
   EXPECT_EQ(effect_words("sensor-mass"), "mass of the sensors");
   EXPECT_EQ(effect_words("joint|stiffness-loss"),
             "joint that gives or loss of stiffness");
+  EXPECT_EQ(effect_words("sensor-mass+soft-support"),
+            "mass of the sensors and support that gives");
   EXPECT_EQ(effect_words("new-effect"), "new effect");
 }
 
@@ -20,6 +22,16 @@ TEST(ReportWords, NamePlaces) {
   where.variant = "rotation";
   EXPECT_EQ(found_words("soft-support", where),
             "support that gives (4 nodes, 1 … 4; rotation)");
+}
+
+// An axial force sits in members, not at the sensors that its rival sits at.
+TEST(ReportWords, GiveThePlaceToTheLeadingKindOfAGroup) {
+  EXPECT_EQ(
+      found_words("sensor-cable|prestress", {.channels = {"acc1", "acc2"}}),
+      effect_words("sensor-cable") + " (acc1, acc2) or " +
+          effect_words("prestress"));
+  EXPECT_EQ(found_words("joint|stiffness-loss", {}),
+            effect_words("joint|stiffness-loss"));
 }
 
 TEST(Quantity, IsInTheUnitThatItsSizeAsksFor) {

@@ -8,14 +8,19 @@
 #include "tui/document/markdown_document.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
+#include "tui/report/report_words.hpp"
+#include "tui/report/robustness_output.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
+#include <variant>
+#include <vector>
 
 namespace tapfit::tui {
 namespace {
@@ -56,6 +61,16 @@ ReportData data_of_two_effects() {
   return data;
 }
 
+/// Up to the set-up, which begins the second page.
+std::vector<Section> first_page(const Document& document) {
+  std::vector<Section> page;
+  for (const Section& section : document.sections) {
+    if (section.new_page) break;
+    page.push_back(section);
+  }
+  return page;
+}
+
 // 66.6 g was the mass before the spring was there.
 TEST(IdentifiedRows, AreOfTheLastModelOnly) {
   const ReportData data = data_of_two_effects();
@@ -86,6 +101,23 @@ TEST(VerdictSentence, SaysThatNothingIsMissing) {
   data.model->diagnosis->verdict = "none";
   EXPECT_TRUE(verdict_sentence(data).starts_with(
       "Nothing significant is missing from the model"));
+}
+
+// Below a floor of 160 % everything is, whatever is missing.
+TEST(VerdictSentence, ClaimsNothingBelowAFloorThatHidesErrors) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->diagnosis->verdict = "none";
+  data.model->before.error = data.model->after.error = 1.004;
+  data.model->after.floor = data.model->after.floor_noise = 1.604;
+  EXPECT_EQ(verdict_sentence(data),
+            "Whether anything is missing from the model cannot be told: its "
+            "FRFs are off by 100.4 %, and repeatability, mesh and form allow "
+            "160.4 %.");
+  const std::vector<Section> page = first_page(report_document(data));
+  EXPECT_EQ(page.back().title, "What to measure next");
+  EXPECT_TRUE(holds(as_markdown({"", "", {page.back()}}, "f"),
+                    "- The floor is 160 %, so that only effects"));
 }
 
 TEST(VerdictSentence, SaysWhatNoEffectExplains) {
@@ -174,6 +206,100 @@ TEST(ReportDocument, HoldsNoNumberThatIsNone) {
   }
 }
 
+// What a customer reads of a report is its first page.
+TEST(ReportDocument, HoldsOnPageOneAllThatACustomerAsks) {
+  ReportData data = data_of_two_effects();
+  data.notes.facts = {{"customer", "Orbital"}, {"date", "2026-11-20"}};
+  const Document document = report_document(data);
+  const std::vector<Section> page = first_page(document);
+  ASSERT_EQ(page.size(), 4U);
+  EXPECT_EQ(page[1].title, "What was identified");
+  EXPECT_EQ(page[2].title, "How sure is it");
+  EXPECT_EQ(page[3].title, "What to measure next");
+  const Document front{"", "", {page.front()}};
+  const std::vector<Figure> pictures = figures_of(front);
+  ASSERT_EQ(pictures.size(), 2U);
+  EXPECT_EQ(pictures[0].name, "frf");
+  EXPECT_EQ(pictures[1].name, "error-ladder");
+  EXPECT_TRUE(holds(pictures[1].caption, floor_words(data.model->after)));
+  const std::string text = as_markdown(front, "f");
+  EXPECT_TRUE(holds(text, "falls from 38.8 % to 0.01 %"));
+  EXPECT_TRUE(holds(text, "| modes | customer | date |")) << text;
+  EXPECT_TRUE(holds(text, "| Orbital | 2026-11-20 |"));
+  EXPECT_TRUE(holds(text, "2 with sensors")) << text;
+}
+
+// One sentence in front; a row for each of some twenty changes behind.
+TEST(ReportDocument, TellsHowFirmItIsInFrontAndWhyBehind) {
+  ReportData data = data_of_two_effects();
+  data.model->diagnosis->robustness = testing::fake_robustness();
+  const Document document = report_document(data);
+  const std::string sentence =
+      capitalised(firmness_words(data.model->diagnosis->robustness));
+  const Section sure = first_page(document).at(2);
+  EXPECT_TRUE(holds(as_html({"", "", {sure}}), sentence));
+  const auto firm = std::ranges::find(document.sections,
+                                      std::string("How firm the verdict is"),
+                                      &Section::title);
+  ASSERT_NE(firm, document.sections.end());
+  const auto* table = std::get_if<DataTable>(&firm->parts.front());
+  ASSERT_NE(table, nullptr);
+  EXPECT_EQ(table->rows.size(), 2U);
+}
+
+// A forced break leaves the rest of a sheet empty.
+TEST(ReportDocument, BeginsANewPageOnceAfterTheFirst) {
+  const Document document = report_document(data_of_two_effects());
+  EXPECT_EQ(std::ranges::count(document.sections, true, &Section::new_page), 1);
+}
+
+// Rejected hits say nothing of what the FRFs are from.
+TEST(ReportDocument, TellsTheLargestPeakOfAcceptedHits) {
+  ReportData data = data_of_two_effects();
+  ASSERT_FALSE(data.hits->runs.at(0).empty());
+  acquisition::Hit overload = data.hits->runs[0].front();
+  overload.peak_n = 987.6;
+  overload.accepted = false;
+  overload.reasons = {acquisition::HitFault::Overload};
+  data.hits->runs[0].push_back(overload);
+  const std::string text = as_markdown(report_document(data), "f");
+  const std::size_t rejected = text.find("Rejected hits");
+  ASSERT_NE(rejected, std::string::npos);
+  EXPECT_FALSE(holds(text.substr(0, rejected), "987.6"));
+  EXPECT_TRUE(holds(text.substr(rejected), "987.6"));
+}
+
+// A file of ready FRFs need not hold coherences.
+TEST(ReportDocument, ShowsNoCoherenceThatWasNotMeasured) {
+  ReportData data = data_of_two_effects();
+  const auto names_of = [](const ReportData& of) {
+    std::set<std::string> names;
+    for (const Figure& figure : figures_of(report_document(of))) {
+      names.insert(figure.name);
+    }
+    return names;
+  };
+  EXPECT_TRUE(names_of(data).contains("coherence"));
+  for (signal::Frf& frf : data.frfs.frfs) {
+    frf.hits = 0;
+    frf.coherence.setOnes();
+  }
+  EXPECT_FALSE(names_of(data).contains("coherence"));
+  EXPECT_TRUE(
+      holds(as_markdown(report_document(data), "f"), "| 6Z+ / 3Z+ | – | – |"));
+}
+
+TEST(ReportDocument, SaysWhatTheSketchMarks) {
+  const auto figures = figures_of(report_document(data_of_two_effects()));
+  const auto sketch =
+      std::ranges::find(figures, std::string("set-up"), &Figure::name);
+  ASSERT_NE(sketch, figures.end());
+  EXPECT_TRUE(
+      holds(sketch->caption,
+            "Green: added mass (node 5) and spring to ground (node 6)."))
+      << sketch->caption;
+}
+
 TEST(ReportDocument, NamesEachPictureOnce) {
   std::set<std::string> names;
   const auto figures = figures_of(report_document(data_of_two_effects()));
@@ -183,7 +309,7 @@ TEST(ReportDocument, NamesEachPictureOnce) {
                              "error-ladder",
                              "set-up",
                              "coherence",
-                            "stabilisation",
+                             "stabilisation",
                              "mode-1",
                              "mac-before",
                              "mac-after",

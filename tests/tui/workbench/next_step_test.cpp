@@ -104,6 +104,26 @@ TEST(NextStep, ReportsOnceItWasLookedFor) {
             "next: error 0.37 %, floor 1.3 %: w writes the report");
 }
 
+// What the report then holds is not what the screen's model is.
+TEST(NextStep, SaysThatTheReportTakesUpTheVerdict) {
+  Snapshot known;
+  known.has_model = true;
+  updating::Comparison c = testing::fake_comparison(0.0);
+  c.error = 0.807;
+  c.floor = 0.013;
+  known.base_comparison = shared(c);
+  known.comparison = shared(c);
+  updating::Diagnosis d = testing::fake_diagnosis();
+  d.error_base = 0.807;
+  d.ladder = {{"sensor-mass", {}, 0.145, {}}, {"soft-support", {}, 0.0037, {}}};
+  known.diagnosis = shared(d);
+  EXPECT_EQ(step_words(6, known),
+            "next: w writes the report with the verdict in it: 80.7 % → "
+            "0.37 %");
+  known.effects = {{{"sensor-mass", {}}, true}};
+  EXPECT_TRUE(step_words(6, known).starts_with("next: error 80.7 %"));
+}
+
 TEST(NextStep, EndsWithTheReportWithoutAModel) {
   Snapshot known;
   known.bundle = shared(testing::fake_bundle());

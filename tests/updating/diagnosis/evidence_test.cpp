@@ -1,6 +1,7 @@
 #include "updating/diagnosis/evidence.hpp"
 
 #include "updating/comparison/form_share.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,7 @@ double data_of(Index frfs, int modes) {
   target.weight = Eigen::VectorXd::Ones(lines);
   target.run.assign(static_cast<std::size_t>(frfs), 0);
   target.use.assign(static_cast<std::size_t>(frfs), 1.0);
-  return evidence_data(target, stack(target, noise), modes);
+  return independent_data(target, stack(target, noise), modes);
 }
 
 TEST(Evidence, IsWhatModesCanTellHoweverManyLines) {

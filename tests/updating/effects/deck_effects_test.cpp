@@ -47,7 +47,7 @@ std::string plate_cards(const std::string& root) {
   return text;
 }
 
-const std::string kClamp = "SPC1,1,123456,1,12,23,34,45\n";
+const std::string clamp = "SPC1,1,123456,1,12,23,34,45\n";
 
 class DeckEffects : public ::testing::Test {
  protected:
@@ -130,7 +130,7 @@ double difference(const MatrixXcd& a, const MatrixXcd& b) {
 }
 
 TEST_F(DeckEffects, CardsSayWhatTheEffectDoes) {
-  const auto base = model_of(structure::deck_of(plate_cards(kClamp)));
+  const auto base = model_of(structure::deck_of(plate_cards(clamp)));
   const MatrixXcd before = frfs(*base, {});
   for (const int node : {30, 60, 20, 31}) {
     for (const PlacedEffect& e :
@@ -150,7 +150,7 @@ TEST_F(DeckEffects, CardsSayWhatTheEffectDoes) {
 }
 
 TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
-  const auto base = model_of(structure::deck_of(plate_cards(kClamp)));
+  const auto base = model_of(structure::deck_of(plate_cards(clamp)));
   const PlacedEffect dashpot = at_node("dashpot", 30, {7.0});
   // One CDAMP2 of 7 or two that make 7, and the same as CDAMP1 and CBUSH.
   for (const char* cards :
@@ -158,7 +158,7 @@ TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
         "CDAMP2,901,4.,30,3\nPDAMP,9,1.,8,3.\nCDAMP1,902,8,30,3\n",
         "PBUSH,9,B,,,7.\nCBUSH,901,9,30,,,,,0\n"}) {
     const auto damped =
-        model_of(structure::deck_of(plate_cards(kClamp) + cards));
+        model_of(structure::deck_of(plate_cards(clamp) + cards));
     // The same bases: rounding.
     EXPECT_LT(difference(frfs(*damped, {}), frfs(*base, {dashpot})), 1e-9)
         << cards;
@@ -167,7 +167,7 @@ TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
 
 TEST_F(DeckEffects, DerivativesKnowTheDecksDashpots) {
   const auto m = model_of(structure::deck_of(
-      plate_cards(kClamp) + "CDAMP2,901,7.,30,3\nCDAMP2,902,3.,11,3,60,1\n"));
+      plate_cards(clamp) + "CDAMP2,901,7.,30,3\nCDAMP2,902,3.,11,3,60,1\n"));
   const std::vector<PlacedEffect> effects = {at_node("dashpot", 20, {2.0}),
                                              at_node("added-mass", 60, {0.03})};
   const auto model = m->fitter->model_for(effects, BaseUse::Scan);
@@ -304,7 +304,7 @@ structure::Deck with_joint(const structure::Deck& deck,
 // the seam's halves must be tied at the middles too.
 TEST_F(DeckEffects, JointReadBackGivesTheSameFrfs) {
   for (const bool turned : {false, true}) {
-    std::string text = plate_cards(kClamp);
+    std::string text = plate_cards(clamp);
     if (turned) {
       text += "CORD2R,9,,0.,0.,0.,0.,0.,1.\n,.8,.6,0.\n";
       const auto cards = text.find("GRID,1,");
@@ -345,7 +345,7 @@ TEST_F(DeckEffects, JointReadBackGivesTheSameFrfs) {
 
 // A bar that turns at its end, across x.
 TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
-  std::string text = plate_cards(kClamp);
+  std::string text = plate_cards(clamp);
   text +=
       "PBAR,8,1,1.-4,1.-9,1.-9,1.-9\n"
       "GRID,201,,.30,.06,.10\nGRID,202,,.30,.12,.10\n"

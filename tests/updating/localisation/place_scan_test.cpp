@@ -15,7 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXcd;
 
-constexpr int kGrid = 27;
+constexpr int grid = 27;
 
 /// The sample plate with a sensor's mass in its model that every second run is
 /// measured without, against FRFs that have nothing to do with it.
@@ -44,7 +44,7 @@ class Scanned : public testing::Test {
     PlacedEffect sensor{&effects::find("sensor-mass"), {}, {0.02}};
     sensor.where.channels = {"acc2"};
     PlacedEffect added{&effects::find("ground-spring"), {}, {1.0}};
-    added.where.node = kGrid;
+    added.where.node = grid;
     current_.model = fitter_->model_for({sensor, added});
     current_.effects = {sensor};
     current_.result.state = fitter_->first_state(*current_.model, {sensor});
@@ -66,11 +66,8 @@ class Scanned : public testing::Test {
 // spring would be in the modes, with its say in whose damping ratios they are.)
 TEST_F(Scanned, ALawAtAGridLeavesWhatTheModelWithItLeaves) {
   const MisfitScan misfit(current_, target());
-  const PlaceScan scan(current_,
-                       target(),
-                       misfit,
-                       {{current_.model->row(kGrid, 3)}, {}, {}},
-                       {});
+  const PlaceScan scan(
+      current_, target(), misfit, {{current_.model->row(grid, 3)}, {}, {}}, {});
   const Eigen::VectorXcd& s = target().s;
   const MatrixXcd now =
       current_.model->respond(current_.result.state, s, false).H;
@@ -81,7 +78,7 @@ TEST_F(Scanned, ALawAtAGridLeavesWhatTheModelWithItLeaves) {
     z.col(static_cast<Index>(k)) = sizes[k] * s;
     ModelState with = current_.result.state;
     with.effects.push_back({&effects::find("dashpot"), {}, {sizes[k]}});
-    with.effects.back().where.node = kGrid;
+    with.effects.back().where.node = grid;
     changes.col(static_cast<Index>(k)) =
         misfit.change(current_.model->respond(with, s, false).H - now);
   }
@@ -119,14 +116,11 @@ TEST_F(Scanned, PartsAddUpToTheirPatternsSum) {
 
 TEST_F(Scanned, AnyLawIsTheLeastSquaresOfEveryLine) {
   const MisfitScan misfit(current_, target());
-  const PlaceScan scan(current_,
-                       target(),
-                       misfit,
-                       {{current_.model->row(kGrid, 3)}, {}, {}},
-                       {});
+  const PlaceScan scan(
+      current_, target(), misfit, {{current_.model->row(grid, 3)}, {}, {}}, {});
   // Against a direct least squares of the pattern, line by line.
   const PlacePatterns patterns =
-      place_patterns(current_, target(), {current_.model->row(kGrid, 3)}, {});
+      place_patterns(current_, target(), {current_.model->row(grid, 3)}, {});
   const MatrixXcd missing =
       current_.model->respond(current_.result.state, target().s, false).H -
       target().H;

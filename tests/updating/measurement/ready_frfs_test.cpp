@@ -9,7 +9,7 @@
 namespace tapfit::updating {
 namespace {
 
-constexpr std::size_t kPoints = 6;
+constexpr std::size_t points = 6;
 
 /// A file of FRFs from one point to all.
 acquisition::TestBundle with_sensor(double kg,
@@ -34,7 +34,7 @@ TEST(SensorsOfReadyFrfs, ASensorThatMovedIsSeenByItsMass) {
   EXPECT_NEAR(ready.modes->shifts->masses[0].kg, sensor, 0.05 * sensor);
   ASSERT_EQ(bundle.channels.size(), 2U);
   EXPECT_EQ(bundle.channels[1].name, "sensor Z");
-  ASSERT_EQ(bundle.runs.size(), kPoints);
+  ASSERT_EQ(bundle.runs.size(), points);
   EXPECT_EQ(bundle.runs[4].sensors[0].dof, (Dof{5, 3, 1}));
   ASSERT_EQ(ready.set.statements.size(), 1U);
   EXPECT_NE(ready.set.statements[0].find("moved"), std::string::npos);
@@ -48,7 +48,7 @@ TEST(SensorsOfReadyFrfs, WithoutLoadingAllSensorsStayed) {
   EXPECT_EQ(ready.modes->modes.size(), 4U);
   EXPECT_TRUE(ready.modes->set_ups.empty());
   EXPECT_EQ(bundle.runs.size(), 1U);
-  EXPECT_EQ(bundle.channels.size(), kPoints + 1);
+  EXPECT_EQ(bundle.channels.size(), points + 1);
   ASSERT_EQ(ready.set.statements.size(), 1U);
   EXPECT_NE(ready.set.statements[0].find("stayed"), std::string::npos);
 }

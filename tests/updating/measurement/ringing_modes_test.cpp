@@ -1,6 +1,6 @@
 // Modes of a test whose hits come before the lowest mode has died out.
 #include "updating/measurement/measurement.hpp"
-#include "updating/measurement/slow_poles.hpp"
+#include "updating/measurement/undecayed_poles.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 
 #include <gtest/gtest.h>
@@ -48,14 +48,14 @@ TEST(RingingModes, LowestModeIsWithinItsInterval) {
 TEST(RingingModes, PolesRestWithinAHundredthOfTheirHalfBandwidth) {
   Eigen::VectorXcd poles(2);
   poles << std::complex<double>(-0.1, 26.0), std::complex<double>(-0.4, 80.0);
-  EXPECT_TRUE(at_rest(poles, poles));
-  EXPECT_TRUE(at_rest({}, {}));
-  EXPECT_FALSE(at_rest({}, poles));
+  EXPECT_TRUE(have_converged(poles, poles));
+  EXPECT_TRUE(have_converged({}, {}));
+  EXPECT_FALSE(have_converged({}, poles));
   Eigen::VectorXcd moved = poles;
   moved(0) += std::complex<double>(0.0, 0.0009);
-  EXPECT_TRUE(at_rest(poles, moved));
+  EXPECT_TRUE(have_converged(poles, moved));
   moved(0) += std::complex<double>(0.0, 0.0009);
-  EXPECT_FALSE(at_rest(poles, moved));
+  EXPECT_FALSE(have_converged(poles, moved));
 }
 
 }  // namespace

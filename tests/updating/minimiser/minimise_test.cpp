@@ -22,6 +22,10 @@ Prior no_prior(Index n) {
           VectorXd::Constant(n, infinite)};
 }
 
+CountData data(double count) {
+  return [count](const VectorXd&) { return count; };
+}
+
 // Rosenbrock's valley, with something left at its end.
 std::optional<Residuals> valley(const VectorXd& t) {
   Residuals at{VectorXd(3), MatrixXd(3, 2)};
@@ -52,7 +56,7 @@ TEST(Minimise, FollowsAValleyToItsEnd) {
   VectorXd start(2);
   start << -1.2, 1.0;
   const auto found =
-      minimise(valley, no_prior(2), 100.0, start, {200, 1e-10, 0.0});
+      minimise(valley, no_prior(2), data(100.0), start, {200, 1e-10, 0.0});
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->converged) << found->message;
   EXPECT_NEAR(found->point.theta(0), 1.0, 1e-6);
@@ -65,7 +69,7 @@ TEST(Minimise, ArrivesWhereMuchIsLeft) {
   VectorXd start(2);
   start << 0.0, std::log(3.6);
   const auto found =
-      minimise(misfit, no_prior(2), 40.0, start, {25, 1e-9, 1e-6});
+      minimise(misfit, no_prior(2), data(40.0), start, {25, 1e-9, 1e-6});
   ASSERT_TRUE(found);
   EXPECT_TRUE(found->converged) << found->message;
   const Residuals& at = found->point.at;
@@ -82,7 +86,7 @@ TEST(Minimise, NeverRises) {
   double last = 1e300;
   const auto found = minimise(valley,
                               no_prior(2),
-                              100.0,
+                              data(100.0),
                               start,
                               {50, 1e-10, 0.0},
                               [&](const Iterate& point) {
@@ -100,7 +104,8 @@ TEST(Minimise, EndsOnABound) {
   prior.upper(0) = 0.5;
   VectorXd start(2);
   start << -1.2, 1.0;
-  const auto found = minimise(valley, prior, 100.0, start, {200, 1e-10, 0.0});
+  const auto found =
+      minimise(valley, prior, data(100.0), start, {200, 1e-10, 0.0});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->point.theta(0), 0.5);
   EXPECT_NEAR(found->point.theta(1), 0.25, 1e-7);
@@ -118,7 +123,7 @@ TEST(Minimise, WeighsThePrior) {
   Prior prior = no_prior(1);
   prior.sd(0) = 0.5;
   const auto found =
-      minimise(line, prior, 10.0, VectorXd::Zero(1), {100, 1e-12, 0.0});
+      minimise(line, prior, data(10.0), VectorXd::Zero(1), {100, 1e-12, 0.0});
   ASSERT_TRUE(found);
   const double t = found->point.theta(0);
   EXPECT_NEAR(
@@ -129,7 +134,7 @@ TEST(Minimise, StopsWhenTold) {
   int steps = 0;
   const auto found = minimise(valley,
                               no_prior(2),
-                              100.0,
+                              data(100.0),
                               VectorXd::Zero(2),
                               {200, 1e-10, 0.0},
                               [&](const Iterate&) { return ++steps < 3; });
@@ -152,7 +157,7 @@ TEST(Minimise, EndsWhereNoStepLowersIt) {
   VectorXd start(2);
   start << -1.2, 1.0;
   const auto found =
-      minimise(turning, no_prior(2), 100.0, start, {200, 1e-10, 0.0});
+      minimise(turning, no_prior(2), data(100.0), start, {200, 1e-10, 0.0});
   ASSERT_TRUE(found);
   EXPECT_LT(evaluations, 80);
 }
@@ -161,7 +166,7 @@ TEST(Minimise, TellsWhereThereIsNothingAtTheStart) {
   const auto none = [](const VectorXd&) -> std::optional<Residuals> {
     return std::nullopt;
   };
-  EXPECT_FALSE(minimise(none, no_prior(1), 1.0, VectorXd::Zero(1), {}));
+  EXPECT_FALSE(minimise(none, no_prior(1), data(1.0), VectorXd::Zero(1), {}));
 }
 
 // A model that has no answer beyond some value is left where it has one.
@@ -173,8 +178,8 @@ TEST(Minimise, StepsBackFromWhereThereIsNoAnswer) {
     at.J << 1.0, 0.0;
     return at;
   };
-  const auto found =
-      minimise(edge, no_prior(1), 10.0, VectorXd::Zero(1), {100, 1e-9, 0.0});
+  const auto found = minimise(
+      edge, no_prior(1), data(10.0), VectorXd::Zero(1), {100, 1e-9, 0.0});
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->point.theta(0), 0.4, 1e-3);
 }

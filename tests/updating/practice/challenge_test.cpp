@@ -2,8 +2,8 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/practice/played.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
 
 #include <gtest/gtest.h>
 

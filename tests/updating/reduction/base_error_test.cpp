@@ -29,7 +29,7 @@ TEST(BaseError, IsThatOfTheWholeModel) {
   const structure::FreeMotions motions = structure::free_motions(system);
   constexpr double high_hz = 150.0;
   const double shift = std::pow(2.0 * std::numbers::pi * high_hz / 4.0, 2);
-  const StaticAnswers answers(system, motions, shift);
+  const ResidualFlexibility answers(system, motions, shift);
   const std::vector<int> points = {6 * 35 + 2, 6 * 12 + 2};
   for (const Index count : {6, 12, 30}) {
     const structure::Eigenmodes modes = structure::eigenmodes(

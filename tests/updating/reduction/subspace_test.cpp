@@ -51,7 +51,7 @@ TEST(Subspace, IsWhatVectorsHaveBeyondABase) {
   columns.leftCols(2).setRandom();
   columns.col(1) *= 1e-6;
   columns.topRows(n).middleCols(1, 2) += inside;
-  const MatrixXd R = beyond(M, V, columns);
+  const MatrixXd R = m_orthogonal_complement(M, V, columns);
   ASSERT_EQ(R.cols(), 2);
   MatrixXd whole = MatrixXd::Zero(n + 5, 8);
   whole.topLeftCorner(n, 6) = V;

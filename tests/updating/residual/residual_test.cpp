@@ -1,3 +1,4 @@
+#include "updating/residual/independent_data.hpp"
 #include "updating/residual/residual.hpp"
 
 #include "acquisition/foundation/seeded_random.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tests/acquisition/support/temporary_folder.hpp"
-#include "tests/updating/support/faulty_test.hpp"
+#include "tests/updating/support/test_mistakes.hpp"
 #include "updating/test_check/test_check.hpp"
 
 #include <algorithm>

@@ -25,7 +25,7 @@ class MatFile {
     const std::string bytes((std::istreambuf_iterator<char>(file)), {});
     for (std::size_t at = 128; at + 8 <= bytes.size();) {
       const Element e = element(bytes, at);
-      take(e.type == kCompressed ? inflated(e.data) : bytes.substr(at, e.size));
+      take(e.type == compressed ? inflated(e.data) : bytes.substr(at, e.size));
       at += e.size;
     }
   }
@@ -35,7 +35,7 @@ class MatFile {
   }
 
  private:
-  static constexpr std::uint32_t kCompressed = 15;
+  static constexpr std::uint32_t compressed = 15;
 
   struct Element {
     std::uint32_t type = 0;
@@ -55,7 +55,7 @@ class MatFile {
       return {type & 0xffffU, bytes.substr(at + 4, type >> 16), 8};
     }
     const std::size_t size = word(bytes, at + 4);
-    const std::size_t padding = type == kCompressed ? 0 : (8 - size % 8) % 8;
+    const std::size_t padding = type == compressed ? 0 : (8 - size % 8) % 8;
     return {type, bytes.substr(at + 8, size), 8 + size + padding};
   }
 

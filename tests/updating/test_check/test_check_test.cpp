@@ -3,7 +3,7 @@
 
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/updating/support/check_score.hpp"
-#include "tests/updating/support/faulty_test.hpp"
+#include "tests/updating/support/test_mistakes.hpp"
 
 #include <gtest/gtest.h>
 

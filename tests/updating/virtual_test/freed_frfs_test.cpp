@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kSensor = 0.03;  // kg each, on a ladder of 1.3 kg
+constexpr double sensor = 0.03;  // kg each, on a ladder of 1.3 kg
 
 /// Both sensors' places are hit; noise, damping and modulus are the same for
 /// the same seed whatever is hidden.
@@ -70,7 +70,7 @@ TEST(FreedFrfs, AreThoseOfTheStructureWithoutSensors) {
   ASSERT_EQ(loaded.frfs.size(), bare.frfs.size());
   std::vector<signal::ChannelMass> masses;
   for (const signal::Frf& frf : loaded.frfs) {
-    if (frf.run == 0) masses.push_back({frf.channel, {"acc", kSensor, 0.0}});
+    if (frf.run == 0) masses.push_back({frf.channel, {"acc", sensor, 0.0}});
   }
   ASSERT_EQ(masses.size(), 2U);
   const signal::FreedFrfs freed =

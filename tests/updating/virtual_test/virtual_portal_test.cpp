@@ -2,7 +2,7 @@
 
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/system.hpp"
-#include "updating/virtual_test/virtual_habit.hpp"
+#include "updating/virtual_test/structure_presets.hpp"
 #include "updating/virtual_test/virtual_points.hpp"
 #include "updating/virtual_test/virtual_structure.hpp"
 #include "updating/virtual_test/virtual_support.hpp"
@@ -53,13 +53,14 @@ TEST(VirtualPortal, FeetTurnEachByItself) {
 }
 
 TEST(VirtualPortal, TruthIsTheSameStructureFinerMeshed) {
-  const std::optional<VirtualHabit> habit = habit_of("portal");
-  ASSERT_TRUE(habit);
-  EXPECT_EQ(habit->model.fine.bars.size(), 4 * habit->model.model.bars.size());
+  const std::optional<StructurePreset> preset = preset_of("portal");
+  ASSERT_TRUE(preset);
+  EXPECT_EQ(preset->model.fine.bars.size(),
+            4 * preset->model.model.bars.size());
   const Eigen::VectorXd coarse =
-      model_shapes(habit->model.model, 2, 220.0).frequency_hz;
+      model_shapes(preset->model.model, 2, 220.0).frequency_hz;
   const Eigen::VectorXd fine =
-      model_shapes(habit->model.fine, 2, 220.0).frequency_hz;
+      model_shapes(preset->model.fine, 2, 220.0).frequency_hz;
   ASSERT_EQ(coarse.size(), fine.size());
   // A consistent beam element's error of omega falls with (h / wavelength)^4:
   // 50 mm elements on bending waves of half a metre or more.

@@ -2,10 +2,10 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/parallel.hpp"
-#include "updating/structure/assembly/held_dofs.hpp"
-#include "updating/structure/assembly/idle_turns.hpp"
+#include "updating/structure/assembly/autospc.hpp"
+#include "updating/structure/assembly/multipoint_constraints.hpp"
 #include "updating/structure/assembly/negative_cards.hpp"
-#include "updating/structure/assembly/rigid_motion.hpp"
+#include "updating/structure/assembly/null_rotations.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/elements/element_matrices.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
@@ -26,7 +26,7 @@ void add(const Deck& deck,
          const Eigen::MatrixXd& part,
          Triplets& triplets) {
   // What turning the element's axes leaves of a zero is no entry.
-  constexpr double kRounding = 1e-15;
+  constexpr double relative_rounding = 1e-15;
   const Eigen::VectorXd scale = part.diagonal().cwiseAbs().cwiseSqrt();
   std::vector<int> index;
   for (const int grid : grids) {
@@ -35,7 +35,7 @@ void add(const Deck& deck,
   }
   for (Eigen::Index j = 0; j < part.cols(); ++j) {
     for (Eigen::Index i = 0; i < part.rows(); ++i) {
-      const double limit = kRounding * scale(i) * scale(j);
+      const double limit = relative_rounding * scale(i) * scale(j);
       if (!(std::abs(part(i, j)) > limit)) continue;
       triplets.emplace_back(index[static_cast<std::size_t>(i)],
                             index[static_cast<std::size_t>(j)],
@@ -100,13 +100,13 @@ void append(Triplets& part, Triplets& whole) {
 // Pieces on all cores, put together in the deck's order: sums do not depend on
 // the number of cores.
 Entries structural(const Deck& deck, const Wanted& wanted) {
-  constexpr std::size_t kPiece = 512;
+  constexpr std::size_t piece_columns = 512;
   const std::size_t count = deck.shells.size() + deck.bars.size() +
                             deck.rods.size() + deck.solids.size();
-  std::vector<Entries> pieces((count + kPiece - 1) / kPiece);
+  std::vector<Entries> pieces((count + piece_columns - 1) / piece_columns);
   for_each_parallel(pieces.size(), [&](std::size_t piece) {
-    const std::size_t end = std::min(count, (piece + 1) * kPiece);
-    for (std::size_t k = piece * kPiece; k < end; ++k) {
+    const std::size_t end = std::min(count, (piece + 1) * piece_columns);
+    for (std::size_t k = piece * piece_columns; k < end; ++k) {
       take_structural(deck, k, wanted, pieces[piece]);
     }
   });
@@ -191,11 +191,11 @@ System assemble(const Deck& deck) {
     system.M += deck.given->M;
   }
   const ConstraintAxes axes = constraint_axes(deck);
-  system.T = rigid_motion(deck, axes);
+  system.T = multipoint_constraints(deck, axes);
   system.fixed = fixed_dofs(deck, axes);
   system.inactive = without_stiffness(deck, system);
   refuse_negative_cards(deck, system);
-  for (const int dof : idle_turns(deck, system)) {
+  for (const int dof : null_rotations(deck, system)) {
     system.inactive[static_cast<std::size_t>(dof)] = true;
   }
   return system;

@@ -1,7 +1,7 @@
 #include "updating/structure/assembly/deck_modes.hpp"
 
 #include "updating/structure/assembly/assemble.hpp"
-#include "updating/structure/assembly/held_dofs.hpp"
+#include "updating/structure/assembly/autospc.hpp"
 #include "updating/structure/cards/error_notes.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const char* const kJoin =
+const char* const join =
     "Join the parts (equal grids, bars, springs) or hold them with an SPC1.";
 
 std::string place_of(const Deck& deck, Index dof) {
@@ -82,12 +82,12 @@ MatrixXd allowed_motions(const Deck& deck,
 
 // Modes whose energy is rounding of what its parts cancel from.
 MatrixXd motions_without_stiffness(const SparseMatrix& K, const MatrixXd& phi) {
-  constexpr double kRounding = 1e-12;
+  constexpr double rounding = 1e-12;
   std::vector<Index> loose;
   for (Index i = 0; i < phi.cols(); ++i) {
     const VectorXd u = phi.col(i);
     const double parts = u.cwiseAbs2().dot(K.diagonal());
-    if (u.dot(K * u) <= kRounding * parts) loose.push_back(i);
+    if (u.dot(K * u) <= rounding * parts) loose.push_back(i);
   }
   return phi(Eigen::all, loose);
 }
@@ -131,7 +131,7 @@ std::vector<std::string> describe(const Deck& deck,
       count,
       count == 1 ? "" : "s",
       place_of(deck, free[static_cast<std::size_t>(largest)]),
-      kJoin)};
+      join)};
 }
 
 // @param M over the free degrees of freedom
@@ -168,7 +168,7 @@ DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
             fmt::format("{} moves without stiffness or mass: a mechanism",
                         place_of(deck, dof)),
             deck.path.filename().string(),
-            kJoin),
+            join),
         deck.warnings);
   }
   result.warnings = mechanism_warnings(deck, system, result.modes.phi);
@@ -178,7 +178,7 @@ DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
 std::vector<std::string> mechanism_warnings(const Deck& deck,
                                             const System& system,
                                             const MatrixXd& phi) {
-  std::vector<std::string> warnings = held_dof_warnings(deck, system);
+  std::vector<std::string> warnings = autospc_warnings(deck, system);
   const FreeMotions motions = free_motions(system);
   const MatrixXd loose =
       motions_without_stiffness(motions.reduce(system.K), phi);

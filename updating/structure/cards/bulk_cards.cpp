@@ -13,7 +13,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr std::size_t kDataFields = 8;
+constexpr std::size_t data_fields = 8;
 
 struct Fields {
   std::string name;               // first field as written
@@ -33,7 +33,7 @@ Fields split_free(const std::string& text, const std::string& where) {
   Fields fields;
   fields.name = parts.front();
   const bool large = fields.name.find('*') != std::string::npos;
-  const std::size_t width = large ? kDataFields / 2 : kDataFields;
+  const std::size_t width = large ? data_fields / 2 : data_fields;
   while (parts.size() > width + 2 && parts.back().empty()) parts.pop_back();
   if (parts.size() > width + 2) {
     throw InputError(

@@ -15,11 +15,11 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr std::size_t kMaxDepth = 20;
+constexpr std::size_t max_depth = 20;
 // Of INCLUDE files read, each time one is asked for.
-constexpr std::size_t kMaxIncludes = 1000;
+constexpr std::size_t max_includes = 1000;
 // Of the deck as a whole: some five million cards.
-constexpr std::uintmax_t kMaxBytes = 512U << 20U;
+constexpr std::uintmax_t max_bytes = 512U << 20U;
 
 // Editors may begin a file with the mark of UTF-8.
 void drop_byte_order_mark(std::string& text) {
@@ -86,7 +86,7 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
   std::vector<std::string> names;
   std::ifstream file;
   try {
-    file = acquisition::open_input(path, kMaxBytes);
+    file = acquisition::open_input(path, max_bytes);
   } catch (const InputError&) {
     return names;  // who needs the deck says what is wrong
   }
@@ -111,14 +111,14 @@ struct RawDeck {
 std::ifstream open_part(const std::filesystem::path& path,
                         const std::string& asked_by,
                         RawDeck& deck) {
-  if (deck.files > kMaxIncludes + 1) {
+  if (deck.files > max_includes + 1) {
     throw InputError(
-        fmt::format("more than {} INCLUDE files are asked for", kMaxIncludes),
+        fmt::format("more than {} INCLUDE files are asked for", max_includes),
         asked_by,
         "Name each file once; files that include the next one twice double "
         "the deck at each step.");
   }
-  std::ifstream file = acquisition::open_input(path, kMaxBytes);
+  std::ifstream file = acquisition::open_input(path, max_bytes);
   if (!file) {
     throw InputError(fmt::format("cannot open the model {}", path.string()),
                      asked_by,
@@ -126,10 +126,10 @@ std::ifstream open_part(const std::filesystem::path& path,
   }
   std::error_code ignored;
   deck.bytes += std::filesystem::file_size(path, ignored);
-  if (deck.bytes > kMaxBytes) {
+  if (deck.bytes > max_bytes) {
     throw InputError(
         fmt::format("the deck with its INCLUDE files has more than {} MB",
-                    kMaxBytes >> 20U),
+                    max_bytes >> 20U),
         asked_by,
         "Leave out what is no part of the model.");
   }
@@ -142,7 +142,7 @@ void read_file(const std::filesystem::path& path,
                std::size_t depth,
                RawDeck& deck) {
   ++deck.files;
-  if (depth > kMaxDepth) {
+  if (depth > max_depth) {
     throw InputError("INCLUDE files include each other without end",
                      asked_by,
                      "Remove the INCLUDE that leads back.");

@@ -20,16 +20,16 @@ struct Defaults {
 
 const std::map<std::string, Defaults>& kinds() {
   const Groups bar{{2}, {5, 6, 7}, {8}};
-  static const std::map<std::string, Defaults> kKinds{
+  static const std::map<std::string, Defaults> known_kinds{
       {"GRDSET", {"GRID", {{2}, {6}, {7}}}},
       {"BAROR", {"CBAR", bar}},
       {"BEAMOR", {"CBEAM", bar}}};
-  return kKinds;
+  return known_kinds;
 }
 
 void fill(const Card& from, const Groups& groups, Card& card) {
-  constexpr std::size_t kFields = 9;
-  card.fields.resize(std::max(card.fields.size(), kFields));
+  constexpr std::size_t fields_per_line = 9;
+  card.fields.resize(std::max(card.fields.size(), fields_per_line));
   for (const std::vector<std::size_t>& group : groups) {
     const bool blank =
         std::all_of(group.begin(), group.end(), [&](std::size_t field) {

@@ -30,8 +30,8 @@ std::size_t CardReader::size() const {
 bool CardReader::blank(std::size_t field) const { return text(field).empty(); }
 
 const std::string& CardReader::text(std::size_t field) const {
-  static const std::string kNothing;
-  return field < card_.fields.size() ? card_.fields[field] : kNothing;
+  static const std::string no_text;
+  return field < card_.fields.size() ? card_.fields[field] : no_text;
 }
 
 int CardReader::integer(std::size_t field, const char* meaning) const {

@@ -45,25 +45,25 @@ bool is_end(const std::string& text) {
 }
 
 bool looks_like_control(const std::string& text) {
-  static constexpr std::array<const char*, 14> kWords{"SOL",
-                                                      "CEND",
-                                                      "ID",
-                                                      "TIME",
-                                                      "TITLE",
-                                                      "SUBTITLE",
-                                                      "LABEL",
-                                                      "ECHO",
-                                                      "SUBCASE",
-                                                      "NASTRAN",
-                                                      "ASSIGN",
-                                                      "DIAG",
-                                                      "INIT",
-                                                      "BEGIN"};
+  static constexpr std::array<const char*, 14> words{"SOL",
+                                                     "CEND",
+                                                     "ID",
+                                                     "TIME",
+                                                     "TITLE",
+                                                     "SUBTITLE",
+                                                     "LABEL",
+                                                     "ECHO",
+                                                     "SUBCASE",
+                                                     "NASTRAN",
+                                                     "ASSIGN",
+                                                     "DIAG",
+                                                     "INIT",
+                                                     "BEGIN"};
   const std::string line = upper(trimmed(text));
   const std::string word = line.substr(0, line.find_first_of(" ,=("));
   const std::size_t equals = line.find('=');
   const std::size_t comma = line.find(',');
-  return std::find(kWords.begin(), kWords.end(), word) != kWords.end() ||
+  return std::find(words.begin(), words.end(), word) != words.end() ||
          (equals > 0 && equals < 24 && line.find_first_of(",=(") != comma);
 }
 

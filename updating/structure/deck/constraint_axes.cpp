@@ -20,7 +20,7 @@ std::string ConstraintAxes::held_in_basic(int grid) const {
 std::optional<std::string> along_basic(const std::string& components,
                                        const Eigen::Matrix3d& axes) {
   if (axes == Eigen::Matrix3d::Identity()) return components;
-  constexpr double kRounding = 1e-6;
+  constexpr double rounding = 1e-6;
   std::string result;
   for (const Eigen::Index kind : {Eigen::Index{0}, Eigen::Index{3}}) {
     Eigen::Matrix3d P = Eigen::Matrix3d::Zero();  // onto these directions
@@ -31,7 +31,7 @@ std::optional<std::string> along_basic(const std::string& components,
     }
     for (Eigen::Index i = 0; i < 3; ++i) {
       // P is a projection: its diagonal is 0 or 1 only along its own axes.
-      if (std::min(std::abs(P(i, i)), std::abs(P(i, i) - 1.0)) > kRounding) {
+      if (std::min(std::abs(P(i, i)), std::abs(P(i, i) - 1.0)) > rounding) {
         return {};
       }
       if (P(i, i) > 0.5) result += static_cast<char>('1' + kind + i);

@@ -121,10 +121,11 @@ std::vector<std::string> grid_on_arm(const Deck& deck,
 }
 
 std::optional<int> card_component(const Deck& deck, int node, int component) {
-  constexpr double kRounding = 1e-6;
+  constexpr double relative_rounding = 1e-6;
   const int kind = component > 3 ? 3 : 0;
   for (int own = 0; own < 3; ++own) {
-    if (std::abs(cosine(deck, node, own, component)) > 1.0 - kRounding) {
+    if (std::abs(cosine(deck, node, own, component)) >
+        1.0 - relative_rounding) {
       return kind + own + 1;
     }
   }

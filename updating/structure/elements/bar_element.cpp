@@ -27,8 +27,8 @@ struct Plane {
   std::array<Eigen::Index, 4> dof;
   double sign;
 };
-constexpr Plane kPlane1{{1, 5, 7, 11}, 1.0};
-constexpr Plane kPlane2{{2, 4, 8, 10}, -1.0};
+constexpr Plane plane1{{1, 5, 7, 11}, 1.0};
+constexpr Plane plane2{{2, 4, 8, 10}, -1.0};
 
 void add_plane(const Plane& plane,
                const Eigen::Matrix4d& part,
@@ -111,8 +111,8 @@ Matrix12 local_stiffness(const BarProperty& p, const Material& m, double L) {
     K = (T.transpose() * K * T).eval();
   }
   add_pair(3, m.G * p.J / L, -m.G * p.J / L, K);
-  add_plane(kPlane1, plane_stiffness(m.E * p.I1, p.K1 * m.G * p.area, L), K);
-  add_plane(kPlane2, plane_stiffness(m.E * p.I2, p.K2 * m.G * p.area, L), K);
+  add_plane(plane1, plane_stiffness(m.E * p.I1, p.K1 * m.G * p.area, L), K);
+  add_plane(plane2, plane_stiffness(m.E * p.I2, p.K2 * m.G * p.area, L), K);
   return K;
 }
 
@@ -139,16 +139,16 @@ Matrix12 mass_of(const Bar& bar,
   add_pair(0, mass / 3.0, mass / 6.0, M);
   add_pair(3, polar / 3.0, polar / 6.0, M);
   if (!bar.rotary_inertia) {
-    add_plane(kPlane1, plane_mass(mass, 0.0, 0.0, L), M);
-    add_plane(kPlane2, plane_mass(mass, 0.0, 0.0, L), M);
+    add_plane(plane1, plane_mass(mass, 0.0, 0.0, L), M);
+    add_plane(plane2, plane_mass(mass, 0.0, 0.0, L), M);
     return M;
   }
   // The sections' own inertia goes with the part that has some.
   const double own = lineal.polar > 0.0 ? m.rho * L : 0.0;
   const double phi1 = shear_ratio(m.E * p.I1, p.K1 * m.G * p.area, L);
   const double phi2 = shear_ratio(m.E * p.I2, p.K2 * m.G * p.area, L);
-  add_plane(kPlane1, plane_mass(mass, own * p.I1, phi1, L), M);
-  add_plane(kPlane2, plane_mass(mass, own * p.I2, phi2, L), M);
+  add_plane(plane1, plane_mass(mass, own * p.I1, phi1, L), M);
+  add_plane(plane2, plane_mass(mass, own * p.I2, phi2, L), M);
   return M;
 }
 

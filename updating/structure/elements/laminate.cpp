@@ -10,7 +10,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double degree = std::numbers::pi / 180.0;
 
 // A ply along the element's axes.
 struct Layer {
@@ -32,7 +32,7 @@ std::vector<Layer> layers_of(const Deck& deck,
   double z = p.bottom * scale;
   for (const Ply& ply : p.plies) {
     const Material& m = layer_material(deck, ply.material, shell);
-    const double angle = (shell.theta_deg + ply.theta_deg) * kDegree;
+    const double angle = (shell.theta_deg + ply.theta_deg) * degree;
     const Eigen::Matrix3d T = strain_rotation(angle);
     const double top = z + ply.thickness * scale;
     layers.push_back({z,
@@ -64,12 +64,12 @@ double shear_compliance(const std::vector<Layer>& layers, Eigen::Index axis) {
     const double b = layer.to - neutral;
     EI += Q * (b * b * b - a * a * a) / 3.0;
     // Boole's rule, exact for the fourth degree of g^2.
-    constexpr std::array<double, 5> kBoole{7, 32, 12, 32, 7};
+    constexpr std::array<double, 5> boole{7, 32, 12, 32, 7};
     const double at_a = g;
-    for (std::size_t k = 0; k < kBoole.size(); ++k) {
+    for (std::size_t k = 0; k < boole.size(); ++k) {
       const double z = a + (b - a) * static_cast<double>(k) / 4.0;
       const double here = at_a + 0.5 * Q * (a * a - z * z);
-      sum += kBoole.at(k) / 90.0 * (b - a) * here * here *
+      sum += boole.at(k) / 90.0 * (b - a) * here * here *
              layer.flexible(axis, axis);
       g = here;
     }

@@ -39,8 +39,8 @@ using Eigen::Vector3d;
 
 // What of the membrane takes full integration, and the tie of the drilling
 // rotation.
-constexpr double kFull = 0.05;
-constexpr double kDrillingTie = 1e-3;
+constexpr double full = 0.05;
+constexpr double drilling_tie = 1e-3;
 
 struct Surface {
   Index corners = 0;
@@ -260,7 +260,7 @@ MatrixXd surface_membrane(const Deck& deck,
   const double G = section.membrane(2, 2);
   MatrixXd K = MatrixXd::Zero(columns, columns);
   for (const int order : {2, 3}) {
-    const double share = order == 3 ? kFull : 1.0 - kFull;
+    const double share = order == 3 ? full : 1.0 - full;
     for (const GaussPoint& point : gauss_points(s.corners, order)) {
       const Point p = point_at(deck, shell, s, point.at);
       const Strains strains = strains_at(p, shell.offset);
@@ -268,7 +268,7 @@ MatrixXd surface_membrane(const Deck& deck,
       K += share * dA * strains.membrane.transpose() * section.membrane *
            strains.membrane;
       if (order == 2) continue;
-      K += kDrillingTie * dA * G * strains.drilling.transpose() *
+      K += drilling_tie * dA * G * strains.drilling.transpose() *
            strains.drilling;
     }
   }
@@ -369,13 +369,14 @@ ElementMatrices quadratic_matrices(const Deck& deck,
   if (shell.grids.size() == 3) return triangle_matrices(deck, shell, section);
   const Surface s = surface_of(deck, shell);
   const auto n = static_cast<Index>(s.grids.size());
-  constexpr Index kInner = 3;
-  MatrixXd K = surface_membrane(deck, shell, section, s, 6 * n + kInner) +
-               surface_bending(deck, shell, section, s, 6 * n + kInner);
+  constexpr Index inner_motions = 3;
+  MatrixXd K =
+      surface_membrane(deck, shell, section, s, 6 * n + inner_motions) +
+      surface_bending(deck, shell, section, s, 6 * n + inner_motions);
   // Without stiffness in its plane nothing holds the middle's turn about n.
-  const double least = 1e-9 * K.diagonal().tail<kInner>().maxCoeff();
-  K.diagonal().tail<kInner>().array() += least;
-  return {s.grids, condensed(K, kInner), mass(deck, shell, section, s)};
+  const double least = 1e-9 * K.diagonal().tail<inner_motions>().maxCoeff();
+  K.diagonal().tail<inner_motions>().array() += least;
+  return {s.grids, condensed(K, inner_motions), mass(deck, shell, section, s)};
 }
 
 }  // namespace tapfit::structure

@@ -39,8 +39,8 @@ void add_rod(const Places& X, Index a, double EA, MatrixXd& K) {
 // Area of each of the two rods along opposite sides: half of that share of the
 // panel across them; a factor above 1.01 counts thicknesses.
 double rod_area(double factor, double t, double width) {
-  constexpr double kCounts = 1.01;
-  return 0.5 * factor * t * (factor > kCounts ? t : width);
+  constexpr double counts = 1.01;
+  return 0.5 * factor * t * (factor > counts ? t : width);
 }
 
 }  // namespace

@@ -107,11 +107,11 @@ Eigen::MatrixXd coupled_stiffness(const Corners& xy,
   }
   const Eigen::MatrixXd own = condensed(K, inner);
   // Per grid u, v, theta_z, then w, theta_x, theta_y.
-  constexpr std::array<Eigen::Index, 6> kPlace{0, 1, 5, 2, 3, 4};
+  constexpr std::array<Eigen::Index, 6> place_of{0, 1, 5, 2, 3, 4};
   const auto place = [&](Eigen::Index i) {
     const Eigen::Index part = i / (3 * n);
     return 6 * (i % (3 * n) / 3) +
-           kPlace.at(static_cast<std::size_t>(3 * part + i % 3));
+           place_of.at(static_cast<std::size_t>(3 * part + i % 3));
   };
   Eigen::MatrixXd sorted(6 * n, 6 * n);
   for (Eigen::Index i = 0; i < 6 * n; ++i) {

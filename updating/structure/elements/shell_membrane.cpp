@@ -9,7 +9,7 @@ namespace {
 
 // gamma: a tenth holds what turns one grid, and still stiffens a box of single
 // elements, whose rotations jump from one to the next, by 1e-4.
-constexpr double kDrilling = 0.1;
+constexpr double drilling_factor = 0.1;
 
 // Strains (exx, eyy, 2 exy) of one function's u and v from its slopes.
 Eigen::Matrix<double, 3, 2> strain_of(double dx, double dy) {
@@ -82,7 +82,7 @@ MembraneParts membrane_parts(const Corners& xy, const ShellSection& section) {
       }
     }
     K += dA * B.transpose() * section.membrane * B;
-    K += dA * kDrilling * G * drill.transpose() * drill;
+    K += dA * drilling_factor * G * drill.transpose() * drill;
     parts.strains.push_back(B);
   }
   parts.K = std::move(K);

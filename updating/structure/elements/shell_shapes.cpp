@@ -34,8 +34,8 @@ std::vector<LinePoint> line_rule(int order) {
   }
 }
 
-constexpr std::array<double, 4> kXi{-1.0, 1.0, 1.0, -1.0};
-constexpr std::array<double, 4> kEta{-1.0, -1.0, 1.0, 1.0};
+constexpr std::array<double, 4> xi{-1.0, 1.0, 1.0, -1.0};
+constexpr std::array<double, 4> eta{-1.0, -1.0, 1.0, 1.0};
 
 Eigen::Vector3d area_coordinates(const Eigen::Vector2d& at) {
   return {1.0 - at.x() - at.y(), at.x(), at.y()};
@@ -49,11 +49,11 @@ Corners area_slopes() {
 
 // Values for w, w_xi, w_eta of corner i.
 Eigen::Vector3d adini(std::size_t i, const Eigen::Vector2d& at) {
-  const double x = at.x() * kXi[i];
-  const double y = at.y() * kEta[i];
+  const double x = at.x() * xi[i];
+  const double y = at.y() * eta[i];
   return Eigen::Vector3d((1 + x) * (1 + y) * (2 + x + y - x * x - y * y),
-                         kXi[i] * (1 + x) * (1 + x) * (x - 1) * (1 + y),
-                         kEta[i] * (1 + y) * (1 + y) * (y - 1) * (1 + x)) /
+                         xi[i] * (1 + x) * (1 + x) * (x - 1) * (1 + y),
+                         eta[i] * (1 + y) * (1 + y) * (y - 1) * (1 + x)) /
          8.0;
 }
 
@@ -61,7 +61,7 @@ Eigen::VectorXd quad_deflection(const Corners& xy, const Eigen::Vector2d& at) {
   Eigen::VectorXd values(12);
   for (Eigen::Index i = 0; i < 4; ++i) {
     const std::size_t k = static_cast<std::size_t>(i);
-    const Eigen::Matrix2d J = jacobian(xy, {kXi[k], kEta[k]});
+    const Eigen::Matrix2d J = jacobian(xy, {xi[k], eta[k]});
     const Eigen::Vector3d N = adini(k, at);
     values(3 * i) = N(0);
     values.segment<2>(3 * i + 1) = J.transpose() * N.tail<2>();
@@ -118,7 +118,7 @@ Eigen::VectorXd corner_values(Eigen::Index corners, const Eigen::Vector2d& at) {
   Eigen::Vector4d N;
   for (std::size_t i = 0; i < 4; ++i) {
     N(static_cast<Eigen::Index>(i)) =
-        0.25 * (1.0 + at.x() * kXi[i]) * (1.0 + at.y() * kEta[i]);
+        0.25 * (1.0 + at.x() * xi[i]) * (1.0 + at.y() * eta[i]);
   }
   return N;
 }
@@ -128,8 +128,8 @@ Corners corner_slopes(Eigen::Index corners, const Eigen::Vector2d& at) {
   Corners d(4, 2);
   for (std::size_t i = 0; i < 4; ++i) {
     d.row(static_cast<Eigen::Index>(i))
-        << 0.25 * kXi[i] * (1.0 + at.y() * kEta[i]),
-        0.25 * kEta[i] * (1.0 + at.x() * kXi[i]);
+        << 0.25 * xi[i] * (1.0 + at.y() * eta[i]),
+        0.25 * eta[i] * (1.0 + at.x() * xi[i]);
   }
   return d;
 }

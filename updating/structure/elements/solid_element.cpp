@@ -90,13 +90,13 @@ Matrix6 isotropic(const Material& m) {
 
 // Strains along other axes (columns of R) from those along basic ones.
 Matrix6 strain_rotation(const Matrix3d& R) {
-  constexpr std::array<std::array<Index, 2>, 6> kPairs{
+  constexpr std::array<std::array<Index, 2>, 6> pairs{
       {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}}};
   Matrix6 T;
   for (Index row = 0; row < 6; ++row) {
-    const auto [a, b] = kPairs.at(static_cast<std::size_t>(row));
+    const auto [a, b] = pairs.at(static_cast<std::size_t>(row));
     for (Index col = 0; col < 6; ++col) {
-      const auto [i, j] = kPairs.at(static_cast<std::size_t>(col));
+      const auto [i, j] = pairs.at(static_cast<std::size_t>(col));
       // e_ab = sum over i, j of R_ia R_jb e_ij; shears are twice theirs.
       const double both = R(i, a) * R(j, b) + R(j, a) * R(i, b);
       T(row, col) = 0.5 * both * (row < 3 ? 1.0 : 2.0);

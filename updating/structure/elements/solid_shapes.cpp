@@ -44,14 +44,14 @@ Coordinates coordinates(const Vector3d& at) {
 
 using Functions = std::vector<Sloped>;
 
-constexpr std::array<std::array<int, 3>, 8> kHexa{{{-1, -1, -1},
-                                                   {1, -1, -1},
-                                                   {1, 1, -1},
-                                                   {-1, 1, -1},
-                                                   {-1, -1, 1},
-                                                   {1, -1, 1},
-                                                   {1, 1, 1},
-                                                   {-1, 1, 1}}};
+constexpr std::array<std::array<int, 3>, 8> hexa{{{-1, -1, -1},
+                                                  {1, -1, -1},
+                                                  {1, 1, -1},
+                                                  {-1, 1, -1},
+                                                  {-1, -1, 1},
+                                                  {1, -1, 1},
+                                                  {1, 1, 1},
+                                                  {-1, 1, 1}}};
 
 Sloped hexa_factor(int sign, const Sloped& x) {
   return sign == 0 ? 1.0 - x * x : 0.5 * (1.0 + static_cast<double>(sign) * x);
@@ -59,7 +59,7 @@ Sloped hexa_factor(int sign, const Sloped& x) {
 
 Functions hexa_corners(const Coordinates& c) {
   Functions f;
-  for (const auto& [i, j, k] : kHexa) {
+  for (const auto& [i, j, k] : hexa) {
     f.push_back(hexa_factor(i, c.x) * hexa_factor(j, c.y) *
                 hexa_factor(k, c.z));
   }
@@ -88,8 +88,8 @@ Functions pyramid_corners(const Coordinates& c) {
   Functions f;
   const Sloped to_apex = 1.0 - c.z;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double a = kHexa.at(i)[0];
-    const double b = kHexa.at(i)[1];
+    const double a = hexa.at(i)[0];
+    const double b = hexa.at(i)[1];
     f.push_back(0.25 * ((1.0 + a * c.x) * (1.0 + b * c.y) - c.z +
                         (a * b) * (c.x * c.y * c.z / to_apex)));
   }
@@ -114,13 +114,13 @@ Functions corner_functions(std::size_t corners, const Coordinates& c) {
 Sloped pyramid_edge(const std::array<int, 2>& edge, const Coordinates& c) {
   const Sloped to_apex = 1.0 - c.z;
   const auto first = static_cast<std::size_t>(edge[0]);
-  const double a = kHexa.at(first)[0];
-  const double b = kHexa.at(first)[1];
+  const double a = hexa.at(first)[0];
+  const double b = hexa.at(first)[1];
   if (edge[1] == 4) {
     return c.z * (to_apex + a * c.x) * (to_apex + b * c.y) / to_apex;
   }
   const auto second = static_cast<std::size_t>(edge[1]);
-  const bool along_x = kHexa.at(second)[0] != kHexa.at(first)[0];
+  const bool along_x = hexa.at(second)[0] != hexa.at(first)[0];
   const Sloped& along = along_x ? c.x : c.y;
   const Sloped across = along_x ? b * c.y : a * c.x;
   return 0.5 *
@@ -134,8 +134,8 @@ Sloped edge_function(std::size_t corners,
   const auto j = static_cast<std::size_t>(edge[1]);
   if (corners == 8) {
     const auto factor = [&](std::size_t axis, const Sloped& x) {
-      const int a = kHexa.at(i).at(axis);
-      return hexa_factor(a == kHexa.at(j).at(axis) ? a : 0, x);
+      const int a = hexa.at(i).at(axis);
+      return hexa_factor(a == hexa.at(j).at(axis) ? a : 0, x);
     };
     return factor(0, c.x) * factor(1, c.y) * factor(2, c.z);
   }
@@ -167,7 +167,7 @@ std::vector<SolidPoint> collapsed_points(Eigen::Index base_corners, int order) {
 
 const std::vector<std::array<int, 2>>& solid_edges(std::size_t corners) {
   using Edges = std::vector<std::array<int, 2>>;
-  static const Edges kHexaEdges{{0, 1},
+  static const Edges hexa_edges{{0, 1},
                                 {1, 2},
                                 {2, 3},
                                 {3, 0},
@@ -179,21 +179,21 @@ const std::vector<std::array<int, 2>>& solid_edges(std::size_t corners) {
                                 {5, 6},
                                 {6, 7},
                                 {7, 4}};
-  static const Edges kWedgeEdges{
+  static const Edges wedge_edges{
       {0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 4}, {2, 5}, {3, 4}, {4, 5}, {5, 3}};
-  static const Edges kPyramidEdges{
+  static const Edges pyramid_edges{
       {0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}};
-  static const Edges kTetraEdges{
+  static const Edges tetra_edges{
       {0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
   switch (corners) {
     case 8:
-      return kHexaEdges;
+      return hexa_edges;
     case 6:
-      return kWedgeEdges;
+      return wedge_edges;
     case 5:
-      return kPyramidEdges;
+      return pyramid_edges;
     default:
-      return kTetraEdges;
+      return tetra_edges;
   }
 }
 

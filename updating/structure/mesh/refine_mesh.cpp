@@ -1,6 +1,6 @@
 #include "updating/structure/mesh/refine_mesh.hpp"
 
-#include "updating/structure/mesh/seams.hpp"
+#include "updating/structure/mesh/mesh_tying.hpp"
 #include "updating/structure/mesh/split_edges.hpp"
 
 #include <Eigen/Geometry>

@@ -14,7 +14,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 using Dimensions = std::vector<double>;
 
@@ -29,8 +29,8 @@ double rectangle_torsion(double w, double h) {
 
 BarProperty tube(double outer, double inner) {
   BarProperty p;
-  p.area = kPi * (outer * outer - inner * inner);
-  p.I1 = p.I2 = kPi / 4.0 * (std::pow(outer, 4) - std::pow(inner, 4));
+  p.area = pi * (outer * outer - inner * inner);
+  p.I1 = p.I2 = pi / 4.0 * (std::pow(outer, 4) - std::pow(inner, 4));
   p.J = 2.0 * p.I1;
   p.K1 = p.K2 = inner > 0.0 ? 0.5 : 0.9;
   return p;
@@ -262,7 +262,7 @@ BarProperty hexagon(const Dimensions& d) {
          2.0 * (h * std::pow(d[0], 3) / 36.0 +
                 end * std::pow(flat / 2.0 + d[0] / 3.0, 2));
   // Saint-Venant's approximation for compact sections.
-  p.J = std::pow(p.area, 4) / (4.0 * kPi * kPi * (p.I1 + p.I2));
+  p.J = std::pow(p.area, 4) / (4.0 * pi * pi * (p.I1 + p.I2));
   p.K1 = p.K2 = 5.0 / 6.0;
   return p;
 }
@@ -277,7 +277,7 @@ bool always(const Dimensions& /*d*/) { return true; }
 
 const std::map<std::string, Shape>& shapes() {
   using D = const Dimensions&;
-  static const std::map<std::string, Shape> kShapes{
+  static const std::map<std::string, Shape> known_shapes{
       {"ROD", {1, always, [](D d) { return tube(d[0], 0.0); }}},
       {"TUBE",
        {2,
@@ -330,7 +330,7 @@ const std::map<std::string, Shape>& shapes() {
       {"HAT",
        {4, [](D d) { return 2.0 * d[1] < d[0] && 2.0 * d[1] < d[2]; }, hat}},
       {"HEXA", {3, [](D d) { return 2.0 * d[0] < d[1]; }, hexagon}}};
-  return kShapes;
+  return known_shapes;
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 // What is known of a deck while its cards are being read. Each group of cards
 // has a reader of its own (read_coordinates, read_grids, read_materials,
 // read_sections, read_laminates, read_properties, read_elements, read_solids,
-// read_scalars, read_rigid, read_relations, read_constraints, read_direct);
-// read_deck runs them in order of dependence.
+// read_scalars, read_rigid, read_rbe3, read_relations, read_constraints,
+// read_direct); read_deck runs them in order of dependence.
 #pragma once
 
 #include "updating/structure/cards/card_reader.hpp"
@@ -128,8 +128,9 @@ void order_coordinate_cards(std::vector<Card>& cards);
 
 void read_pbush(DeckBuilder& builder, const CardReader& card);
 void read_cbush(DeckBuilder& builder, const CardReader& card);
-/// An RBAR both of whose ends have independent components; its id is taken.
-void read_shared_rbar(DeckBuilder& builder, const CardReader& card);
+void read_rbe1(DeckBuilder& builder, const CardReader& card);
+void read_rbe3(DeckBuilder& builder, const CardReader& card);
+void read_rrod(DeckBuilder& builder, const CardReader& card);
 
 /// Puts SPOINTs in the middle of the grids.
 void place_scalar_points(DeckBuilder& builder);

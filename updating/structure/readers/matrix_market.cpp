@@ -136,10 +136,10 @@ struct Row {
 };
 
 std::optional<int> component_of(const std::string& text) {
-  static constexpr std::array<const char*, 6> kNames{
+  static constexpr std::array<const char*, 6> names{
       "X", "Y", "Z", "RX", "RY", "RZ"};
   for (int i = 0; i < 6; ++i) {
-    if (text == kNames[static_cast<std::size_t>(i)]) return i + 1;
+    if (text == names[static_cast<std::size_t>(i)]) return i + 1;
   }
   const std::optional<int> digit = parse_integer(text);
   if (!digit || *digit < 1 || *digit > 6) return std::nullopt;

@@ -18,7 +18,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr int kMostRows = 5'000'000;
+constexpr int most_rows = 5'000'000;
 
 struct Op4Head {
   int size = 0;
@@ -76,7 +76,7 @@ class Op4Reader {
       const std::optional<Op4Head> head = parse_op4_head(text_);
       if (!head) fail("this is no head of a matrix");
       if (head->type > 2) fail("the matrix is complex");
-      if (head->size < 1 || head->size > kMostRows ||
+      if (head->size < 1 || head->size > most_rows ||
           head->size != head->rows) {
         fail(fmt::format(
             "{} by {} is no square matrix", head->rows, head->size));
@@ -123,12 +123,12 @@ class Op4Reader {
 
   // Where the numbers that follow go.
   void place(const std::vector<int>& whole, int& column, int& row) const {
-    constexpr int kLength = 65536;
+    constexpr int length = 65536;
     switch (whole.size()) {
       case 0:
         return;
       case 1:  // a string: its length and first row in one number
-        row = whole[0] % kLength;
+        row = whole[0] % length;
         return;
       case 2:  // a long string
         row = whole[1];

@@ -10,7 +10,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr int kSymmetric = 6;
+constexpr int symmetric_form = 6;
 
 // NAME 0 IFO TIN TOUT POLAR _ NCOL
 void read_head(DeckBuilder& builder,
@@ -68,7 +68,7 @@ void read_column(DeckBuilder& builder, const CardReader& card) {
 
 std::vector<MatrixTerm> symmetric_terms(const DirectMatrix& matrix,
                                         const std::string& name) {
-  if (matrix.form == kSymmetric) return matrix.terms;
+  if (matrix.form == symmetric_form) return matrix.terms;
   throw InputError(
       fmt::format("DMIG {} is not symmetric (IFO = {})", name, matrix.form),
       matrix.where,

@@ -10,12 +10,12 @@ namespace {
 // Farther out, lengths and their cubes are no numbers to reckon with.
 Eigen::Vector3d position_of(const CardReader& card,
                             const CoordinateSystem& system) {
-  constexpr double kFarthest = 1e9;
+  constexpr double farthest = 1e9;
   const Eigen::Vector3d written = card.vector(3, "position");
-  if (!(written.cwiseAbs().maxCoeff() <= kFarthest)) {
+  if (!(written.cwiseAbs().maxCoeff() <= farthest)) {
     card.fail(fmt::format("the coordinate {:g} is farther away than {:g}",
                           written.cwiseAbs().maxCoeff(),
-                          kFarthest),
+                          farthest),
               "Correct the coordinate, also its exponent: 1.+2 means 100.");
   }
   return system.place(written);
@@ -61,7 +61,7 @@ void read_spoint(DeckBuilder& builder, const CardReader& card) {
     builder.deck.grids.push_back(grid);
     builder.permanent.push_back({id, "23456"});
   };
-  constexpr int kMost = 1000000;
+  constexpr int most = 1000000;
   for (std::size_t at = 1; at < card.size(); ++at) {
     if (card.blank(at)) continue;
     if (upper(card.text(at + 1)) != "THRU") {
@@ -69,7 +69,7 @@ void read_spoint(DeckBuilder& builder, const CardReader& card) {
       continue;
     }
     const auto [from, to] = card.range(at + 1, "ID");
-    if (to - from > kMost) {
+    if (to - from > most) {
       card.fail(fmt::format("{} THRU {} makes too many points", from, to),
                 "Correct the ids.");
     }
@@ -112,8 +112,8 @@ const Grid& DeckBuilder::grid(const CardReader& card, int id) const {
 
 const CoordinateSystem& DeckBuilder::system(const CardReader& card,
                                             int id) const {
-  static const CoordinateSystem kBasic;
-  if (id == 0) return kBasic;
+  static const CoordinateSystem basic_system;
+  if (id == 0) return basic_system;
   const auto found = deck.systems.find(id);
   if (found == deck.systems.end()) {
     card.fail(fmt::format("coordinate system {} does not exist", id),

@@ -12,7 +12,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr const char* kKind = "PBAR, PBARL or PBEAM";
+constexpr const char* kind = "PBAR, PBARL or PBEAM";
 
 void refuse_below_zero(const CardReader& card, double value, const char* name) {
   if (value >= 0.0) return;
@@ -38,7 +38,7 @@ void check_section(const CardReader& card, const BarProperty& p) {
 // Names the property and takes its id.
 void head(DeckBuilder& builder, const CardReader& card, BarProperty& p) {
   p.id = card.id(1, "PID");
-  builder.define(card, kKind, p.id);
+  builder.define(card, kind, p.id);
   p.where = card.where();
   p.material = card.id(2, "MID");
 }
@@ -117,12 +117,12 @@ bool is_option(const CardReader& card, std::size_t at) {
   return word == "YES" || word == "YESA" || word == "NO";
 }
 
-constexpr std::array kChanging = {&BarProperty::area,
-                                  &BarProperty::I1,
-                                  &BarProperty::I2,
-                                  &BarProperty::I12,
-                                  &BarProperty::J,
-                                  &BarProperty::nonstructural};
+constexpr std::array changing = {&BarProperty::area,
+                                 &BarProperty::I1,
+                                 &BarProperty::I2,
+                                 &BarProperty::I12,
+                                 &BarProperty::J,
+                                 &BarProperty::nonstructural};
 
 // The first station with the mean of all.
 BarProperty mean_section(DeckBuilder& builder,
@@ -136,14 +136,14 @@ BarProperty mean_section(DeckBuilder& builder,
     stations.back().at = 1.0;
   }
   bool changes = false;
-  for (double BarProperty::*const value : kChanging) {
+  for (double BarProperty::*const value : changing) {
     for (const Station& station : stations) {
       changes = changes || std::abs(station.section.*value - p.*value) >
                                1e-9 * std::abs(p.*value);
     }
   }
   if (!changes) return p;
-  for (double BarProperty::*const value : kChanging) {
+  for (double BarProperty::*const value : changing) {
     p.*value = mean(stations, value);
   }
   Eigen::Vector2d neutral = Eigen::Vector2d::Zero();
@@ -176,9 +176,9 @@ std::size_t read_stations(const CardReader& card,
   while (is_option(card, at)) {
     const BarProperty& first = stations.front().section;
     Station station{place(card, at + 1), first};
-    for (std::size_t i = 0; i < kChanging.size(); ++i) {
-      station.section.*kChanging.at(i) =
-          card.real_or(at + 2 + i, first.*kChanging.at(i), "section");
+    for (std::size_t i = 0; i < changing.size(); ++i) {
+      station.section.*changing.at(i) =
+          card.real_or(at + 2 + i, first.*changing.at(i), "section");
     }
     check_section(card, station.section);
     stations.push_back(station);

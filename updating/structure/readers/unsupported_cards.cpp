@@ -17,9 +17,9 @@ namespace {
 
 // Cards that say what to solve for and change nothing of the model.
 bool is_silent(const std::string& name) {
-  static const std::set<std::string> kSilent{
+  static const std::set<std::string> silent{
       "EIGRL", "EIGR", "EIGB", "EIGC", "FREQ", "FREQ1", "FREQ2", "TSTEP"};
-  return kSilent.contains(name);
+  return silent.contains(name);
 }
 
 bool starts_with_any(const std::string& name,
@@ -150,11 +150,11 @@ UnsupportedCards unsupported_cards(const BulkData& bulk,
     (is_needed(name) ? result.needed : result.others).push_back(card);
   }
   if (!harmless.empty()) {
-    constexpr std::size_t kShown = 40;
+    constexpr std::size_t shown = 40;
     result.ignored = fmt::format(
         "ignored, for they change nothing of the "
         "modes: {}",
-        listed(harmless, kShown));
+        listed(harmless, shown));
   }
   return result;
 }

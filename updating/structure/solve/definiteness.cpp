@@ -7,18 +7,18 @@
 
 namespace tapfit::structure {
 bool is_indefinite(const SparseMatrix& A) {
-  constexpr double kAllowed = 1e-9;
+  constexpr double allowed_share = 1e-9;
   // Below this share of the largest diagonal entry, entries may be rounding.
-  constexpr double kSmall = 1e-5;
+  constexpr double small = 1e-5;
   if (A.rows() == 0) return false;
   const Eigen::VectorXd size = A.diagonal().cwiseAbs();
-  const double least = kSmall * size.maxCoeff();
+  const double least = small * size.maxCoeff();
   if (!(least > 0.0)) return A.norm() > 0.0;
   const Eigen::VectorXd scale = size.cwiseMax(least).cwiseSqrt().cwiseInverse();
   SparseMatrix unit = scale.asDiagonal() * A * scale.asDiagonal();
   SparseMatrix allowed(A.rows(), A.cols());
   allowed.setIdentity();
-  unit += kAllowed * allowed;
+  unit += allowed_share * allowed;
   try {
     return Factor(unit).pivots().minCoeff() < 0.0;
   } catch (const SingularMatrix&) {

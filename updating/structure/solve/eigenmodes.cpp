@@ -21,7 +21,8 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr Eigen::Index kDense = 200;  // below this a dense solver is quicker
+constexpr Eigen::Index dense_limit =
+    200;  // below this a dense solver is quicker
 
 // Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
 constexpr double least_mu = 1e-14;
@@ -211,7 +212,7 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   const double sigma = shift_below_zero(K, M);
   const SparseMatrix A = K - sigma * M;
   const Factor factor(A);  // throws for a mechanism without mass
-  const bool dense = n <= kDense || 2 * (count + 2) + 20 > n;
+  const bool dense = n <= dense_limit || 2 * (count + 2) + 20 > n;
   // A negative mass hides in A behind the stiffness.
   if (dense || factor.pivots().minCoeff() < 0.0) refuse_indefinite(K, M);
   Eigen::Index asked = count + 2;
@@ -219,7 +220,7 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
     return to_modes(solve_dense(A, M, sigma, count), count);
   }
   if (const auto dofs = massive(M);
-      static_cast<Eigen::Index>(dofs.size()) <= kDense) {
+      static_cast<Eigen::Index>(dofs.size()) <= dense_limit) {
     return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
   }
   Eigen::Index basis = std::min(n, 2 * asked + 10);

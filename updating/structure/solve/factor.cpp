@@ -118,13 +118,14 @@ struct Factor::Impl {
 
   // A pivot that is rounding of what its diagonal started from.
   void check_pivots(const SparseMatrix& A) const {
-    constexpr double kRounding = 1e-14;
+    constexpr double relative_rounding = 1e-14;
     const Eigen::VectorXd d = pivots();
     const Eigen::VectorXd a = A.diagonal();
     const int* order = static_cast<const int*>(L->Perm);
     for (Eigen::Index j = 0; j < d.size(); ++j) {
       const double scale = std::abs(a(order[j]));
-      if (!(std::abs(d(j)) > kRounding * scale)) throw SingularMatrix(order[j]);
+      if (!(std::abs(d(j)) > relative_rounding * scale))
+        throw SingularMatrix(order[j]);
     }
   }
 };

@@ -16,10 +16,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index kPanel = 32;  // columns eliminated before a block product
-constexpr double kRounding = 1e-14;  // of the diagonal a pivot started from
+constexpr Index panel_columns =
+    32;                             // columns eliminated before a block product
+constexpr double rounding = 1e-14;  // of the diagonal a pivot started from
 // The matrix counted differs from A by eps times this much of its diagonal.
-constexpr double kGrowth = 1e6;
+constexpr double growth = 1e6;
 
 class Counter {
  public:
@@ -45,7 +46,7 @@ class Counter {
       if (!eliminate(s, front)) return std::nullopt;
       hand_on(s, front);
     }
-    const bool tame = (growth_.array() <= kGrowth * diagonal_.array()).all();
+    const bool tame = (growth_.array() <= growth * diagonal_.array()).all();
     return tame ? std::optional<Index>(negative_) : std::nullopt;
   }
 
@@ -96,8 +97,8 @@ class Counter {
   bool eliminate(std::size_t s, MatrixXd& front) {
     const Index columns = parts_.columns(s);
     const Index rows = front.rows();
-    for (Index first = 0; first < columns; first += kPanel) {
-      const Index width = std::min(kPanel, columns - first);
+    for (Index first = 0; first < columns; first += panel_columns) {
+      const Index width = std::min(panel_columns, columns - first);
       const Index below = rows - first;
       // L D before and L after the division by the pivots.
       MatrixXd LD(below, width);
@@ -122,7 +123,7 @@ class Counter {
     const Index below = front.rows() - k;
     const double d = front(k, k);
     const int* row = rows(s).first;
-    if (!(std::abs(d) > kRounding * diagonal_(row[k]))) return false;
+    if (!(std::abs(d) > rounding * diagonal_(row[k]))) return false;
     if (d < 0.0) ++negative_;
     LD.tail(below) = front.col(k).tail(below);
     front.col(k).tail(below - 1) /= d;

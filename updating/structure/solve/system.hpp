@@ -10,7 +10,8 @@ namespace tapfit::structure {
 /// Matrices over all degrees of freedom u, six per grid along basic axes:
 /// index = 6 * grid_index + component - 1. Constraints are not applied here but
 /// listed, so that a support can be given some compliance later. Rigid elements
-/// and turned grids are in u = T q, q numbered alike (see rigid_motion.hpp).
+/// and turned grids are in u = T q, q numbered alike (see
+/// multipoint_constraints.hpp).
 struct System {
   SparseMatrix K;           ///< full symmetric storage [N/m]
   SparseMatrix M;           ///< [kg]

@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-const std::string kCorners =
+const std::string corners =
     "GRID,1,,0.,0.,0.\nGRID,2,,2.,0.,0.\nGRID,3,,2.,1.,0.3\nGRID,4,,0.,1.,0.\n"
     "GRID,9,,.7,.2,.5\n";
 
@@ -38,20 +38,20 @@ void expect_rigid(const Deck& deck) {
 }
 
 TEST(Relations, Rbe3CarriesRigidMotion) {
-  expect_rigid(deck_of(kCorners + "RBE3,7,,9,123456,1.,123,1,2,\n,3,4\n"));
+  expect_rigid(deck_of(corners + "RBE3,7,,9,123456,1.,123,1,2,\n,3,4\n"));
   expect_rigid(
-      deck_of(kCorners + "RBE3,7,,9,123456,1.,123,1,2,\n,3,2.5,123,4\n"));
-  expect_rigid(deck_of(kCorners + "RBE3,7,,9,123456,1.,123456,1,3\n"));
+      deck_of(corners + "RBE3,7,,9,123456,1.,123,1,2,\n,3,2.5,123,4\n"));
+  expect_rigid(deck_of(corners + "RBE3,7,,9,123456,1.,123456,1,3\n"));
   // Others follow instead of the reference.
-  expect_rigid(deck_of(kCorners +
+  expect_rigid(deck_of(corners +
                        "RBE3,7,,9,123456,1.,123,1,2,\n,3,4,UM,1,123,2,23,\n"
                        ",3,3\n"));
 }
 
 TEST(Relations, RigidElementsOfSharedEnds) {
-  expect_rigid(deck_of(kCorners + "RBAR,5,1,2,1236,45\n"));
-  expect_rigid(deck_of(kCorners + "RBE1,5,1,123,2,23,3,3\n,UM,9,123456\n"));
-  const Deck rod = deck_of(kCorners + "RROD,5,1,3,2\n");
+  expect_rigid(deck_of(corners + "RBAR,5,1,2,1236,45\n"));
+  expect_rigid(deck_of(corners + "RBE1,5,1,123,2,23,3,3\n,UM,9,123456\n"));
+  const Deck rod = deck_of(corners + "RROD,5,1,3,2\n");
   const System system = assemble(rod);
   const VectorXd u = system.T * VectorXd::Random(system.dofs());
   const Vector3d along = rod.grids[2].position - rod.grids[0].position;
@@ -115,7 +115,7 @@ TEST(Relations, AlongTurnedAxesAndInOtherUnits) {
 TEST(Relations, FaultsAreNamed) {
   const auto expect = [](const std::string& cards, const std::string& what) {
     try {
-      static_cast<void>(assemble(deck_of(kCorners + cards)));
+      static_cast<void>(assemble(deck_of(corners + cards)));
       ADD_FAILURE() << cards;
     } catch (const InputError& error) {
       EXPECT_THAT(error.what(), HasSubstr(what)) << cards;

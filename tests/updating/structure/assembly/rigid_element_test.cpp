@@ -1,5 +1,6 @@
 // RBE2 and RBAR against closed forms and against models that say the same
 // without them.
+#include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/support/matchers.hpp"
 #include "tests/updating/support/deck_support.hpp"
@@ -14,12 +15,11 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kTwoPi = 2 * M_PI;
 // The same eigenproblem up to rounding of its products.
-constexpr double kSame = 1e-9;
+constexpr double same = 1e-9;
 
 // 1 m along x without mass; GJ = 160 N m^2.
-const std::string kBeam = R"(GRID,1,,0.,0.,0.
+const std::string beam = R"(GRID,1,,0.,0.,0.
 GRID,2,,1.,0.,0.
 MAT1,1,2.+11,8.+10,,0.
 PBAR,1,1,1.-4,3.-9,1.-9,2.-9
@@ -30,28 +30,28 @@ CBAR,1,1,1,2,0.,0.,1.
 void expect_same(const Eigenmodes& a, const Eigenmodes& b) {
   ASSERT_EQ(a.frequency_hz.size(), b.frequency_hz.size());
   for (Eigen::Index k = 0; k < a.frequency_hz.size(); ++k) {
-    EXPECT_NEAR(a.frequency_hz(k) / b.frequency_hz(k), 1.0, kSame) << k;
+    EXPECT_NEAR(a.frequency_hz(k) / b.frequency_hz(k), 1.0, same) << k;
   }
 }
 
 TEST(RigidElement, MassSwingsOnItsArm) {
   // Torsion: G J / (I11 + m y^2); the beam has no mass, all else is held.
-  const Deck deck = deck_of(kBeam +
+  const Deck deck = deck_of(beam +
                             "GRID,3,,1.,.2,0.\nRBE2,2,2,123456,3\n"
                             "CONM2,3,3,,3.\n,.05\nSPC1,1,12356,2\n");
   const Eigen::VectorXd f = modes_of(deck, 2).frequency_hz;
   ASSERT_EQ(f.size(), 1);
-  EXPECT_NEAR(f(0), std::sqrt(8e10 * 2e-9 / (0.05 + 3 * 0.04)) / kTwoPi, 1e-9);
+  EXPECT_NEAR(f(0), std::sqrt(8e10 * 2e-9 / (0.05 + 3 * 0.04)) / two_pi, 1e-9);
 }
 
 TEST(RigidElement, ArmIsTheOffsetOfAMass) {
   const std::string inertia = "\n,.05,.01,.08,0.,.02,.1\n";
-  const Deck arm = deck_of(kBeam +
+  const Deck arm = deck_of(beam +
                            "GRID,3,,1.3,.2,-.1\nRBE2,2,2,123456,3\n"
                            "CONM2,3,3,,3." +
                            inertia);
-  const Deck offset = deck_of(kBeam + "CONM2,3,2,,3.,.3,.2,-.1" + inertia);
-  const Deck bar = deck_of(kBeam +
+  const Deck offset = deck_of(beam + "CONM2,3,2,,3.,.3,.2,-.1" + inertia);
+  const Deck bar = deck_of(beam +
                            "GRID,3,,1.3,.2,-.1\nRBAR,2,3,2,,123456\n"
                            "CONM2,3,3,,3." +
                            inertia);
@@ -117,7 +117,7 @@ TEST(RigidElement, SpiderJoinsTwoPlates) {
 
 TEST(RigidElement, WhatLeadsMayFollow) {
   const std::string grids =
-      kBeam + "GRID,3,,1.,.2,0.\nGRID,4,,1.2,.2,.1\nCONM2,9,4,,2.\n,.01,,.02\n";
+      beam + "GRID,3,,1.,.2,0.\nGRID,4,,1.2,.2,.1\nCONM2,9,4,,2.\n,.01,,.02\n";
   const Deck chain = deck_of(grids + "RBE2,2,3,123456,4\nRBE2,3,2,123456,3\n");
   const Deck star = deck_of(grids + "RBE2,2,2,123456,3,4\n");
   expect_same(modes_of(chain, 5), modes_of(star, 5));
@@ -135,7 +135,7 @@ TEST(RigidElement, FewComponentsMakeAHinge) {
   // Grid 3 turns without mass: three rotations more, none of them a mode.
   const Eigen::VectorXd f = modes_of(pin, 6).frequency_hz;
   const Eigen::VectorXd g = modes_of(hinge, 6).frequency_hz;
-  for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(g(k) / f(k), 1.0, kSame);
+  for (Eigen::Index k = 0; k < 6; ++k) EXPECT_NEAR(g(k) / f(k), 1.0, same);
 }
 
 TEST(RigidElement, FreeBodyHasSixRigidMotions) {

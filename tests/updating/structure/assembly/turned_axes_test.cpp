@@ -1,5 +1,6 @@
 // Grids whose displacement axes are turned: constraints, rigid elements and
 // scalar elements count along them, and nothing else changes.
+#include "acquisition/foundation/constants.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
@@ -12,8 +13,6 @@
 
 namespace tapfit::structure {
 namespace {
-
-constexpr double kTwoPi = 2 * M_PI;
 
 // A cantilever plate of 4 by 2 elements in the axes of system 1, its clamp a
 // guide along y that also lets turn about z: few of its components span axes.
@@ -68,7 +67,7 @@ TEST(TurnedAxes, RollerOnASlope) {
   // CELAS2 acts along the slope: 400 more.
   const Eigen::VectorXd f = modes_of(deck, 3).frequency_hz;
   ASSERT_EQ(f.size(), 1);
-  EXPECT_NEAR(f(0), std::sqrt(400 + 400 * 0.75 + 100 * 0.25) / kTwoPi, 1e-9);
+  EXPECT_NEAR(f(0), std::sqrt(400 + 400 * 0.75 + 100 * 0.25) / two_pi, 1e-9);
 }
 
 TEST(TurnedAxes, FollowerInCylindricalAxes) {
@@ -80,7 +79,7 @@ TEST(TurnedAxes, FollowerInCylindricalAxes) {
       "RBE2,7,1,1,2\nCELAS2,1,400.,1,1\nCONM2,3,1,,1.\nCONM2,4,2,,2.\n");
   const Eigen::VectorXd f = modes_of(deck, 3).frequency_hz;
   ASSERT_EQ(f.size(), 1);
-  EXPECT_NEAR(f(0), std::sqrt(400 / (1 + 2 * 0.75)) / kTwoPi, 1e-9);
+  EXPECT_NEAR(f(0), std::sqrt(400 / (1 + 2 * 0.75)) / two_pi, 1e-9);
 }
 
 TEST(TurnedAxes, CylinderAndSpherePlaceAndTurnGrids) {

@@ -7,7 +7,7 @@
 namespace tapfit::structure {
 namespace {
 
-const std::string kMaterial =
+const std::string material =
     "MAT1,1,7.+10,,.3,2700.\nPBAR,2,1,1.-4,1.-9,2.-9\n"
     "PBAR,9,1,2.-4,1.-9,2.-9\n";
 
@@ -30,7 +30,7 @@ TEST(CardDefaults, FillWhatBarsLeaveBlank) {
     const std::string defaults =
         std::string(kind) == "CBAR" ? "BAROR" : "BEAMOR";
     const Deck deck = deck_of(
-        kMaterial + "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,0.,1.\n" +
+        material + "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,0.,1.\n" +
         fmt::format(
             "{0},,2,,,0.,1.,0.\n{1},7,,1,2\n{1},8,9,1,2,3\n", defaults, kind));
     ASSERT_EQ(deck.bars.size(), 2U);

@@ -8,7 +8,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr const char* kDeck =
+constexpr const char* deck_text =
     "SOL 103\nCEND\nBEGIN BULK\n"
     "GRID,1,,0.,0.,0.\nGRID,2,,0.2,0.,0.\nGRID,7,,0.4,0.,0.\n"
     "CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,7,0.,0.,1.\n"
@@ -16,7 +16,7 @@ constexpr const char* kDeck =
     "SPC1,1,123456,1\n";
 
 std::string with(const std::vector<std::string>& cards) {
-  std::string text = kDeck;
+  std::string text = deck_text;
   for (const std::string& card : cards) text += card + "\n";
   return text + "ENDDATA\n";
 }

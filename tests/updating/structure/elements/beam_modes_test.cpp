@@ -11,7 +11,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // A cantilever of n bars along (1, 1, 0), bending planes z and in-plane.
 Deck cantilever(int n, const BarProperty& section, bool coupled) {
@@ -28,13 +28,13 @@ Deck cantilever(int n, const BarProperty& section, bool coupled) {
   return deck;
 }
 
-const BarProperty kSection{1, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
+const BarProperty rectangular_section{1, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
 
 TEST(BeamModes, CantileverIsEulers) {
-  const Deck deck = cantilever(10, kSection, true);
+  const Deck deck = cantilever(10, rectangular_section, true);
   const Eigen::VectorXd f = modes_of(deck, 4).frequency_hz;
   const auto euler = [](double root, double I) {
-    return root * root * std::sqrt(210e9 * I / (7800 * 4e-4)) / (2 * kPi);
+    return root * root * std::sqrt(210e9 * I / (7800 * 4e-4)) / (2 * pi);
   };
   // Cubic elements, tenth of the length: fourth order error.
   EXPECT_NEAR(f(0) / euler(1.875104, 1e-8), 1.0, 1e-5);
@@ -44,7 +44,7 @@ TEST(BeamModes, CantileverIsEulers) {
 }
 
 TEST(BeamModes, TipDeflectsByBendingAndShear) {
-  BarProperty section = kSection;
+  BarProperty section = rectangular_section;
   section.K1 = 0.8;
   Deck deck = cantilever(1, section, false);
   const ElementMatrices e = bar_matrices(deck, deck.bars[0]);
@@ -58,7 +58,7 @@ TEST(BeamModes, TipDeflectsByBendingAndShear) {
 }
 
 TEST(BeamModes, TorsionOfACbeam) {
-  Deck deck = cantilever(20, kSection, true);
+  Deck deck = cantilever(20, rectangular_section, true);
   for (Bar& bar : deck.bars) bar.rotary_inertia = true;
   hold(deck, "123", [](const Eigen::Vector3d&) { return true; });
   deck.constraints.push_back({2, "123"});
@@ -71,14 +71,14 @@ TEST(BeamModes, TorsionOfACbeam) {
 
 TEST(BeamModes, CoupledSectionIsItsPrincipalAxes) {
   // I = R diag(3, 1)e-8 R' by 30 degrees is the same beam turned.
-  const double c = std::cos(kPi / 6);
-  const double s = std::sin(kPi / 6);
-  BarProperty section = kSection;
+  const double c = std::cos(pi / 6);
+  const double s = std::sin(pi / 6);
+  BarProperty section = rectangular_section;
   section.I1 = 3e-8 * c * c + 1e-8 * s * s;
   section.I2 = 3e-8 * s * s + 1e-8 * c * c;
   section.I12 = 2e-8 * c * s;
   const Eigen::VectorXd a =
-      modes_of(cantilever(4, kSection, true), 4).frequency_hz;
+      modes_of(cantilever(4, rectangular_section, true), 4).frequency_hz;
   const Eigen::VectorXd b =
       modes_of(cantilever(4, section, true), 4).frequency_hz;
   EXPECT_LT((a - b).norm(), 1e-9 * a.norm());
@@ -87,17 +87,17 @@ TEST(BeamModes, CoupledSectionIsItsPrincipalAxes) {
 TEST(BeamModes, ReleasedEndIsAHinge) {
   // Both rotations released at the far end, which is held in translation:
   // a propped cantilever, first root 3.926602.
-  Deck deck = cantilever(10, kSection, true);
+  Deck deck = cantilever(10, rectangular_section, true);
   deck.bars.back().released[1] = "56";
   deck.constraints.push_back({11, "123456"});
   const Eigen::VectorXd f = modes_of(deck, 1).frequency_hz;
   const double exact = std::pow(3.926602, 2) *
-                       std::sqrt(210e9 * 1e-8 / (7800 * 4e-4)) / (2 * kPi);
+                       std::sqrt(210e9 * 1e-8 / (7800 * 4e-4)) / (2 * pi);
   EXPECT_NEAR(f(0) / exact, 1.0, 1e-4);
 }
 
 TEST(BeamModes, OffsetBarHasSixRigidMotions) {
-  Deck deck = cantilever(1, kSection, true);
+  Deck deck = cantilever(1, rectangular_section, true);
   deck.bars[0].offsets = {Eigen::Vector3d(0, 0.1, 0.2),
                           Eigen::Vector3d(0.1, 0, 0.3)};
   const ElementMatrices e = bar_matrices(deck, deck.bars[0]);
@@ -145,7 +145,7 @@ TEST(BeamModes, SpringAndMassSwingAtTheirFrequency) {
       "CELAS2,2,800.,1,3,2,3\nSPC1,1,123456,1\n");
   const Eigenmodes modes = modes_of(deck, 3);
   ASSERT_EQ(modes.frequency_hz.size(), 1);  // the rest has no stiffness
-  EXPECT_NEAR(modes.frequency_hz(0), 20 / (2 * kPi), 1e-9);
+  EXPECT_NEAR(modes.frequency_hz(0), 20 / (2 * pi), 1e-9);
 }
 
 struct Published {

@@ -1,4 +1,5 @@
 // Offsets, pins, springs and concentrated masses against closed forms.
+#include "acquisition/foundation/constants.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -10,11 +11,9 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kTwoPi = 2 * M_PI;
-
 // E = 2e11, G = 8e10, A = 1e-4, I1 = 3e-9, I2 = 1e-9, J = 2e-9; 1 m along x;
 // plane 1 holds z.
-const std::string kBeam = R"(GRID,1,,0.,0.,0.
+const std::string beam = R"(GRID,1,,0.,0.,0.
 GRID,2,,1.,0.,0.
 MAT1,1,2.+11,8.+10,,0.
 PBAR,1,1,1.-4,3.-9,1.-9,2.-9
@@ -36,7 +35,7 @@ Eigen::Matrix<double, 6, 1> unit(Eigen::Index component) {
 TEST(Connections, OffsetBarIsPulledAndBent) {
   // The axis runs 0.1 m above the grids: a pull at the grid also bends it.
   const Deck deck =
-      deck_of(kBeam + "CBAR,1,1,1,2,0.,0.,1.\n,,,0.,0.,.1,0.,0.,.1\n");
+      deck_of(beam + "CBAR,1,1,1,2,0.,0.,1.\n,,,0.,0.,.1,0.,0.,.1\n");
   const Eigen::VectorXd u = tip_answer(deck, unit(0));
   const double EA = 2e11 * 1e-4;
   const double EI = 2e11 * 3e-9;
@@ -47,7 +46,7 @@ TEST(Connections, OffsetBarIsPulledAndBent) {
 
 TEST(Connections, PinsReleaseWhatTheyName) {
   const auto stiffness = [](const std::string& pins, Eigen::Index component) {
-    const Deck deck = deck_of(kBeam + "CBAR,1,1,1,2,0.,0.,1.\n," + pins + "\n");
+    const Deck deck = deck_of(beam + "CBAR,1,1,1,2,0.,0.,1.\n," + pins + "\n");
     return Eigen::MatrixXd(assemble(deck).K)(6 + component, 6 + component);
   };
   const double EI1 = 2e11 * 3e-9;
@@ -66,17 +65,17 @@ TEST(Connections, PinsReleaseWhatTheyName) {
 
 TEST(Connections, MassSwingsWithItsOffsetAndInertia) {
   // Torsion: G J / (I11 + m y^2); the beam has no mass, all else is held.
-  const Deck deck = deck_of(kBeam +
+  const Deck deck = deck_of(beam +
                             "CBAR,1,1,1,2,0.,0.,1.\n"
                             "CONM2,2,2,,3.,0.,.2,0.\n,.05\nSPC1,1,12356,2\n");
   const Eigen::VectorXd f = modes_of(deck, 2).frequency_hz;
   ASSERT_EQ(f.size(), 1);
-  EXPECT_NEAR(f(0), std::sqrt(8e10 * 2e-9 / (0.05 + 3 * 0.04)) / kTwoPi, 1e-9);
+  EXPECT_NEAR(f(0), std::sqrt(8e10 * 2e-9 / (0.05 + 3 * 0.04)) / two_pi, 1e-9);
 }
 
 TEST(Connections, MassIsTurnedByItsCoordinateSystem) {
   // System 1 has its x along basic y: I11 there is I22 in basic axes.
-  const Deck deck = deck_of(kBeam +
+  const Deck deck = deck_of(beam +
                             "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,0.,1.,0.\n"
                             "CONM2,2,2,1,3.,.2,0.,0.\n,.05\n");
   EXPECT_TRUE(
@@ -98,8 +97,8 @@ TEST(Connections, SpringFollowsTheDisplacementAxes) {
   EXPECT_NEAR(K(1, 1), 400 * 0.25 + 100 * 0.75, 1e-4);
   const Eigen::VectorXd f = modes_of(deck, 3).frequency_hz;
   ASSERT_EQ(f.size(), 2);
-  EXPECT_NEAR(f(0), 10 / kTwoPi, 1e-6);
-  EXPECT_NEAR(f(1), 20 / kTwoPi, 1e-6);
+  EXPECT_NEAR(f(0), 10 / two_pi, 1e-6);
+  EXPECT_NEAR(f(1), 20 / two_pi, 1e-6);
 }
 
 TEST(Connections, SpringAndDamperBetweenTwoGrids) {
@@ -111,7 +110,7 @@ TEST(Connections, SpringAndDamperBetweenTwoGrids) {
   ASSERT_EQ(f.size(), 2);
   // Free: one rigid motion, then k (1/m + 1/m).
   EXPECT_LT(f(0), 1e-3);
-  EXPECT_NEAR(f(1), std::sqrt(250.0) / kTwoPi, 1e-9);
+  EXPECT_NEAR(f(1), std::sqrt(250.0) / two_pi, 1e-9);
 }
 
 }  // namespace

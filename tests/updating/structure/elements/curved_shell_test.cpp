@@ -17,7 +17,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Displacement of all grids under forces at some degrees of freedom.
 Eigen::VectorXd deflect(const Deck& deck, const Eigen::VectorXd& force) {
@@ -37,7 +37,7 @@ Deck twisted_beam(double thickness, int n, bool triangles) {
   deck.materials[1] = {1, false, 29e6, 0.22, 29e6 / 2.44, 0, 0, 0, 0};
   for (Grid& grid : deck.grids) {
     const double y = grid.position.y() - 0.55;
-    const double angle = kPi / 2 * grid.position.x() / 12;
+    const double angle = pi / 2 * grid.position.x() / 12;
     grid.position.y() = y * std::cos(angle);
     grid.position.z() = y * std::sin(angle);
   }
@@ -96,7 +96,7 @@ Deck roof(int n, bool triangles) {
       {.a = 25, .b = 40, .thickness = 0.25, .triangles = triangles}, n, n);
   deck.materials[1] = {1, false, 4.32e8, 0.0, 2.16e8, 0, 0, 0, 0};
   for (Grid& grid : deck.grids) {
-    const double angle = grid.position.y() * kPi / 180;
+    const double angle = grid.position.y() * pi / 180;
     grid.position.y() = 25 * std::sin(angle);
     grid.position.z() = 25 * std::cos(angle);
   }
@@ -110,7 +110,7 @@ TEST(CurvedShell, ScordelisLoRoof) {
   for (const bool triangles : {false, true}) {
     const int n = triangles ? 32 : 16;
     const Deck deck = roof(n, triangles);
-    const double piece = 25.0 * 25.0 * 40 * kPi / 180 / n / n;  // area
+    const double piece = 25.0 * 25.0 * 40 * pi / 180 / n / n;  // area
     Eigen::VectorXd force =
         Eigen::VectorXd::Zero(6 * static_cast<Eigen::Index>(deck.grids.size()));
     const auto share = [n](int i) { return i % n == 0 ? 0.5 : 1.0; };

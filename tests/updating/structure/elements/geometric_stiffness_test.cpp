@@ -12,26 +12,28 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLength = 0.8;
-constexpr double kE = 210e9;
-constexpr double kI = 3e-9;
-constexpr double kArea = 2e-4;
-constexpr double kDensity = 7800.0;
+using std::numbers::pi;
+constexpr double length = 0.8;
+constexpr double youngs_modulus = 210e9;
+constexpr double second_moment = 3e-9;
+constexpr double bar_area = 2e-4;
+constexpr double density = 7800.0;
 
 // Pinned at both ends, free to bend in z alone.
 Deck pinned_beam(int n) {
   Deck deck;
   deck.coupled_mass = true;
-  deck.materials[1] = {1, false, kE, 0.3, kE / 2.6, kDensity, 0, 0, 0};
-  deck.bar_properties[1] = {1, 1, kArea, kI, kI, 0.0, 2.0 * kI};
+  deck.materials[1] = {
+      1, false, youngs_modulus, 0.3, youngs_modulus / 2.6, density, 0, 0, 0};
+  deck.bar_properties[1] = {
+      1, 1, bar_area, second_moment, second_moment, 0.0, 2.0 * second_moment};
   for (int i = 0; i <= n; ++i) {
-    deck.grids.push_back({i + 1, {kLength * i / n, 0.0, 0.0}});
+    deck.grids.push_back({i + 1, {length * i / n, 0.0, 0.0}});
   }
   for (int i = 1; i <= n; ++i) deck.bars.push_back(make_bar(i, 1, i, i + 1));
   hold(deck, "1246", [](const Eigen::Vector3d&) { return true; });
   hold(deck, "3", [](const Eigen::Vector3d& x) {
-    return x.x() < 1e-9 || x.x() > kLength - 1e-9;
+    return x.x() < 1e-9 || x.x() > length - 1e-9;
   });
   return deck;
 }
@@ -67,20 +69,22 @@ Eigen::VectorXd frequencies(const Deck& deck, double tension) {
       Eigen::EigenvaluesOnly);
   // Below zero where it has buckled.
   return solver.eigenvalues().unaryExpr([](double lambda) {
-    return std::copysign(std::sqrt(std::abs(lambda)), lambda) / (2.0 * kPi);
+    return std::copysign(std::sqrt(std::abs(lambda)), lambda) / (2.0 * pi);
   });
 }
 
-const double kCritical = kPi * kPi * kE * kI / (kLength * kLength);
+const double critical =
+    pi * pi * youngs_modulus * second_moment / (length * length);
 
 // f_n = n^2 pi / (2 L^2) sqrt(EI / m) sqrt(1 + T L^2 / (n^2 pi^2 EI)).
 TEST(GeometricStiffness, PinnedBeamUnderTension) {
   const Deck deck = pinned_beam(16);
   for (const double share : {-0.5, 0.0, 1.0, 20.0}) {
-    const Eigen::VectorXd f = frequencies(deck, share * kCritical);
+    const Eigen::VectorXd f = frequencies(deck, share * critical);
     for (int n = 1; n <= 3; ++n) {
-      const double bare = n * n * kPi / (2.0 * kLength * kLength) *
-                          std::sqrt(kE * kI / (kDensity * kArea));
+      const double bare =
+          n * n * pi / (2.0 * length * length) *
+          std::sqrt(youngs_modulus * second_moment / (density * bar_area));
       const double exact = bare * std::sqrt(1.0 + share / (n * n));
       // Cubic elements, 5 to a half wave at n = 3: fourth order.
       EXPECT_NEAR(f(n - 1) / exact, 1.0, 1e-3) << share << ' ' << n;
@@ -91,8 +95,8 @@ TEST(GeometricStiffness, PinnedBeamUnderTension) {
 // Euler's load leaves the first frequency at nothing.
 TEST(GeometricStiffness, ColumnBucklesAtEulersLoad) {
   const Deck deck = pinned_beam(8);
-  EXPECT_GT(frequencies(deck, -0.999 * kCritical)(0), 0.0);
-  EXPECT_LT(frequencies(deck, -1.001 * kCritical)(0), 0.0);
+  EXPECT_GT(frequencies(deck, -0.999 * critical)(0), 0.0);
+  EXPECT_LT(frequencies(deck, -1.001 * critical)(0), 0.0);
 }
 
 // f_n = n / (2 L) sqrt(T / m): rods have no stiffness across of their own.
@@ -100,7 +104,7 @@ TEST(GeometricStiffness, RodsAreAString) {
   constexpr int n = 40;
   Deck deck = pinned_beam(n);
   deck.bars.clear();
-  deck.rod_properties[1] = {1, 1, kArea, 0.0, 0.0};
+  deck.rod_properties[1] = {1, 1, bar_area, 0.0, 0.0};
   for (int i = 1; i <= n; ++i) deck.rods.push_back({i, 1, {i, i + 1}});
   hold(deck, "5", [](const Eigen::Vector3d&) { return true; });
   // Without tension nothing holds it across, and AUTOSPC would.
@@ -115,7 +119,7 @@ TEST(GeometricStiffness, RodsAreAString) {
       Eigen::MatrixXd(extract(K, across)), Eigen::MatrixXd(extract(M, across)));
   for (int k = 1; k <= 3; ++k) {
     const double exact =
-        k * kPi / kLength * std::sqrt(500.0 / (kDensity * kArea));
+        k * pi / length * std::sqrt(500.0 / (density * bar_area));
     // Second order: (k pi / 40)^2 / 24 either way, by the mass.
     EXPECT_NEAR(std::sqrt(solver.eigenvalues()(k - 1)) / exact, 1.0, 3e-3);
   }
@@ -130,7 +134,7 @@ TEST(GeometricStiffness, TurningABarCostsTensionTimesLength) {
   for (const bool pins : {false, true}) {
     if (pins) bar.released[0] = "5";
     const Eigen::Vector3d side =
-        Eigen::Vector3d(kLength, 0.0, 0.0) + bar.offsets[1] - bar.offsets[0];
+        Eigen::Vector3d(length, 0.0, 0.0) + bar.offsets[1] - bar.offsets[0];
     const Eigen::MatrixXd K = geometric_matrix(deck, bar).K;
     const Eigen::Vector3d turn(0.3, -0.2, 0.5);
     Eigen::VectorXd u = Eigen::VectorXd::Zero(12);

@@ -12,7 +12,7 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const auto everywhere = [](const Eigen::Vector3d&) { return true; };
 
 void expect_near(const Eigen::VectorXd& hz,

@@ -9,13 +9,13 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 // Simply supported Kirchhoff plate: (pi/2) sqrt(D / rho t) (m^2/a^2 + n^2/b^2).
 double supported_hz(const Plate& p, int m, int n) {
   const double D = p.material.E * std::pow(p.thickness, 3) /
                    (12 * (1 - p.material.nu * p.material.nu));
-  return kPi / 2 * std::sqrt(D / (p.material.rho * p.thickness)) *
+  return pi / 2 * std::sqrt(D / (p.material.rho * p.thickness)) *
          (m * m / (p.a * p.a) + n * n / (p.b * p.b));
 }
 
@@ -75,7 +75,7 @@ TEST(PlateModes, ThickPlateIsMindlins) {
   // Plates and Shells, 1988.
   const Plate p{.thickness = 0.1};
   const Eigen::VectorXd f = modes_of(supported(p, 16, 16), 4).frequency_hz;
-  const double scale = 2 * kPi * std::sqrt(p.material.rho / p.material.G);
+  const double scale = 2 * pi * std::sqrt(p.material.rho / p.material.G);
   // Three digits are published; the mesh adds half a per cent to the higher.
   EXPECT_NEAR(f(0) * scale, 0.930, 0.003);
   EXPECT_NEAR(f(1) * scale, 2.219, 0.012);
@@ -83,13 +83,13 @@ TEST(PlateModes, ThickPlateIsMindlins) {
 }
 
 // NAFEMS FV12 and FV16: 10 m x 10 m x 0.05 m, E 200 GPa, nu 0.3, rho 8000.
-const Plate kNafems{.a = 10, .b = 10, .thickness = 0.05};
+const Plate nafems{.a = 10, .b = 10, .thickness = 0.05};
 
 // sqrt(D / rho t) / (2 pi a^2) [Hz].
 double thin_plate_unit(const Plate& p) {
   const double D = p.material.E * std::pow(p.thickness, 3) /
                    (12 * (1 - p.material.nu * p.material.nu));
-  return std::sqrt(D / (p.material.rho * p.thickness)) / (2 * kPi * p.a * p.a);
+  return std::sqrt(D / (p.material.rho * p.thickness)) / (2 * pi * p.a * p.a);
 }
 
 void hold_in_plane(Deck& deck) {
@@ -97,7 +97,7 @@ void hold_in_plane(Deck& deck) {
 }
 
 TEST(PlateModes, MeetsNafemsFv12FreeSquare) {
-  Deck deck = plate_deck(kNafems, 20, 20);
+  Deck deck = plate_deck(nafems, 20, 20);
   hold_in_plane(deck);
   const Eigen::VectorXd f = modes_of(deck, 10).frequency_hz;
   EXPECT_LT(f.head(3).maxCoeff(), 1e-3);
@@ -113,13 +113,13 @@ TEST(PlateModes, MeetsNafemsFv12FreeSquare) {
     // to 1 % above the exact ones.
     EXPECT_NEAR(hz / published[i], 1.0, 0.012);
     // Mesh of 20 x 20 and the shear of t/a = 1/200.
-    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(kNafems)), 1.0, 0.004);
+    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(nafems)), 1.0, 0.004);
   }
   EXPECT_NEAR(f(6), f(7), 1e-6 * f(6));  // a square's twin modes
 }
 
 TEST(PlateModes, MeetsNafemsFv16Cantilever) {
-  Deck deck = plate_deck(kNafems, 20, 20);
+  Deck deck = plate_deck(nafems, 20, 20);
   hold_in_plane(deck);
   hold(deck, "345", [](const Eigen::Vector3d& p) { return p.x() < 1e-9; });
   const Eigen::VectorXd f = modes_of(deck, 6).frequency_hz;
@@ -131,7 +131,7 @@ TEST(PlateModes, MeetsNafemsFv16Cantilever) {
   for (std::size_t i = 0; i < published.size(); ++i) {
     const double hz = f(static_cast<Eigen::Index>(i));
     EXPECT_NEAR(hz / published[i], 1.0, 0.012);
-    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(kNafems)), 1.0, 0.006);
+    EXPECT_NEAR(hz / (thin[i] * thin_plate_unit(nafems)), 1.0, 0.006);
   }
 }
 
@@ -143,7 +143,7 @@ TEST(PlateModes, StripIsABeam) {
   Deck deck = plate_deck(p, 20, 2);
   hold(deck, "123456", [](const Eigen::Vector3d& q) { return q.x() < 1e-9; });
   const Eigen::VectorXd f = modes_of(deck, 3).frequency_hz;
-  const double scale = std::sqrt(200e9 / 8000 / 12) * 0.003 / (2 * kPi);
+  const double scale = std::sqrt(200e9 / 8000 / 12) * 0.003 / (2 * pi);
   // Deflection along a side is cubic: the error is of fourth order.
   EXPECT_NEAR(f(0) / (scale * std::pow(1.875104, 2)), 1.0, 1e-4);
   EXPECT_NEAR(f(1) / (scale * std::pow(4.694091, 2)), 1.0, 1e-3);

@@ -73,14 +73,15 @@ Eigen::VectorXd bent(const Eigen::Vector3d& p) {
 }
 
 // Rounding of a 24-dof solve whose stiffnesses span ten decades.
-constexpr double kPatch = 1e-7;
+constexpr double patch_rounding = 1e-7;
 
 TEST(ShellElement, PassesThePatchTests) {
   for (const bool triangles : {false, true}) {
     for (const bool shear : {false, true}) {
       const Deck deck = patch(triangles, shear);
-      EXPECT_LT(patch_error(deck, stretched), kPatch) << triangles << shear;
-      EXPECT_LT(patch_error(deck, bent), kPatch) << triangles << shear;
+      EXPECT_LT(patch_error(deck, stretched), patch_rounding)
+          << triangles << shear;
+      EXPECT_LT(patch_error(deck, bent), patch_rounding) << triangles << shear;
     }
   }
 }

@@ -18,9 +18,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kE = 70e9;
-constexpr double kNu = 0.3;
-constexpr double kRho = 2700.0;
+constexpr double aluminium_modulus = 70e9;
+constexpr double nu = 0.3;
+constexpr double rho = 2700.0;
 
 std::vector<Vector3d> corners_of(std::size_t corners) {
   switch (corners) {
@@ -46,7 +46,15 @@ std::vector<Vector3d> corners_of(std::size_t corners) {
 Deck single(std::size_t corners, bool quadratic, double distortion) {
   Deck deck;
   deck.coupled_mass = true;
-  deck.materials[1] = {1, false, kE, kNu, kE / (2 + 2 * kNu), kRho, 0, 0, 0};
+  deck.materials[1] = {1,
+                       false,
+                       aluminium_modulus,
+                       nu,
+                       aluminium_modulus / (2 + 2 * nu),
+                       rho,
+                       0,
+                       0,
+                       0};
   deck.solid_properties[1] = {1, 1, ""};
   std::mt19937 random(7);
   std::uniform_real_distribution<double> shift(-distortion, distortion);
@@ -118,10 +126,10 @@ TEST_P(Solids, ConstantStrainIsExactOnAnyShape) {
   const VectorXd u = linear_field(deck, A, {0, 0, 0});
   const VectorXd ones =
       linear_field(deck, Eigen::Matrix3d::Zero(), Vector3d::UnitX());
-  const double volume = ones.dot(e.M * ones) / kRho;
+  const double volume = ones.dot(e.M * ones) / rho;
   const Eigen::Matrix3d strain = 0.5 * (A + A.transpose());
-  const double G = kE / (2 + 2 * kNu);
-  const double lame = kE * kNu / ((1 + kNu) * (1 - 2 * kNu));
+  const double G = aluminium_modulus / (2 + 2 * nu);
+  const double lame = aluminium_modulus * nu / ((1 + nu) * (1 - 2 * nu));
   const double trace = strain.trace();
   const double expected =
       volume * (lame * trace * trace + 2.0 * G * strain.squaredNorm());
@@ -159,12 +167,13 @@ INSTANTIATE_TEST_SUITE_P(All,
 
 // A cantilever along x of nx by ny by nz hexahedra (or two wedges each).
 Deck cantilever(int nx, int ny, int nz, bool wedges) {
-  constexpr double kLength = 1.0;
-  constexpr double kWidth = 0.1;
-  constexpr double kHeight = 0.05;
+  constexpr double beam_length = 1.0;
+  constexpr double width = 0.1;
+  constexpr double beam_height = 0.05;
   Deck deck;
   deck.coupled_mass = true;
-  deck.materials[1] = {1, false, kE, 0.0, kE / 2, kRho, 0, 0, 0};
+  deck.materials[1] = {
+      1, false, aluminium_modulus, 0.0, aluminium_modulus / 2, rho, 0, 0, 0};
   deck.solid_properties[1] = {1, 1, ""};
   const auto id = [&](int i, int j, int k) {
     return 1 + (i * (ny + 1) + j) * (nz + 1) + k;
@@ -174,7 +183,7 @@ Deck cantilever(int nx, int ny, int nz, bool wedges) {
       for (int k = 0; k <= nz; ++k) {
         deck.grids.push_back(
             {id(i, j, k),
-             {kLength * i / nx, kWidth * j / ny, kHeight * k / nz}});
+             {beam_length * i / nx, width * j / ny, beam_height * k / nz}});
         if (i == 0) deck.constraints.push_back({id(i, j, k), "123"});
       }
     }
@@ -209,7 +218,8 @@ Deck cantilever(int nx, int ny, int nz, bool wedges) {
 // as high (0.3 %).
 double first_bending(double height) {
   const double x = 1.8751041;
-  return x * x / (2.0 * M_PI) * height / std::sqrt(12.0) * std::sqrt(kE / kRho);
+  return x * x / (2.0 * M_PI) * height / std::sqrt(12.0) *
+         std::sqrt(aluminium_modulus / rho);
 }
 
 TEST(SolidBeam, OneHexahedronAcrossBendsLikeABeam) {
@@ -245,8 +255,8 @@ TEST(SolidElement, AnisotropicMaterialTurnsWithItsAxes) {
   // along its third axis has E3.
   Deck deck = single(8, false, 0.1);
   const MatrixXd K = solid_matrices(deck, deck.solids[0]).K;
-  const double G = kE / (2 + 2 * kNu);
-  const double lame = kE * kNu / ((1 + kNu) * (1 - 2 * kNu));
+  const double G = aluminium_modulus / (2 + 2 * nu);
+  const double lame = aluminium_modulus * nu / ((1 + nu) * (1 - 2 * nu));
   MatrixXd C = MatrixXd::Zero(6, 6);
   C.topLeftCorner(3, 3).setConstant(lame);
   C.diagonal() << lame + 2 * G, lame + 2 * G, lame + 2 * G, G, G, G;

@@ -10,7 +10,7 @@ namespace tapfit::structure {
 namespace {
 
 // Lines 1 to 6; elements follow from line 7.
-const std::string kGrids = R"(GRID,1,,0.,0.,0.
+const std::string grid_cards_text = R"(GRID,1,,0.,0.,0.
 GRID,2,,1.,0.,0.
 GRID,3,,1.,1.,0.
 GRID,4,,0.,1.,0.
@@ -31,7 +31,7 @@ InputError error_of(const std::string& text) {
 void expect_error(const std::string& cards,
                   const std::string& where,
                   const std::string& what) {
-  const InputError error = error_of(kGrids + cards);
+  const InputError error = error_of(grid_cards_text + cards);
   EXPECT_THAT(error.where(), HasSubstr(where)) << cards << error.what();
   EXPECT_THAT(error.what(), HasSubstr(what)) << cards;
   EXPECT_FALSE(error.remedy().empty()) << cards;
@@ -106,7 +106,7 @@ TEST(BadDeck, DefinitionIsRepeated) {
                                  "PDAMP,7,10.\n",
                                  "PBUSH,7,K,10.\n",
                                  "CORD2R,7,,0.,0.,0.,0.,0.,1.\n,1.\n"}) {
-    const InputError error = error_of(kGrids + card + card);
+    const InputError error = error_of(grid_cards_text + card + card);
     const int second = std::count(card.begin(), card.end(), '\n') == 1 ? 8 : 9;
     EXPECT_THAT(error.where(), HasSubstr(fmt::format("model.bdf:{} ", second)));
     EXPECT_THAT(error.what(), HasSubstr("is defined already by model.bdf:7"))
@@ -210,7 +210,7 @@ TEST(BadDeck, RangeOfGridsRunsBackwards) {
 }
 
 TEST(BadDeck, GridIsAttachedToNothing) {
-  const Deck deck = deck_of(kGrids +
+  const Deck deck = deck_of(grid_cards_text +
                             "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n"
                             "GRID,8,,6.,0.,0.\nGRID,9,,0.,0.,1.\n"
                             "PBAR,2,1,1.-4,1.-9,1.-9\nCBAR,6,2,1,2,9\n");
@@ -224,7 +224,8 @@ TEST(BadDeck, RemarkIsMadeOncePerKindOfCard) {
   for (int id = 11; id < 15; ++id) {
     cards += fmt::format("CQUAD4,{},1,1,2,3,4\n,,,.02\n", id);
   }
-  const Deck deck = deck_of(kGrids + cards + "CTRIA3,21,1,1,2,3\n,,,.02\n");
+  const Deck deck =
+      deck_of(grid_cards_text + cards + "CTRIA3,21,1,1,2,3\n,,,.02\n");
   ASSERT_EQ(deck.warnings.size(), 3U);  // they lie on top of each other, too
   EXPECT_THAT(deck.warnings[0],
               HasSubstr("model.bdf:7 CQUAD4 11 and 3 more: the mean of its"));
@@ -232,7 +233,7 @@ TEST(BadDeck, RemarkIsMadeOncePerKindOfCard) {
 }
 
 TEST(BadDeck, CardThatDoesNothingIsNamed) {
-  const std::string plate = kGrids + "CQUAD4,5,1,1,2,3,4\n";
+  const std::string plate = grid_cards_text + "CQUAD4,5,1,1,2,3,4\n";
   const auto only = [&](const std::string& text) {
     const Deck deck = deck_of(text);
     return deck.warnings.size() == 1 ? deck.warnings[0] : "not one warning";
@@ -256,13 +257,14 @@ TEST(BadDeck, CardIsUnknown) {
   expect_error(plate + "NSM1,6,PSHELL,.1,1\n", "", "mass is missing");
   // Left out knowingly it is a warning.
   const Deck deck = read_deck(
-      write_text("gap.bdf", kGrids + plate + "CGAP,6,1,1,2\n"), {"cgap"});
+      write_text("gap.bdf", grid_cards_text + plate + "CGAP,6,1,1,2\n"),
+      {"cgap"});
   ASSERT_EQ(deck.warnings.size(), 1U);
   EXPECT_THAT(deck.warnings[0], HasSubstr("CGAP (line 8, 1 in all)"));
 }
 
 TEST(BadDeck, HarmlessCardsAreListedOnce) {
-  const Deck deck = deck_of(kGrids +
+  const Deck deck = deck_of(grid_cards_text +
                             "CQUAD4,5,1,1,2,3,4\nFORCE,1,1,,1.,1.,0.,0.\n"
                             "FORCE,1,2,,1.,1.,0.,0.\nDESVAR,1,X,1.\n"
                             "TEMPD,1,20.\nCAERO1,9\nEIGRL,1,,,10\n"
@@ -277,7 +279,7 @@ TEST(BadDeck, MaterialOfBarsMayBeNoSolids) {
       "PBAR,2,8,1.-4,1.-9,1.-9,1.-9\n"
       "CBAR,6,2,1,2,0.,0.,1.\nCQUAD4,5,1,1,2,3,4\n";
   const std::string odd = "MAT1,8,6.66+6,1.252+6,,1.\n";
-  const Deck deck = deck_of(kGrids + bars + odd);
+  const Deck deck = deck_of(grid_cards_text + bars + odd);
   ASSERT_EQ(deck.warnings.size(), 1U);
   EXPECT_THAT(deck.warnings[0], HasSubstr("MAT1 8"));
   EXPECT_THAT(deck.warnings[0], HasSubstr("bars and rods take E and G"));
@@ -287,7 +289,8 @@ TEST(BadDeck, MaterialOfBarsMayBeNoSolids) {
 }
 
 TEST(BadDeck, MassOnAGridWithoutElementIsNamed) {
-  const std::string plate = kGrids + "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n";
+  const std::string plate =
+      grid_cards_text + "CQUAD4,5,1,1,2,3,4\nGRID,7,,5.,0.,0.\n";
   const Deck loose = deck_of(plate + "CONM2,9,7,,2.\nCMASS2,10,3.,7,1\n");
   ASSERT_EQ(loose.warnings.size(), 1U);  // not once more as a loose grid
   EXPECT_THAT(loose.warnings[0], HasSubstr("model.bdf:9 CONM2 9 on GRID 7"));
@@ -310,10 +313,11 @@ TEST(BadDeck, ErrorCarriesTheUnsupportedCardBehindIt) {
     EXPECT_THAT(error.what(), HasSubstr("not supported")) << text;
   };
   expect(grids + "PBCOMP,3\nCBEAM,5,3,1,2,0.,0.,1.\n", "PBCOMP");
-  expect(kGrids + "MAT3,8,1.+9\nPSHELL,2,8,.01\n", "MAT3");
+  expect(grid_cards_text + "MAT3,8,1.+9\nPSHELL,2,8,.01\n", "MAT3");
   // Aerodynamics have nothing to do with a missing property.
-  EXPECT_THAT(error_of(kGrids + "CAERO1,3\nCQUAD4,5,3,1,2,3,4\n").what(),
-              testing::Not(HasSubstr("CAERO1")));
+  EXPECT_THAT(
+      error_of(grid_cards_text + "CAERO1,3\nCQUAD4,5,3,1,2,3,4\n").what(),
+      testing::Not(HasSubstr("CAERO1")));
 }
 
 TEST(BadDeck, MechanismNamesTheSupportThatIsMissing) {
@@ -330,8 +334,9 @@ std::vector<std::string> warnings_of(const std::string& text) {
   return deck_modes(deck, assemble(deck), 20).warnings;
 }
 
-// A chain of two bars along x with a pin between them, on top of kGrids.
-const std::string kChain =
+// A chain of two bars along x with a pin between them, on top of
+// grid_cards_text.
+const std::string chain =
     "GRID,11,,0.,0.,3.\nGRID,12,,1.,0.,3.\nGRID,13,,2.,0.,3.\n"
     "PBAR,2,1,1.-4,1.-9,1.-9,2.-9\nCBAR,21,2,11,12,0.,0.,1.\n"
     "CONM2,31,11,,1.\n,1.\nCONM2,32,13,,1.\n,1.\n";
@@ -340,9 +345,9 @@ TEST(BadDeck, MechanismIsNamedWhereItMoves) {
   const std::string held = "SPC1,1,123456,11\n";
   const std::string whole = "CBAR,22,2,12,13,0.,0.,1.\n";
   const std::string pinned = "CBAR,22,2,12,13,0.,0.,1.\n,56\n";
-  EXPECT_TRUE(warnings_of(kGrids + kChain + held + whole).empty());
+  EXPECT_TRUE(warnings_of(grid_cards_text + chain + held + whole).empty());
   const std::vector<std::string> found =
-      warnings_of(kGrids + kChain + held + pinned);
+      warnings_of(grid_cards_text + chain + held + pinned);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found[0], HasSubstr("2 motions without stiffness"));
   EXPECT_THAT(found[0], HasSubstr("GRID 13, component"));
@@ -351,11 +356,12 @@ TEST(BadDeck, MechanismIsNamedWhereItMoves) {
 
 TEST(BadDeck, FreeStructureIsNoMechanismButTwoPartsAre) {
   const std::string plate = "CQUAD4,5,1,1,2,3,4\nPARAM,COUPMASS,1\n";
-  EXPECT_TRUE(warnings_of(kGrids + plate).empty());
+  EXPECT_TRUE(warnings_of(grid_cards_text + plate).empty());
   // Held in its plane: three rigid motions are left, and are allowed.
-  EXPECT_TRUE(warnings_of(kGrids + plate + "SPC1,1,126,1,THRU,4\n").empty());
-  const std::vector<std::string> found =
-      warnings_of(kGrids + plate + kChain + "CBAR,22,2,12,13,0.,0.,1.\n");
+  EXPECT_TRUE(
+      warnings_of(grid_cards_text + plate + "SPC1,1,126,1,THRU,4\n").empty());
+  const std::vector<std::string> found = warnings_of(
+      grid_cards_text + plate + chain + "CBAR,22,2,12,13,0.,0.,1.\n");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_THAT(found[0], HasSubstr("6 motions without stiffness"));
 }

@@ -13,15 +13,15 @@
 namespace tapfit::structure {
 namespace {
 
-const std::string kStiffness =
+const std::string stiffness =
     "%%MatrixMarket matrix coordinate real symmetric\n% two springs\n"
     "2 2 3\n1 1 300.\n2 1 -100.\n2 2 100.\n";
-const std::string kMass =
+const std::string mass =
     "%%MatrixMarket matrix array real general\n2 2\n2.\n0.\n0.\n1.\n";
 
 TEST(MatrixMarket, PlacesRowsByTheTable) {
-  const Deck deck = read_matrix_model(write_text("K.mtx", kStiffness),
-                                      write_text("M.mtx", kMass),
+  const Deck deck = read_matrix_model(write_text("K.mtx", stiffness),
+                                      write_text("M.mtx", mass),
                                       write_text("dofs.csv",
                                                  "node,component,x,y,z\n"
                                                  "7,Z,0.1,0,0\n3,3,0.2,0,0\n"));
@@ -42,8 +42,8 @@ TEST(MatrixMarket, PlacesRowsByTheTable) {
 // x, y of a structure in a plane; once for a node is enough.
 TEST(MatrixMarket, TakesWhatCoordinatesThereAre) {
   const auto read = [](const std::string& table) {
-    return read_matrix_model(write_text("K.mtx", kStiffness),
-                             write_text("M.mtx", kMass),
+    return read_matrix_model(write_text("K.mtx", stiffness),
+                             write_text("M.mtx", mass),
                              write_text("dofs.csv", table));
   };
   const Deck plane = read("node,component,x,y\n7,Z,0.1,0.3\n3,3,0.2,0.4\n");
@@ -59,7 +59,7 @@ TEST(MatrixMarket, TakesWhatCoordinatesThereAre) {
 
 TEST(MatrixMarket, IsNoDeck) {
   try {
-    static_cast<void>(read_deck(write_text("K.mtx", kStiffness)));
+    static_cast<void>(read_deck(write_text("K.mtx", stiffness)));
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
     const std::string what = error.what();
@@ -71,7 +71,7 @@ TEST(MatrixMarket, IsNoDeck) {
 // The same two springs in millimetres and tonnes, one of them against a turn.
 TEST(MatrixMarket, IsScaledToSi) {
   const std::filesystem::path table = write_text("dofs.csv", "1,X\n1,RZ\n");
-  const std::filesystem::path M = write_text("M.mtx", kMass);
+  const std::filesystem::path M = write_text("M.mtx", mass);
   Deck si =
       read_matrix_model(write_text("K.mtx",
                                    "%%MatrixMarket matrix array real general\n"
@@ -95,7 +95,7 @@ TEST(MatrixMarket, IsScaledToSi) {
 }
 
 TEST(MatrixMarket, RefusesWhatItCannotUse) {
-  const std::filesystem::path M = write_text("M.mtx", kMass);
+  const std::filesystem::path M = write_text("M.mtx", mass);
   const std::filesystem::path table = write_text("dofs.csv", "1,1\n1,2\n");
   const auto refused = [&](const std::string& text) {
     const std::filesystem::path K = write_text("K.mtx", text);
@@ -120,7 +120,7 @@ TEST(MatrixMarket, RefusesWhatItCannotUse) {
       "2 2 1\n1 1 3.\n2 2 1.\n");
   refused("%%MatrixMarket matrix coordinate real general\n3+9 3+9 0\n");
   refused("%%MatrixMarket matrix array real general\n1+300 1+300\n");
-  const std::filesystem::path K = write_text("K.mtx", kStiffness);
+  const std::filesystem::path K = write_text("K.mtx", stiffness);
   for (const char* bad : {"1,1\n1,1\n", "1,1\n", "1,1\n1,9\n", "1,1\nx,2\n"}) {
     EXPECT_THROW(
         static_cast<void>(read_matrix_model(K, M, write_text("dofs.csv", bad))),
@@ -134,7 +134,7 @@ TEST(MatrixMarket, NamesTheRowBelowZero) {
       write_text("K.mtx",
                  "%%MatrixMarket matrix coordinate real symmetric\n"
                  "2 2 2\n1 1 300.\n2 2 -5.\n");
-  const std::filesystem::path M = write_text("M.mtx", kMass);
+  const std::filesystem::path M = write_text("M.mtx", mass);
   const std::filesystem::path table = write_text("dofs.csv", "7,1\n9,2\n");
   EXPECT_THAT(
       [&] { static_cast<void>(read_matrix_model(K, M, table)); },

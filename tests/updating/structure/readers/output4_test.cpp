@@ -11,7 +11,7 @@
 namespace tapfit::structure {
 namespace {
 
-const std::string kDense =
+const std::string dense =
     "       2       2       6       2KAA     1P,3E23.16\n"
     "       1       1       2\n"
     " 2.0000000000000000E+00-1.0000000000000000E+00\n"
@@ -20,7 +20,7 @@ const std::string kDense =
     "       3       1       1\n"
     " 1.0000000000000000E+00\n";
 // Row and length in one number: 1 + 65536 * 3.
-const std::string kStrings =
+const std::string strings =
     "       2       2       6       2MAA     1P,3E23.16\n"
     "       1       0       3\n"
     "  196609\n"
@@ -32,7 +32,7 @@ const std::string kStrings =
     " 1.0000000000000000E+00\n";
 
 TEST(Output4, DenseAndSparseColumns) {
-  const std::filesystem::path both = write_text("km.op4", kDense + kStrings);
+  const std::filesystem::path both = write_text("km.op4", dense + strings);
   ASSERT_TRUE(is_output4(both));
   Eigen::Matrix2d K;
   K << 2, -1, -1, 3;
@@ -57,10 +57,10 @@ TEST(Output4, FaultsAreNamed) {
                   Property(&InputError::where, HasSubstr("bad.op4")))))
         << what;
   };
-  expect(kDense.substr(0, kDense.find("       2       1")), "ends too soon");
+  expect(dense.substr(0, dense.find("       2       1")), "ends too soon");
   expect("       2       3       2       2KAA     1P,3E23.16\n", "no square");
   expect("       2       2       6       4KAA     1P,3E23.16\n", "complex");
-  expect(kStrings + "       1" + kStrings.substr(8), "no square");
+  expect(strings + "       1" + strings.substr(8), "no square");
 }
 
 }  // namespace

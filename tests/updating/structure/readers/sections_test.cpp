@@ -24,11 +24,11 @@ struct Summed {
 
 // Over a square of side 2 with 1000 x 1000 points.
 Summed sum_up(const Inside& inside) {
-  constexpr int kPoints = 1000;
-  const double h = 2.0 / kPoints;
+  constexpr int points = 1000;
+  const double h = 2.0 / points;
   double A = 0, Sy = 0, Sz = 0, yy = 0, zz = 0, yz = 0;
-  for (int i = 0; i < kPoints; ++i) {
-    for (int j = 0; j < kPoints; ++j) {
+  for (int i = 0; i < points; ++i) {
+    for (int j = 0; j < points; ++j) {
       const double y = -1.0 + (i + 0.5) * h;
       const double z = -1.0 + (j + 0.5) * h;
       if (!inside(y, z)) continue;
@@ -110,12 +110,12 @@ TEST(Sections, MomentsAreThoseOfTheirOutline) {
   });
 }
 
-const std::string kBeam =
+const std::string beam =
     "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nMAT1,1,7.+10,,.3,2700.\n"
     "CBEAM,6,2,1,2,0.,0.,1.\n";
 
 TEST(Sections, ChangingBeamHasItsMean) {
-  const Deck deck = deck_of(kBeam +
+  const Deck deck = deck_of(beam +
                             "PBEAM,2,1,1.-4,1.-8,2.-8,,3.-8\n"
                             ",0.,0.\n"
                             ",NO,1.,3.-4,2.-8,4.-8,,5.-8\n"
@@ -130,12 +130,12 @@ TEST(Sections, ChangingBeamHasItsMean) {
 }
 
 TEST(Sections, DimensionsOfABeamAlongIt) {
-  const Deck constant = deck_of(kBeam + "PBEAML,2,1,,BAR\n,.02,.03,1.5\n");
+  const Deck constant = deck_of(beam + "PBEAML,2,1,,BAR\n,.02,.03,1.5\n");
   EXPECT_DOUBLE_EQ(constant.bar_properties.at(2).area, 6e-4);
   EXPECT_DOUBLE_EQ(constant.bar_properties.at(2).nonstructural, 1.5);
   EXPECT_TRUE(constant.warnings.empty());
   const Deck changing =
-      deck_of(kBeam + "PBEAML,2,1,,BAR\n,.02,.03,0.,NO,1.,.02,.01,0.\n");
+      deck_of(beam + "PBEAML,2,1,,BAR\n,.02,.03,0.,NO,1.,.02,.01,0.\n");
   EXPECT_DOUBLE_EQ(changing.bar_properties.at(2).area, 4e-4);
   EXPECT_EQ(changing.warnings.size(), 1U);
 }
@@ -144,8 +144,7 @@ TEST(Sections, DimensionsOfABeamAlongIt) {
 // like one on offsets.
 TEST(Sections, NeutralAxisIsAnOffset) {
   const std::string section = "PBEAM,2,1,1.-4,1.-8,2.-8,,3.-8\n,,,,,,,,\n";
-  const Deck by_axis =
-      deck_of(kBeam + section + ",0.,0.,,,,,,\n,,,,,.05,.02\n");
+  const Deck by_axis = deck_of(beam + section + ",0.,0.,,,,,,\n,,,,,.05,.02\n");
   const Deck by_offset = deck_of(
       "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nMAT1,1,7.+10,,.3,2700.\n"
       "CBEAM,6,2,1,2,0.,0.,1.\n,,,0.,-.02,.05,0.,-.02,.05\n" +

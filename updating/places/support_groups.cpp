@@ -1,0 +1,64 @@
+#include "updating/places/support_groups.hpp"
+
+#include "updating/structure/deck/constraint_axes.hpp"
+
+#include <string>
+#include <utility>
+
+namespace tapfit::updating {
+
+std::map<int, std::set<int>> joined_grids(const structure::Deck& deck) {
+  std::map<int, std::set<int>> result;
+  const auto connect = [&result](int a, int b) {
+    result[a].insert(b);
+    result[b].insert(a);
+  };
+  for (const structure::Shell& shell : deck.shells) {
+    const std::size_t n = shell.grids.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      connect(shell.grids[k], shell.grids[(k + 1) % n]);
+    }
+  }
+  for (const structure::Bar& bar : deck.bars) {
+    connect(bar.grids[0], bar.grids[1]);
+  }
+  return result;
+}
+
+std::vector<std::vector<int>> support_groups(const structure::Deck& deck) {
+  const std::map<int, std::set<int>> near = joined_grids(deck);
+  const std::map<int, std::string> held = structure::constraint_axes(deck).held;
+  std::set<int> done;
+  std::vector<std::vector<int>> groups;
+  for (const structure::Grid& grid : deck.grids) {
+    if (!held.contains(grid.id) || done.contains(grid.id)) continue;
+    std::vector<int> open = {grid.id};
+    std::set<int> group;
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      if (!group.insert(node).second) continue;
+      const auto it = near.find(node);
+      if (it == near.end()) continue;
+      for (const int next : it->second) {
+        if (held.contains(next)) open.push_back(next);
+      }
+    }
+    done.insert(group.begin(), group.end());
+    groups.emplace_back(group.begin(), group.end());
+  }
+  return groups;
+}
+
+std::vector<std::vector<int>> support_choices(const structure::Deck& deck) {
+  std::vector<std::vector<int>> choices = support_groups(deck);
+  if (choices.size() < 2) return choices;
+  std::vector<int> all;
+  for (const std::vector<int>& group : choices) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  choices.push_back(std::move(all));
+  return choices;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,26 @@
+// Which constrained grids are one support: those that element edges join.
+#pragma once
+
+#include "updating/structure/deck/deck.hpp"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace tapfit::updating {
+
+/// The grids that an edge of a shell or a bar joins each grid with.
+[[nodiscard]] std::map<int, std::set<int>> joined_grids(
+    const structure::Deck& deck);
+
+/// Groups of constrained grids that are connected by element edges, each
+/// ascending, in the deck's order.
+[[nodiscard]] std::vector<std::vector<int>> support_groups(
+    const structure::Deck& deck);
+
+/// What may give way or be missing together: each of support_groups(), and
+/// where there are several, behind them all of them as one.
+[[nodiscard]] std::vector<std::vector<int>> support_choices(
+    const structure::Deck& deck);
+
+}  // namespace tapfit::updating

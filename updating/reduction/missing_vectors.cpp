@@ -1,0 +1,57 @@
+#include "updating/reduction/missing_vectors.hpp"
+
+#include "updating/reduction/held_motions.hpp"
+#include "updating/reduction/subspace.hpp"
+
+#include <utility>
+
+namespace tapfit::updating {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using structure::SparseMatrix;
+
+MatrixXd missing_vectors(const HeldBase& held,
+                         const PlainModes& modes,
+                         const ReleasedSystem& released,
+                         const std::vector<StiffnessChange>& changes,
+                         const std::vector<int>& fresh) {
+  std::vector<MatrixXd> blocks;
+  if (!fresh.empty()) blocks.push_back(held.answers.to_points(fresh));
+  if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  if (!released.held.empty()) {
+    blocks.push_back(held_modes(held, released.held));
+  }
+  const Index n = held.system.dofs();
+  const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
+    SparseMatrix own_mass;
+    if (N.size() > 0) own_mass = N.topLeftCorner(n, n);
+    blocks.push_back(
+        loss_modes(held, S.topLeftCorner(n, n), own_mass, loss_range.lower));
+  };
+  for (std::size_t c = 0; c < changes.size(); ++c) {
+    const ChangeKind kind = changes[c].kind;
+    ScaledStiffness all;
+    for (const ScaledStiffness& scaled : released.scaled) {
+      if (scaled.change != c) continue;
+      if (kind == ChangeKind::Preload) {
+        const double most =
+            range_of(released, scaled, kind, modes, held.system).upper;
+        blocks.push_back(added_modes(held, scaled.S.topLeftCorner(n, n), most));
+      }
+      if (kind != ChangeKind::Elements) continue;
+      if (all.S.size() == 0) {
+        add_loss(scaled.S, scaled.N);
+        all = scaled;
+      } else {
+        all.S += scaled.S;
+        if (all.N.size() > 0) all.N += scaled.N;
+      }
+    }
+    // With what is lost beside it: in between it runs smoothly.
+    if (!changes[c].beside.empty()) add_loss(all.S, all.N);
+  }
+  return join(std::move(blocks));
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,148 @@
+#include "updating/session/session_stages.hpp"
+
+#include "updating/comparison/compare.hpp"
+#include "updating/comparison/form_share.hpp"
+#include "updating/measurement/test_model.hpp"
+#include "updating/residual/independent_data.hpp"
+
+#include <cmath>
+#include <functional>
+
+namespace tapfit::updating {
+
+const structure::Deck& SessionStages::read_model(const Progress& progress) {
+  if (deck) return *deck;
+  progress("model: reading", 0.0);
+  deck = read_test_model(test.bundle());
+  return *deck;
+}
+
+effects::Setting SessionStages::setting() const {
+  effects::Setting s;
+  s.bundle = &test.bundle();
+  s.deck = &*deck;
+  s.mass_kg = model->builder.mass_kg();
+  s.low_hz = test.band()[0];
+  s.high_hz = test.band()[1];
+  s.component = measured_component(test.bundle(), *deck);
+  s.components = tested_components(test.bundle(), *deck);
+  return s;
+}
+
+void SessionStages::prepare_fit(const Progress& progress) {
+  if (ground) return;
+  const structure::Deck& the_deck = read_model(progress);
+  static_cast<void>(test.modes(progress));
+  if (!model) {
+    model = solve_model(the_deck, test.bundle(), test.band()[1], progress);
+  }
+  ground = prepare_fits(*model, measured(), progress);
+  stack.emplace(ground->base, !test.bundle().uncertain.empty());
+  stack_waiting(progress);
+}
+
+MeasuredTest SessionStages::measured() {
+  return {setting(), test, test.modes({})};
+}
+
+StackFit SessionStages::stack_fit() {
+  return {setting(), std::bind_front(&SessionStages::fit_now, this)};
+}
+
+Fit SessionStages::fit_now(const std::vector<PlacedEffect>& effects,
+                           const Fit& before,
+                           const Progress& progress) {
+  const Fitter& fitter = *ground->fitter;
+  const auto base = fitter.model_for(effects);
+  if (!choice.is_plain()) return fitter.fit(effects, base, progress, &before);
+  if (!plain) {
+    plain = plain_task(
+        choice,
+        measured(),
+        {fitter.target(), ground->contour, test.frfs({}).s.real().minCoeff()},
+        progress);
+  }
+  return plain_fit(fitter, *plain, effects, base, before);
+}
+
+// Fits asked for in another way, and what is uncertain fitted before any
+// effect, end elsewhere.
+DiagnosisCache SessionStages::diagnosis_cache(std::size_t effects) {
+  const bool usual = !choice.is_plain() &&
+                     (stack->fits().size() != 2 || !current().effects.empty());
+  return {usual ? user_cache() : std::nullopt,
+          {test.bundle(),
+           *deck,
+           test.frfs({}),
+           test.modes({}),
+           test.choices().pairs},
+          stack->history(),
+          effects};
+}
+
+Comparison SessionStages::compare_now(const Fit& fit) {
+  Comparison c = compare(fit,
+                         ground->fitter->target(),
+                         test.frfs({}),
+                         test.modes({}),
+                         test.choices().pairs);
+  c.floor_noise = ground->floor_noise;
+  c.floor_mesh = ground->floor_mesh;
+  const double data =
+      independent_data(ground->fitter->target(),
+                       fit.result.residual,
+                       static_cast<int>(test.modes({}).modes.size()));
+  c.floor_form = form_share(fit, data, c.floor_noise).error;
+  c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
+  c.contour = ground->contour;
+  return c;
+}
+
+void SessionStages::drop_current() {
+  comparison.reset();
+  diagnosis.reset();
+  ladder.clear();
+}
+
+void SessionStages::drop_from_frfs() {
+  if (ground) waiting = stack->history();
+  ground.reset();
+  stack.reset();
+  plain.reset();
+  base_comparison.reset();
+  drop_current();
+}
+
+void SessionStages::stack_waiting(const Progress& progress) {
+  try {
+    stack->restore(waiting, stack_fit(), progress);
+  } catch (...) {
+    // As if nothing had been prepared: the next call tries again.
+    ground.reset();
+    stack.reset();
+    throw;
+  }
+}
+
+void SessionStages::change_modes(const ModeChoices& choices,
+                                 const Progress& progress) {
+  // Modes that are the measurement are compared with those paired by hand.
+  if (test.choose(choices, progress) || test.bundle().modes) {
+    return drop_from_frfs();
+  }
+  base_comparison.reset();
+  comparison.reset();
+}
+
+bool SessionStages::move_choices(std::vector<ModeChoices>& from,
+                                 std::vector<ModeChoices>& to,
+                                 const Progress& progress) {
+  if (from.empty()) return false;
+  const ModeChoices now = test.choices();
+  change_modes(from.back(), progress);
+  from.pop_back();
+  to.push_back(now);
+  return true;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,72 @@
+// The stages of one test as far as they are worked out: each is made when it is
+// first asked for and dropped when one to its left changes. A Session acts on
+// them.
+#pragma once
+
+#include "updating/comparison/comparison.hpp"
+#include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/fit_ground.hpp"
+#include "updating/fit/plain_fit.hpp"
+#include "updating/fit/rung.hpp"
+#include "updating/measurement/measurement.hpp"
+#include "updating/session/diagnosis_cache.hpp"
+#include "updating/session/effect_stack.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct SessionStages {
+  SessionStages(const std::filesystem::path& folder,
+                acquisition::Unreadable unreadable)
+      : test(folder, unreadable) {}
+
+  Measurement test;
+  std::optional<structure::Deck> deck;
+  std::optional<SolvedModel> model;
+  std::optional<FitGround> ground;  ///< and with it the stack
+  std::optional<EffectStack> stack;
+  std::vector<ModeChoices> past_choices;
+  std::vector<ModeChoices> future_choices;
+  EffectHistory waiting;  ///< to be in the stack, once there is one
+  UpdateChoice choice;
+  std::optional<PlainTask> plain;  ///< where the choice is a plain one
+  std::optional<Comparison> base_comparison;
+  std::optional<Comparison> comparison;
+  std::optional<Diagnosis> diagnosis;
+  std::vector<Rung> ladder;
+
+  /// The deck, read once. @throws InputError
+  const structure::Deck& read_model(const Progress& progress);
+  /// Model, damped lines and the base fit; all that does not depend on effects.
+  void prepare_fit(const Progress& progress);
+
+  /// Drops what follows from the FRFs; the effects wait to be put in again.
+  void drop_from_frfs();
+  /// Drops what follows from the effects.
+  void drop_current();
+  void change_modes(const ModeChoices& choices, const Progress& progress);
+  /// Takes up the last choices of `from`; `to` keeps those of now.
+  /// @return false where there is none
+  bool move_choices(std::vector<ModeChoices>& from,
+                    std::vector<ModeChoices>& to,
+                    const Progress& progress);
+
+  // Of what prepare_fit() has made.
+  [[nodiscard]] effects::Setting setting() const;
+  [[nodiscard]] MeasuredTest measured();
+  [[nodiscard]] StackFit stack_fit();
+  [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
+  [[nodiscard]] Comparison compare_now(const Fit& fit);
+  /// With the first so many effects.
+  [[nodiscard]] DiagnosisCache diagnosis_cache(std::size_t effects);
+
+ private:
+  void stack_waiting(const Progress& progress);
+  [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
+                            const Fit& before,
+                            const Progress& progress);
+};
+
+}  // namespace tapfit::updating
