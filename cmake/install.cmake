@@ -72,7 +72,7 @@ set(CPACK_DEBIAN_TAPFIT_DESCRIPTION
  Nastran deck, and says which physical effect is missing from the model.")
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_PACKAGE_NAME libtapfit-dev)
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_PACKAGE_DEPENDS
-  "libeigen3-dev, libfmt-dev, libfftw3-dev, libsndfile1-dev, libmatio-dev, libhdf5-dev, zlib1g-dev, nlohmann-json3-dev, libsuitesparse-dev")
+  "libeigen3-dev, libfmt-dev, libfftw3-dev, libsndfile1-dev, libmatio-dev, libhdf5-dev, zlib1g-dev, libssl-dev, nlohmann-json3-dev, libsuitesparse-dev")
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_DESCRIPTION
   "numerical libraries of tapfit
  FRFs of impact tests, modal identification, finite element model updating.")
