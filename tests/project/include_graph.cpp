@@ -16,8 +16,8 @@ using Graph = std::map<std::string, std::set<std::string>>;
 // The C library a <...> header belongs to; empty for any other header.
 std::string c_library(const std::string& header) {
   static const std::regex pattern(
-      R"(^(?:suitesparse/|ncursesw/|ncurses/)?)"
-      R"((fftw3|sndfile|matio|hdf5|zlib|ncurses|curses|panel|cholmod)\.(?:h|hh)$)");
+      R"(^(?:suitesparse/|ncursesw/|ncurses/|openssl/)?)"
+      R"((fftw3|sndfile|matio|hdf5|zlib|ncurses|curses|panel|cholmod|evp)\.(?:h|hh)$)");
   std::smatch match;
   if (!std::regex_match(header, match, pattern)) return {};
   const std::string name = match[1];

@@ -18,7 +18,7 @@ ReducedBase deck_through_base(
     const BaseVectors& base) {
   const structure::System system = structure::assemble(deck);
   MatrixXd M = seen_through(base.V, system.M);
-  const auto lent = lent_mass(system, base.points, base.high_hz);
+  const auto lent = regularising_mass(system, base.points, base.high_hz);
   if (lent.size() > 0) M += seen_through(base.V, lent);
   ReducedBase result;
   result.rows = base.rows;
