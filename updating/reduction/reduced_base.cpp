@@ -181,9 +181,12 @@ std::vector<Correction> BaseBuilder::hold_corrections(
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.original_grids;
   ReducedBase& fixed = m.wide.base;
+  // As the base holds them: signs, and turns among equal modes, may differ from
+  // those of `modes`.
+  const MatrixXd modes = m.wide.V.topLeftCorner(known, m.modes.cols());
   m.corrected = corrections(m.mesh.deck,
                             m.wide.V,
-                            {{m.modes.topRows(known), m.modes_hz},
+                            {{modes, m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
                              m.form_modes()});
   const std::size_t first = m.uncertain.size();
