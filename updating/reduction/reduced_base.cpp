@@ -160,9 +160,12 @@ std::vector<Correction> BaseBuilder::hold_corrections(
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.model.original_grids;
   ReducedBase& fixed = m.wide.base;
+  // As the base holds them: signs, and turns among equal modes, may differ from
+  // those of `modes`.
+  const MatrixXd modes = m.wide.V.topLeftCorner(known, m.modes.cols());
   m.corrected = corrections(m.model.mesh.deck,
                             m.wide.V,
-                            {{m.modes.topRows(known), m.modes_hz},
+                            {{modes, m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
                              form_modes(m.model)});
   const std::size_t first = m.model.uncertain.size();

@@ -1,12 +1,18 @@
 #include "updating/diagnosis/model_form.hpp"
 
+#include "tests/support/matchers.hpp"
+#include "tests/updating/support/based_frame.hpp"
 #include "tests/updating/support/modal_bundle.hpp"
 #include "updating/export/updated_deck.hpp"
+#include "updating/fit/fitter.hpp"
 #include "updating/session/session.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -93,6 +99,139 @@ TEST_F(ModelFormTest, StandsInTheUpdatedDeck) {
               1e-6);
   EXPECT_EQ(written.bar_properties.at(1).K2, written.bar_properties.at(1).K1);
   EXPECT_NEAR(written.bar_properties.at(1).area, 0.00064, 1e-9);
+}
+
+constexpr std::size_t shear_at = 2;  // behind E and the mesh
+constexpr std::size_t corner_at = 3;
+
+// A fit that ended with these ln f, each known to sd.
+class ToldForm : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    frame_ = std::make_unique<testing::BasedFrame>();
+    const effects::Setting setting = frame_->setting();
+    model_ = std::make_shared<FrfModel>(
+        frame_->builder.build({}, {}), setting, signal::FrfSet{});
+  }
+  static void TearDownTestSuite() {
+    model_.reset();
+    frame_.reset();
+  }
+
+  static Fit fit_of(double shear, double corner, double sd) {
+    Fit fit;
+    fit.model = model_;
+    fit.result.state.factor = {1.0, 1.0, std::exp(shear), std::exp(corner)};
+    fit.result.covariance = sd * sd * Eigen::MatrixXd::Identity(4, 4);
+    fit.result.error = 0.012;
+    return fit;
+  }
+
+  static const Correction& before(std::size_t factor) {
+    return frame_->corrections.at(factor - 1);
+  }
+
+  // ln f at which the density at 0 is that many times less after the data than
+  // before them; both are normal.
+  static double ln_factor_for(double ratio, double sd, const Correction& c) {
+    const double z = c.mean / c.sd;
+    return sd * std::sqrt(z * z + 2.0 * std::log(ratio * c.sd / sd));
+  }
+
+  static std::vector<ModelForm> told(double shear, double corner, double sd) {
+    return model_form(fit_of(shear, corner, sd), frame_->deck);
+  }
+
+  static inline std::unique_ptr<testing::BasedFrame> frame_;
+  static inline std::shared_ptr<const FrfModel> model_;
+};
+
+// Savage's ratio of 20 is the limit.
+TEST_F(ToldForm, IsToldWhereTheDataExcludeTheDeckAsItStands) {
+  ASSERT_EQ(before(shear_at).name, "section-shear");
+  ASSERT_EQ(before(corner_at).name, "corner-stiffness");
+  for (const double sd : {0.05, 0.15}) {
+    const double shear = ln_factor_for(21.0, sd, before(shear_at));
+    const double corner = ln_factor_for(21.0, sd, before(corner_at));
+    const double less_shear = ln_factor_for(19.0, sd, before(shear_at));
+    const double less_corner = ln_factor_for(19.0, sd, before(corner_at));
+    EXPECT_TRUE(told(less_shear, less_corner, sd).empty()) << sd;
+    const std::vector<ModelForm> one = told(shear, less_corner, sd);
+    ASSERT_EQ(one.size(), 1U) << sd;
+    EXPECT_EQ(one[0].form, "section-shear");
+    EXPECT_NEAR(one[0].probability, 21.0 / 22.0, 1e-9);
+    const std::vector<ModelForm> other = told(less_shear, corner, sd);
+    ASSERT_EQ(other.size(), 1U) << sd;
+    EXPECT_EQ(other[0].form, "corner-stiffness");
+    EXPECT_NEAR(other[0].probability, 21.0 / 22.0, 1e-9);
+    EXPECT_EQ(told(shear, corner, sd).size(), 2U);
+  }
+}
+
+// As far as the prior expects it, but no better known than before; and the
+// other way from the deck, which no form is.
+TEST_F(ToldForm, IsNotToldWhereTheDataSayNothingOfIt) {
+  EXPECT_TRUE(
+      told(before(shear_at).mean, before(corner_at).mean, 0.35).empty());
+  EXPECT_TRUE(told(0.0, 0.0, 0.01).empty());
+  EXPECT_TRUE(told(-0.5, -0.5, 0.01).empty());
+  Fit unknown = fit_of(0.7, 0.4, 0.01);
+  unknown.result.covariance.resize(0, 0);
+  EXPECT_TRUE(model_form(unknown, frame_->deck).empty());
+  // So sure that the ratio is beyond all numbers.
+  const std::vector<ModelForm> sure = told(0.7, 0.4, 1e-3);
+  ASSERT_EQ(sure.size(), 2U);
+  EXPECT_EQ(sure[0].probability, 1.0);
+}
+
+// Quantiles of a log-normal variable; K1 = 5/6 over the share. Elements 8 and 9
+// meet at the corner.
+TEST_F(ToldForm, HoldsSizeCardAndElements) {
+  const double t = std::log(1.0 + 0.8);
+  const std::vector<ModelForm> both = told(t, std::log(1.5), 0.05);
+  ASSERT_EQ(both.size(), 2U);
+  const ModelForm& shear = both[0];
+  EXPECT_EQ(shear.property, 1);
+  EXPECT_TRUE(shear.elements.empty());
+  EXPECT_NEAR(shear.share.value, 0.8, 1e-12);
+  EXPECT_NEAR(shear.share.sd, 1.8 * 0.05, 1e-12);
+  EXPECT_NEAR(shear.share.lo95, std::exp(t - 1.96 * 0.05) - 1.0, 1e-12);
+  EXPECT_NEAR(shear.share.hi95, std::exp(t + 1.96 * 0.05) - 1.0, 1e-12);
+  EXPECT_EQ(shear.error, 0.012);
+  EXPECT_THAT(statement(shear), HasSubstr("PBAR 1 has no K1 and K2"));
+  EXPECT_THAT(statement(shear), HasSubstr("0.8 (0.63 to 0.99; p = 1.00)"));
+  const ModelForm& corner = both[1];
+  EXPECT_EQ(corner.elements, (std::vector<int>{8, 9}));
+  EXPECT_NEAR(corner.share.value, 0.5, 1e-12);
+  EXPECT_TRUE(corner.card.empty());
+  EXPECT_THAT(statement(corner), HasSubstr("up to each other's face"));
+}
+
+// In the place of the deck's own card it is the same section that shears.
+TEST_F(ToldForm, HasACardInTheUnitsOfTheFile) {
+  const Fit fit = fit_of(std::log(1.8), 0.0, 0.05);
+  for (const bool in_mm : {false, true}) {
+    const testing::DeckUnits units =
+        in_mm ? testing::mm_t_s : testing::DeckUnits{};
+    const char* name = in_mm ? "mm-t-s" : "SI";
+    std::string text = testing::frame_text(units);
+    const structure::Deck deck = testing::frame_deck(text, name);
+    const std::vector<ModelForm> form = model_form(fit, deck);
+    ASSERT_EQ(form.size(), 1U);
+    const std::size_t at = text.find("PBAR,1,");
+    text.replace(at, text.find('\n', at) - at, form[0].card);
+    const structure::Deck mended = testing::frame_deck(text, name);
+    const structure::BarProperty& is = mended.bar_properties.at(1);
+    const structure::BarProperty& was = frame_->deck.bar_properties.at(1);
+    constexpr double digits = 5e-4;  // of four that K1 is written with
+    EXPECT_NEAR(is.K1, 5.0 / 6.0 / 0.8, digits * is.K1);
+    EXPECT_EQ(is.K2, is.K1);
+    EXPECT_NEAR(is.area, was.area, digits * was.area) << name;
+    EXPECT_NEAR(is.I1, was.I1, digits * was.I1) << name;
+    EXPECT_NEAR(is.I2, was.I2, digits * was.I2) << name;
+    EXPECT_NEAR(is.J, was.J, digits * was.J) << name;
+    EXPECT_EQ(is.material, was.material);
+  }
 }
 
 }  // namespace
