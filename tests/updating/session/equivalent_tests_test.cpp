@@ -160,7 +160,7 @@ class EquivalentTests : public ::testing::Test {
                                     : std::optional<std::string>();
     ::setenv("TAPFIT_NO_CACHE", "1", 1);
     root_ = std::make_unique<TemporaryFolder>();
-    root_->write("truth.bdf", testing::frame_text());
+    root_->write("truth.bdf", support::frame_text());
     VirtualBundleSpec spec;
     spec.structure = (root_->path() / "truth.bdf").string();
     spec.effects = {parse_virtual_effect("added-mass@6=0.4"),
@@ -176,7 +176,7 @@ class EquivalentTests : public ::testing::Test {
     test["uncertain"].push_back(
         {{"material", 1}, {"property", "rho"}, {"sd_percent", 1.0}});
     root_->write("plain/test.json", test.dump());
-    root_->write("plain/model.bdf", testing::frame_text());
+    root_->write("plain/model.bdf", support::frame_text());
     Session session(root_->path() / "plain");
     plain_ = std::make_unique<WholeResult>(whole_result(session));
   }
@@ -241,7 +241,7 @@ TEST_F(EquivalentTests, ThePlainOneFindsWhatIsInIt) {
 
 // A tonne per cubic millimetre is 1e12 kg/m^3, a MPa 1e6 Pa, a N/mm 1000 N/m.
 TEST_F(EquivalentTests, InMillimetresAndTonnes) {
-  std::ofstream(folder_ / "model.bdf") << testing::frame_text(testing::mm_t_s);
+  std::ofstream(folder_ / "model.bdf") << support::frame_text(support::mm_t_s);
   test_["units"] = "mm-t-s";
   Session in_mm = session();
   expect_same(whole_result(in_mm), *plain_);
