@@ -108,7 +108,7 @@ constexpr std::size_t corner_at = 3;
 class ToldForm : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    frame_ = std::make_unique<testing::BasedFrame>();
+    frame_ = std::make_unique<support::BasedFrame>();
     const effects::Setting setting = frame_->setting();
     model_ = std::make_shared<FrfModel>(
         frame_->builder.build({}, {}), setting, signal::FrfSet{});
@@ -142,7 +142,7 @@ class ToldForm : public ::testing::Test {
     return model_form(fit_of(shear, corner, sd), frame_->deck);
   }
 
-  static inline std::unique_ptr<testing::BasedFrame> frame_;
+  static inline std::unique_ptr<support::BasedFrame> frame_;
   static inline std::shared_ptr<const FrfModel> model_;
 };
 
@@ -211,16 +211,16 @@ TEST_F(ToldForm, HoldsSizeCardAndElements) {
 TEST_F(ToldForm, HasACardInTheUnitsOfTheFile) {
   const Fit fit = fit_of(std::log(1.8), 0.0, 0.05);
   for (const bool in_mm : {false, true}) {
-    const testing::DeckUnits units =
-        in_mm ? testing::mm_t_s : testing::DeckUnits{};
+    const support::DeckUnits units =
+        in_mm ? support::mm_t_s : support::DeckUnits{};
     const char* name = in_mm ? "mm-t-s" : "SI";
-    std::string text = testing::frame_text(units);
-    const structure::Deck deck = testing::frame_deck(text, name);
+    std::string text = support::frame_text(units);
+    const structure::Deck deck = support::frame_deck(text, name);
     const std::vector<ModelForm> form = model_form(fit, deck);
     ASSERT_EQ(form.size(), 1U);
     const std::size_t at = text.find("PBAR,1,");
     text.replace(at, text.find('\n', at) - at, form[0].card);
-    const structure::Deck mended = testing::frame_deck(text, name);
+    const structure::Deck mended = support::frame_deck(text, name);
     const structure::BarProperty& is = mended.bar_properties.at(1);
     const structure::BarProperty& was = frame_->deck.bar_properties.at(1);
     constexpr double digits = 5e-4;  // of four that K1 is written with

@@ -45,7 +45,7 @@ double draw(const Correction& prior, SeededRandom& random) {
   }
 }
 
-std::vector<double> draw_factors(const testing::BasedFrame& base,
+std::vector<double> draw_factors(const support::BasedFrame& base,
                                  SeededRandom& random) {
   std::vector<double> factor = {std::exp(sd_of_E * random.normal())};
   for (const Correction& c : base.corrections) {
@@ -96,7 +96,7 @@ std::vector<signal::FrfSet> measure(const BaseBuilder& builder,
   for (const double width : widths) {
     signal::FrfSet set = support::plate_pairs(
         *setting.setting.bundle,
-        damped_line(testing::frame_band_hz, 1.0, {width, 120}));
+        damped_line(support::frame_band_hz, 1.0, {width, 120}));
     setting.measured = set;
     setting.targets = {make_target(set)};
     const Fitter truth(builder, setting);
@@ -110,7 +110,7 @@ std::vector<signal::FrfSet> measure(const BaseBuilder& builder,
   return sets;
 }
 
-FitSetting setting_of(const testing::BasedFrame& base) {
+FitSetting setting_of(const support::BasedFrame& base) {
   FitSetting setting;
   setting.setting = base.setting();
   setting.uncertain_sd = {sd_of_E};
@@ -123,7 +123,7 @@ FitSetting setting_of(const testing::BasedFrame& base) {
 }
 
 // Without effects, as every diagnosis begins.
-Fit fit_frame(const testing::BasedFrame& base,
+Fit fit_frame(const support::BasedFrame& base,
               const std::vector<signal::FrfSet>& measured) {
   FitSetting setting = setting_of(base);
   for (const signal::FrfSet& set : measured) {
@@ -142,7 +142,7 @@ Fit fit_frame(const testing::BasedFrame& base,
 
 TEST(FormCoverage, IntervalsHold) {
   constexpr std::uint64_t draws = 20;
-  const testing::BasedFrame base;
+  const support::BasedFrame base;
   ASSERT_EQ(base.corrections.size(), 3U);
   std::vector<int> inside(4, 0);
   for (std::uint64_t seed = 1; seed <= draws; ++seed) {
@@ -188,7 +188,7 @@ Deck built(const Deck& deck, const std::vector<double>& factor) {
 // and what shear does beyond a share of 1 is not: up to a seventh of the
 // factor. The fit leaves hardly more than the noise all the same.
 TEST(FormCoverage, FramesBuiltThatWayAreFitted) {
-  const testing::BasedFrame base;
+  const support::BasedFrame base;
   ASSERT_EQ(base.corrections.size(), 3U);
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SeededRandom random(seed, "frame");
@@ -201,7 +201,7 @@ TEST(FormCoverage, FramesBuiltThatWayAreFitted) {
     plain.setting.deck = &deck;
     plain.setting.bundle = &bundle;
     plain.damping_ratio = typical_zeta;
-    const BaseBuilder builder = testing::frame_builder(deck, bundle, true);
+    const BaseBuilder builder = support::frame_builder(deck, bundle, true);
     const Fit fit = fit_frame(base, measure(builder, plain, {}, random));
     // Noise is in both parts of a value.
     EXPECT_LT(fit.result.error, 1.1 * std::sqrt(2.0) * noise) << seed;

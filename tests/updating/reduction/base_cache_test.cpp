@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 class KeptBaseTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    cache_.folder = fs::path(testing::TempDir()) /
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    cache_.folder = fs::path(::testing::TempDir()) /
                     ("tapfit-kept-base-" + std::string(test->name()));
     fs::remove_all(cache_.folder);
     structure::Plate plate;

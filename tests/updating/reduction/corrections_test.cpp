@@ -144,7 +144,7 @@ Eigen::MatrixXd shapes(const ReducedBase& base,
 
 // What a form changes of the shapes, too, not of the frequencies alone.
 TEST(Corrections, ChangeShapesAsTheMendedDeckDoes) {
-  const testing::BasedFrame frame;
+  const support::BasedFrame frame;
   const std::vector<int> points = measured_points(frame.deck, frame.bundle).all;
   const auto mended = deck_forms(frame.deck);
   ASSERT_EQ(mended.size(), 2U);
@@ -155,7 +155,7 @@ TEST(Corrections, ChangeShapesAsTheMendedDeckDoes) {
     factor[2 + k] = 2.0;
     ASSERT_EQ(frame.corrections[1 + k].name, mended[k].correction.name);
     const ReducedBase other =
-        testing::frame_builder(mended[k].deck, frame.bundle, true)
+        support::frame_builder(mended[k].deck, frame.bundle, true)
             .build({}, {});
     const Eigen::MatrixXd truth = shapes(other, {1.0}, points);
     for (const BaseUse use : {BaseUse::Scan, BaseUse::Fit}) {

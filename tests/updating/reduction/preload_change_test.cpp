@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using structure::SparseMatrix;
 
-class PulledPlate : public testing::Test, protected support::BasedPlate {
+class PulledPlate : public ::testing::Test, protected support::BasedPlate {
  protected:
   [[nodiscard]] Where place() const {
     return effects::find("prestress").places(setting_).front();

@@ -16,7 +16,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-class LossBesideModulus : public testing::Test, protected support::BasedPlate {
+class LossBesideModulus : public ::testing::Test,
+                          protected support::BasedPlate {
  protected:
   [[nodiscard]] PlacedEffect loss(double factor) const {
     PlacedEffect effect{&effects::find("stiffness-loss"), {}, {factor}};

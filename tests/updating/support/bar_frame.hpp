@@ -12,7 +12,7 @@
 #include <cmath>
 #include <string>
 
-namespace tapfit::updating::testing {
+namespace tapfit::support {
 
 /// A metre and a kilogram in the units of a deck.
 struct DeckUnits {
@@ -48,4 +48,4 @@ inline std::string frame_text(const DeckUnits& units = {}) {
   return text + "SPC1,1,123456,1\nENDDATA\n";
 }
 
-}  // namespace tapfit::updating::testing
+}  // namespace tapfit::support

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace tapfit::updating::testing {
+namespace tapfit::support {
 
 inline constexpr std::array<double, 2> frame_band_hz{20.0, 2000.0};
 
@@ -50,13 +50,15 @@ inline structure::Deck frame_deck(const std::string& text,
   return deck;
 }
 
-inline BaseBuilder frame_builder(const structure::Deck& deck,
-                                 const acquisition::TestBundle& bundle,
-                                 bool split) {
-  BaseOptions options;
+inline updating::BaseBuilder frame_builder(
+    const structure::Deck& deck,
+    const acquisition::TestBundle& bundle,
+    bool split) {
+  updating::BaseOptions options;
   options.high_hz = frame_band_hz[1];
   options.split = split;
-  const MeasuredPoints points = measured_points(deck, bundle);
+  const updating::MeasuredPoints points =
+      updating::measured_points(deck, bundle);
   options.points = points.all;
   options.driven = points.driven;
   return {deck, bundle.uncertain, options, Progress{}};
@@ -65,9 +67,10 @@ inline BaseBuilder frame_builder(const structure::Deck& deck,
 struct BasedFrame {
   structure::Deck deck = frame_deck(frame_text());
   acquisition::TestBundle bundle = frame_bundle();
-  BaseBuilder coarse = frame_builder(deck, bundle, false);
-  BaseBuilder builder = frame_builder(deck, bundle, true);
-  std::vector<Correction> corrections = builder.hold_corrections(coarse);
+  updating::BaseBuilder coarse = frame_builder(deck, bundle, false);
+  updating::BaseBuilder builder = frame_builder(deck, bundle, true);
+  std::vector<updating::Correction> corrections =
+      builder.hold_corrections(coarse);
 
   [[nodiscard]] effects::Setting setting() const {
     effects::Setting setting;
@@ -81,4 +84,4 @@ struct BasedFrame {
   }
 };
 
-}  // namespace tapfit::updating::testing
+}  // namespace tapfit::support
