@@ -186,13 +186,9 @@ Round RungSearch::look(const Fit& current,
   options.known = known;
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
-  const Target& target = fitter_->target();
-  const Fit* best = &current;
-  for (const Hypothesis& h : round.hypotheses) {
-    if (h.fit.result.error < best->result.error) best = &h.fit;
-  }
-  round.data =
-      independent_data(target, best->result.residual, options_.modes_in_band);
+  // What there is to tell by is what is left so far.
+  round.data = independent_data(
+      fitter_->target(), current.result.residual, options_.modes_in_band);
   judge(round);
   if (options.neighbours > 0) {
     settle_places(current, round, progress);
@@ -272,8 +268,8 @@ Fit RungSearch::unite(Fit fit,
                       std::vector<Chosen>& chosen,
                       const Progress& progress) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
-    std::optional<PlacedEffect> whole = both_of(
-        fit.effects[k], fit.effects.back(), fitter_->setting().setting);
+    std::optional<PlacedEffect> whole =
+        both_of(fit.effects[k], fit.effects.back(), fitter_->setting().setting);
     if (!whole) continue;
     std::vector<PlacedEffect> effects = without(fit, k);
     effects.back() = *std::move(whole);

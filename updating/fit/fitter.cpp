@@ -296,7 +296,7 @@ namespace {
 
 // Within a few hundredths of a standard error of the best.
 constexpr MinimiseOptions exact{30, 1e-6, 1e-3};
-constexpr int rounds = 2;  // the second moves little as it is
+constexpr int rounds = 4;  // damping and number of data settle
 
 }  // namespace
 

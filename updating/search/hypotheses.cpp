@@ -183,10 +183,14 @@ std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
   std::vector<Where> places;
   for (const Kind& kind : kinds) {
     if (!kind.is_loss() || kind.error() > most_error) continue;
-    const Hypothesis& best = kind.likeliest();
-    if (best.own().p.front() > next_to_all) continue;
+    const Hypothesis* best = nullptr;
+    for (const Hypothesis& h : kind.found) {
+      if (h.own().p.front() > next_to_all) continue;
+      if (best == nullptr || is_likelier(h, *best)) best = &h;
+    }
+    if (best == nullptr || best->fit.result.error > most_error) continue;
     for (std::vector<int>& nodes :
-         cracks_within(deck, best.own().where.elements)) {
+         cracks_within(deck, best->own().where.elements)) {
       places.emplace_back().nodes = std::move(nodes);
     }
   }
