@@ -131,19 +131,12 @@ TEST_F(Demo, TheReadmeShowsItsErrorLadder) {
   errors.push_back(diagnosis.at("error").at("floor"));
   const auto shown = readme_ladder();
   ASSERT_EQ(shown.size(), errors.size());
-  // Rounding, as another processor's instructions make it, turns the last digit
-  // of the base, as it is and fitted, and of the floor. Fits of effects end
-  // where it lets them: with E times 1 + 1e-13 to 4e-13, or as much less, or
-  // the deck's cards in reverse, middle rungs, which still lack an effect, end
-  // up to 16 % off the README's (1.83 to 2.20 % for 1.9), the last one up to 5
-  // % off (0.352 to 0.367 % for 0.37). Half as much again is left for
-  // processors that round otherwise, twice as much for the last one.
-  const std::size_t last_rung = errors.size() - 2;
+  // Every fit arrives: with E times 1 + 1e-13, 1 - 1e-13 or 1 + 1e-11 every
+  // rung is the same to six digits. Rounding, as another processor's
+  // instructions make it, turns the last digit shown at most.
   for (std::size_t k = 0; k < errors.size(); ++k) {
     const auto [percent, unit] = shown[k];
-    double share = 0.0;
-    if (k > 1 && k < last_rung) share = 0.25;
-    if (k == last_rung) share = 0.10;
+    const double share = 0.01;
     EXPECT_NEAR(
         percent, 100.0 * errors[k], std::max(1.1 * unit, share * percent))
         << k;
