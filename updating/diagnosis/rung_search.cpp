@@ -159,11 +159,11 @@ void RungSearch::settle_places(const Fit& current,
     if (all[k].log_evidence < strongest - contender) break;
     const bool first = kinds.insert(all[k].own().effect).second;
     if (!first || !is_at_grid(all[k].own().where)) continue;
-    Hypothesis settled = settle_place(all[k],
-                                      current,
-                                      *fitter_,
-                                      {round.data, options_.floor_noise},
-                                      progress);
+    // Places beside each other are told apart by what is left at them.
+    const double data = independent_data(
+        fitter_->target(), all[k].fit.result.residual, options_.modes_in_band);
+    Hypothesis settled = settle_place(
+        all[k], current, *fitter_, {data, options_.floor_noise}, progress);
     if (settled.own().where == all[k].own().where) {
       all[k] = std::move(settled);
     } else {
