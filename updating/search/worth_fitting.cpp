@@ -62,8 +62,11 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
   const effects::Setting& setting = fitter.setting().setting;
   std::vector<PlacedEffect> tries;
   // Sensors and channels are few and each differs from the others. Their
-  // screening is exact but for what the rest may give way.
-  const bool few = fitter.places(effect).size() <= few_places;
+  // screening is exact but for what the rest may give way. They share a base;
+  // what changes the stiffness takes one each, and all are looked at once.
+  const bool few =
+      fitter.places(effect).size() <= few_places &&
+      (options.places_per_kind > 1 || !effect.changes_stiffness());
   const int most_places =
       effect.changes_stiffness() == ChangeKind::Joint
           ? std::max(options.places_per_kind, options.joints)
