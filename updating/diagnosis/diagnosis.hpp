@@ -37,14 +37,13 @@ struct Candidate {
   std::vector<EffectRef> indistinguishable_from;
 };
 
-/// What the sheet or the deck says wrongly.
+/// What the sheet says wrongly.
 struct SetUpMistake {
-  /// Catalogue name, for example "point-mislabelled"; or "card-swap".
-  std::string mistake;
+  std::string mistake;  ///< catalogue name, for example "point-mislabelled"
   Where where;
   double probability = 0.0;
   double error = 0.0;  ///< relative FRF error with it put right
-  std::string edit;    ///< what to correct, see sheet_edits() and CardSlip
+  std::string edit;    ///< what to correct, see sheet_edits()
 };
 
 /// What becomes of a verdict when something that was assumed is changed.
@@ -77,9 +76,7 @@ struct Diagnosis {
   std::vector<ModelForm> model_form = {};  ///< no part of verdict or ladder
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
-  /// Of the ladder, put right there; then what the deck says wrongly, in place
-  /// of the ladder.
-  std::vector<SetUpMistake> set_up;
+  std::vector<SetUpMistake> set_up;  ///< of the ladder, put right there
   std::vector<std::string> warnings;
   Rivals rivals = {};
   std::vector<Robustness> robustness = {};  ///< where it was asked for
