@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         KnownCase{"frame-sensor-mass", "sensor-mass", {sensor}},
         KnownCase{"frame-soft-support", "soft-support", {clamp}},
         KnownCase{"frame-sensor-mass+soft-support",
-                  "soft-support+sensor-mass",
+                  "sensor-mass+soft-support",
                   {sensor, clamp}},
         KnownCase{"frame-stiffness-loss",
                   "stiffness-loss",
