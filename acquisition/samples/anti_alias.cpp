@@ -9,6 +9,20 @@ namespace {
 
 constexpr double attenuation_db = 100.0;
 
+// Modified Bessel function of the first kind and order zero, by its series
+// I0(x) = sum over k of ((x/2)^k / k!)^2 (Abramowitz and Stegun 9.6.12). The
+// library's calls lgamma, which writes a global: not for several threads.
+double bessel_i0(double x) {
+  double term = 1.0;
+  double sum = 1.0;
+  for (int k = 1; term > 1e-17 * sum; ++k) {
+    const double factor = x / (2.0 * k);
+    term *= factor * factor;
+    sum += term;
+  }
+  return sum;
+}
+
 }  // namespace
 
 Eigen::VectorXd anti_alias_taps(int oversampling) {
@@ -23,8 +37,7 @@ Eigen::VectorXd anti_alias_taps(int oversampling) {
     const double x = 2.0 * std::numbers::pi * cutoff * static_cast<double>(n);
     const double sinc = n == 0 ? 1.0 : std::sin(x) / x;
     const double u = static_cast<double>(n) / static_cast<double>(half);
-    taps(n + half) =
-        sinc * std::cyl_bessel_i(0.0, beta * std::sqrt(1.0 - u * u));
+    taps(n + half) = sinc * bessel_i0(beta * std::sqrt(1.0 - u * u));
   }
   return taps / taps.sum();
 }

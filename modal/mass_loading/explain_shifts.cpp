@@ -1,8 +1,8 @@
 #include "modal/mass_loading/explain_shifts.hpp"
 
 #include "modal/mass_loading/mass_from_shifts.hpp"
-#include "modal/statistics/tail_probability.hpp"
-#include "modal/statistics/weighted_fit.hpp"
+#include "signal/statistics/tail_probability.hpp"
+#include "signal/statistics/weighted_fit.hpp"
 
 #include <Eigen/Dense>
 
@@ -22,10 +22,10 @@ constexpr double mostly = 0.8;  // of the squared shifts, to be their cause
 
 /// The hypotheses as least squares fits, all with one covariance.
 struct Fits {
-  WeightedFit still;   ///< a
-  WeightedFit mass;    ///< a, m
-  WeightedFit common;  ///< a, c
-  WeightedFit both;    ///< a, m, c
+  signal::WeightedFit still;   ///< a
+  signal::WeightedFit mass;    ///< a, m
+  signal::WeightedFit common;  ///< a, c
+  signal::WeightedFit both;    ///< a, m, c
 };
 
 /// g of all sensors together where shapes are scaled, each mode with its own
@@ -43,18 +43,21 @@ Fits fit_all(const ShiftTable& table, const Eigen::MatrixXd& m) {
   const Eigen::MatrixXd V =
       robust_variance(all, table.log_omega, table.variance).asDiagonal();
   const auto fit = [&](const Eigen::MatrixXd& X) {
-    return fit_weighted(X, table.log_omega, V);
+    return signal::fit_weighted(X, table.log_omega, V);
   };
   return {fit(a), fit(beside(a, m)), fit(beside(a, c)), fit(all)};
 }
 
 /// Share of what is left without that is gone with.
-double gain(const WeightedFit& with, const WeightedFit& without) {
+double gain(const signal::WeightedFit& with,
+            const signal::WeightedFit& without) {
   return without.chi2 > 0.0 ? 1.0 - with.chi2 / without.chi2 : 0.0;
 }
 
 /// Share of the masses' evidence that comes from masses above zero.
-double positive_share(const WeightedFit& fit, Index first, Index count) {
+double positive_share(const signal::WeightedFit& fit,
+                      Index first,
+                      Index count) {
   double up = 0.0;
   double all = 0.0;
   for (Index i = first; i < first + count; ++i) {
@@ -88,7 +91,7 @@ double largest_shift(const ShiftData& data) {
 /// Whether the shifts are large enough to be seen in an FRF.
 bool visible(const ShiftData& data,
              const ShiftTable& table,
-             const WeightedFit& still) {
+             const signal::WeightedFit& still) {
   for (Index i = 0; i < table.rows(); ++i) {
     const double zeta = data.damping(table.mode[static_cast<std::size_t>(i)]);
     if (std::abs(still.left(i)) > visible_share * zeta) return true;
@@ -97,20 +100,21 @@ bool visible(const ShiftData& data,
 }
 
 double noise_chance(const ShiftTable& table) {
-  const WeightedFit still =
-      fit_weighted(mode_columns(table),
-                   table.log_omega,
-                   table.variance.asDiagonal().toDenseMatrix());
-  return still.dof > 0
-             ? chi_squared_tail(still.chi2, static_cast<double>(still.dof))
-             : 1.0;
+  const signal::WeightedFit still =
+      signal::fit_weighted(mode_columns(table),
+                           table.log_omega,
+                           table.variance.asDiagonal().toDenseMatrix());
+  return still.dof > 0 ? signal::chi_squared_tail(
+                             still.chi2, static_cast<double>(still.dof))
+                       : 1.0;
 }
 
 MassEstimate estimate(const MassFit& fit, Index mass) {
   MassEstimate result;
   result.kg = fit.kg(mass);
   result.sd_kg = std::sqrt(fit.covariance(mass, mass));
-  const double reach = t_95(static_cast<double>(fit.dof)) * result.sd_kg;
+  const double reach =
+      signal::t_95(static_cast<double>(fit.dof)) * result.sd_kg;
   result.lo95_kg = result.kg - reach;
   result.hi95_kg = result.kg + reach;
   return result;
@@ -126,7 +130,7 @@ bool masses_differ(const MassFit& each) {
   const Eigen::MatrixXd V = contrast * each.covariance * contrast.transpose();
   const double q = difference.dot(V.ldlt().solve(difference));
   const auto columns = static_cast<double>(n - 1);
-  return f_tail(q / columns, columns, static_cast<double>(each.dof)) <
+  return signal::f_tail(q / columns, columns, static_cast<double>(each.dof)) <
          significant;
 }
 
@@ -170,11 +174,11 @@ std::optional<PoleShifts> explain_shifts(const ShiftData& data) {
   PoleShifts result;
   result.largest = largest_shift(data);
   result.p_noise = noise_chance(table);
-  const double p_common = chance_of_gain(fits.both, fits.mass);
+  const double p_common = signal::chance_of_gain(fits.both, fits.mass);
   const bool common = p_common < significant;
-  const WeightedFit& with = common ? fits.both : fits.mass;
-  const WeightedFit& without = common ? fits.common : fits.still;
-  result.p_mass = chance_of_gain(with, without);
+  const signal::WeightedFit& with = common ? fits.both : fits.mass;
+  const signal::WeightedFit& without = common ? fits.common : fits.still;
+  result.p_mass = signal::chance_of_gain(with, without);
   result.p_same_fraction = p_common;
   const double up = positive_share(with, mode_columns(table).cols(), m.cols());
   if (result.p_mass < significant && up > mostly) {

@@ -2,7 +2,7 @@
 
 #include "acquisition/samples/statistics.hpp"
 #include "modal/mass_loading/unloaded_modes.hpp"
-#include "modal/statistics/weighted_fit.hpp"
+#include "signal/statistics/weighted_fit.hpp"
 
 #include <Eigen/Dense>
 
@@ -187,7 +187,7 @@ Eigen::MatrixXd model_covariance(const ShiftData& data,
 /// One Gauss-Newton step and what it was made with.
 struct Step {
   Eigen::VectorXd change;
-  WeightedFit fit;
+  signal::WeightedFit fit;
   Eigen::MatrixXd X;
   Eigen::MatrixXd V;
 };
@@ -202,7 +202,7 @@ Step solve_step(const ShiftTable& table,
   const Eigen::VectorXd known = table.variance + extra.diagonal();
   step.V = extra;
   step.V.diagonal() = robust_variance(step.X, now.y, known);
-  step.fit = fit_weighted(step.X, now.y, step.V);
+  step.fit = signal::fit_weighted(step.X, now.y, step.V);
   const Index first = mode_columns(table).cols();
   step.change = step.fit.coefficients.segment(first, now.J.cols());
   return step;
@@ -223,8 +223,8 @@ MassFit summary(const ShiftTable& table,
   MassFit result;
   result.kg = kg;
   result.dof = step.fit.dof;
-  const WeightedFit still =
-      fit_weighted(mode_columns(table), table.log_omega, step.V);
+  const signal::WeightedFit still =
+      signal::fit_weighted(mode_columns(table), table.log_omega, step.V);
   const Eigen::VectorXd known = table.variance.cwiseInverse();
   const double before =
       upper_quartile(still.left.cwiseAbs2().cwiseProduct(known));
@@ -238,9 +238,9 @@ MassFit summary(const ShiftTable& table,
   result.covariance =
       scale * step.fit.covariance.block(first, first, masses, masses);
   if (!common) return result;
-  const WeightedFit without =
-      fit_weighted(step.X.leftCols(first + masses), now.y, step.V);
-  result.p_same_fraction = chance_of_gain(step.fit, without);
+  const signal::WeightedFit without =
+      signal::fit_weighted(step.X.leftCols(first + masses), now.y, step.V);
+  result.p_same_fraction = signal::chance_of_gain(step.fit, without);
   const Index set_ups = step.X.cols() - first - masses;
   Eigen::VectorXd c = step.fit.coefficients.tail(set_ups);
   c.array() -= c.mean();

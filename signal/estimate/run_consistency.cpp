@@ -1,6 +1,6 @@
 #include "signal/estimate/run_consistency.hpp"
 
-#include "signal/estimate/f_tail.hpp"
+#include "signal/statistics/tail_probability.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "updating/prediction/confirmation.hpp"
 
 #include "modal/mode_set/pairing.hpp"
-#include "modal/statistics/tail_probability.hpp"
+#include "signal/statistics/tail_probability.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +25,7 @@ double normal_limit(double chance) {
   double high = 40.0;
   while (high - low > 1e-9) {
     const double z = 0.5 * (low + high);
-    (modal::chi_squared_tail(z * z, 1.0) > chance ? low : high) = z;
+    (signal::chi_squared_tail(z * z, 1.0) > chance ? low : high) = z;
   }
   return low;
 }

@@ -1,12 +1,12 @@
-#include "modal/statistics/weighted_fit.hpp"
+#include "signal/statistics/weighted_fit.hpp"
 
-#include "modal/statistics/tail_probability.hpp"
+#include "signal/statistics/tail_probability.hpp"
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 
-namespace tapfit::modal {
+namespace tapfit::signal {
 
 WeightedFit fit_weighted(const Eigen::MatrixXd& X,
                          const Eigen::VectorXd& y,
@@ -38,4 +38,4 @@ double chance_of_gain(const WeightedFit& with, const WeightedFit& without) {
   return f_tail(gain / noise, columns, dof);
 }
 
-}  // namespace tapfit::modal
+}  // namespace tapfit::signal

@@ -17,7 +17,7 @@
 
 #include <Eigen/Core>
 
-namespace tapfit::modal {
+namespace tapfit::signal {
 
 struct WeightedFit {
   Eigen::VectorXd coefficients;  ///< per column; smallest where not determined
@@ -40,4 +40,4 @@ struct WeightedFit {
 [[nodiscard]] double chance_of_gain(const WeightedFit& with,
                                     const WeightedFit& without);
 
-}  // namespace tapfit::modal
+}  // namespace tapfit::signal

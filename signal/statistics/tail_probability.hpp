@@ -9,7 +9,7 @@
 // function).
 #pragma once
 
-namespace tapfit::modal {
+namespace tapfit::signal {
 
 /// P(F > f) for d1 and d2 degrees of freedom, both above 0; 1 for f <= 0.
 [[nodiscard]] double f_tail(double f, double d1, double d2);
@@ -20,4 +20,4 @@ namespace tapfit::modal {
 /// The t that |T| stays below with probability 0.95, d degrees of freedom.
 [[nodiscard]] double t_95(double d);
 
-}  // namespace tapfit::modal
+}  // namespace tapfit::signal

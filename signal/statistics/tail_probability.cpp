@@ -1,13 +1,19 @@
-#include "modal/statistics/tail_probability.hpp"
+#include "signal/statistics/tail_probability.hpp"
 
 #include <cmath>
 
-namespace tapfit::modal {
+namespace tapfit::signal {
 namespace {
 
 constexpr int most_terms = 10000;
 constexpr double enough = 1e-14;
 constexpr double tiny = 1e-300;
+
+// std::lgamma writes the sign into a global: not for several threads.
+double log_gamma(double x) {
+  int sign = 0;
+  return lgamma_r(x, &sign);
+}
 
 double away_from_zero(double x) { return std::abs(x) < tiny ? tiny : x; }
 
@@ -34,9 +40,8 @@ double beta_fraction(double x, double a, double b) {
 double incomplete_beta(double x, double a, double b) {
   if (x <= 0.0) return 0.0;
   if (x >= 1.0) return 1.0;
-  const double front =
-      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) +
-               a * std::log(x) + b * std::log1p(-x));
+  const double front = std::exp(log_gamma(a + b) - log_gamma(a) - log_gamma(b) +
+                                a * std::log(x) + b * std::log1p(-x));
   if (x < (a + 1.0) / (a + b + 2.0)) return front * beta_fraction(x, a, b) / a;
   return 1.0 - front * beta_fraction(1.0 - x, b, a) / b;
 }
@@ -80,7 +85,7 @@ double chi_squared_tail(double c, double d) {
   if (!(c > 0.0)) return 1.0;
   const double a = 0.5 * d;
   const double x = 0.5 * c;
-  const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
+  const double front = std::exp(a * std::log(x) - x - log_gamma(a));
   return x < a + 1.0 ? 1.0 - front * gamma_series(a, x)
                      : front * gamma_fraction(a, x);
 }
@@ -95,4 +100,4 @@ double t_95(double d) {
   return 0.5 * (low + high);
 }
 
-}  // namespace tapfit::modal
+}  // namespace tapfit::signal
