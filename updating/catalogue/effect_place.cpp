@@ -4,6 +4,7 @@
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/prestress.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/set_up/sheet_place.hpp"
 #include "updating/set_up/sheet_points.hpp"
@@ -128,7 +129,9 @@ bool is_meant(const Where& want,
               const Where& where,
               const effects::Effect& effect) {
   if (!effect.takes_any_grid() && want.node != where.node) return false;
-  const bool open = want.nodes.empty() && !effect.at_sheet_points();
+  // Where a clamp sits that the deck has not has to be told.
+  const bool open =
+      want.nodes.empty() && !effect.at_sheet_points() && !is_held(where);
   if (!open && want.nodes != where.nodes) return false;
   if (!want.channels.empty() && !same_channels(want, where)) return false;
   return want.variant.empty() || want.variant == where.variant;
@@ -181,7 +184,12 @@ std::string remedy(const effects::Effect& effect,
            "\":\"; a member is pushed (prestress@3:4:compression) only where "
            "both its ends are held";
   }
-  if (kind == ChangeKind::Support) return "name grids that the model holds";
+  if (kind == ChangeKind::Support) {
+    return effect.is_mistake()
+               ? "name grids that the model holds and how they were free, or "
+                 "grids that it leaves free and how they were held (5:10:held)"
+               : "name grids that the model holds";
+  }
   if (effect.takes_any_grid()) {
     return "name a channel, the grid that the sheet has it at and the one "
            "where it was (acc1:8:6), and runs, if not all (acc1:8:6:run4-6)";
@@ -354,6 +362,13 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
     if (const auto line = line_through(places, want)) {
       return placed(effect, *line, s);
     }
+  }
+  // Any grids may have been held, not only those that the diagnosis tries.
+  const bool held = kind == ChangeKind::Support && is_held(want) &&
+                    effect.is_mistake() && !want.nodes.empty();
+  if (held && missing_part(want, s).empty() &&
+      !newly_held(*s.deck, want).empty()) {
+    return placed(effect, want, s);
   }
   if (kind == ChangeKind::Preload && are_elements(*s.deck, want.elements) &&
       effects::can_carry(*s.deck, want)) {

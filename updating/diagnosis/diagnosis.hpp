@@ -37,13 +37,14 @@ struct Candidate {
   std::vector<EffectRef> indistinguishable_from;
 };
 
-/// What the sheet says wrongly.
+/// What the sheet or the deck says wrongly.
 struct SetUpMistake {
-  std::string mistake;  ///< catalogue name, for example "point-mislabelled"
+  /// Catalogue name, for example "point-mislabelled"; or "card-swap".
+  std::string mistake;
   Where where;
   double probability = 0.0;
   double error = 0.0;  ///< relative FRF error with it put right
-  std::string edit;    ///< what to correct, see sheet_edits()
+  std::string edit;    ///< what to correct, see sheet_edits() and CardSlip
 };
 
 /// What becomes of a verdict when something that was assumed is changed.
@@ -76,7 +77,9 @@ struct Diagnosis {
   std::vector<ModelForm> model_form = {};  ///< no part of verdict or ladder
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
-  std::vector<SetUpMistake> set_up;  ///< of the ladder, put right there
+  /// Of the ladder, put right there; then what the deck says wrongly, in place
+  /// of the ladder.
+  std::vector<SetUpMistake> set_up;
   std::vector<std::string> warnings;
   Rivals rivals = {};
   std::vector<Robustness> robustness = {};  ///< where it was asked for

@@ -2,10 +2,13 @@
 
 #include "acquisition/bundle/channel_names.hpp"
 #include "modal/mass_loading/sensor_shifts.hpp"
+#include "updating/diagnosis/card_swap.hpp"
 #include "updating/diagnosis/diagnose.hpp"
+#include "updating/diagnosis/set_up_mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -28,10 +31,14 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const MeasuredTest& test,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
-  Diagnosis d = diagnose(*ground.fitter,
-                         current.effects,
-                         options_of_test(ground, base, test),
-                         progress);
+  const DiagnoseOptions options = options_of_test(ground, base, test);
+  Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
+  if (current.effects.empty()) {
+    if (auto slip = card_swap(*ground.fitter, d, options, progress)) {
+      d.warnings.push_back(describe(*slip));
+      d.set_up.push_back(std::move(*slip));
+    }
+  }
   // Nothing fitted yet: the base is the deck as it is.
   if (current.result.history.empty()) d.error_base = base.error;
   if (const auto& shifts = test.modes.shifts; modal::is_telling(shifts)) {

@@ -90,14 +90,22 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
   return model;
 }
 
+namespace {
+
+bool change_stiffness(const std::vector<PlacedEffect>& effects) {
+  return std::ranges::any_of(effects, [](const PlacedEffect& e) {
+    return e.effect->changes_stiffness().has_value();
+  });
+}
+
+}  // namespace
+
 // The deck's own mesh with the same effects, as far as they change its modes.
 std::shared_ptr<const FrfModel> Fitter::coarser_for(
     const std::vector<PlacedEffect>& effects) const {
-  const bool changed = std::ranges::any_of(effects, [](const PlacedEffect& e) {
-    return e.effect->changes_stiffness().has_value();
-  });
-  return changed ? Fitter(*coarser_, setting_).model_for(effects)
-                 : plain_coarser_;
+  return change_stiffness(effects)
+             ? Fitter(*coarser_, setting_).model_for(effects)
+             : plain_coarser_;
 }
 
 // What the mesh does to the modes as they have become: all fits alike, so that
@@ -111,8 +119,7 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
                              setting_.uncertain_sd.size() -
                                  before.model->base().corrections.size()),
                 before.target};
-  const bool changed = !before.model->base().terms.empty();
-  if (changed) {
+  if (change_stiffness(state.effects)) {
     ground.target.mesh_bias =
         mesh_error(*ground.model, coarser, state, ground.target);
   }

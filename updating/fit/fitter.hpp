@@ -125,6 +125,7 @@ class Fitter {
   [[nodiscard]] const std::vector<Where>& places(
       const effects::Effect& effect) const;
 
+  [[nodiscard]] const BaseBuilder& builder() const { return *builder_; }
   [[nodiscard]] const FitSetting& setting() const { return setting_; }
   [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
 

@@ -61,6 +61,13 @@ class FrfModel {
                                       const Eigen::VectorXcd& s,
                                       bool derivatives) const;
 
+  /// FRFs where the base's modes are others than the state makes them.
+  /// @param modes in place of base_modes()
+  [[nodiscard]] Eigen::MatrixXcd respond_through(
+      const BaseModes& modes,
+      const ModelState& state,
+      const Eigen::VectorXcd& s) const;
+
   /// The same at several sizes of the last effect, without derivatives: what
   /// the others make of the modes is worked out once.
   /// @param sizes the last effect's parameters, each

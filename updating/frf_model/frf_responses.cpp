@@ -129,6 +129,13 @@ ModelResponse FrfModel::respond(const ModelState& state,
   return respond(shared, s, derivatives);
 }
 
+MatrixXcd FrfModel::respond_through(const BaseModes& modes,
+                                    const ModelState& state,
+                                    const VectorXcd& s) const {
+  ModalState shared = modal_state(state, modes);
+  return respond(shared, s, false).H;
+}
+
 ModelResponse FrfModel::respond(ModalState& shared,
                                 const VectorXcd& s,
                                 bool derivatives) const {

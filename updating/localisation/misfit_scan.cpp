@@ -76,6 +76,8 @@ VectorXd MisfitScan::change(const MatrixXcd& dH) const {
   return stack(*target_, dH);
 }
 
+double MisfitScan::unchanged() const { return std::sqrt(misfit_power_); }
+
 // ||m + P c||^2 with P the projection off Q and m = P m.
 VectorXd MisfitScan::errors(const VectorXd& power,
                             const MatrixXd& shared) const {
@@ -98,7 +100,7 @@ MisfitScan::Scaled MisfitScan::scaled(double power,
   const double left =
       power - shared.tail(shared.size() - tangent).squaredNorm();
   const double along = -shared(misfit);
-  if (along <= 0.0 || left <= least) return {0.0, std::sqrt(misfit_power_)};
+  if (along <= 0.0 || left <= least) return {0.0, unchanged()};
   return {along / left,
           std::sqrt(std::max(misfit_power_ - along * along / left, 0.0))};
 }

@@ -25,6 +25,9 @@ class MisfitScan {
   /// Real residual vector of a change of the FRFs (lines x FRFs).
   [[nodiscard]] Eigen::VectorXd change(const Eigen::MatrixXcd& dH) const;
 
+  /// Error left with no change at all.
+  [[nodiscard]] double unchanged() const;
+
   /// Error left with each of several changes made as they are.
   /// @param power squared norms of the changes
   /// @param shared directions' products with them, a column per change

@@ -1,5 +1,7 @@
 #include "updating/reduction/extended_base.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
+#include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 
@@ -26,6 +28,25 @@ void turn(ReducedBase& base, const MatrixXd& Q) {
   for (MatrixXd& part : base.K_part) turn_one(part);
   for (MatrixXd& part : base.M_part) turn_one(part);
 }
+
+namespace {
+
+// Coordinates in which what is held stays at rest.
+MatrixXd coordinates_left(const std::vector<int>& dofs,
+                          const MatrixXd& V,
+                          const MatrixXd& R) {
+  MatrixXd rows(static_cast<Index>(dofs.size()), V.cols() + R.cols());
+  rows << V(dofs, Eigen::all), R(dofs, Eigen::all);
+  MatrixXd Q = motions_without(rows);
+  if (Q.cols() == 0) {
+    throw InputError("nothing of the model moves in reach of the band",
+                     "where it is held",
+                     "hold fewer of its grids");
+  }
+  return Q;
+}
+
+}  // namespace
 
 ReducedBase extended_base(const MatrixXd& V,
                           const ReducedBase& fixed,
@@ -58,16 +79,26 @@ ReducedBase extended_base(const MatrixXd& V,
     base.K_part.push_back(grow(fixed.K_part[part], corrections[k].beyond));
     base.M_part.push_back(grow(fixed.M_part[part], {}));
   }
+  MatrixXd left;
+  if (!released.held.empty()) {
+    left = coordinates_left(released.held, V, R);
+    turn(base, left);
+    base.rows.set_at_rest(released.held);
+  }
+  const auto through = [&](const SparseMatrix& A) {
+    MatrixXd seen = seen_through_all(V, R, A);
+    return left.size() == 0 ? seen : MatrixXd(left.transpose() * seen * left);
+  };
   for (const ScaledStiffness& scaled : released.scaled) {
     StiffnessTerm& term = base.terms.emplace_back();
     term.parameter = scaled.parameter;
-    term.S = seen_through_all(V, R, scaled.S);
+    term.S = through(scaled.S);
     const bool loses_mass = scaled.N.size() > 0;
-    if (loses_mass) term.N = seen_through_all(V, R, scaled.N);
+    if (loses_mass) term.N = through(scaled.N);
     for (const UncertainPart& part : scaled.parts) {
       term.part_power.push_back(part.power);
-      term.S_part.push_back(seen_through_all(V, R, part.K));
-      if (loses_mass) term.N_part.push_back(seen_through_all(V, R, part.M));
+      term.S_part.push_back(through(part.K));
+      if (loses_mass) term.N_part.push_back(through(part.M));
     }
   }
   if (base.terms.empty()) {

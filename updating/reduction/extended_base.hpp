@@ -1,6 +1,8 @@
 // A reduced base with a few vectors more.
 //
 //   [V R]' A [V R],   R what the further vectors have beyond V
+//
+// Where degrees of freedom are held besides, of this what leaves them at rest.
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
@@ -24,7 +26,9 @@ void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
 /// @param corrections the last of the fixed base's parts
 /// @return with a term for each of released.scaled. Without one K is diagonal;
 ///   with one the modes are others for all that its parameter may be, and the
-///   coordinates are those of V, then those of R
+///   coordinates are those of V, then those of R, or of what is held what these
+///   leave
+/// @throws InputError where nothing is left that moves
 [[nodiscard]] ReducedBase extended_base(
     const Eigen::MatrixXd& V,
     const ReducedBase& fixed,

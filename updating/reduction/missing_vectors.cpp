@@ -1,5 +1,6 @@
 #include "updating/reduction/missing_vectors.hpp"
 
+#include "updating/reduction/held_motions.hpp"
 #include "updating/reduction/subspace.hpp"
 
 #include <utility>
@@ -18,6 +19,9 @@ MatrixXd missing_vectors(const HeldBase& held,
   std::vector<MatrixXd> blocks;
   if (!fresh.empty()) blocks.push_back(held.answers.to_points(fresh));
   if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  if (!released.held.empty()) {
+    blocks.push_back(held_modes(held, released.held));
+  }
   const Index n = held.system.dofs();
   const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
     SparseMatrix own_mass;

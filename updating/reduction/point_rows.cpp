@@ -1,5 +1,6 @@
 #include "updating/reduction/point_rows.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tapfit::updating {
@@ -25,9 +26,19 @@ PointRows PointRows::with(MatrixXd columns) const {
 
 void PointRows::turn(const MatrixXd& Q) { Q_ = (Q_ * Q).eval(); }
 
+void PointRows::set_at_rest(const std::vector<int>& dofs) {
+  for (const Index dof : dofs) {
+    if (dof < rows()) at_rest_.push_back(dof);
+  }
+  std::ranges::sort(at_rest_);
+}
+
 Index PointRows::rows() const { return own_.rows(); }
 
 Eigen::RowVectorXd PointRows::row(Index dof) const {
+  if (std::ranges::binary_search(at_rest_, dof)) {
+    return Eigen::RowVectorXd::Zero(cols());
+  }
   if (own_.cols() == 0) return shared_->row(dof) * Q_;
   return shared_->row(dof) * Q_.topRows(shared_->cols()) +
          own_.row(dof) * Q_.bottomRows(own_.cols());
@@ -38,6 +49,9 @@ MatrixXd PointRows::rows_of_grid(std::size_t grid) const {
   MatrixXd rows = shared_->middleRows(first, 6) * Q_.topRows(shared_->cols());
   if (own_.cols() > 0) {
     rows += own_.middleRows(first, 6) * Q_.bottomRows(own_.cols());
+  }
+  for (const Index dof : at_rest_) {
+    if (dof >= first && dof < first + 6) rows.row(dof - first).setZero();
   }
   return rows;
 }
@@ -50,6 +64,7 @@ MatrixXd PointRows::operator*(const MatrixXd& X) const {
   const MatrixXd QX = Q_ * X;
   MatrixXd result = *shared_ * QX.topRows(shared_->cols());
   if (own_.cols() > 0) result += own_ * QX.bottomRows(own_.cols());
+  for (const Index dof : at_rest_) result.row(dof).setZero();
   return result;
 }
 

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace tapfit::updating {
 
@@ -20,8 +21,11 @@ class PointRows {
 
   /// The same with further columns behind.
   [[nodiscard]] PointRows with(Eigen::MatrixXd columns) const;
-  /// In other coordinates of the same span: rows Q.
+  /// In other coordinates of the same span, or of a part of it: rows Q.
   void turn(const Eigen::MatrixXd& Q);
+  /// Makes those of degrees of freedom that do not move in this span, which
+  /// are zero but for rounding, exactly that.
+  void set_at_rest(const std::vector<int>& dofs);
 
   [[nodiscard]] Eigen::Index rows() const;
   [[nodiscard]] Eigen::Index cols() const { return Q_.cols(); }
@@ -34,7 +38,8 @@ class PointRows {
  private:
   std::shared_ptr<const Eigen::MatrixXd> shared_;
   Eigen::MatrixXd own_;
-  Eigen::MatrixXd Q_;  // columns of both x r
+  Eigen::MatrixXd Q_;                  // columns of both x r
+  std::vector<Eigen::Index> at_rest_;  // ascending
 };
 
 }  // namespace tapfit::updating

@@ -1,11 +1,13 @@
 #include "updating/reduction/reduced_base.hpp"
 
+#include "updating/places/held_support.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/assembled_base.hpp"
 #include "updating/reduction/base_cache.hpp"
 #include "updating/reduction/basis_enrichment.hpp"
 #include "updating/reduction/change_range.hpp"
 #include "updating/reduction/corrections.hpp"
+#include "updating/reduction/deck_through_base.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/lean_span.hpp"
 #include "updating/reduction/massless_dofs.hpp"
@@ -13,6 +15,7 @@
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/solve_base.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
+#include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -135,6 +138,22 @@ BaseBuilder::~BaseBuilder() = default;
 BaseBuilder::BaseBuilder(BaseBuilder&&) noexcept = default;
 BaseBuilder& BaseBuilder::operator=(BaseBuilder&&) noexcept = default;
 
+BaseBuilder BaseBuilder::for_deck(const structure::Deck& deck) const {
+  BaseOptions options = impl_->model.options;
+  options.split = false;
+  options.cache.reset();
+  return {deck, impl_->model.uncertain, options, Progress{}};
+}
+
+ReducedBase BaseBuilder::through_base(const structure::Deck& deck) const {
+  const Impl& m = *impl_;
+  const BaseOptions& options = m.model.options;
+  return deck_through_base(
+      options.split ? structure::refine_mesh(deck).deck : deck,
+      m.model.uncertain,
+      {m.wide.V, m.wide.base.rows, options.points, options.high_hz});
+}
+
 std::vector<Correction> BaseBuilder::hold_corrections(
     const BaseBuilder& coarser) {
   Impl& m = *impl_;
@@ -230,7 +249,12 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                const std::vector<StiffnessChange>& changes,
                                BaseUse use) const {
   const Impl& m = *impl_;
-  const Impl::Span& span = use == BaseUse::Fit ? m.lean : m.wide;
+  // Held elsewhere, a structure has modes that a lean span is not made for.
+  const bool elsewhere = std::ranges::any_of(
+      changes,
+      [](const StiffnessChange& change) { return is_held(change.of.where); });
+  const bool lean = use == BaseUse::Fit && !elsewhere;
+  const Impl::Span& span = lean ? m.lean : m.wide;
   std::vector<int> fresh;
   std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
   if (changes.empty() && fresh.empty()) return span.base;

@@ -55,6 +55,15 @@ class BaseBuilder {
   BaseBuilder(BaseBuilder&&) noexcept;
   BaseBuilder& operator=(BaseBuilder&&) noexcept;
 
+  /// The same test of another deck with the same grids, on its own mesh; kept
+  /// nowhere.
+  /// @throws InputError as the constructor
+  [[nodiscard]] BaseBuilder for_deck(const structure::Deck& deck) const;
+
+  /// Another deck with the same grids as far as this one's base can move, see
+  /// deck_through_base.hpp.
+  [[nodiscard]] ReducedBase through_base(const structure::Deck& deck) const;
+
   /// @param points further degrees of freedom that are acted on, ascending
   /// @param changes of the stiffness that the base must hold
   /// @param use what of the deck's own motions it holds

@@ -2,6 +2,7 @@
 
 #include "updating/effects/preload.hpp"
 #include "updating/places/crack_line.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/places/joint_line.hpp"
 #include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
@@ -9,6 +10,7 @@
 #include "updating/structure/assembly/assemble.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <utility>
 
@@ -330,7 +332,10 @@ ReleasedSystem release(const RefinedDeck& mesh,
   std::vector<OpenJoint> joints;
   for (const StiffnessChange& change : changes) {
     springs.emplace_back();
-    if (change.kind == ChangeKind::Support) {
+    if (is_held(change.of.where)) {
+      std::ranges::copy(held_dofs(mesh, change.of.where),
+                        std::back_inserter(released.held));
+    } else if (change.kind == ChangeKind::Support) {
       springs.back() = support_springs(mesh.deck, change, pulled);
       let_go(springs.back(), system, released);
     }
@@ -338,6 +343,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       springs.back() = {cut_joint(mesh, change, uncertain, released, joints)};
     }
   }
+  std::sort(released.held.begin(), released.held.end());
   std::sort(released.active.begin(), released.active.end());
   released.active.erase(
       std::unique(released.active.begin(), released.active.end()),
@@ -368,7 +374,8 @@ void add_regularising_mass(const std::vector<int>& free,
   std::vector<int> changed;
   for (const int i : released.active) {
     const bool loose = !std::ranges::binary_search(free, i);
-    if (loose || acted(i) != 0.0) changed.push_back(i);
+    const bool held = std::ranges::binary_search(released.held, i);
+    if (loose || held || acted(i) != 0.0) changed.push_back(i);
   }
   const SparseMatrix lent =
       regularising_mass(*released.K, *released.M, changed, high_hz);

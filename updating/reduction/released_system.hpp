@@ -39,6 +39,9 @@ struct ReleasedSystem {
   std::shared_ptr<const std::vector<UncertainPart>> parts;
   std::vector<ScaledStiffness> scaled = {};  ///< change after change
   std::vector<int> active = {};  ///< degrees of freedom that can move
+  /// Of the system's, those that are held besides (held_motions.hpp): K and M
+  /// have them as if they were free.
+  std::vector<int> held = {};
 
   [[nodiscard]] Eigen::Index dofs() const { return K->rows(); }
   void add_mass(const structure::SparseMatrix& more);
@@ -64,8 +67,8 @@ struct ReleasedSystem {
     const Eigen::VectorXd& pulled = {});
 
 /// Lends mass (massless_dofs.hpp) to what is released and to what changes act
-/// on: rotations seldom have one, and the modes of a coarse mesh may hold all
-/// that has.
+/// on or hold: rotations seldom have one, and the modes of a coarse mesh may
+/// hold all that has.
 ///
 /// @param free degrees of freedom of the system before, ascending
 void add_regularising_mass(const std::vector<int>& free,

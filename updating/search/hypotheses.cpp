@@ -22,9 +22,6 @@
 namespace tapfit::updating {
 namespace {
 
-// Places around the best of a kind are looked at where it leaves at most this
-// times the error of the best of all.
-constexpr double rival = 4.0;
 // Of the logarithm of a likelihood, what is worth a name of its own. Whether it
 // is worth its parameters the evidence tells.
 constexpr double clearly = 1.0;
@@ -147,7 +144,8 @@ void climb_rivals(std::vector<Kind>& kinds,
   for (const bool grids : {true, false}) {
     const double least = least_error(kinds);
     for (Kind& kind : kinds) {
-      if (kind.at_grids() != grids || kind.error() > rival * least) continue;
+      if (kind.at_grids() != grids || kind.error() > rival_error * least)
+        continue;
       climb_from_best(kind, current, fitter, options, progress);
     }
   }
@@ -239,12 +237,13 @@ void try_forms(std::vector<Kind>& kinds,
   const effects::Setting& setting = fitter.setting().setting;
   for (Kind& kind : kinds) {
     std::vector<Where> places;
-    if (kind.error() <= rival * least) {
+    if (kind.error() <= rival_error * least) {
       places = places_for_forms(kind, *setting.deck);
     }
     if (kind.is_joint()) {
-      std::ranges::copy(cracks_in_patches(kinds, rival * least, *setting.deck),
-                        std::back_inserter(places));
+      std::ranges::copy(
+          cracks_in_patches(kinds, rival_error * least, *setting.deck),
+          std::back_inserter(places));
     }
     if (places.empty()) continue;
     std::vector<PlacedEffect> tries;

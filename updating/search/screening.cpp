@@ -8,6 +8,7 @@
 #include "updating/localisation/place_rows.hpp"
 #include "updating/localisation/place_scan.hpp"
 #include "updating/places/element_cells.hpp"
+#include "updating/search/screen_clamps.hpp"
 #include "updating/search/screen_mistakes.hpp"
 
 #include <algorithm>
@@ -259,6 +260,11 @@ class Screening {
     return screen_mistakes(*current_, *target_, scan_, *measured_);
   }
 
+  [[nodiscard]] std::vector<Screened> clamps() const {
+    return promising_clamps(
+        screen_clamps(*current_, *fitter_, *target_, scan_, now_), scan_);
+  }
+
   // Effects at few places, which the model as it is can respond to: those of
   // sensors and channels. Every size is worked out, none estimated.
   [[nodiscard]] std::vector<Screened> few() const {
@@ -381,7 +387,8 @@ std::vector<Screened> screen(const Fit& current,
   for (const auto& more : {screening.detailed(),
                            screening.wide(),
                            screening.few(),
-                           screening.mistakes()}) {
+                           screening.mistakes(),
+                           screening.clamps()}) {
     result.insert(result.end(), more.begin(), more.end());
   }
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {

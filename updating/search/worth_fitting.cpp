@@ -2,6 +2,7 @@
 
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/catalogue/effect_place.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/places/near_places.hpp"
 
 #include <algorithm>
@@ -70,9 +71,12 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
       effect.changes_stiffness() == ChangeKind::Joint
           ? std::max(options.places_per_kind, options.joints)
           : options.places_per_kind;
+  // A support that the structure has not, or one that the model has not.
+  const bool support = effect.is_mistake() && effect.changes_stiffness();
   const auto is_new = [&](const Screened& s) {
+    const bool climbs = !effect.at_sheet_points() && !support;
     const bool known =
-        !few && !effect.at_sheet_points() && options.neighbours > 0 &&
+        !few && climbs && options.neighbours > 0 &&
         std::ranges::any_of(tries, [&](const PlacedEffect& other) {
           return within_reach(other.where,
                               s.placed.where,
@@ -99,6 +103,8 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     const bool promising =
         s.error <= options.promising * screened.front().error;
     if (!promising && !(few && is_preload)) break;
+    const bool held = is_held(s.placed.where);
+    if (held && s.error > rival_error * screened.front().error) break;
     if (is_new(s)) tries.push_back(s.placed);
   }
   // The grid that explains most whatever the law: sizes far from the model's
@@ -107,12 +113,12 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
       is_new(*likely)) {
     tries.push_back(likely->placed);
   }
-  if (likely != nullptr || effect.at_sheet_points()) return tries;
+  if ((likely != nullptr && !support) || effect.at_sheet_points()) return tries;
   // A support that the structure has not is no small thing, and takes a base of
   // its own for each of its forms: looked for where all is looked at.
-  const bool support = effect.is_mistake() && effect.changes_stiffness();
   if (support && options.places_per_kind <= 1) return tries;
   for (const Where& where : fitter.places(effect)) {
+    if (support && is_held(where)) continue;  // screened
     const PlacedEffect p = placed(effect, where, setting);
     if (!is_present(current, p)) tries.push_back(p);
   }

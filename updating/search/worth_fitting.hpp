@@ -1,13 +1,17 @@
 // What the screening found that is worth a full fit, kind after kind.
 #pragma once
 
-#include "updating/search/screened.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/search/screened.hpp"
 
 #include <memory>
 #include <vector>
 
 namespace tapfit::updating {
+
+/// A kind is looked at more closely where its best leaves at most this times
+/// the error of the best of all.
+inline constexpr double rival_error = 4.0;
 
 struct HypothesisOptions {
   int places_per_kind = 3;

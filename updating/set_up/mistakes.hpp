@@ -23,8 +23,8 @@ namespace tapfit::effects {
 /// A channel in another unit than written down: a known factor at every
 /// frequency, or once integrated.
 [[nodiscard]] const Effect& unit_factor();
-/// A support of the model that the structure did not have: the first modes are
-/// others, down to the rigid ones.
+/// A support of the model that the structure did not have, or the reverse: the
+/// first modes are others, down to the rigid ones.
 [[nodiscard]] const Effect& support_mismatch();
 
 }  // namespace tapfit::effects

@@ -1,5 +1,6 @@
 #include "updating/set_up/sheet_edits.hpp"
 
+#include "updating/places/held_support.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/set_up/point_edits.hpp"
 
@@ -132,8 +133,11 @@ std::vector<std::string> sheet_edits(const Effect& effect,
   if (effect.changes_stiffness() == updating::ChangeKind::Support) {
     Where grids = where;
     grids.variant.clear();
-    return {fmt::format("model: release components {} (basic axes) at {}",
-                        updating::freed_components(where.variant),
+    const bool held = updating::is_held(where);
+    return {fmt::format("model: {} components {} (basic axes) at {}",
+                        held ? "hold" : "release",
+                        held ? updating::held_components(where.variant)
+                             : updating::freed_components(where.variant),
                         describe(grids))};
   }
   acquisition::TestBundle after = before;

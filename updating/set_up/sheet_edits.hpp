@@ -14,8 +14,8 @@ namespace tapfit::effects {
 /// "runs[3].sensors[0].node: 8 -> 6", places in the file counted from 0; the
 /// same edit in several runs as one, "runs[3-5]....", and
 /// "channels[1].sensitivity: times 9.807"; of a support "model: release
-/// components 456 (basic axes) at nodes 1, 12". Empty where no number of
-/// the sheet is wrong.
+/// components 456 (basic axes) at nodes 1, 12", or "hold" them. Empty where no
+/// number of the sheet is wrong.
 ///
 /// @param written by which it is told what is meant, see Effect::correct()
 /// @param before as the earlier mistakes leave it

@@ -1,10 +1,17 @@
-// A support of the model that the structure did not have: the test hung free,
-// or was pinned where the deck clamps. What the deck holds is released and held
-// by nothing.
+// Supports of the model that are not those of the test.
+//
+// One that the structure did not have: the test hung free, or was pinned where
+// the deck clamps. What the deck holds is released and held by nothing.
+//
+// One that the deck does not have: the test was clamped or stood on something
+// where the deck is free. What moves there is held (held_motions.hpp).
+#include "updating/places/clamp_places.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/set_up/mistakes.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
+#include "updating/structure/edit/hold_cards.hpp"
 
 #include <fmt/format.h>
 
@@ -24,43 +31,114 @@ std::vector<updating::SupportDof> freed(const Where& where,
   return dofs;
 }
 
+// What the deck has.
+std::vector<Where> places_freed(const Setting& setting,
+                                const std::vector<std::string>& variants) {
+  std::vector<Where> result;
+  std::vector<std::vector<int>> groups =
+      updating::support_choices(*setting.deck);
+  if (!groups.empty()) {
+    std::rotate(groups.begin(), groups.end() - 1, groups.end());
+  }
+  for (const std::vector<int>& group : groups) {
+    std::size_t most = 0;
+    for (const std::string& variant : variants) {
+      Where where{.nodes = group, .variant = variant};
+      const std::size_t count = freed(where, setting).size();
+      // What frees all that is held is the same under another name.
+      if (count == 0 || count == most) continue;
+      most = std::max(most, count);
+      result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
+const std::string clamp = "held";
+const std::string hinge = "held-translations";
+
+// @param nodes ascending
+bool has_turns(const structure::Deck& deck, const std::vector<int>& nodes) {
+  const auto touches = [&nodes](const auto& element) {
+    return std::ranges::any_of(element.grids, [&nodes](int grid) {
+      return std::ranges::binary_search(nodes, grid);
+    });
+  };
+  return std::ranges::any_of(deck.shells, touches) ||
+         std::ranges::any_of(deck.bars, touches);
+}
+
+// What it has not.
+std::vector<Where> places_held(const structure::Deck& deck) {
+  std::vector<Where> result;
+  for (const std::vector<int>& nodes : updating::clamp_places(deck)) {
+    std::string known;  // what holds no more is the same under another name
+    for (const std::string& variant : {hinge, clamp}) {
+      if (variant == clamp && !has_turns(deck, nodes)) continue;
+      Where where{.nodes = nodes, .variant = variant};
+      std::string all;
+      for (const auto& grid : updating::newly_held(deck, where)) {
+        all += fmt::format("{}:{} ", grid.node, grid.components);
+      }
+      if (all == known) continue;
+      known = all;
+      result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
+std::vector<std::string> mismatch_variants() {
+  std::vector<std::string> all = updating::freed_variants();
+  all.insert(all.end(), {clamp, hinge});
+  return all;
+}
+
+// Held along one axis only, where a hinge does well.
+std::vector<std::string> held_along_one() {
+  std::vector<std::string> single = updating::held_variants();
+  std::erase_if(single, [](const std::string& variant) {
+    return variant == clamp || variant == hinge;
+  });
+  return single;
+}
+
 class SupportMismatch final : public Effect {
  public:
   SupportMismatch()
       : Effect({.name = "support-mismatch",
-                .words = "support that was not there",
+                .words = "support other than in the model",
                 .sits = Sits::OnLine,
                 .changes_stiffness = updating::ChangeKind::Support,
                 .is_mistake = true,
-                .variants = updating::freed_variants()}) {}
+                .forms = held_along_one(),
+                .variants = mismatch_variants()}) {}
+
+  bool takes(const std::string& form,
+             const Where& place,
+             const Setting& setting) const override {
+    if (place.variant != hinge) return false;
+    Where where = place;
+    where.variant = form;
+    return !updating::newly_held(*setting.deck, where).empty();
+  }
 
   // All supports, then each connected group of constrained grids, free, free to
-  // turn, and free to move along each axis; those that hold anything so.
+  // turn, and free to move along each axis; those that hold anything so. Of a
+  // deck that nothing holds each of clamp_places(), held and held as by a
+  // hinge: that a structure is held elsewhere than in its deck, besides, is
+  // tried by name.
   std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result;
-    if (setting.deck == nullptr) return result;
-    std::vector<std::vector<int>> groups =
-        updating::support_choices(*setting.deck);
-    if (!groups.empty()) {
-      std::rotate(groups.begin(), groups.end() - 1, groups.end());
-    }
-    for (const std::vector<int>& group : groups) {
-      std::size_t most = 0;
-      for (const std::string& variant : variants()) {
-        Where where{.nodes = group, .variant = variant};
-        const std::size_t count = freed(where, setting).size();
-        // What frees all that is held is the same under another name.
-        if (count == 0 || count == most) continue;
-        most = std::max(most, count);
-        result.push_back(std::move(where));
-      }
-    }
-    return result;
+    if (setting.deck == nullptr) return {};
+    std::vector<Where> supports =
+        places_freed(setting, updating::freed_variants());
+    return supports.empty() ? places_held(*setting.deck) : supports;
   }
 
   std::vector<structure::Constraint> released(
       const Where& where, const Setting& setting) const override {
     std::vector<structure::Constraint> result;
+    if (updating::is_held(where)) return result;
     for (const updating::SupportDof& dof : freed(where, setting)) {
       const std::optional<int> own =
           dof.own_axes ? dof.component
@@ -72,9 +150,20 @@ class SupportMismatch final : public Effect {
 
   std::vector<std::string> bulk_data(
       const Where& where,
-      const Setting&,
+      const Setting& setting,
       const std::vector<double>&) const override {
-    return {fmt::format("$ Not held in the test: {}", describe(where))};
+    if (!updating::is_held(where)) {
+      return {fmt::format("$ Not held in the test: {}", describe(where))};
+    }
+    std::vector<structure::Constraint> fresh;
+    for (const auto& grid : updating::newly_held(*setting.deck, where)) {
+      fresh.push_back({grid.node, grid.components});
+    }
+    std::vector<std::string> cards = hold_cards(*setting.deck, fresh);
+    cards.insert(cards.begin(),
+                 fmt::format("$ Held in the test (case control: SPC = {})",
+                             constraint_set(*setting.deck)));
+    return cards;
   }
 };
 

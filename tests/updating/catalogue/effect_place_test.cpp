@@ -165,6 +165,26 @@ TEST_F(EffectPlace, MistakesOfASheetHaveTheirVariants) {
             std::string::npos);
 }
 
+TEST_F(EffectPlace, ASupportThatTheDeckLacksHasToBeToldWhere) {
+  const auto nodes = [&](const std::string& text) {
+    return place_effect(parse_effect(text), setting_).where.nodes;
+  };
+  const std::vector<int> inside = {17, 28};
+  EXPECT_EQ(nodes("support-mismatch@17:28:held"), inside) << "any grids";
+  EXPECT_EQ(nodes("support-mismatch@17:28:held-Z"), inside);
+  EXPECT_NE(refusal("support-mismatch@held").find("5:10:held"),
+            std::string::npos);
+  EXPECT_NE(refusal("support-mismatch@1:12:held"), "taken") << "clamped";
+  EXPECT_NE(refusal("support-mismatch@900:held").find("no grid 900"),
+            std::string::npos);
+  deck_.constraints.clear();
+  const std::vector<int> tip = {11, 22, 33, 44, 55};
+  EXPECT_EQ(nodes("support-mismatch@11:33:55:held"), tip) << "the edge";
+  EXPECT_EQ(nodes("support-mismatch@11:33:55:held-Z"), tip);
+  EXPECT_NE(refusal("support-mismatch@held"), "taken");
+  EXPECT_NE(refusal("support-mismatch"), "taken");
+}
+
 TEST_F(EffectPlace, APlaceBetweenGridsLiesOnAnElementThere) {
   EffectRef ref = parse_effect("added-mass@30");
   const Eigen::Vector3d x = position_of(ref.where, deck_);

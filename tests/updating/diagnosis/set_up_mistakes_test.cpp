@@ -111,6 +111,34 @@ TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
             "45)");
 }
 
+// Clamped in the test, free in the deck: springs in a row, or a modulus that is
+// off, come nowhere near it.
+TEST(SetUpMistakes, SupportThatTheDeckLacksIsNamed) {
+  Where where;
+  where.nodes = {1, 12, 23, 34, 45};
+  where.variant = "held";
+  const PlateExperiment test({{&effects::find("support-mismatch"), where, {}}},
+                             0.02,
+                             11,
+                             0.008,
+                             false);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_TRUE(d.verdict.starts_with("support-mismatch")) << d.verdict;
+  ASSERT_EQ(d.set_up.size(), 1U);
+  EXPECT_EQ(d.set_up[0].where, where);
+  EXPECT_EQ(d.set_up[0].edit,
+            "model: hold components 123456 (basic axes) at 5 nodes (1 ... 45)");
+  EXPECT_LT(d.error_best, 1.1 * d.floor);
+}
+
+// The reverse of a false alarm: the deck is free, and so is the test.
+TEST(SetUpMistakes, FreeTestOfAFreeDeckLacksNoSupport) {
+  const PlateExperiment test({}, 0.02, 12, 0.008, false);
+  const Diagnosis d = test.diagnose_it();
+  EXPECT_EQ(d.verdict, "none");
+  EXPECT_TRUE(d.set_up.empty());
+}
+
 TEST(SetUpMistakes, AreToBeCorrectedOneAfterTheOther) {
   Rung at_33;
   at_33.added = "point-mislabelled";

@@ -43,6 +43,27 @@ TEST_F(FrfResponses, AtSizesOfTheLastEffectAreThoseOfEachSize) {
   }
 }
 
+// With a mass and a gain on top.
+TEST_F(FrfResponses, ThroughOtherModesAreThoseOfAModelThatHasThem) {
+  Where channel;
+  channel.channels = {"acc1"};
+  const std::vector<PlacedEffect> effects = {
+      at_node("added-mass", 50, 0.02),
+      {&effects::find("channel-gain"), channel, {1.3}}};
+  const auto model = fitter_->model_for(effects);
+  ModelState state = fitter_->first_state(*model, effects);
+  BaseModes modes = model->base_modes(state);
+  EXPECT_LT(difference(model->respond_through(modes, state, s_),
+                       model->respond(state, s_, false).H),
+            1e-12);
+  // The one stiffness that is uncertain is that of the whole plate.
+  modes.omega *= 1.02;
+  state.factor = {1.02 * 1.02};
+  EXPECT_LT(difference(model->respond_through(modes, state, s_),
+                       model->respond(state, s_, false).H),
+            1e-9);
+}
+
 TEST_F(FrfResponses, OfACorrectedSheetAreNotScaledOnes) {
   for (const char* name : {"channel-swap", "point-mislabelled"}) {
     const effects::Effect& mistake = effects::find(name);

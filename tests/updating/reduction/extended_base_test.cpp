@@ -1,6 +1,7 @@
 // Extended bases against the definition: matrices between their own vectors.
 #include "updating/reduction/extended_base.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "updating/reduction/subspace.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -68,14 +69,39 @@ class ExtendedBase : public ::testing::Test {
 
   void expect_seen_through_own_vectors(const ReducedBase& base) const {
     const MatrixXd W = base.rows.all();
-    ASSERT_EQ(W.cols(), 8);
-    EXPECT_LT(off(MatrixXd::Identity(8, 8), W, *released_.M), 1e-12);
+    const Index n = 8 - static_cast<Index>(released_.held.size());
+    ASSERT_EQ(W.cols(), n);
+    EXPECT_LT(off(MatrixXd::Identity(n, n), W, *released_.M), 1e-12);
     EXPECT_LT(off(base.K, W, *released_.K), 1e-12);
     for (std::size_t k = 0; k < 2; ++k) {
       const UncertainPart& part = (*released_.parts)[k];
       EXPECT_LT(off(base.K_part[k], W, part.K), 1e-12);
       EXPECT_LT(off(base.M_part[k], W, part.M), 1e-12);
     }
+  }
+
+  // A change of stiffness and mass, one of its parts of stiffness alone.
+  void expect_terms_of_a_change() {
+    const SparseMatrix none(model_dofs, model_dofs);
+    released_.scaled.push_back({0,
+                                1,
+                                random_elements(10, 4),
+                                {{{1, 0}, random_elements(10, 4), none}},
+                                random_elements(12, 3)});
+    const ScaledStiffness& scaled = released_.scaled.front();
+    const ReducedBase base = extended();
+    expect_seen_through_own_vectors(base);
+    const MatrixXd W = base.rows.all();
+    for (const int dof : released_.held) {
+      EXPECT_TRUE(base.rows.row(dof).isZero(0.0)) << dof;
+    }
+    ASSERT_EQ(base.terms.size(), 1U);
+    const StiffnessTerm& term = base.terms.front();
+    EXPECT_EQ(term.parameter, 1U);
+    EXPECT_LT(off(term.S, W, scaled.S), 1e-12);
+    EXPECT_LT(off(term.N, W, scaled.N), 1e-12);
+    EXPECT_LT(off(term.S_part[0], W, scaled.parts[0].K), 1e-12);
+    EXPECT_TRUE(term.N_part[0].isZero(0.0));
   }
 
   ReleasedSystem released_;
@@ -91,24 +117,16 @@ TEST_F(ExtendedBase, IsTurnedToItsModesWhereNothingChanges) {
   EXPECT_LT(beside.norm(), 1e-13 * base.K.norm());
 }
 
-TEST_F(ExtendedBase, HoldsTheTermsOfAChange) {
-  const SparseMatrix none(model_dofs, model_dofs);
-  released_.scaled.push_back({0,
-                              1,
-                              random_elements(10, 4),
-                              {{{1, 0}, random_elements(10, 4), none}},
-                              random_elements(12, 3)});
-  const ScaledStiffness& scaled = released_.scaled.front();
-  const ReducedBase base = extended();
-  expect_seen_through_own_vectors(base);
-  const MatrixXd W = base.rows.all();
-  ASSERT_EQ(base.terms.size(), 1U);
-  const StiffnessTerm& term = base.terms.front();
-  EXPECT_EQ(term.parameter, 1U);
-  EXPECT_LT(off(term.S, W, scaled.S), 1e-12);
-  EXPECT_LT(off(term.N, W, scaled.N), 1e-12);
-  EXPECT_LT(off(term.S_part[0], W, scaled.parts[0].K), 1e-12);
-  EXPECT_TRUE(term.N_part[0].isZero(0.0));
+TEST_F(ExtendedBase, HoldsTheTermsOfAChange) { expect_terms_of_a_change(); }
+
+TEST_F(ExtendedBase, LeavesWhatIsHeldAtRest) {
+  released_.held = {3, 11};
+  expect_terms_of_a_change();
+}
+
+TEST_F(ExtendedBase, IsNothingWhereNothingIsLeftToMove) {
+  for (int dof = 0; dof < model_dofs; ++dof) released_.held.push_back(dof);
+  EXPECT_THROW(static_cast<void>(extended()), InputError);
 }
 
 }  // namespace

@@ -29,5 +29,18 @@ TEST(PointRows, AreTheColumnsInOtherCoordinates) {
   EXPECT_LT((rows.all() - shared * first).norm(), 1e-13);
 }
 
+TEST(PointRows, OfWhatIsAtRestAreZero) {
+  const MatrixXd columns = MatrixXd::Random(12, 3);
+  PointRows rows(columns);
+  rows.set_at_rest({7, 2, 40});  // of a mesh with more grids
+  MatrixXd expected = columns;
+  expected.row(2).setZero();
+  expected.row(7).setZero();
+  EXPECT_EQ(rows.all(), expected);
+  EXPECT_EQ(rows.rows_of_grid(1), expected.bottomRows(6));
+  EXPECT_TRUE(rows.row(7).isZero(0.0));
+  EXPECT_EQ(rows.row(8), expected.row(8));
+}
+
 }  // namespace
 }  // namespace tapfit::updating

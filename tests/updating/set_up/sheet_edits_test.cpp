@@ -93,6 +93,8 @@ TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
             Edits{"model: release components 456 (basic axes) at nodes 1, 12"});
   EXPECT_EQ(released("free-Z"),
             Edits{"model: release components 3 (basic axes) at nodes 1, 12"});
+  EXPECT_EQ(released("held-translations"),
+            Edits{"model: hold components 123 (basic axes) at nodes 1, 12"});
 }
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {

@@ -1,10 +1,14 @@
+#include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/plate_model.hpp"
+#include "updating/places/held_support.hpp"
 #include "updating/set_up/mistakes.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace tapfit::effects {
 namespace {
@@ -62,6 +66,82 @@ TEST_F(TurnedSupport, FreedIsThePlateWithoutIt) {
   const PlacedEffect free{&find("support-mismatch"), corner_, {}};
   // Static answers bring both bases to about 1e-6 of each other.
   EXPECT_LT(updating::difference(frfs(held_, {free}), plain), 1e-4);
+}
+
+class MissingSupport : public TurnedSupport {
+ protected:
+  MissingSupport() {
+    root_.nodes = {1, 12, 23, 34, 45};
+    root_.variant = "held";
+  }
+
+  [[nodiscard]] Setting free_setting() const {
+    return support::plate_setting(bundle_, free_);
+  }
+
+  structure::Deck free_ = support::plate_deck(false);
+  Where root_;
+};
+
+TEST_F(MissingSupport, HeldIsThePlateThatHasIt) {
+  for (const char* variant : {"held", "held-translations", "held-Z"}) {
+    root_.variant = variant;
+    structure::Deck clamped = free_;
+    for (const int node : root_.nodes) {
+      clamped.constraints.push_back({node, updating::held_components(variant)});
+    }
+    const PlacedEffect held{&find("support-mismatch"), root_, {}};
+    const Eigen::MatrixXcd expected = frfs(clamped, {});
+    EXPECT_GT(updating::difference(frfs(free_, {}), expected), 0.1) << variant;
+    // Static answers bring both bases to about 1e-6 of each other.
+    EXPECT_LT(updating::difference(frfs(free_, {held}), expected), 1e-4)
+        << variant;
+  }
+}
+
+TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
+  const std::vector<Where> places = support_mismatch().places(free_setting());
+  EXPECT_EQ(std::ranges::count(places, root_), 1);
+  root_.variant = "held-translations";
+  EXPECT_EQ(std::ranges::count(places, root_), 1);
+  // A hinge and a clamp at each of clamp_places(), nothing to be released.
+  EXPECT_EQ(places.size(), 22U);
+  EXPECT_TRUE(support_mismatch().takes("held-Z", root_, free_setting()));
+  EXPECT_TRUE(support_mismatch().released(root_, free_setting()).empty());
+}
+
+TEST_F(MissingSupport, IsNotLookedForWhereTheDeckIsHeld) {
+  free_.constraints.push_back({55, "3"});
+  const std::vector<Where> places = support_mismatch().places(free_setting());
+  EXPECT_FALSE(places.empty());
+  EXPECT_TRUE(std::ranges::none_of(places, updating::is_held));
+}
+
+// A plate that the deck keeps from all but bending: a hinge along Z.
+TEST_F(MissingSupport, HoldsNothingThatIsHeldEverywhere) {
+  for (const structure::Grid& grid : free_.grids) {
+    free_.constraints.push_back({grid.id, "126"});
+  }
+  const std::vector<Where> places = support_mismatch().places(free_setting());
+  EXPECT_EQ(std::ranges::count(places, root_), 1);
+  EXPECT_EQ(places.size(), 22U);
+  const auto fresh = updating::newly_held(free_, root_);
+  ASSERT_EQ(fresh.size(), 5U);
+  EXPECT_EQ(fresh[0].components, "345");
+}
+
+TEST_F(MissingSupport, CardsHoldItWhenReadBack) {
+  const auto cards = support_mismatch().bulk_data(root_, free_setting(), {});
+  std::string text;
+  for (const int node : root_.nodes)
+    text += fmt::format("GRID,{},,0.,0.,0.\n", node);
+  for (const std::string& card : cards) text += card + "\n";
+  const structure::Deck read = structure::deck_of(text);
+  ASSERT_EQ(read.constraints.size(), 5U) << text;
+  for (std::size_t k = 0; k < 5; ++k) {
+    EXPECT_EQ(read.constraints[k].grid, root_.nodes[k]);
+    EXPECT_EQ(read.constraints[k].components, "123456");
+  }
 }
 
 }  // namespace

@@ -21,7 +21,9 @@ class PlateExperiment : private support::BasedPlate {
   PlateExperiment(const std::vector<PlacedEffect>& hidden,
                   double noise,
                   unsigned seed,
-                  double identified_damping = 0.008) {
+                  double identified_damping = 0.008,
+                  bool clamped = true)
+      : BasedPlate(clamped) {
     FitSetting fit;
     fit.setting = setting_;
     fit.uncertain_sd = {0.03};

@@ -28,7 +28,8 @@ namespace tapfit::support {
 [[nodiscard]] signal::FrfSet plate_pairs(const acquisition::TestBundle& bundle,
                                          const Eigen::VectorXcd& s);
 
-/// The clamped plate with its test and its base; one stiffness is uncertain.
+/// The plate, clamped or free, with its test and its base; one stiffness is
+/// uncertain.
 class BasedPlate {
  public:
   BasedPlate(const BasedPlate&) = delete;
@@ -37,10 +38,10 @@ class BasedPlate {
   BasedPlate& operator=(BasedPlate&&) = delete;
 
  protected:
-  BasedPlate() = default;
+  explicit BasedPlate(bool clamped = true) : deck_(plate_deck(clamped)) {}
   ~BasedPlate() = default;
 
-  structure::Deck deck_ = plate_deck(true);
+  structure::Deck deck_;
   acquisition::TestBundle bundle_ = plate_bundle();
   effects::Setting setting_ = plate_setting(bundle_, deck_);
   updating::BaseBuilder builder_{

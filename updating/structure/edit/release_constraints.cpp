@@ -2,12 +2,12 @@
 
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/card_reader.hpp"
-
-#include <fmt/format.h>
+#include "updating/structure/edit/hold_cards.hpp"
 
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -29,25 +29,6 @@ std::string left_of(const std::string& components,
   return left;
 }
 
-// SPC1 of a set for grids in free field, eight fields to a line.
-void append_spc1(const std::string& set,
-                 const std::string& components,
-                 const std::vector<int>& grids,
-                 Lines& lines) {
-  std::string line = fmt::format("SPC1,{},{}", set, components);
-  std::size_t fields = 2;
-  for (const int grid : grids) {
-    if (fields == 8) {
-      lines.push_back(line);
-      line.clear();
-      fields = 0;
-    }
-    line += fmt::format(",{}", grid);
-    ++fields;
-  }
-  lines.push_back(line);
-}
-
 // Cards that hold these grids, each in its components.
 std::optional<Lines> held_anew(
     const std::string& set,
@@ -63,7 +44,9 @@ std::optional<Lines> held_anew(
   if (!changed) return std::nullopt;
   Lines lines;
   for (const auto& [components, grids] : left) {
-    append_spc1(set, components, grids, lines);
+    for (std::string& line : spc1_lines(set, components, grids)) {
+      lines.push_back(std::move(line));
+    }
   }
   return lines;
 }

@@ -1,0 +1,71 @@
+#include "updating/diagnosis/card_swap.hpp"
+
+#include "updating/diagnosis/worth.hpp"
+#include "updating/fit/slip_fits.hpp"
+#include "updating/search/screened.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+// Looked at; a deck of more cards has them generated.
+constexpr std::size_t most_slips = 12;
+
+// Of these with a base of their own.
+constexpr std::size_t most_bases = 2;
+
+// Those that leave clearly less than the deck as it is, the best first: to
+// exchange numbers that the measurement does not tell apart is no correction.
+std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
+                                   const Fitter& fitter,
+                                   const Progress& progress) {
+  const SlipFits screened = screen_slips(fitter, likely, progress);
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < screened.slips.size(); ++k) {
+    const double error = screened.slips[k].error;
+    if (error < worth_it * screened.plain.error) order.emplace_back(error, k);
+  }
+  std::ranges::sort(order);
+  std::vector<CardSlip> best;
+  for (const auto& [error, k] : order) {
+    if (best.size() < most_bases) best.push_back(likely[k]);
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<SetUpMistake> card_swap(const Fitter& fitter,
+                                      const Diagnosis& found,
+                                      const DiagnoseOptions& options,
+                                      const Progress& progress) {
+  double least = found.error_fitted;
+  for (const Candidate& effect : found.candidates) {
+    least = std::min(least, effect.error);
+  }
+  if (least <= clear_of_floor * options.floor) return std::nullopt;
+  std::vector<CardSlip> likely = card_slips(*fitter.setting().setting.deck);
+  likely.resize(std::min(most_slips, likely.size()));
+  const SlipFits fits =
+      fit_slips(fitter, worth_a_base(likely, fitter, progress), progress);
+  const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
+  if (best == fits.slips.end()) return std::nullopt;
+  // Each that was tried could have been found.
+  const double gain = best->log_likelihood - fits.plain.log_likelihood -
+                      std::log(static_cast<double>(likely.size()));
+  const bool less = best->error < worth_it * std::min(least, fits.plain.error);
+  if (!less || gain < very_strong) return std::nullopt;
+  Where where;
+  where.elements = best->elements;
+  return SetUpMistake{"card-swap",
+                      std::move(where),
+                      1.0 / (1.0 + std::exp(-gain)),
+                      best->error,
+                      best->edit};
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,84 @@
+#include "updating/fit/slip_fits.hpp"
+
+#include <memory>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+// Of a deck in the place of the fitter's own.
+FitSetting setting_of(const structure::Deck& deck, const Fitter& like) {
+  FitSetting setting = like.setting();
+  setting.setting.deck = &deck;
+  // Those of corrections come last, and belong to the split mesh.
+  const std::size_t own = setting.setting.bundle->uncertain.size();
+  setting.uncertain_sd.resize(own);
+  setting.corrections.clear();
+  return setting;
+}
+
+SlipFit fit_through_base(const structure::Deck& deck,
+                         const Fitter& like,
+                         const Progress& progress) {
+  const Fitter fitter(like.builder(), setting_of(deck, like));
+  const FitSetting& setting = fitter.setting();
+  auto model = std::make_shared<FrfModel>(like.builder().through_base(deck),
+                                          setting.setting,
+                                          setting.measured,
+                                          setting.modes);
+  model->set_reference(fitter.first_state(*model, {}));
+  const Fit fit = fitter.fit({}, std::move(model), {{}, progress.stop});
+  const Target& wide = setting.targets.front();
+  const double error = relative_error(
+      wide, fit.model->respond(fit.result.state, wide.s, false).H);
+  return {{}, {}, error, fit.log_likelihood};
+}
+
+SlipFit fit_of(const structure::Deck& deck,
+               const Fitter& like,
+               const Progress& progress) {
+  const BaseBuilder builder = like.builder().for_deck(deck);
+  const Fitter fitter(builder, setting_of(deck, like));
+  const Fit fit = fitter.fit({}, fitter.model_for({}), {{}, progress.stop});
+  return {{}, {}, fit.result.error, fit.log_likelihood};
+}
+
+// The deck as it is, then with each slip put right.
+template <typename FitOne>
+SlipFits fit_each_deck(const Fitter& fitter,
+                       const std::vector<CardSlip>& slips,
+                       const Progress& progress,
+                       const FitOne& fit_one) {
+  const structure::Deck& deck = *fitter.setting().setting.deck;
+  SlipFits fits;
+  if (slips.empty()) return fits;
+  fits.plain = fit_one(deck, fitter, progress);
+  for (const CardSlip& slip : slips) {
+    progress("cards of the deck",
+             static_cast<double>(fits.slips.size()) /
+                 static_cast<double>(slips.size()));
+    structure::Deck corrected = deck;
+    slip.correct(corrected);
+    SlipFit fit = fit_one(corrected, fitter, progress);
+    fit.edit = slip.edit;
+    fit.elements = slip.elements;
+    fits.slips.push_back(std::move(fit));
+  }
+  return fits;
+}
+
+}  // namespace
+
+SlipFits screen_slips(const Fitter& fitter,
+                      const std::vector<CardSlip>& slips,
+                      const Progress& progress) {
+  return fit_each_deck(fitter, slips, progress, fit_through_base);
+}
+
+SlipFits fit_slips(const Fitter& fitter,
+                   const std::vector<CardSlip>& slips,
+                   const Progress& progress) {
+  return fit_each_deck(fitter, slips, progress, fit_of);
+}
+
+}  // namespace tapfit::updating
