@@ -12,9 +12,15 @@ struct FormShare {
   double left = 0.0;   ///< and what not: all, where it would have to be off by
                        ///< more than a careful deck is, 2 % in frequency
 };
-/// @param data from independent_data()
+/// It is judged by the independent data in what this fit leaves: a fit that is
+/// compared with others may be weighed by another count.
+/// @param target that the fit's residual is of
+/// @param modes in the band; 0: not known, see independent_data()
 /// @param noise relative error that the scatter over hits alone would give
 /// @return nothing explained for what is no fit, as the deck as it is
-[[nodiscard]] FormShare form_share(const Fit& fit, double data, double noise);
+[[nodiscard]] FormShare form_share(const Fit& fit,
+                                   const Target& target,
+                                   int modes,
+                                   double noise);
 
 }  // namespace tapfit::updating

@@ -149,6 +149,12 @@ class Climb {
   // Which of the round to add, and what it must be worth.
   [[nodiscard]] std::pair<std::size_t, Worth> choose(
       const Round& round, bool first, const Progress& progress) const;
+  // More than noise, mesh and form explain.
+  [[nodiscard]] bool leaves_much(const Fit& fit) const {
+    const FormShare form = form_share(
+        fit, fitter_->target(), options_.modes_in_band, options_.floor_noise);
+    return form.left > clear_of_floor * options_.floor;
+  }
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
@@ -157,7 +163,6 @@ class Climb {
   Fit current_;
   double held_out_;
   std::optional<Stand> before_pair_;
-  double data_ = 1.0;
   std::vector<Chosen> chosen_;
   std::vector<Candidate> candidates_;
   std::vector<MadeFit> passed_over_;
@@ -170,10 +175,7 @@ std::pair<std::size_t, Worth> Climb::choose(const Round& round,
   worth.held_out = held_out_;
   worth.share = share_to_reach(current_.result.error, options_);
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
-  const double left =
-      form_share(round.hypotheses.front().fit, round.data, options_.floor_noise)
-          .left;
-  if (!first || left <= clear_of_floor * options_.floor) return {0, worth};
+  if (!first || !leaves_much(round.hypotheses.front().fit)) return {0, worth};
   // What it is worth shows on the next rung.
   const RungSearch::Pair pair = search_.best_pair(current_, round, progress);
   worth.share = 1.0;
@@ -195,9 +197,7 @@ bool Climb::step(bool first, const Progress& progress) {
   // unexplained. What changes with the force or from run to run is no linear
   // effect's.
   const double left = current_.result.error;
-  const double without_form =
-      form_share(current_, data_, options_.floor_noise).left;
-  if (without_form <= clear_of_floor * options_.floor) return false;
+  if (!leaves_much(current_)) return false;
   if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;
@@ -217,7 +217,6 @@ bool Climb::try_to_add(bool first,
   const Round round =
       search_.look(current_, depth, part_of(progress, 0.0, 0.75));
   const Progress rest = part_of(progress, 0.75, 1.0);
-  data_ = round.data;
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (round.hypotheses.empty()) return false;
   passed_over_ = strongest_of(round, 0);
@@ -249,11 +248,7 @@ bool Climb::try_to_add(bool first,
 }
 
 // The form's share of what a fit leaves stands in the floor.
-void allow_for_form(const Fit& fit,
-                    double data,
-                    double floor_noise,
-                    Diagnosis& result) {
-  const FormShare form = form_share(fit, data, floor_noise);
+void allow_for_form(const Fit& fit, const FormShare& form, Diagnosis& result) {
   result.form_sd = form.sd;
   result.form_error = form.error;
   result.floor = std::hypot(result.floor, form.error);
@@ -329,7 +324,9 @@ Climbed climbed(const Fitter& fitter,
   result.error_best = found.result.error;
   const double data = independent_data(
       fitter.target(), found.result.residual, options.modes_in_band);
-  allow_for_form(found, data, options.floor_noise, result);
+  const FormShare form = form_share(
+      found, fitter.target(), options.modes_in_band, options.floor_noise);
+  allow_for_form(found, form, result);
   const Progress last = part_of(progress, 0.95, 1.0);
   last("error ladder", 0.0);
   const Fit likeliest =

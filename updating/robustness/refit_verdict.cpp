@@ -24,15 +24,16 @@ struct Judge {
   const DiagnoseOptions& options;
   const Progress& progress;
 
-  [[nodiscard]] double data(const Fit& best) const {
+  [[nodiscard]] double data(const Fit& none) const {
     return independent_data(
-        fitter.target(), best.result.residual, options.modes_in_band);
+        fitter.target(), none.result.residual, options.modes_in_band);
   }
   [[nodiscard]] double held_out(const Fit& fit) const {
     return fitter.held_out_error(fit, held_out_folds, progress);
   }
-  [[nodiscard]] double left(const Fit& fit, double data) const {
-    return form_share(fit, data, options.floor_noise).left;
+  [[nodiscard]] FormShare form(const Fit& fit) const {
+    return form_share(
+        fit, fitter.target(), options.modes_in_band, options.floor_noise);
   }
 };
 
@@ -41,12 +42,7 @@ Round round_of(const std::vector<Contender>& contenders,
                const Fit& none,
                const Judge& judge) {
   Round round;
-  const Fit* best = &none;
-  for (const Contender& c : contenders) {
-    const Fit& fit = c.hypothesis.fit;
-    if (fit.result.error < best->result.error) best = &fit;
-  }
-  round.data = judge.data(*best);
+  round.data = judge.data(none);
   const double noise = judge.options.floor_noise;
   round.none_evidence = log_evidence(none, 0.0, 1.0, round.data, noise);
   std::vector<double> of_kinds;
@@ -77,13 +73,12 @@ bool earns(const Fit& with,
            double gain,
            const Fit& none,
            bool first,
-           double data,
            const Judge& judge) {
   Worth worth;
   worth.gain = gain;
   if (gain <= very_strong) return false;
   const DiagnoseOptions& options = judge.options;
-  const bool much = judge.left(with, data) > clear_of_floor * options.floor;
+  const bool much = judge.form(with).left > clear_of_floor * options.floor;
   worth.share =
       first && much ? 1.0 : share_to_reach(none.result.error, options);
   for_each_parallel(2, [&](std::size_t k) {
@@ -112,7 +107,7 @@ bool stays(const Round& round,
   }
   if (rung + 1 < rungs) return true;
   return !is_explained(none.result.error, judge.options) &&
-         earns(h.fit, gain, none, rungs == 1, round.data, judge);
+         earns(h.fit, gain, none, rungs == 1, judge);
 }
 
 // Adds what came closest on top to the ladder where it has earned its place.
@@ -127,7 +122,7 @@ void add_beside(const Refits& refits,
   const Hypothesis& h = round.hypotheses[best];
   const double gain = h.log_evidence - round.none_evidence;
   const bool first = result.ladder.empty();
-  if (!earns(h.fit, gain, top, first, round.data, judge)) return;
+  if (!earns(h.fit, gain, top, first, judge)) return;
   Rung rung;
   rung.added = group_name(round, best);
   rung.where = h.own().where;
@@ -138,9 +133,7 @@ void add_beside(const Refits& refits,
 
 // What the diagnosis says once its ladder stands.
 void conclude(const Fit& top, const Judge& judge, Diagnosis& result) {
-  const double form =
-      form_share(top, judge.data(top), judge.options.floor_noise).error;
-  result.floor = std::hypot(judge.options.floor, form);
+  result.floor = std::hypot(judge.options.floor, judge.form(top).error);
   set_verdict(judge.fitter.setting().measured.level, {}, result);
   if (result.verdict != "none") return;
   const auto drift = run_drift(top, judge.fitter.target());

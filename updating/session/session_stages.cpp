@@ -3,7 +3,6 @@
 #include "updating/comparison/compare.hpp"
 #include "updating/comparison/form_share.hpp"
 #include "updating/measurement/test_model.hpp"
-#include "updating/residual/independent_data.hpp"
 
 #include <cmath>
 #include <functional>
@@ -88,11 +87,11 @@ Comparison SessionStages::compare_now(const Fit& fit) {
                          test.choices().pairs);
   c.floor_noise = ground->floor_noise;
   c.floor_mesh = ground->floor_mesh;
-  const double data =
-      independent_data(ground->fitter->target(),
-                       fit.result.residual,
-                       static_cast<int>(test.modes({}).modes.size()));
-  c.floor_form = form_share(fit, data, c.floor_noise).error;
+  c.floor_form = form_share(fit,
+                            ground->fitter->target(),
+                            static_cast<int>(test.modes({}).modes.size()),
+                            c.floor_noise)
+                     .error;
   c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
   c.contour = ground->contour;
   return c;

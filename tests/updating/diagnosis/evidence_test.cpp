@@ -1,6 +1,5 @@
 #include "updating/diagnosis/evidence.hpp"
 
-#include "updating/comparison/form_share.hpp"
 #include "updating/residual/independent_data.hpp"
 
 #include <gtest/gtest.h>
