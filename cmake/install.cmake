@@ -66,6 +66,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TAPFIT_PACKAGE_NAME tapfit)
 set(CPACK_DEBIAN_TAPFIT_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_TAPFIT_PACKAGE_RECOMMENDS "libopenblas0-pthread")
 set(CPACK_DEBIAN_TAPFIT_DESCRIPTION
   "from hammer taps to a finite element model you can believe
  Reads impact tests of structures, identifies modes, compares them with a

@@ -146,9 +146,16 @@ class Climb {
     double held_out = 0.0;
   };
 
-  // Which of the round to add, and what it must be worth.
-  [[nodiscard]] std::pair<std::size_t, Worth> choose(
-      const Round& round, bool first, const Progress& progress) const;
+  // Which of the round to add, what it must be worth, and what comes after it
+  // where that was looked at.
+  struct Choice {
+    std::size_t best = 0;
+    Worth worth;
+    std::optional<Round> next;
+  };
+  [[nodiscard]] Choice choose(const Round& round,
+                              bool first,
+                              const Progress& progress) const;
   // More than noise, mesh and form explain.
   [[nodiscard]] bool leaves_much(const Fit& fit) const {
     const FormShare form = form_share(
@@ -163,24 +170,26 @@ class Climb {
   Fit current_;
   double held_out_;
   std::optional<Stand> before_pair_;
+  std::optional<Round> next_;  // a quick look from where the climb stands
   std::vector<Chosen> chosen_;
   std::vector<Candidate> candidates_;
   std::vector<MadeFit> passed_over_;
 };
 
-std::pair<std::size_t, Worth> Climb::choose(const Round& round,
-                                            bool first,
-                                            const Progress& progress) const {
+Climb::Choice Climb::choose(const Round& round,
+                            bool first,
+                            const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
   worth.share = share_to_reach(current_.result.error, options_);
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
-  if (!first || !leaves_much(round.hypotheses.front().fit)) return {0, worth};
+  if (!first || !leaves_much(round.hypotheses.front().fit))
+    return {0, worth, {}};
   // What it is worth shows on the next rung.
-  const RungSearch::Pair pair = search_.best_pair(current_, round, progress);
+  RungSearch::Pair pair = search_.best_pair(current_, round, progress);
   worth.share = 1.0;
   worth.gain = std::max(worth.gain, pair.gain);
-  return {pair.first, worth};
+  return {pair.first, worth, std::move(pair.next)};
 }
 
 bool Climb::step(bool first, const Progress& progress) {
@@ -214,14 +223,16 @@ void Climb::settle() {
 bool Climb::try_to_add(bool first,
                        RungSearch::Depth depth,
                        const Progress& progress) {
+  const bool known = next_ && depth == RungSearch::Depth::Quick;
   const Round round =
-      search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+      known ? *std::exchange(next_, std::nullopt)
+            : search_.look(current_, depth, part_of(progress, 0.0, 0.75));
   const Progress rest = part_of(progress, 0.75, 1.0);
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (round.hypotheses.empty()) return false;
   passed_over_ = strongest_of(round, 0);
   if (is_explained(current_.result.error, options_)) return false;
-  auto [best, worth] = choose(round, first, rest);
+  auto [best, worth, next] = choose(round, first, rest);
   const Hypothesis& added = round.hypotheses[best];
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
@@ -237,6 +248,7 @@ bool Climb::try_to_add(bool first,
     chosen_.back().alike.clear();
   }
   current_ = added.fit;
+  next_ = std::move(next);
   if (!first) {
     current_ = search_.unite(std::move(current_), already_, chosen_, rest);
     current_ = search_.relocate(std::move(current_), already_, chosen_, rest);

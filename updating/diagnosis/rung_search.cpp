@@ -212,15 +212,18 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
   std::set<const effects::Effect*> kinds;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    // Nothing by itself: with another it is what the other is alone.
+    const bool tells = round.hypotheses[k].log_evidence > round.none_evidence;
+    if (!tells && !kinds.empty()) break;
     if (!kinds.insert(round.hypotheses[k].own().effect).second) continue;
     const std::size_t first = least_of_kind(round, k);
     const Hypothesis& h = round.hypotheses[first];
     const auto tried = static_cast<double>(kinds.size());
-    const Round next = look(h.fit,
-                            Depth::Quick,
-                            part_of(progress,
-                                    (tried - 1.0) / kinds_tried_first,
-                                    tried / kinds_tried_first));
+    Round next = look(h.fit,
+                      Depth::Quick,
+                      part_of(progress,
+                              (tried - 1.0) / kinds_tried_first,
+                              tried / kinds_tried_first));
     if (next.hypotheses.empty()) continue;
     const Hypothesis& second = next.hypotheses.front();
     // The same two in the other order end at the same error, but for rounding.
@@ -234,6 +237,7 @@ RungSearch::Pair RungSearch::best_pair(const Fit& current,
         log_evidence(
             second.fit, own, h.places * second.places, next.data, noise) -
         log_evidence(current, 0.0, 1.0, next.data, noise);
+    pair.next = std::move(next);
   }
   return pair;
 }

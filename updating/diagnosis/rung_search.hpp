@@ -49,11 +49,13 @@ class RungSearch {
   [[nodiscard]] Chosen as_chosen(const Round& round, std::size_t of) const;
 
   /// A first rung that leaves much may be a stand-in for two effects. Each
-  /// other kind's best is given the chance of a second rung; the pair that
-  /// leaves least names the first rung.
+  /// other kind's best that says more than none is given the chance of a second
+  /// rung; the pair that leaves least names the first rung.
   struct Pair {
     std::size_t first = 0;  ///< in the round
     double gain = 0.0;      ///< log evidence of both over none
+    /// A quick look at what the first leaves, where there was one.
+    std::optional<Round> next = {};
   };
   [[nodiscard]] Pair best_pair(const Fit& current,
                                const Round& round,

@@ -1,5 +1,7 @@
 #include "updating/structure/solve/factor.hpp"
 
+#include "updating/structure/solve/blas_turn.hpp"
+
 #include <cholmod.h>
 #include <fmt/format.h>
 
@@ -76,6 +78,7 @@ struct Factor::Impl {
   void factor(const SparseMatrix& A, int* order) {
     cholmod_sparse a = view(A);
     analyse(a, order);
+    const auto turn = blas_turn();
     cholmod_factorize(&a, L, &common);
     if (common.status == CHOLMOD_OK && L->minor == L->n) return;
     // Not positive definite: L D L' without pivoting, on the same ordering.
@@ -168,6 +171,7 @@ Eigen::MatrixXd Factor::solve(const Eigen::MatrixXd& B) const {
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   Common common;
+  const auto turn = blas_turn();
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, impl_->L, &b, &common);
   if (x == nullptr) out_of_memory();
   const Eigen::MatrixXd result = Eigen::Map<Eigen::MatrixXd>(
