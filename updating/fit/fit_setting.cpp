@@ -21,7 +21,7 @@ namespace {
 constexpr double wide_delta = 0.06;
 constexpr double report_delta = 0.03;
 
-double typical_damping(const modal::ModeSet& modes) {
+double median_damping(const modal::ModeSet& modes) {
   std::vector<double> ratios;
   for (const modal::Mode& mode : modes.modes) {
     ratios.push_back(mode.damping_ratio);
@@ -149,7 +149,7 @@ FitSetting fit_setting(const MeasuredTest& test,
                        const Progress& progress) {
   FitSetting fit;
   fit.setting = test.setting;
-  fit.damping_ratio = typical_damping(test.modes);
+  fit.damping_ratio = median_damping(test.modes);
   const acquisition::TestBundle& bundle = *test.setting.bundle;
   for (const acquisition::UncertainProperty& u : bundle.uncertain) {
     fit.uncertain_sd.push_back(u.sd_percent / 100.0);

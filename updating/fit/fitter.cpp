@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -126,19 +125,6 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   return ground;
 }
 
-namespace {
-
-// A residue of every mode in every FRF, and its pole.
-double data_of(const Target& target, const ModelState& state) {
-  if (target.is_modal()) return effective_data(target);
-  const double frfs =
-      std::accumulate(target.use.begin(), target.use.end(), 0.0);
-  const double modes = std::max(1.0, static_cast<double>(state.zeta.size()));
-  return std::min(effective_data(target), modes * (2.0 * frfs + 1.0));
-}
-
-}  // namespace
-
 // A fit on its way: where it is, on what, and how it came there.
 class Fitter::Course {
  public:
@@ -214,8 +200,9 @@ class Fitter::Course {
     const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
     fit.form = view(form_error(F), r, readjustment(fit.result));
     fit.form.allowance = fitter_->setting_.form_allowance;
+    const int modes = std::max(1, static_cast<int>(state.zeta.size()));
     const FormEstimate form =
-        estimate_form(fit.form, data_of(target, state), noise_error(target));
+        estimate_form(fit.form, most_data(target, modes), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
     target.form_bias = form.mean_tau * F;
     fit.result.covariance = parameter_covariance(

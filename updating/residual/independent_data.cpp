@@ -51,16 +51,21 @@ double residual_data(const Target& target, const Eigen::VectorXd& residual) {
   return std::min(2.0 / (concentration * concentration), most);
 }
 
+double most_data(const Target& target, int modes) {
+  const double all = effective_data(target);
+  if (target.is_modal() || modes <= 0) return all;
+  const double frfs =
+      std::accumulate(target.use.begin(), target.use.end(), 0.0);
+  return std::min(all, modes * (2.0 * frfs + 1.0));
+}
+
 double independent_data(const Target& target,
                         const Eigen::VectorXd& residual,
                         int modes) {
-  const double all = effective_data(target);
-  if (target.is_modal()) return all;
+  const double most = most_data(target, modes);
+  if (target.is_modal()) return most;
   const double found = residual_data(target, residual);
   if (modes <= 0) return found;
-  const double frfs =
-      std::accumulate(target.use.begin(), target.use.end(), 0.0);
-  const double most = std::min(all, modes * (2.0 * frfs + 1.0));
   return std::clamp(found, std::min(4.0 * modes, most), most);
 }
 
