@@ -1,6 +1,6 @@
 #include "updating/search/hypotheses.hpp"
 
-#include "tests/updating/support/sample_plate.hpp"
+#include "tests/updating/support/hidden_in_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/patch_extent.hpp"
@@ -18,33 +18,9 @@ namespace {
 
 using Eigen::Index;
 
-/// The sample plate's FRFs with an effect in it, and a fitter that has the
-/// plate without.
-class Hidden : public testing::Test {
+/// The kinds worth a full fit of what is hidden in the plate.
+class Hidden : public support::HiddenInPlate {
  protected:
-  void hide(const PlacedEffect& effect) {
-    Eigen::VectorXcd s(60);
-    for (Index l = 0; l < s.size(); ++l) {
-      const double w = 2.0 * M_PI * (20.0 + 6.0 * static_cast<double>(l));
-      s(l) = {0.03 * w, w};
-    }
-    FitSetting setting;
-    setting.setting = support::plate_setting(bundle_, deck_);
-    setting.measured = support::plate_pairs(bundle_, s);
-    setting.targets = {make_target(setting.measured)};
-    const Fitter blank(builder_, setting);
-    const auto truth = blank.model_for({effect});
-    const ModelState state = blank.first_state(*truth, {effect});
-    const Eigen::MatrixXcd H = truth->respond(state, s, false).H;
-    for (Index f = 0; f < H.cols(); ++f) {
-      signal::Frf& frf = setting.measured.frfs[static_cast<std::size_t>(f)];
-      frf.H = H.col(f);
-      frf.variance = (0.01 * H.col(f).cwiseAbs()).cwiseAbs2();
-    }
-    setting.targets = {make_target(setting.measured)};
-    fitter_.emplace(builder_, std::move(setting));
-  }
-
   [[nodiscard]] std::vector<Hypothesis> tried(int neighbours) const {
     HypothesisOptions options;
     options.places_per_kind = 1;
@@ -60,19 +36,13 @@ class Hidden : public testing::Test {
   void expect_found(const std::vector<int>& elements, double factor) {
     Where where;
     where.elements = elements;
-    hide({&effects::find("stiffness-loss"), where, {factor}});
+    hide({{&effects::find("stiffness-loss"), where, {factor}}});
     const Hypothesis best = tried(8).front();
     EXPECT_EQ(best.own().effect->name(), "stiffness-loss");
     EXPECT_EQ(best.own().where.elements, elements);
     // The same model made the FRFs; the fit stops within 1e-3 of its objective.
     EXPECT_NEAR(best.own().p[0], factor, 1e-3);
   }
-
-  structure::Deck deck_ = support::plate_deck(true);
-  acquisition::TestBundle bundle_ = support::plate_bundle();
-  BaseBuilder builder_{
-      deck_, {}, support::plate_base(bundle_, deck_), Progress{}};
-  std::optional<Fitter> fitter_;
 };
 
 TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
@@ -91,7 +61,7 @@ TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
 TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
   Where where;
   where.elements = {12, 13, 22, 23};
-  hide({&effects::find("stiffness-loss"), where, {0.5}});
+  hide({{&effects::find("stiffness-loss"), where, {0.5}}});
   const std::vector<Hypothesis> all = tried(8);
   const PlacedEffect& own = all.front().own();
   ASSERT_EQ(own.where.elements, where.elements);
@@ -135,7 +105,7 @@ TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
 TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
   Where where;
   where.node = 31;
-  hide({&effects::find("added-mass"), where, {0.02}});
+  hide({{&effects::find("added-mass"), where, {0.02}}});
   const std::vector<Hypothesis> all = tried(8);
   const auto mass =
       std::find_if(all.begin(), all.end(), [](const Hypothesis& h) {
@@ -152,7 +122,7 @@ TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
   Where where;
   where.node = 31;
   const PlacedEffect mass{&effects::find("added-mass"), where, {0.02}};
-  hide(mass);
+  hide({mass});
   const Fit known = fitter_->fit({mass}, fitter_->model_for({mass}));
   HypothesisOptions options;
   options.places_per_kind = 1;
@@ -192,7 +162,7 @@ TEST_F(Hidden, PullOfAWireIsFound) {
   const ReducedBase base = builder_.build({}, {change});
   const std::vector<double> p = {3.0 * base.terms[0].start,
                                  0.5 * base.terms[1].start};
-  hide({&effect, where, p});
+  hide({{&effect, where, p}});
   const Hypothesis best = tried(0).front();
   ASSERT_EQ(best.own().effect->name(), "prestress");
   EXPECT_EQ(best.own().where, where);

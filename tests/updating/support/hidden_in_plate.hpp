@@ -1,0 +1,50 @@
+// The sample plate's FRFs with an effect in it, and a fitter that has the plate
+// without.
+#pragma once
+
+#include "tests/updating/support/sample_plate.hpp"
+#include "updating/fit/fitter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace tapfit::support {
+
+class HiddenInPlate : public ::testing::Test {
+ protected:
+  void hide(const std::vector<updating::PlacedEffect>& effects) {
+    using namespace updating;
+    Eigen::VectorXcd s(60);
+    for (Eigen::Index l = 0; l < s.size(); ++l) {
+      const double w = 2.0 * M_PI * (20.0 + 6.0 * static_cast<double>(l));
+      s(l) = {0.03 * w, w};
+    }
+    FitSetting setting;
+    setting.setting = plate_setting(bundle_, deck_);
+    setting.measured = plate_pairs(bundle_, s);
+    setting.targets = {make_target(setting.measured)};
+    const Fitter blank(builder_, setting);
+    const auto truth = blank.model_for(effects);
+    const ModelState state = blank.first_state(*truth, effects);
+    const Eigen::MatrixXcd H = truth->respond(state, s, false).H;
+    for (Eigen::Index f = 0; f < H.cols(); ++f) {
+      signal::Frf& frf = setting.measured.frfs[static_cast<std::size_t>(f)];
+      frf.H = H.col(f);
+      frf.variance = (0.01 * H.col(f).cwiseAbs()).cwiseAbs2();
+    }
+    setting.targets = {make_target(setting.measured)};
+    fitter_.emplace(builder_, std::move(setting));
+  }
+
+  structure::Deck deck_ = plate_deck(true);
+  acquisition::TestBundle bundle_ = plate_bundle();
+  updating::BaseBuilder builder_{
+      deck_, {}, plate_base(bundle_, deck_), Progress{}};
+  std::optional<updating::Fitter> fitter_;
+};
+
+}  // namespace tapfit::support
