@@ -7,19 +7,39 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <ctime>
 
 namespace tapfit::tui {
 
 namespace {
 
-// The one thing a signal handler may write to has to be global.
+// What a signal handler may write to has to be global.
 volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t interrupted_at = 0;  // [ms]
+
+// What ends a program from outside often tells it and its group: a second
+// signal within this time is the first again.
+constexpr int same_cause_ms = 500;
+
+int clock_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  constexpr int wrap = 1'000'000;  // seconds whose milliseconds an int holds
+  return static_cast<int>(now.tv_sec % wrap) * 1000 +
+         static_cast<int>(now.tv_nsec / 1'000'000);
+}
 
 constexpr std::array<int, 4> asking{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 extern "C" void on_interrupt(int signal) {
-  interrupted = 1;
-  std::signal(signal, SIG_DFL);
+  const int now = clock_ms();
+  if (interrupted == 0) {
+    interrupted_at = now;
+    interrupted = 1;
+  } else if (now - interrupted_at > same_cause_ms) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

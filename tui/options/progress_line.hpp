@@ -7,8 +7,9 @@
 namespace tapfit::tui {
 
 /// While it lives, the first SIGINT (Ctrl-C), SIGQUIT (Ctrl-\), SIGTERM or
-/// SIGHUP asks the work to stop and the second ends the program at once. At
-/// most one may live at a time.
+/// SIGHUP asks the work to stop, and one more than half a second later ends the
+/// program at once: timeout, say, signals a program and its group. At most one
+/// may live at a time.
 class ProgressLine {
  public:
   /// @param shown whether to draw the line (standard error is a terminal)
