@@ -76,10 +76,10 @@ SparseMatrix grid_of_springs(int n) {
 // Supernodes of some tens of columns go to the BLAS, which may not be safe for
 // several threads: see blas_turn.hpp.
 TEST(Factor, FactorsOnSeveralThreadsAtOnce) {
-  constexpr int n = 60;
+  constexpr int n = 120;
   const SparseMatrix K = grid_of_springs(n);
-  const Eigen::MatrixXd B = Eigen::MatrixXd::Identity(K.rows(), 20);
-  std::vector<double> left(40);
+  const Eigen::MatrixXd B = Eigen::MatrixXd::Identity(K.rows(), 60);
+  std::vector<double> left(24);
   for_each_parallel(left.size(), [&](std::size_t at) {
     left[at] = (K * Factor(K).solve(B) - B).lpNorm<Eigen::Infinity>();
   });
