@@ -111,6 +111,7 @@ class Climb {
         search_(fitter, options),
         already_(present.size()),
         current_(fitter.fit(present, fitter.model_for(present), progress)),
+        base_error_(current_.result.error),
         held_out_(fitter.held_out_error(current_, held_out_folds, progress)) {}
 
   /// Adds the best effect that earns its place; false where none does.
@@ -156,11 +157,20 @@ class Climb {
   [[nodiscard]] Choice choose(const Round& round,
                               bool first,
                               const Progress& progress) const;
+  [[nodiscard]] FormShare form_of(const Fit& fit) const {
+    return form_share(
+        fit, fitter_->target(), options_.modes_in_band, options_.floor_noise);
+  }
   // More than noise, mesh and form explain.
   [[nodiscard]] bool leaves_much(const Fit& fit) const {
-    const FormShare form = form_share(
-        fit, fitter_->target(), options_.modes_in_band, options_.floor_noise);
-    return form.left > clear_of_floor * options_.floor;
+    return form_of(fit).left > clear_of_floor * options_.floor;
+  }
+  // Where the verdict would have to say so.
+  [[nodiscard]] bool is_left_unexplained() const {
+    const double floor = std::hypot(options_.floor, form_of(current_).error);
+    return leaves_much(current_) &&
+           is_unexplained(
+               current_.result.error, floor, base_error_, !chosen_.empty());
   }
 
   const Fitter* fitter_;
@@ -168,6 +178,7 @@ class Climb {
   RungSearch search_;
   std::size_t already_;
   Fit current_;
+  double base_error_;
   double held_out_;
   std::optional<Stand> before_pair_;
   std::optional<Round> next_;  // a quick look from where the climb stands
@@ -206,7 +217,7 @@ bool Climb::step(bool first, const Progress& progress) {
   // unexplained. What changes with the force or from run to run is no linear
   // effect's.
   const double left = current_.result.error;
-  if (!leaves_much(current_)) return false;
+  if (!is_left_unexplained()) return false;
   if (follows_the_force(fitter_->setting().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
   if (drift && is_telling(*drift)) return false;

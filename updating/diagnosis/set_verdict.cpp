@@ -96,10 +96,13 @@ void set_verdict(const signal::LinearityFinding& level,
   if (is_nonlinear(level, result)) return name_nonlinearity(level, result);
   result.verdict =
       joined(result.ladder, std::vector<bool>(result.ladder.size(), true));
-  if (result.ladder.empty()) {
-    const bool small = result.error_base <= 3.0 * result.floor;
-    result.verdict = small ? "none" : "unexplained";
-    if (small || held.empty()) return;
+  const bool effects = !result.ladder.empty();
+  const double left = effects ? result.error_best : result.error_base;
+  const bool much =
+      is_unexplained(left, result.floor, result.error_base, effects);
+  if (!effects) {
+    result.verdict = much ? "unexplained" : "none";
+    if (!much || held.empty()) return;
     result.warnings.push_back(
         fmt::format("an error of {:.3g} is left, far above the floor of "
                     "{:.3g}: {}",
@@ -108,12 +111,7 @@ void set_verdict(const signal::LinearityFinding& level,
                     what_is_left(held)));
     return;
   }
-  // Three times the floor, or a tenth of the base error where the floor is far
-  // below what any model reaches. FRFs of nothing at all have an error of 1: a
-  // base that is worse, for its scale, lends no explanation to what is left.
-  constexpr double nothing = 1.0;
-  const double base = std::min(result.error_base, nothing);
-  if (result.error_best <= std::max(3.0 * result.floor, 0.1 * base)) return;
+  if (!much) return;
   result.warnings.push_back(fmt::format(
       "{} lowers the error from {:.3g} to {:.3g} only, far above the floor "
       "of {:.3g}: {}",

@@ -3,6 +3,7 @@
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/search/screened.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace tapfit::updating {
@@ -26,6 +27,15 @@ bool is_left_to_the_mesh(double error, const DiagnoseOptions& options) {
 
 bool is_explained(double error, const DiagnoseOptions& options) {
   return is_at_floor(error, options) && !is_left_to_the_mesh(error, options);
+}
+
+bool is_unexplained(double error, double floor, double base, bool effects) {
+  // FRFs of nothing at all have an error of 1: a base that is worse, for its
+  // scale, lends no explanation to what is left.
+  constexpr double nothing = 1.0;
+  constexpr double part = 0.1;
+  const double much = effects ? part * std::min(base, nothing) : 0.0;
+  return error > std::max(clear_of_floor * floor, much);
 }
 
 double share_to_reach(double error, const DiagnoseOptions& options) {

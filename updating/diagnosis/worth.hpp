@@ -38,6 +38,16 @@ struct Worth {
 
 [[nodiscard]] bool is_explained(double error, const DiagnoseOptions& options);
 
+/// Far above the floor; with effects in the model also above a tenth of the
+/// error without them, where the floor is far below what any model reaches.
+/// @param floor the form's share included
+/// @param base the error with none of the effects
+/// @param effects whether there are any in the model
+[[nodiscard]] bool is_unexplained(double error,
+                                  double floor,
+                                  double base,
+                                  bool effects);
+
 /// The share of Worth: what the mesh may explain must be left behind by far.
 [[nodiscard]] double share_to_reach(double error,
                                     const DiagnoseOptions& options);
