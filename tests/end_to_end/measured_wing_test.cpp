@@ -35,10 +35,12 @@ TEST(MeasuredWing, ItsDeckHasTheModesThatItsMakersNastranPrinted) {
   }
 }
 
-TEST(MeasuredWing, IsNotTiedToTheWallByASpring) {
+// Five frequencies say that the body gives, as docs/real-test.md tells; joints
+// that the screening puts first say nothing there, so that all must be tried.
+TEST(MeasuredWing, GivesInTheBodyAndIsNotTiedToTheWallByASpring) {
   const json found = of_wing("diagnose", wing);
-  const std::string verdict = found.at("verdict");
-  EXPECT_EQ(verdict.find("ground-spring"), std::string::npos) << verdict;
+  EXPECT_EQ(found.at("verdict"), "joint");
+  EXPECT_LT(found.at("error").at("best").get<double>(), 0.01);
   EXPECT_NE(found.at("warnings").dump().find("suspension_hz"),
             std::string::npos);
   // The stiffest moves the whole wing: 6.25 kg, a fifth of 8.04 Hz.

@@ -48,6 +48,11 @@ void describe(CLI::App& app, Words& words) {
                  spec.structure,
                  fmt::format("{} or a Nastran deck",
                              fmt::join(updating::virtual_structures(), ", ")));
+  app.add_option("--truth",
+                 spec.truth,
+                 "deck of what the structure really is, with the same grids "
+                 "among its own")
+      ->needs("--structure");
   app.add_option(
          "--effect", words.effects, "what to hide (again for each), or none")
       ->expected(1)

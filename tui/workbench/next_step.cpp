@@ -91,10 +91,11 @@ std::string after_error(const Snapshot& known, const std::string& missing) {
     return fmt::format("{} is within the floor: 7 reports it",
                        percent(c.error));
   }
-  return fmt::format("{} is {} times the floor: {}",
-                     percent(c.error),
-                     number(c.error / c.floor, 2),
-                     missing);
+  return fmt::format(
+      "{} is {} times the floor: {}",
+      percent(c.error),
+      number(c.error / c.floor, c.error < 100.0 * c.floor ? 2 : 3),
+      missing);
 }
 
 std::string after_diagnosis(const Snapshot& known) {

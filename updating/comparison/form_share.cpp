@@ -12,16 +12,19 @@ FormShare form_share(const Fit& fit,
                      int modes,
                      double noise) {
   if (fit.form.lambda.size() == 0) {
-    return {0.0, 0.0, fit.result.error};
+    return {0.0, 0.0, fit.result.error, 0.0};
   }
   constexpr double plausible = 0.02;
   const double data = independent_data(target, fit.result.residual, modes);
   const FormEstimate form = estimate_form(fit.form, data, noise);
   const double error = fit.result.error;
   const double sd = 0.5 * form.tau;
-  if (sd > plausible) return {sd, 0.0, error};
   const double left = std::min(form.left, error);
-  return {sd, std::sqrt((error - left) * (error + left)), left};
+  const double explained = std::sqrt((error - left) * (error + left));
+  const double middle = 0.5 * middle_tau * fit.form.allowance;
+  const double usual = explained * std::min(1.0, middle / sd);
+  if (sd > plausible) return {sd, 0.0, error, usual};
+  return {sd, explained, left, usual};
 }
 
 }  // namespace tapfit::updating

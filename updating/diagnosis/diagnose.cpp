@@ -161,6 +161,9 @@ class Climb {
     return form_share(
         fit, fitter_->target(), options_.modes_in_band, options_.floor_noise);
   }
+  [[nodiscard]] Floor floor() const {
+    return floor_of(current_, fitter_->target(), options_);
+  }
   // More than noise, mesh and form explain.
   [[nodiscard]] bool leaves_much(const Fit& fit) const {
     return form_of(fit).left > clear_of_floor * options_.floor;
@@ -192,7 +195,7 @@ Climb::Choice Climb::choose(const Round& round,
                             const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
-  worth.share = share_to_reach(current_.result.error, options_);
+  worth.share = share_to_reach(current_.result.error, floor());
   worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
   if (!first || !leaves_much(round.hypotheses.front().fit))
     return {0, worth, {}};
@@ -206,7 +209,7 @@ Climb::Choice Climb::choose(const Round& round,
 bool Climb::step(bool first, const Progress& progress) {
   // At the floor there is nothing to explain; on the first rung the candidates
   // are still worked out for show.
-  if (!first && is_explained(current_.result.error, options_)) return false;
+  if (!first && is_explained(current_.result.error, floor())) return false;
   using Depth = RungSearch::Depth;
   if (try_to_add(first,
                  first ? Depth::Thorough : Depth::Quick,
@@ -242,14 +245,14 @@ bool Climb::try_to_add(bool first,
   if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
   if (round.hypotheses.empty()) return false;
   passed_over_ = strongest_of(round, 0);
-  if (is_explained(current_.result.error, options_)) return false;
+  if (is_explained(current_.result.error, floor())) return false;
   auto [best, worth, next] = choose(round, first, rest);
   const Hypothesis& added = round.hypotheses[best];
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
   worth.gain = added.log_evidence - round.none_evidence;
-  worth.share = share_to_reach(current_.result.error, options_);
+  worth.share = share_to_reach(current_.result.error, floor());
   before_pair_.reset();  // a second followed
   if (!worth.earned()) before_pair_ = {current_, held_out_};
   passed_over_.clear();
@@ -375,12 +378,13 @@ Climbed climbed(const Fitter& fitter,
               held_back(options.properties, fitted),
               result);
   if (result.verdict == "none" &&
-      is_left_to_the_mesh(result.error_best, options)) {
+      may_hide_effect(result.error_best,
+                      floor_of(found, fitter.target(), options))) {
     result.warnings.push_back(fmt::format(
-        "{:.3g} is left, far above the noise ({:.3g}) and below what the mesh "
-        "may explain (the floor is {:.3g}): an effect may hide there, and the "
-        "values of the model's own parameters make up for it; a finer mesh "
-        "would tell",
+        "{:.3g} is left, far above the noise ({:.3g}) and below what mesh and "
+        "form may explain (the floor is {:.3g}): an effect may hide there, and "
+        "the values of the model's own parameters make up for it; a finer mesh "
+        "would tell more",
         result.error_best,
         options.floor_noise,
         result.floor));

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/search/hypotheses.hpp"
 #include "updating/fit/estimate.hpp"
+#include "updating/search/hypotheses.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -2,9 +2,9 @@
 // are not told apart.
 #pragma once
 
-#include "updating/search/hypotheses.hpp"
 #include "updating/diagnosis/rivals.hpp"
 #include "updating/effects/effect_ref.hpp"
+#include "updating/search/hypotheses.hpp"
 
 #include <cstddef>
 #include <string>

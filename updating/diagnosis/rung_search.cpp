@@ -181,7 +181,7 @@ Round RungSearch::look(const Fit& current,
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
   options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
   options.promising = thorough ? 1e300 : promising;
-  options.explained = at_floor * options_.floor;
+  options.explained = explained_error({options_.floor, options_.floor_noise});
   if (depth == Depth::LastResort) options.joints = many_joints;
   options.known = known;
   Round round;
@@ -297,7 +297,8 @@ Fit RungSearch::prune(Fit fit,
     const double noise = options_.floor_noise;
     const double gain = log_evidence(fit, own, 1.0, data, noise) -
                         log_evidence(rest, 0.0, 1.0, data, noise);
-    if (is_superfluous(gain, fit.result.error, rest.result.error, options_)) {
+    const Floor floor = floor_of(rest, fitter_->target(), options_);
+    if (is_superfluous(gain, fit.result.error, rest.result.error, floor)) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -11,8 +11,8 @@
 // more are worth it.
 #pragma once
 
-#include "updating/search/hypotheses.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
+#include "updating/search/hypotheses.hpp"
 
 namespace tapfit::updating {
 

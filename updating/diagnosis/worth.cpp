@@ -1,5 +1,6 @@
 #include "updating/diagnosis/worth.hpp"
 
+#include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/search/screened.hpp"
 
@@ -16,17 +17,28 @@ bool Worth::earned() const {
   return gain > very_strong && with_it < share * held_out;
 }
 
-bool is_at_floor(double error, const DiagnoseOptions& options) {
-  return error <= at_floor * options.floor;
+Floor floor_of(const Fit& fit,
+               const Target& target,
+               const DiagnoseOptions& options) {
+  const FormShare form =
+      form_share(fit, target, options.modes_in_band, options.floor_noise);
+  return {std::hypot(options.floor, form.usual), options.floor_noise};
 }
 
-bool is_left_to_the_mesh(double error, const DiagnoseOptions& options) {
-  return is_at_floor(error, options) &&
-         error > clear_of_floor * options.floor_noise;
+bool is_at_floor(double error, const Floor& floor) {
+  return error <= at_floor * floor.whole;
 }
 
-bool is_explained(double error, const DiagnoseOptions& options) {
-  return is_at_floor(error, options) && !is_left_to_the_mesh(error, options);
+bool may_hide_effect(double error, const Floor& floor) {
+  return is_at_floor(error, floor) && error > clear_of_floor * floor.noise;
+}
+
+double explained_error(const Floor& floor) {
+  return std::min(at_floor * floor.whole, clear_of_floor * floor.noise);
+}
+
+bool is_explained(double error, const Floor& floor) {
+  return error <= explained_error(floor);
 }
 
 bool is_unexplained(double error, double floor, double base, bool effects) {
@@ -38,16 +50,16 @@ bool is_unexplained(double error, double floor, double base, bool effects) {
   return error > std::max(clear_of_floor * floor, much);
 }
 
-double share_to_reach(double error, const DiagnoseOptions& options) {
-  return is_at_floor(error, options) ? 1.0 / clear_of_floor : worth_it;
+double share_to_reach(double error, const Floor& floor) {
+  return is_at_floor(error, floor) ? 1.0 / clear_of_floor : worth_it;
 }
 
 bool is_superfluous(double gain,
                     double error,
                     double without,
-                    const DiagnoseOptions& options) {
+                    const Floor& floor) {
   const bool alone =
-      is_at_floor(without, options) && clear_of_floor * error > without;
+      is_at_floor(without, floor) && clear_of_floor * error > without;
   return gain < very_strong || alone;
 }
 

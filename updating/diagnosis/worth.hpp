@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/diagnosis/diagnose_options.hpp"
+#include "updating/fit/fitter.hpp"
 
 namespace tapfit::updating {
 
@@ -11,7 +12,7 @@ extern const double very_strong;
 /// A fit within this factor of the floor leaves nothing to explain.
 extern const double at_floor;
 /// Beyond this times the floor there is surely more than one rung can explain,
-/// and what an effect below the mesh's floor must be better by to be believed.
+/// and what an effect below the floor must be better by to be believed.
 extern const double clear_of_floor;
 
 /// Parts of the runs that are left out in turn.
@@ -28,15 +29,28 @@ struct Worth {
   [[nodiscard]] bool earned() const;
 };
 
+/// What is left where nothing is missing.
+struct Floor {
+  double whole = 0.0;  ///< of noise, mesh and a careful deck's form
+  double noise = 0.0;  ///< of noise alone
+};
+
+/// @param target that the fit's residual is of
+[[nodiscard]] Floor floor_of(const Fit& fit,
+                             const Target& target,
+                             const DiagnoseOptions& options);
+
 /// @param error of a fit, as everywhere below
-[[nodiscard]] bool is_at_floor(double error, const DiagnoseOptions& options);
+[[nodiscard]] bool is_at_floor(double error, const Floor& floor);
 
-/// At the floor only for the mesh's share, which counts the whole difference to
-/// a finer mesh. The fit takes a good part of that: an effect may hide.
-[[nodiscard]] bool is_left_to_the_mesh(double error,
-                                       const DiagnoseOptions& options);
+/// At the floor only for what mesh and form may leave, and often do not: an
+/// effect may hide.
+[[nodiscard]] bool may_hide_effect(double error, const Floor& floor);
 
-[[nodiscard]] bool is_explained(double error, const DiagnoseOptions& options);
+/// The error below which there is nothing to explain: at the floor, and not far
+/// above the noise.
+[[nodiscard]] double explained_error(const Floor& floor);
+[[nodiscard]] bool is_explained(double error, const Floor& floor);
 
 /// Far above the floor; with effects in the model also above a tenth of the
 /// error without them, where the floor is far below what any model reaches.
@@ -48,19 +62,21 @@ struct Worth {
                                   double base,
                                   bool effects);
 
-/// The share of Worth: what the mesh may explain must be left behind by far.
-[[nodiscard]] double share_to_reach(double error,
-                                    const DiagnoseOptions& options);
+/// The share of Worth: what mesh and form may explain must be left behind by
+/// far.
+[[nodiscard]] double share_to_reach(double error, const Floor& floor);
 
 /// Whether an effect that is in the model is not needed beside the others: once
 /// an effect has moved to its right place, it may explain alone what another
-/// was added for. Far below a floor that is the mesh's both may be there.
+/// was added for. Far below a floor that is the mesh's or the form's both may
+/// be there.
 ///
 /// @param gain log evidence over leaving it out
 /// @param without the error then
+/// @param floor of what is then left
 [[nodiscard]] bool is_superfluous(double gain,
                                   double error,
                                   double without,
-                                  const DiagnoseOptions& options);
+                                  const Floor& floor);
 
 }  // namespace tapfit::updating

@@ -3,6 +3,11 @@
 #include <Eigen/QR>
 
 namespace tapfit::updating {
+namespace {
+
+constexpr double left_over = 0.5;  // of the difference
+
+}  // namespace
 
 Eigen::VectorXd mesh_error(const FrfModel& finer,
                            const FrfModel& coarser,
@@ -19,7 +24,7 @@ Eigen::VectorXd mesh_error(const FrfModel& finer,
   }
   // Modes tell nothing of damping: columns may be zero, and all of them.
   if (J.cols() > 0) d -= J * J.completeOrthogonalDecomposition().solve(d);
-  return d;
+  return left_over * d;
 }
 
 }  // namespace tapfit::updating

@@ -8,13 +8,14 @@
 
 namespace tapfit::updating {
 
-/// The share of the error that the mesh causes, from the same model on a mesh
-/// that is one step coarser. At clamped edges and inner corners a mesh
-/// converges as h, not h^2: the finer one is still off by as much as it differs
-/// from the coarser. What uncertain properties and damping can take up is not
-/// counted.
+/// What the mesh leaves of the error where its own factor is fitted, from the
+/// same model on a mesh that is one step coarser: half of the difference. Mode
+/// by mode the finer one is still off by a third of it where convergence is
+/// quadratic and by all of it where it is linear, as h, at clamped edges and
+/// inner corners; the factor takes what modes have in common. What uncertain
+/// properties and damping can take up is not counted.
 ///
-/// @return the difference as a residual of stack(); its norm is the error
+/// @return as a residual of stack(); its norm is the error
 [[nodiscard]] Eigen::VectorXd mesh_error(const FrfModel& finer,
                                          const FrfModel& coarser,
                                          const ModelState& state,

@@ -16,10 +16,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Of what splitting the mesh changed, splitting it on and on would change a
-// third again where convergence is quadratic, all of it where it is linear.
-constexpr double left_over = 0.5;
-
 // Bands over which that keeps its sign, about one resonance each.
 constexpr Index bands = 8;
 
@@ -42,7 +38,7 @@ MatrixXd mesh_covariance(const Target& target,
       drive += J.middleRows(at, count).transpose() *
                target.mesh_bias.segment(at, count);
     }
-    const VectorXd bias = left_over * gain * drive;
+    const VectorXd bias = gain * drive;
     covariance += bias * bias.transpose();
   }
   return covariance;

@@ -31,6 +31,9 @@ struct Judge {
   [[nodiscard]] double held_out(const Fit& fit) const {
     return fitter.held_out_error(fit, held_out_folds, progress);
   }
+  [[nodiscard]] Floor floor(const Fit& fit) const {
+    return floor_of(fit, fitter.target(), options);
+  }
   [[nodiscard]] FormShare form(const Fit& fit) const {
     return form_share(
         fit, fitter.target(), options.modes_in_band, options.floor_noise);
@@ -79,8 +82,9 @@ bool earns(const Fit& with,
   if (gain <= very_strong) return false;
   const DiagnoseOptions& options = judge.options;
   const bool much = judge.form(with).left > clear_of_floor * options.floor;
-  worth.share =
-      first && much ? 1.0 : share_to_reach(none.result.error, options);
+  worth.share = first && much
+                    ? 1.0
+                    : share_to_reach(none.result.error, judge.floor(none));
   for_each_parallel(2, [&](std::size_t k) {
     (k == 0 ? worth.held_out : worth.with_it) =
         judge.held_out(k == 0 ? none : with);
@@ -102,11 +106,11 @@ bool stays(const Round& round,
   const double kept = gain + std::log(std::max(h.places, 1.0));
   if (rungs > 1 &&
       is_superfluous(
-          kept, h.fit.result.error, none.result.error, judge.options)) {
+          kept, h.fit.result.error, none.result.error, judge.floor(none))) {
     return false;
   }
   if (rung + 1 < rungs) return true;
-  return !is_explained(none.result.error, judge.options) &&
+  return !is_explained(none.result.error, judge.floor(none)) &&
          earns(h.fit, gain, none, rungs == 1, judge);
 }
 
@@ -116,7 +120,7 @@ void add_beside(const Refits& refits,
                 const Judge& judge,
                 Diagnosis& result) {
   if (refits.besides.empty()) return;
-  if (is_explained(top.result.error, judge.options)) return;
+  if (is_explained(top.result.error, judge.floor(top))) return;
   const Round round = round_of(refits.besides, top, judge);
   const std::size_t best = strongest(round);
   const Hypothesis& h = round.hypotheses[best];

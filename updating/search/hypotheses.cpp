@@ -7,11 +7,13 @@
 #include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
+#include "updating/residual/independent_data.hpp"
 #include "updating/search/climb.hpp"
 #include "updating/search/screening.hpp"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -25,13 +27,14 @@ namespace {
 // Of the logarithm of a likelihood, what is worth a name of its own. Whether it
 // is worth its parameters the evidence tells.
 constexpr double clearly = 1.0;
-// Of the same, what a parameter at the best of some hundred places gains by
-// chance: 1/2 ln(data) + ln(places).
-constexpr double by_chance = 10.0;
-
 // Whether there is a way up from here: none from what says no more than nothing
-// does.
-bool tells(const Hypothesis& h, const Fit& current) {
+// does. That is what a parameter at the best of all places gains by chance,
+// 1/2 ln(data) + ln(places).
+bool tells(const Hypothesis& h, const Fit& current, const Fitter& fitter) {
+  const double places =
+      static_cast<double>(fitter.places(*h.own().effect).size());
+  const double by_chance = 0.5 * std::log(effective_data(fitter.target())) +
+                           std::log(std::max(1.0, places));
   return h.fit.log_likelihood > current.log_likelihood + by_chance;
 }
 
@@ -123,44 +126,6 @@ std::vector<Kind> fit_planned(std::vector<Planned> plans,
   return kinds;
 }
 
-// Joints are looked through in the order of their screening until a batch has
-// brought none that is likelier: each takes a base of its own.
-constexpr std::size_t joint_batch = 16;
-
-// Takes those beyond the first batch out of what is planned.
-std::vector<PlacedEffect> take_later_joints(std::vector<Planned>& plans) {
-  std::vector<PlacedEffect> later;
-  for (Planned& plan : plans) {
-    const bool many = plan.effect->changes_stiffness() == ChangeKind::Joint &&
-                      plan.tries.size() > joint_batch;
-    if (!many) continue;
-    const auto first =
-        plan.tries.begin() + static_cast<std::ptrdiff_t>(joint_batch);
-    later.assign(first, plan.tries.end());
-    plan.tries.erase(first, plan.tries.end());
-  }
-  return later;
-}
-
-void fit_later_joints(const std::vector<PlacedEffect>& later,
-                      std::vector<Kind>& kinds,
-                      const Fit& current,
-                      const Fitter& fitter,
-                      const Progress& progress) {
-  const auto joints = std::ranges::find_if(kinds, &Kind::is_joint);
-  if (joints == kinds.end()) return;
-  for (std::size_t from = 0; from < later.size(); from += joint_batch) {
-    const std::size_t to = std::min(from + joint_batch, later.size());
-    const std::vector<PlacedEffect> batch(
-        later.begin() + static_cast<std::ptrdiff_t>(from),
-        later.begin() + static_cast<std::ptrdiff_t>(to));
-    const double known = joints->log_likelihood();
-    std::ranges::move(fit_each(current, batch, fitter, nullptr, progress),
-                      std::back_inserter(joints->found));
-    if (joints->log_likelihood() <= known) return;
-  }
-}
-
 double least_error(const std::vector<Kind>& kinds) {
   double least = 1e300;
   for (const Kind& kind : kinds) least = std::min(least, kind.error());
@@ -193,7 +158,7 @@ void climb_rivals(std::vector<Kind>& kinds,
     for (Kind& kind : kinds) {
       if (kind.at_grids() != grids || kind.error() > rival_error * least)
         continue;
-      if (!tells(kind.likeliest(), current)) continue;
+      if (!tells(kind.likeliest(), current, fitter)) continue;
       climb_from_best(kind, current, fitter, options, progress);
     }
   }
@@ -227,19 +192,20 @@ std::vector<Where> places_for_forms(const Kind& kind,
 std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
                                      double most_error,
                                      const Fit& current,
-                                     const structure::Deck& deck) {
+                                     const Fitter& fitter) {
   constexpr double next_to_all = 0.25;  // left
   std::vector<Where> places;
   for (const Kind& kind : kinds) {
     if (!kind.is_loss() || kind.error() > most_error) continue;
     const Hypothesis* best = nullptr;
     for (const Hypothesis& h : kind.found) {
-      if (h.own().p.front() > next_to_all || !tells(h, current)) continue;
+      if (h.own().p.front() > next_to_all || !tells(h, current, fitter))
+        continue;
       if (best == nullptr || is_likelier(h, *best)) best = &h;
     }
     if (best == nullptr || best->fit.result.error > most_error) continue;
-    for (std::vector<int>& nodes :
-         cracks_within(deck, best->own().where.elements)) {
+    for (std::vector<int>& nodes : cracks_within(*fitter.setting().setting.deck,
+                                                 best->own().where.elements)) {
       places.emplace_back().nodes = std::move(nodes);
     }
   }
@@ -287,12 +253,13 @@ void try_forms(std::vector<Kind>& kinds,
   for (Kind& kind : kinds) {
     std::vector<Where> places;
     const bool rivals = kind.error() <= rival_error * least;
-    if (rivals && (!kind.is_joint() || tells(kind.likeliest(), current))) {
+    if (rivals &&
+        (!kind.is_joint() || tells(kind.likeliest(), current, fitter))) {
       places = places_for_forms(kind, *setting.deck);
     }
     if (kind.is_joint()) {
       std::ranges::copy(
-          cracks_in_patches(kinds, rival_error * least, current, *setting.deck),
+          cracks_in_patches(kinds, rival_error * least, current, fitter),
           std::back_inserter(places));
     }
     if (places.empty()) continue;
@@ -336,11 +303,11 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   for (const Screened& s : screened) {
     places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
   }
-  std::vector<Planned> plans = planned_fits(current, screened, fitter, options);
-  const std::vector<PlacedEffect> later = take_later_joints(plans);
-  std::vector<Kind> kinds = fit_planned(
-      std::move(plans), current, fitter, part_of(progress, 0.1, 0.7));
-  fit_later_joints(later, kinds, current, fitter, progress);
+  std::vector<Kind> kinds =
+      fit_planned(planned_fits(current, screened, fitter, options),
+                  current,
+                  fitter,
+                  part_of(progress, 0.1, 0.7));
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.7, 1.0);
     climb_rivals(kinds, current, fitter, options, rest);

@@ -1,8 +1,11 @@
 #include "updating/virtual_test/structure_presets.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/virtual_test/virtual_panel.hpp"
 #include "updating/virtual_test/virtual_portal.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -85,6 +88,22 @@ VirtualModel split_twice(const structure::Deck& deck) {
     }
   }
   return model;
+}
+
+VirtualModel with_truth(const structure::Deck& deck,
+                        const structure::Deck& truth) {
+  constexpr double same_place = 1e-6;  // [m], of coordinates with six digits
+  for (const structure::Grid& grid : deck.grids) {
+    const bool there =
+        truth.has_grid(grid.id) &&
+        (truth.grid(grid.id).position - grid.position).norm() < same_place;
+    if (there) continue;
+    throw InputError(
+        fmt::format("grid {} of the model is not in the truth", grid.id),
+        "virtual structure",
+        "Give it a grid with that id, at that place, in the deck of --truth.");
+  }
+  return {deck, truth, {}};
 }
 
 }  // namespace tapfit::updating

@@ -32,4 +32,12 @@ struct StructurePreset {
 /// A deck as the engineer has it, and with every element split twice.
 [[nodiscard]] VirtualModel split_twice(const structure::Deck& deck);
 
+/// A deck as the engineer has it, and another of the same structure that is
+/// wrong in form nowhere. What weakens elements is to be made in that one.
+/// @param truth with each of the engineer's grids among its own: of solid
+///   elements, say, where those are of a plate's middle
+/// @throws InputError for a grid that is missing there or stands elsewhere
+[[nodiscard]] VirtualModel with_truth(const structure::Deck& deck,
+                                      const structure::Deck& truth);
+
 }  // namespace tapfit::updating

@@ -27,13 +27,15 @@ double modulus_factor(const VirtualBundleSpec& spec) {
   return 1.0 + percent / 100.0;
 }
 
-// As given, and that the structure's deck is an input.
+// As given, and that the structure's decks are inputs.
 acquisition::OutputRule with_structure(acquisition::OutputRule rule,
                                        const VirtualBundleSpec& spec) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(spec.structure, ignored)) return rule;
-  for (fs::path& file : structure::deck_files(spec.structure)) {
-    rule.inputs.push_back(std::move(file));
+  for (const std::string& deck : {spec.structure, spec.truth}) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(deck, ignored)) continue;
+    for (fs::path& file : structure::deck_files(deck)) {
+      rule.inputs.push_back(std::move(file));
+    }
   }
   return rule;
 }

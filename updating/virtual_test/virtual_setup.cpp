@@ -161,13 +161,21 @@ std::vector<double> modes_in_band(const VirtualBundleSpec& spec,
 VirtualSetup set_up(const VirtualBundleSpec& spec) {
   VirtualSetup setup;
   const std::optional<StructurePreset> preset = preset_of(spec.structure);
+  if (preset && !spec.truth.empty()) {
+    throw InputError("a structure with a name has a truth of its own",
+                     spec.structure,
+                     "Give a deck with --structure, or leave --truth out.");
+  }
   setup.band_hz = band_of(spec, preset);
   if (preset) {
     setup.model = preset->model;
     setup.model_cards = preset->cards;
     setup.title = "Virtual hammer test: " + preset->title;
   } else {
-    setup.model = split_twice(structure::read_deck(spec.structure));
+    const structure::Deck deck = structure::read_deck(spec.structure);
+    setup.model = spec.truth.empty()
+                      ? split_twice(deck)
+                      : with_truth(deck, structure::read_deck(spec.truth));
     setup.title = "Virtual hammer test of " +
                   std::filesystem::path(spec.structure).filename().string();
   }

@@ -13,6 +13,7 @@ namespace tapfit::updating {
 
 struct VirtualBundleSpec {
   std::string structure = "frame";  ///< one of virtual_structures(), or a deck
+  std::string truth;  ///< deck of what it really is; empty: the same, finer
   std::vector<VirtualEffect> effects;
   bool roving_sensor = false;  ///< else the hammer roves
   std::uint64_t seed = 1;

@@ -33,8 +33,8 @@ signal::FrfSet measured(bool loaded) {
   spec.hits = 2;
   spec.faulty_hits = false;
   if (loaded) spec.effects = {parse_virtual_effect("sensor-mass=0.03")};
-  const fs::path folder =
-      fs::path(testing::TempDir()) / (loaded ? "tapfit-loaded" : "tapfit-bare");
+  const fs::path folder = fs::path(::testing::TempDir()) /
+                          (loaded ? "tapfit-loaded" : "tapfit-bare");
   fs::remove_all(folder);
   (void)make_virtual_bundle(spec, folder);
   const acquisition::TestBundle bundle = acquisition::read_test_bundle(folder);

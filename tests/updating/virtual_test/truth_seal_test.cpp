@@ -25,7 +25,7 @@ std::string read(const fs::path& file) {
 }
 
 /// A sealed folder with two files.
-class TruthSeal : public testing::Test {
+class TruthSeal : public ::testing::Test {
  protected:
   void SetUp() override {
     fs::remove_all(folder_);
@@ -51,9 +51,9 @@ class TruthSeal : public testing::Test {
 
   json truth_{{"effect", "added-mass"}, {"hidden", {"added-mass@30=0.05"}}};
   fs::path folder_ =
-      fs::path(testing::TempDir()) /
+      fs::path(::testing::TempDir()) /
       (std::string("tapfit-seal-") +
-       testing::UnitTest::GetInstance()->current_test_info()->name());
+       ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(TruthSeal, GivesTheTruthBack) { EXPECT_EQ(open_seal(folder_), truth_); }

@@ -29,7 +29,7 @@ VirtualBundleSpec small_spec() {
 }
 
 fs::path fresh_folder(const std::string& name) {
-  const fs::path folder = fs::path(testing::TempDir()) / ("tapfit-" + name);
+  const fs::path folder = fs::path(::testing::TempDir()) / ("tapfit-" + name);
   fs::remove_all(folder);
   return folder;
 }

@@ -28,7 +28,7 @@ TEST(VirtualPortal, HasItsMass) {
 
 TEST(VirtualPortal, CardsAreTheDeck) {
   const auto file =
-      std::filesystem::path(testing::TempDir()) / "tapfit-portal.bdf";
+      std::filesystem::path(::testing::TempDir()) / "tapfit-portal.bdf";
   std::ofstream out(file);
   for (const std::string& card : portal_cards()) out << card << '\n';
   out.close();

@@ -1,0 +1,319 @@
+// Hammer tests of plates whose truth is of solid elements and whose deck is of
+// shells, with something hidden in most of them.
+//
+//   solid_cases_study FOLDER SEED
+//
+// Makes a bundle with a truth.json for each case; a diagnosis of each is then
+// judged against it. Six structures: with a window, held at both ends, bent,
+// stepped, an L, tapered and twisted.
+#include "tests/studies/solid_plate.hpp"
+#include "updating/virtual_test/virtual_bundle.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using Eigen::Vector3d;
+using json = nlohmann::ordered_json;
+
+SolidPlate window() {
+  SolidPlate plate{"window", 15, 10, 0.02, 0.005, 205e9, 0.3, 7850.0};
+  plate.middle = [](double u, double v) {
+    return Vector3d(0.30 * u, 0.20 * v, 0.0);
+  };
+  plate.has_cell = [](int i, int j) {
+    return i < 6 || i > 10 || j < 3 || j > 6;
+  };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {20.0, 900.0};
+  return plate;
+}
+
+SolidPlate bridge() {
+  SolidPlate plate{"bridge", 20, 6, 0.02, 0.006};
+  plate.middle = [](double u, double v) {
+    return Vector3d(0.40 * u, 0.12 * v, 0.0);
+  };
+  plate.is_held = [](int i, int) { return i == 0 || i == 20; };
+  plate.band_hz = {50.0, 1500.0};
+  return plate;
+}
+
+SolidPlate bent() {
+  SolidPlate plate{"bent", 12, 10, 0.021, 0.003};
+  plate.middle = [](double u, double v) {
+    const double angle = 0.36 * (u - 0.5);
+    return Vector3d(
+        0.7 * std::sin(angle), 0.21 * v, 0.7 * (std::cos(angle) - 1.0));
+  };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {15.0, 700.0};
+  return plate;
+}
+
+SolidPlate step() {
+  SolidPlate plate{"step", 20, 4, 0.0175, 0.006, 205e9, 0.3, 7850.0};
+  plate.middle = [](double u, double v) {
+    return Vector3d(0.35 * u, 0.07 * v, 0.0);
+  };
+  plate.thicker = [](int i, int) { return i < 9 ? 1.6 : 1.0; };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {20.0, 1800.0};
+  return plate;
+}
+
+SolidPlate ell() {
+  SolidPlate plate{"ell", 14, 14, 0.02, 0.004};
+  plate.middle = [](double u, double v) {
+    return Vector3d(0.28 * u, 0.28 * v, 0.0);
+  };
+  plate.has_cell = [](int i, int j) { return i < 5 || j < 5; };
+  plate.is_held = [](int, int j) { return j == 14; };
+  plate.band_hz = {10.0, 700.0};
+  return plate;
+}
+
+SolidPlate blade() {
+  SolidPlate plate{"blade", 18, 6, 0.018, 0.006, 110e9, 0.31, 4430.0};
+  plate.middle = [](double u, double v) {
+    const double chord = 0.11 - 0.05 * u;
+    const double y = chord * (v - 0.5);
+    const double twist = 0.30 * u;
+    return Vector3d(0.32 * u, y * std::cos(twist), y * std::sin(twist));
+  };
+  plate.thicker = [](int i, int) { return 1.2 - 0.03 * i; };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {20.0, 1400.0};
+  return plate;
+}
+
+double mass_of(const SolidPlate& plate) {
+  double volume = 0.0;
+  for (int j = 0; j < plate.rows; ++j) {
+    for (int i = 0; i < plate.columns; ++i) {
+      if (plate.has_cell && !plate.has_cell(i, j)) continue;
+      const Vector3d a = place_of(plate, i + 1, j) - place_of(plate, i, j);
+      const Vector3d b = place_of(plate, i, j + 1) - place_of(plate, i, j);
+      volume += a.cross(b).norm() * plate.thickness *
+                (plate.thicker ? plate.thicker(i, j) : 1.0);
+    }
+  }
+  return plate.density * volume;
+}
+
+struct Case {
+  std::string kind;
+  std::vector<std::string> effects = {};  // as `simulate` takes them
+  HiddenInSolid hidden = {};
+  json truth = json::array();
+};
+
+json at(const Vector3d& place) { return {place(0), place(1), place(2)}; }
+
+// Everything hidden is a share of what the structure has itself.
+class Cases {
+ public:
+  Cases(const SolidPlate& plate, double first_hz, unsigned seed)
+      : plate_(plate),
+        engine_(seed),
+        mass_(mass_of(plate)),
+        omega_(2.0 * std::numbers::pi * first_hz) {}
+
+  std::vector<Case> all() {
+    std::vector<Case> cases{{"none"}, {"none"}};
+    cases.push_back(sensors(0.015 * mass_));
+    cases.push_back(at_grid("added-mass", "mass_kg", 0.04 * mass_));
+    cases.push_back(at_grid(
+        "ground-spring", "stiffness_n_per_m", 0.15 * mass_ * omega_ * omega_));
+    cases.push_back(
+        at_grid("dashpot", "damping_ns_per_m", 0.02 * mass_ * omega_));
+    cases.push_back(pocket());
+    cases.push_back(bed());
+    cases.push_back(gain());
+    Case pair = bed();
+    const Case more = sensors(0.012 * mass_);
+    pair.kind += "+" + more.kind;
+    pair.effects = more.effects;
+    pair.truth.push_back(more.truth.front());
+    cases.push_back(pair);
+    return cases;
+  }
+
+ private:
+  Case sensors(double mass) {
+    Case it{"sensor-mass", {fmt::format("sensor-mass={:.6g}", mass)}};
+    it.truth.push_back({{"effect", "sensor-mass"}, {"mass_kg", mass}});
+    return it;
+  }
+
+  // Somewhere away from what is held.
+  std::array<int, 2> grid() {
+    std::uniform_int_distribution<int> column(0, plate_.columns);
+    std::uniform_int_distribution<int> row(0, plate_.rows);
+    while (true) {
+      const int i = column(engine_);
+      const int j = row(engine_);
+      const bool there =
+          !plate_.has_cell ||
+          (i < plate_.columns && j < plate_.rows && plate_.has_cell(i, j));
+      if (there && is_away(i, j)) return {i, j};
+    }
+  }
+
+  [[nodiscard]] bool is_away(int i, int j) const {
+    const int far = std::max(plate_.columns, plate_.rows) / 3;
+    for (int b = 0; b <= plate_.rows; ++b) {
+      for (int a = 0; a <= plate_.columns; ++a) {
+        if (!plate_.is_held(a, b)) continue;
+        if (std::hypot(a - i, b - j) < far) return false;
+      }
+    }
+    return true;
+  }
+
+  Case at_grid(const std::string& effect,
+               const std::string& size,
+               double value) {
+    const auto [i, j] = grid();
+    Case it{
+        effect,
+        {fmt::format("{}@{}={:.6g}", effect, grid_id(plate_, i, j), value)}};
+    it.truth.push_back({{"effect", effect},
+                        {size, value},
+                        {"at", at(place_of(plate_, i, j))}});
+    return it;
+  }
+
+  Case pocket() {
+    Case it{"thinning"};
+    std::uniform_int_distribution<int> column(1, plate_.columns - 4);
+    std::uniform_int_distribution<int> row(0, std::max(0, plate_.rows - 3));
+    int i = 0;
+    int j = 0;
+    do {
+      i = column(engine_);
+      j = row(engine_);
+    } while (plate_.has_cell &&
+             !(plate_.has_cell(i, j) && plate_.has_cell(i + 2, j + 2) &&
+               plate_.has_cell(i, j + 2) && plate_.has_cell(i + 2, j)));
+    it.hidden.pocket = {i, i + 2, j, j + 2};
+    it.hidden.left = 0.6;
+    it.truth.push_back({{"effect", "thinning"},
+                        {"left", it.hidden.left},
+                        {"at", at(place_of(plate_, i + 1.5, j + 1.5))}});
+    return it;
+  }
+
+  Case bed() {
+    Case it{"soft-support"};
+    const double span = plate_.columns * plate_.pitch;
+    it.hidden.bed = 15.0 * plate_.E / span;
+    // Lumped springs turn as if two thirds of them stood at the surfaces:
+    // sum k z^2 = bed t (2/3) (t/2)^2.
+    const double t =
+        plate_.thickness * (plate_.thicker ? plate_.thicker(0, 0) : 1.0);
+    it.truth.push_back({{"effect", "soft-support"},
+                        {"kind", "face"},
+                        {"reference",
+                         {{"rotational_stiffness_nm_per_rad_per_m",
+                           it.hidden.bed * t * t * t / 6.0}}}});
+    return it;
+  }
+
+  Case gain() {
+    Case it{"channel-gain", {"channel-gain@acc1=0.85"}};
+    it.truth.push_back(
+        {{"effect", "channel-gain"}, {"channel", 1}, {"gain", 0.85}});
+    return it;
+  }
+
+  const SolidPlate& plate_;
+  std::mt19937 engine_;
+  double mass_;
+  double omega_;
+};
+
+void write(const fs::path& file, const std::string& text) {
+  std::ofstream(file) << text;
+}
+
+VirtualBundleSpec spec_of(const SolidPlate& plate,
+                          const Case& it,
+                          const fs::path& decks,
+                          unsigned seed) {
+  write(decks / "shells.bdf", shell_deck(plate));
+  write(decks / "solids.bdf", solid_deck(plate, it.hidden));
+  VirtualBundleSpec spec;
+  spec.structure = decks / "shells.bdf";
+  spec.truth = decks / "solids.bdf";
+  for (const std::string& text : it.effects) {
+    spec.effects.push_back(parse_virtual_effect(text));
+  }
+  spec.seed = seed;
+  spec.points = 12;
+  spec.band_hz = plate.band_hz;
+  std::mt19937 engine(seed);
+  spec.modulus_percent = std::normal_distribution<double>(0.0, 2.0)(engine);
+  return spec;
+}
+
+void make(const SolidPlate& plate, const fs::path& folder, unsigned seed) {
+  const fs::path decks = folder / ("decks-" + plate.name);
+  fs::create_directories(decks);
+  const fs::path plain = decks / "plain";
+  const double first_hz =
+      make_virtual_bundle(spec_of(plate, {"none"}, decks, seed), plain)
+          .model_hz.front();
+  std::map<std::string, int> count;
+  for (const Case& it : Cases(plate, first_hz, seed).all()) {
+    std::string name = fmt::format("{}-{}", plate.name, it.kind);
+    if (const int n = ++count[name]; n > 1) name += fmt::format("-{}", n);
+    const VirtualBundleSpec spec = spec_of(plate, it, decks, ++seed);
+    const VirtualBundleResult result = make_virtual_bundle(spec, folder / name);
+    const json truth{{"name", name},
+                     {"structure", plate.name},
+                     {"seed", seed},
+                     {"dE", *spec.modulus_percent / 100.0},
+                     {"kind", it.kind},
+                     {"pitch", plate.pitch},
+                     {"effects", it.truth},
+                     {"model_hz", result.model_hz},
+                     {"true_hz", result.true_hz}};
+    write(folder / name / "truth.json", truth.dump(1));
+    fmt::print("{}: model {:.0f}, truth {:.0f} Hz\n",
+               name,
+               fmt::join(result.model_hz, " "),
+               fmt::join(result.true_hz, " "));
+  }
+}
+
+}  // namespace
+}  // namespace tapfit::updating::testing
+
+int main(int argc, char** argv) {
+  using namespace tapfit::updating::testing;
+  if (argc != 3) {
+    fmt::print(stderr, "usage: solid_cases_study FOLDER SEED\n");
+    return 2;
+  }
+  unsigned seed = static_cast<unsigned>(std::atoi(argv[2]));
+  for (const SolidPlate& plate :
+       {window(), bridge(), bent(), step(), ell(), blade()}) {
+    make(plate, argv[1], seed);
+    seed += 100;
+  }
+}

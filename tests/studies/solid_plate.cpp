@@ -1,0 +1,252 @@
+#include "tests/studies/solid_plate.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <map>
+
+namespace tapfit::updating::testing {
+namespace {
+
+using Eigen::Vector3d;
+
+bool has_cell(const SolidPlate& plate, int i, int j) {
+  if (i < 0 || j < 0 || i >= plate.columns || j >= plate.rows) return false;
+  return !plate.has_cell || plate.has_cell(i, j);
+}
+
+bool has_grid(const SolidPlate& plate, int i, int j) {
+  return has_cell(plate, i, j) || has_cell(plate, i - 1, j) ||
+         has_cell(plate, i, j - 1) || has_cell(plate, i - 1, j - 1);
+}
+
+double thickness_of(const SolidPlate& plate, int i, int j) {
+  return plate.thickness * (plate.thicker ? plate.thicker(i, j) : 1.0);
+}
+
+Vector3d normal_at(const SolidPlate& plate, double u, double v) {
+  constexpr double h = 1e-4;
+  return (plate.middle(u + h, v) - plate.middle(u - h, v))
+      .cross(plate.middle(u, v + h) - plate.middle(u, v - h))
+      .normalized();
+}
+
+std::string grid_card(int id, const Vector3d& x) {
+  return fmt::format("GRID,{},,{:.7g},{:.7g},{:.7g}\n", id, x(0), x(1), x(2));
+}
+
+std::string material_card(const SolidPlate& plate) {
+  return fmt::format(
+      "MAT1,1,{:.4e},,{},{}\n", plate.E, plate.nu, plate.density);
+}
+
+// The solids, on a lattice of half solids: a, b in the plane, c across.
+class Solids {
+ public:
+  Solids(const SolidPlate& plate, const HiddenInSolid& hidden)
+      : plate_(&plate), hidden_(&hidden), n_(plate.split) {}
+
+  std::string deck() {
+    std::string elements;
+    int id = 0;
+    for (int j = 0; j < n_ * plate_->rows; ++j) {
+      for (int i = 0; i < n_ * plate_->columns; ++i) {
+        if (has_cell(*plate_, i / n_, j / n_)) elements += element(++id, i, j);
+      }
+    }
+    std::string held;
+    int spring = 1000000;
+    for (const auto& [at, share] : face_) {
+      const int grid = ids_.at(at);
+      if (hidden_->bed <= 0.0) {
+        held += fmt::format("SPC1,1,123,{}\n", grid);
+        continue;
+      }
+      for (int axis = 1; axis <= 3; ++axis) {
+        held += fmt::format("CELAS2,{},{:.6e},{},{}\n",
+                            ++spring,
+                            hidden_->bed * share,
+                            grid,
+                            axis);
+      }
+    }
+    const std::string control =
+        hidden_->bed <= 0.0 ? "SPC = 1\nBEGIN BULK\n" : "BEGIN BULK\n";
+    return control + grids_ + elements + held + "PSOLID,1,1\n" +
+           material_card(*plate_) + "ENDDATA\n";
+  }
+
+ private:
+  using At = std::array<int, 3>;
+
+  [[nodiscard]] double left_at(int i, int j) const {
+    const auto& [i0, i1, j0, j1] = hidden_->pocket;
+    return i >= i0 && i <= i1 && j >= j0 && j <= j1 ? hidden_->left : 1.0;
+  }
+
+  // The mean of the solids that meet there.
+  [[nodiscard]] double thickness_at(int a, int b) const {
+    double sum = 0.0;
+    int count = 0;
+    for (const int i : {(a - 1) / 2, a / 2}) {
+      for (const int j : {(b - 1) / 2, b / 2}) {
+        if ((a == 0 && i != 0) || (b == 0 && j != 0)) continue;
+        if (!has_cell(*plate_, i / n_, j / n_)) continue;
+        sum += thickness_of(*plate_, i / n_, j / n_) * left_at(i / n_, j / n_);
+        ++count;
+      }
+    }
+    return sum / count;
+  }
+
+  [[nodiscard]] Vector3d middle(int a, int b) const {
+    return place_of(*plate_, a / (2.0 * n_), b / (2.0 * n_));
+  }
+
+  int node(int a, int b, int c) {
+    const auto [it, fresh] = ids_.try_emplace({a, b, c}, 0);
+    if (!fresh) return it->second;
+    const int cell = 2 * n_;
+    const bool shell = a % cell == 0 && b % cell == 0 && c == 1;
+    it->second = shell ? grid_id(*plate_, a / cell, b / cell)
+                       : 10000 + static_cast<int>(ids_.size());
+    const Vector3d across = normal_at(*plate_,
+                                      a / (2.0 * n_ * plate_->columns),
+                                      b / (2.0 * n_ * plate_->rows));
+    const double off = 0.5 * (c - 1) * thickness_at(a, b);
+    grids_ += grid_card(it->second, middle(a, b) + off * across);
+    return it->second;
+  }
+
+  // Springs that are the same everywhere, lumped: a twelfth of them at each
+  // corner, a sixth in the middle of each edge.
+  void hold_face(int a0, int b0, int a1, int b1) {
+    const int am = (a0 + a1) / 2;
+    const int bm = (b0 + b1) / 2;
+    const std::array<At, 8> nodes{At{a0, b0, 0},
+                                  At{a1, b1, 0},
+                                  At{a1, b1, 2},
+                                  At{a0, b0, 2},
+                                  At{am, bm, 0},
+                                  At{a1, b1, 1},
+                                  At{am, bm, 2},
+                                  At{a0, b0, 1}};
+    const double area =
+        (middle(a1, b1) - middle(a0, b0)).norm() * thickness_at(am, bm);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      face_[nodes[k]] += area * (k < 4 ? 1.0 / 12.0 : 1.0 / 6.0);
+    }
+  }
+
+  // Sides of a solid that lie on sides of its cell between two held grids.
+  void hold_faces(int i, int j) {
+    const int ci = i / n_;
+    const int cj = j / n_;
+    const auto held = [&](int c0, int r0, int c1, int r1) {
+      return plate_->is_held(c0, r0) && plate_->is_held(c1, r1);
+    };
+    const int a = 2 * i;
+    const int b = 2 * j;
+    if (i % n_ == 0 && held(ci, cj, ci, cj + 1)) hold_face(a, b, a, b + 2);
+    if ((i + 1) % n_ == 0 && held(ci + 1, cj, ci + 1, cj + 1)) {
+      hold_face(a + 2, b, a + 2, b + 2);
+    }
+    if (j % n_ == 0 && held(ci, cj, ci + 1, cj)) hold_face(a, b, a + 2, b);
+    if ((j + 1) % n_ == 0 && held(ci, cj + 1, ci + 1, cj + 1)) {
+      hold_face(a, b + 2, a + 2, b + 2);
+    }
+  }
+
+  std::string element(int id, int i, int j) {
+    const int a = 2 * i;
+    const int b = 2 * j;
+    const std::array<At, 20> nodes{
+        At{a, b, 0},         At{a + 2, b, 0},     At{a + 2, b + 2, 0},
+        At{a, b + 2, 0},     At{a, b, 2},         At{a + 2, b, 2},
+        At{a + 2, b + 2, 2}, At{a, b + 2, 2},     At{a + 1, b, 0},
+        At{a + 2, b + 1, 0}, At{a + 1, b + 2, 0}, At{a, b + 1, 0},
+        At{a, b, 1},         At{a + 2, b, 1},     At{a + 2, b + 2, 1},
+        At{a, b + 2, 1},     At{a + 1, b, 2},     At{a + 2, b + 1, 2},
+        At{a + 1, b + 2, 2}, At{a, b + 1, 2}};
+    std::string card = fmt::format("CHEXA,{},1", id);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      if (k == 6 || k == 14) card += "\n";
+      card += fmt::format(",{}", node(nodes[k][0], nodes[k][1], nodes[k][2]));
+    }
+    hold_faces(i, j);
+    return card + "\n";
+  }
+
+  const SolidPlate* plate_;
+  const HiddenInSolid* hidden_;
+  int n_;
+  std::map<At, int> ids_;
+  std::map<At, double> face_;  // held nodes and their area [m^2]
+  std::string grids_;
+};
+
+}  // namespace
+
+std::string solid_deck(const SolidPlate& plate, const HiddenInSolid& hidden) {
+  return Solids(plate, hidden).deck();
+}
+
+int grid_id(const SolidPlate& plate, int column, int row) {
+  return 1 + column + (plate.columns + 1) * row;
+}
+
+Vector3d place_of(const SolidPlate& plate, double column, double row) {
+  return plate.middle(column / plate.columns, row / plate.rows);
+}
+
+double held_length(const SolidPlate& plate) {
+  double sum = 0.0;
+  const auto edge = [&](int i0, int j0, int i1, int j1) {
+    if (plate.is_held(i0, j0) && plate.is_held(i1, j1)) {
+      sum += (place_of(plate, i1, j1) - place_of(plate, i0, j0)).norm();
+    }
+  };
+  for (int j = 0; j <= plate.rows; ++j) {
+    for (int i = 0; i <= plate.columns; ++i) {
+      if (i < plate.columns) edge(i, j, i + 1, j);
+      if (j < plate.rows) edge(i, j, i, j + 1);
+    }
+  }
+  return sum;
+}
+
+std::string shell_deck(const SolidPlate& plate) {
+  std::string text = "SPC = 1\nBEGIN BULK\n";
+  std::string held;
+  for (int j = 0; j <= plate.rows; ++j) {
+    for (int i = 0; i <= plate.columns; ++i) {
+      if (!has_grid(plate, i, j)) continue;
+      const int id = grid_id(plate, i, j);
+      text += grid_card(id, place_of(plate, i, j));
+      if (plate.is_held(i, j)) held += fmt::format("SPC1,1,123456,{}\n", id);
+    }
+  }
+  std::map<double, int> properties;
+  int element = 0;
+  for (int j = 0; j < plate.rows; ++j) {
+    for (int i = 0; i < plate.columns; ++i) {
+      if (!has_cell(plate, i, j)) continue;
+      const double t = thickness_of(plate, i, j);
+      const auto [it, fresh] =
+          properties.try_emplace(t, static_cast<int>(properties.size()) + 1);
+      if (fresh) {
+        text += fmt::format("PSHELL,{},1,{:.7g},1,,1\n", it->second, t);
+      }
+      text += fmt::format("CQUAD4,{},{},{},{},{},{}\n",
+                          ++element,
+                          it->second,
+                          grid_id(plate, i, j),
+                          grid_id(plate, i + 1, j),
+                          grid_id(plate, i + 1, j + 1),
+                          grid_id(plate, i, j + 1));
+    }
+  }
+  return text + held + material_card(plate) + "ENDDATA\n";
+}
+
+}  // namespace tapfit::updating::testing
