@@ -1,7 +1,7 @@
 // Hammer tests of plates whose truth is of solid elements and whose deck is of
 // shells, with something hidden in most of them.
 //
-//   solid_cases_study FOLDER SEED
+//   solid_cases_study FOLDER SEED [STRUCTURE]
 //
 // Makes a bundle with a truth.json for each case; a diagnosis of each is then
 // judged against it. Six structures: with a window, held at both ends, bent,
@@ -306,14 +306,14 @@ void make(const SolidPlate& plate, const fs::path& folder, unsigned seed) {
 
 int main(int argc, char** argv) {
   using namespace tapfit::updating::testing;
-  if (argc != 3) {
-    fmt::print(stderr, "usage: solid_cases_study FOLDER SEED\n");
+  if (argc < 3) {
+    fmt::print(stderr, "usage: solid_cases_study FOLDER SEED [STRUCTURE]\n");
     return 2;
   }
   unsigned seed = static_cast<unsigned>(std::atoi(argv[2]));
   for (const SolidPlate& plate :
        {window(), bridge(), bent(), step(), ell(), blade()}) {
-    make(plate, argv[1], seed);
+    if (argc < 4 || plate.name == argv[3]) make(plate, argv[1], seed);
     seed += 100;
   }
 }
