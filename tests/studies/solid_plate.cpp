@@ -199,22 +199,6 @@ Vector3d place_of(const SolidPlate& plate, double column, double row) {
   return plate.middle(column / plate.columns, row / plate.rows);
 }
 
-double held_length(const SolidPlate& plate) {
-  double sum = 0.0;
-  const auto edge = [&](int i0, int j0, int i1, int j1) {
-    if (plate.is_held(i0, j0) && plate.is_held(i1, j1)) {
-      sum += (place_of(plate, i1, j1) - place_of(plate, i0, j0)).norm();
-    }
-  };
-  for (int j = 0; j <= plate.rows; ++j) {
-    for (int i = 0; i <= plate.columns; ++i) {
-      if (i < plate.columns) edge(i, j, i + 1, j);
-      if (j < plate.rows) edge(i, j, i, j + 1);
-    }
-  }
-  return sum;
-}
-
 std::string shell_deck(const SolidPlate& plate) {
   std::string text = "SPC = 1\nBEGIN BULK\n";
   std::string held;

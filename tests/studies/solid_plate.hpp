@@ -51,7 +51,5 @@ struct HiddenInSolid {
 [[nodiscard]] Eigen::Vector3d place_of(const SolidPlate& plate,
                                        double column,
                                        double row);
-/// Length of the line that is held [m].
-[[nodiscard]] double held_length(const SolidPlate& plate);
 
 }  // namespace tapfit::updating::testing

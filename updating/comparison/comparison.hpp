@@ -46,7 +46,7 @@ struct Comparison {
   /// What repeatability, mesh and form of the deck allow.
   double floor = 0.0;
   double floor_noise = 0.0;  ///< from the scatter over hits
-  double floor_mesh = 0.0;   ///< from splitting the mesh once more
+  double floor_mesh = 0.0;   ///< half of what splitting the mesh changes
   double floor_form = 0.0;   ///< of what is left after a fit, see form_share()
   std::string contour;       ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
