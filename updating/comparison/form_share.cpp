@@ -7,15 +7,12 @@
 
 namespace tapfit::updating {
 
-FormShare form_share(const Fit& fit,
-                     const Target& target,
-                     int modes,
-                     double noise) {
+FormShare form_share(const Fit& fit, const Target& target, double noise) {
   if (fit.form.lambda.size() == 0) {
     return {0.0, 0.0, fit.result.error, 0.0};
   }
   constexpr double plausible = 0.02;
-  const double data = independent_data(target, fit.result.residual, modes);
+  const double data = independent_data(target, fit.result.residual);
   const FormEstimate form = estimate_form(fit.form, data, noise);
   const double error = fit.result.error;
   const double sd = 0.5 * form.tau;

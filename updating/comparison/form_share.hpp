@@ -17,12 +17,10 @@ struct FormShare {
 /// It is judged by the independent data in what this fit leaves: a fit that is
 /// compared with others may be weighed by another count.
 /// @param target that the fit's residual is of
-/// @param modes in the band; 0: not known, see independent_data()
 /// @param noise relative error that the scatter over hits alone would give
 /// @return nothing explained for what is no fit, as the deck as it is
 [[nodiscard]] FormShare form_share(const Fit& fit,
                                    const Target& target,
-                                   int modes,
                                    double noise);
 
 }  // namespace tapfit::updating

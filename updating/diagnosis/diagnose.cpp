@@ -2,6 +2,7 @@
 
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/candidate.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/diagnosis/made_fit.hpp"
@@ -25,18 +26,6 @@
 namespace tapfit::updating {
 namespace {
 
-Candidate candidate_of(const Hypothesis& h,
-                       const effects::Setting& setting,
-                       double probability) {
-  Candidate c;
-  c.effect = h.own().effect->name();
-  c.where = h.own().where;
-  c.parameters = effect_estimates(h.fit, h.fit.effects.size() - 1, setting);
-  c.probability = probability;
-  c.error = h.fit.result.error;
-  return c;
-}
-
 std::vector<Candidate> candidates_of(const Round& round,
                                      const effects::Setting& setting) {
   std::vector<Candidate> result;
@@ -46,7 +35,8 @@ std::vector<Candidate> candidates_of(const Round& round,
     const std::string kind = h.own().effect->name();
     // A long list of neighbours says nothing new.
     if (++shown[kind] > 3) continue;
-    Candidate c = candidate_of(h, setting, round.probability[k + 1]);
+    Candidate c = candidate_of(h.fit, setting);
+    c.probability = round.probability[k + 1];
     c.indistinguishable_from = look_alikes(round, k);
     result.push_back(std::move(c));
   }
@@ -158,8 +148,7 @@ class Climb {
                               bool first,
                               const Progress& progress) const;
   [[nodiscard]] FormShare form_of(const Fit& fit) const {
-    return form_share(
-        fit, fitter_->target(), options_.modes_in_band, options_.floor_noise);
+    return form_share(fit, fitter_->target(), options_.floor_noise);
   }
   [[nodiscard]] Floor floor() const {
     return floor_of(current_, fitter_->target(), options_);
@@ -348,10 +337,9 @@ Climbed climbed(const Fitter& fitter,
   climb.settle();
   const Fit& found = climb.current();
   result.error_best = found.result.error;
-  const double data = independent_data(
-      fitter.target(), found.result.residual, options.modes_in_band);
-  const FormShare form = form_share(
-      found, fitter.target(), options.modes_in_band, options.floor_noise);
+  const double data = independent_data(fitter.target(), found.result.residual);
+  const FormShare form =
+      form_share(found, fitter.target(), options.floor_noise);
   allow_for_form(found, form, result);
   const Progress last = part_of(progress, 0.95, 1.0);
   last("error ladder", 0.0);

@@ -1,8 +1,10 @@
 // How thoroughly a diagnosis looks, and what it knows of the error.
 #pragma once
 
+#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/estimates.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,9 +16,10 @@ struct DiagnoseOptions {
   int neighbours = 8;        ///< looked at around the best place
   double floor = 0.0;        ///< of the error, from measurement and mesh
   double floor_noise = 0.0;  ///< the measurement's own share of it
-  int modes_in_band = 5;
   std::string contour;
   std::vector<PropertyName> properties;
+  /// As of FitWatch, or empty.
+  std::function<void(const Candidate& candidate)> tried = {};
 };
 
 }  // namespace tapfit::updating

@@ -28,6 +28,7 @@ std::optional<Point> look(const Fit& fit,
       fit.model->respond(result.state, target.s, true);
   if (!response.H.allFinite()) return std::nullopt;
   const VectorXd r = residual(target, response.H);
+  result.jacobian.resize(r.size(), theta.size());
   for (std::size_t k = 0; k < response.dH.size(); ++k) {
     result.jacobian.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }

@@ -1,6 +1,7 @@
 #include "updating/diagnosis/rung_search.hpp"
 
 #include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/candidate.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/settle_place.hpp"
 #include "updating/diagnosis/worth.hpp"
@@ -160,8 +161,8 @@ void RungSearch::settle_places(const Fit& current,
     const bool first = kinds.insert(all[k].own().effect).second;
     if (!first || !is_at_grid(all[k].own().where)) continue;
     // Places beside each other are told apart by what is left at them.
-    const double data = independent_data(
-        fitter_->target(), all[k].fit.result.residual, options_.modes_in_band);
+    const double data =
+        independent_data(fitter_->target(), all[k].fit.result.residual);
     Hypothesis settled = settle_place(
         all[k], current, *fitter_, {data, options_.floor_noise}, progress);
     if (settled.own().where == all[k].own().where) {
@@ -184,11 +185,15 @@ Round RungSearch::look(const Fit& current,
   options.explained = explained_error({options_.floor, options_.floor_noise});
   if (depth == Depth::LastResort) options.joints = many_joints;
   options.known = known;
+  if (thorough && options_.tried) {
+    options.tried = [this](const Fit& fit) {
+      options_.tried(candidate_of(fit, fitter_->setting().setting));
+    };
+  }
   Round round;
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
   // What there is to tell by is what is left so far.
-  round.data = independent_data(
-      fitter_->target(), current.result.residual, options_.modes_in_band);
+  round.data = independent_data(fitter_->target(), current.result.residual);
   judge(round);
   if (options.neighbours > 0) {
     settle_places(current, round, progress);

@@ -5,6 +5,7 @@
 #include "updating/diagnosis/card_swap.hpp"
 #include "updating/diagnosis/diagnose.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
+#include "updating/fit/fit_watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +21,6 @@ DiagnoseOptions options_of_test(const FitGround& ground,
   options.floor_noise = base.floor_noise;
   options.contour = base.contour;
   options.properties = ground.properties;
-  options.modes_in_band =
-      std::max(1, static_cast<int>(test.modes.modes.size()));
   return options;
 }
 
@@ -31,7 +30,10 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const MeasuredTest& test,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
-  const DiagnoseOptions options = options_of_test(ground, base, test);
+  DiagnoseOptions options = options_of_test(ground, base, test);
+  if (const auto* watch = progress.report.target<FitWatch>()) {
+    options.tried = watch->tried;
+  }
   Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
   if (current.effects.empty()) {
     if (auto slip = card_swap(*ground.fitter, d, options, progress)) {

@@ -20,8 +20,7 @@ bool Worth::earned() const {
 Floor floor_of(const Fit& fit,
                const Target& target,
                const DiagnoseOptions& options) {
-  const FormShare form =
-      form_share(fit, target, options.modes_in_band, options.floor_noise);
+  const FormShare form = form_share(fit, target, options.floor_noise);
   return {std::hypot(options.floor, form.usual), options.floor_noise};
 }
 

@@ -182,6 +182,8 @@ FitSetting fit_setting(const MeasuredTest& test,
     progress("comparison: damped lines", 0.0);
     fit.measured = test.measurement.frfs_on(s, progress);
     fit.targets.push_back(make_target(fit.measured));
+    fit.targets.back().modes_in_band =
+        std::max(1, static_cast<int>(test.modes.modes.size()));
     fit.contour = describe_line(band, s, options);
   }
   return fit;

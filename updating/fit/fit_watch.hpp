@@ -16,6 +16,7 @@
 namespace tapfit::updating {
 
 class FrfModel;
+struct Candidate;
 struct ModelState;
 struct Prior;
 struct Target;
@@ -35,6 +36,9 @@ struct FitWatch {
   std::function<void(std::string_view stage, double fraction)> report;
   std::function<void(const FitMoment& moment)> step;
   std::function<bool()> enough;  ///< true: end now, keep what is reached
+  /// Of a diagnosis what its first look has fitted to the end: one at a time,
+  /// from any thread.
+  std::function<void(const Candidate& candidate)> tried = {};
 
   void operator()(std::string_view stage, double fraction) const {
     if (report) report(stage, fraction);

@@ -1,5 +1,6 @@
 #include "updating/fit/fitted_form.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace tapfit::updating {
@@ -17,6 +18,20 @@ Eigen::MatrixXd form_bias(const FrfModel& model,
     F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
   }
   return F;
+}
+
+Eigen::MatrixXd likely_form_bias(Eigen::MatrixXd patterns,
+                                 double tau,
+                                 double allowance,
+                                 const Target& target) {
+  const double common = std::max(tau, middle_tau * allowance);
+  // The last: even, linear and, in FRFs, of the modes above the band.
+  const Index above = target.is_modal() ? 0 : 1;
+  const Index first = patterns.cols() - 2 - above;
+  patterns.leftCols(first) *= tau;
+  patterns.middleCols(first, 2) *= common;
+  patterns.rightCols(above) *= tau;
+  return patterns;
 }
 
 Readjustment readjustment(const UpdateResult& result) {

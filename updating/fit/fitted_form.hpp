@@ -17,6 +17,16 @@ namespace tapfit::updating {
                                         const ModelState& state,
                                         const Target& target);
 
+/// Of these patterns, each at its deviation: tau, as what a fit leaves tells
+/// it. What all modes have in common, evenly or in proportion to their
+/// frequency, the modulus takes, and nothing that is left tells of it: no less
+/// than a careful deck is wrong by.
+/// @param tau relative, of a modal stiffness
+[[nodiscard]] Eigen::MatrixXd likely_form_bias(Eigen::MatrixXd patterns,
+                                               double tau,
+                                               double allowance,
+                                               const Target& target);
+
 /// How the parameters of a result may still move; those at a bound may not.
 [[nodiscard]] Readjustment readjustment(const UpdateResult& result);
 

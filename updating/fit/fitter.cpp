@@ -63,6 +63,16 @@ const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
   return it->second;
 }
 
+namespace {
+
+bool change_stiffness(const std::vector<PlacedEffect>& effects) {
+  return std::ranges::any_of(effects, [](const PlacedEffect& e) {
+    return e.effect->changes_stiffness().has_value();
+  });
+}
+
+}  // namespace
+
 std::shared_ptr<const FrfModel> Fitter::model_for(
     const std::vector<PlacedEffect>& effects, BaseUse use) const {
   const std::vector<int> acted = acted_points(setting_.setting, effects);
@@ -83,28 +93,19 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
                                           setting_.measured,
                                           setting_.modes);
   model->set_reference(first_state(*model, effects));
-  if (coarser_ != nullptr && use == BaseUse::Fit) {
-    model->set_coarser(coarser_for(effects));
+  if (use == BaseUse::Fit && !change_stiffness(effects)) {
+    model->set_coarser(plain_coarser_);
   }
   return model;
 }
 
-namespace {
-
-bool change_stiffness(const std::vector<PlacedEffect>& effects) {
-  return std::ranges::any_of(effects, [](const PlacedEffect& e) {
-    return e.effect->changes_stiffness().has_value();
-  });
-}
-
-}  // namespace
-
-// The deck's own mesh with the same effects, as far as they change its modes.
-std::shared_ptr<const FrfModel> Fitter::coarser_for(
+std::shared_ptr<const FrfModel> Fitter::with_coarser(
+    std::shared_ptr<const FrfModel> model,
     const std::vector<PlacedEffect>& effects) const {
-  return change_stiffness(effects)
-             ? Fitter(*coarser_, setting_).model_for(effects)
-             : plain_coarser_;
+  if (coarser_ == nullptr || model->coarser() != nullptr) return model;
+  auto both = std::make_shared<FrfModel>(*model);
+  both->set_coarser(Fitter(*coarser_, setting_).model_for(effects));
+  return both;
 }
 
 // What the mesh does to the modes as they have become: all fits alike, so that
@@ -139,6 +140,15 @@ class Fitter::Course {
     result_.state = std::move(start);
   }
 
+  /// Goes on from an approach().
+  Course(const Fitter& fitter, Fit approached, const Progress& progress)
+      : Course(fitter,
+               std::move(approached.model),
+               std::move(approached.result.state),
+               progress) {
+    history_ = std::move(approached.result.history);
+  }
+
   /// The lines before those that count, widest first.
   void approach(const MinimiseOptions& options) {
     for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
@@ -151,6 +161,7 @@ class Fitter::Course {
   /// modes as they are there: again until nothing moves any more.
   void arrive(const MinimiseOptions& options, int rounds) {
     const std::size_t last = targets_.size() - 1;
+    model_ = fitter_->with_coarser(std::move(model_), result_.state.effects);
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
       if (round > 0 && !take_damping() && there) break;
@@ -163,6 +174,11 @@ class Fitter::Course {
       if (is_enough(*progress_)) break;
       there = is_there(from);
     }
+  }
+
+  /// The lines that count as they are, with no end in view.
+  void begin_last(const MinimiseOptions& options) {
+    go_on(targets_.size() - 1, options);
   }
 
   /// The lines that count once more from another state, kept where it is
@@ -200,11 +216,11 @@ class Fitter::Course {
     const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
     fit.form = view(form_error(F), r, readjustment(fit.result));
     fit.form.allowance = fitter_->setting_.form_allowance;
-    const int modes = std::max(1, static_cast<int>(state.zeta.size()));
     const FormEstimate form =
-        estimate_form(fit.form, most_data(target, modes), noise_error(target));
+        estimate_form(fit.form, most_data(target), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
-    target.form_bias = form.mean_tau * F;
+    target.form_bias =
+        likely_form_bias(F, form.mean_tau, fit.form.allowance, target);
     fit.result.covariance = parameter_covariance(
         target, fit.result.jacobian, r, fit.result.prior.sd);
   }
@@ -284,14 +300,32 @@ namespace {
 // Within a few hundredths of a standard error of the best.
 constexpr MinimiseOptions exact{30, 1e-6, 1e-3};
 constexpr int rounds = 4;  // damping and number of data settle
+constexpr MinimiseOptions wide{10, 1e-3, 1e-1};
+// From the wide lines' end the lines that count are a step or two away.
+constexpr MinimiseOptions brief{2, 1e-3, 1e-1};
 
 }  // namespace
+
+Fit Fitter::approach(const std::vector<PlacedEffect>& start,
+                     std::shared_ptr<const FrfModel> model,
+                     const Progress& progress) const {
+  ModelState first = start_state(*model, start);
+  Course course(*this, std::move(model), std::move(first), progress);
+  course.approach(wide);
+  course.begin_last(brief);
+  return std::move(course).finished();
+}
+
+Fit Fitter::arrive(Fit approached, const Progress& progress) const {
+  Course course(*this, std::move(approached), progress);
+  course.arrive(exact, rounds);
+  return std::move(course).finished();
+}
 
 Fit Fitter::fit(const std::vector<PlacedEffect>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress,
                 const Fit* before) const {
-  constexpr MinimiseOptions wide{10, 1e-3, 1e-1};
   ModelState first = start_state(*model, start);
   Course course(*this, std::move(model), std::move(first), progress);
   course.approach(wide);
@@ -310,12 +344,7 @@ Fit Fitter::fit_beside(const Fit& fit,
                        const std::vector<PlacedEffect>& effects,
                        std::shared_ptr<const FrfModel> model,
                        const Progress& progress) const {
-  ModelState first = going_on(*model, effects, fit.result.state);
-  for (std::size_t k = 0; k < effects.size(); ++k) {
-    const std::vector<double>& known = fit.result.state.effects[k].p;
-    // A patch at the end of a plate has fewer edges.
-    if (known.size() == first.effects[k].p.size()) first.effects[k].p = known;
-  }
+  ModelState first = beside(*model, effects, fit);
   Course course(*this, std::move(model), std::move(first), progress);
   course.arrive(exact, rounds);
   return std::move(course).finished();

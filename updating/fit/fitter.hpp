@@ -70,6 +70,13 @@ class Fitter {
       const std::vector<PlacedEffect>& effects,
       BaseUse use = BaseUse::Fit) const;
 
+  /// With the same on the deck's own mesh, where the base's is split. For what
+  /// changes the stiffness that takes a base of its own, which model_for()
+  /// leaves out: a fit asks for it once it comes to the lines that count.
+  [[nodiscard]] std::shared_ptr<const FrfModel> with_coarser(
+      std::shared_ptr<const FrfModel> model,
+      const std::vector<PlacedEffect>& effects) const;
+
   /// Fits effects' parameters, uncertain properties and damping together. The
   /// modes beyond those fitted have the ratio that is typical of these, without
   /// what the effects add: it is taken anew as they become known.
@@ -82,6 +89,15 @@ class Fitter {
                         std::shared_ptr<const FrfModel> model,
                         const Progress& progress = {},
                         const Fit* before = nullptr) const;
+
+  /// fit() but for its end: the wide lines, then a few steps on those that
+  /// count. Its likelihood is, to first order, that of the end.
+  [[nodiscard]] Fit approach(const std::vector<PlacedEffect>& start,
+                             std::shared_ptr<const FrfModel> model,
+                             const Progress& progress = {}) const;
+
+  /// The end that approach() leaves out.
+  [[nodiscard]] Fit arrive(Fit approached, const Progress& progress = {}) const;
 
   /// Goes on from where a fit of the same effects ended, at places beside
   /// theirs: only on the lines that count.
@@ -133,6 +149,9 @@ class Fitter {
   [[nodiscard]] ModelState going_on(const FrfModel& model,
                                     const std::vector<PlacedEffect>& effects,
                                     const ModelState& from) const;
+  [[nodiscard]] ModelState beside(const FrfModel& model,
+                                  const std::vector<PlacedEffect>& effects,
+                                  const Fit& fit) const;
   void scan_start(const FrfModel& model, ModelState& state) const;
 
   /// What a fit works on: the model, and the lines that count.
@@ -140,8 +159,6 @@ class Fitter {
     std::shared_ptr<const FrfModel> model;
     Target target;
   };
-  [[nodiscard]] std::shared_ptr<const FrfModel> coarser_for(
-      const std::vector<PlacedEffect>& effects) const;
   [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
                                           const Ground& before) const;
   class Course;

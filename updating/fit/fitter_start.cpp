@@ -139,6 +139,19 @@ ModelState Fitter::going_on(const FrfModel& model,
   return whole;
 }
 
+// Where a fit of the same effects ended, at other places.
+ModelState Fitter::beside(const FrfModel& model,
+                          const std::vector<PlacedEffect>& effects,
+                          const Fit& fit) const {
+  ModelState state = going_on(model, effects, fit.result.state);
+  for (std::size_t k = 0; k < effects.size(); ++k) {
+    const std::vector<double>& known = fit.result.state.effects[k].p;
+    // A patch at the end of a plate has fewer edges.
+    if (known.size() == state.effects[k].p.size()) state.effects[k].p = known;
+  }
+  return state;
+}
+
 std::optional<ModelState> Fitter::continued(
     const FrfModel& model,
     const std::vector<PlacedEffect>& effects,

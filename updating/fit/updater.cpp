@@ -63,7 +63,7 @@ class Updating {
   // FRFs: taken for as many data as there are lines it would overrule what is
   // known beforehand, and be explained by whatever may move.
   double count_data(const VectorXd& r) {
-    data_ = independent_data(*target_, r, static_cast<int>(like_->zeta.size()));
+    data_ = independent_data(*target_, r);
     return data_;
   }
 

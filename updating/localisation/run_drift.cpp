@@ -30,15 +30,17 @@ bool sensors_stay(const acquisition::TestBundle& bundle) {
 }
 
 /// d residual / d ln of all moduli together; empty where none is fitted.
-VectorXd slope_by_moduli(const Fit& fit) {
+VectorXd slope_by_moduli(const Fit& fit, const Target& target) {
   const auto& uncertain = fit.model->setting().bundle->uncertain;
+  const ModelResponse response =
+      fit.model->respond(fit.result.state, target.s, true);
   VectorXd slope;
   for (std::size_t k = 0;
        k < std::min(uncertain.size(), fit.result.state.factor.size());
        ++k) {
     if (uncertain[k].property != "E") continue;
-    const auto column = fit.result.jacobian.col(static_cast<Index>(k));
-    slope = slope.size() == 0 ? VectorXd(column) : VectorXd(slope + column);
+    const VectorXd column = stack(target, response.dH[k]);
+    slope = slope.size() == 0 ? column : VectorXd(slope + column);
   }
   return slope;
 }
@@ -66,7 +68,7 @@ std::vector<double> times(const std::vector<std::size_t>& run,
 std::optional<RunDrift> run_drift(const Fit& fit, const Target& target) {
   const acquisition::TestBundle& bundle = *fit.model->setting().bundle;
   if (bundle.runs.size() < fewest_runs || !sensors_stay(bundle)) return {};
-  const VectorXd slope = slope_by_moduli(fit);
+  const VectorXd slope = slope_by_moduli(fit, target);
   const VectorXd& r = fit.result.residual;
   const Index block = 2 * target.s.size();
   const auto frfs = static_cast<Index>(target.run.size());

@@ -23,7 +23,7 @@ struct RunDrift {
   double explained = 0.0;  ///< share of what the fit leaves, in power
 };
 
-/// @param target that the fit's residual and jacobian belong to
+/// @param target that the fit's residual belongs to
 /// @return empty where no modulus is uncertain, where the sensors move between
 ///   runs (then something else changes with them) and for fewer than four runs
 [[nodiscard]] std::optional<RunDrift> run_drift(const Fit& fit,

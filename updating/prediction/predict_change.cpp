@@ -21,9 +21,7 @@ double form_variance(const PredictionBasis& basis) {
   const Fit& fit = basis.fit;
   if (fit.form.lambda.size() == 0) return 0.0;
   const double data =
-      independent_data(basis.fitter.target(),
-                       fit.result.residual,
-                       static_cast<int>(basis.modes.modes.size()));
+      independent_data(basis.fitter.target(), fit.result.residual);
   const FormEstimate form =
       estimate_form(fit.form, data, basis.comparison.floor_noise);
   return 0.25 * form.mean_tau * form.mean_tau;

@@ -51,7 +51,8 @@ double residual_data(const Target& target, const Eigen::VectorXd& residual) {
   return std::min(2.0 / (concentration * concentration), most);
 }
 
-double most_data(const Target& target, int modes) {
+double most_data(const Target& target) {
+  const int modes = target.modes_in_band;
   const double all = effective_data(target);
   if (target.is_modal() || modes <= 0) return all;
   const double frfs =
@@ -59,10 +60,9 @@ double most_data(const Target& target, int modes) {
   return std::min(all, modes * (2.0 * frfs + 1.0));
 }
 
-double independent_data(const Target& target,
-                        const Eigen::VectorXd& residual,
-                        int modes) {
-  const double most = most_data(target, modes);
+double independent_data(const Target& target, const Eigen::VectorXd& residual) {
+  const int modes = target.modes_in_band;
+  const double most = most_data(target);
   if (target.is_modal()) return most;
   const double found = residual_data(target, residual);
   if (modes <= 0) return found;

@@ -24,17 +24,15 @@ namespace tapfit::updating {
 /// The most that can be independent in a band with as many modes: FRFs of a
 /// structure with m modes are fixed by m residues each and the m frequencies
 /// that they share (damping is fitted along in every model), so that more lines
-/// do not make more data, whatever their number. At most effective_data().
-/// @param modes in the band; 0: not known, then only effective_data() bounds
-[[nodiscard]] double most_data(const Target& target, int modes);
+/// do not make more data, whatever their number. At most effective_data(),
+/// which alone bounds where the modes in the band are not known.
+[[nodiscard]] double most_data(const Target& target);
 
 /// Independent real data for choosing between models, and between a model's
 /// parameters: residual_data(), at most most_data() and at least a frequency, a
 /// damping and a residue of each mode.
 /// @param residual as from stack()
-/// @param modes in the band; 0: not known, then neither bounds
 [[nodiscard]] double independent_data(const Target& target,
-                                      const Eigen::VectorXd& residual,
-                                      int modes);
+                                      const Eigen::VectorXd& residual);
 
 }  // namespace tapfit::updating

@@ -40,6 +40,7 @@ struct Target {
   Eigen::VectorXd weight;        ///< w_l
   std::vector<std::size_t> run;  ///< of each FRF
   std::vector<double> use;       ///< 1, or 0 for an FRF that is left out
+  int modes_in_band = 0;         ///< as identified; 0: not known
   /// Of modes what all data scatter by, relative; 0: FRFs.
   double modal_sd = 0.0;
   /// What the mesh may be off by, as a residual of stack(); empty: not known.

@@ -25,8 +25,7 @@ struct Judge {
   const Progress& progress;
 
   [[nodiscard]] double data(const Fit& none) const {
-    return independent_data(
-        fitter.target(), none.result.residual, options.modes_in_band);
+    return independent_data(fitter.target(), none.result.residual);
   }
   [[nodiscard]] double held_out(const Fit& fit) const {
     return fitter.held_out_error(fit, held_out_folds, progress);
@@ -35,8 +34,7 @@ struct Judge {
     return floor_of(fit, fitter.target(), options);
   }
   [[nodiscard]] FormShare form(const Fit& fit) const {
-    return form_share(
-        fit, fitter.target(), options.modes_in_band, options.floor_noise);
+    return form_share(fit, fitter.target(), options.floor_noise);
   }
 };
 

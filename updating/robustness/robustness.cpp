@@ -32,8 +32,7 @@ DiagnoseOptions options_for(DiagnoseOptions options,
 Fit told(const Fit& found,
          const Fitter& fitter,
          const DiagnoseOptions& options) {
-  const double data = independent_data(
-      fitter.target(), found.result.residual, options.modes_in_band);
+  const double data = independent_data(fitter.target(), found.result.residual);
   return likeliest_fit(found, fitter, {data, options.floor_noise});
 }
 

@@ -1,9 +1,9 @@
 #include "updating/search/climb.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
 #include "updating/places/crack_line.hpp"
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
+#include "updating/search/fit_each.hpp"
 #include "updating/search/worth_fitting.hpp"
 
 #include <algorithm>
@@ -11,46 +11,6 @@
 #include <utility>
 
 namespace tapfit::updating {
-
-Fit fit_one(const Fit& current,
-            const PlacedEffect& more,
-            const Fitter& fitter,
-            const std::shared_ptr<const FrfModel>& shared,
-            const Progress& progress,
-            const Fit* beside) {
-  std::vector<PlacedEffect> effects = current.effects;
-  effects.push_back(more);
-  const auto model = shared ? shared : fitter.model_for(effects);
-  return beside != nullptr
-             ? fitter.fit_beside(*beside, effects, model, progress)
-             : fitter.fit(effects, model, progress);
-}
-
-std::vector<Hypothesis> fit_each(const Fit& current,
-                                 const std::vector<PlacedEffect>& extras,
-                                 const Fitter& fitter,
-                                 const std::shared_ptr<const FrfModel>& shared,
-                                 const Progress& progress,
-                                 const Fit* beside) {
-  std::vector<Hypothesis> result(extras.size());
-  // Only this thread reports; the others only listen for the stop.
-  const Progress quiet{{}, progress.stop};
-  for_each_parallel(extras.size(), [&](std::size_t k) {
-    result[k].fit = fit_one(current, extras[k], fitter, shared, quiet, beside);
-  });
-  std::erase_if(result, [](const Hypothesis& h) {
-    return !h.own().effect->is_plausible(h.own().where, h.own().p);
-  });
-  return result;
-}
-
-bool less_error(const Hypothesis& a, const Hypothesis& b) {
-  return a.fit.result.error < b.fit.result.error;
-}
-
-bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
-  return a.fit.log_likelihood > b.fit.log_likelihood;
-}
 
 namespace {
 
@@ -93,7 +53,7 @@ void climb(std::vector<Hypothesis>& found,
     }
     bool gained = false;
     for (Hypothesis& h :
-         fit_each(current, tries, fitter, shared, progress, &best.fit)) {
+         fit_each_beside(best.fit, current, tries, fitter, shared, progress)) {
       gained = gained || better(h, best);
       found.push_back(std::move(h));
     }

@@ -1,6 +1,5 @@
 #include "updating/search/hypotheses.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/fit/overall_progress.hpp"
@@ -9,16 +8,16 @@
 #include "updating/places/stretched_patches.hpp"
 #include "updating/residual/independent_data.hpp"
 #include "updating/search/climb.hpp"
+#include "updating/search/fit_each.hpp"
+#include "updating/search/fit_planned.hpp"
 #include "updating/search/screening.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <optional>
 #include <set>
-#include <thread>
 #include <utility>
 
 namespace tapfit::updating {
@@ -84,44 +83,19 @@ struct Kind {
   }
 };
 
-// Fits all that is planned, on all cores whatever kind it is of.
-std::vector<Kind> fit_planned(std::vector<Planned> plans,
-                              const Fit& current,
-                              const Fitter& fitter,
-                              const Progress& progress) {
-  for_each_parallel(plans.size(), [&](std::size_t k) {
-    if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
-    std::vector<PlacedEffect> together = current.effects;
-    together.insert(
-        together.end(), plans[k].tries.begin(), plans[k].tries.end());
-    plans[k].shared = fitter.model_for(together);
-  });
+std::vector<Kind> fitted_kinds(std::vector<Planned> plans,
+                               const Fit& current,
+                               const Fitter& fitter,
+                               const HypothesisOptions& options,
+                               const Progress& progress) {
   std::vector<Kind> kinds;
-  std::vector<std::pair<std::size_t, std::size_t>> all;  // kind, hypothesis
   for (const Planned& plan : plans) {
-    const std::size_t count = plan.tries.size();
-    for (std::size_t t = 0; t < count; ++t) all.emplace_back(kinds.size(), t);
-    kinds.push_back({plan.effect,
-                     std::vector<Hypothesis>(count),
-                     static_cast<double>(count)});
+    kinds.push_back({plan.effect, {}, static_cast<double>(plan.tries.size())});
   }
-  const auto caller = std::this_thread::get_id();
-  std::atomic<std::size_t> done = 0;
-  for_each_parallel(all.size(), [&](std::size_t n) {
-    const auto [k, t] = all[n];
-    kinds[k].found[t].fit = fit_one(current,
-                                    plans[k].tries[t],
-                                    fitter,
-                                    plans[k].shared,
-                                    {{}, progress.stop});
-    ++done;
-    // The other threads only listen for the stop.
-    if (std::this_thread::get_id() != caller) return;
-    progress("fitting effects",
-             static_cast<double>(done) / static_cast<double>(all.size()));
-  });
+  auto found =
+      fit_planned(std::move(plans), current, fitter, options.tried, progress);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    if (plans[k].known != nullptr) kinds[k].found.push_back({*plans[k].known});
+    kinds[k].found = std::move(found[k]);
   }
   return kinds;
 }
@@ -237,7 +211,8 @@ void try_edges(Kind& kind,
     where.elements = std::move(inner);
     tries.push_back(placed(*kind.effect, where, setting));
   }
-  take_better(fit_each(current, tries, fitter, nullptr, progress), kind);
+  take_better(fit_each(current, tries, fitter, kind.log_likelihood(), progress),
+              kind);
 }
 
 // What does well where it was found may do better in another form: a mass with
@@ -273,7 +248,7 @@ void try_forms(std::vector<Kind>& kinds,
     }
     const double plain = kind.log_likelihood();
     std::vector<Hypothesis> formed =
-        fit_each(current, tries, fitter, nullptr, progress);
+        fit_each(current, tries, fitter, plain, progress);
     if (kind.is_joint() && !formed.empty()) {
       climb_cracks(formed, current, fitter, progress);
     }
@@ -304,10 +279,11 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
     places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
   }
   std::vector<Kind> kinds =
-      fit_planned(planned_fits(current, screened, fitter, options),
-                  current,
-                  fitter,
-                  part_of(progress, 0.1, 0.7));
+      fitted_kinds(planned_fits(current, screened, fitter, options),
+                   current,
+                   fitter,
+                   options,
+                   part_of(progress, 0.1, 0.7));
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.7, 1.0);
     climb_rivals(kinds, current, fitter, options, rest);

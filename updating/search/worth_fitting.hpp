@@ -4,6 +4,7 @@
 #include "updating/fit/fitter.hpp"
 #include "updating/search/screened.hpp"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct HypothesisOptions {
   /// One of them that is fitted already, as its last effect: others are looked
   /// at more closely only where they may do as well. None: null.
   const Fit* known = nullptr;
+  /// Told of each that was fitted to the end, one at a time; or empty.
+  std::function<void(const Fit& fit)> tried = {};
 };
 
 /// What is worth a full fit of one kind.

@@ -61,7 +61,8 @@ Fit SessionStages::fit_now(const std::vector<PlacedEffect>& effects,
         {fitter.target(), ground->contour, test.frfs({}).s.real().minCoeff()},
         progress);
   }
-  return plain_fit(fitter, *plain, effects, base, before);
+  return plain_fit(
+      fitter, *plain, effects, fitter.with_coarser(base, effects), before);
 }
 
 // Fits asked for in another way, and what is uncertain fitted before any
@@ -87,11 +88,7 @@ Comparison SessionStages::compare_now(const Fit& fit) {
                          test.choices().pairs);
   c.floor_noise = ground->floor_noise;
   c.floor_mesh = ground->floor_mesh;
-  c.floor_form = form_share(fit,
-                            ground->fitter->target(),
-                            static_cast<int>(test.modes({}).modes.size()),
-                            c.floor_noise)
-                     .error;
+  c.floor_form = form_share(fit, ground->fitter->target(), c.floor_noise).error;
   c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
   c.contour = ground->contour;
   return c;

@@ -37,7 +37,7 @@ class FormShares : public ::testing::Test {
     fit.result.residual = r;
     fit.result.error = r.norm();
     fit.form = view(form_error(F), r, {});
-    return form_share(fit, test_.fitter().target(), 0, 0.5 * tau);
+    return form_share(fit, test_.fitter().target(), 0.5 * tau);
   }
   PlateExperiment test_{{}, 0.01, 3};
 };

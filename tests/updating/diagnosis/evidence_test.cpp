@@ -26,7 +26,8 @@ double data_of(Index frfs, int modes) {
   target.weight = Eigen::VectorXd::Ones(lines);
   target.run.assign(static_cast<std::size_t>(frfs), 0);
   target.use.assign(static_cast<std::size_t>(frfs), 1.0);
-  return independent_data(target, stack(target, noise), modes);
+  target.modes_in_band = modes;
+  return independent_data(target, stack(target, noise));
 }
 
 TEST(Evidence, IsWhatModesCanTellHoweverManyLines) {

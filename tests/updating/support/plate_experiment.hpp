@@ -59,6 +59,7 @@ class PlateExperiment : private support::BasedPlate {
     }
     fit.measured = measured_.back();
     fit.targets = {make_target(measured_[0]), make_target(measured_[1])};
+    for (Target& target : fit.targets) target.modes_in_band = 5;
     fit.damping_ratio = identified_damping;
     fitter_.emplace(builder_, fit);
   }
@@ -73,7 +74,6 @@ class PlateExperiment : private support::BasedPlate {
     DiagnoseOptions options;
     options.floor_noise = std::max(noise_error(fitter_->target()), 1e-3);
     options.floor = std::hypot(options.floor_noise, mesh_floor);
-    options.modes_in_band = 5;
     options.properties = {{"E:1", "Pa", 70e9}};
     return options;
   }

@@ -1,0 +1,86 @@
+#include "tests/updating/support/plate_experiment.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/effect_place.hpp"
+#include "updating/residual/independent_data.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+namespace {
+
+PlacedEffect at_grid(const Fitter& fitter, const std::string& name, int node) {
+  Where where;
+  where.node = node;
+  where.variant = "Z";
+  return placed(effects::find(name), where, fitter.setting().setting);
+}
+
+// A mass of 50 g that the deck lacks, looked for as itself, beside where it is,
+// and as two things that it is not.
+class Approach : public ::testing::Test {
+ protected:
+  Approach() {
+    Where where;
+    where.node = 25;
+    hidden_ = {{&effects::find("added-mass"), where, {0.05}}};
+    test_.emplace(hidden_, 0.005, 5);
+    const Fitter& fitter = test_->fitter();
+    for (const int node : {25, 27}) {
+      where.node = node;
+      tries_.push_back(
+          placed(effects::find("added-mass"), where, fitter.setting().setting));
+    }
+    tries_.push_back(at_grid(fitter, "absorber", 25));
+    tries_.push_back(at_grid(fitter, "dashpot", 25));
+  }
+  std::vector<PlacedEffect> hidden_;
+  std::optional<PlateExperiment> test_;
+  std::vector<PlacedEffect> tries_;
+};
+
+// The end leaves no more, and is not likelier by what hypotheses are dropped
+// for (30 of a log likelihood). An absorber, which begins far off, is the
+// farthest.
+TEST_F(Approach, TellsHowLikelyTheEndIs) {
+  const Fitter& fitter = test_->fitter();
+  for (const PlacedEffect& effect : tries_) {
+    const Fit begun = fitter.approach({effect}, fitter.model_for({effect}));
+    const Fit end = fitter.arrive(begun);
+    const bool far = effect.effect->name() == "absorber";
+    EXPECT_NEAR(begun.log_likelihood, end.log_likelihood, far ? 25.0 : 1.0)
+        << effect.effect->name() << " at " << effect.where.node;
+    EXPECT_LE(end.result.error, begun.result.error * (1.0 + 1e-9));
+  }
+}
+
+TEST_F(Approach, AndArrivalEndWhereAFitDoes) {
+  const Fitter& fitter = test_->fitter();
+  for (const PlacedEffect& effect : tries_) {
+    const auto model = fitter.model_for({effect});
+    const Fit whole = fitter.fit({effect}, model);
+    const Fit parted = fitter.arrive(fitter.approach({effect}, model));
+    const Eigen::VectorXd sd = whole.result.covariance.diagonal().cwiseSqrt();
+    const Eigen::VectorXd off =
+        (pack(parted.result.state) - pack(whole.result.state)).cwiseAbs();
+    EXPECT_LE((off.array() / sd.array()).maxCoeff(), 0.1)
+        << effect.effect->name() << " at " << effect.where.node;
+  }
+}
+
+// Fits of more or fewer modes are compared: one count of data is for all.
+TEST_F(Approach, IsJudgedByTheDataWhateverItsModes) {
+  const Fitter& fitter = test_->fitter();
+  const Target& target = fitter.target();
+  const Fit fit = fitter.fit({}, fitter.model_for({}));
+  ASSERT_NE(fit.result.state.zeta.size(), target.modes_in_band);
+  const FormEstimate form =
+      estimate_form(fit.form, most_data(target), noise_error(target));
+  EXPECT_DOUBLE_EQ(fit.log_likelihood, form.log_likelihood);
+}
+
+}  // namespace
+}  // namespace tapfit::updating

@@ -1,0 +1,28 @@
+#include "updating/diagnosis/candidate.hpp"
+
+#include "updating/fit/estimates.hpp"
+
+#include <algorithm>
+
+namespace tapfit::updating {
+
+Candidate candidate_of(const Fit& fit, const effects::Setting& setting) {
+  const PlacedEffect& own = fit.effects.back();
+  Candidate c;
+  c.effect = own.effect->name();
+  c.where = own.where;
+  c.parameters = effect_estimates(fit, fit.effects.size() - 1, setting);
+  c.error = fit.result.error;
+  return c;
+}
+
+Diagnosis with_tried(const Diagnosis* before, const Candidate& candidate) {
+  Diagnosis d = before != nullptr ? *before : Diagnosis{};
+  const auto next = std::ranges::upper_bound(
+      d.candidates, candidate.error, {}, &Candidate::error);
+  d.candidates.insert(next, candidate);
+  d.error_best = d.candidates.front().error;
+  return d;
+}
+
+}  // namespace tapfit::updating

@@ -1,0 +1,127 @@
+#include "updating/search/fit_each.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+// Of the logarithm of a likelihood: more than the rest of the way, and what
+// parameters and places cost, can make up for.
+constexpr double out_of_reach = 30.0;
+
+std::vector<PlacedEffect> with(const Fit& current, const PlacedEffect& more) {
+  std::vector<PlacedEffect> effects = current.effects;
+  effects.push_back(more);
+  return effects;
+}
+
+// Works on each, on all cores; only this thread reports, the others only listen
+// for the stop.
+template <typename Work>
+std::vector<Hypothesis> each(std::size_t count,
+                             const Progress& progress,
+                             const Work& work) {
+  std::vector<Hypothesis> result(count);
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(count,
+                    [&](std::size_t k) { result[k].fit = work(k, quiet); });
+  return result;
+}
+
+void drop_implausible(std::vector<Hypothesis>& found) {
+  std::erase_if(found, [](const Hypothesis& h) {
+    return !h.own().effect->is_plausible(h.own().where, h.own().p);
+  });
+}
+
+// Lines x FRFs x parameters are most of what a fit takes, and there are
+// hundreds of them.
+Fit without_jacobian(Fit fit) {
+  fit.result.jacobian.resize(0, 0);
+  return fit;
+}
+
+}  // namespace
+
+bool less_error(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.result.error < b.fit.result.error;
+}
+
+bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
+  return a.fit.log_likelihood > b.fit.log_likelihood;
+}
+
+Fit approach_one(const Fit& current,
+                 const PlacedEffect& more,
+                 const Fitter& fitter,
+                 const std::shared_ptr<const FrfModel>& shared,
+                 const Progress& progress) {
+  const std::vector<PlacedEffect> effects = with(current, more);
+  return without_jacobian(fitter.approach(
+      effects, shared ? shared : fitter.model_for(effects), progress));
+}
+
+Fit arrive(Fit approached, const Fitter& fitter, const Progress& progress) {
+  return without_jacobian(fitter.arrive(std::move(approached), progress));
+}
+
+void drop_hopeless(std::vector<Hypothesis>& found, double most) {
+  if (found.empty()) return;
+  std::iter_swap(found.begin(),
+                 std::min_element(found.begin(), found.end(), is_likelier));
+  const double least = std::min_element(found.begin(), found.end(), less_error)
+                           ->fit.result.error;
+  const auto hopeless = [&](const Hypothesis& h) {
+    return h.fit.result.error > least &&
+           h.fit.log_likelihood < most - out_of_reach;
+  };
+  found.erase(std::remove_if(found.begin() + 1, found.end(), hopeless),
+              found.end());
+}
+
+std::vector<Hypothesis> fit_each(const Fit& current,
+                                 const std::vector<PlacedEffect>& extras,
+                                 const Fitter& fitter,
+                                 double known,
+                                 const Progress& progress) {
+  std::vector<Hypothesis> result =
+      each(extras.size(), progress, [&](std::size_t k, const Progress& quiet) {
+        return approach_one(current, extras[k], fitter, nullptr, quiet);
+      });
+  double most = known;
+  for (const Hypothesis& h : result) {
+    most = std::max(most, h.fit.log_likelihood);
+  }
+  drop_hopeless(result, most);
+  result =
+      each(result.size(), progress, [&](std::size_t k, const Progress& quiet) {
+        return arrive(std::move(result[k].fit), fitter, quiet);
+      });
+  drop_implausible(result);
+  return result;
+}
+
+std::vector<Hypothesis> fit_each_beside(
+    const Fit& beside,
+    const Fit& current,
+    const std::vector<PlacedEffect>& extras,
+    const Fitter& fitter,
+    const std::shared_ptr<const FrfModel>& shared,
+    const Progress& progress) {
+  std::vector<Hypothesis> result =
+      each(extras.size(), progress, [&](std::size_t k, const Progress& quiet) {
+        const std::vector<PlacedEffect> effects = with(current, extras[k]);
+        return without_jacobian(
+            fitter.fit_beside(beside,
+                              effects,
+                              shared ? shared : fitter.model_for(effects),
+                              quiet));
+      });
+  drop_implausible(result);
+  return result;
+}
+
+}  // namespace tapfit::updating

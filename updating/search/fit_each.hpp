@@ -1,0 +1,55 @@
+// Fits of several hypotheses in two passes: each as far as shows how likely it
+// ends, then to the end what may be the answer.
+#pragma once
+
+#include "updating/search/hypothesis.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace tapfit::updating {
+
+[[nodiscard]] bool less_error(const Hypothesis& a, const Hypothesis& b);
+[[nodiscard]] bool is_likelier(const Hypothesis& a, const Hypothesis& b);
+
+/// The first pass, for the present effects and one more.
+/// @param shared its base; null: it gets its own
+[[nodiscard]] Fit approach_one(const Fit& current,
+                               const PlacedEffect& more,
+                               const Fitter& fitter,
+                               const std::shared_ptr<const FrfModel>& shared,
+                               const Progress& progress);
+
+/// The second pass.
+/// @return with no jacobian: there are too many of them to keep it
+[[nodiscard]] Fit arrive(Fit approached,
+                         const Fitter& fitter,
+                         const Progress& progress);
+
+/// What the second pass is not worth: all that is out of reach of the
+/// likeliest, but for the likeliest of these and that with the least error.
+/// @param most log likelihood that something reaches, among them or not
+void drop_hopeless(std::vector<Hypothesis>& found, double most);
+
+/// Both passes for each of several; those that end at what there is not are
+/// left out, and those out of reach.
+/// @param known log likelihood of what is known already
+[[nodiscard]] std::vector<Hypothesis> fit_each(
+    const Fit& current,
+    const std::vector<PlacedEffect>& extras,
+    const Fitter& fitter,
+    double known,
+    const Progress& progress);
+
+/// Each from where a fit of the same ended at a place beside: near enough to be
+/// fitted to the end at once.
+/// @param shared one base for all of them; null: each gets its own
+[[nodiscard]] std::vector<Hypothesis> fit_each_beside(
+    const Fit& beside,
+    const Fit& current,
+    const std::vector<PlacedEffect>& extras,
+    const Fitter& fitter,
+    const std::shared_ptr<const FrfModel>& shared,
+    const Progress& progress);
+
+}  // namespace tapfit::updating

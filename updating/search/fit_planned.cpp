@@ -1,0 +1,101 @@
+#include "updating/search/fit_planned.hpp"
+
+#include "acquisition/foundation/parallel.hpp"
+#include "updating/fit/overall_progress.hpp"
+#include "updating/search/fit_each.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+template <typename Work>
+void work_on_each(std::size_t count,
+                  const Progress& progress,
+                  const Work& work) {
+  const auto caller = std::this_thread::get_id();
+  std::atomic<std::size_t> done = 0;
+  for_each_parallel(count, [&](std::size_t n) {
+    work(n, Progress{{}, progress.stop});
+    ++done;
+    // The other threads only listen for the stop.
+    if (std::this_thread::get_id() != caller) return;
+    progress("fitting effects",
+             static_cast<double>(done) / static_cast<double>(count));
+  });
+}
+
+void share_bases(std::vector<Planned>& plans,
+                 const Fit& current,
+                 const Fitter& fitter) {
+  for_each_parallel(plans.size(), [&](std::size_t k) {
+    if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
+    std::vector<PlacedEffect> together = current.effects;
+    together.insert(
+        together.end(), plans[k].tries.begin(), plans[k].tries.end());
+    plans[k].shared = fitter.model_for(together);
+  });
+}
+
+double most_likely(const std::vector<Planned>& plans,
+                   const std::vector<std::vector<Hypothesis>>& found) {
+  double most = -1e300;
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    const Fit* known = plans[k].known;
+    if (known != nullptr) most = std::max(most, known->log_likelihood);
+    for (const Hypothesis& h : found[k]) {
+      most = std::max(most, h.fit.log_likelihood);
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+std::vector<std::vector<Hypothesis>> fit_planned(
+    std::vector<Planned> plans,
+    const Fit& current,
+    const Fitter& fitter,
+    const std::function<void(const Fit& fit)>& tried,
+    const Progress& progress) {
+  share_bases(plans, current, fitter);
+  std::vector<std::vector<Hypothesis>> found(plans.size());
+  std::vector<std::pair<std::size_t, std::size_t>> all;  // plan, try
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    found[k].resize(plans[k].tries.size());
+    for (std::size_t t = 0; t < found[k].size(); ++t) all.emplace_back(k, t);
+  }
+  const auto begin = [&](std::size_t n, const Progress& quiet) {
+    const auto [k, t] = all[n];
+    found[k][t].fit = approach_one(
+        current, plans[k].tries[t], fitter, plans[k].shared, quiet);
+  };
+  work_on_each(all.size(), part_of(progress, 0.0, 0.6), begin);
+  const double most = most_likely(plans, found);
+  std::vector<Fit*> left;
+  for (std::vector<Hypothesis>& kind : found) {
+    drop_hopeless(kind, most);
+    for (Hypothesis& h : kind) left.push_back(&h.fit);
+  }
+  std::ranges::sort(left, std::greater{}, &Fit::log_likelihood);
+  std::mutex one_at_a_time;
+  const auto end = [&](std::size_t n, const Progress& quiet) {
+    *left[n] = arrive(std::move(*left[n]), fitter, quiet);
+    if (!tried) return;
+    const std::lock_guard lock(one_at_a_time);
+    tried(*left[n]);
+  };
+  work_on_each(left.size(), part_of(progress, 0.6, 1.0), end);
+  for (std::size_t k = 0; k < plans.size(); ++k) {
+    if (plans[k].known != nullptr) found[k].push_back({*plans[k].known});
+  }
+  return found;
+}
+
+}  // namespace tapfit::updating
