@@ -161,6 +161,10 @@ bool Program::tick() {
       status.busy != shown_.busy || seconds != shown_seconds_) {
     changed_ = true;
   }
+  if (status.busy && status.tried && status.tried != known_.preliminary) {
+    known_.preliminary = status.tried;
+    changed_ = true;
+  }
   shown_ = std::move(status);
   shown_seconds_ = seconds;
   return std::exchange(changed_, false);

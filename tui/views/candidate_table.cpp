@@ -58,6 +58,15 @@ int room_for_size(const Table& table, int width, bool ascii) {
   return width - used - (ascii ? 1 : 0);  // there, a "±" is two wide
 }
 
+/// How probable it is, as soon as there is a verdict.
+std::vector<std::string> probability_cells(const updating::Diagnosis& d,
+                                           const Candidate& c,
+                                           int bars,
+                                           bool ascii) {
+  if (d.verdict.empty()) return {"–", ""};
+  return {probability(c.probability), bar(c.probability, bars, ascii)};
+}
+
 Table wide_table(const updating::Diagnosis& d, bool ascii) {
   Table table{{{"rung", true},
                {"probability", true},
@@ -69,9 +78,10 @@ Table wide_table(const updating::Diagnosis& d, bool ascii) {
                {"size"}},
               {}};
   for (const Candidate& c : d.candidates) {
+    const auto probable = probability_cells(d, c, 8, ascii);
     table.rows.push_back({{rung_of(d, c),
-                           probability(c.probability),
-                           bar(c.probability, 8, ascii),
+                           probable[0],
+                           probable[1],
                            c.effect,
                            brief_place(c.where, 24),
                            percent(c.error),
@@ -91,9 +101,10 @@ Table narrow_table(const updating::Diagnosis& d, bool ascii) {
                {"size"}},
               {}};
   for (const Candidate& c : d.candidates) {
+    const auto probable = probability_cells(d, c, 4, ascii);
     table.rows.push_back({{rung_of(d, c),
-                           probability(c.probability),
-                           bar(c.probability, 4, ascii),
+                           probable[0],
+                           probable[1],
                            c.effect,
                            brief_place(c.where, 13),
                            percent(c.error)},

@@ -15,6 +15,7 @@ namespace tapfit::tui {
 using updating::Candidate;
 
 std::string verdict_words(const updating::Diagnosis& d) {
+  if (d.verdict.empty()) return "no verdict yet";
   if (d.verdict != "none") return "verdict: " + d.verdict;
   return d.error_base <= near_floor * d.floor
              ? "nothing significant is missing (error within the floor)"
@@ -60,15 +61,18 @@ std::vector<std::string> details_of(const updating::Diagnosis& d,
   for (const std::string& warning : d.warnings) {
     paragraphs.push_back("! " + warning);
   }
-  paragraphs.push_back(
-      fmt::format("{} at {}: probability {}, error {}, hold-out error {}",
-                  c.effect,
-                  place(c.where),
-                  probability(c.probability),
-                  percent(c.error),
-                  left_out(c)));
+  std::string found = fmt::format(
+      "{} at {}: error {}", c.effect, place(c.where), percent(c.error));
+  if (!d.verdict.empty()) {
+    found += fmt::format(", hold-out error {}, probability {}",
+                         left_out(c),
+                         probability(c.probability));
+  }
+  paragraphs.push_back(found);
   paragraphs.push_back(all_sizes(c));
-  paragraphs.push_back(next_step(d, c) + look_alikes(c));
+  if (!d.verdict.empty()) {
+    paragraphs.push_back(next_step(d, c) + look_alikes(c));
+  }
   std::vector<std::string> lines;
   for (const std::string& paragraph : paragraphs) {
     if (!lines.empty()) lines.emplace_back();

@@ -14,9 +14,17 @@ namespace {
 using updating::Candidate;
 using updating::EffectRef;
 
-/// Of the model as it is or before; none before there is any.
+/// Of the model as it is, as far as it was looked at, or before; none before
+/// there is any.
 const updating::Diagnosis* found(const Snapshot& known) {
-  return known.diagnosis ? known.diagnosis.get() : known.last_diagnosis.get();
+  if (known.diagnosis) return known.diagnosis.get();
+  return known.preliminary ? known.preliminary.get()
+                           : known.last_diagnosis.get();
+}
+
+Standing standing_of(const Snapshot& known) {
+  if (known.diagnosis) return Standing::Final;
+  return known.preliminary ? Standing::Preliminary : Standing::Outdated;
 }
 
 /// @pre there is one
@@ -66,7 +74,7 @@ bool DiagnosePage::can_wait_for(const Need& need, const Snapshot& known) const {
   const bool made_anew = need.stage == Stage::Comparison ||
                          need.stage == Stage::Ladder ||
                          need.stage == Stage::Diagnosis;
-  return made_anew && known.last_diagnosis != nullptr;
+  return made_anew && found(known) != nullptr;
 }
 
 std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
@@ -89,7 +97,7 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
                         known.signatures,
                         known.wire.get(),
                         known.signature_map.get(),
-                        known.diagnosis == nullptr,
+                        standing_of(known),
                         known.deck.get()},
                        state_,
                        canvas);
@@ -180,10 +188,13 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   if (press_firmness(d, key) || press_details(d, table, key)) return true;
   const bool whole = key == U'A';
   if (key == U'a' || key == keys::enter || whole) {
-    if (!known.diagnosis) {
-      command.message =
-          "these were found before the last change: wait for what "
-          "is found now";
+    const Standing standing = standing_of(known);
+    if (standing == Standing::Outdated ||
+        (whole && standing == Standing::Preliminary)) {
+      command.message = standing == Standing::Outdated
+                            ? "these were found before the last change: wait "
+                              "for what is found now"
+                            : "no verdict yet: a adds the one that is chosen";
       command.until_done = true;
       return true;
     }

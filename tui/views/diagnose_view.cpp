@@ -235,6 +235,7 @@ int write_chosen(Screen& screen,
                  const Candidate& chosen) {
   const int width = screen.width() - 2;
   y = write(screen, y, wrapped(all_sizes(chosen), width, 2), Colour::Default);
+  if (d.verdict.empty()) return y;
   // The narrow table has no column for it.
   const bool tried = chosen.held_out_error > 0.0 && !is_wide(screen.width());
   const std::string error =
@@ -251,8 +252,15 @@ int write_chosen(Screen& screen,
 /// The verdict and the errors, which get a line of their own beside a long
 /// list of kinds.
 std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
+                                       Standing standing,
                                        std::size_t tagged,
                                        int width) {
+  if (standing == Standing::Preliminary) {
+    return {fmt::format("{}   {} tried, the best leaves {}",
+                        verdict_words(d),
+                        d.candidates.size(),
+                        percent(d.error_best))};
+  }
   std::string errors = fmt::format("error {} → {}, floor {}",
                                    percent(d.error_base),
                                    percent(d.error_best),
@@ -266,8 +274,13 @@ std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
 
 /// What stands in the way or, where nothing does, how it was compared. All of
 /// it is in the details.
-std::string note_line(const updating::Diagnosis& d, bool outdated, int width) {
-  if (outdated) return "outdated, diagnosing again …";
+std::string note_line(const updating::Diagnosis& d,
+                      Standing standing,
+                      int width) {
+  if (standing == Standing::Outdated) return "outdated, diagnosing again …";
+  if (standing == Standing::Preliminary) {
+    return "preliminary: of each kind what was fitted first; a adds one";
+  }
   const bool warned = !d.warnings.empty();
   std::string note = warned ? "! " + d.warnings[0] : contour_words(d.contour);
   const std::string more =
@@ -341,13 +354,15 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::size_t tagged = tagged_of(d, state.tagged).size();
   const int room = canvas.width - 2;
   int top = 0;
-  for (const std::string& line : verdict_lines(d, tagged, room)) {
+  const bool outdated = input.standing == Standing::Outdated;
+  for (const std::string& line :
+       verdict_lines(d, input.standing, tagged, room)) {
     screen.text(1, top++, line, {.bold = true}, room);
   }
-  const bool warned = input.outdated || !d.warnings.empty();
+  const bool warned = input.standing != Standing::Final || !d.warnings.empty();
   screen.text(1,
               top++,
-              note_line(d, input.outdated, room),
+              note_line(d, input.standing, room),
               {.colour = warned ? Colour::Yellow : Colour::Grey});
   if (state.firmness) {
     draw_lines(screen, firmness_lines(d, room), top + 1, *state.firmness);
@@ -364,7 +379,7 @@ Screen diagnose_view(const DiagnoseInput& input,
     return screen;
   }
   Table table = candidate_table(d, state.tagged, canvas.width, canvas.ascii);
-  if (input.outdated) {
+  if (outdated) {
     for (Row& row : table.rows) row.style.colour = Colour::Grey;
   }
   const Candidate& chosen = d.candidates[settled(table, state.list)];
@@ -383,7 +398,7 @@ Screen diagnose_view(const DiagnoseInput& input,
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
   const int below = write_chosen(screen, rest.y, d, chosen);
-  if (input.outdated) return screen;
+  if (outdated) return screen;
   const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids =
       grids_of(input.bundle, chosen.where, input.deck);

@@ -11,6 +11,10 @@
 
 namespace tapfit::tui {
 
+/// What is shown: the diagnosis of the model, what it has tried so far, or that
+/// of the model before.
+enum class Standing { Final, Preliminary, Outdated };
+
 struct DiagnoseInput {
   const acquisition::TestBundle& bundle;
   const updating::Diagnosis& diagnosis;
@@ -18,7 +22,7 @@ struct DiagnoseInput {
   const Wireframe* wire = nullptr;
   /// How well each grid alone explains what is missing, once it is known.
   const std::vector<updating::GridShare>* map = nullptr;
-  bool outdated = false;  ///< the diagnosis is of the model before
+  Standing standing = Standing::Final;
   const structure::Deck* deck = nullptr;  ///< for where elements are
 };
 
@@ -66,7 +70,8 @@ class DiagnosePage final : public Page {
             {Stage::Ladder},
             {Stage::Diagnosis}};
   }
-  /// After a change the last list stays until the new one is there.
+  /// After a change the last list stays until there is something new, and what
+  /// is tried first is listed until all is.
   bool can_wait_for(const Need& need, const Snapshot& known) const override;
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;

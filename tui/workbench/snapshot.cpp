@@ -95,6 +95,7 @@ void Snapshot::forget_model_results() {
   parameters.reset();
   records.reset();
   diagnosis.reset();
+  preliminary.reset();
   signatures.clear();
   signature_map.reset();
 }

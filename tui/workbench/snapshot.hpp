@@ -84,6 +84,8 @@ struct Snapshot {
   Shared<std::vector<updating::UpdateRecord>> records;
   Shared<updating::Diagnosis> diagnosis;
   Shared<updating::Diagnosis> last_diagnosis;  ///< of the model before
+  /// What a diagnosis that runs, or was stopped, has tried; no verdict.
+  Shared<updating::Diagnosis> preliminary;
   std::vector<updating::AddedEffect> effects;
   bool unsaved = false;  ///< what was done last could not be written down
   /// What was found on the way, with the effects that were in the model then.

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/poles/cmif.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/diagnosis/candidate.hpp"
 #include "updating/fit/fit_watch.hpp"
 #include "updating/fit/live_fit.hpp"
 #include "updating/localisation/signature.hpp"
@@ -166,6 +167,7 @@ void make_result(Workbench& bench,
       known.records = shared(bench.update_records(progress));
       return;
     case Stage::Diagnosis:
+      known.preliminary.reset();
       known.diagnosis = shared(bench.diagnosis(progress));
       return;
     case Stage::Robustness:
@@ -286,6 +288,12 @@ void Worker::run(Job& job) {
     status_.live = std::move(live);
   };
   watch.enough = [this] { return keep_.load(); };
+  watch.tried = [this](const updating::Candidate& candidate) {
+    const auto before = status().tried;
+    auto now = shared(updating::with_tried(before.get(), candidate));
+    const std::lock_guard lock(mutex_);
+    status_.tried = std::move(now);
+  };
   Progress progress;
   progress.report = std::move(watch);
   {
@@ -297,6 +305,7 @@ void Worker::run(Job& job) {
     end.message = job.run(*bench_, known_, progress);
   } catch (const Stopped&) {
     end.how = Finished::How::Stopped;
+    if (const auto tried = status().tried) known_.preliminary = tried;
   } catch (const std::exception& error) {
     end.how = Finished::How::Failed;
     end.message = error.what();

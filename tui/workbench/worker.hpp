@@ -48,6 +48,8 @@ struct WorkerStatus {
   std::chrono::steady_clock::time_point since{};  ///< when the job began
   std::vector<double> errors;  ///< of the fit that runs, step by step
   std::shared_ptr<const updating::LiveFit> live = {};  ///< after the last step
+  /// Of a diagnosis: what it has tried so far; no verdict.
+  std::shared_ptr<const updating::Diagnosis> tried = {};
 };
 
 class Worker {

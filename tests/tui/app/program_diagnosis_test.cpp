@@ -29,6 +29,43 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
 }
 
+// What is fitted first is listed at once, and stays when it is stopped.
+TEST(Program, ListsWhatADiagnosisHasTriedSoFar) {
+  FakeOptions options;
+  options.endless_first_diagnosis = true;
+  Program program(testing::fake_workbench(options), {});
+  program.press(Key(U'5'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  for (int i = 0; i < 20000 && !holds(seen(), "2 tried"); ++i) program.tick();
+  EXPECT_TRUE(holds(seen(), "no verdict yet   2 tried, the best leaves"))
+      << seen();
+  EXPECT_FALSE(holds(seen(), "uniquely identified")) << seen();
+  program.press(Key(U'A'));
+  EXPECT_TRUE(holds(seen(), "no verdict yet: a adds")) << seen();
+  program.press(Key(keys::escape));
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(seen(), "no verdict yet   2 tried")) << seen();
+  program.press(Key(U'a'));
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(seen(), "added-mass")) << seen();
+  EXPECT_FALSE(holds(seen(), "no verdict yet")) << seen();
+}
+
+// It may be added while the diagnosis still runs, which then is out of date.
+TEST(Program, AddsWhatADiagnosisHasTriedWithoutWaiting) {
+  FakeOptions options;
+  options.endless_first_diagnosis = true;
+  Program program(testing::fake_workbench(options), {});
+  program.press(Key(U'5'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  for (int i = 0; i < 20000 && !holds(seen(), "2 tried"); ++i) program.tick();
+  program.press(Key(U'a'));
+  wait_until_idle(program);
+  program.press(Key(U'5'));
+  wait_until_idle(program);
+  EXPECT_TRUE(holds(seen(), "verdict: added-mass")) << seen();
+}
+
 // Worked out in the background, in place of table and plots until Esc.
 TEST(Program, TellsHowFirmTheVerdictIs) {
   Program program(testing::fake_workbench({}), {});

@@ -1,6 +1,7 @@
 #include "tests/tui/support/fake_workbench.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/fit/fit_watch.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
@@ -97,6 +98,16 @@ class FakeWorkbench final : public Workbench {
   }
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
+    if (options_.endless_first_diagnosis && added_.empty()) {
+      const auto* watch = progress.report.target<updating::FitWatch>();
+      for (const updating::Candidate& c : diagnosis_.candidates) {
+        if (watch != nullptr && watch->tried) watch->tried(c);
+      }
+      while (true) {
+        progress("hypotheses", 0.3);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    }
     while (!added_.empty() &&
            (options_.endless_diagnosis ||
             (options_.diagnosis_held != nullptr && *options_.diagnosis_held))) {

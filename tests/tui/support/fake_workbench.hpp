@@ -26,7 +26,9 @@ struct FakeOptions {
   bool endless_modes = false;         ///< modes() runs until it is stopped
   bool diagnosed_before = false;      ///< the base, by an earlier run
   bool diagnosed_on_the_way = false;  ///< and with any number of effects
-  bool endless_diagnosis = false;     ///< the same once something was added
+  /// The first diagnosis tells what it has tried and goes on without an end.
+  bool endless_first_diagnosis = false;
+  bool endless_diagnosis = false;  ///< the same once something was added
   /// diagnosis() waits while it is set, once something was added.
   std::atomic<bool>* diagnosis_held = nullptr;
   bool reversed_after_adding = false;  ///< candidates, the last one first

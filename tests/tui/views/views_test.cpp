@@ -309,7 +309,7 @@ TEST(DiagnoseView, ShowsWhereElementsAre) {
             (std::vector<int>{3, 4, 5, 6}));
   for (const Canvas& canvas : sizes) {
     const Screen s = diagnose_view(
-        {bundle, d, {}, &wire, nullptr, false, &deck}, {}, canvas);
+        {bundle, d, {}, &wire, nullptr, Standing::Final, &deck}, {}, canvas);
     EXPECT_TRUE(holds(s, "●")) << s.to_text();
     EXPECT_TRUE(holds(s, "distributed effect: no plot for a single grid"))
         << s.to_text();
