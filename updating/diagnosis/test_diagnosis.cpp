@@ -14,8 +14,7 @@
 namespace tapfit::updating {
 
 DiagnoseOptions options_of_test(const FitGround& ground,
-                                const Comparison& base,
-                                const MeasuredTest& test) {
+                                const Comparison& base) {
   DiagnoseOptions options;
   options.floor = std::hypot(base.floor_noise, base.floor_mesh);
   options.floor_noise = base.floor_noise;
@@ -30,7 +29,7 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const MeasuredTest& test,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
-  DiagnoseOptions options = options_of_test(ground, base, test);
+  DiagnoseOptions options = options_of_test(ground, base);
   if (const auto* watch = progress.report.target<FitWatch>()) {
     options.tried = watch->tried;
   }

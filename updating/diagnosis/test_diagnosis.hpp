@@ -14,8 +14,7 @@ namespace tapfit::updating {
 
 /// How thoroughly it looks, and what it knows of the error.
 [[nodiscard]] DiagnoseOptions options_of_test(const FitGround& ground,
-                                              const Comparison& base,
-                                              const MeasuredTest& test);
+                                              const Comparison& base);
 
 /// @param current the model's fit; with nothing added the ground's base
 /// @param base the comparison of the deck as it is

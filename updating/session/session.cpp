@@ -88,8 +88,8 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
 
 const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
   if (!diagnosis(progress).robustness.empty()) return *stages_->diagnosis;
-  const DiagnoseOptions options = options_of_test(
-      *stages_->ground, base_comparison(progress), stages_->measured());
+  const DiagnoseOptions options =
+      options_of_test(*stages_->ground, base_comparison(progress));
   stages_->diagnosis->robustness = robustness(
       *stages_->ground->fitter, options, *stages_->diagnosis, progress);
   stages_->diagnosis_cache(stages_->current().effects.size())
