@@ -185,16 +185,19 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     command.message = nothing_matches;
     return true;
   }
+  const Standing standing = standing_of(known);
+  if (standing == Standing::Preliminary && (key == U'A' || key == U'R')) {
+    command.message = "no verdict yet: a adds the one that is chosen";
+    command.until_done = true;
+    return true;
+  }
   if (press_firmness(d, key) || press_details(d, table, key)) return true;
   const bool whole = key == U'A';
   if (key == U'a' || key == keys::enter || whole) {
-    const Standing standing = standing_of(known);
-    if (standing == Standing::Outdated ||
-        (whole && standing == Standing::Preliminary)) {
-      command.message = standing == Standing::Outdated
-                            ? "these were found before the last change: wait "
-                              "for what is found now"
-                            : "no verdict yet: a adds the one that is chosen";
+    if (standing == Standing::Outdated) {
+      command.message =
+          "these were found before the last change: wait for what "
+          "is found now";
       command.until_done = true;
       return true;
     }

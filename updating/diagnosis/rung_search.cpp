@@ -185,7 +185,7 @@ Round RungSearch::look(const Fit& current,
   options.explained = explained_error({options_.floor, options_.floor_noise});
   if (depth == Depth::LastResort) options.joints = many_joints;
   options.known = known;
-  if (thorough && options_.tried) {
+  if (depth == Depth::Thorough && options_.tried) {
     options.tried = [this](const Fit& fit) {
       options_.tried(candidate_of(fit, fitter_->setting().setting));
     };

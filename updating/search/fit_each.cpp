@@ -1,6 +1,6 @@
 #include "updating/search/fit_each.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
+#include "updating/search/work_on_each.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,19 +16,6 @@ std::vector<PlacedEffect> with(const Fit& current, const PlacedEffect& more) {
   std::vector<PlacedEffect> effects = current.effects;
   effects.push_back(more);
   return effects;
-}
-
-// Works on each, on all cores; only this thread reports, the others only listen
-// for the stop.
-template <typename Work>
-std::vector<Hypothesis> each(std::size_t count,
-                             const Progress& progress,
-                             const Work& work) {
-  std::vector<Hypothesis> result(count);
-  const Progress quiet{{}, progress.stop};
-  for_each_parallel(count,
-                    [&](std::size_t k) { result[k].fit = work(k, quiet); });
-  return result;
 }
 
 void drop_implausible(std::vector<Hypothesis>& found) {
@@ -87,18 +74,21 @@ std::vector<Hypothesis> fit_each(const Fit& current,
                                  const Fitter& fitter,
                                  double known,
                                  const Progress& progress) {
-  std::vector<Hypothesis> result =
-      each(extras.size(), progress, [&](std::size_t k, const Progress& quiet) {
-        return approach_one(current, extras[k], fitter, nullptr, quiet);
+  std::vector<Hypothesis> result(extras.size());
+  const Progress silent{{}, progress.stop};
+  work_on_each(
+      result.size(), silent, [&](std::size_t k, const Progress& quiet) {
+        result[k].fit =
+            approach_one(current, extras[k], fitter, nullptr, quiet);
       });
   double most = known;
   for (const Hypothesis& h : result) {
     most = std::max(most, h.fit.log_likelihood);
   }
   drop_hopeless(result, most);
-  result =
-      each(result.size(), progress, [&](std::size_t k, const Progress& quiet) {
-        return arrive(std::move(result[k].fit), fitter, quiet);
+  work_on_each(
+      result.size(), silent, [&](std::size_t k, const Progress& quiet) {
+        result[k].fit = arrive(std::move(result[k].fit), fitter, quiet);
       });
   drop_implausible(result);
   return result;
@@ -111,10 +101,12 @@ std::vector<Hypothesis> fit_each_beside(
     const Fitter& fitter,
     const std::shared_ptr<const FrfModel>& shared,
     const Progress& progress) {
-  std::vector<Hypothesis> result =
-      each(extras.size(), progress, [&](std::size_t k, const Progress& quiet) {
+  std::vector<Hypothesis> result(extras.size());
+  const Progress silent{{}, progress.stop};
+  work_on_each(
+      result.size(), silent, [&](std::size_t k, const Progress& quiet) {
         const std::vector<PlacedEffect> effects = with(current, extras[k]);
-        return without_jacobian(
+        result[k].fit = without_jacobian(
             fitter.fit_beside(beside,
                               effects,
                               shared ? shared : fitter.model_for(effects),

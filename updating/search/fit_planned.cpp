@@ -3,33 +3,16 @@
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/search/fit_each.hpp"
+#include "updating/search/work_on_each.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <mutex>
-#include <thread>
 #include <utility>
 
 namespace tapfit::updating {
 namespace {
-
-template <typename Work>
-void work_on_each(std::size_t count,
-                  const Progress& progress,
-                  const Work& work) {
-  const auto caller = std::this_thread::get_id();
-  std::atomic<std::size_t> done = 0;
-  for_each_parallel(count, [&](std::size_t n) {
-    work(n, Progress{{}, progress.stop});
-    ++done;
-    // The other threads only listen for the stop.
-    if (std::this_thread::get_id() != caller) return;
-    progress("fitting effects",
-             static_cast<double>(done) / static_cast<double>(count));
-  });
-}
 
 void share_bases(std::vector<Planned>& plans,
                  const Fit& current,

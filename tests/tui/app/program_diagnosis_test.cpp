@@ -29,40 +29,50 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
 }
 
+/// A diagnosis that has tried two and goes on.
+class Trying : public ::testing::Test {
+ protected:
+  Trying() {
+    program_.press(Key(U'5'));
+    for (int i = 0; i < 20000 && !holds(seen(), "2 tried"); ++i) {
+      program_.tick();
+    }
+  }
+  [[nodiscard]] std::string seen() const { return program_.draw().to_text(); }
+  [[nodiscard]] static FakeOptions endless() {
+    FakeOptions options;
+    options.endless_first_diagnosis = true;
+    return options;
+  }
+  Program program_{testing::fake_workbench(endless()), {}};
+};
+
 // What is fitted first is listed at once, and stays when it is stopped.
-TEST(Program, ListsWhatADiagnosisHasTriedSoFar) {
-  FakeOptions options;
-  options.endless_first_diagnosis = true;
-  Program program(testing::fake_workbench(options), {});
-  program.press(Key(U'5'));
-  const auto seen = [&program] { return program.draw().to_text(); };
-  for (int i = 0; i < 20000 && !holds(seen(), "2 tried"); ++i) program.tick();
+TEST_F(Trying, IsListedBeforeThereIsAVerdict) {
+  ASSERT_TRUE(holds(seen(), "2 tried")) << seen();
   EXPECT_TRUE(holds(seen(), "no verdict yet   2 tried, the best leaves"))
       << seen();
   EXPECT_FALSE(holds(seen(), "uniquely identified")) << seen();
-  program.press(Key(U'A'));
-  EXPECT_TRUE(holds(seen(), "no verdict yet: a adds")) << seen();
-  program.press(Key(keys::escape));
-  wait_until_idle(program);
+  for (const char32_t key : {U'A', U'R'}) {
+    program_.press(Key(key));
+    EXPECT_TRUE(holds(seen(), "no verdict yet: a adds")) << seen();
+  }
+  program_.press(Key(keys::escape));
+  wait_until_idle(program_);
   EXPECT_TRUE(holds(seen(), "no verdict yet   2 tried")) << seen();
-  program.press(Key(U'a'));
-  wait_until_idle(program);
+  program_.press(Key(U'a'));
+  wait_until_idle(program_);
   EXPECT_TRUE(holds(seen(), "added-mass")) << seen();
   EXPECT_FALSE(holds(seen(), "no verdict yet")) << seen();
 }
 
 // It may be added while the diagnosis still runs, which then is out of date.
-TEST(Program, AddsWhatADiagnosisHasTriedWithoutWaiting) {
-  FakeOptions options;
-  options.endless_first_diagnosis = true;
-  Program program(testing::fake_workbench(options), {});
-  program.press(Key(U'5'));
-  const auto seen = [&program] { return program.draw().to_text(); };
-  for (int i = 0; i < 20000 && !holds(seen(), "2 tried"); ++i) program.tick();
-  program.press(Key(U'a'));
-  wait_until_idle(program);
-  program.press(Key(U'5'));
-  wait_until_idle(program);
+TEST_F(Trying, CanBeAddedWithoutWaiting) {
+  ASSERT_TRUE(holds(seen(), "2 tried")) << seen();
+  program_.press(Key(U'a'));
+  wait_until_idle(program_);
+  program_.press(Key(U'5'));
+  wait_until_idle(program_);
   EXPECT_TRUE(holds(seen(), "verdict: added-mass")) << seen();
 }
 

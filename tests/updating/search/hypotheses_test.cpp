@@ -45,6 +45,25 @@ class Hidden : public support::HiddenInPlate {
   }
 };
 
+// Who looks on is told of fits that have ended, the likeliest first.
+TEST_F(Hidden, IsToldAsItIsTried) {
+  Where where;
+  where.node = 25;
+  hide({{&effects::find("added-mass"), where, {0.05}}});
+  HypothesisOptions options;
+  options.neighbours = 0;
+  std::vector<std::string> told;
+  options.tried = [&told](const Fit& fit) {
+    told.push_back(fit.effects.back().effect->name());
+  };
+  const Fit base = fitter_->fit({}, fitter_->model_for({}));
+  const auto all = fit_hypotheses(base, *fitter_, options, {});
+  EXPECT_EQ(told.size(), all.size());
+  ASSERT_GT(told.size(), 2U);
+  // On two cores one of the first two may end before the other.
+  EXPECT_TRUE(told[0] == "added-mass" || told[1] == "added-mass");
+}
+
 TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
   // Three by three elements with a fifth of their stiffness left: the first
   // order of the screening does not hold there.

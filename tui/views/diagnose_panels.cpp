@@ -1,0 +1,219 @@
+#include "tui/views/diagnose_panels.hpp"
+
+#include "tui/report/report_words.hpp"
+#include "tui/screen/layout.hpp"
+#include "tui/screen/line_text.hpp"
+#include "tui/screen/number.hpp"
+#include "tui/screen/text.hpp"
+#include "tui/views/signature_plot.hpp"
+#include "tui/widgets/level_marks.hpp"
+#include "tui/widgets/plot.hpp"
+#include "updating/catalogue/catalogue.hpp"
+#include "updating/localisation/signature.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace tapfit::tui {
+namespace {
+
+using updating::Candidate;
+using updating::Signature;
+
+std::string whole_percent(double share) { return fixed(100.0 * share, 0); }
+
+struct LawWords {
+  std::string name;
+  std::string size;
+  double left = 1.0;  ///< of the misfit
+};
+
+/// What each law leaves of z, the one that leaves least first.
+std::vector<LawWords> laws_of(const Signature& s) {
+  const auto size = [](const char* name, double value) {
+    return value_words({name, value}, value);
+  };
+  std::vector<LawWords> laws{
+      {"a pure mass", size("mass_kg", s.mass_kg), s.mass_unexplained},
+      {"a spring",
+       size("stiffness_n_per_m", s.spring_n_per_m),
+       s.spring_unexplained},
+      {"a dashpot",
+       size("damping_ns_per_m", s.dashpot_ns_per_m),
+       s.dashpot_unexplained}};
+  if (s.absorber.mass_kg > 0.0) {
+    laws.push_back({"an absorber",
+                    fmt::format("{} at {} Hz",
+                                size("mass_kg", s.absorber.mass_kg),
+                                number(s.absorber.frequency_hz, 4)),
+                    s.absorber.unexplained});
+  }
+  std::ranges::stable_sort(laws, {}, &LawWords::left);
+  return laws;
+}
+
+/// In two lines; where that is too narrow, only the best has its size.
+std::vector<std::string> law_lines(const Signature& s, int width) {
+  const auto told = [&s](std::size_t sizes) {
+    std::string words;
+    for (const LawWords& law : laws_of(s)) {
+      words += words.empty() ? "" : ", ";
+      words += law.name;
+      if (sizes > 0) words += fmt::format(" ({})", law.size);
+      sizes -= sizes > 0 ? 1 : 0;
+      words += words.find(" leaves ") == std::string::npos
+                   ? fmt::format(" leaves {} % of it", whole_percent(law.left))
+                   : fmt::format(" {} %", whole_percent(law.left));
+    }
+    return words;
+  };
+  for (const std::size_t sizes : {4U, 3U, 2U}) {
+    std::vector<std::string> lines = wrapped(told(sizes), width);
+    if (lines.size() <= 2) return lines;
+  }
+  return wrapped(told(1), width, 2);
+}
+
+/// In two lines: words go before numbers and their unit do.
+std::vector<std::string> cursor_lines(const Plot& plot, int width) {
+  std::string words = read_out(plot, *plot.cursor);
+  if (wrapped(words, width).size() <= 2) return wrapped(words, width);
+  const std::string law = " law";
+  for (std::size_t at = 0; (at = words.find(law, at)) != std::string::npos;) {
+    words.erase(at, law.size());
+  }
+  return wrapped(words, width, 2);
+}
+
+}  // namespace
+
+void draw_signature(Screen& screen,
+                    const Rect& rect,
+                    const DiagnoseInput& input,
+                    const DiagnoseState& state,
+                    const Candidate& chosen) {
+  const auto say = [&](const std::string& words, Colour colour) {
+    int y = rect.y + 1;
+    for (const std::string& one : wrapped(words, rect.width - 2)) {
+      screen.text(rect.x + 1, y++, one, {.colour = colour});
+    }
+  };
+  const std::optional<int> grid = signature_grid(input.bundle, chosen);
+  if (!grid) {
+    return say(effects::find(chosen.effect).is_mistake()
+                   ? "a mistake of the set-up: no force at a grid to plot"
+                   : "distributed effect: no plot for a single grid",
+               Colour::Default);
+  }
+  const auto found = input.signatures.find(*grid);
+  if (found == input.signatures.end()) {
+    return say(fmt::format("signature of grid {} …", *grid), Colour::Grey);
+  }
+  const Signature& s = *found->second;
+  if (!updating::is_telling(s)) {
+    return say(fmt::format("grid {} alone explains {} % of the misfit: no plot "
+                           "while most of it is elsewhere",
+                           s.node,
+                           whole_percent(s.explained)),
+               Colour::Default);
+  }
+  const Plot plot = signature_plot(
+      s, state.range, state.all_laws, chosen.effect == "absorber");
+  const auto parts = split_top(rect, rect.height - 3);
+  const Rect& body = parts.first;
+  const Rect& text = parts.second;
+  draw_plot(screen, body, plot);
+  const auto line = [&](int row, const std::string& words) {
+    screen.text(text.x + 1, text.y + row, words, {}, text.width - 1);
+  };
+  line(0,
+       fmt::format(
+           "grid {} alone explains {} % of the misfit{}",
+           s.node,
+           whole_percent(s.explained),
+           input.diagnosis.ladder.size() > 1 ? ", other effects along" : ""));
+  std::vector<std::string> lines = law_lines(s, text.width - 1);
+  if (plot.cursor) {
+    lines = cursor_lines(plot, text.width - 1);
+  }
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    line(static_cast<int>(i) + 1, lines[i]);
+  }
+}
+
+void draw_place(Screen& screen,
+                const Rect& rect,
+                const DiagnoseInput& input,
+                const DiagnoseState& state,
+                const std::vector<int>& grids) {
+  if (input.wire == nullptr) return;
+  Scene scene;
+  const bool few = grids.size() <= 4;
+  for (const int node : grids) {
+    scene.marks.push_back({node,
+                           U'●',
+                           {.colour = Colour::Red, .bold = true},
+                           few ? fmt::format("{}", node) : std::string()});
+  }
+  scene.highlighted = grids;
+  draw_wireframe(screen, rect, *input.wire, scene, state.pose);
+}
+
+void draw_map(Screen& screen,
+              const Rect& rect,
+              const DiagnoseInput& input,
+              const DiagnoseState& state) {
+  if (input.wire == nullptr) return;
+  if (input.map == nullptr || input.map->empty()) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                "signature of every grid …",
+                {.colour = Colour::Grey});
+    return;
+  }
+  const std::vector<updating::GridShare>& map = *input.map;
+  const double best = std::max(map.front().explained, 1e-9);
+  Scene scene;
+  for (std::size_t i = map.size(); i-- > 0;) {
+    const double share = map[i].explained / best;
+    if (share < 0.5) continue;
+    const LevelMark& level = level_marks[share > 0.95   ? 3
+                                         : share > 0.85 ? 2
+                                         : share > 0.7  ? 1
+                                                        : 0];
+    scene.marks.push_back(
+        {map[i].node,
+         level.glyph,
+         {.colour = level.colour, .bold = i == 0},
+         i == 0 ? fmt::format("{}: {}", map[i].node, percent(map[i].explained))
+                : std::string()});
+  }
+  const auto [body, lines] = split_top(rect, rect.height - 2);
+  draw_wireframe(screen, body, *input.wire, scene, state.pose);
+  std::vector<std::string> shares;
+  for (std::size_t i = 0; i < std::min<std::size_t>(map.size(), 3); ++i) {
+    shares.push_back(
+        fmt::format("{} {}", map[i].node, percent(map[i].explained)));
+  }
+  screen.text(
+      lines.x + 1,
+      lines.y,
+      fitting({fmt::format("alone explain: {}", fmt::join(shares, ", ")),
+               listed("alone: ", shares, ", ", lines.width - 1)},
+              lines.width - 1),
+      {.colour = Colour::Grey},
+      lines.width - 1);
+  int x = lines.x + 1;
+  for (const auto& [level, what] :
+       {std::pair{3U, "95"}, {2U, "85"}, {1U, "70"}, {0U, "50 % of best"}}) {
+    const LevelMark& mark = level_marks[level];
+    screen.put(x, lines.y + 1, mark.glyph, {.colour = mark.colour});
+    x = screen.text(x + 2, lines.y + 1, what, {.colour = Colour::Grey}) + 1;
+  }
+}
+
+}  // namespace tapfit::tui
