@@ -5,7 +5,6 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
-#include "tui/views/compared_modes.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"

@@ -2,7 +2,7 @@
 // measured point; the curves behind each number below.
 #pragma once
 
-#include "tui/views/compare_input.hpp"
+#include "tui/views/compared_modes.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 

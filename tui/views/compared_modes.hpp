@@ -1,14 +1,26 @@
 // Modes of measurement and model side by side, with those that have no partner.
 #pragma once
 
-#include "tui/views/compare_input.hpp"
+#include "modal/mode_set/mode_set.hpp"
+#include "signal/frf_set/frf_set.hpp"
 #include "tui/widgets/table.hpp"
+#include "tui/widgets/wireframe.hpp"
+#include "updating/comparison/comparison.hpp"
 
 #include <limits>
 #include <optional>
 #include <vector>
 
 namespace tapfit::tui {
+
+/// What the Compare screen is drawn from.
+struct CompareInput {
+  const updating::Comparison& comparison;
+  const signal::FrfSet& frfs;
+  const Wireframe* wire = nullptr;
+  /// For those without a partner, once they are at hand.
+  const modal::ModeSet* modes = nullptr;
+};
 
 /// A pair, or a mode of one side alone, whose other members are NaN.
 struct ComparedMode {

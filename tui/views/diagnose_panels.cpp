@@ -5,9 +5,10 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
-#include "tui/views/signature_plot.hpp"
+#include "tui/widgets/element_grids.hpp"
 #include "tui/widgets/level_marks.hpp"
 #include "tui/widgets/plot.hpp"
+#include "tui/widgets/signature_plot.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/signature.hpp"
 
@@ -90,6 +91,43 @@ std::vector<std::string> cursor_lines(const Plot& plot, int width) {
 }
 
 }  // namespace
+
+std::vector<int> grids_of(const acquisition::TestBundle& bundle,
+                          const updating::Where& where,
+                          const structure::Deck* deck) {
+  std::vector<int> once;
+  const auto add = [&once](int grid) {
+    if (std::find(once.begin(), once.end(), grid) == once.end()) {
+      once.push_back(grid);
+    }
+  };
+  const auto is_meant = [&](const acquisition::Placement& sensor) {
+    return sensor.channel < bundle.channels.size() &&
+           std::find(where.channels.begin(),
+                     where.channels.end(),
+                     bundle.channels[sensor.channel].name) !=
+               where.channels.end();
+  };
+  if (where.node != 0) add(where.node);
+  for (const int node : where.nodes) add(node);
+  for (const acquisition::Run& run : bundle.runs) {
+    for (const acquisition::Placement& sensor : run.sensors) {
+      if (is_meant(sensor)) add(sensor.dof.node);
+    }
+  }
+  if (deck == nullptr) return once;
+  for (const int node : element_grids(*deck, where.elements)) add(node);
+  return once;
+}
+
+std::optional<int> signature_grid(const acquisition::TestBundle& bundle,
+                                  const Candidate& candidate) {
+  if (!candidate.where.elements.empty()) return std::nullopt;
+  if (effects::find(candidate.effect).is_mistake()) return std::nullopt;
+  const std::vector<int> grids = grids_of(bundle, candidate.where);
+  if (grids.size() != 1) return std::nullopt;
+  return grids.front();
+}
 
 void draw_signature(Screen& screen,
                     const Rect& rect,

@@ -2,11 +2,24 @@
 // place, and where that is.
 #pragma once
 
-#include "tui/views/diagnose_view.hpp"
+#include "tui/views/diagnose_state.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace tapfit::tui {
+
+/// Grids that the place means: its own, those of its channels' sensors, or its
+/// elements' corners where there is a deck.
+[[nodiscard]] std::vector<int> grids_of(const acquisition::TestBundle& bundle,
+                                        const updating::Where& where,
+                                        const structure::Deck* deck = nullptr);
+
+/// The grid that the candidate's missing stiffness is drawn of; none where it
+/// acts on several, and for a mistake of the set-up, which acts on none.
+[[nodiscard]] std::optional<int> signature_grid(
+    const acquisition::TestBundle& bundle,
+    const updating::Candidate& candidate);
 
 /// The missing dynamic stiffness over frequency, or why there is none to draw.
 void draw_signature(Screen& screen,

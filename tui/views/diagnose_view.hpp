@@ -2,59 +2,14 @@
 #pragma once
 
 #include "tui/views/candidate_table.hpp"
+#include "tui/views/diagnose_panels.hpp"
 #include "tui/views/page.hpp"
-#include "tui/widgets/plot_range.hpp"
-#include "updating/localisation/signature.hpp"
-
-#include <optional>
-#include <utility>
 
 namespace tapfit::tui {
-
-/// What is shown: the diagnosis of the model, what it has tried so far, or that
-/// of the model before.
-enum class Standing { Final, Preliminary, Outdated };
-
-struct DiagnoseInput {
-  const acquisition::TestBundle& bundle;
-  const updating::Diagnosis& diagnosis;
-  const std::map<int, std::shared_ptr<const updating::Signature>>& signatures;
-  const Wireframe* wire = nullptr;
-  /// How well each grid alone explains what is missing, once it is known.
-  const std::vector<updating::GridShare>* map = nullptr;
-  Standing standing = Standing::Final;
-  const structure::Deck* deck = nullptr;  ///< for where elements are
-};
-
-struct DiagnoseState {
-  ListState list;  ///< candidates
-  /// To be added together; also such as are not in the list (any more).
-  std::vector<updating::EffectRef> tagged;
-  PlotRange range;  ///< [Hz], of the signature
-  Pose pose;
-  bool map = false;       ///< all grids instead of the candidate's place
-  bool all_laws = false;  ///< mass, spring and dashpot, not the best alone
-  /// All in words, from that line on, in place of table and plots.
-  std::optional<int> details = {};
-  /// How firm the verdict is, likewise.
-  std::optional<int> firmness = {};
-};
 
 [[nodiscard]] Screen diagnose_view(const DiagnoseInput& input,
                                    const DiagnoseState& state,
                                    const Canvas& canvas);
-
-/// Grids that the place means: its own, those of its channels' sensors, or its
-/// elements' corners where there is a deck.
-[[nodiscard]] std::vector<int> grids_of(const acquisition::TestBundle& bundle,
-                                        const updating::Where& where,
-                                        const structure::Deck* deck = nullptr);
-
-/// The grid that the candidate's missing stiffness is drawn of; none where it
-/// acts on several, and for a mistake of the set-up, which acts on none.
-[[nodiscard]] std::optional<int> signature_grid(
-    const acquisition::TestBundle& bundle,
-    const updating::Candidate& candidate);
 
 class DiagnosePage final : public Page {
  public:

@@ -1,4 +1,4 @@
-#include "tui/views/signature_plot.hpp"
+#include "tui/widgets/signature_plot.hpp"
 
 #include "updating/localisation/absorber_law.hpp"
 #include "updating/localisation/signature.hpp"

@@ -4,7 +4,6 @@
 
 #include "tui/widgets/plot.hpp"
 #include "tui/widgets/plot_range.hpp"
-#include "updating/diagnosis/diagnosis.hpp"
 #include "updating/localisation/signature.hpp"
 
 namespace tapfit::tui {
