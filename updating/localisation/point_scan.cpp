@@ -54,6 +54,16 @@ std::vector<PointElsewhere> best_grids(const Where& point,
   return result;
 }
 
+// Of all grids those along one component: grids x r.
+std::array<MatrixXd, 6> by_component(const MatrixXd& all) {
+  std::array<MatrixXd, 6> rows;
+  for (Index c = 0; c < 6; ++c) {
+    rows[static_cast<std::size_t>(c)] =
+        all(Eigen::seqN(c, all.rows() / 6, 6), Eigen::all);
+  }
+  return rows;
+}
+
 }  // namespace
 
 PointScan::PointScan(const Fit& current,
@@ -65,10 +75,10 @@ PointScan::PointScan(const Fit& current,
       target_(&target),
       misfit_(&misfit),
       measured_(&measured),
-      rows_(current.model->base().rows.all()),
+      rows_(by_component(current.model->base().rows.all())),
       ends_(current.model->ends(current.result.state)),
       walks_(current.model->walk_columns(
-          current.result.state, target.s, MatrixXd(rows_.cols(), 0))),
+          current.result.state, target.s, MatrixXd(rows_[0].cols(), 0))),
       now_(current.model->respond(current.result.state, target.s, false).H),
       share_(VectorXd::Zero(target.H.cols())) {
   for (Index f = 0; f < share_.size(); ++f) {
@@ -140,11 +150,10 @@ VectorXd PointScan::errors(const std::vector<MovedEnd>& ends) const {
   }
   VectorXd result = misfit_->errors(sum.power, sum.shared);
   for (const MovedEnd& end : ends) {
-    const MatrixXd at = rows_of(end_now(end));
+    const auto moves =
+        (rows_of(end_now(end)).array() != 0.0).rowwise().any().eval();
     for (Index g = 0; g < result.size(); ++g) {
-      if (at.row(g).isZero(0.0)) {
-        result(g) = std::numeric_limits<double>::infinity();
-      }
+      if (!moves(g)) result(g) = std::numeric_limits<double>::infinity();
     }
   }
   return result;
@@ -161,14 +170,9 @@ const Dof& PointScan::end_now(const MovedEnd& end) const {
   return end.hammer ? ends.reference : ends.response;
 }
 
-// grids x r: what each moves in the direction of a degree of freedom.
-MatrixXd PointScan::rows_of(const Dof& dof) const {
-  const Index grids = rows_.rows() / 6;
-  MatrixXd result(grids, rows_.cols());
-  for (Index g = 0; g < grids; ++g) {
-    result.row(g) = dof.sign * rows_.row(6 * g + dof.component - 1);
-  }
-  return result;
+// grids x r: what each moves along a degree of freedom, but for its sign.
+const MatrixXd& PointScan::rows_of(const Dof& dof) const {
+  return rows_[static_cast<std::size_t>(dof.component - 1)];
 }
 
 // The FRF's column at its other end, as it is recorded, a line per column.
@@ -180,7 +184,7 @@ MatrixXcd PointScan::column_of(const MovedEnd& end) const {
         walk.pairs, static_cast<Index>(end.frf), &WalkedPair::frf);
     if (own == walk.pairs.end()) continue;
     const Index at = own - walk.pairs.begin();
-    X.resize(rows_.cols(), s.size());
+    X.resize(rows_[0].cols(), s.size());
     for (Index l = 0; l < s.size(); ++l) {
       const auto line = static_cast<std::size_t>(l);
       X.col(l) = s(l) * s(l) * walk.recorded(l, at) *
@@ -191,27 +195,48 @@ MatrixXcd PointScan::column_of(const MovedEnd& end) const {
   return X;
 }
 
-PointScan::ChangeAtGrids PointScan::change_of(const MovedEnd& end) const {
-  return seen(end.frf,
-              rows_of(end_now(end)).cast<complex<double>>() * column_of(end));
-}
-
-// What the misfit sees of an FRF in another's place.
-// @param there others x lines
-PointScan::ChangeAtGrids PointScan::seen(std::size_t frf,
-                                         const MatrixXcd& there) const {
-  const auto f = static_cast<Index>(frf);
-  const Index lines = target_->s.size();
+// What the FRF's lines weigh in the misfit, real parts and then imaginary ones.
+VectorXd PointScan::weighed(std::size_t frf, const VectorXcd& lines) const {
   const double scale =
       target_->use[frf] / std::sqrt(std::max(target_->count(), 1.0));
-  MatrixXd change(2 * lines, there.rows());
-  for (Index l = 0; l < lines; ++l) {
-    const VectorXcd moved = (scale / target_->weight(l)) *
-                            (there.col(l).array() - now_(l, f)).matrix();
-    change.row(l) = moved.real().transpose();
-    change.row(lines + l) = moved.imag().transpose();
+  const VectorXcd each = scale * (lines.array() / target_->weight.array());
+  VectorXd both(2 * each.size());
+  both << each.real(), each.imag();
+  return both;
+}
+
+// With the grid's row v, B = [Re X, Im X] and h what there is now, weighed, the
+// change is B'v - h, and for all grids at once
+//
+//   |B'v - h|^2 = v'(B B')v - 2 v'(B h) + h'h,   D'(B'v - h) = (B D)'v - D'h.
+PointScan::ChangeAtGrids PointScan::change_of(const MovedEnd& end) const {
+  const Dof& dof = end_now(end);
+  const MatrixXd& v = rows_of(dof);
+  const MatrixXcd X = dof.sign * column_of(end);
+  MatrixXd B(2 * X.cols(), X.rows());  // transposed
+  for (Index k = 0; k < X.rows(); ++k) {
+    B.col(k) = weighed(end.frf, X.row(k).transpose());
   }
-  return {change.colwise().squaredNorm().transpose(),
+  const VectorXd h = weighed(end.frf, now_.col(static_cast<Index>(end.frf)));
+  const MatrixXd D = directions(end.frf);
+  const MatrixXd gram = B.transpose() * B;
+  const VectorXd mixed = B.transpose() * h;
+  const MatrixXd seen_of = B.transpose() * D;
+  ChangeAtGrids change;
+  change.power = (v * gram).cwiseProduct(v).rowwise().sum() - 2.0 * (v * mixed);
+  change.power.array() += h.squaredNorm();
+  change.power = change.power.cwiseMax(0.0);
+  change.shared = (v * seen_of).transpose();
+  change.shared.colwise() -= D.transpose() * h;
+  return change;
+}
+
+// What the misfit sees of another FRF in this one's place.
+PointScan::ChangeAtGrids PointScan::seen(std::size_t frf,
+                                         const VectorXcd& there) const {
+  const VectorXd change =
+      weighed(frf, there - now_.col(static_cast<Index>(frf)));
+  return {VectorXd::Constant(1, change.squaredNorm()),
           directions(frf).transpose() * change};
 }
 
@@ -265,7 +290,7 @@ double PointScan::error_without(const PlacedEffect& mistake) const {
   for (std::size_t f = 0; f < real.size(); ++f) {
     const VectorXcd H = put_right(f, real[f], mistake);
     if (H.size() == 0) continue;
-    const ChangeAtGrids change = seen(f, H.transpose());
+    const ChangeAtGrids change = seen(f, H);
     power += change.power;
     shared += change.shared;
   }

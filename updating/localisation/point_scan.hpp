@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -78,11 +79,13 @@ class PointScan {
   [[nodiscard]] Eigen::VectorXd errors(const std::vector<MovedEnd>& ends) const;
   [[nodiscard]] Eigen::MatrixXd directions(std::size_t frf) const;
   [[nodiscard]] const Dof& end_now(const MovedEnd& end) const;
-  [[nodiscard]] Eigen::MatrixXd rows_of(const Dof& dof) const;
+  [[nodiscard]] const Eigen::MatrixXd& rows_of(const Dof& dof) const;
   [[nodiscard]] Eigen::MatrixXcd column_of(const MovedEnd& end) const;
   [[nodiscard]] ChangeAtGrids change_of(const MovedEnd& end) const;
+  [[nodiscard]] Eigen::VectorXd weighed(std::size_t frf,
+                                        const Eigen::VectorXcd& lines) const;
   [[nodiscard]] ChangeAtGrids seen(std::size_t frf,
-                                   const Eigen::MatrixXcd& there) const;
+                                   const Eigen::VectorXcd& there) const;
   [[nodiscard]] Eigen::VectorXcd put_right(std::size_t frf,
                                            const PairEnds& real,
                                            const PlacedEffect& mistake) const;
@@ -92,7 +95,7 @@ class PointScan {
   const Target* target_;
   const MisfitScan* misfit_;
   const signal::FrfSet* measured_;
-  Eigen::MatrixXd rows_;  // of the base, 6 n_grids x r
+  std::array<Eigen::MatrixXd, 6> rows_;  // of the base, each n_grids x r
   std::vector<PairEnds> ends_;
   std::vector<FrfModel::Walk> walks_;
   Eigen::MatrixXcd now_;
