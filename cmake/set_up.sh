@@ -15,10 +15,13 @@ quiet=--quiet
   cmake --preset release >build/configure.log 2>&1 ||
     cmake --fresh --preset release --log-level=WARNING
   # As measured; the tests take as long again as the program.
+  built() { [ -e build/release/tapfit ]; }
+  tested() { [ -e build/release/tests/end_to_end_tests ]; }
   minutes=20
-  [ "${1:-}" != tapfit ] || minutes=10
-  [ -e build/release/tapfit ] ||
+  if [ "${1:-}" = tapfit ] || built; then minutes=10; fi
+  if ! built || { [ "${1:-}" != tapfit ] && ! tested; }; then
     echo "Building tapfit: about $minutes minutes on two cores the first time ..."
+  fi
   # shellcheck disable=SC2086 # no option at all where $quiet is empty
   cmake --build --preset release -j "$(nproc)" ${1:+--target "$1"} -- $quiet
 } >&2

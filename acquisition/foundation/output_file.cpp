@@ -21,11 +21,16 @@ InputError unwritable(const fs::path& target) {
           "check the folder, your rights to it and the space left"};
 }
 
-// Told apart from those of other threads and other runs of the program.
+// Told apart from those of other threads and other runs of the program, and
+// from anything else that is there.
 fs::path unfinished_name(const fs::path& target) {
   static std::atomic<unsigned> count = 0;
-  fs::path name = target;
-  name += fmt::format(".{}-{}.part", ::getpid(), ++count);
+  std::error_code fault;
+  fs::path name;
+  do {
+    name = target;
+    name += fmt::format(".{}-{}.part", ::getpid(), ++count);
+  } while (fs::exists(fs::symlink_status(name, fault)));
   return name;
 }
 

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -22,7 +23,9 @@ std::atomic<unsigned> lost_pages = 0;
 
 // A page that the file has no content for any more is answered with SIGBUS.
 // Zeros take its place, so that whoever reads comes to an end.
-extern "C" void on_lost_page(int signal, siginfo_t* info, void* /*context*/) {
+extern "C" void on_lost_page(int /*signal*/,
+                             siginfo_t* info,
+                             void* /*context*/) {
   const auto at = reinterpret_cast<std::uintptr_t>(info->si_addr);
   void* page = reinterpret_cast<void*>(at / page_size() * page_size());
   constexpr int how = MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED;
@@ -31,7 +34,7 @@ extern "C" void on_lost_page(int signal, siginfo_t* info, void* /*context*/) {
     ++lost_pages;
     return;
   }
-  std::signal(signal, SIG_DFL);  // comes again, and ends the program
+  std::abort();  // which a terminal takes to be put right
 }
 
 void watch_lost_pages() {

@@ -51,6 +51,11 @@ TEST_F(SetUp, SaysHowLongTheFirstBuildTakes) {
   fs::create_directories(root_ / "build" / "release");
   std::ofstream(root_ / "build" / "release" / "tapfit");
   EXPECT_EQ(said("tapfit"), "");
+  // The tests are still to be built.
+  EXPECT_NE(said("").find("about 10 minutes on two cores"), std::string::npos);
+  fs::create_directories(root_ / "build" / "release" / "tests");
+  std::ofstream(root_ / "build" / "release" / "tests" / "end_to_end_tests");
+  EXPECT_EQ(said(""), "");
 }
 
 }  // namespace

@@ -4,10 +4,12 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <iterator>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace tapfit::acquisition {
 namespace {
@@ -50,6 +52,22 @@ TEST_F(Outputs, FileThatIsGivenUpLeavesTheOlderOne) {
   EXPECT_EQ(entries_of(folder_.path()), 1);
   { OutputFile(folder_.path() / "none.txt").stream() << "half"; }
   EXPECT_EQ(entries_of(folder_.path()), 1);
+}
+
+// Whoever knows what unfinished files are called could have put a link there.
+TEST_F(Outputs, WhatHasTheNameOfAnUnfinishedFileStays) {
+  const fs::path mine = folder_.write("mine.txt", "mine");
+  const auto unfinished = [this](int number) {
+    return folder_.path() / fmt::format("a.txt.{}-{}.part", ::getpid(), number);
+  };
+  // The count goes on over all files of the program.
+  for (int number = 1; number < 100; ++number) {
+    fs::create_symlink("mine.txt", unfinished(number));
+  }
+  write_file(folder_.path() / "a.txt", "other");
+  EXPECT_EQ(content_of(mine), "mine");
+  EXPECT_FALSE(fs::is_symlink(folder_.path() / "a.txt"));
+  EXPECT_EQ(content_of(folder_.path() / "a.txt"), "other");
 }
 
 TEST_F(Outputs, FileWithoutAPlaceIsRefused) {

@@ -57,6 +57,13 @@ TEST_F(OutputRuleTest, AnotherFileIsReplacedWhereThatIsAskedFor) {
   EXPECT_EQ(refusal("/dev/null", false), "");
 }
 
+TEST_F(OutputRuleTest, LinkToNothingIsThereAlready) {
+  const fs::path link = folder_.path() / "later.uff";
+  fs::create_symlink("nowhere.uff", link);
+  EXPECT_TRUE(holds(refusal(link, false), "is there already"));
+  EXPECT_EQ(refusal(link, true), "");
+}
+
 TEST_F(OutputRuleTest, TwoOutputsTakeTwoFiles) {
   const OutputRule rule;
   const fs::path one = folder_.path() / "a.uff";
