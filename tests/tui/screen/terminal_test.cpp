@@ -43,7 +43,7 @@ int status_in_terminal(const std::function<int()>& work) {
 // A copy that begins anew while it is read: the bundle is opened before there
 // are screens, and read while there are.
 TEST(TerminalTest, AFileThatBecomesShorterIsRefusedOnItsScreens) {
-  const acquisition::testing::TemporaryFolder folder;
+  const tapfit::testing::TemporaryFolder folder;
   const std::string all(100'000, 'a');
   const std::filesystem::path path = folder.write("a.uff", all);
   const int status = status_in_terminal([&] {
