@@ -67,12 +67,12 @@ FrfModel::FrfModel(ReducedBase base,
                    const effects::Setting& setting,
                    const signal::FrfSet& measured,
                    std::shared_ptr<const ModalData> modes)
-    : base_(std::make_shared<const ReducedBase>(std::move(base))),
+    : base_(std::move(base)),
       setting_(setting),
       modes_(std::move(modes)),
       dashpots_(structure::damping_factor(
-          *setting.deck, base_->size(), [this](int dof) {
-            return base_->rows.row(dof);
+          *setting.deck, base_.size(), [this](int dof) {
+            return base_.rows.row(dof);
           })) {
   std::set<std::size_t> runs;
   std::vector<VectorXd> points;
@@ -100,7 +100,7 @@ FrfModel::FrfModel(ReducedBase base,
     for (const Dof& dof : modes_->dofs) take(dof);
   }
   runs_.assign(runs.begin(), runs.end());
-  points_.resize(base_->size(), static_cast<Index>(points.size()));
+  points_.resize(base_.size(), static_cast<Index>(points.size()));
   for (std::size_t k = 0; k < points.size(); ++k) {
     points_.col(static_cast<Index>(k)) = points[k];
   }
@@ -112,28 +112,28 @@ VectorXd FrfModel::point(const Dof& dof) const {
 
 Eigen::RowVectorXd FrfModel::row(int node, int component) const {
   const auto grid = static_cast<Index>(setting_.deck->grid_index(node));
-  return base_->rows.row(6 * grid + component - 1);
+  return base_.rows.row(6 * grid + component - 1);
 }
 
 Eigen::RowVectorXd FrfModel::row(const effects::ActedDof& dof) const {
-  return acted_row(dof, *setting_.deck, *base_);
+  return acted_row(dof, *setting_.deck, base_);
 }
 
 BaseModes FrfModel::base_modes(const ModelState& state) const {
-  MatrixXd K = base_->K;
-  MatrixXd M = MatrixXd::Identity(base_->size(), base_->size());
-  for (std::size_t t = 0; t < base_->part_power.size(); ++t) {
-    const double c = part_coefficient(base_->part_power[t], state.factor);
-    K += c * stiffness_part(t);
-    M += c * mass_part(t);
+  MatrixXd K = base_.K;
+  MatrixXd M = MatrixXd::Identity(base_.size(), base_.size());
+  for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+    const double c = part_coefficient(base_.part_power[t], state.factor);
+    K += c * base_.K_part[t];
+    M += c * base_.M_part[t];
   }
-  for (const StiffnessTerm& term : base_->terms) {
+  for (const StiffnessTerm& term : base_.terms) {
     K += change_of(term, state) * term.at(state.factor);
     if (term.N.size() == 0) continue;
     M += mass_change_of(term, state) * term.mass_at(state.factor);
   }
   // A base that holds changes of stiffness has not the coordinates of modes.
-  return solve_modes(K, M, base_->terms.empty());
+  return solve_modes(K, M, base_.terms.empty());
 }
 
 std::vector<PairEnds> FrfModel::ends(const TestAsDone& done) const {
@@ -154,7 +154,7 @@ BaseModes FrfModel::full_modes(const ModelState& state) const {
   const BaseModes base = base_modes(state);
   const TestAsDone done = test_as_done(setting_, state.effects);
   auto [K, M] = with_changes(
-      base, modal_modifications(state, done.setting, runs_, *base_), state);
+      base, modal_modifications(state, done.setting, runs_, base_), state);
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
       2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
@@ -185,22 +185,15 @@ void FrfModel::set_reference(const ModelState& state) {
   reference_phi_ = base_modes(state).phi;
 }
 
-const MatrixXd& FrfModel::stiffness_part(std::size_t at) const {
-  return own_part_ && own_part_->at == at ? own_part_->K : base_->K_part[at];
-}
-
-const MatrixXd& FrfModel::mass_part(std::size_t at) const {
-  return own_part_ && own_part_->at == at ? own_part_->M : base_->M_part[at];
-}
-
 void FrfModel::set_part(std::size_t factor, MatrixXd K, MatrixXd M) {
   const auto own = [factor](const std::vector<int>& power) {
     return factor < power.size() && power[factor] > 0;
   };
-  const auto at = std::ranges::find_if(base_->part_power, own);
-  assert(at != base_->part_power.end());
-  const auto t = static_cast<std::size_t>(at - base_->part_power.begin());
-  own_part_ = {t, std::move(K), std::move(M)};
+  const auto at = std::ranges::find_if(base_.part_power, own);
+  assert(at != base_.part_power.end());
+  const auto t = static_cast<std::size_t>(at - base_.part_power.begin());
+  base_.K_part[t] = std::move(K);
+  base_.M_part[t] = std::move(M);
 }
 
 // The position in zeta of each mode's ratio, or -1. Springs and masses move
@@ -253,7 +246,7 @@ ModalState FrfModel::modal_state(const ModelState& state,
   const effects::Setting& setting = shared.done.setting;
   shared.modes = std::move(bare);
   shared.owner = damping_owners(state, shared.modes);
-  shared.changes = modal_modifications(state, setting, runs_, *base_);
+  shared.changes = modal_modifications(state, setting, runs_, base_);
   shared.beside = outside_modal_basis(state, setting, runs_);
   if (!shared.changes.empty()) {
     BaseModes loaded = modes_with(shared.modes, shared.changes, state);
@@ -285,13 +278,13 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
       if (sum.size() == 0) sum.setZero(part.rows(), part.cols());
       sum += c * part;
     };
-    for (std::size_t t = 0; t < base_->part_power.size(); ++t) {
-      const double c = part_slope(base_->part_power[t], state.factor, j);
+    for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
+      const double c = part_slope(base_.part_power[t], state.factor, j);
       if (c == 0.0) continue;
-      add(c, stiffness_part(t), dK);
-      add(c, mass_part(t), dM);
+      add(c, base_.K_part[t], dK);
+      add(c, base_.M_part[t], dM);
     }
-    for (const StiffnessTerm& term : base_->terms) {
+    for (const StiffnessTerm& term : base_.terms) {
       const MatrixXd slope = term.slope(state.factor, j);
       if (slope.size() > 0) add(change_of(term, state), slope, dK);
       const MatrixXd of_mass = term.mass_slope(state.factor, j);
@@ -301,7 +294,7 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
     const PlacedEffect& placed = state.effects[e];
-    for (const StiffnessTerm& term : base_->terms) {
+    for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed) || placed.p.empty()) continue;
       const double p = placed.p[term.parameter];
       MatrixXd dM = term.mass_at(state.factor);

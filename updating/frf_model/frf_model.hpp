@@ -30,7 +30,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -124,9 +123,7 @@ class FrfModel {
   /// are among the state's effects.
   [[nodiscard]] std::vector<PairEnds> ends(const ModelState& state) const;
 
-  /// As it was built: what set_part() has given is not in it. Copies of a model
-  /// share it.
-  [[nodiscard]] const ReducedBase& base() const { return *base_; }
+  [[nodiscard]] const ReducedBase& base() const { return base_; }
   [[nodiscard]] const effects::Setting& setting() const { return setting_; }
   /// Row of V for a degree of freedom of the deck.
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
@@ -179,17 +176,7 @@ class FrfModel {
                                                 const BaseModes& bare) const;
   void set_damping(ModalState& shared) const;
 
-  // Matrices in place of the base's own.
-  struct OwnPart {
-    std::size_t at = 0;
-    Eigen::MatrixXd K;
-    Eigen::MatrixXd M;
-  };
-  [[nodiscard]] const Eigen::MatrixXd& stiffness_part(std::size_t at) const;
-  [[nodiscard]] const Eigen::MatrixXd& mass_part(std::size_t at) const;
-
-  std::shared_ptr<const ReducedBase> base_;
-  std::optional<OwnPart> own_part_;
+  ReducedBase base_;
   effects::Setting setting_;
   std::shared_ptr<const ModalData> modes_;
   std::vector<MeasuredPair> pairs_;

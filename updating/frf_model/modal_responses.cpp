@@ -57,7 +57,7 @@ std::vector<PairedMode> FrfModel::paired(const BaseModes& modes,
 }
 
 std::pair<VectorXd, MatrixXd> FrfModel::modes_at_points() const {
-  return {base_->K.diagonal().cwiseMax(0.0).cwiseSqrt(), points_.transpose()};
+  return {base_.K.diagonal().cwiseMax(0.0).cwiseSqrt(), points_.transpose()};
 }
 
 ModelResponse FrfModel::respond_modes(ModalState& shared,
