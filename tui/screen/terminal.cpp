@@ -46,8 +46,6 @@ void restore_and_die(int signal_number) {
 // Within this, what follows an Esc belongs to it.
 constexpr int escape_delay_ms = 25;
 
-// SIGBUS is the readers' of mapped files, which abort where they have no
-// answer.
 constexpr std::array<int, 4> crashes{SIGSEGV, SIGFPE, SIGILL, SIGABRT};
 constexpr std::array<int, 4> endings{SIGTERM, SIGHUP, SIGINT, SIGQUIT};
 
@@ -56,6 +54,22 @@ void set_handler(int signal_number, void (*handler)(int)) {
   action.sa_handler = handler;
   sigemptyset(&action.sa_mask);
   sigaction(signal_number, &action, nullptr);
+}
+
+void (*handler_of(int signal_number))(int) {
+  struct sigaction action {};
+  sigaction(signal_number, nullptr, &action);
+  return action.sa_handler;
+}
+
+// Readers of mapped files answer SIGBUS, and abort where they cannot: theirs
+// stays, whether it was there before the screens or came while they were.
+void take_bus_error() {
+  if (handler_of(SIGBUS) == SIG_DFL) set_handler(SIGBUS, restore_and_die);
+}
+
+void give_back_bus_error() {
+  if (handler_of(SIGBUS) == restore_and_die) set_handler(SIGBUS, SIG_DFL);
 }
 
 bool wants_no_colour(const TerminalOptions& options) {
@@ -294,9 +308,11 @@ Terminal::Terminal(const TerminalOptions& options)
   end_asked = 0;
   for (const int ending : endings) set_handler(ending, ask_to_end);
   for (const int crash : crashes) set_handler(crash, restore_and_die);
+  take_bus_error();
 }
 
 Terminal::~Terminal() {
+  give_back_bus_error();
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
   for (const int ending : endings) set_handler(ending, SIG_DFL);
   endwin();
